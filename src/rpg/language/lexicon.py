@@ -84,7 +84,7 @@ VERBS = {
     "place": "put place add move set position lay bring transfer relocate drop push slide shift carry get deliver "
     "locate seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich "
     "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
-    "heave hoist install wedge fit slot squeeze center pack",
+    "heave hoist install wedge fit slot squeeze center pack squish squash cram jam plonk toss",
     "pick": "pick grab grasp lift take find",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape",
@@ -111,13 +111,13 @@ PAST = {
     "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
     "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",
     "transfer": "transferred", "drag": "dragged", "hide": "hidden hid", "stick": "stuck", "drop": "dropped",
-    "grab": "grabbed", "fit": "fitted", "slot": "slotted", "carry": "carried",
+    "grab": "grabbed", "cram": "crammed", "jam": "jammed", "fit": "fitted", "slot": "slotted", "carry": "carried",
     "classify": "classified", "empty": "emptied", "sit": "sat", "slide": "slid", "stand": "stood",
 }  # fmt: skip
 DOUBLED = {
     "put": "putting", "set": "setting", "get": "getting", "split": "splitting", "swap": "swapping", "flip": "flipping",
     "spin": "spinning", "tip": "tipping", "transfer": "transferring", "drag": "dragging", "drop": "dropping",
-    "grab": "grabbing", "sit": "sitting", "fit": "fitting", "slot": "slotting",
+    "grab": "grabbing", "cram": "cramming", "jam": "jamming", "sit": "sitting", "fit": "fitting", "slot": "slotting",
 }  # fmt: skip
 POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "

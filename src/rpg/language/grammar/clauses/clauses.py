@@ -10,7 +10,7 @@ from rpg.language.grammar.clauses.becoming import staying
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
-from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped
+from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
 from rpg.language.grammar.clauses.states import state
 from rpg.language.grammar.clauses.terse import about, said_of, terse
 from rpg.language.grammar.clauses.there import exists, listed_there, on_what_is_named, stands_there
@@ -62,8 +62,8 @@ def clause(p: Parser, i: int) -> Results[Meaning]:
         if mode == "denied":
             yield from _unwanted(p, start)
             continue
-        yield from ((weighed(one_for_each(p, piled(found))), j) for found, j in _plain(p, start, mode))
-        yield from ((weighed(one_for_each(p, piled(found))), j) for found, j in _fronted(p, start, mode))
+        yield from ((weighed(one_for_each(p, piled(topped_there(found)))), j) for found, j in _plain(p, start, mode))
+        yield from ((weighed(one_for_each(p, piled(topped_there(x)))), j) for x, j in _fronted(p, start, mode))
 
 
 _EVERY = ("all", "each", "both", "no")

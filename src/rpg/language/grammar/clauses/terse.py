@@ -23,6 +23,7 @@ from rpg.language.grammar.things.bodies import bodies
 from rpg.language.grammar.things.labels import digits_of, literal
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import (
+    Absolute,
     Amount,
     Clause,
     Coord,
@@ -251,6 +252,11 @@ def _place_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 verb = "build" if isinstance(theme, Structure) else "be"
                 place = In(region=region, span=p.span(i, j))
                 yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=1), k
+            for more, end in adjuncts(p, k) if isinstance(theme, Noun) and p.stands(k, ("with",)) else ():
+                place = In(region=region, span=p.span(i, j))
+                if len(more) == 1 and isinstance(more[0], Absolute) and (end >= p.end or p.words[end] in (",", ";")):
+                    said = (place, *more)
+                    yield Clause(verb="be", theme=theme, adjuncts=said, mode=mode, span=p.span(i, end), cost=1), end
 
 
 @rule

@@ -42,7 +42,8 @@ from rpg.language.meaning import (
 _PARTICLES = {
     "place": ("up", "out", "down", "together", "over", "back"), "pick": ("up", "out", "off", "away"),
     "build": ("up", "out", "together"), "stack": ("up", "together"), "unstack": ("down", "apart"),
-    "arrange": ("up", "out", "together", "apart"), "sort": ("up", "out", "together"), "swap": ("over", "around"),
+    "arrange": ("up", "out", "together", "apart"), "sort": ("up", "out", "together"),
+    "swap": ("over", "around", "round"),
     "turn": ("over", "around", "up", "down"), "keep": ("up", "down", "together", "over", "around", "apart", "back"),
 }  # fmt: skip
 """What may follow a verb without changing what it says."""
@@ -65,6 +66,9 @@ def gerund_single(p: Parser, i: int) -> Results[Clause]:
 _UP_OR_OUT = ("up", "out", "down", "back")
 _BEHIND = {**dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT), "pick": (*_UP_OR_OUT, "off")}
 """What may follow a verb behind its theme."""
+_ACROSS = frozenset({"over", "round", "around", "across", "along"})
+_WHITHER = frozenset({"on", "onto", "in", "into", "behind", "beside", "next", "near", "by", "upon", "under", "beneath"})
+"""Before these words of place the others tell no more than that something moves."""
 
 
 @rule
@@ -111,7 +115,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
     for theme, k in noun_phrase(p, only or j):
         if isinstance(theme, Structure) and lemma in ("take", "pull") and p.words[k] in ("down", "apart"):
             continue
-        k = p.opt(k, "places", "positions", "around", "over") if sense == "swap" else k
+        k = p.opt(k, "places", "positions", "around", "over", "round") if sense == "swap" else k
+        k = k + 1 if sense == "place" and p.stands(k, _ACROSS) and p.stands(k + 1, _WHITHER) else k
         if sense == "swap" and (end := p.one(k, "back")):
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
@@ -284,9 +289,10 @@ def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     for theme, j in noun_phrase(p, denied or i):
         told = isinstance(theme, Noun | Coord) or (isinstance(theme, Pronoun) and theme.word in _REST)
         ends = p.any_of(p.any_of(j, _MUST_BE) or j, _ELSEWHERE) if not denied else 0
-        block = isinstance(theme, Noun) and (theme.head == "block" or (theme.det == "bare" and not colored))
-        ended = j >= p.end or p.words[j] in (",", ";")
         flat = isinstance(place, In) or (isinstance(mark, Noun) and mark.head == "patch")
+        one = flat and isinstance(theme, Noun) and bool(theme.traits.colors)  # "on the mat, but not the white one"
+        block = isinstance(theme, Noun) and (theme.head == "block" or ((theme.det == "bare" or one) and not colored))
+        ended = j >= p.end or p.words[j] in (",", ";")
         if not denied and ended and flat and isinstance(theme, Noun) and theme.det == "no" and theme.head != "patch":
             yield replace(before, theme=theme, span=p.span(i, j), cost=0), j
         if denied and block and ended and isinstance(place, Loc) and _blocks(mark):

@@ -11,6 +11,7 @@ from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
+from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
 from rpg.language.grammar.things.all_but import exceptions_first
 from rpg.language.grammar.things.remainder import reckoned
@@ -29,7 +30,7 @@ _ANYWHERE = (
     "basically", "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
     "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
-    "kinda", "possibly", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
+    "kinda", "possibly", "while you are at it", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
     "my dear", "dear", "sweetheart", "darling", "honey",
     "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
     "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",
@@ -40,7 +41,8 @@ SOFT = "(soft)"
 """The value of a comma that may have set off nothing but an aside; no number or quotation has it."""
 _HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh"})
 _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
-             "nice and neat", "nice and tidy", "good", "proper", "dead", "smack")  # fmt: skip
+             "nice and neat", "nice and tidy", "good", "proper", "dead", "smack", "bang", "slap bang",
+             "smack bang", "plumb", "right smack")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""
 _FREE = (
     *(
@@ -61,7 +63,9 @@ _FREE = (
     "in a random order", "hello", "hi", "hello there", "hi there", "hello robot", "hi robot", "hey", "hey robot",
     "hello everyone", "good morning", "good day", "dear robot", "ok", "okay", "alright", "great", "your choice",
     "up to you", "as you like", "you choose", "either is fine",
-    "whichever", "whatever", "either will do", "either one will do", "either one is fine",
+    "whichever", "whatever", "your pick", "you pick", "take your pick", "your call", "you decide", "you can decide",
+    "that will do", "that will do fine", "that will be fine", "that would do", "either will do", "either one will do",
+    "either one is fine",
     "it does not matter which", "does not matter which", "no matter which",
     "distance does not matter", "the distance does not matter", "at whatever distance", "no matter how far",
     "i do not care where", "do not care where", "i do not mind where", "it does not matter where", "no matter where",
@@ -81,7 +85,8 @@ _FREE = (
     "which ones you like", "whichever one",
     *(
         f"{lead} {which} {hue}{have}"
-        for lead in ("it does not matter", "no matter", "i do not care", "i do not mind", "does not matter")
+        for lead in ("it does not matter", "no matter", "i do not care", "i do not mind", "does not matter",
+                     "do not care", "do not mind", "not fussed")
         for which in ("which", "what")
         for hue in ("color", "colors")
         for have in ("", " they have", " they are", " you use", " you take", " it has", " it is")
@@ -166,7 +171,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
     out += waiting
-    plain = rephrased(in_words(repeated([token for n in range(len(out)) for token in _meant(out, n)])))
+    plain = rephrased(plainer(in_words(repeated([token for n in range(len(out)) for token in _meant(out, n)]))))
     return reckoned(exceptions_first(plain))
 
 

@@ -46,8 +46,23 @@ def _repair(tokens: list[Token], at: int) -> int:
             break
         end += many or 1
     last = tokens[end - 1].word
+    repairs += not repairs and _said_anew(tokens, at, end)
     bare = last in ("no", "wait") and tokens[end - 2].word == ","  # ", no blocks on the mat"
     return end if repairs and end < len(tokens) and not bare else 0
+
+
+_HESITATIONS = frozenset({"uh", "um", "er", "erm", "uhm", "…"})
+_KINDS = (lexicon.COLOR, lexicon.BLOCK, lexicon.STRUCTURE, lexicon.SIZE)
+
+
+def _said_anew(tokens: list[Token], at: int, end: int) -> bool:
+    """ "a tower of three, er, four purple blocks": another number in front of what is counted, and no list of them."""
+    alone = at > 1 and tokens[at - 2].word not in (",", "and") and _kind(tokens, at - 2) != "number"
+    hesitant = not _HESITATIONS.isdisjoint(t.word for t in tokens[at:end])
+    counted = alone and hesitant and _kind(tokens, at - 1) == "number"
+    if not counted or end + 1 >= len(tokens) or _kind(tokens, end) != "number":
+        return False
+    return any(tokens[end + 1].word in words for words in _KINDS)
 
 
 _SPLIT = tuple(tuple(phrase.split()) for phrase in _REPAIRS)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.formal import formal
 from rpg.language.phrases import by_first
 from rpg.language.tokens import Token
 
@@ -47,7 +48,17 @@ _PHRASES = {
     "each other at all": "each other", "one another at all": "one another", "touch at all": "touch",
     **{f"over there {on}": on for on in ("on", "in", "at", "next", "behind")},
     **{f"{verb} like the": f"{verb} the" for verb in ("put", "place", "move", "take", "stack", "set", "get")},
-    "just not": "but not", "only not": "but not", "please to": "please",
+    "just not": "but not", "only not": "but not", "only do not": "but do not", "please to": "please",
+    **{f"{far} {side}{end}": f"{side}most" for far in ("furthest", "farthest", "furthest to the", "farthest to the")
+       for side in ("left", "right") for end in ("", " of all")},
+    **{f"{read} {down} from the {top}": f"reading from {top} to {bottom}" for read in ("reading", "read")
+       for top, bottom, downs in (("top", "bottom", ("down", "downwards")), ("bottom", "top", ("up", "upwards")))
+       for down in downs},
+    "something that is true": "a true equation", "something that is correct": "a true equation",
+    "something which is true": "a true equation", "something true": "a true equation",
+    "something that works out": "a true equation",
+    **{f"the {all_}": "all of them" for all_ in ("whole lot", "whole thing", "whole bunch")},
+    **{f"{lies} about": f"{lies} around" for lies in ("lying", "sitting", "standing")},
     "fill a": "build a filled", "fill the": "build the filled", "fill one": "build one filled",
     **{f"{kind} together": f"{kind} numbers together" for kind in ("odd", "even")},
     "in rainbow colors": "in the colors of the rainbow",
@@ -102,6 +113,7 @@ _BEGINNINGS = by_first(tuple(_PHRASES))
 
 def rephrased(tokens: list[Token]) -> list[Token]:
     """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
+    tokens = formal(tokens)
     tokens = _was_so(_grouped(_so_many_colors(_spaced_behind(_from_end_to_end(_in_the_corners(_once_more(tokens)))))))
     out: list[Token] = []
     at = 0

@@ -18,7 +18,7 @@ _OF_THEM = frozenset({"letters", "of", "them", "the", "these", "blocks", "cubes"
                       "should", "must", "be", "shall"})  # fmt: skip
 _IS = frozenset({",", "which", "that", "it", "is", "are", "being", "should", "must", "be", "in", "shall"})
 _ONES = frozenset({"one", "ones", "block", "blocks", "cube", "cubes", "brick", "bricks"})
-_FEW = frozenset({"a", "one", "two", "three", "exactly", "single", "just"})
+_FEW = frozenset({"a", "an", "one", "two", "three", "exactly", "single", "just"})
 _THEY = frozenset({"they", "these"})
 _PART = 12
 """So many words name a part at most: "the second one from the left"."""
@@ -116,7 +116,28 @@ def _at(tokens: list[Token], start: int) -> tuple[list[Token], int, Token, Token
         fits = fits and all(word in _IS for word in words[told:end])
     after = end + 1
     after += words[after : after + 1] != [] and words[after] in _ONES
+    if fits and _SINGLE.issuperset(words[begun:end]) and (place := _placed(words, after)):
+        part = [_word(word, tokens[begun]) for word in ("the", place[0], "one")]
+        return part, place[1], color, tokens[end]
     return (tokens[begun : min(told, end)], after, color, tokens[end]) if fits else None
+
+
+_SINGLE = frozenset({"a", "an", "one", "single", "just", "exactly"})
+_AT = {"top": "top", "bottom": "bottom", "left": "leftmost", "right": "rightmost", "middle": "middle",
+       "center": "middle"}  # fmt: skip
+_ENDED = frozenset({"", ",", ".", ";", "!", "please"})
+
+
+def _placed(words: list[str], at: int) -> tuple[str, int] | None:
+    """ "(all green except for a red one) on the very top": which one that is, and the position behind it."""
+    if words[at : at + 1] not in (["on"], ["at"], ["in"]):
+        return None
+    side = at + 1 + (words[at + 1 : at + 2] == ["the"])
+    side += words[side : side + 1] == ["very"]
+    if side >= len(words) or words[side] not in _AT:
+        return None
+    end = side + 1 + (words[side + 1 : side + 2] == ["end"] and words[side] in ("left", "right"))
+    return (_AT[words[side]], end) if (words[end] if end < len(words) else "") in _ENDED else None
 
 
 def _word(word: str, like: Token) -> Token:

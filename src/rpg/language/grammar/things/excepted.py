@@ -40,8 +40,15 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
             closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
             if p.words[comma] == "apart" and _of_another_kind(items[0], item):
                 continue
+            if p.words[k - 1] == "not" and _one(items[0]):
+                continue
             if (op := _but(items[0])) is not None:
                 yield from ((Coord(op=op, items=(*items, item), span=p.span(i, j)), e) for e in {j: None, closed: None})
+
+
+def _one(whole: Meaning) -> bool:
+    """ "(red and blue go on) the mat, but not the white one": out of one thing nothing is taken."""
+    return isinstance(whole, Noun) and whole.head == "patch" and not (whole.plural or whole.conditions)
 
 
 def _but(whole: Meaning) -> str | None:

@@ -264,7 +264,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             yield from ((Coord(op="xor", items=whole, span=p.span(i, k)), e) for e in {k: None, p.opt(k, ","): None})
         if joined:
             stopped = len(items) == 1 and p.words[at : at + 1] == [","] and now == "and"
-            cost = 6 if retold(whole) else 5 if stopped else 2 if now == "then" or shares_head(items[-1], item) else 0
+            shared = shares_head(items[-1], item, p.words[j - 1] == "ones")
+            cost = 6 if retold(whole) else 5 if stopped else 2 if now == "then" or shared else 0
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
             yield from more(p, i, whole, j, now)
         else:

@@ -197,14 +197,16 @@ def extra_alike(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
     return (*found, last)
 
 
-def shares_head(before: Meaning, item: Meaning) -> bool:
-    """ "the red and blue blocks": the plural noun stands for both, it is not "the red one and several blue blocks"."""
+def shares_head(before: Meaning, item: Meaning, ones: bool = False) -> bool:
+    """ "the red and blue blocks": the plural noun stands for both, it is not "the red one and several blue blocks".
+    `ones`: it is "ones"."""
     if isinstance(before, Structure) and isinstance(own := before.members, Noun) and isinstance(item, Noun):
         counted = own.amount is not None and item.amount is not None and item.det == own.det == "bare"
         return counted and own.head == "any" and bool(own.traits.colors) and item.head == "block"
     if not (isinstance(before, Noun) and isinstance(item, Noun)):
         return False
-    bare = item.det == "bare" and item.plural and item.amount is None and item.head != "any" and item.traits.colors
+    headed = item.head != "any" or ones
+    bare = item.det == "bare" and item.plural and item.amount is None and headed and item.traits.colors
     return bool(bare and before.head == "any" and before.traits.colors)
 
 

@@ -1,0 +1,213 @@
+"""Casual constructions in the words of plainer ones: "10 cm apart, roughly" is about 10 cm apart."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+_STOPS = frozenset({".", "!", "?", ";"})
+_BREAKS = _STOPS | {",", ":"}
+_HEDGES = (("roughly",), ("approximately",), ("or", "so"), ("more", "or", "less"), ("or", "thereabouts"), ("about",),
+           ("give", "or", "take"), ("roughly", "speaking"), ("ish",))  # fmt: skip
+_HEDGED = frozenset({"about", "around", "roughly", "approximately", "nearly"})
+_EXACT = frozenset({"exactly", "precisely", "least", "most", "than", "within"})
+_LOOKS = frozenset({"the", "that", "this", "those", "these", *lexicon.COLOR, *lexicon.SIZE, *lexicon.SHAPE_ADJECTIVE,
+                    "letter", "long", "and", *lexicon.NUMBER}) - {"one"}  # fmt: skip
+_NOUNS = {**lexicon.BLOCK, **lexicon.PATCH, "one": False, "ones": True}
+_SEEN = (("you", "know"), ("you", "see"), ("do", "you", "see"), ("can", "you", "see"), ("see",), ("remember",),
+         ("you", "remember"), ("notice",), ("spot",))  # fmt: skip
+_DOING = frozenset({"should", "must", "shall", "have", "need", "are", "go", "swap", "trade", "belong", "touch",
+                    "stand"})  # fmt: skip
+_PLACES = frozenset({"on", "in", "at", "under", "next", "behind", "beside", "between", "not", "already", "still",
+                     "always", "going", "supposed", "meant", "near"})  # fmt: skip
+_DONE = frozenset({"after", "once", "when"})
+_WHO = frozenset({"you", "we", "i"})
+
+
+def plainer(tokens: list[Token]) -> list[Token]:
+    """The tokens with such constructions in plainer words."""
+    words = [token.word for token in tokens]
+    for change in (_seen, _is, _resumed, _have_done, _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off):
+        if (changed := change(tokens, words)) is not None:
+            tokens = changed
+            words = [token.word for token in tokens]
+    return tokens
+
+
+def _said(word: str, like: Token) -> Token:
+    return replace(like, kind="punct" if word in _BREAKS else "word", word=word, raw=word, value=None)
+
+
+def _seen(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "You know the green block? It goes ...", "see the mat, put ...": there is one, and what follows speaks of it."""
+    lead = next((len(x) for x in _SEEN if tuple(words[: len(x)]) == x), 0)
+    end = lead
+    while end < len(words) and words[end] in _LOOKS:
+        end += 1
+    if end == lead or end + 1 >= len(words) or words[end] not in _NOUNS:
+        return None
+    if words[lead] not in ("the", "that", "this", "those", "these") or not (lead or "?" in words[end + 1 : end + 4]):
+        return None
+    stop = end + 1 + (words[end + 1] in ("there", "here"))
+    stop += words[stop : stop + 1] == [","] and words[stop + 1 : stop + 3] == ["right", "?"] and 2
+    if words[stop : stop + 1] not in ([","], ["?"], ["…"], ["."])[: None if lead else 2] or stop + 1 >= len(words):
+        return None
+    there = [_said(word, tokens[0]) for word in ("there", "are" if _NOUNS[words[end]] else "is", "the")]
+    rest = tokens[stop + 1 :]
+    rest = rest[1:] if rest[0].word in ("well", ",", "so", "right") and len(rest) > 1 else rest
+    return [*there, *tokens[lead + 1 : end + 1], _said(".", tokens[stop]), *rest]
+
+
+def _is(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "The red one's sitting on it": is, where no place or part of the block follows."""
+    out = list(tokens)
+    for at in range(1, len(words) - 1):
+        thing = words[at - 1] in lexicon.BLOCK or words[at - 1] in lexicon.COLOR or words[at - 1] in lexicon.PATCH
+        after = words[at + 1]
+        posture = after.endswith("ing") and after in lexicon.POSTURE
+        if words[at] == "'s" and (thing or words[at - 1] == "one") and (posture or after in _PLACES):
+            out[at] = _said("is", tokens[at])
+    return out if out != tokens else None
+
+
+def _resumed(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Red and blue, those two should trade places": the two that were just named."""
+    for at in range(3, len(words) - 2):
+        if words[at] != "," or words[at + 1] not in ("those", "these", "the", "they"):
+            continue
+        begin = max((n + 1 for n in range(at) if words[n] in _STOPS), default=0)
+        named = sum(word in lexicon.COLOR for word in words[begin:at])
+        plain = all(w in lexicon.COLOR or w in _NOUNS or w in ("the", ",", "and", "a") for w in words[begin:at])
+        many = 2 if words[at + 2] == "both" else lexicon.NUMBER.get(words[at + 2], 0)
+        listed = plain and "and" in words[begin:at] and named == many > 1
+        if listed and at + 3 < len(words) and words[at + 3] in _DOING:
+            return [*tokens[:at], *tokens[at + 3 :]]
+    return None
+
+
+def _have_done(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "After you've put white on black": after you put it there."""
+    for at in range(len(words) - 3):
+        if words[at] in _DONE and words[at + 1] in _WHO and words[at + 2] == "have":
+            forms = lexicon.VERB.get(words[at + 3], ())
+            lemma = next((x for _, x, form in forms if form == "past" or lexicon.PAST.get(x) == words[at + 3]), "")
+            if lemma:
+                return [*tokens[: at + 2], _said(lemma, tokens[at + 3]), *tokens[at + 4 :]]
+    return None
+
+
+def _hedged(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "10 cm apart, roughly", "10 cm or so apart": about 10 cm."""
+    for at in range(1, len(words)):
+        comma = words[at] == ","
+        begun = at + comma
+        said = max((len(x) for x in _HEDGES if tuple(words[begun : begun + len(x)]) == x), default=0)
+        end = begun + said
+        if not said or words[begun : begun + 1] == words[end : end + 1]:
+            continue
+        last = end >= len(words) or words[end] in _BREAKS
+        unit = max((n for n in range(max(1, at - 3), at) if words[n] in lexicon.UNIT), default=0)
+        figure = unit - 1
+        if not unit or tokens[figure].kind != "number" or not (last or (unit == at - 1 and words[begun] == "or")):
+            continue
+        if words[begun] == "about" and not (comma and last):
+            continue
+        if not _EXACT.isdisjoint(words[max(0, figure - 2) : figure]):
+            continue
+        about = [] if words[figure - 1] in _HEDGED else [_said("about", tokens[begun])]
+        return [*tokens[:figure], *about, *tokens[figure:at], *tokens[end:]]
+    return None
+
+
+_TIDIED = frozenset({"tidy", "clean", "straighten", "neaten"})
+
+
+def _tidied(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Tidy up two reds and two blues so that the same colours are together": sort them."""
+    for at in range(len(words) - 2):
+        if words[at] not in _TIDIED or words[at + 1] != "up":
+            continue
+        end = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
+        if "so" in words[at + 3 : end] and "together" in words[at + 3 : end]:
+            return [*tokens[:at], _said("sort", tokens[at]), *tokens[at + 2 :]]
+    return None
+
+
+_FREELY = (("any", "way", "you", "like"), ("however", "you", "like"), ("any", "way", "you", "want"),
+           ("as", "you", "like"), ("in", "any", "way", "you", "like"),
+           ("in", "whatever", "order", "you", "like"))  # fmt: skip
+_BUT = (("as", "long", "as"), ("so", "long", "as"), ("provided",), ("but", "with"))
+
+
+def _freely(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Stack them any way you like as long as green is in the middle": as long as it is there.
+    "DOG, but as a tower": as a tower."""
+    for at in range(1, len(words) - 2):
+        free = next((len(x) for x in _FREELY if tuple(words[at : at + len(x)]) == x), 0)
+        comma = words[at + free : at + free + 1] == [","]
+        begun = at + free + comma
+        if free and any(tuple(words[begun : begun + len(x)]) == x for x in _BUT):
+            return [*tokens[:at], *tokens[begun:]]
+        if words[at : at + 2] == [",", "but"] and words[at + 2] in ("as", "in") and words[at + 3 : at + 4] == ["a"]:
+            return [*tokens[:at], *tokens[at + 2 :]] if words[at + 4 : at + 5] != ["group"] else None
+    return None
+
+
+_LEFT_OUT = frozenset({"ignore", "disregard", "forget"})
+_LYING = frozenset({"lying", "sitting", "standing", "hanging"})
+
+
+def _around(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Ignore the two white blocks that are lying around": where they lie is nowhere in particular."""
+    for at in (n for n, word in enumerate(words) if word in _LEFT_OUT):
+        end = next((n for n in range(at, len(words)) if words[n] in _BREAKS), len(words))
+        if words[end - 1] in ("around", "about", "there") and words[end - 2] in _LYING and end - 2 > at:
+            relative = 2 if words[end - 4] in ("that", "which") and words[end - 3] in ("are", "is") else 0
+            return [*tokens[: end - 2 - relative], *tokens[end:]]
+    return None
+
+
+def _like_a_grid(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Two rows of three blocks, like a little grid": a grid of them."""
+    for at in range(len(words) - 4):
+        if words[at + 1 : at + 3] != ["rows", "of"] or not _counts(tokens[at]) or not _counts(tokens[at + 3]):
+            continue
+        end = next((n for n in range(at, len(words)) if words[n] in _BREAKS), len(words))
+        like = end + 1
+        if words[like : like + 2] not in (["like", "a"], ["as", "a"], ["in", "a"], ["forming", "a"], ["so", "a"]):
+            continue
+        noun = like + 2 + (words[like + 2 : like + 3] in (["little"], ["small"], ["neat"], ["tiny"]))
+        if words[noun : noun + 1] == ["grid"] and (noun + 1 == len(words) or words[noun + 1] in _BREAKS):
+            grid = [_said(word, tokens[noun]) for word in ("a", "grid", "of")]
+            return [*tokens[:at], *grid, *tokens[at:end], *tokens[noun + 1 :]]
+    return None
+
+
+def _counts(token: Token) -> bool:
+    return token.kind == "number" or token.word in lexicon.NUMBER
+
+
+_TOPPED = frozenset({"finish", "top", "cap", "crown"})
+_PILES = frozenset({"stack", "tower", "pile", "skyscraper", "column"})
+
+
+def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "(Build a tower of two) and finish it off with a red one on top": and put a red one on top."""
+    for at in range(2, len(words) - 4):
+        led = words[at] in _TOPPED and words[at - 1] in ("and", "then")
+        if not led or words[at + 1] not in ("it", "them", "that"):
+            continue
+        off = words[at + 2] == "off"
+        if words[at + 2 + off] != "with" or _PILES.isdisjoint(words[:at]):
+            continue
+        end = next((n for n in range(at, len(words)) if words[n] in _BREAKS), len(words))
+        thing = tokens[at + 3 + off : end]
+        if words[end - 2 : end] == ["on", "top"]:
+            thing = thing[:-2]
+        if not thing or any(t.word in ("and", "on", "in", "at", "with") for t in thing):
+            continue
+        top = [_said(word, tokens[at]) for word in ("on", "top")]
+        return [*tokens[:at], _said("put", tokens[at]), *thing, *top, *tokens[end:]]
+    return None

@@ -21,7 +21,6 @@ from rpg.passes.schema.resolve.places.mutual import (
     none_another,
     of_the_towers,
     one_for_each,
-    reciprocal,
     some_other,
 )
 from rpg.passes.schema.resolve.places.patches import (
@@ -34,6 +33,7 @@ from rpg.passes.schema.resolve.places.patches import (
     on_separate_patches,
     one_lot_each,
 )
+from rpg.passes.schema.resolve.places.some_of_them import to_each_other
 from rpg.passes.schema.resolve.places.stacking import Towers, check_bodies, vertical
 from rpg.passes.schema.resolve.things.none_of import one_and_all
 from rpg.passes.schema.resolve.things.operands import (
@@ -126,7 +126,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     none = theme.quant is not None and theme.quant.high == 0
     if len(theme.names) > 1 and among_themselves(theme, loc.landmark, scene, denied or none):
         mutual = denied or theme.quant is not None
-        return reciprocal(theme, loc, span, denied=denied) if mutual else some_other(theme, loc, span)
+        return to_each_other(theme, loc, scene, span) if mutual else some_other(theme, loc, span)
     if (apart_from := none_another(theme, loc, scene, span, _relate)) is not None:
         return apart_from
     like = scope.like_patch or (loc.rel in ("on", "in") and like_the_last(loc, scene))
@@ -183,7 +183,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         raise refuse("ambiguous", "it is not said which of the blocks are meant", loc.span, "name the blocks")
     if mark.reciprocal:
         _groups_or_blocks(theme, loc, scene)
-        found = reciprocal(of_the_towers(theme, loc, scene), loc, span, denied=loc.negated or scene.denying)
+        found = to_each_other(of_the_towers(theme, loc, scene), loc, scene, span)
         if loc.rel == "together" and not (loc.negated or scene.denying or theme.built):
             scene.add_built("pile", theme.names, False, span)
         return found

@@ -112,3 +112,22 @@ def test_most_states_are_ruled_out() -> None:
     assert sum(uneven(state, NAMES) for state in states) > 250
     assert sum(off(state, NAMES[0], NAMES[1], 0.022, 0.01) for state in states) > 200
     assert sum(layers(state, NAMES) not in ([3, 3], None) for state in states) > 250
+
+
+@pytest.mark.parametrize("sizes", SIZES)
+@pytest.mark.parametrize(
+    "goal",
+    [
+        g.Touching(a=NAMES[:1], b=NAMES[1:2]),
+        g.Touching(a=NAMES[:2], b=NAMES[2:4], gap=0.02),
+        g.On(a=NAMES[:1], b=NAMES[1:2]),
+        g.On(a=NAMES[:2], b=NAMES[2:5], gap=0.05, offset_edges=1.5, tilt=90.0),
+    ],
+    ids=lambda goal: goal.kind,
+)
+def test_what_plainly_fails_does_so_by_all_of_its_tolerance(goal: g.Atom, sizes: str) -> None:
+    there, rng, predicate = world(SIZES[sizes]), Random(6), PREDICATES[goal.kind]
+    states = [anywhere(there, rng) for _ in range(300)]
+    plain = [predicate.evaluate(goal, state) for state in states if predicate.plainly_not(goal, state)]
+    assert len(plain) > 20
+    assert all(not verdict and verdict.margin <= -1.0 for verdict in plain)

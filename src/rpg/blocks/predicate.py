@@ -57,6 +57,10 @@ class Predicate(ABC, Generic[N]):
         """The truth of `evaluate` alone, for judging many states: most are ruled out at a glance."""
         return self.evaluate(node, state).value
 
+    def plainly_not(self, node: N, state: BlockState) -> bool:
+        """Is it seen at a glance that the atom fails by the whole of its tolerance, or more?"""
+        return False
+
     def loosened(self, node: N) -> N | None:
         """The atom without its order, where `in_order` judges that by itself; None where it does not."""
         return None

@@ -2,32 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import replace
 from itertools import islice
 from math import hypot
 from random import Random
 from typing import NamedTuple
 
-from rpg.blocks.arrange.alternatives import Literal
 from rpg.blocks.arrange.bounds import Bounds
-from rpg.blocks.arrange.builds import ABSOLUTE, STRUCTURES
 from rpg.blocks.arrange.ground import Ground
 from rpg.blocks.arrange.pieces import Assembly, Piece
+from rpg.blocks.arrange.rules import Rule
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
-from rpg.blocks.predicate import Predicate
-from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3
-from rpg.ir import goal as g
 from rpg.ir.relations import Apart
 from rpg.ir.structures import GroupBy
-from rpg.ir.walk import names
 
-OPEN = STRUCTURES | {"clear", "empty", "facing"}
-"""Atoms that other blocks can break: judged again whenever something is placed."""
-
-TIGHT = {"touching": 5, "adjacent": 3, "distance": 3, "beside": 2}
-"""How much conditions on a place press for it to be taken before others."""
 GRADUAL = frozenset({"group_by", "between"})
 """Atoms that propose places while some of their blocks are still to come."""
 WIDTH = 6
@@ -80,42 +70,6 @@ class Budget:
         self.left -= tries
         if self.left < 0:
             raise Exhausted
-
-
-@dataclass(frozen=True)
-class Rule:
-    """A literal with what the search needs to know of it."""
-
-    atom: g.Atom
-    hint: g.Atom
-    holds: bool
-    predicate: Predicate[g.Atom]
-    blocks: tuple[str, ...]
-    together: frozenset[str]
-    patches: tuple[str, ...]
-    per_place: bool
-    open_ended: bool
-    press: int
-
-    def slack(self, state: BlockState) -> float | None:
-        """How well the literal is met (not negative); None where it is not."""
-        verdict = self.predicate.evaluate(self.atom, state)
-        return abs(verdict.margin) if verdict.value == self.holds else None
-
-
-def rules_of(literals: Iterable[Literal], about: Iterable[tuple[str, ...]], assembly: Assembly) -> list[Rule]:
-    """The literals, each with the names that are `about` in it, as rules with respect to the pieces at hand."""
-    found = []
-    for (atom, holds, hint), mentioned in zip(literals, about, strict=True):
-        blocks = tuple(n for n in mentioned if n in assembly.of)
-        split = len({id(assembly.of[n]) for n in blocks}) > 1
-        patches = tuple(n for n in mentioned if n not in assembly.of) if len(blocks) < len(mentioned) else ()
-        placed = atom.kind in ABSOLUTE or bool(patches)
-        together = frozenset(blocks if hint is None else names(hint)) & assembly.of.keys()
-        per_place, open_ended = split or placed, atom.kind in OPEN
-        said, press = (holds, PREDICATES[atom.kind], blocks, together, patches), TIGHT.get(atom.kind, 1)
-        found.append(Rule(atom, hint or atom, *said, per_place, open_ended, press))
-    return found
 
 
 class Search:

@@ -56,13 +56,16 @@ def reseated(
     if not kept or any(cluster.fixed for cluster in clusters):
         return None
     table = _Table(atom, clusters, kept, world)
-    if table.faults() == 0.0:
+    faults = table.at_first
+    if faults == 0.0:
         return None
     rng = Random(len(table.seats))
-    for _ in range(RESTARTS if thorough else 1):
-        if table.improved():
+    for attempt in range(RESTARTS if thorough else 1):
+        if attempt:
+            table.shuffle(rng)
+            faults = table.faults()
+        if table.improved(faults):
             return table.clusters()
-        table.shuffle(rng)
     return None
 
 
@@ -75,11 +78,12 @@ class _Table:
         self.seats: Seats = {
             n: (k, place, quat) for k, c in enumerate(clusters) for n, (place, quat) in c.poses.items()
         }
-        self.whole = PREDICATES[atom.kind].evaluate(atom, self._state()).value
+        state = self._state()
+        self.whole = PREDICATES[atom.kind].evaluate(atom, state).value
+        self.at_first = self._unmet(state)
 
-    def improved(self) -> bool:
+    def improved(self, faults: float) -> bool:
         """Exchange the pair that helps most until no exchange helps; do all conditions hold then?"""
-        faults = self.faults()
         for _ in range(ROUNDS):
             better, pair = min(((self.faults_after(*pair), pair) for pair in self.pairs()), default=(faults, None))
             if pair is None or better >= faults:
@@ -116,6 +120,11 @@ class _Table:
     def faults(self) -> float:
         """How far the conditions are from holding: below 1 when all do, 0 when none of them barely."""
         state = self._state()
+        spoilt = self.whole and not PREDICATES[self.atom.kind].evaluate(self.atom, state).value
+        return self._unmet(state) + (SPOILT if spoilt else 0.0)
+
+    def _unmet(self, state: BlockState) -> float:
+        """What the conditions amount to, the structure apart."""
         found = 0.0
         for atom, wanted, _ in self.asked:
             verdict = PREDICATES[atom.kind].evaluate(atom, state)
@@ -123,8 +132,6 @@ class _Table:
                 found += 1.0 + min(abs(verdict.margin), 5.0) / 10.0
             elif abs(verdict.margin) < THIN:
                 found += 0.1
-        if self.whole and not PREDICATES[self.atom.kind].evaluate(self.atom, state).value:
-            found += SPOILT
         return found
 
     def clusters(self) -> list[Cluster]:

@@ -9,12 +9,13 @@ from random import Random
 from threading import Lock
 from typing import NamedTuple
 
-from rpg.blocks.arrange.alternatives import Conjunction, alternatives, single
+from rpg.blocks.arrange.alternatives import alternatives, single
 from rpg.blocks.arrange.bounds import Bounds, Contradiction
 from rpg.blocks.arrange.builds import layouts_of
 from rpg.blocks.arrange.fixed import Poses, fixed_poses
 from rpg.blocks.arrange.pieces import Assembly, Clash
-from rpg.blocks.arrange.place import DENSE, NATURAL, VARIED, Budget, Exhausted, Search, Style, rules_of
+from rpg.blocks.arrange.place import DENSE, NATURAL, VARIED, Budget, Exhausted, Search, Style
+from rpg.blocks.arrange.rules import Way
 from rpg.blocks.arrange.turning import orientation_for
 from rpg.blocks.evaluate import satisfied, settled
 from rpg.blocks.geometry import is_level
@@ -22,13 +23,9 @@ from rpg.blocks.predicate import Cluster
 from rpg.blocks.state import BlockState, World, yaw_quat
 from rpg.ir import goal as g
 from rpg.ir.assets import Asset
-from rpg.ir.node import Highest, Lowest, members
-from rpg.ir.relations import Above, Facing, On, Turned
-from rpg.ir.walk import names
+from rpg.ir.node import members
 
 MAX_ALTERNATIVES = 200
-SQUARE = frozenset({"touching", "distance", "facing", "turned"})
-"""Conditions that are hard to meet for blocks that stand askew, or that say how they are turned."""
 SPIN = 0.6
 """Greatest turn (radians) of a block that is turned for variety."""
 MOST_COMBINED = 300
@@ -84,14 +81,14 @@ class Solver:
     def solve(self, rng: Random, vary: bool = False) -> BlockState | None:
         """A goal state; None where none is found. `vary`: any one rather than the most natural one."""
         budget = Budget(self.tries)
-        ways: Iterable[Conjunction] = self._ways
+        ways: Iterable[Way] = self._ways
         if vary:
             ways = list(ways)
             rng.shuffle(ways)
         try:
             for effort in self.efforts:
-                for literals in ways:
-                    state = self._sweep(literals, rng, effort, budget, vary)
+                for way in ways:
+                    state = self._sweep(way, rng, effort, budget, vary)
                     if state is not None:
                         return state
         except Exhausted:
@@ -103,38 +100,27 @@ class Solver:
         """The alternatives of the goal; to look them up takes about as long as to place a block."""
         return _ways(self.goal, tuple(self.world.assets.values()))
 
-    def _sweep(
-        self, literals: Conjunction, rng: Random, effort: Effort, budget: Budget, vary: bool
-    ) -> BlockState | None:
+    def _sweep(self, way: Way, rng: Random, effort: Effort, budget: Budget, vary: bool) -> BlockState | None:
         """A goal state that meets one alternative of the goal."""
-        assemblies = self._assemblies(literals, rng, effort, budget, vary)
-        about = [names(literal.atom) for literal in literals]
+        assemblies = self._assemblies(way, rng, effort, budget, vary)
         for assembly in islice(assemblies, effort.layouts):
             share = Budget(min(effort.tries, budget.left))
             before = share.left
-            state = self._placed(assembly, literals, about, rng, share, effort.style(vary))
+            state = self._placed(assembly, way, rng, share, effort.style(vary))
             if state is not None:
                 return state
             budget.spend(before - max(share.left, 0))
         return None
 
-    def _placed(
-        self,
-        assembly: Assembly,
-        literals: Conjunction,
-        about: list[tuple[str, ...]],
-        rng: Random,
-        budget: Budget,
-        style: Style,
-    ) -> BlockState | None:
+    def _placed(self, assembly: Assembly, way: Way, rng: Random, budget: Budget, style: Style) -> BlockState | None:
         try:
-            bounds = Bounds(assembly, [atom for atom, holds, _ in literals if holds])
+            bounds = Bounds(assembly, way.wanted)
         except Contradiction as reason:
             self.reasons.append(reason)
             return None
         if bounds.tight is not None:
             self.reasons.append(bounds.tight)
-        search = Search(assembly, bounds, rules_of(literals, about, assembly), rng, budget, self.start, style)
+        search = Search(assembly, bounds, way.rules(assembly), rng, budget, self.start, style)
         try:
             for state in islice(search.run(), LEAVES):
                 if satisfied(self.goal, state) and settled(state):
@@ -143,15 +129,12 @@ class Solver:
             pass
         return None
 
-    def _assemblies(
-        self, literals: Conjunction, rng: Random, effort: Effort, budget: Budget, vary: bool
-    ) -> Iterator[Assembly]:
+    def _assemblies(self, way: Way, rng: Random, effort: Effort, budget: Budget, vary: bool) -> Iterator[Assembly]:
         """Every way to lay out the structures of a conjunction and what stands on what."""
-        wanted = [atom for atom, holds, _ in literals if holds]
-        fixed = fixed_poses(wanted, self.world, self.start)
+        fixed = fixed_poses(way.wanted, self.world, self.start)
         if fixed is None:
             return
-        layouts = [builds for _, builds in layouts_of(literals, self.world, rng, effort.thorough)]
+        layouts = [builds for _, builds in layouts_of(way.literals, self.world, rng, effort.thorough)]
         budget.spend(LAYOUT_COST * sum(map(len, layouts)))
         if vary:
             for clusters in layouts:
@@ -160,53 +143,40 @@ class Solver:
             budget.spend(ASSEMBLY_COST)
             assembly = Assembly(self.world)
             try:
-                self._assemble(assembly, literals, fixed, chosen)
+                self._assemble(assembly, way, fixed, chosen)
             except Clash:
                 continue
             if vary:
-                self._spin(assembly, literals, rng)
+                self._spin(assembly, way, rng)
             yield assembly
 
-    def _spin(self, assembly: Assembly, literals: Conjunction, rng: Random) -> None:
+    def _spin(self, assembly: Assembly, way: Way, rng: Random) -> None:
         """Turn blocks about the vertical that may be turned in any way, so that goal states differ in this as well."""
-        square = {name for atom, _, _ in literals if atom.kind in SQUARE for name in names(atom)}
         for piece in assembly.pieces():
             upright = len({place[:2] for place in piece.position.values()}) == 1
             for name in piece.position if upright and not piece.fixed else ():
-                if piece.orientation[name] is None and name not in square:
+                if piece.orientation[name] is None and name not in way.square:
                     piece.orientation[name] = yaw_quat(rng.choice((0.0, rng.uniform(-SPIN, SPIN))))
 
-    def _assemble(
-        self,
-        assembly: Assembly,
-        literals: Conjunction,
-        fixed: Poses,
-        chosen: tuple[list[Cluster], ...],
-    ) -> None:
+    def _assemble(self, assembly: Assembly, way: Way, fixed: Poses, chosen: tuple[list[Cluster], ...]) -> None:
         assembly.fix(fixed)
         for clusters in chosen:
             for cluster in clusters:
                 assembly.add(cluster)
-        wanted = [atom for atom, holds, _ in literals if holds]
-        stacked = [atom for atom in wanted if isinstance(atom, On)]
-        for on in sorted(stacked, key=lambda on: isinstance(on.b, Highest | Lowest)):
+        for on in way.stacked:
             a, b = assembly.resolve(on.a), assembly.resolve(on.b)
             if a == b:
                 raise Clash
             assembly.put_on(a, b)
-        for above in (atom for atom in wanted if isinstance(atom, Above)):
+        for above in way.above:
             for a in members(above.a):
                 for b in members(above.b):
                     assembly.put_on(assembly.column_foot(a), assembly.column_top(b))
-        self._turn(assembly, literals)
+        self._turn(assembly, way)
         assembly.check()
 
-    def _turn(self, assembly: Assembly, literals: Conjunction) -> None:
-        asked: dict[str, list[tuple[Facing | Turned, bool]]] = {}
-        for atom, holds, _ in literals:
-            if isinstance(atom, Facing | Turned):
-                asked.setdefault(atom.block, []).append((atom, holds))
-        for name, wanted in asked.items():
+    def _turn(self, assembly: Assembly, way: Way) -> None:
+        for name, wanted in way.turns.items():
             quat = orientation_for(name, wanted, self.world, self.start, assembly.of[name].orientation[name])
             if quat is None:
                 raise Clash
@@ -220,11 +190,12 @@ class _Ways:
     """The alternatives of a goal that are tried, each made when it is asked for first: most often one will do."""
 
     def __init__(self, goal: g.Goal, world: World) -> None:
-        self._made: list[Conjunction] = []
-        self._coming = map(single, islice(alternatives(goal, world), MAX_ALTERNATIVES))
+        self._made: list[Way] = []
+        found = islice(alternatives(goal, world), MAX_ALTERNATIVES)
+        self._coming = (Way(single(literals), world) for literals in found)
         self._making = Lock()
 
-    def __iter__(self) -> Iterator[Conjunction]:
+    def __iter__(self) -> Iterator[Way]:
         for number in count():
             if number == len(self._made):
                 with self._making:

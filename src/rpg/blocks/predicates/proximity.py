@@ -102,6 +102,9 @@ class TouchingPredicate(Predicate[Touching]):
             for a, b in pairs(node, state)
         )
 
+    def plainly_not(self, node: Touching, state: BlockState) -> bool:
+        return all(plainly_apart(state, a, b, 2 * node.gap) for a, b in pairs(node, state))
+
     def propose(self, node: Touching, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         for x, y, other in _others(node, block, state):
             close = (state.world.edge[block] + state.world.edge[other]) / 2

@@ -81,6 +81,15 @@ class OnPredicate(Predicate[On]):
 
         return all(any(on(a, b) for b in below) for a in state.resolve(node.a))
 
+    def plainly_not(self, node: On, state: BlockState) -> bool:
+        below, edge = state.resolve(node.b), state.world.edge
+
+        def apart(a: str, b: str) -> bool:
+            reach = node.offset_edges * max(edge[a], edge[b]) + node.slack
+            return a == b or off(state, a, b, 2 * reach, 2 * node.gap)
+
+        return any(all(apart(a, b) for b in below) for a in state.resolve(node.a))
+
     def perhaps(self, node: On, many: Centres) -> Mask:
         found = many.all()
         if not isinstance(node.a, tuple) or not isinstance(node.b, tuple):

@@ -14,6 +14,7 @@ from rpg.language.grammar.structures.levels import in_one
 from rpg.language.grammar.talk.asides import SOFT
 from rpg.language.grammar.talk.chatter import announces, idle
 from rpg.language.grammar.talk.commands import AFTER_THAT, WHEN_OVER
+from rpg.language.grammar.talk.formal import plainly
 from rpg.language.grammar.talk.smalltalk import without_talk
 from rpg.language.grammar.things.lists import with_commas
 from rpg.language.meaning import Chain, Clause, cost_of
@@ -235,6 +236,9 @@ def _read(tokens: list[Token]) -> Parts:
         return found
     if found.diagnostics[0].code == TANGLED:
         raise found
+    plain = [_parts(part) for part in plainly(tokens)]
+    if plain and not any(isinstance(parts, Refusal) for parts in plain):
+        return [part for parts in plain if not isinstance(parts, Refusal) for part in parts]
     if (rest := without_talk(tokens)) is not None:
         return _read(rest) if rest else []
     return [(tokens, read_sentence(tokens, thorough=True))]

@@ -279,6 +279,10 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if not any(isinstance(part, Structure) for part in parts_of(members)):
                 yield Using(members=members, lead=lead, span=p.span(i, k), cost=1), k
+    formed = p.one(i, "of") if p.follows(i, _FORMED) and p.words[i - 2] in ("be", "is", "are", "up") else 0
+    for members, k in noun_phrase(p, formed) if formed else ():
+        if not any(isinstance(part, Structure) for part in parts_of(members)):
+            yield Using(members=members, lead="made of", span=p.span(i, k), cost=1), k
     of = p.one(i, "of") if p.follows(i, _SPOTS) else 0
     for members, k in noun_phrase(p, of) if of else ():
         many = all(isinstance(x, Noun) and x.head != "patch" and x.det == "bare" and (x.plural or x.amount)
@@ -312,6 +316,7 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 yield Using(members=members, span=p.span(i, k), cost=1), k
 
 
+_FORMED = frozenset({"formed", "built", "assembled", "constructed", "created", "stacked", "laid", "erected"})
 _SPOTS = frozenset({*lexicon.PATCH, *lexicon.TABLE, "edge", "corner", "half"})
 """Behind a place "of" tells the blocks of the structure in front of it: "a tower on the mat of three red blocks"."""
 _PLUS = ("plus", ", plus", "and", ", and", "along with", "together with", ", along with", "besides", ", besides")

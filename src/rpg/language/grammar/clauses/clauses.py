@@ -171,7 +171,7 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
             yield from is_where(p, i, j, first, "start" if mode == "start" else "goal")
         if where and p.words[i] != "separately":
             yield from stands_there(p, i, j, first, mode)
-        placed = where or isinstance(first, Toward)
+        placed = where or isinstance(first, Toward) or (isinstance(first, That) and first.kind in ("without", "while"))
         again = placed and p.words[j - 1] == ","
         further = ((of_its(x, first), k) for x, k in _fronted(p, j, mode)) if again else ()
         wished = [start for start, kind in _frames(p, j) if start > j and kind in _SEEN] if placed else ()

@@ -201,11 +201,13 @@ def _owned(found: tuple[Meaning, ...], owner: Meaning) -> tuple[Meaning, ...] | 
             places.append(replace(part, landmark=owner))
         elif isinstance(part, At) and part.side in ("top", "left", "right") and part.index is None:
             places.append(Loc(rel={"top": "on"}.get(part.side, part.side), landmark=owner, span=part.span))
-        elif isinstance(part, Into | Spacing) and isinstance(owner, Noun) and owner.head == "patch":
+        elif (isinstance(part, Into | Spacing) and getattr(owner, "head", "") == "patch") or (
+            isinstance(part, Loc) and part.rel == "on" and isinstance(part.landmark, TableTop)
+        ):
             places.append(part)
         else:
             return None
-    return tuple(places) if any(isinstance(part, Loc) for part in places) else None
+    return tuple(places) if any(isinstance(part, Loc) and part.landmark is owner for part in places) else None
 
 
 def _is_owner(landmark: Meaning | None) -> bool:

@@ -158,13 +158,13 @@ _ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
 
 _DOES = frozenset({"does", "do"})
 """These come first behind "only then": "only after that does the blue one go onto it"."""
-_BARRED = ("at no time", "at no point", "at no moment", "under no circumstances", "in no case", "never")
+_BARRED = ("at no time", "at no point", "at no moment", "under no circumstances", "in no case", "in no event", "never")
 """What comes before a question's order of words: "at no time may the red block be on ..."."""
 
 
 _FILLERS = frozenset({
     "to", "also", "only", "all", "always", "both", "each", "ever", "end", "ends", "ended", "winds", "gets", "get", "up",
-    "then", "still", "just", "simply", "finishes",
+    "then", "still", "just", "simply", "finishes", "itself", "themselves",
 })  # fmt: skip
 
 

@@ -78,11 +78,13 @@ def stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Result
     """ "on the left of the blue block there is a red one"."""
     k = max(p.any_of(j, _STANDS), *_STANDING.matches(p, j), 0)
     lemma = "fact" if k and p.words[k - 1] in _FACTS else ""
+    mark = first.landmark if isinstance(first, Loc) else None
+    shape = isinstance(mark, Noun) and mark.traits.shape is not None and mark.det == "a"
     for theme, end in noun_phrase(p, k or j):
         bare = isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None
         if bare and isinstance(theme, Noun) and not (theme.traits.colors or theme.traits.labels):
             continue
-        behind = max(_LAST.matches(p, end), default=0) if not k else 0
+        behind = max(_LAST.matches(p, end), default=0) if not (k or shape) else 0  # "in a circle, ... shall be placed"
         for more, last in [((), behind)] if behind and p.words[behind] in _CLOSED else adjuncts(p, end):
             verb = "build" if isinstance(theme, Structure) else "be"
             when = "start" if mode == "start" else "goal"

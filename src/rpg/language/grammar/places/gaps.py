@@ -20,7 +20,7 @@ _GAPS = tuple(
 """Words for a distance, what it is measured between, what of them follows a length, and what precedes two blocks."""
 _LEAVE = (
     "leave", "keep", "have", "put", "make", "maintain", "there should be", "there must be", "there is",
-    "there has to be", "there needs to be", "leaving",
+    "there has to be", "there needs to be", "there shall be", "there will be", "leaving",
 )  # fmt: skip
 
 

@@ -70,15 +70,17 @@ _CLASSES = Classes(
         "work": (
             "everything|all|all_this|it_all|the_whole_thing|all_of_it|things",
             "the|this|your|my|our|all_the whole|entire? "
-            "work|task|job|episode|building|construction|mission|moving|stacking|sorting|tidying",
+            "work|task|job|episode|building|construction|mission|moving|stacking|sorting|tidying|test|run|trial|procedure|"
+            "experiment|operation|session",
         ),
-        "worker": ("you|we|i|the_robot|he|she|they",),
+        "worker": ("you|we|i|the_robot|he|she|they|the_arm|the_robot_arm|the_gripper|the_manipulator|the_agent",),
         "have": ("is|are|has|have|am|is_all|are_all|has_all|'ve|'re|will_be|has_been|have_been|gets",),
         "when": ("when|once|as_soon_as|after",),
         "time": (
             "at|by|in the very? end",
             "at|by the very? end|finish|close|conclusion|completion of|for <work>|the_day",
-            "on|upon completion",
+            "on|upon the? completion|conclusion|termination",
+            "on|upon the? completion|conclusion|termination of <work>",
             "at the finish|close",
             "as a|an|the final|end|overall result|outcome",
             "<when> <work>|<worker> <have> <over> <work>|its_work|its_job|their_work|their_job|with_it_all?",

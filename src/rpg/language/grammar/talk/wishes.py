@@ -225,7 +225,7 @@ TAGS = Patterns(
     "as well",
     "on your own",
     "at|in the end",
-    "at the end of the task",
+    f"at|by the very? end of the|this|our? {_QUEST}",
     "when you are done",
     "once|when finished",
     "in the final state",

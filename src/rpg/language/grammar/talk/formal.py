@@ -1,0 +1,178 @@
+"""The order of words of a specification in the plain one: "..., the centre of which shall be red"."""
+
+from __future__ import annotations
+
+import re
+
+from rpg.language.grammar.talk.turned import Turn, turned
+from rpg.language.tokens import Token
+
+_M = "(?:shall|must|should|will|has to|have to|needs to|need to|is to|are to|ought to)"
+_END = "(?:left|right|front|back|top|bottom|near|far)"
+_WAY = f"from (?:the )?{_END} to (?:the )?{_END}"
+_MANY = "(?:\\d+|two|three|four|five|six|seven|eight|nine|ten|twelve)"
+_LINE = "(?:tower|stack|row|line|column|heap|pile|circle|ring|pyramid|grid|wall|staircase)"
+_BLOCK = "(?:block|cube|brick)"
+_THING = "(?:block|cube|brick|patch|mat|target|tile|zone)"
+_THINGS = f"(?:{_THING}s?|patches)"
+_CM = "[\\d.]+ (?:cm|mm|centimeters|centimeter|millimeters)"
+_BESIDE = "(?:on|on top of|to the left of|to the right of|behind|in front of|next to|beside)"
+_STAND = "(?:be|stand|lie|sit|rest)(?: placed| put| found)?"
+_THEN = "(?:then|thereafter|afterwards|subsequently|after that)"
+_BIG = "big|bigger|large|larger"
+_IS = f"(?:is|are|{_M} be)"
+
+_ALWAYS: tuple[Turn, ...] = (
+    (f"^at no (?:time|point|moment) ({_M}|may|can) any (.+?) (be|stand|lie|touch|rest|sit) (.+)$",
+     "no {2} {1} ever {3} {4}"),
+    (f"^(.+?)(?: ,)? (?:which|that) (start|begin|are initially) (?:out )?(in an?|in one) ({_LINE})(?: ,)? ({_M} .+)$",
+     "{1} {2} {3} {4} . they {5}"),
+    ("(?:so|such) that the word (\\S+) (?:can be read|can be seen|is read|is spelled|is formed|appears)\\b",
+     "so that they spell {1}"),
+    (f"^((?:a|the|one) {_LINE}) , ((?:in|on) which [^,]+) , ({_M} .+)$", "{1} {2} {3}"),
+    (f"^of the two (\\w+) {_BLOCK}s , the (?:small|smaller|little) one (.+) the (?:{_BIG}) one\\b",
+     "the small {1} block {2} the big {1} block"),
+    (f"^of the two (\\w+) {_BLOCK}s , the (?:{_BIG}) one (.+) the (?:small|smaller|little) one\\b",
+     "the big {1} block {2} the small {1} block"),
+    ("not be in (?:direct |any )?contact with the table\\b", "not touch the table"),
+    ("\\b(?:on|to|at) whose (left|right)(?: side)?\\b", "to the {1} of which"),
+    ("\\b(?:arithmetically|mathematically) (?:correct|true|valid|right)\\b", "correct"),
+    ("^(.*\\bnever\\b.*?)(?: ,)? while (?:this is (?:being )?done|this happens|doing so|doing this)$", "{1}"),
+    ("\\b(exactly .+?) , (?:neither|no) more (?:nor|and no|or|and not) (?:fewer|less)(?: ,)?", "{1}"),
+    ("\\b(come|comes) to (?:rest|lie|stand)\\b", "end up"),
+    (f"^(.+?) (in \\w+ order ,? ?(?:beginning|starting) with .+?) , ({_M} be (?:made|formed|built) (?:of|from) .+)$",
+     "{1} {3} {2}"),
+    ("\\b(be (?:formed|made|built|laid)) (?:of|from|out of) (.+ in the center and .+ around it)$", "{1} with {2}"),
+    ("\\ban? (row|line|column) (?:that|which) (?:decreases|descends|falls)\\b", "a descending {1}"),
+    ("\\ban? (row|line|column) (?:that|which) (?:increases|ascends)\\b", "an ascending {1}"),
+    (f"^(in (?:an?|one|{_MANY}) (?:\\w+ ){{0,2}}(?:{_LINE}|square|triangle)s?\\b[^,]*) , "
+     f"(.+ {_M} be (?:arranged|placed|put|laid|set|aligned|ordered|sorted|stacked))$", "{2} {1}"),
+    (f"^({_MANY} [^,]+?) ({_M}) be (?:divided|distributed|split|placed|arranged) so that (?:exactly )?(one|{_MANY}) "
+     f"(?:is|are|lie) (on .+?) and (?:exactly )?(one|{_MANY}) (?:is|are|lie)? ?(on .+)$",
+     "{3} of {1} {2} be {4} and the other {5} {6}"),
+    ("\\b(rearrange|reorder|arrange) the (?:row|line) so that it reads\\b", "{1} them so that they read"),
+    (f"^given that (.+?) initially (.+?) , (.+ {_M} .+)$", "at the start , {1} {2} . {3}"),
+)  # fmt: skip
+"""Turns of phrase that are read wrongly, or not at all, where they stand."""
+
+_SIDES = (
+    ("(?:in front|at the front|in the front)", "front"), ("(?:at the back|in the back|at the rear)", "back"),
+    ("(?:on|at) the left", "left"), ("(?:on|at) the right", "right"), ("(?:on top|at the top)", "top"),
+    ("at the bottom", "bottom"), ("(?:in|at) the (?:middle|center)", "middle"),
+)  # fmt: skip
+_PLAINLY: tuple[Turn, ...] = (
+    # relative clauses
+    (f"(?:, )?the (center|middle|base|top|bottom) of which {_IS}\\b", "whose {1} is"),
+    (f"(?:, )?the (base|top|bottom) of which (?:consists|consist|{_M} consist) of\\b", "whose {1} consists of"),
+    (f"^(.+?) {_M} (?:be|form|make) the (top|base|bottom) of (an? \\w+) whose (.+)$",
+     "{3} whose {2} is {1} and whose {4} shall be built"),
+    (f", each of which {_IS}\\b", ", each"),
+    (f"^(.+?) , (?:which|that) ({_M} [^,]+) , ({_M} .+)$", "{1} {2} and {3}"),
+    (f"^(.+?)(?: ,)? (?:which|that) (start|begin)(?: out)? (as an?|as one|in an?|in one) ({_LINE})(?: ,)? ({_M} .+)$",
+     "{1} {2} {3} {4} . they {5}"),
+    (f"^(.+?) , (?:which|that) (?:rises|climbs|ascends|goes up) (to|toward|towards) the ({_END}) , ({_M} .+)$",
+     "{1} {4} , rising {2} the {3}"),
+    (f"(?:, )?whose order ({_WAY}) (?:is|reads|{_M} be|{_M} read) (.+)$", "in the order {2} {1}"),
+    (f"(?:, )?whose (?:edge|edges|edge length|side length) (?:is|are|measures|measure) ({_CM})(?: ,)?",
+     "with an edge of {1}"),
+    (f"(?:, )?(?:which|that) (?:has|have) an (?:edge|edge length) of ({_CM})(?: ,)?", "with an edge of {1}"),
+    (f"\\b({_LINE}(?: of (?:\\w+ ){{1,3}}{_BLOCK}s)?)(?: ,)? (?:that|which) (?:runs|goes|extends|leads) ({_WAY})",
+     "{1} {2}"),
+    (f"^(.*?)\\b((?:(?!the |every |each )\\w+ )?)({_THINGS}) , of which there (?:are|is) ({_MANY})"
+     "(?: in all| in total| altogether)?(?: ,)?( .+)?$", "{1} {2} {3} {5} . there are {4} {2} {3s}"),
+    (f"^(.+) the ((?:\\w+ )?)({_THING}) , ({_BESIDE}) which (.+?) ({_M} {_STAND})( on the table)?$",
+     "{1} the {2} {3} . {5} {6} {7} {4} the {2} {3}"),
+    (f"^(.+ {_M} be (?:built|formed|made|erected)) , ({_BESIDE}) which (.+?) ({_M} {_STAND})( on the table)?$",
+     "{1} . {3} {4} {5} {2} it"),
+    (f"^(.+ {_M} (?:be|stand|lie)(?: \\w+ed| put)? on) the same (?:patch|mat|zone|target)(?: ,)? (?:which|that) "
+     "(?:may|can|must|shall|should) be(?: either)? (.+) or (.+)$", "{1} {2} or {1} {3}"),
+    # what there is
+    ("^(.+?)(?: ,)? there being (.+?)(?: in all| in total| altogether)?$", "{1} . there are {2}"),
+    (f"^((?:an?|one|{_MANY}) .+?) ({_M}) be (?:standing|present|found|seen)( on the table)?$", "there {2} be {1} {3}"),
+    (f"^((?:an?|one|{_MANY}) [^,]+ , each [^,]+) , ({_M}) be (?:standing|present|found|seen)( .+)?$",
+     "there {2} be {1} {3}"),
+    (f"^(.+) , ({_MANY} [^,]+?) being (?:present|there|available)( as distractors)?$", "{1} . there are {2} {3}"),
+    ("^(.+?)(?: ,)? in the presence of (.+)$", "{1} . there are {2}"),
+    # what is said aside
+    ("^with (.+?) (?:left|being|kept) (?:empty|free|clear) , (.+)$", "{1} must be empty . {2}"),
+    ("^(.+) , with (the [^,]+?) (?:left|being|kept) (?:empty|free|clear)$", "{1} . {2} must be empty"),
+    ("^with (.+?) (?:remaining|staying|being kept) (on .+?|in .+?|where it is) , (.+)$", "{1} must remain {2} . {3}"),
+    (f"^(.+?) , ({_WAY}) , ((?:of|from|out of) .+)$", "{2} , {1} {3}"),
+    (f"^(.*{_M}) (?:read|be|show) , ({_WAY}) : (.+)$", "{1} be , {2} : {3}"),
+    (f"^(.+ {_M}) first (be \\w+|stand|lie|sit|go) (.+?) (?:and|, and|,) {_THEN}"
+     f"(?: {_M} be \\w+| be \\w+)? (.+)$", "{1} {2} first {3} and then {4}"),
+    (f"^((?:(?! then | after ).)+ {_M}) first (be \\w+ (?:(?! then | after ).)+)$", "first , {1} {2}"),
+    ("^(.+?)(?: ,)? (?:provided|on condition|on the condition|under the condition) that (.+?) (has|have) "
+     "(?:first |previously |already |before )?been (.+)$", "{1} , but only after {2} {3} been {4}"),
+    ("(?:, )?except that\\b", ", but"),
+    (", during which\\b", ", and"),
+    (f"^(?:it|he|she) {_M} (?:not|never) ((?:move|place|put|lift|displace|shift|push|stack) .+)$", "do not {1}"),
+    (f"^(?:it|he|she) {_M} (then |also |finally )?((?:place|put|move|stack|set|build) "
+     f"(?:the|an?|both|all|one|{_MANY}|\\w) .+)$", "{1} {2}"),
+    (f"(?:, )?(?:so|such) that the distance between (them|their centers) (?:is|amounts to|{_M} be) ({_CM})",
+     "with a distance of {2} between {1}"),
+    (f"^(.*?)the (?:positions|places|locations) of (.+? {_M} be (?:swapped|exchanged|interchanged))$", "{1} {2}"),
+    ("\\bcentrally (between)\\b", "midway {1}"),
+    # structures
+    (f"^(.+?) (?:consisting of|comprising|composed of) , ({_WAY}) , (.+)$", "{2} , {1} of {3}"),
+    (f"\\b({_M}) comprise\\b", "{1} consist of"),
+    ("\\bcomprising\\b", "consisting of"),
+    (f", of which (one|{_MANY}) (?:is|are|{_M} be) (\\w+) and (one|{_MANY}) (?:(?:is|are|{_M} be) )?(\\w+)",
+     ", {1} {2} and {3} {4}"),
+    (f"(?:, )?(?:in which|where|so that) the (?:gap|gaps|space) between (?:the |any two |two )?"
+     f"(?:neighbors|(?:neighboring|adjacent|successive|consecutive) \\w+) {_IS} ({_CM})(?: wide)?",
+     "with a gap of {1} between neighboring blocks"),
+    (f"(?:, )?(?:in which|where|so that) the (?:distance|spacing) between (?:the |any two |two )?"
+     f"(?:neighbors|(?:neighboring|adjacent|successive|consecutive) \\w+) {_IS} ({_CM})",
+     "with a distance of {1} between neighboring blocks"),
+    *((f"\\bthe (row|column|layer) {where}\\b(?! of)", f"the {side} {{1}}") for where, side in _SIDES),
+    (f"\\b(a|the|one) (?:cuboid|prism)(?: grid| arrangement)? (of {_MANY} (?:rows|columns|layers))", "{1} grid {2}"),
+    (f"^(in (?:an?|one|{_MANY}) .+?) , ((?:arrange|put|place|lay|stack|set|align|sort) .+)$", "{2} {1}"),
+    (f"(?:, )?so that each side (?:counts|has|consists of|contains) ({_MANY}) {_BLOCK}s"
+     "(?: and (?:that )?the (?:center|middle|inside|interior) is (?:left )?(?:empty|free|hollow))?",
+     "with {1} blocks per side"),
+    ("\\b(?:lying|standing|resting) (flat on the table)\\b", "{1}"),
+    ("^(.*?so that )(.+?) form one group(?: ,)? and (.+?)(?: form)? another(?: group| one)?$",
+     "{1} {2} are in one group and {3} in another"),
+    (f"^(.+?) ({_M}) form one group(?: ,)? and (.+?)(?: {_M} form)? another(?: group| one)?$",
+     "{1} {2} be in one group and {3} in another"),
+    ("\\b(equation)(?: ,)? (?:all (?:of them|of these) being used|with all of them used|using all of them)$", "{1}"),
+    ("\\bbe left standing with\\b", "stand with"),
+    ("\\b(gap of [^,]+? between) their (?:faces|sides)\\b", "{1} them"),
+)  # fmt: skip
+"""What makes no sense as it stands, in an order of words that does."""
+_WORDS = (
+    "decreases increases presence arithmetically mathematically cuboid prism previously comprise comprising centrally "
+    "termination"
+)
+"""Words that it takes besides those that are read anyway."""
+
+
+def formal(tokens: list[Token]) -> list[Token]:
+    """The tokens of a text, with what is said as in a specification in plainer words."""
+    return turned(_steps_told(tokens), _ALWAYS)
+
+
+def _steps_told(tokens: list[Token]) -> list[Token]:
+    """ "Step 1: ... Step 2: ... Step 1 shall be completed before step 2.": as steps they follow each other anyway."""
+    text = " ".join(token.word for token in tokens)
+    done = f"\\bstep (\\d) {_M} be (?:completed|finished|done) before step (\\d)(?: begins| starts)?(?= \\.|$)"
+    told = re.search(done, text)
+    if told is None or int(told[1]) >= int(told[2]) or not all(f"step {n} :" in text for n in told.groups()):
+        return tokens
+    begin, end = text[: told.start()].count(" "), text[: told.end()].count(" ") + 1
+    return [*tokens[:begin], *tokens[end + 1 :]] if begin else tokens
+
+
+def plainly(tokens: list[Token]) -> list[list[Token]]:
+    """The sentences that one is in plain words; none where it is as plain already."""
+    plain = turned(tokens, _PLAINLY)
+    if plain == tokens:
+        return []
+    out: list[list[Token]] = [[]]
+    for token in plain:
+        if token.kind == "punct" and token.word == ".":
+            out.append([])
+        else:
+            out[-1].append(token)
+    return [sentence for sentence in out if sentence]

@@ -1,0 +1,88 @@
+"""Sentences in the order of words of a specification, as rows that turn them into plain ones."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+from rpg.language.tokens import Token
+
+Turn = tuple[str, str]
+"""What is looked for in a sentence, and what is said instead; "{1}" is the first group, "{1s}" several of it."""
+_STOPS = frozenset({".", "!", "?", ";"})
+_MOST = 4
+"""No sentence is turned more often by the same row."""
+
+
+def turned(tokens: list[Token], turns: Sequence[Turn]) -> list[Token]:
+    """The tokens, every sentence of them turned by whichever rows fit it."""
+    for pattern, said in turns:
+        found = _compiled(pattern)
+        for _ in range(_MOST):
+            changed = _once(tokens, found, said)
+            if changed is None:
+                break
+            tokens = changed
+    return tokens
+
+
+@lru_cache(maxsize=256)
+def _compiled(pattern: str) -> re.Pattern[str]:
+    return re.compile(pattern)
+
+
+def _once(tokens: list[Token], pattern: re.Pattern[str], said: str) -> list[Token] | None:
+    """The tokens with the first fitting sentence turned."""
+    for begin, end in _sentences(tokens):
+        words = [token.word.replace(" ", "_") or "_" for token in tokens[begin:end]]
+        match = pattern.search(" ".join(words))
+        if match is None or not match.group():
+            continue
+        starts = _starts(words)
+        first, last = _covered(starts, match.span())
+        plain = list(_said(tokens[begin:end], match, said, starts))
+        return [*tokens[: begin + first], *plain, *tokens[begin + last :]]
+    return None
+
+
+def _sentences(tokens: list[Token]) -> Iterable[tuple[int, int]]:
+    begin = 0
+    for n, token in enumerate(tokens):
+        if token.kind == "punct" and token.word in _STOPS:
+            yield begin, n
+            begin = n + 1
+    yield begin, len(tokens)
+
+
+def _starts(words: list[str]) -> list[int]:
+    """Where in the text each word begins."""
+    starts, at = [], 0
+    for word in words:
+        starts.append(at)
+        at += len(word) + 1
+    return starts
+
+
+def _covered(starts: list[int], span: tuple[int, int]) -> tuple[int, int]:
+    """The first word of a stretch of text, and the one behind it."""
+    inside = [n for n, at in enumerate(starts) if span[0] <= at < span[1]]
+    return (inside[0], inside[-1] + 1) if inside else (0, 0)
+
+
+def _said(tokens: list[Token], match: re.Match[str], said: str, starts: list[int]) -> Iterable[Token]:
+    first, last = _covered(starts, match.span())
+    span = (tokens[first].span[0], tokens[last - 1].span[1])
+    for word in said.split():
+        if not word.startswith("{"):
+            punct = not word.isalpha()
+            yield Token("punct" if punct else "word", word, word, span)
+            continue
+        group = int(word.strip("{s}"))
+        if match.group(group):
+            begin, end = _covered(starts, match.span(group))
+            kept = tokens[begin:end]
+            if word.endswith("s}") and not kept[-1].word.endswith("s"):
+                kept = [*kept[:-1], replace(kept[-1], word=kept[-1].word + "s", raw=kept[-1].raw + "s")]
+            yield from kept

@@ -159,6 +159,18 @@ def among_themselves(theme: Ref, mark: Meaning, scene: Scene, denied: bool) -> b
     return all(t.name in theme.names or t.extra for t in matching(mark.traits, scene, False)) or not denied
 
 
+def check_further(theme: Ref, mark: Meaning | None, scene: Scene) -> None:
+    """Refuse "exactly one of the three red blocks touches another red block": one of the three, or a fourth?"""
+    if not isinstance(mark, Noun) or mark.det != "another" or mark.head == "patch":
+        return
+    some = theme.quant is not None and theme.quant.high != 0
+    others = set(scene.whole) - set(theme.names) if scene.parted.issuperset(theme.names) else ()
+    left = theme.names if some else others
+    if any(fits(scene.things[name], mark.traits) for name in left):
+        raise refuse("ambiguous", "this could be another one of them, or a further one", mark.span,
+                     "name the blocks, or say how many there are in all")  # fmt: skip
+
+
 def _that_other(mark: Noun) -> bool:
     """ "nothing is on the other": on that one, and not on whichever other there is."""
     return mark.det == "other" and mark.head == "any" and not mark.plural

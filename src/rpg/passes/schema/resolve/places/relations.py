@@ -18,6 +18,7 @@ from rpg.passes.schema.resolve.places.flanks import flanked
 from rpg.passes.schema.resolve.places.moved import off_what, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
     among_themselves,
+    check_further,
     none_another,
     of_the_towers,
     one_for_each,
@@ -122,6 +123,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if loc.landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
     check_bodies(theme, loc, scene)
+    check_further(theme, loc.landmark, scene)
     denied = loc.negated or scene.denying
     none = theme.quant is not None and theme.quant.high == 0
     if len(theme.names) > 1 and among_themselves(theme, loc.landmark, scene, denied or none):

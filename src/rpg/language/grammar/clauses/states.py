@@ -8,6 +8,7 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
 from rpg.language.grammar.clauses.denials import denied_of_all, leave, stays
 from rpg.language.grammar.clauses.manners import direction, manner
+from rpg.language.grammar.clauses.sole import sole
 from rpg.language.grammar.clauses.starts import STARTS, perhaps_first, starts_as
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, spell, with_theme
 from rpg.language.grammar.core import Parser, Results, rule
@@ -307,7 +308,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
             quality = Quality(traits=Traits(**marks), span=p.span(j, k))
             said = Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k))
             yield from throughout(p, i, said, k)
-    yield from colored_cubes(p, i, j, theme) if not negated else ()
+    yield from (*colored_cubes(p, i, j, theme), *sole(p, i, j, theme, mode)) if not negated else ()
     for marks, k in of_quality(p, j, head):
         quality = Quality(traits=Traits(**marks), span=p.span(j, k))
         yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
@@ -332,7 +333,7 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
     if j := p.one(k, frozenset({"alternate", "alternates"})):
         for turns_, end in adjuncts(p, j):
             turns = Clause(verb="arrange", lemma="alternate", theme=theme, adjuncts=turns_, mode=mode,
-                           span=p.span(i, end), cost=p.follows(i, ("where", "which")))  # fmt: skip
+                           span=p.span(i, end), cost=p.follows(i, ("where", "which", "that")))  # fmt: skip
             yield replace(turns, negated=negated), end
     if negated and (j := p.one(k, _MOVE)):
         unmoved = Clause(verb="place", lemma="move", theme=theme, negated=True, mode=mode, span=p.span(i, j))

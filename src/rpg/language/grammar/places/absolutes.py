@@ -352,6 +352,9 @@ _PYRAMID = frozenset({"pyramid", "pyramids"})
 _MARKS = frozenset({"it", "them", "that", "this", "the", "those", "both"})
 
 
+_CLOSED = ("", ",", ";", ":", "and", ".")
+
+
 @choice
 def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in loc(p, i):
@@ -381,7 +384,7 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         ("beneath", "bottom"),
         ("above", "top"),
         ("under", "bottom"),
-        *((("behind", "back"),) if p.stands(i, ("behind",)) and p.words[i + 1] in ("", ",", ";", "and", ".") else ()),
+        *((("behind", "back"),) if p.stands(i, ("behind",)) and p.words[i + 1] in _CLOSED else ()),
     ):
         if k := p.one(i, phrase):
             yield (At(side=side, span=p.span(i, k)),), k

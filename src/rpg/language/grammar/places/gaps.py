@@ -83,7 +83,9 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
             for theme, end in noun_phrase(p, k):
                 made = end if p.words[i] in ("make", "keep") else 0
                 end = p.any_of(end, _IS) or made
-                for (low, high), last in bounds(p, end) if end else ():
+                wide_ = [*bounds(p, end), *(room(p, end) if measure == "faces" else ())] if end else []
+                for (low, high), last in wide_:
+                    last = p.opt(last, "wide")
                     yield _far_apart(p, i, last, theme, low, high, measure), last
     for _, measure, _, before in _GAPS:
         yield from _from_to(p, i, p.any_of(j, before), measure)

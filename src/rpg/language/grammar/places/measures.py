@@ -268,6 +268,9 @@ _NEARER = ("closer than", "nearer than", "no closer than", "no nearer than", "no
 """What blocks are to each other where nothing else is named."""
 
 
+_APART = ("apart", "apart from each other", "away from each other", "from each other", "apart from one another")
+
+
 @choice
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
@@ -289,6 +292,9 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
             end, measure = (j if start > i or p.words[i] != "at" else 0), "centres"
         if end:
             yield from measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
+    for (low, high), j in room(p, start):
+        if (end := p.any_of(j, _APART)) and not p.stands(end, ("from",)):
+            yield _each_other(p, i, end, low, high, "faces"), end
     noted = p.any_of(i, _NOTED)
     for (low, high), j in bounds(p, p.opt(noted, "of", ":")) if noted else ():
         end = p.opt(j, "gap", "gaps")

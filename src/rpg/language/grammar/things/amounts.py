@@ -245,7 +245,8 @@ def length(p: Parser, i: int) -> Results[float]:
 
 
 _WIDE = ("block width", "block widths", "cube width", "cube widths", "block", "blocks", "cube", "cubes", "empty block",
-         "empty blocks", "block 's width", "cube 's width", "block size", "further block", "more block")  # fmt: skip
+         "empty blocks", "block 's width", "cube 's width", "block length", "block lengths", "cube length",
+         "cube lengths", "block size", "width of a block", "further block", "more block")  # fmt: skip
 _SIZED = frozenset({"edge", "edges", "sized", "size", "sizes", "big", "large", "small", "larger", "smaller", "bigger"})
 """With these words a block is not said to be as wide as blocks are."""
 USUAL_EDGE = 0.04
@@ -254,8 +255,13 @@ USUAL_EDGE = 0.04
 @rule
 def block_widths(p: Parser, i: int) -> Results[float]:
     """ "(a gap of) one block", "(room for) two cubes": as wide as so many blocks, in metres."""
-    many = p.number(i) or (1 if p.stands(i, ("a", "an")) else None)
-    j = p.any_of(i + 1, _WIDE) if many is not None else 0
+    many: float | None = p.number(i) or (1 if p.stands(i, ("a", "an")) else None)
+    at = i + 1
+    if half := p.any_of(i, ("half a", "half the", "half of a", "one half of a")):
+        many, at = 0.5, half
+    elif many is not None and (half := p.any_of(at, ("and a half",))):
+        many, at = many + 0.5, half
+    j = p.any_of(at, _WIDE) if many is not None else 0
     if many is not None and j and p.all.isdisjoint(_SIZED):
         yield round(many * USUAL_EDGE, 6), j
 

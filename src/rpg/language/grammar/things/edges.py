@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.amounts import length
-from rpg.language.meaning import Amount, Coord, Noun, Traits, replace
+from rpg.language.meaning import Amount, Coord, Noun, Pronoun, Traits, replace
 
 _LEADS = (
     "with edges of", "of", "with edges", "with sides of", "with edge lengths of", "of edge length", "of size",
@@ -14,8 +14,9 @@ _LEADS = (
 )  # fmt: skip
 
 
-def of_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord]:
+def of_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord | Noun]:
     """As many blocks as there are lengths, each with its own."""
+    yield from _of_so_many(p, i, j, noun)
     if noun.plural and noun.traits.edge is None:
         yield from _of_any_edges(p, i, j, noun)
     k = p.any_of(j, _LEADS) if noun.plural and noun.head == "block" and noun.traits.edge is None else 0
@@ -25,6 +26,22 @@ def of_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord]:
             one = replace(noun, amount=Amount(1, 1), det="the" if noun.det == "the" else "bare", plural=False)
             items = tuple(replace(one, traits=replace(noun.traits, edge=edge), span=p.span(i, end)) for edge in edges)
             yield Coord(op="and", items=items, span=p.span(i, end)), end
+
+
+_RANKS = frozenset({"largest", "smallest", "larger", "smaller"})
+
+
+def _of_so_many(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
+    """ "the smaller of the two red blocks", "the biggest one of them": among those."""
+    from rpg.language.grammar.things.nouns import simple
+
+    ranked = noun.det == "the" and not noun.plural and noun.traits == Traits(rank=noun.traits.rank)
+    of = p.one(j, "of") if ranked and noun.traits.rank in _RANKS and noun.part_of is None else 0
+    for whole, k in simple(p, of) if of else ():
+        them = isinstance(whole, Pronoun) and whole.word in ("them", "these", "those")
+        counted = isinstance(whole, Noun) and whole.plural and whole.amount is not None and whole.head != "patch"
+        if them or (counted and isinstance(whole, Noun) and whole.det in ("the", "bare") and not whole.part_of):
+            yield replace(noun, head="block", part_of=whole, span=p.span(i, k)), k
 
 
 _DIFFERENT = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.retold import universal
-from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits, replace
 
 
 def _of_another_kind(whole: Meaning, out: Meaning) -> bool:
@@ -43,7 +43,16 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
             if p.words[k - 1] == "not" and _one(items[0]):
                 continue
             if (op := _but(items[0])) is not None:
+                item = _all_such(item) if universal(items[0]) and op == "except" else item
                 yield from ((Coord(op=op, items=(*items, item), span=p.span(i, j)), e) for e in {j: None, closed: None})
+
+
+def _all_such(item: Meaning) -> Meaning:
+    """ "everything except red": all that is red."""
+    bare = isinstance(item, Noun) and item.det == "bare" and item.head == "any" and item.amount is None
+    if not bare or not isinstance(item, Noun) or item.traits != Traits(colors=item.traits.colors[:1]):
+        return item
+    return replace(item, head="block", det="all", plural=True) if item.traits.colors else item
 
 
 def _one(whole: Meaning) -> bool:

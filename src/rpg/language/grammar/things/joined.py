@@ -34,6 +34,8 @@ _JOIN = frozenset({"and", "or", "plus", "&", "nor"})
 def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     """ "all the blocks that are not red"."""
     yield from _but_so_many(p, i, whole, j)
+    if isinstance(whole, Pronoun) and whole.word in ("everything", "all"):
+        whole = Noun(head="block", det="all", plural=True, span=whole.span)
     k = p.any_of(j, ("that are not", "which are not", "that is not", "which is not")) if isinstance(whole, Noun) else 0
     if not k or not isinstance(whole, Noun) or whole.det not in ("all", "each", "the") or whole.head == "patch":
         return
@@ -276,6 +278,19 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             if op != "or" and not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
+
+
+def only_these(p: Parser, i: int, k: int, first: Meaning, j: int) -> Results[Coord]:
+    """ "only the red block and the blue block": no others than these."""
+    for some, end in more(p, k, (first,), j, None):
+        if isinstance(some, Coord) and some.op == "and" and all(map(_definite, some.items)):
+            yield Coord(op="only", items=(replace(some, cost=0),), span=p.span(i, end)), end
+
+
+def _definite(item: Meaning) -> bool:
+    """One block by its look."""
+    looks = isinstance(item, Noun) and item.traits.colors + item.traits.labels
+    return bool(looks) and isinstance(item, Noun) and item.amount is None and item.det in ("the", "bare")
 
 
 def all_colored(p: Parser, items: tuple[Meaning, ...], j: int) -> tuple[Meaning, ...]:

@@ -12,7 +12,7 @@ from rpg.language.grammar.things.adjectives import Marks, adjectives, clash, col
 from rpg.language.grammar.things.amounts import Quantity
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
-from rpg.language.grammar.things.joined import all_but, apposed, more, of_each
+from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
 from rpg.language.grammar.things.labels import label_list, literal, once_more
 from rpg.language.grammar.things.printed import printed, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
@@ -53,6 +53,7 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
             counted = isinstance(item, Noun) and item.det == "bare" and item.amount is not None
             if isinstance(item, Noun) and not counted and item.amount in (None, Amount(1, 1)) and item.det in _ONE:
                 yield Coord(op="only", items=(item,), span=p.span(i, j)), j
+                yield from only_these(p, i, k, item, j)
     for item, j in simple(p, start) if start > i else ():
         number = isinstance(item, Noun) and item.amount is not None and item.traits == Traits() and item.head == "any"
         if number or p.words[j : j + 2] == ["and", "both"]:

@@ -41,7 +41,7 @@ from rpg.passes.schema.resolve.clauses.swapped import swap
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
-from rpg.passes.schema.resolve.places.alone import none_further, told_alone
+from rpg.passes.schema.resolve.places.alone import kept_away, none_further, told_alone
 from rpg.passes.schema.resolve.places.between import by_sandwiching
 from rpg.passes.schema.resolve.places.centred import by_centring, centred
 from rpg.passes.schema.resolve.places.corners import one_for_each_corner
@@ -94,7 +94,9 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     later = _thats(clause, spec, scene, start)
     if spec.manner("xor") is not None:
         goals = not_both(goals, clause.span)
-    if spec.manner("allowed") is not None and not clause.negated and not all(_forbids(x) for x in goals):
+    leave = spec.manner("allowed") is not None and not clause.negated
+    goals = kept_away(scene) if leave and getattr(clause.theme, "op", "") == "only" else goals
+    if leave and not all(_forbids(x) for x in goals):
         raise refuse("no-goal", "this is allowed, but not asked for", clause.span, "say 'must' or 'should'")
     for name in [n for goal in goals for n in names_in(goal)]:
         scene.held.pop(name, None)

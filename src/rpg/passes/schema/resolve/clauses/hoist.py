@@ -37,7 +37,7 @@ from rpg.passes.schema.resolve.structures.told_towers import (
     told_after,
     told_towers,
 )
-from rpg.passes.schema.resolve.things.listed_after import filled, shapes_pictured
+from rpg.passes.schema.resolve.things.listed_after import built_first, filled, shapes_pictured
 from rpg.passes.schema.resolve.things.world import refuse
 
 _VERBS = ("stack", "arrange")
@@ -46,7 +46,7 @@ _VERBS = ("stack", "arrange")
 def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with "the top block is red" said where the tower is built; sentences that say no more are gone."""
     found: list[list[tuple[str, Meaning]]] = []
-    for chain in shapes_pictured(chains):
+    for chain in shapes_pictured(built_first(chains)):
         kept: list[tuple[str, Meaning]] = []
         found.append(kept)
         for link, said in zip(chain.links, chain.clauses, strict=True):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import At, Noun, Traits, replace
+from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
 from rpg.passes.schema.resolve.places.sided_patches import sided_patch
@@ -21,17 +22,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return sided_patch(noun, rank[1:], scene, scope)
     if rank.startswith("#"):
         return _numbered(noun, rank[1:], scene)
-    if rank in ("largest", "smallest", "larger", "smaller"):
-        those = matching(replace(noun.traits, rank=None), scene, False)
-        sized = sorted(
-            ((t.edge or {"small": 0.03, "big": 0.05}.get(t.size or "", 0.04), t.name) for t in those),
-            reverse=rank.startswith("large"),
-        )
-        if rank.endswith("er") and len(sized) > 2:
-            raise refuse("ambiguous", f"of more than two blocks none is the {rank} one", noun.span, "name its colour")
-        if len(sized) > 1 and sized[0][0] != sized[1][0]:
-            return Ref(names=(sized[0][1],))
-        raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
+    if rank in BY_SIZE:
+        return by_size(noun, scene, scope)
     if (left := _left_of_so_many(noun, rank, scene)) is not None:
         return left
     there = () if noun.head == "patch" else _candidates(noun, rank, scene)

@@ -20,6 +20,9 @@ def told_alone(clause: Clause, spec: Spec) -> Clause:
     """ "leave it alone" is leaving it where it is; "it is alone on the mat" is that only it is there."""
     alone = spec.manner("alone")
     if alone is None:
+        if getattr(clause.theme, "op", "") == "only" and any(map(_mutual, spec.places)):
+            raise refuse("misplaced", "'only' does not fit this", clause.span,
+                         "say what the other blocks should not do")  # fmt: skip
         return clause
     if clause.lemma == "leave" and not spec.places:
         spec.manners.append(replace(alone, kind="stay"))
@@ -30,6 +33,11 @@ def told_alone(clause: Clause, spec: Spec) -> Clause:
         raise refuse("ambiguous", "it is not clear from what this is apart", alone.span,
                      "say where no other block should be")  # fmt: skip
     return replace(clause, theme=Coord(op="only", items=(clause.theme,), span=clause.theme.span))
+
+
+def _mutual(place: Meaning) -> bool:
+    mark = place.landmark if isinstance(place, Loc) else None
+    return isinstance(mark, Pronoun) and mark.word == "each other"
 
 
 def only_here(theme: Ref, region: In, scene: Scene) -> Ref:
@@ -101,6 +109,12 @@ def none_further(spec: Spec, scene: Scene) -> None:
     if (manner := spec.manner("no more")) is not None:
         said = {n for m in scene.mentions if m.sentence == scene.sentence for n in m.ref.names}
         scene.closed.append((Traits(), sum(not scene.things[n].patch for n in said), manner.span))
+
+
+def kept_away(scene: Scene) -> list[g.Goal]:
+    """ "Only these may be there": of them it is not asked, and of the others it is denied."""
+    told = [x for x in scene.exclusive if x.span == scene.exclusive[-1].span]
+    return [g.Not(goal=x.there(n), span=x.span) for x in told for n in beyond(x, scene)]
 
 
 def none_there(region: In, scene: Scene) -> g.Goal:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import (
     Amount,
+    At,
     Chain,
     Clause,
     Coord,
@@ -35,6 +36,23 @@ def shapes_pictured(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     if not all(isinstance(c, Clause) and c.mode in ("goal", "given") for c in clauses) or len(clauses) < 2:
         return chains
     return tuple(replace(chain, clauses=tuple(map(_built, chain.clauses))) for chain in chains)
+
+
+def built_first(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "The biggest block must not be at the bottom: red, blue, green in a tower": the tower tells which."""
+    first = chains[0].clauses if chains else ()
+    if len(first) < 2 or chains[0].links[1] != "and":
+        return chains
+    said, built = first[0], first[1]
+    theme = said.theme if isinstance(said, Clause) and said.verb == "be" and said.negated else None
+    extreme = isinstance(theme, Noun) and theme.traits.rank in ("largest", "smallest") and theme.part_of is None
+    inside = isinstance(said, Clause) and bool(said.adjuncts) and all(isinstance(a, At) for a in said.adjuncts)
+    shaped = isinstance(built, Clause) and (
+        any(isinstance(a, Into) for a in built.adjuncts) or isinstance(built.theme, Structure) or built.verb == "stack"
+    )
+    if not extreme or not inside or not shaped:
+        return chains
+    return (replace(chains[0], clauses=(built, said, *first[2:])), *chains[1:])
 
 
 def _built(clause: Meaning) -> Meaning:

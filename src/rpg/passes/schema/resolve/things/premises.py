@@ -25,7 +25,9 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
         raise refuse("no-goal", "a block that is held has no place at the end", span, "say where to put it down")
     for alone in scene.exclusive:
         others = beyond(alone, scene)
-        if not others:
+        if not others and alone.names and not (isinstance(goal, g.All) and not goal.goals):
+            scene.assume("there is no other block that could be there")
+        elif not others:
             raise refuse("no-referent", "there is no other block", alone.span, "say which other blocks there are")
         kept += [g.Not(goal=alone.there(n), span=alone.span) for n in others]
     still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()

@@ -6,6 +6,7 @@ from rpg.core.diagnostics import Refusal
 from rpg.language.grammar.things.retold import retold
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits, replace
 from rpg.passes.schema.resolve.clauses.alls import note_all
+from rpg.passes.schema.resolve.orders.by_size import BY_SIZE
 from rpg.passes.schema.resolve.things.counting import check_both, counted_among, denied, elliptical, not_of_a_structure
 from rpg.passes.schema.resolve.things.extras import extras
 from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, one_more, quantified, repeats
@@ -195,7 +196,7 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         if noun.amount is not None and noun.amount.strict:
             return _of_them(noun, scene, scope)
         not_of_a_structure(noun, scene)
-    if noun.part_of is not None:
+    if noun.part_of is not None and noun.traits.rank not in BY_SIZE:
         return _partitive(noun, scene, scope)
     if noun.det == "no other" and noun.head != "patch":
         if scope.role != "theme":

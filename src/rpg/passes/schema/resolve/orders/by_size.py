@@ -1,0 +1,59 @@
+"""Blocks by their size among others: "the smaller of the two red blocks", "the biggest one"."""
+
+from __future__ import annotations
+
+from dataclasses import replace as changed
+
+from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
+from rpg.language.meaning import Noun, replace
+from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
+
+BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller"})
+_EDGES = {2: (SMALL_EDGE, BIG_EDGE), 3: (SMALL_EDGE, MEDIUM_EDGE, BIG_EDGE)}
+"""What so many blocks measure of which no more is said than that they differ in size."""
+_MANY = {2: "two", 3: "three"}
+
+
+def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    """The one that is so, of those that are named or of all that look so."""
+    rank = noun.traits.rank or ""
+    those = _those(noun, scene, scope)
+    if rank.endswith("er") and len(those) > 2:
+        raise refuse("ambiguous", f"of more than two blocks none is the {rank} one", noun.span, "name its colour")
+    if _untold(those, scene):
+        for thing, edge in zip(those, _EDGES[len(those)], strict=True):
+            thing.edge = edge
+        told = f"{', '.join(f'{edge * 100:g}' for edge in _EDGES[len(those)][:-1])} and {BIG_EDGE * 100:g} cm"
+        scene.assume(f"the sizes of the {_MANY[len(those)]} blocks are not said: {told}")
+    sizes = {"small": SMALL_EDGE, "big": BIG_EDGE}
+    sized = sorted(
+        ((t.edge or sizes.get(t.size or "", MEDIUM_EDGE), t.name) for t in those), reverse=rank.startswith("large")
+    )
+    if len(sized) > 1 and sized[0][0] != sized[1][0]:
+        return Ref(names=(sized[0][1],))
+    raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
+
+
+def _those(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
+    """The blocks among which it is that one."""
+    from rpg.passes.schema.resolve.things.refer import refer
+
+    if noun.part_of is None:
+        return matching(replace(noun.traits, rank=None), scene, False)
+    them = refer(noun.part_of, scene, changed(scope, role="part"))
+    scene.mentions.pop()
+    if them.patch or them.quant is not None or them.op != "and":
+        raise refuse("misplaced", "this is no description of blocks of several sizes", noun.span, "name the blocks")
+    those = [scene.things[n] for n in them.names]
+    for thing in those:
+        thing.declared = True  # "the biggest of three": the others are there as well
+    return those
+
+
+def _untold(those: list[Thing], scene: Scene) -> bool:
+    """ "There are two red blocks. Put the smaller one on the bigger one.": of blocks that look alike and are told apart
+    by nothing but their sizes, these are open."""
+    looks = {(t.color, t.label, t.kind) for t in those}
+    sized = scene.sized is not None or any(t.edge or t.size or t.elastic is not None or t.extra for t in those)
+    return len(those) in _EDGES and len(looks) == 1 and not sized

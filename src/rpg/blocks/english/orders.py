@@ -19,6 +19,12 @@ ATTRIBUTES: dict[Attribute, str] = {
 }
 
 
+_TURNS: dict[Attribute, str] = {
+    "parity": "odd and even digits alternating",
+    "vowel": "vowels and consonants alternating",
+}
+
+
 def from_to(first: Side | None) -> str:
     """A direction: "from left to right"; nothing where either end may be the beginning."""
     return f" from {first} to {TO[first]}" if first else ""
@@ -41,7 +47,7 @@ def ordered(order: Order, say: Speaker) -> str:
         case "size":
             return f"{way} by {'decreasing' if order.descending else 'increasing'} size"
         case "alternating":
-            return f"{way} with alternating {_values(order.attribute)}"
+            return f"{way} with {_TURNS.get(order.attribute) or f'alternating {_values(order.attribute)}'}"
         case "mirrored":
             return f"{way} with mirrored {_values(order.attribute)}"
         case "together":

@@ -7,9 +7,10 @@ import string
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
-from rpg.language.meaning import Noun, OrderBy, Toward, replace
+from rpg.language.meaning import OrderBy, Toward, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, agreed, one_way
+from rpg.passes.schema.resolve.orders.alternating import alternating
 from rpg.passes.schema.resolve.orders.between_ends import between_ends
 from rpg.passes.schema.resolve.orders.extremes import directed, sorted_from
 from rpg.passes.schema.resolve.orders.onward import onward
@@ -180,13 +181,8 @@ def _merge(
             return _merge(found, replace(order, by=by), names, kind, scene, scope, first)
         case "size" | "size_down" | "size_up":
             return _by_size(order, things, kind, scene, first)
-        case "alternating" if order.items:
-            _alternate(order, things, scene)
-            return Order(by="alternating", attribute="color")
         case "alternating" | "mirrored":
-            if (attribute := _telling(things)) == "color":
-                _two_colors(things, order.by, scene)
-            return Order(by=order.by, attribute=attribute)  # type: ignore[arg-type]
+            return Order(by=order.by, attribute=alternating(order, things, scene))
         case "even_first" | "odd_first" | "vowel_first" | "consonant_first":
             return _quality_first(order, things, kind, scene, first)
         case "by_color" | "grouped":
@@ -296,16 +292,6 @@ def _symbolic(order: OrderBy, things: list[Thing], kind: str, scene: Scene, firs
     return Order(by=by, descending=order.descending, first=first)  # type: ignore[arg-type]
 
 
-def _telling(things: list[Thing]) -> str:
-    """What tells blocks apart that take turns: their colours; of those in one colour, their kinds or their symbols."""
-    if len({t.color for t in things}) > 1 or not any(t.kind for t in things):
-        return "color"
-    if len({t.kind for t in things}) == 2:
-        return "kind"
-    labels = {t.label for t in things}
-    return "label" if None not in labels and 1 < len(labels) < len(things) else "color"
-
-
 def _by_size(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
     if len({t.size or t.edge for t in things}) < 2 and len(things) > 1:
         edges = [round(0.03 + 0.02 * i / max(1, len(things) - 1), 4) for i in range(len(things))]
@@ -340,39 +326,6 @@ def _paint(things: list[Thing], scene: Scene) -> None:
         if thing.color is None and thing.kind is None:
             thing.color = next(spare, RAINBOW[-1])
             scene.assume("the colours are not said: a run of the rainbow from red on")
-
-
-def _two_colors(things: list[Thing], by: str, scene: Scene) -> None:
-    """Colours for an alternation or a mirrored line where none were said."""
-    if any(t.color or t.label for t in things) or not things:
-        return
-    half = (len(things) + 1) // 2
-    for index, thing in enumerate(things):
-        place = index % 2 if by == "alternating" else min(index, len(things) - 1 - index) % max(1, half)
-        thing.color = (
-            RAINBOW[0]
-            if by == "alternating" and place == 0
-            else "blue"
-            if by == "alternating"
-            else RAINBOW[place % len(RAINBOW)]
-        )
-    scene.assume(
-        "the colours are not said: red and blue"
-        if by == "alternating"
-        else "the colours are not said: pairs of equal colours"
-    )
-
-
-def _alternate(order: OrderBy, things: list[Thing], scene: Scene) -> None:
-    """Two colours said with the alternation."""
-    colors = [i.traits.colors[0] for i in order.items if isinstance(i, Noun) and len(i.traits.colors) == 1]
-    if len(colors) != 2 or len(order.items) != 2:
-        raise refuse("misplaced", "an alternation is of two colours", order.span, "say 'alternating red and blue'")
-    for index, thing in enumerate(things):
-        if thing.color is None and thing.kind is None:
-            thing.color = colors[index % 2]
-    if {t.color for t in things} != set(colors):
-        raise refuse("contradiction", "the blocks have other colours", order.span, "name two colours that they have")
 
 
 def _quality_first(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:

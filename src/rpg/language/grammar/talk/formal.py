@@ -34,6 +34,7 @@ _ALWAYS: tuple[Turn, ...] = (
      "the small {1} block {2} the big {1} block"),
     (f"^of the two (\\w+) {_BLOCK}s , the (?:{_BIG}) one (.+) the (?:small|smaller|little) one\\b",
      "the big {1} block {2} the small {1} block"),
+    (f"\\b(move|touch|displace|disturb|lift) no other ({_BLOCK})\\b", "do not {1} any other {2}"),
     ("not be in (?:direct |any )?contact with the table\\b", "not touch the table"),
     ("\\b(?:on|to|at) whose (left|right)(?: side)?\\b", "to the {1} of which"),
     ("\\b(?:arithmetically|mathematically) (?:correct|true|valid|right)\\b", "correct"),
@@ -61,6 +62,17 @@ _SIDES = (
     ("at the bottom", "bottom"), ("(?:in|at) the (?:middle|center)", "middle"),
 )  # fmt: skip
 _PLAINLY: tuple[Turn, ...] = (
+    # what there is besides
+    ("^(.+?)(?: ,)? there being (.+?)(?: in all| in total| altogether)?$", "{1} . there are {2}"),
+    (f"^(.+) , ({_MANY} [^,]+?) being (?:present|there|available)( as distractors)?$", "{1} . there are {2} {3}"),
+    (f"^there being ({_MANY} [^,]+) , (.+)$", "there are {1} . {2}"),
+    ("^(.+?)(?: ,)? in the presence of (.+)$", "{1} . there are {2}"),
+    (f"^no (?:other )?{_BLOCK} (?:other than|except|except for|but|apart from|besides) (the .+?) {_M} be "
+     "(?:moved|touched|displaced)$", "all blocks except {1} shall stay where they are"),
+    (f"^(?:apart from|except for|other than) (the .+?) , no (?:other )?{_BLOCK} {_M} be (?:moved|touched|displaced)$",
+     "all blocks except {1} shall stay where they are"),
+    (f"^(the [^,]+?) ({_M} be .+?) ,(?: and)? no other {_BLOCK} (?:being|is|{_M} be) (?:moved|touched|displaced)$",
+     "{1} {2} . all blocks except {1} shall stay where they are"),
     # relative clauses
     (f"(?:, )?the (center|middle|base|top|bottom) of which {_IS}\\b", "whose {1} is"),
     (f"(?:, )?the (base|top|bottom) of which (?:consists|consist|{_M} consist) of\\b", "whose {1} consists of"),
@@ -86,19 +98,33 @@ _PLAINLY: tuple[Turn, ...] = (
      "{1} . {3} {4} {5} {2} it"),
     (f"^(.+ {_M} (?:be|stand|lie)(?: \\w+ed| put)? on) the same (?:patch|mat|zone|target)(?: ,)? (?:which|that) "
      "(?:may|can|must|shall|should) be(?: either)? (.+) or (.+)$", "{1} {2} or {1} {3}"),
+    (" , (?:originally|initially) (?:located |placed |standing |lying |situated |positioned |resting )?"
+     "((?:on|next to|to the|in front|behind) [^,]+?) ,", ", which starts {1} ,"),
+    (f"^(.+?) ({_M} (?:lie|stand|be|be placed|be put)) (to the left|to the right|in front) , and (.+?) "
+     "(to the left|to the right|in front) , of (.+)$", "{1} {2} {3} of {6} and {4} {5} of {6}"),
+    (f"(?:, )?the (corners|edges) of which {_IS} (\\w+)(?: and the (?:other|remaining) blocks(?: of which)?"
+     f"(?: {_IS})? (\\w+))$", "whose {1} are {2} and whose other blocks are {3}"),
     # what there is
-    ("^(.+?)(?: ,)? there being (.+?)(?: in all| in total| altogether)?$", "{1} . there are {2}"),
+    (f"^the height of the (tower|stack|wall|pyramid) ({_M} be .+ {_BLOCK}s)$", "the {1} {2} high"),
+    (f"^the length of the (row|line|column) ({_M} be .+ {_BLOCK}s)$", "the {1} {2} long"),
+    (f"^the number of ((?:\\w+ )?{_BLOCK}s) (on .+?) ({_M} be) ((?:exactly |at least |at most ){_MANY})$",
+     "there {3} {4} {1} {2}"),
+    (f"^the number of ((?:\\w+ )?{_BLOCK}s) (on .+?) ({_M} be) ({_MANY})$", "there {3} exactly {4} {1} {2}"),
+    (f"^the number of ((?:\\w+ )?{_BLOCK}s) in the ({_LINE}) ({_M}) be ((?:exactly |at least )?{_MANY})$",
+     "the {2} {3} consist of {4} {1}"),
+    (f"^the grid ({_M}) (?:consist of|comprise|have) ({_MANY} rows) of ({_MANY}) {_BLOCK}s(?: each)?$",
+     "a grid of {2} and {3} columns {1} be built"),
     (f"^((?:an?|one|{_MANY}) .+?) ({_M}) be (?:standing|present|found|seen)( on the table)?$", "there {2} be {1} {3}"),
     (f"^((?:an?|one|{_MANY}) [^,]+ , each [^,]+) , ({_M}) be (?:standing|present|found|seen)( .+)?$",
      "there {2} be {1} {3}"),
-    (f"^(.+) , ({_MANY} [^,]+?) being (?:present|there|available)( as distractors)?$", "{1} . there are {2} {3}"),
-    ("^(.+?)(?: ,)? in the presence of (.+)$", "{1} . there are {2}"),
     # what is said aside
+    ("^(?:it is|it shall be) assumed that (.+?) (?:initially )?(lies|stands|is|are|lie|stand|rests|rest) (.+)$",
+     "at the start , {1} {2} {3}"),
     ("^with (.+?) (?:left|being|kept) (?:empty|free|clear) , (.+)$", "{1} must be empty . {2}"),
     ("^(.+) , with (the [^,]+?) (?:left|being|kept) (?:empty|free|clear)$", "{1} . {2} must be empty"),
     ("^with (.+?) (?:remaining|staying|being kept) (on .+?|in .+?|where it is) , (.+)$", "{1} must remain {2} . {3}"),
     (f"^(.+?) , ({_WAY}) , ((?:of|from|out of) .+)$", "{2} , {1} {3}"),
-    (f"^(.*{_M}) (?:read|be|show) , ({_WAY}) : (.+)$", "{1} be , {2} : {3}"),
+    (f"^(.*{_M}) (?:read|be|show) , ({_WAY}) [:,] (.+)$", "{1} be , {2} : {3}"),
     (f"^(.+ {_M}) first (be \\w+|stand|lie|sit|go) (.+?) (?:and|, and|,) {_THEN}"
      f"(?: {_M} be \\w+| be \\w+)? (.+)$", "{1} {2} first {3} and then {4}"),
     (f"^((?:(?! then | after ).)+ {_M}) first (be \\w+ (?:(?! then | after ).)+)$", "first , {1} {2}"),
@@ -113,6 +139,7 @@ _PLAINLY: tuple[Turn, ...] = (
      "with a distance of {2} between {1}"),
     (f"^(.*?)the (?:positions|places|locations) of (.+? {_M} be (?:swapped|exchanged|interchanged))$", "{1} {2}"),
     ("\\bcentrally (between)\\b", "midway {1}"),
+    ("\\b(rotated|turned) through (\\d+ degrees)\\b", "{1} by {2}"),
     # structures
     (f"^(.+?) (?:consisting of|comprising|composed of) , ({_WAY}) , (.+)$", "{2} , {1} of {3}"),
     (f"\\b({_M}) comprise\\b", "{1} consist of"),
@@ -143,7 +170,7 @@ _PLAINLY: tuple[Turn, ...] = (
 """What makes no sense as it stands, in an order of words that does."""
 _WORDS = (
     "decreases increases presence arithmetically mathematically cuboid prism previously comprise comprising centrally "
-    "termination"
+    "termination assumed located situated",
 )
 """Words that it takes besides those that are read anyway."""
 

@@ -30,11 +30,13 @@ STARTS = Patterns(
     f"in|at|from the|our|my {_BEGINNING} {_STATES} ,|:?",
     f"the|our|my? {_BEGINNING} {_STATES} is|has|shows|looks_like_this|looks_like|contains? that|this|as_follows? :|,?",
     f"the|our|my? {_BEGINNING} {_STATES} :",
-    "the|our|this|my scene|episode|task|game|simulation|run|trial|story|world|level|exercise|puzzle "
+    "the|our|this|my scene|episode|task|game|simulation|run|trial|story|world|level|exercise|puzzle|test|experiment "
     "opens|starts|begins|starts_off|starts_out|starts_off with|from|: ,?",
+    "the|our|this|each|every test|episode|task|run|trial|experiment shall|must|will|should start|begin with|from",
     "we|you|i|things|everything|it|all start|starts|begin|begins|start_off|starts_off|start_out|starts_out|"
     "are_starting|am_starting with|from|:",
-    "at|in the very? start|beginning|outset of? the|this? episode|task|game|run|trial|simulation|exercise ,|:?",
+    "at|in the very? start|beginning|outset of? the|this? episode|task|game|run|trial|simulation|exercise|test|"
+    "experiment ,|:?",
     "at the very? start|beginning|outset ,|:?",
     "before anything_happens|the_robot_moves|the_robot_starts|you_start|we_start|it_starts|you_begin|we_begin|"
     "anything_is_moved|the_episode_starts|the_task_starts|the_robot_does_anything ,",

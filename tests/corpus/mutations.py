@@ -42,6 +42,7 @@ SAYS_THE_SAME = {
     "what reads the same from both ends": r"again|alternat|symm|mirror|both ends|checker|either (?:end|direction)",
     "left is what remains": r"\[left>right\] (?:on|in|over|out|alone|behind|where)",
     "a wall is as wide as it is long, and a tower as high": r"\[(?:long|high)>\w+\]",
+    "what is taken back": r"\].*(?:, no,|no wait|no sorry|sorry,|wait,|i mean|make that)",
     "what is taken apart before anything else is done": r"(?:unstack|apart)\b.*\[(?:first|last)>",
 }
 """Reasons for which another word says the same, with what the changed sentences look like: [word>other word]."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
 from itertools import chain
+from operator import is_
 from typing import Any as AnyType
 from typing import get_args
 
@@ -72,7 +73,8 @@ def transform(goal: g.Goal, change: Callable[[g.Goal], g.Goal]) -> g.Goal:
     """Apply `change` to every node, leaves first."""
     inner = children(goal)
     if inner:
-        goal = rebuild(goal, tuple(transform(child, change) for child in inner))
+        new = tuple([transform(child, change) for child in inner])
+        goal = goal if all(map(is_, new, inner)) else rebuild(goal, new)
     return change(goal)
 
 

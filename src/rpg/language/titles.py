@@ -123,6 +123,8 @@ def title(tokens: list[Token]) -> int:
 
     "Task 1: ... Task 2: ..." has two of them, and is none.
     """
+    if not tokens or not (tokens[0].word in _NUMBERED or tokens[0].word in _SORTS or _single(tokens[0])):
+        return 0
     words = [token.word if token.kind == "word" else "" for token in tokens]
     at = 0
     while at < min(_LONGEST, len(tokens)) and words[at] in _NUMBERED | _SORTS:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from itertools import pairwise
 
 from pydantic import BaseModel
@@ -89,10 +89,12 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
     colors = {asset.color for asset in task.assets if asset.name not in chosen}
     shown = {symbol for asset in task.assets for symbol in _symbols(asset)}
     shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
-    numbers: set[float] | None = None
+    numbers: _Numbers | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
     terms = {term for part in parts for term in _terms(part)} | _shown_orders(task) | {"heaps" for _ in task.init.heaps}
     for index, token in enumerate(words):
+        if token.word not in _TELLING and token.kind not in ("number", "sign") and len(token.raw) != 1:
+            continue
         color = lexicon.COLOR.get(token.word) or lexicon.COLOR_PLURAL.get(token.word)
         if color is not None and color not in colors and not _spelt(token, task):
             return token
@@ -136,17 +138,35 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
             return token
         if said is not None and said > FEW:
-            numbers = set(_numbers(task)) if numbers is None else numbers
-            measured = _measured(words, index + 1)
-            known = numbers | _edges(task) if measured else numbers
-            if not any(abs(said - number) < 0.02 for number in known):
+            numbers = numbers or _Numbers(_numbers(task))
+            told = numbers.among(said) or (_measured(words, index + 1) and _Numbers(_edges(task)).among(said))
+            if not told:
                 return token
     return None
+
+
+class _Numbers:
+    """Numbers, looked for as they are found."""
+
+    def __init__(self, rest: Iterable[float]) -> None:
+        self.rest, self.known = iter(rest), set[float]()
+
+    def among(self, said: float) -> bool:
+        """Whether one of them is the one that is said."""
+        if any(abs(said - number) < 0.02 for number in self.known):
+            return True
+        for number in self.rest:
+            self.known.add(number)
+            if abs(said - number) < 0.02:
+                return True
+        return False
 
 
 def _one_of_invented(words: Sequence[Token], color: str, task: TaskSchema) -> bool:
     """Whether groups were given colours, of which some are told: "group by colour, reds left, blues right"."""
     noted = next((x for x in task.assumptions if x.startswith("the colours are not said: ")), "")
+    if not noted:
+        return False
     listed = noted.partition(": ")[2].split(", ")
     said = {lexicon.COLOR.get(x.word) or lexicon.COLOR_PLURAL.get(x.word) for x in words}
     return color in listed and not said.issuperset(listed) and any(isinstance(x, GroupBy) for x in atoms(task.goal))
@@ -196,6 +216,9 @@ def _alphabet(words: Sequence[Token], index: int) -> bool:
 
 
 _BESIDES = frozenset({"instead", "too"})
+_TELLING = frozenset({*lexicon.COLOR, *lexicon.COLOR_PLURAL, *lexicon.NUMBER, *PLAIN, *SYMBOLS, *PATCHES, *_BESIDES,
+                      *STAY, *ONLY, "ones", "order", "each", "while", "row", "to"})  # fmt: skip
+"""The words of which something must come."""
 
 
 def _joined_by_others(task: TaskSchema) -> bool:

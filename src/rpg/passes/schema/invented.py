@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -36,17 +35,19 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
 
 def _one_word(task: TaskSchema) -> None:
     """Refuse "a word down a stack: SUN" as some word and the word SUN."""
-    spelt = [atom for atom in atoms(task.goal) if isinstance(atom, Spells)]
+    spelt = [atom for atom in atoms(task.goal) if isinstance(atom, Spells)] if task.assumptions else []
     if len(spelt) > 1 and task.assumed("the word is not said"):
         raise refuse("ambiguous", "is this the word, or one more?", spelt[-1].span, "say 'the word' in front of it")
 
 
 def _counts_with_a_slash(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "each white block on a black one (3/3)" with the cubes 3, / and 3 beside them."""
+    slash = next((token for token in words if token.word == "/"), None)
+    if slash is None:
+        return
     spoken_of = set(names(task.goal))
     idle = [b for b in task.blocks if isinstance(b, SemanticCube) and b.name not in spoken_of]
-    slash = next((token for token in words if token.word == "/"), None)
-    if slash is not None and any("/" in map(block.symbol, FACES) for block in idle):
+    if any("/" in map(block.symbol, FACES) for block in idle):
         raise refuse("ambiguous", "so many of each, or cubes that show these numbers?", slash.span,
                      "say 'three of each'")  # fmt: skip
 
@@ -65,22 +66,24 @@ def _ones_beside_patches(words: Sequence[Token], task: TaskSchema) -> None:
 def _as_many_as_said(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "two pink ones and two gray ones" as three of one and one of the other, and "checkerboard, 2 red and 2
     black" as these and others that are red."""
-    blocks = Counter(str(block.color) for block in task.blocks)
-    patches = Counter(str(patch.color) for patch in task.patches)
-    made_up = any(note.startswith("the colours are not said") for note in task.assumptions)
     for index, (number, color) in enumerate(pairwise(words)):
         look = lexicon.COLOR.get(color.word) or lexicon.COLOR_PLURAL.get(color.word)
         many = lexicon.NUMBER.get(number.word, 0) if number.kind == "word" else number.value
         labels = index and words[index - 1].word in _NUMBERED
         if look is None or labels or not isinstance(many, int | float) or many < 2:
             continue
-        if max(blocks[look], patches[look]) < many or (made_up and blocks[look] > many):
+        blocks = sum(block.color == look for block in task.blocks)
+        patches = sum(patch.color == look for patch in task.patches)
+        made_up = any(note.startswith("the colours are not said") for note in task.assumptions)
+        if max(blocks, patches) < many or (made_up and blocks > many):
             raise refuse("ambiguous", f"it is not clear which the {many:g} {color.word} ones are", number.span,
                          "say of all blocks how many there are of each colour")  # fmt: skip
 
 
 def _made_up_beside(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "each colour on its own mat: red on red, blue on blue" as these and a green block that nobody named."""
+    if not task.assumptions:
+        return
     kinds = ("blocks", "digit blocks", "letter blocks")
     unsaid = any(task.assumed(f"the number of {kind} is not said") for kind in kinds)
     if not unsaid or not (task.assumed(COLORS_UNSAID) or task.assumed(SYMBOLS_UNSAID)):

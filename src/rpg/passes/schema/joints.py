@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations, pairwise
 
 from rpg.ir import goal as g
@@ -26,18 +26,10 @@ _ENDS = frozenset({".", ";", "!", "?", "(", ")"})
 
 def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse what joins, or tells apart, blocks in a way that nothing in the task shows."""
-    _parted_lists(words, task)
-    _same_cubes(words, task)
-    _two_pairs(words, task)
-    _colors_behind(words, task)
-    _letters_of_words(words, task)
-    _counts_or_cubes(words, task)
-    _stacked_at_last(words, task)
-    _beside_a_chain(words, task)
-    _all_of_them(words, task)
-    _in_turn(words, task)
-    _letter_a(words, task)
-    _left_open(words, task)
+    said = {token.word for token in words}
+    for joints, check in _CHECKS:
+        if joints is None or not said.isdisjoint(joints):
+            check(words, task)
     _strangers(task)
 
 
@@ -76,6 +68,8 @@ def _letters_of_words(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "write NO with blue letters on the mat" as a word and a blue letter that nobody named."""
     made_up = task.assumed(SYMBOLS_UNSAID)
     spelt = read = {n for atom in atoms(task.goal) if isinstance(atom, Spells) for n in atom.blocks}
+    if not read:
+        return
     shown = {asset.name for asset in task.assets if isinstance(asset, SemanticCube)}
     spelt = spelt if ({*names(task.goal)} - spelt) & shown else set()
     said = next((t for t in words if t.word in ("letter", "letters", "digits", "numbers")), None)
@@ -91,6 +85,8 @@ def _letters_of_words(words: Sequence[Token], task: TaskSchema) -> None:
 
 def _beside_a_chain(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "tower red-blue-green, yellow on the table" as a tower of four: a comma ends what hyphens join."""
+    if not any(token.joined for token in words):
+        return
     lines = [len(x.blocks) for x in atoms(task.goal) if isinstance(x, Stack | Row)]
     for index, token in enumerate(words):
         run = 1
@@ -133,6 +129,8 @@ def _letter_a(words: Sequence[Token], task: TaskSchema) -> None:
     small = [
         n for n, t in enumerate(words) if t.kind == "word" and len(t.raw) == 1 and t.raw.islower() and t.raw != "a"
     ]
+    if not small:
+        return
     plain = any(n == 0 or words[n - 1].word not in ("a", "an") for n in small)
     shown = any(
         "A" in {asset.symbol(face) for face in FACES} for asset in task.assets if isinstance(asset, SemanticCube)
@@ -171,9 +169,9 @@ def _two_pairs(words: Sequence[Token], task: TaskSchema) -> None:
 
 def _colors_behind(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "two towers of two, 15 cm apart, red and blue" as towers of other colours beside these two blocks."""
-    ends = [n for n, t in enumerate(words) if t.word in _ENDS] + [len(words)]
-    made_up = task.assumed(COLORS_UNSAID)
-    for end in ends if made_up else ():
+    if not task.assumed(COLORS_UNSAID):
+        return
+    for end in [n for n, t in enumerate(words) if t.word in _ENDS] + [len(words)]:
         tail = [t.word for t in words[max(end - 4, 0) : end]]
         colors = len(tail) == 4 and tail[0] == "," and tail[2] == "and" and {tail[1], tail[3]} <= lexicon.COLOR.keys()
         colors = colors or (tail[1:3] == [",", "both"] and tail[3] in lexicon.COLOR)
@@ -213,6 +211,8 @@ def _stacked_at_last(words: Sequence[Token], task: TaskSchema) -> None:
 
 def _counts_or_cubes(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "a tower of 2, 3 and 4 blocks" as one of the cubes 2, 3 and 4: so many blocks, perhaps."""
+    if not any(token.kind == "number" for token in words):
+        return
     shown = {symbol for asset in task.assets if isinstance(asset, SemanticCube) for symbol in map(asset.symbol, FACES)}
     for at in (n for n, t in enumerate(words) if t.word in lexicon.BLOCK and t.word.endswith("s") and n):
         first = at
@@ -276,3 +276,20 @@ def _parted(lot: list[Token], counts: set[int | None]) -> bool:
         plain = [word for word in here if word not in (",", "and")]
         return len(plain) > len(items) and not any(word in lexicon.BLOCK for word in plain)
     return len(items) in counts and all(lot[n].kind == "number" or here[n] in lexicon.NUMBER for n in items)
+
+
+_CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchema], None]], ...] = (
+    (_TOWERS, _parted_lists),
+    (None, _same_cubes),
+    (frozenset({"and"}), _two_pairs),
+    (None, _colors_behind),
+    (None, _letters_of_words),
+    (None, _counts_or_cubes),
+    (frozenset({"stacked"}), _stacked_at_last),
+    (None, _beside_a_chain),
+    (frozenset({"all"}), _all_of_them),
+    (frozenset({"turn", "turns"}), _in_turn),
+    (None, _letter_a),
+    (frozenset({"or"}), _left_open),
+)
+"""What is checked, and words without which there is nothing to check."""

@@ -234,6 +234,8 @@ def in_one(parts: list[list[Token]]) -> list[list[Token]]:
 
     Only where no other structure than one tower is named, of which these could be parts.
     """
+    if len(parts) < 2:
+        return parts
     words = [token.word for part in parts for token in part]
     shapes = [lexicon.STRUCTURE[word] for word in words if word in lexicon.STRUCTURE]
     if _ANCHORS.isdisjoint(words) or shapes not in ([], [("stack", False)]):

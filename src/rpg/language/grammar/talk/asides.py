@@ -15,7 +15,6 @@ from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
 from rpg.language.grammar.things.all_but import exceptions_first
 from rpg.language.grammar.things.remainder import reckoned
-from rpg.language.phrases import by_first
 from rpg.language.tokens import Token
 
 _ANYWHERE = (
@@ -226,9 +225,10 @@ def _shouted(token: Token) -> bool:
 def _standing(words: list[str], at: int) -> int:
     """The position after the longest aside that stands and fits here, or `at`."""
     longest = at
-    for phrase, fits in _ASIDES.get(words[at], ()):
+    begun = _ASIDES.get(words[at])
+    for phrase, fits in [x for y in {"", *words[at + 1 : at + 2]} for x in begun.get(y, ())] if begun else ():
         end = at + len(phrase)
-        if end > longest and tuple(words[at:end]) == phrase and fits(words, at, end):
+        if end > longest and words[at:end] == phrase and fits(words, at, end):
             longest = end
     return longest
 
@@ -377,7 +377,8 @@ def _meant(tokens: list[Token], at: int) -> list[Token]:
     return [replace(token, word="and") if thing or place or letter else token]
 
 
-_FITTING: tuple[tuple[tuple[str, ...], Callable[[list[str], int, int], bool]], ...] = (
+_Fits = Callable[[list[str], int, int], bool]
+_FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_ANYWHERE, lambda words, first, last: True),
     (_EMPHASIS, lambda words, first, last: _emphatic(words, last)),
     (_FREE, _set_off),
@@ -392,9 +393,7 @@ _FITTING: tuple[tuple[tuple[str, ...], Callable[[list[str], int, int], bool]], .
     (_AT_ALL, _denying),
 )
 """Asides, and where they are ones."""
-_ASIDES = {
-    word: [(phrase, fits) for phrases, fits in _FITTING for phrase in by_first(phrases).get(word, ())]
-    for phrases, _ in _FITTING
-    for word in by_first(phrases)
-}
-"""The asides by their first word."""
+_ASIDES: dict[str, dict[str, list[tuple[list[str], _Fits]]]] = {}
+"""The asides by their first and second word, the latter empty where there is none."""
+for _said, _fits in ((_x.split(), _fits) for _phrases, _fits in _FITTING for _x in _phrases):
+    _ASIDES.setdefault(_said[0], {}).setdefault("".join(_said[1:2]), []).append((_said, _fits))

@@ -93,6 +93,9 @@ def announces(tokens: list[Token]) -> bool:
 
 
 def _wholly(tokens: list[Token], *tables: Patterns) -> bool:
+    first = tokens[1 if tokens[0].word == "," and len(tokens) > 1 else 0].word
+    if not any(first in table.firsts for table in tables):
+        return False
     p = Parser(tokens)
     start = p.opt(0, ",")
     return any(p.opt(j, ",", ":") == p.end for table in tables for j in table.matches(p, start))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.language import lexicon
@@ -114,7 +115,10 @@ _BEGINNINGS = by_first(tuple(_PHRASES))
 def rephrased(tokens: list[Token]) -> list[Token]:
     """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
     tokens = formal(tokens)
-    tokens = _was_so(_grouped(_so_many_colors(_spaced_behind(_from_end_to_end(_in_the_corners(_once_more(tokens)))))))
+    said = {token.word for token in tokens}
+    for words, plainly in _TURNS:
+        if not said.isdisjoint(words):
+            tokens = plainly(tokens)
     out: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -122,7 +126,7 @@ def rephrased(tokens: list[Token]) -> list[Token]:
             out += _otherwise(tokens, at)
             at += 1
             continue
-        if (shape := _hollow(tokens, at, out)) is not None:
+        if tokens[at].word in ("empty", "outline") and (shape := _hollow(tokens, at, out)) is not None:
             out += shape[0]
             at = shape[1]
             continue
@@ -130,17 +134,17 @@ def rephrased(tokens: list[Token]) -> list[Token]:
             out.append(replace(tokens[at], word="and"))
             at += 1
             continue
-        begun = _BEGINNINGS.get(tokens[at].word, ()) if tokens[at].kind == "word" else ()
-        words = [t.word if t.kind == "word" else "" for t in tokens[at : at + 6]] if begun else []
-        said = max((x for x in begun if tuple(words[: len(x)]) == x), key=len, default=())
-        if not said:
+        begun = _BEGINNINGS.get(tokens[at].word) if tokens[at].kind == "word" else None
+        ahead = tuple([t.word if t.kind == "word" else "" for t in tokens[at : at + 6]]) if begun is not None else ()
+        phrase = max((x for x in begun or () if ahead[: len(x)] == x), key=len, default=()) if ahead else ()
+        if not phrase:
             out.append(tokens[at])
             at += 1
             continue
-        span = (tokens[at].span[0], tokens[at + len(said) - 1].span[1])
-        plain = _PHRASES[" ".join(said)].split()
+        span = (tokens[at].span[0], tokens[at + len(phrase) - 1].span[1])
+        plain = _PHRASES[" ".join(phrase)].split()
         out += [Token("punct" if word == "," else "word", word, word, span) for word in plain]
-        at += len(said)
+        at += len(phrase)
     return out
 
 
@@ -331,3 +335,15 @@ def _otherwise(tokens: list[Token], at: int) -> list[Token]:
     if at and tokens[at - 1].word in lexicon.COLOR and closed:
         return [Token("word", "elsewhere", "elsewhere", token.span)]
     return [token]
+
+
+_TURNS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]], ...] = (
+    (frozenset({"again"}), _once_more),
+    (frozenset({"takes", "gets", "occupies"}), _in_the_corners),
+    (_EXTREMES, _from_end_to_end),
+    (frozenset({"touching", "spaced", "packed"}), _spaced_behind),
+    (frozenset({"colors"}), _so_many_colors),
+    (_SPOTS, _grouped),
+    (frozenset({"was"}), _was_so),
+)
+"""Turns of phrase that are told by whole sentences, with words one of which they have."""

@@ -22,6 +22,7 @@ _REST = by_first(
         if not (the == "all " and rest.startswith("rem"))
     )
 )  # fmt: skip
+_BEGUN = frozenset({"the", *_REST})
 _HALF = by_first(
     tuple(
         f"{one}half{of}"
@@ -49,7 +50,7 @@ def reckoned(tokens: list[Token]) -> list[Token]:
     out: list[Token] = []
     at = 0
     while at < len(tokens):
-        end = _phrase(words, at, _REST) or _so_many_others(tokens, at)
+        end = (_phrase(words, at, _REST) or _so_many_others(tokens, at)) if words[at] in _BEGUN else 0
         many = _left(out) if end and _colored(words, end) else 0
         if many > 0 and all(_value(token) in (0, many) for token in tokens[at:end]):
             if out[-1].word == ".":

@@ -123,6 +123,8 @@ def _of_its_end(chains: tuple[Chain, ...], n: int, text: str) -> bool:
     begun, ended = chains[n].span
     if n + 1 < len(chains) and _ordered(chains[n + 1]) and added(chains[n], chains[n + 1], text):
         return True
+    if _END.search(text) is None:
+        return False
     before = text[chains[n - 1].span[1] if n else 0 : begun]
     after = text[ended : chains[n + 1].span[0] if n + 1 < len(chains) else len(text)]
     own = re.split(r"[.;!?]", before)[-1] + text[begun:ended] + re.split(r"[.;!?]", after)[0]
@@ -163,12 +165,12 @@ def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
     So does what is said to be seen, in a picture or at the end, where nothing else is asked for.
     """
     clauses = [c for chain in chains for c in chain.clauses]
+    if any(isinstance(c, Clause) and c.mode in ("start", "command") for c in clauses):
+        return None
     listed = isinstance(clauses[0], Clause) and clauses[0].lemma in ("tally", "stock")
     seen = _SEEN.search(text[: clauses[0].span[listed]]) is not None
     final = [_of_its_end(chains, n, text) for n in range(len(chains))]
     if any(final) and not final[0]:
-        return None
-    if any(isinstance(c, Clause) and c.mode in ("start", "command") for c in clauses):
         return None
     if not final[0] and any(demanded(chains, n, text) for n in range(1, len(chains))):
         return None

@@ -36,16 +36,20 @@ def cleared_of(chains: tuple[Chain, ...], links: Sequence[str] | None = None) ->
         clauses: list[Meaning] = []
         before = emptied
         for link, said in zip(chain.links, chain.clauses, strict=True):
+            if not emptied:
+                clauses.append(said)
+                if _empties(said):
+                    emptied, patches = True, _marks(said)
+                continue
             fact = isinstance(said, Clause) and said.lemma == "fact" and said.mode == "goal" and not said.negated
             on = isinstance(said, Clause) and bool(said.adjuncts) and all(map(_on_it, said.adjuncts))
             marks = _marks(said)
             named = link != "then" and bool(marks) and all(x in patches for x in marks)
             on = on and (links is None or (named and before and links[n] != "then"))
-            begun_ = emptied and fact and on and isinstance(said, Clause)
+            begun_ = fact and on and isinstance(said, Clause)
             clauses.append(replace(said, mode="start") if begun_ and isinstance(said, Clause) else said)
-            emptied = emptied or _empties(said)
             patches += _marks(said) if _empties(said) else []
-        found.append(replace(chain, clauses=tuple(clauses)))
+        found.append(replace(chain, clauses=tuple(clauses)) if emptied else chain)
     return tuple(found)
 
 

@@ -185,10 +185,13 @@ def _blocks_listed(found: list[list[tuple[str, Meaning]]], said: Clause) -> bool
 
 def _looks_listed(found: list[list[tuple[str, Meaning]]], said: Clause, link: str) -> bool:
     """ "Four cubes in a row with 2 cm gaps: cyan, cyan, brown, brown": the looks of the blocks that were counted."""
-    last, items = _last(found), _bare_looks(said.theme)
-    if last is None or link != "and" or said.verb != "be" or said.negated or len(items) < 2:
+    last = _last(found)
+    if last is None or link != "and" or said.verb != "be" or said.negated:
         return False
     if last.verb not in ("be", "arrange", "build", "place") or last.negated or last.mode == "start":
+        return False
+    items = _bare_looks(said.theme)
+    if len(items) < 2:
         return False
     ways = all(isinstance(a, Toward) for a in said.adjuncts)
     ordered = any(isinstance(a, OrderBy | Toward) for a in last.adjuncts)

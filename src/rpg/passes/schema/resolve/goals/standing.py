@@ -16,11 +16,14 @@ def still_standing(goal: g.Goal, starts: Iterable[g.Goal]) -> g.Goal:
 
     Left alone where the goal itself says of a block of the tower where it should be.
     """
+    towers_begun = [start for start in starts if isinstance(start, s.Stack)]
+    if not towers_begun:
+        return goal
     related = [set(_operands(atom)) for atom in atoms(goal)]
     spoken = {name for atom, towers in zip(atoms(goal), related, strict=True) for name in names(atom) if not towers}
     found: list[g.Goal] = []
-    for start in starts:
-        if isinstance(start, s.Stack) and spoken.isdisjoint(start.blocks):
+    for start in towers_begun:
+        if spoken.isdisjoint(start.blocks):
             ends = [end for towers in related for end in towers if set(members(end)) == set(start.blocks)]
             if ends:
                 covered = any(isinstance(end, Highest) for end in ends)

@@ -11,7 +11,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.assets import EDGE
 from rpg.ir.node import members
-from rpg.ir.walk import children, rebuild, transform
+from rpg.ir.walk import children, rebuild, transform, without_span
 from rpg.passes.schema.resolve.goals.spacing import spaced
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
@@ -98,7 +98,7 @@ def once(goals: Iterable[g.Goal]) -> tuple[g.Goal, ...]:
     """`goals` without those that say the same as an earlier one, in whatever words."""
     kept: dict[g.Goal, g.Goal] = {}
     for goal in goals:
-        kept.setdefault(transform(goal, lambda node: node.model_copy(update={"span": None})), goal)
+        kept.setdefault(transform(goal, without_span), goal)
     return tuple(kept.values())
 
 

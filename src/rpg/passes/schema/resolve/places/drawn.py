@@ -47,8 +47,10 @@ def grounded(clause: Clause, chains: tuple[Chain, ...]) -> Clause:
     mark = place.landmark if isinstance(place, Loc) and place.rel in ("on", "above") and not place.negated else None
     word = mark.word if isinstance(mark, Pronoun) else ""
     denied = word in ("anything", "anything else") if clause.negated else word == "nothing"
+    if not denied or place is None or clause.verb not in ("be", "stack"):
+        return clause
     patches = any(isinstance(part, Noun) and part.head == "patch" for chain in chains for part in parts_of(chain))
-    if not denied or place is None or clause.verb not in ("be", "stack") or (patches and clause.verb == "be"):
+    if patches and clause.verb == "be":
         return clause
     table = Loc(rel="on", landmark=TableTop(span=place.span), span=place.span)
     return replace(clause, verb="be", negated=False, adjuncts=(table,))

@@ -33,6 +33,9 @@ def in_one_tower(clause: Clause) -> tuple[Clause, ...]:
     """The clauses that build the tower and say what is above what in it; none where this is not said."""
     if clause.verb not in ("be", "place", "stack", "build") or clause.negated or clause.mode == "start":
         return ()
+    least = 1 if clause.verb == "stack" or isinstance(clause.theme, Structure) else 2
+    if len(clause.adjuncts) < least:
+        return ()
     if (between := _sandwiched(clause) or _with_one_between(clause) or _in_a_row_with(clause)) is not None:
         return (between,)
     towers = [shape for a in clause.adjuncts if (shape := _tower(a)) is not None]

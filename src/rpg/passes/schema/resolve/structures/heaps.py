@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import is_
 from typing import TypeGuard
 
 from rpg.language.meaning import (
@@ -25,12 +26,18 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.begun_facts import wanted
 from rpg.passes.schema.resolve.clauses.spec import Spec
 
+_LISTS = ("tally", "stock")
+"""What a clause is called that lists what there is."""
+
 
 def told_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with blocks of the start as the list behind them tells them; lists that did no more are gone.
 
     "Six blocks start in a heap, three orange and three purple."
     """
+    lists = any(isinstance(c, Clause) and c.lemma in _LISTS for chain in chains for c in chain.clauses)
+    if not lists and all(chain.clauses and chain.links[0] == "and" for chain in chains):
+        return links, chains
     found: list[list[tuple[str, Meaning]]] = []
     before: tuple[int, int] | None = None
     for chain in chains:
@@ -101,6 +108,8 @@ def heaps_last(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], 
     None where there is no such heap, nothing is named besides, or something is said of "them".
     """
     parts = [part for chain in chains for part in parts_of(chain)]
+    if not any(isinstance(part, Structure) and part.kind == "pile" for part in parts):
+        return None
     if any(isinstance(part, Pronoun) and part.word in _THEM for part in parts):
         return None
     found: list[Clause] = []
@@ -203,7 +212,9 @@ def from_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
                 pairs.append(("and", there))
                 clause = replace(clause, theme=blocks)
             pairs.append((link, clause))
-        found.append(replace(chain, clauses=tuple(c for _, c in pairs), links=tuple(link for link, _ in pairs)))
+        clauses = tuple([c for _, c in pairs])
+        same = len(clauses) == len(chain.clauses) and all(map(is_, clauses, chain.clauses))
+        found.append(chain if same else replace(chain, clauses=clauses, links=tuple(link for link, _ in pairs)))
     return tuple(found)
 
 

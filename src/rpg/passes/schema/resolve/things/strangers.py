@@ -17,15 +17,16 @@ _UNCOUNTED = (
 
 def _unnamed(scene: Scene) -> None:
     """Blocks of which neither look nor number was said are not made up beside blocks that are named."""
-    open_ = [t for t in scene.blocks() if t.color is None and t.label is None and not t.kind and not t.extra]
+    blocks = list(scene.blocks())
+    open_ = [t for t in blocks if t.color is None and t.label is None and not t.kind and not t.extra]
     vague = [t for t in open_ if t.elastic is not None]
-    vague += [t for t in scene.blocks() if t.name in scene.vague]
+    vague += [t for t in blocks if t.name in scene.vague]
     if not vague and any(a.startswith(_UNCOUNTED) for a in scene.assumptions):
         vague = [t for t in open_ if t.batch == open_[-1].batch]
     if any(a.startswith("the number of letter blocks") for a in scene.assumptions):
-        vague += [t for t in scene.blocks() if t.kind == "letter" and t.label is None and not t.extra]
-    named = [t for t in scene.blocks() if t not in vague and not t.extra]
-    if vague and named:
+        vague += [t for t in blocks if t.kind == "letter" and t.label is None and not t.extra]
+    named = [t for t in blocks if t not in vague and not t.extra] if vague else []
+    if named:
         raise refuse(
             "ambiguous",
             "some blocks are named or counted, but of others neither number nor look is said",
@@ -38,11 +39,14 @@ def _unnamed(scene: Scene) -> None:
 def _apposed(scene: Scene) -> None:
     """ "Three blocks, tan ones": so many without a look, and some of a look without a number, may be the same; so may
     the five letters beside the word ROBOT, and just as many that are named in another sentence."""
-    counted = [t for t in scene.blocks() if t.elastic is None and not (t.color or t.label or t.kind or t.extra)]
-    uncounted = [t for t in scene.blocks() if t.elastic is not None and (t.color or t.label) and not t.extra]
-    letters = [t for t in scene.blocks() if t.kind == "letter" and not t.extra]
+    blocks = [t for t in scene.blocks() if not t.extra]
+    counted = [t for t in blocks if t.elastic is None and not (t.color or t.label or t.kind)]
+    letters = [t for t in blocks if t.kind == "letter"]
+    if not counted and not letters:
+        return
+    uncounted = [t for t in blocks if t.elastic is not None and (t.color or t.label)]
     spelt = [t for t in letters if t.label]
-    looks = [t for t in scene.blocks() if (t.color or t.label) and not t.extra]
+    looks = [t for t in blocks if t.color or t.label]
     lots = [{t.name for t in lot} for lot in (counted, looks)]
     joint = any(all(lot & {*built.members} for lot in lots) for built in scene.built)
     same = len(counted) > 1 and len(looks) == len(counted) and not joint

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language import lexicon
+from rpg.language.conditions import conditional, inverted
 from rpg.language.grammar.clauses.chains import chain
 from rpg.language.grammar.clauses.clauses import tail
 from rpg.language.grammar.clauses.links import emphasised, next_step
@@ -293,6 +294,8 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
     p = Parser(tokens, thorough)
     start = p.opt(0, ",", ":")
     link = "and"
+    if (depends := inverted(p, start)) is not None:
+        raise Refusal([depends])
     counted = p.words[start] in _COUNTED or p.words[start] in _LISTED
     if counted and (step := p.number(start + 1)) is not None:
         link = "then" if step > 1 and p.words[start] in _COUNTED else "and"
@@ -385,6 +388,8 @@ def stuck(p: Parser) -> Diagnostic:
             code="incomplete", message="the sentence stops before it says what should be done", span=p.span(0, p.end),
             hint="say what should be done with which blocks, and where they should be", origin="schema",
         )  # fmt: skip
+    if (depends := conditional(p, at)) is not None:
+        return depends
     token = p.tokens[at]
     return Diagnostic(
         code="misplaced-word", message=f"{token.raw!r} does not fit here", span=token.span,

@@ -107,6 +107,14 @@ CODES: tuple[Code, ...] = (
         "pick up the red block and put it on the blue block",
     ),
     Code(
+        "conditional",
+        "something depends on a condition",
+        "A goal is to be reached in any case. What holds only if something else does cannot be checked at the end, and "
+        "what comes before something is told by 'first' and 'then'.",
+        "if the red block is on the blue patch, put the green block on it",
+        "first put the red block on the blue patch, then put the green block on the red block",
+    ),
+    Code(
         "unused-block",
         "a block is named and then forgotten",
         "A block is spoken of, but no condition mentions it. It may have been meant as a distractor.",

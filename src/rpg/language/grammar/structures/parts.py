@@ -8,6 +8,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import extreme, far_end
+from rpg.language.grammar.structures.parity import every_other
 from rpg.language.grammar.structures.sizes import dimensions
 from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import literal
@@ -109,6 +110,7 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
     if (k := p.one(j, frozenset({"a", "an"}))) and p.words[k] in _NOUNS and p.words[k + 1] == "of":
         owned, j = True, k
     yield from _noun_there(p, i, j, unit)
+    yield from every_other(p, i, j)
     if both := p.any_of(j, _PAIRS):
         found = _UNITS.get(p.words[both]) if both < p.end else None
         end = p.reach(both + 1) if found else p.opt(both, "end", "ends", "side", "sides")

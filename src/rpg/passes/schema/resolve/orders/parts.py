@@ -11,6 +11,7 @@ from rpg.ir.order import Order, Pattern
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Structure, Traits, replace
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.columns import columns_of
 from rpg.passes.schema.resolve.orders.left_over import all_left, lines_left
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of, matching
@@ -110,6 +111,8 @@ def _lines(
     part: Places, unit: str, side: str, node: s.Cells, cells: Sequence[Cell], height: int, scene: Scene
 ) -> Groups:
     """Rows, columns or layers."""
+    if isinstance(node, s.Staircase) and unit == "column":
+        return columns_of(part, node, cells)
     stepped = isinstance(node, s.Staircase | s.Figure)
     tapered = isinstance(node, s.Pyramid) and unit != "layer"
     if stepped or tapered or (unit == "layer" and height < 2) or (unit == "row" and height > 1):
@@ -146,6 +149,8 @@ def chosen(side: str, index: int | None, several: int | None, total: int, sides:
     if side == "middle":
         start, odd = divmod(total - count, 2)
         return list(range(start, start + count)) if not odd and start > 0 else []
+    if side in ("odd", "even") and index is None and several is None:
+        return list(range(side == "even", total, 2))
     if side in ("ends", "outer"):
         return [0, total - 1] if several in (None, 2) and total > 2 else []
     if side == "inner":
@@ -156,6 +161,8 @@ def chosen(side: str, index: int | None, several: int | None, total: int, sides:
 def counted(theme: Meaning, groups: Groups, place: At | Places) -> Meaning:
     """What stands in a part, with as many blocks as it has places."""
     places = sum(map(len, groups))
+    if isinstance(theme, Noun) and theme.det == "the" and theme.plural and place.side in ("odd", "even"):
+        theme = replace(theme, det="bare")  # "the red ones at odd positions"
     if not isinstance(theme, Noun) or theme.det not in ("bare", "a", "all", "some"):
         return theme
     amount = amount_of(theme)

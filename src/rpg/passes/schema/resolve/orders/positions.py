@@ -17,8 +17,7 @@ from rpg.passes.schema.resolve.things.things import amount_of, matching, open_to
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
 SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"),
-    "line": ("left", "right", "front", "back"),
-         "column": ("front", "back", "left", "right")}  # fmt: skip
+         "line": ("left", "right", "front", "back"), "column": ("front", "back", "left", "right")}  # fmt: skip
 
 
 MAX_ALTERNATIVES = 60
@@ -100,8 +99,9 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         spec.absolutes.remove(item)
     if not held:
         return None
-    symmetric = all(p.side in SYMMETRIC for p in parts)
-    first = None if symmetric else _side_of(parts, kind)
+    first = None if all(p.side in SYMMETRIC for p in parts) else _side_of(parts, kind)
+    if {"odd", "even"} & {p.side for p in parts} and len(names) % 2 == 0:
+        scene.assume(f"places are counted from the {first}")
     return Placed(tuple(ranks_from(held, names, scene, bunches)), first)
 
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from itertools import combinations, islice
 
 import pytest
 
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.evaluate import evaluate, settled
 from rpg.blocks.geometry import footprint_gap
-from rpg.blocks.initial import sample_start
+from rpg.blocks.initial import foresee, foreseen, sample_start
+from rpg.blocks.physics import Physics, leave, left
 from rpg.blocks.state import BlockState, World
 from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import Asset, ColoredCube, GoalPatch, SemanticCube
@@ -117,3 +118,28 @@ def test_a_heap_has_settled_in_one_piece_with_blocks_on_blocks(seed: int) -> Non
     assert any(state.bottom(name) > TABLE_Z + 0.01 for name in heap)
     assert state.bottom("pink_block") == pytest.approx(TABLE_Z, abs=1e-4)
     assert state.position == sample_start(InitialState(heaps=(heap,)), World([*FIVE, PATCH]), seed).position
+
+
+TOWER = Stack(blocks=tuple(asset.name for asset in FIVE[:3]))
+
+
+@pytest.mark.parametrize("init", [SCATTERED, InitialState(arranged=(TOWER.model_copy(update={"span": (3, 9)}),))])
+def test_what_is_foreseen_is_what_is_drawn_and_is_taken_once(init: InitialState) -> None:
+    world, same = World(FIVE), World(FIVE)
+    told = InitialState(arranged=(TOWER,)) if init.arranged else init
+    for attempt, start in enumerate(islice(foresee(init, world), 3)):
+        drawn = sample_start(told, same, 0, attempt)
+        assert (drawn.position, drawn.orientation) == (start.position, start.orientation)
+    assert foreseen(told, World(FIVE[1:]), 0, 1) is None and foreseen(told, same, 1, 1) is None
+    taken = foreseen(told, same, 0, 1)
+    assert taken is not None and taken.world is same and taken.position == sample_start(told, same, 0, 1).position
+    assert foreseen(told, same, 0, 1) is None and foreseen(told, same, 0, 3) is None
+
+
+def test_data_that_is_left_has_one_taker() -> None:
+    physics, other = Physics(World(FIVE)), Physics(World(FIVE[:1]))
+    leave(physics)
+    assert left(other.model) is None
+    leave(physics)
+    assert left(physics.model) is physics.data
+    assert left(physics.model) is None

@@ -7,9 +7,11 @@ task with, so that adding, removing or renaming other blocks leaves it where it 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import count
 from random import Random
 
 import numpy as np
@@ -18,12 +20,12 @@ from rpg.blocks.arrange import arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.geometry import Polygon, footprint, patch_outline, polygon_gap, rectangle
 from rpg.blocks.heaps import Heap, above, dropped, in_one_piece, shaft
-from rpg.blocks.physics import Physics, settled_state
+from rpg.blocks.physics import Physics, leave, settled_state
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.goal import All, Goal
 from rpg.ir.schema import InitialState
-from rpg.ir.walk import names
+from rpg.ir.walk import names, plain
 
 CLEARANCE = 0.012
 """Gap (m) kept between scattered blocks where there is room for it, so that a gripper can reach between them."""
@@ -135,6 +137,38 @@ def sample_start(
             return _rounded(state)
         unstable = True
     raise Refusal([_unstable() if unstable else _no_room(world)])
+
+
+_foreseen: deque[tuple[object, dict[int, BlockState]]] = deque(maxlen=1)
+"""The starts that seed 0 draws for one task, by attempt, which somebody has drawn already."""
+
+
+def foresee(init: InitialState, world: World) -> Iterator[BlockState]:
+    """What seed 0 draws, attempt by attempt. The task that is made of this next does not draw them a second time."""
+    drawn: dict[int, BlockState] = {}
+    _foreseen.append((_said(init, world), drawn))
+    physics = Physics(world) if init.arranged else None
+    try:
+        for attempt in count():
+            drawn[attempt] = sample_start(init, world, 0, attempt, lambda: physics)
+            yield drawn[attempt]
+    finally:
+        if physics is not None:
+            leave(physics)
+
+
+def foreseen(init: InitialState, world: World, seed: int, attempt: int) -> BlockState | None:
+    """What `seed` draws, where that was foreseen, and is asked for the first time."""
+    for said, drawn in _foreseen if seed == 0 else ():
+        if attempt in drawn and said == _said(init, world):
+            start = drawn.pop(attempt)
+            return BlockState(world, start.position, start.orientation)
+    return None
+
+
+def _said(init: InitialState, world: World) -> object:
+    """What starts are drawn from; where the instruction speaks of it does not matter."""
+    return [*map(plain, init.arranged)], init.heaps, init.poses, init.vacant, [*world.assets.values()]
 
 
 def _rounded(state: BlockState) -> BlockState:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from copy import copy
 from functools import lru_cache
 
@@ -112,6 +113,23 @@ class Physics:
     def sane(self) -> bool:
         """Are all numbers finite?"""
         return bool(np.isfinite(self.data.qpos).all() and np.isfinite(self.data.qvel).all())
+
+
+_left: deque[Physics] = deque(maxlen=1)
+
+
+def leave(physics: Physics) -> None:
+    """Nobody uses this simulation any more: the next one of its model may run in its data."""
+    _left.append(physics)
+
+
+def left(model: mujoco.MjModel) -> mujoco.MjData | None:
+    """The data of the simulation that was left last, if it is of this model: for one taker alone."""
+    try:
+        physics = _left.pop()
+    except IndexError:
+        return None
+    return physics.data if physics.model is model else None
 
 
 @lru_cache(maxsize=16)

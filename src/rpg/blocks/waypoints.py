@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import islice
+from itertools import chain, islice
 from random import Random
 
 from rpg.blocks.arrange import CHANGES, Impossible, arrange
 from rpg.blocks.arrange.explain import explain
 from rpg.blocks.arrange.solve import AT_A_GLANCE, Solver
 from rpg.blocks.evaluate import rests, satisfied
-from rpg.blocks.initial import sample_start
+from rpg.blocks.initial import foresee
 from rpg.blocks.outset import at_every_start
 from rpg.blocks.state import BlockState, World
 from rpg.ir import goal as g
@@ -105,14 +105,15 @@ def _starts(goal: g.Goal, init: InitialState, world: World) -> Iterator[BlockSta
     stages = [stage.goal for part in parts if isinstance(part, g.Sequence) for stage in part.stages]
     standing = [part for part in parts if isinstance(part, g.Always)]
     past = any(at_every_start(part, init) for part in (goal, *stages))
-    for attempt in range(0 if past else STARTS):
-        start = sample_start(init, world, 0, attempt)
+    drawn = foresee(init, world)
+    first = next(drawn)
+    for start in () if past else chain((first,), islice(drawn, STARTS - 1)):
         seen = start.since(start)
         if any(satisfied(part, seen) for part in (*stages, goal)):
             continue
         if all(satisfied(part, seen) for part in standing):
             yield start
-    yield sample_start(init, world, 0)
+    yield first
 
 
 def _conjuncts(goal: g.Goal) -> Iterator[g.Goal]:

@@ -19,6 +19,7 @@ class Setup:
 
     def __init__(self) -> None:
         self._assets: list[Asset] = []
+        self._begun: tuple[object, InitialState] | None = None
         self._forget()
 
     def _forget(self) -> None:
@@ -79,12 +80,11 @@ class Setup:
                 raise ValueError(f"the task has no block {name!r}; its blocks are {', '.join(self.world.blocks)}")
 
     def _initial_state(self) -> InitialState:
-        return InitialState(
-            arranged=tuple(self._arranged),
-            heaps=tuple(self._heaps),
-            poses=tuple(self._poses),
-            vacant=tuple(self._vacant),
-        )
+        said = tuple(self._arranged), tuple(self._heaps), tuple(self._poses), tuple(self._vacant)
+        if self._begun is None or self._begun[0] != said:
+            arranged, heaps, poses, vacant = said
+            self._begun = said, InitialState(arranged=arranged, heaps=heaps, poses=poses, vacant=vacant)
+        return self._begun[1]
 
     def _placed_states(self) -> list[BlockState]:
         """The scenes that were placed, in order, the last one where the episode stands."""

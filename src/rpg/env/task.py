@@ -13,10 +13,10 @@ import numpy as np
 from rpg.blocks.alike import Judge
 from rpg.blocks.english import clause
 from rpg.blocks.evaluate import settled
-from rpg.blocks.initial import crowded, sample_start, solved_at_start
+from rpg.blocks.initial import crowded, foreseen, sample_start, solved_at_start
 from rpg.blocks.judgement import Judgement
 from rpg.blocks.namings import all_namings
-from rpg.blocks.physics import Physics
+from rpg.blocks.physics import Physics, left
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import Cells
 from rpg.blocks.verdict import FALSE, Verdict, as_verdict, between
@@ -220,7 +220,7 @@ class BlockTask(Relations, Structures, Setup):
         if self._physics is None:
             model = model_for(tuple(self.world.assets.values()), self._embodiment, self._textures)
             lent = self._lender.physics if self._lender is not None else None
-            self._physics = Physics(self.world, model, lent.data if lent and lent.model is model else None)
+            self._physics = Physics(self.world, model, lent.data if lent and lent.model is model else left(model))
             if self._embodiment is not None:
                 self._robot = self._embodiment.bind(model, tuple(self.world.blocks))
         if self._written is not None:
@@ -258,10 +258,10 @@ class BlockTask(Relations, Structures, Setup):
 
     def _drawn_start(self, seed: int, init: InitialState) -> BlockState:
         """The start of `seed`; the episode has begun with it."""
-        fallback: BlockState | None = None
-        narrow = False
+        fallback, narrow = cast(BlockState | None, None), False
         for attempt in range(ATTEMPTS):
-            start = sample_start(init, self.world, seed, attempt, self._plainly)
+            known = foreseen(init, self.world, seed, attempt)
+            start = known or sample_start(init, self.world, seed, attempt, self._plainly)
             if attempt and self._plainly_past(start, fallback is not None and attempt < MOST_AHEAD):
                 continue
             self._begin(start)

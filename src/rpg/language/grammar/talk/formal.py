@@ -20,6 +20,8 @@ _BESIDE = "(?:on|on top of|to the left of|to the right of|behind|in front of|nex
 _STAND = "(?:be|stand|lie|sit|rest)(?: placed| put| found)?"
 _THEN = "(?:then|thereafter|afterwards|subsequently|after that)"
 _BIG = "big|bigger|large|larger"
+_MOVED = "(?:moved|transferred|shifted|relocated|brought|carried)"
+_SIDED = f"(?:{_MANY} (?:lower|upper|bottom|top|left|right)|(?:lower|upper|bottom|top|left|right) {_MANY})"
 _IS = f"(?:is|are|{_M} be)"
 
 _ALWAYS: tuple[Turn, ...] = (
@@ -62,6 +64,17 @@ _SIDES = (
     ("at the bottom", "bottom"), ("(?:in|at) the (?:middle|center)", "middle"),
 )  # fmt: skip
 _PLAINLY: tuple[Turn, ...] = (
+    # what is asked for
+    ("^the (?:task|goal|goal state|target|test|objective) (?:shall be|must be|is) (?:deemed |considered |regarded as )?"
+     "(?:reached|complete|completed|achieved|fulfilled|met|passed|done|successful)(?: only)? "
+     "(?:when|once|if|as soon as) (.+)$", "{1}"),
+    ("^care (?:shall|must|should|is to) be taken (?:that|to ensure that) (.+)$", "{1}"),
+    (f"^(.+?) ({_M} .+?) , (?:as|and so) {_M} (the .+)$", "{1} and {3} {2}"),
+    (f"^([^,]+?) ({_M} .+?) , and (the [^,]+) likewise$", "{1} and {3} {2}"),
+    (f"^(.+ {_BLOCK}) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({_M} be {_MOVED} .+)$",
+     "{1} , which starts {2} , {3}"),
+    (f"^(.+ {_BLOCK}s) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({_M} be {_MOVED} .+)$",
+     "{1} , which start {2} , {3}"),
     # what there is besides
     ("^(.+?)(?: ,)? there being (.+?)(?: in all| in total| altogether)?$", "{1} . there are {2}"),
     (f"^(.+) , ({_MANY} [^,]+?) being (?:present|there|available)( as distractors)?$", "{1} . there are {2} {3}"),
@@ -98,6 +111,12 @@ _PLAINLY: tuple[Turn, ...] = (
      "{1} . {3} {4} {5} {2} it"),
     (f"^(.+ {_M} (?:be|stand|lie)(?: \\w+ed| put)? on) the same (?:patch|mat|zone|target)(?: ,)? (?:which|that) "
      "(?:may|can|must|shall|should) be(?: either)? (.+) or (.+)$", "{1} {2} or {1} {3}"),
+    (f"(?:, )?(?:of which|whereof) the (\\w+)(?: one| {_BLOCK})? (?:{_IS}|{_M} stand|{_M} lie|stands|lies) "
+     "(at the (?:bottom|top|left|right|front|back)|on top|in the middle|leftmost|rightmost)$", "with the {1} one {2}"),
+    (f", the ({_SIDED}) (?:{_BLOCK}s )?of which {_IS} (\\w+) and the ({_SIDED}) (?:{_BLOCK}s )?(?:of which )?"
+     f"(?:{_IS} )?(\\w+)$", ", the {1} being {2} and the {3} {4}"),
+    (f"^the {_BLOCK}s (?:of|in) the ({_LINE}) ({_M}) be , ({_WAY}) [:,] (.+)$", "the {1} {2} be , {3} : {4}"),
+    (f"(?:, )?whose {_BLOCK}s {_IS} , ({_WAY}) [:,] (.+)$", "in the order {2} {1}"),
     (" , (?:originally|initially) (?:located |placed |standing |lying |situated |positioned |resting )?"
      "((?:on|next to|to the|in front|behind) [^,]+?) ,", ", which starts {1} ,"),
     (f"^(.+?) ({_M} (?:lie|stand|be|be placed|be put)) (to the left|to the right|in front) , and (.+?) "
@@ -140,6 +159,10 @@ _PLAINLY: tuple[Turn, ...] = (
     (f"^(.*?)the (?:positions|places|locations) of (.+? {_M} be (?:swapped|exchanged|interchanged))$", "{1} {2}"),
     ("\\bcentrally (between)\\b", "midway {1}"),
     ("\\b(rotated|turned) through (\\d+ degrees)\\b", "{1} by {2}"),
+    (f"(?:, )?(?:so|such) that a (gap|distance) of ({_CM}) (?:remains|is left|is kept) between (.+)$",
+     "with a {1} of {2} between {3}"),
+    ("\\bbetween (?:neighboring|adjacent) faces\\b", "between neighboring blocks"),
+    (", the (?:distances|gaps|spaces) between (?:them|neighbors|the blocks) being equal\\b", ", evenly spaced"),
     # structures
     (f"^(.+?) (?:consisting of|comprising|composed of) , ({_WAY}) , (.+)$", "{2} , {1} of {3}"),
     (f"\\b({_M}) comprise\\b", "{1} consist of"),
@@ -170,7 +193,7 @@ _PLAINLY: tuple[Turn, ...] = (
 """What makes no sense as it stands, in an order of words that does."""
 _WORDS = (
     "decreases increases presence arithmetically mathematically cuboid prism previously comprise comprising centrally "
-    "termination assumed located situated",
+    "termination considered ascends descends falls deemed regarded whereof care assumed located situated",
 )
 """Words that it takes besides those that are read anyway."""
 

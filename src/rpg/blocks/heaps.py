@@ -38,6 +38,8 @@ UPRIGHTS: tuple[Quat, ...] = (
 """One orientation for each face that can be up."""
 FALL_STEPS = 15
 """Control steps that blocks have to fall between the walls."""
+FLAT = 0.001
+"""A block whose centre is no higher (m) over that of one on the table lies flat on it."""
 AWAY = 10.0
 """Height (m) that walls are lifted to when they have done their work."""
 
@@ -72,16 +74,24 @@ def above(world: World, heap: Heap, rng: Random) -> dict[str, tuple[Vec3, Quat]]
 
 
 def dropped(state: BlockState, heaps: tuple[Heap, ...]) -> BlockState | None:
-    """`state` after its heaps have fallen and settled; None where something does not come to rest."""
+    """`state` after its heaps have fallen and settled; None where something does not come to rest, or a heap falls
+    apart."""
     physics = _shafts(state.world, tuple(heap.side for heap in heaps))
     physics.write(state)
     for index, heap in enumerate(heaps):
         physics.data.mocap_pos[index] = (heap.x, heap.y, TABLE_Z)
     physics.step(FALL_STEPS)
     physics.data.mocap_pos[:, 2] = AWAY
-    if not physics.settle() or not physics.sane():
+    if not physics.settle(lambda: _fell_apart(heaps, physics)) or not physics.sane():
         return None
     return physics.read()
+
+
+def _fell_apart(heaps: tuple[Heap, ...], physics: Physics) -> bool:
+    """Do all blocks of a heap that should have blocks on others lie flat on the table?"""
+    edge = physics.world.edge
+    flat = {name for name, z in physics.heights().items() if z - TABLE_Z - edge[name] / 2 < FLAT}
+    return any(len(heap.names) >= PILED and flat.issuperset(heap.names) for heap in heaps)
 
 
 def in_one_piece(heap: Heap, state: BlockState) -> bool:

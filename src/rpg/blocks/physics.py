@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Callable
 from copy import copy
 from functools import lru_cache
 
@@ -19,6 +20,8 @@ SETTLE_STEPS = 100
 QUIET_SPEED = 0.002
 """Speed (m/s) below which every block has settled for good."""
 QUIET_STEPS = 4
+SLOW = 0.05
+"""Speed (m/s) from which nothing climbs on anything any more: it is worth a tenth of a millimetre."""
 SLEEPS_BELOW = 1e-4
 """Speed (m/s) below which blocks fall asleep where they may. No verdict on marginal scenes depends on it: see
 benchmarks/sleeping.py."""
@@ -93,14 +96,18 @@ class Physics:
         """Advance by control steps of 1/20 s."""
         mujoco.mj_step(self.model, self.data, SUBSTEPS * control_steps)
 
-    def settle(self) -> bool:
-        """Step until nothing moves any more; False where something still does after SETTLE_STEPS."""
+    def settle(self, hopeless: Callable[[], bool] | None = None) -> bool:
+        """Step until nothing moves any more; False where something still does after SETTLE_STEPS, or where it is
+        `hopeless`, which is asked while everything is slow."""
         quiet = 0
         for _ in range(SETTLE_STEPS):
             self.step()
-            quiet = quiet + 1 if self.fastest() < QUIET_SPEED else 0
+            speed = self.fastest()
+            quiet = quiet + 1 if speed < QUIET_SPEED else 0
             if quiet >= QUIET_STEPS:
                 return True
+            if hopeless is not None and speed < SLOW and hopeless():
+                return False
         return False
 
     def fastest(self) -> float:
@@ -109,6 +116,10 @@ class Physics:
         if not any(v):
             return 0.0
         return max([_speed(v[6 * k : 6 * k + 6], reach) for k, reach in enumerate(self._reach)])
+
+    def heights(self) -> dict[str, float]:
+        """How high the centre of every block is now."""
+        return dict(zip(self.names, self._poses[2::7].tolist(), strict=True))
 
     def sane(self) -> bool:
         """Are all numbers finite?"""

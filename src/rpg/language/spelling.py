@@ -77,6 +77,10 @@ SHORT_FORMS = {
 """Words typed in short, in small letters."""
 
 
+_COUNTS = frozenset({"none", "not", "all", "both", "each"})
+"""Besides numbers what must not be guessed at: "thee red blocks" are three of them, or the red ones."""
+
+
 @cache
 def vocabulary() -> frozenset[str]:
     """Every word of the language: those of the lexicon's tables and those that the grammar names."""
@@ -175,10 +179,14 @@ def _one_match(word: str) -> str | None:
         return None
     for limit in (1, 2) if len(word) >= LONG_WORD else (1,):
         close = [k for k in nearest(word, limit) if len(k) > 2 and slip(word, k)]
+        counts = [k for k in close if k in lexicon.NUMBER or k in _COUNTS]
+        turned = [k for k in close if sorted(k) == sorted(word)]
+        if len(turned) == 1:
+            return turned[0]
         if len(close) > 1:
             close = _likeliest(word, close)
         if close:
-            return close[0] if len(close) == 1 else None
+            return close[0] if len(close) == 1 and counts in ([], close) else None
     return None
 
 

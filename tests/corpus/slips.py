@@ -26,8 +26,9 @@ def slipped(word: str, chance: Random) -> str:
 
 
 def slips(text: str, chance: Random) -> Iterator[str]:
-    """The sentence with a slip in one of its longer words, but for those to be spelt."""
-    words = [found for found in re.finditer(r"[A-Za-z]{4,}", text) if found.group().lower() in vocabulary()]
+    """The sentence with a slip in one of its longer words, but for what is to be spelt."""
+    told = re.split(r"(?i)spell|writ|word", text)[0]
+    words = [found for found in re.finditer(r"[A-Za-z]{4,}", told) if found.group().lower() in vocabulary()]
     for found in chance.sample(words, min(TRIES, len(words))):
         wrong = slipped(found.group(), chance)
         if wrong != found.group() and wrong.lower() not in vocabulary():

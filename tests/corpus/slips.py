@@ -48,4 +48,5 @@ if __name__ == "__main__":
     numbers = [int(argument) for argument in sys.argv[1:]]
     seed = numbers[1] if len(numbers) > 1 else 0
     for text in sample(numbers[0] if numbers else 200, seed):
-        print(*misread(text, Random(f"{seed} {text}")), sep="\n", end="")
+        for changed in misread(text, Random(f"{seed} {text}")):
+            print(changed)

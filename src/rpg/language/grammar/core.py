@@ -79,7 +79,7 @@ class Parser:
             self.far = j
         return j
 
-    def one(self, i: int, words: frozenset[str] | set[str] | str) -> int:
+    def one(self, i: int, words: Collection[str]) -> int:
         """i + 1 if the word there is `words` (or among them), else 0."""
         word = self.words[i] if i < self.end else ""
         if not word:
@@ -214,7 +214,7 @@ class Inquiry(Parser):
     def char(self, index: int, side: int) -> int:
         raise Hidden
 
-    def one(self, i: int, words: frozenset[str] | set[str] | str) -> int:
+    def one(self, i: int, words: Collection[str]) -> int:
         self.asked.note(i, (words,) if isinstance(words, str) else words)
         return 0
 

@@ -23,6 +23,7 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.standby import all_extra
+from rpg.language.later import later
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -42,6 +43,9 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+
+(chain,) = later(__name__, "rpg.language.grammar.clauses.chains", "chain")
+(gerund_clause,) = later(__name__, "rpg.language.grammar.clauses.verbs", "gerund_clause")
 
 _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "forming", "making", "creating", "like",
     "to be", "so as to form",
@@ -172,14 +176,8 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
                 continue
             if rest and (lying := held(p, j, first, rest[0])) is not None:
                 rest = (lying, *rest[1:])
-            yield (
-                (
-                    (replace(first, cost=first.cost + 1), *rest)
-                    if rest and (isinstance(first, That) or _next_clause(first, rest[0]))
-                    else (first, *rest)
-                ),
-                k,
-            )
+            unlikely = rest and (isinstance(first, That) or _next_clause(first, rest[0]))
+            yield ((replace(first, cost=first.cost + 1), *rest) if unlikely else (first, *rest)), k
         posed = p.one(p.opt(p.opt(j, ","), "both", "all"), _POSED) if isinstance(first, Into | Using) else 0
         for rest, k in adjuncts(p, posed) if posed else ():
             if rest and isinstance(rest[0], Loc) and isinstance(rest[0].landmark, Pronoun):
@@ -354,9 +352,6 @@ def _ever(clause: Meaning) -> Meaning:
 
 @choice
 def _that(p: Parser, i: int) -> Results[Meaning]:
-    from rpg.language.grammar.clauses.chains import chain
-    from rpg.language.grammar.clauses.verbs import gerund_clause
-
     j = p.any_of(i, (", so that", "so that", "such that", "in such a way that", "so as", ", such that",
         "making sure that", "making sure", "ensuring that", "ensuring",
                      "where", ", where", "in a way that", "and make sure that", "and ensure that",

@@ -183,7 +183,7 @@ _PLACE = tuple(
 
 def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Clause]:
     """ "(the red block) must never leave the patch", "... the table": it is on it all the time."""
-    j = p.one(k, frozenset({"leave", "leaves"}))
+    j = p.one(k, ("leave", "leaves"))
     if end := p.any_of(j, _PLACE) if j else 0:
         stay = Manner(kind="stay", span=p.span(j, end))
         yield Clause(verb="be", theme=theme, adjuncts=(stay,), mode=mode, span=p.span(i, end)), end
@@ -198,7 +198,7 @@ def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Cla
 
 def touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Clause]:
     """ "the red block touches the blue one (at the start)", "the blocks touch"."""
-    if j := p.one(k, frozenset({"touch", "touches"})):
+    if j := p.one(k, ("touch", "touches")):
         for other, end in noun_phrase(p, j):
             touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
             said = Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end))

@@ -299,7 +299,7 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
             had = found.lemma in ("get", "take", "use") and not p.stands(end, ("and",))
             if not had and (found.adjuncts or found.verb != "place"):
                 yield replace(found, cost=found.cost + 1), end
-    if (k := p.any_of(i, DOERS)) and (k := p.one(k, frozenset({"has", "have"}))):
+    if (k := p.any_of(i, DOERS)) and (k := p.one(k, ("has", "have"))):
         for found, end in verb_phrase(p, k, ("past",)):
             if found.adjuncts or found.verb != "place":
                 yield replace(found, cost=found.cost + 1), end

@@ -63,11 +63,11 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
                     for found, last in adjuncts(p, end):
                         yield _clause(p, i, last, "arrange", theme, (into, *found)), last
     if lemma in ("take", "pull", "break", "knock", "tear"):
-        parted = p.one(i + 1, frozenset({"apart", "down"}))
+        parted = p.one(i + 1, ("apart", "down"))
         for theme, k in noun_phrase(p, parted or i + 1):
             if p.words[k if not parted else i + 1] == "down" and not isinstance(theme, Structure):
                 continue
-            if end := k if parted else p.one(k, frozenset({"apart", "down"})):
+            if end := k if parted else p.one(k, ("apart", "down")):
                 for found, last in adjuncts(p, end):
                     yield _clause(p, i, last, "unstack", theme, found), last
 

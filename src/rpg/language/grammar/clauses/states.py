@@ -196,6 +196,7 @@ def _passive(p: Parser, j: int) -> bool:
     return p.words[j] in ("become", "becomes") and p.words[j + 1].endswith("ed") and p.words[j + 1] in lexicon.VERB
 
 
+_AUXILIARY = _MODALS | _FILLERS | _NOT
 _LASTLY = frozenset({"finally", "eventually", "ultimately"})
 _ORDERED = frozenset({"first", "then", "before", "after", "next", "second", "firstly"})
 """Beside these "finally" tells a step, and not how it is in the end."""
@@ -204,7 +205,7 @@ _ORDERED = frozenset({"first", "then", "before", "after", "next", "second", "fir
 def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     words: set[str] = set()
     last = _LASTLY if p.all.isdisjoint(_ORDERED) else frozenset[str]()
-    while j < p.end and (p.words[j] in _MODALS | _FILLERS | _NOT | last or _passive(p, j)):
+    while j < p.end and (p.words[j] in _AUXILIARY or p.words[j] in last or _passive(p, j)):
         if p.words[j] in words & _NOT:
             break
         if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ended", "ending", "winds"):
@@ -330,7 +331,7 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
     if (j := p.any_of(k, _SWAP)) and not negated:
         for other, end in adjuncts(p, j) if p.stands(j, ("with",)) else [((), j)]:
             yield Clause(verb="swap", lemma="swap", theme=theme, adjuncts=other, mode=mode, span=p.span(i, end)), end
-    if j := p.one(k, frozenset({"alternate", "alternates"})):
+    if j := p.one(k, ("alternate", "alternates")):
         for turns_, end in adjuncts(p, j):
             turns = Clause(verb="arrange", lemma="alternate", theme=theme, adjuncts=turns_, mode=mode,
                            span=p.span(i, end), cost=p.follows(i, ("where", "which", "that")))  # fmt: skip
@@ -339,14 +340,14 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
         unmoved = Clause(verb="place", lemma="move", theme=theme, negated=True, mode=mode, span=p.span(i, j))
         yield replace(unmoved, word=p.span(k, j)), j
     yield from touches(p, i, k, theme, mode, negated)
-    if j := p.one(k, frozenset({"face", "faces", "point", "points", "look", "looks"})):
+    if j := p.one(k, ("face", "faces", "point", "points", "look", "looks")):
         for side, end in direction(p, j):
             faced = Manner(kind="facing", value=side, span=p.span(k, end))
             yield (
                 Clause(verb="be", theme=theme, adjuncts=(faced,), negated=negated, mode=mode, span=p.span(i, end)),
                 end,
             )
-    if j := p.one(k, frozenset({"read", "reads", "show", "shows", "say", "says", "spell", "spells"})):
+    if j := p.one(k, ("read", "reads", "show", "shows", "say", "says", "spell", "spells")):
         for told, end in _reads(p, i, j, theme, mode):
             yield (replace(told, negated=negated) if isinstance(told, Clause) else told), end
     if j := p.one(k, _HAVE) or (k if p.words[k - 1] in _HAVE else 0):

@@ -3,6 +3,8 @@ one"."""
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import never_there
 from rpg.language.grammar.clauses.adjuncts import adjuncts
@@ -14,6 +16,7 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import count
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.later import later
 from rpg.language.meaning import (
     Amount,
     Clause,
@@ -31,6 +34,11 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.language.phrases import Classes
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.places.relations import loc
+else:
+    (loc,) = later(__name__, "rpg.language.grammar.places.relations", "loc")
 
 _STANDS = (
     "there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits",
@@ -171,8 +179,6 @@ def on_what_is_named(p: Parser, i: int, mode: str) -> Results[Clause]:
 
 def _with_on_it(p: Parser, i: int, mode: str) -> Results[Clause]:
     """ "A red block, and on it a blue one": what is named first is only there for what is told of it."""
-    from rpg.language.grammar.places.relations import loc
-
     if i or not p.anywhere(_IT):
         return
     for first, j in simple(p, i):

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.nouns import simple
+from rpg.language.later import later
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -20,6 +23,11 @@ from rpg.language.meaning import (
     Traits,
     replace,
 )
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.things.nouns import noun_phrase
+else:
+    (noun_phrase,) = later(__name__, "rpg.language.grammar.things.nouns", "noun_phrase")
 
 _IS = ("is", "are", "should be", "must be", "has to be", "shall be", "is to be", "being", "be", "needs to be")
 _FLANKED = ("flanked on both sides by", "flanked by", "flanked left and right by", "flanked on either side by",
@@ -138,8 +146,6 @@ def _two(p: Parser, i: int) -> Results[Meaning]:
 
 def _two_at(p: Parser, i: int) -> Results[Meaning]:
     """Two blocks: "a black block (on both sides)", "two black ones", "red and blue"."""
-    from rpg.language.grammar.things.nouns import noun_phrase
-
     for sides, j in noun_phrase(p, i):
         if isinstance(sides, Coord) and sides.op == "and" and len(sides.items) == 2:
             if all(isinstance(x, Noun) and not x.plural and x.amount in (None, _ONE) for x in sides.items):
@@ -207,7 +213,7 @@ def around_told(p: Parser, i: int) -> Results[Clause]:
     start = p.any_of(i, ("put", "place", "arrange", "there are")) or i
     mark = p.any_of(start, _ROUND) or next((p.any_of(j, _ROUND) for _, j in _bare_blocks(p, start)), 0)
     for hub, j in _hubs(p, mark) if mark else ():
-        colon = p.one(j, frozenset({":", ","}))
+        colon = p.one(j, (":", ","))
         for told, k in _on_sides(p, colon, hub, ()) if colon else ():
             if len(told) > 1:
                 rest = Chain(clauses=told[1:], links=("and",) * (len(told) - 1), span=p.span(colon, k))

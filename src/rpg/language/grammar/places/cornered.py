@@ -36,7 +36,7 @@ def cornered(p: Parser, i: int) -> Results[Clause]:
     each = p.any_of(one or start, EACH_CORNER) if one or p.stands(start, ("per", "one", "in")) else 0
     heading = each and (of_table(p, each) or each)
     heading = heading or (p.any_of(start, _HEADS) if start == i else 0)
-    colon = p.one(heading, frozenset({":", ",", "-"})) if heading else 0
+    colon = p.one(heading, (":", ",", "-")) if heading else 0
     for told, j in _list(p, colon or start, ()) if colon or not heading else ():
         least = _ALL if colon else 2
         if p.all.isdisjoint(_CORNER) or not least <= len({region for _, region in told}) == len(told):

@@ -146,7 +146,7 @@ _ON = ("on", "on top of", "over", "upon", "atop", "onto", "with respect to")
 @rule
 def centred_on(p: Parser, i: int) -> Results[Loc]:
     """ "centred on the blue block to within 5 mm", "in the middle of the mat": what lies how well on what."""
-    start = p.one(p.opt(i, "well", "exactly", "precisely", "nicely"), frozenset({"centered", "aligned", "center"}))
+    start = p.one(p.opt(i, "well", "exactly", "precisely", "nicely"), ("centered", "aligned", "center"))
     on = p.any_of(start, _ON) if start else 0
     for mark, j in simple(p, on) if on else ():
         if isinstance(mark, Noun) and mark.head == "patch":

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.prepositions import side_relation
 from rpg.language.grammar.places.regions import named_regions
 from rpg.language.grammar.things.nouns import simple
+from rpg.language.later import later
 from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun, parts_of, replace
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.places.relations import loc
+else:
+    (loc,) = later(__name__, "rpg.language.grammar.places.relations", "loc")
 
 _OUT = (
     "outside of", "outside", "out of", "beyond the edge of", "clear of", "anywhere outside", "anywhere outside of",
@@ -52,8 +60,6 @@ _ACROSS = ("left", "right", "front", "behind")
 @choice
 def neither(p: Parser, i: int) -> Results[Meaning]:
     """ "neither on the red block nor behind it", "neither to the left nor to the right of the blue block"."""
-    from rpg.language.grammar.places.relations import loc
-
     start = p.one(i, "neither")
     if not start:
         return

@@ -99,7 +99,7 @@ def side_relation(p: Parser, i: int) -> Results[tuple[str, str]]:
         )
         or i
     )
-    near = p.one(j, frozenset({"immediate", "near", "direct"}))
+    near = p.one(j, ("immediate", "near", "direct"))
     far = p.one(j, "far")
     k = near or far or j
     if p.words[k : k + 1] and p.words[k] in _CHOICE:
@@ -108,7 +108,7 @@ def side_relation(p: Parser, i: int) -> Results[tuple[str, str]]:
         k = p.opt(k, "hand")
         bounded = p.one(k, "side") and p.words[i] in ("on", "onto", "in")
         k = p.any_of(k, ("side",)) or k
-        if of := p.one(k, frozenset({"of", "from"})):
+        if of := p.one(k, ("of", "from")):
             yield (side, p.words[j] if near else "side" if bounded else ""), of
         elif k > i and p.words[k - 1] != "hand":
             yield (side + "?", ""), k

@@ -148,7 +148,7 @@ def _either_relation(p: Parser, i: int) -> Results[Meaning]:
         firsts.append((p.words[start], p.reach(start + 1)))
     for first, j in firsts:
         denied = p.any_of(j, _BUT_NOT)
-        k = denied or p.one(j, frozenset({"or", "and"}))
+        k = denied or p.one(j, ("or", "and"))
         op = "and" if denied else p.words[j] if k else ""
         for (second, mods), m in relation(p, k) if k else ():
             for landmark, end in noun_phrase(p, p.opt(m, ",") if denied else m):
@@ -221,14 +221,14 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
     if not j:
         return
     mods = () if not close else ("immediate",) if p.words[i] in CLOSE else ("directly",)
-    if k := p.one(j, frozenset({"its", "their"})):
+    if k := p.one(j, ("its", "their")):
         owners: list[tuple[Meaning, int]] = [
             (Pronoun(word="it" if p.words[j] == "its" else "them", span=p.span(j, k)), k)
         ]
     else:
         owners = [(o, p.one(k, "'s")) for o, k in noun_phrase(p, j) if p.one(k, "'s")]
     for owner, k in owners:
-        if nearest := p.one(k, frozenset({"immediate", "direct"})):
+        if nearest := p.one(k, ("immediate", "direct")):
             mods, k = ("immediate",) if p.words[k] == "immediate" else ("directly",), nearest
         for word, name in (
             ("left", "left"),

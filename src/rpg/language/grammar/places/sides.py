@@ -90,7 +90,7 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
     if first := p.peek(j2, SIDES):
         k = p.reach(j2 + 1)
         k = p.opt(k, "side", "end", "edge")
-        if e := p.one(k, frozenset({"to", "towards"})):
+        if e := p.one(k, ("to", "towards")):
             e = p.opt(e, "the")
             last = SIDES.get(p.words[e]) if e < p.end else None
             if last == OPPOSITE[first]:

@@ -99,7 +99,7 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
         yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
-        set_off = p.one(j, frozenset({",", ":"})) if p.follows(j, ("colors",)) else 0
+        set_off = p.one(j, (",", ":")) if p.follows(j, ("colors",)) else 0
         for found, k in _two(p, i, set_off) if set_off else ():  # ", 3 black and 3 yellow" is what there is
             if not any(isinstance(x, Noun) and x.amount for x in parts_of(found)):
                 yield found, k

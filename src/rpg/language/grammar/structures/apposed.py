@@ -16,7 +16,7 @@ _LINED = ("grid", "row", "line", "column", "stack", "square", "circle", "rectang
 @rule
 def symbols_told(p: Parser, j: int, kind: str) -> Results[Noun]:
     """ ", letters A to F", ": digits 1, 2 and 3": the symbols that a structure shows."""
-    start = p.one(j, frozenset({",", ":"})) if kind in _LINED else 0
+    start = p.one(j, (",", ":")) if kind in _LINED else 0
     if not start:
         return
     the = p.opt(start, "the")
@@ -43,7 +43,7 @@ def apposed_blocks(p: Parser, j: int, alone: bool = False) -> Results[Noun]:
     many = p.number(start) if alone and start == j + 1 else None
     amount = Amount(many, many) if many else None
     for (named, either), k in colors(p, start + 1 if many else start):
-        end = p.one(k, frozenset({"blocks", "cubes", "bricks"}))
+        end = p.one(k, ("blocks", "cubes", "bricks"))
         if end and not either and len(named) == 1 and (end >= p.end or p.words[end] == ","):
             look = Traits(colors=named)
             yield Noun(head="block", amount=amount, plural=True, traits=look, span=p.span(start, end)), end
@@ -70,7 +70,7 @@ def of_all_of_them(base: Structure, detail: Meaning) -> Structure | None:
 @rule
 def a_lot_each(p: Parser, i: int, many: int) -> Results[Coord]:
     """ "(two towers:) 2 red and 3 blue blocks": behind a colon as many lots as there are towers, one for each."""
-    at = p.one(i, frozenset({":"}))
+    at = p.one(i, ":")
     lots: list[Absolute] = []
     while at and len(lots) < many:
         number, j = p.number(at), at + 1

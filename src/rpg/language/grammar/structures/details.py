@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language.grammar.clauses.manners import pointed
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import more_parts, one_more
@@ -19,7 +21,13 @@ from rpg.language.grammar.structures.wholes import wholes_told
 from rpg.language.grammar.things.bodies import body_clause
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.grammar.things.strangers import strangers_told
+from rpg.language.later import later
 from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, OrderBy, Places, Structure, replace
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.structures.structures import structure
+else:
+    (structure,) = later(__name__, "rpg.language.grammar.structures.structures", "structure")
 
 
 @rule
@@ -109,10 +117,8 @@ def _comes_next(p: Parser, i: int) -> Results[Clause]:
 
 def _of_a_whole(p: Parser, i: int) -> Results[Clause]:
     """ "the four corners of a 3x3 grid are pink": builds the grid, and says so of its corners."""
-    from rpg.language.grammar.structures.structures import structure
-
     for place, j in part(p, i):
-        of = p.one(j, frozenset({"of", "in"}))
+        of = p.one(j, ("of", "in"))
         for whole, k in structure(p, of) if of else ():
             sized = isinstance(whole, Structure) and whole.det in ("a", "bare") and not whole.plural
             if not sized or not isinstance(whole, Structure) or not (whole.sizes or whole.dims or whole.members):
@@ -132,8 +138,6 @@ def _of_a_whole(p: Parser, i: int) -> Results[Clause]:
 @choice
 def _in_a_whole(p: Parser, i: int) -> Results[Clause]:
     """ "the red one is third in a row of five": builds the row, and says so of one of its places."""
-    from rpg.language.grammar.structures.structures import structure
-
     if not p.anywhere(_PLACED):
         return
     start = p.any_of(i, ("put", "place", "set", "have", "i want", "let", "make", "get", "keep")) or i

@@ -74,7 +74,7 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
     comma = p.opt(i, ",", ":")
     if j := p.any_of(comma, _LEADS):
         yield from _made_of(p, i, j)
-    if j := p.one(comma, frozenset({"both", "each"})):
+    if j := p.one(comma, ("both", "each")):
         named = p.opt(p.any_of(p.opt(j, "one", "tower", "stack"), _COLON) or p.opt(j, "one", "tower", "stack"), ":")
         every = p.stands(named, lexicon.COLOR) and not p.anywhere(_STACKS)  # "each red on a blue": every red one
         yield from (x for x in _made_of(p, i, named) if x[0].first and not every)
@@ -90,7 +90,7 @@ def each_clause(p: Parser, i: int) -> Results[Clause]:
     """ "each tower has one red and one blue block", "in each tower a green block carries a yellow one"."""
     inside = p.one(i, "in")
     yield from _of_so_many(p, i)
-    each = p.one(inside or i, frozenset({"each", "every"}))
+    each = p.one(inside or i, ("each", "every"))
     j = (p.any_of(each, _NOUNS) or (each if not inside else 0)) if each else 0
     if not j:
         return
@@ -144,7 +144,7 @@ def heights(p: Parser, i: int, count: int) -> Results[tuple[Size, tuple[str, ...
         ends: list[tuple[tuple[str, ...], int]] = [
             ((), e) for e in (p.any_of(j + 1, _TALL), j + 1 if lead or count == len(listed) else 0) if e
         ]
-        ends += [((named,), e) for named, k in color(p, j + 1) if (e := p.one(k, frozenset({"blocks", "cubes"})))]
+        ends += [((named,), e) for named, k in color(p, j + 1) if (e := p.one(k, ("blocks", "cubes")))]
         for named, end in ends if len(listed) > 1 else ():
             end = p.any_of(end, (", respectively", "respectively")) or end
             yield (Size(what="heights", dims=tuple(listed), span=p.span(i, end)), named), end

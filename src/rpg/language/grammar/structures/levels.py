@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import simple
+from rpg.language.later import later
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits, replace
 from rpg.language.tokens import Token
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.clauses.clauses import tail
+else:
+    (tail,) = later(__name__, "rpg.language.grammar.clauses.clauses", "tail")
 
 _ANCHORS = frozenset({
     "bottom", "lowest", "lowermost", "bottommost", "base", "top", "topmost", "uppermost", "highest", "below",
@@ -87,8 +94,6 @@ class _Level:
 @rule
 def levels(p: Parser, i: int) -> Results[Clause]:
     """A tower of which every level is told, from one end to the other."""
-    from rpg.language.grammar.clauses.clauses import tail
-
     if not p.anywhere(_ANCHORS):
         return
     for start in dict.fromkeys((i, *_LEADS.matches(p, i))):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
@@ -26,6 +27,7 @@ from rpg.language.grammar.structures.steps import steps_told
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
 from rpg.language.grammar.things.labels import run
+from rpg.language.later import later
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -41,14 +43,24 @@ from rpg.language.meaning import (
     Traits,
 )
 
+if TYPE_CHECKING:
+    from rpg.language.grammar.places.absolutes import one_more, sided
+    from rpg.language.grammar.places.onto import counted_pile, one_on_another
+    from rpg.language.grammar.structures.each import each_of, heights
+    from rpg.language.grammar.structures.wholes import wholes
+    from rpg.language.grammar.things.nouns import noun_phrase
+else:
+    one_more, sided = later(__name__, "rpg.language.grammar.places.absolutes", "one_more", "sided")
+    counted_pile, one_on_another = later(__name__, "rpg.language.grammar.places.onto", "counted_pile", "one_on_another")
+    each_of, heights = later(__name__, "rpg.language.grammar.structures.each", "each_of", "heights")
+    (wholes,) = later(__name__, "rpg.language.grammar.structures.wholes", "wholes")
+    (noun_phrase,) = later(__name__, "rpg.language.grammar.things.nouns", "noun_phrase")
+
 _IN_A_ROW = ("in a row", "in a line", "in one row", "standing in a row", "lined up", "in one line")
 
 
 def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     """A structure with what is said of its size, of its blocks, and of single ones among them."""
-    from rpg.language.grammar.places.onto import counted_pile
-    from rpg.language.grammar.structures.each import each_of, heights
-
     many = base.amount.low if base.amount is not None else 0
     if base.plural and base.kind == "stack" and not base.details and (row := p.any_of(j, _IN_A_ROW)):
         into = Into(structure=Structure(kind="row", span=p.span(j, row)), span=p.span(j, row))
@@ -98,8 +110,6 @@ def _of_so_many(base: Structure) -> int:
 
 def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "a tower of red on green on blue"."""
-    from rpg.language.grammar.places.onto import one_on_another
-
     lead = p.any_of(k, (",", ":", "in which", "where", ", with", "that is", "which is", "that has", "having"))
     lead = p.any_of(p.opt(k, ","), _PILED) or lead or p.any_of(k, _OF)
     lead = lead or (k if base.det in ("the", "a") and k < p.end and p.words[k] in lexicon.COLOR else 0)
@@ -115,8 +125,6 @@ _DETAILED = frozenset({"with", ",", "having", "where", ":", "whose", "in", "of",
 
 def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
-    from rpg.language.grammar.places.absolutes import one_more, sided
-
     if k < p.end and p.words[k] in _DETAILED:
         for detail, end in sided(p, k):
             whole = of_all_of_them(base, detail) or replace(base, details=(*base.details, detail))
@@ -128,8 +136,6 @@ def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
 
 def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "two towers ..., one red and one blue", "... the left one red and the right one blue"."""
-    from rpg.language.grammar.structures.wholes import wholes
-
     towers = base.plural and base.kind == "stack" and base.amount is not None
     many = base.amount.low if towers and base.amount is not None else 0
     for named, end in colored_ones(p, k, many) if many else ():
@@ -312,8 +318,6 @@ _OF_EACH = ("each made of", "each of", "each made from", "each built of", "each 
 
 
 def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
-    from rpg.language.grammar.things.nouns import noun_phrase
-
     if base.filled is None and base.kind in ("square", "rectangle", "triangle") and p.stands(j, ("filled", "full")):
         base = replace(base, filled=True)
     k = p.any_of(j, _OF) or p.any_of(p.opt(j, ","), _BUILT) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
@@ -370,7 +374,7 @@ def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, e
     if isinstance(members, Structure) or (isinstance(members, Pronoun) and p.words[k - 1] == "for"):
         return False
     if isinstance(members, Coord):
-        if p.one(end, frozenset({"each", "apiece"})) or any(isinstance(x, Structure | Pronoun) for x in members.items):
+        if p.one(end, ("each", "apiece")) or any(isinstance(x, Structure | Pronoun) for x in members.items):
             return False
         if base.plural and any(map(_mere_number, members.items)):
             return False
@@ -383,7 +387,7 @@ def _number_of_each(p: Parser, j: int, k: int, base: Structure, members: Meaning
         return False
     of = p.words[k - 1] == "of" and p.words[j] != "out"
     of = of or "each" in p.words[j:k]
-    return of or p.words[k - 1] in ("with", "containing") or p.one(end, frozenset({"each", "apiece"})) > 0
+    return of or p.words[k - 1] in ("with", "containing") or p.one(end, ("each", "apiece")) > 0
 
 
 def _mere_number(item: Meaning) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import string
+from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
@@ -19,7 +20,13 @@ from rpg.language.grammar.things.amounts import makes_number
 from rpg.language.grammar.things.classes import classes
 from rpg.language.grammar.things.labels import run
 from rpg.language.grammar.things.lists import listed, ranks
+from rpg.language.later import later
 from rpg.language.meaning import Meaning, Noun, OrderBy, Toward, Traits
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.things.nouns import simple
+else:
+    (simple,) = later(__name__, "rpg.language.grammar.things.nouns", "simple")
 
 _LEADS = frozenset(
     {
@@ -118,11 +125,11 @@ def temporal(p: Parser, i: int) -> Results[Meaning]:
     )
     if not j:
         return
-    opened = p.one(p.opt(j, ",", ":"), frozenset({"(", "["}))
+    opened = p.one(p.opt(j, ",", ":"), ("(", "["))
     k = opened or p.opt(j, ",", ":")
     k = p.opt(k, "first")
     for items, end in firsts(p, k):
-        close = p.one(end, frozenset({")", "]"})) if opened else end
+        close = p.one(end, (")", "]")) if opened else end
         if close:
             yield OrderBy(by="temporal", items=items, span=p.span(i, close)), close
 
@@ -130,8 +137,6 @@ def temporal(p: Parser, i: int) -> Results[Meaning]:
 @rule
 def firsts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     """ "blue first, then red": an explicit order in time."""
-    from rpg.language.grammar.things.nouns import simple
-
     for first, j in simple(p, i):
         j = p.opt(j, "first")
         for rest, k in _after_first(p, j):
@@ -139,8 +144,6 @@ def firsts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
 
 
 def _after_first(p: Parser, at: int) -> Results[tuple[Meaning, ...]]:
-    from rpg.language.grammar.things.nouns import simple
-
     j = p.opt(at, ",")
     j = p.any_of(j, ("and then", "then", "and finally", "finally", "and", "followed by"))
     if not j:

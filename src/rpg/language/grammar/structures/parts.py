@@ -107,7 +107,7 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         owned, j = True, k
     if k := p.any_of(j, ("of the", "of its")):
         j = k
-    if (k := p.one(j, frozenset({"a", "an"}))) and p.words[k] in _NOUNS and p.words[k + 1] == "of":
+    if (k := p.one(j, ("a", "an"))) and p.words[k] in _NOUNS and p.words[k + 1] == "of":
         owned, j = True, k
     yield from _noun_there(p, i, j, unit)
     yield from every_other(p, i, j)

@@ -97,7 +97,7 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
         letter = _letter_at(p, j)
         if letter and (
             lead not in ("letter", "the letter")
-            or p.one(j + 1, frozenset({"shape", "formation"}))
+            or p.one(j + 1, ("shape", "formation"))
             or p.words[i - 1] == "like"
             or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
             or p.any_of(j + 1, _MADE_OF)

@@ -63,7 +63,7 @@ def succession(p: Parser, i: int) -> Results[Clause]:
     for items, marked, k in _items(p, i):
         if marked and (end := p.any_of(k, _IN_LINE)):
             yield from _whole(p, i, end, items, _LINES[p.words[end - 1]], None)
-        elif marked and (end := p.one(k, frozenset({",", ";"}))):
+        elif marked and (end := p.one(k, (",", ";"))):
             for told, last in toward(p, end):
                 if isinstance(told, Toward) and told.first is not None:
                     yield from _whole(p, i, last, items, "row" if told.axis == "y" else "line", told)
@@ -82,7 +82,7 @@ def _openings(p: Parser, i: int) -> Iterator[tuple[str, Toward | None, int]]:
         kind, j = _LINES[p.words[named]], p.reach(named + 1)
         for way, k in ((None, j), *((w, e) for w, e in toward(p, p.opt(j, ",")) if isinstance(w, Toward))):
             lead = p.any_of(k, _THERE if inside else _HAS)
-            set_off = p.one(k, frozenset({",", ":"}))
+            set_off = p.one(k, (",", ":"))
             for at in dict.fromkeys((lead, p.any_of(set_off, _THERE) if set_off else 0, set_off)):
                 if at:
                     yield kind, way, at

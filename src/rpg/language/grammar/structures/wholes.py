@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results, rule
@@ -13,7 +14,13 @@ from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.later import later
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Toward, Traits
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.places.onto import one_on_another
+else:
+    (one_on_another,) = later(__name__, "rpg.language.grammar.places.onto", "one_on_another")
 
 _HAVING = (
     "with", "having", "should have", "has to have", "must have", "made from", "out of", "made out of", "has", "of",
@@ -83,8 +90,6 @@ def _all_in_color(p: Parser, found: Coord, j: int) -> Coord:
 
 def _piles(p: Parser, i: int, at: int) -> Results[Coord]:
     """ ": red on blue, and green on yellow": one pile for each of several towers."""
-    from rpg.language.grammar.places.onto import one_on_another
-
     had: list[Absolute] = []
     while len(had) < 6:
         piled = max(one_on_another(p, at), key=lambda x: x[1], default=None)
@@ -230,8 +235,6 @@ def _so_many(number: int, named: str, span: Span) -> Noun:
 
 def _kind_of(p: Parser, j: int) -> Results[Meaning]:
     """What one of several structures is made of: a colour, a number of blocks, a word, or one block on another."""
-    from rpg.language.grammar.places.onto import one_on_another
-
     j = p.any_of(j, _WHOLLY) or j
     yield from _colored_and_tall(p, j)
     yield from _by_ends(p, p.opt(j, "with"))

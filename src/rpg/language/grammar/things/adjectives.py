@@ -140,7 +140,7 @@ def colors(p: Parser, i: int) -> Results[tuple[tuple[str, ...], bool]]:
         readings: list[tuple[tuple[tuple[str, ...], bool], int]] = [(((first,), False), j)]
         while True:
             k = p.opt(at, ",", "/")
-            joined = p.one(k, frozenset({"and", "or", "&"}))
+            joined = p.one(k, ("and", "or", "&"))
             if k == at and not joined:
                 break
             more = list(color(p, joined or k))

@@ -65,7 +65,7 @@ def amount(p: Parser, i: int) -> Results[Amount]:
         yield Amount(n, n), j
         if k := p.any_of(j, ("or more", "and more")):
             yield Amount(n, None, True), k
-        if k := p.one(j, frozenset({"or", "to"})):
+        if k := p.one(j, ("or", "to")):
             for m, after in count(p, k):
                 if m > n:
                     yield Amount(n, m, True), after
@@ -112,7 +112,7 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
         and (p.words[i + 1].endswith("s") or p.words[i + 2 : i + 3] != [""])
     ):
         yield Quantity("some", None, True), p.reach(i + 1)
-    if j := p.one(i, frozenset({"a", "an"})):
+    if j := p.one(i, ("a", "an")):
         yield Quantity("a", Amount(1, 1), False), j
         if k := p.one(j, "single"):
             yield Quantity("a", Amount(1, 1), False), k
@@ -136,11 +136,11 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
         yield Quantity("bare", found, found.high != 1), j
         if k := p.any_of(j, ("of", "out of")):
             yield Quantity("some", found, True, partitive=True), k
-        if k := p.one(j, frozenset({"more", "other", "additional", "extra"})):
+        if k := p.one(j, ("more", "other", "additional", "extra")):
             yield Quantity("other" if p.words[j] == "other" else "another", found, found.high != 1), k
     if j := p.any_of(i, _VAGUE):
         yield Quantity("some", None, True), j
-    if j := p.one(i, frozenset({"its", "their"})):
+    if j := p.one(i, ("its", "their")):
         yield Quantity("its"), j
     yield from _others(p, i)
 
@@ -194,7 +194,7 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
         if word in ("none", "one") or (word == "either" and bare):  # "either red on blue or ...": of no two red ones
             continue
         plural = None if det in ("any", "no") else det != "each"
-        if word == "no" and (k := p.one(j, frozenset({"other", "further", "additional"}))):
+        if word == "no" and (k := p.one(j, ("other", "further", "additional"))):
             yield Quantity("no other", None, None), k
             continue
         yield Quantity(det, fixed, plural), j
@@ -223,7 +223,7 @@ def _others(p: Parser, i: int) -> Results[Quantity]:
             yield Quantity("other", found, found.high != 1), k
     if j := p.seq(i, "the"):
         for found, k in amount(p, j):
-            if k := p.one(k, frozenset({"other", "remaining"})):
+            if k := p.one(k, ("other", "remaining")):
                 yield Quantity("other", found, found.high != 1), k
 
 
@@ -236,7 +236,7 @@ def length(p: Parser, i: int) -> Results[float]:
         factor = p.lex(i + 1, lexicon.UNIT) if not spelt else None
         if factor is not None:
             yield round(value * factor, 6), i + 2
-    if (j := p.one(i, frozenset({"a", "an", "one"}))) and (factor := p.lex(j, lexicon.UNIT)) is not None and factor < 1:
+    if (j := p.one(i, ("a", "an", "one"))) and (factor := p.lex(j, lexicon.UNIT)) is not None and factor < 1:
         yield factor, j + 1
     if j := p.any_of(i, ("half a", "half an")):
         factor = p.lex(j, lexicon.UNIT)

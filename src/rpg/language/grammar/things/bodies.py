@@ -40,7 +40,7 @@ def bodies(p: Parser, i: int, previous: Meaning) -> Results[tuple[Clause, ...]]:
     if (lead := p.one(i, "in")) and previous.verb == "spell":
         yield from (((found,), j) for found, j in _in_one_color(p, i, lead))
         yield from _one_by_one(p, lead, previous.theme.letter or "")
-    start = p.one(i, frozenset({",", ":", ";"})) or i
+    start = p.one(i, (",", ":", ";")) or i
     start = p.one(start, _LEADS) or (start if start > i else 0)
     if start:
         yield from _told(p, start, ())
@@ -100,7 +100,7 @@ def _told(p: Parser, i: int, had: tuple[Clause, ...]) -> Results[tuple[Clause, .
         yield found, j
         again = p.any_of(j, _AND) if len(found) < 10 else 0
         if again:
-            yield from _told(p, p.one(again, frozenset({"with"})) or again, found)
+            yield from _told(p, p.one(again, "with") or again, found)
 
 
 def body_clause(p: Parser, i: int) -> Results[Clause]:
@@ -160,7 +160,7 @@ def _many(theme: Meaning) -> bool:
 
 def _look(p: Parser, i: int, several: bool) -> Results[str]:
     """The colour of the cubes: "red", "in red", "in a green cube", "on red bodies"; "on red cubes" of several."""
-    prep = p.one(i, frozenset({"in", "on", "of"}))
+    prep = p.one(i, ("in", "on", "of"))
     start = p.opt(prep or i, "a", "an", "separate")
     if ivory := p.one(start, "ivory"):  # what letter cubes are anyway
         yield "", p.one(ivory, _CUBES) or ivory

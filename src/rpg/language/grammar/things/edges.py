@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.amounts import length
+from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Noun, Pronoun, Traits, replace
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.things.adjectives import adjectives
+    from rpg.language.grammar.things.nouns import simple
+else:
+    (adjectives,) = later(__name__, "rpg.language.grammar.things.adjectives", "adjectives")
+    (simple,) = later(__name__, "rpg.language.grammar.things.nouns", "simple")
 
 _LEADS = (
     "with edges of", "of", "with edges", "with sides of", "with edge lengths of", "of edge length", "of size",
@@ -33,8 +43,6 @@ _RANKS = frozenset({"largest", "smallest", "larger", "smaller"})
 
 def _of_so_many(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     """ "the smaller of the two red blocks", "the biggest one of them": among those."""
-    from rpg.language.grammar.things.nouns import simple
-
     ranked = noun.det == "the" and not noun.plural and noun.traits == Traits(rank=noun.traits.rank)
     of = p.one(j, "of") if ranked and noun.traits.rank in _RANKS and noun.part_of is None else 0
     for whole, k in simple(p, of) if of else ():
@@ -85,8 +93,6 @@ _ONE = frozenset({"a", "an", "one"})
 @choice
 def one_of_each_edge(p: Parser, i: int) -> Results[Coord]:
     """ "3, 5 and 6 cm red cubes", "a 3 cm, a 5 cm and a 6 cm red cube": what the noun says is said of each."""
-    from rpg.language.grammar.things.adjectives import adjectives
-
     found = list(lengths(p, i)) if p.token(i) is not None and p.tokens[i].kind == "number" else []
     edges: list[float] = []
     at = i

@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.retold import universal
+from rpg.language.later import later
 from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits, replace
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.things.nouns import noun_phrase, simple
+else:
+    noun_phrase, simple = later(__name__, "rpg.language.grammar.things.nouns", "noun_phrase", "simple")
 
 
 def _of_another_kind(whole: Meaning, out: Meaning) -> bool:
@@ -24,8 +32,6 @@ NO_MORE = ("and nothing else", "nothing else", "and nothing more", "nothing more
 
 def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord | Structure]:
     """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B"."""
-    from rpg.language.grammar.things.nouns import noun_phrase, simple
-
     shape = items[0] if len(items) == 1 else None
     alone = p.any_of(comma, NO_MORE) if isinstance(shape, Structure) else 0
     if isinstance(shape, Structure) and alone and (alone >= p.end or p.words[alone] in (",", ";", ":")):

@@ -153,7 +153,7 @@ def _goes_on(p: Parser, j: int, theme: Meaning | None) -> bool:
     joined = p.any_of(comma, ("and", "&"))
     last = theme.items[-1] if isinstance(theme, Coord) else theme
     open_ = comma > j and isinstance(last, Noun) and last.head == "any" and bool(last.traits.colors)
-    if comma > j and (det := p.one(comma, frozenset({"all", "both"}))):
+    if comma > j and (det := p.one(comma, ("all", "both"))):
         nouns = [x for x in _parts(theme) if isinstance(x, Noun)] if theme is not None else []
         told = {look for noun in nouns for look in noun.traits.colors}
         return any(named not in told for named, _ in color(p, det))

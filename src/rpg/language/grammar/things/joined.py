@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things import amounts
@@ -26,7 +28,13 @@ from rpg.language.grammar.things.retold import (
     told_anew,
     what_is_left,
 )
+from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits, replace
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.things.nouns import noun_phrase, simple
+else:
+    noun_phrase, simple = later(__name__, "rpg.language.grammar.things.nouns", "noun_phrase", "simple")
 
 _JOIN = frozenset({"and", "or", "plus", "&", "nor"})
 
@@ -63,8 +71,6 @@ _OF_EACH = ("each of", "each in", "each :", "of each of", "of each of the colors
 
 def of_each(p: Parser, i: int, whole: Meaning, j: int) -> Results[Coord]:
     """ "one cube each of red, orange and yellow", "two each of A and B": so many of each that is listed."""
-    from rpg.language.grammar.things.nouns import noun_phrase
-
     k = p.any_of(j, _OF_EACH)
     if not k or not isinstance(whole, Noun) or whole.amount is None or whole.traits != Traits() or whole.part_of:
         return
@@ -125,8 +131,6 @@ def _of_which(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
 
 def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
     """ "four blocks, red, blue, red, blue": a list of just as many."""
-    from rpg.language.grammar.things.nouns import simple
-
     yield from _of_which(p, i, j, count)
     start = p.opt(j, "namely")
     for first, k in simple(p, start):
@@ -157,8 +161,6 @@ def _namely(p: Parser, i: int, whole: Noun, j: int) -> Results[Meaning]:
 
 def _left(p: Parser, j: int) -> Results[Meaning]:
     """ "The remaining blocks, green and white, go on the mat": green and white."""
-    from rpg.language.grammar.things.nouns import simple
-
     for first, k in simple(p, p.opt(j, "namely")):
         for listed, end in [(first, k), *more(p, j, (first,), k, None)]:
             items = listed.items if isinstance(listed, Coord) and listed.op == "and" else (listed,)
@@ -169,11 +171,11 @@ def _left(p: Parser, j: int) -> Results[Meaning]:
 
 def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     """ "three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
-    if isinstance(whole, Noun) and whole.plural and p.one(j, frozenset({",", ":", "("})):
+    if isinstance(whole, Noun) and whole.plural and p.one(j, (",", ":", "(")):
         yield from _namely(p, i, whole, j + 1)
     if what_is_left(whole) and p.one(j, ","):
         yield from _left(p, j + 1)
-    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, frozenset({",", ":"})):
+    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, (",", ":")):
         return
     for found, k in amounts.quantity(p, j + 1):
         counts = whole.amount is None and whole.det in ("bare", "some") and found.det == "some"
@@ -224,8 +226,6 @@ def _joint(p: Parser, comma: int, op: str | None, before: Meaning) -> tuple[int,
 
 def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord | Noun | Structure]:
     """Lists that go on from `items`; with commas only ("red, blue, green") they cost a little."""
-    from rpg.language.grammar.things.nouns import simple
-
     comma = p.opt(at, ",", ";", "/")
     joined, word = _joint(p, comma, op, items[-1])
     summed = word == "and" and p.words[comma] == "+"
@@ -374,8 +374,6 @@ def _mere_number(item: Noun) -> bool:
 
 def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:
     """ "a group of reds and one of blues": a structure like the one before it in the list."""
-    from rpg.language.grammar.things.nouns import simple
-
     if isinstance(before, Noun) and before.traits.rank and before.head == "any" and before.det == "the":
         for marks, j in adjectives(p, i):
             if set(marks) == {"rank"}:

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import label_list
+from rpg.language.later import later
 from rpg.language.meaning import Meaning, Noun, Traits
 from rpg.language.tokens import Token
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.things.nouns import noun_phrase, simple
+else:
+    noun_phrase, simple = later(__name__, "rpg.language.grammar.things.nouns", "noun_phrase", "simple")
 
 _NEXT = ("and then", "and", "then", "followed by", "and finally", "finally", "and last", "and lastly", "lastly",
          "and at last", "at last", "and then finally", "then finally", "and last of all", "and after that",
@@ -20,8 +27,6 @@ _NEXT = ("and then", "and", "then", "followed by", "and finally", "finally", "an
 @rule
 def listed(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     """An explicit list, at least two long: "red, yellow, green", "red to yellow to green", "A B C", noun phrases."""
-    from rpg.language.grammar.things.nouns import simple
-
     yield from _colors(p, i)
     for (labels, more), j in label_list(p, i):
         if len(labels) > 1 and not more:
@@ -58,8 +63,6 @@ def ranks(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
 
 
 def _ranks(p: Parser, i: int) -> Iterator[tuple[tuple[Meaning, ...], bool, int]]:
-    from rpg.language.grammar.things.nouns import noun_phrase
-
     for item, j in noun_phrase(p, i):
         shared = p.seq(j, "in no fixed order")
         if not shared and not isinstance(item, Noun):
@@ -72,8 +75,6 @@ def _ranks(p: Parser, i: int) -> Iterator[tuple[tuple[Meaning, ...], bool, int]]
 
 
 def _more(p: Parser, items: tuple[Meaning, ...], at: int) -> Results[tuple[Meaning, ...]]:
-    from rpg.language.grammar.things.nouns import simple
-
     j = p.opt(at, ",")
     j = p.any_of(j, _NEXT) or j
     if j == at or len(items) > 30:

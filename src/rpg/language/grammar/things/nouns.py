@@ -20,7 +20,11 @@ from rpg.language.grammar.things.retold import beside_heap
 from rpg.language.grammar.things.standby import further_extras
 from rpg.language.grammar.things.strangers import STRANGERS
 from rpg.language.grammar.things.theirs import as_many_colors, of_patch
+from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits, replace
+
+(structure,) = later(__name__, "rpg.language.grammar.structures.structures", "structure")
+(relative,) = later(__name__, "rpg.language.grammar.things.relatives", "relative")
 
 _APART = frozenset({"own", "separate", "distinct"})
 """Before patches: none is shared."""
@@ -43,7 +47,7 @@ _SYMBOLS = (lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL)
 @rule
 def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
     """One noun phrase or a list of them."""
-    start = p.one(i, frozenset({"both", "either"})) or i
+    start = p.one(i, ("both", "either")) or i
     if k := p.one(i, "neither"):
         for item, j in simple(p, k):
             lists = ((x, k) for x, k in more(p, i, (item,), j, None) if isinstance(x, Coord) and x.op == "or")
@@ -76,8 +80,6 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
         return
     yield from pronoun(p, i)
     yield from _table(p, i)
-    from rpg.language.grammar.structures.structures import structure
-
     yield from structure(p, i)
     yield from _part(p, i)
     if j := p.any_of(i, ("the centers of", "the centres of", "the middles of", "centers of")):
@@ -230,14 +232,14 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
         if j := p.one(i, frozenset({words, words + "s"})):
             yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
-    if j := p.one(i, frozenset({"odds", "evens"})):
+    if j := p.one(i, ("odds", "evens")):
         yield ("block", True, {"kind": "digit", "quality": p.words[i].rstrip("s")}), j
-    start = p.one(i, frozenset({"random", "arbitrary", "other"})) or i
-    if j := p.one(start, frozenset({"distractor", "distractors"})):
+    start = p.one(i, ("random", "arbitrary", "other")) or i
+    if j := p.one(start, ("distractor", "distractors")):
         yield ("block", p.words[start] == "distractors", {"extra": True}), j
     if p.follows(i, lexicon.COLOR) and (j := p.one(i, STRANGERS)):
         yield ("block", p.words[i].endswith("s"), {}), j
-    if j := p.one(i, frozenset({"one", "ones"})):
+    if j := p.one(i, ("one", "ones")):
         odd = p.follows(i, ("odd",)) and p.follows(i - 1, ("the",))
         yield ("any", p.words[i] == "ones", {}), (p.opt(j, "out") if odd else j)
     if several := p.peek(i, lexicon.COLOR_PLURAL):
@@ -336,8 +338,6 @@ def _numbered(p: Parser, i: int, at: int, noun: Noun) -> Noun | None:
 
 @rule
 def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
-    from rpg.language.grammar.things.relatives import relative
-
     yield noun, j
     if j >= p.end:
         return

@@ -32,13 +32,13 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
     """ "it", "the others", "each of them", "the latter"."""
     if j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
-    if j := p.one(i, frozenset({"all", "these", "those"})):
+    if j := p.one(i, ("all", "these", "those")):
         yield from _all_three(p, i, j)
     if (j := p.any_of(i, ("neither", "neither one", "neither of the two"))) and p.stands(j, _FINITE):
         yield Pronoun(word="neither of them", span=p.span(i, j)), j
     if (j := p.one(i, "none")) and p.stands(j, _NONE_THERE):
         yield Pronoun(word="none of them", span=p.span(i, j)), j
-    if j := p.one(i, frozenset({"him", "her", "he", "she"})):
+    if j := p.one(i, ("him", "her", "he", "she")):
         yield Pronoun(word="it", span=p.span(i, j)), j
     if (j := p.any_of(i, ("the pair", "that pair"))) and not p.stands(j, ("of",)):
         yield Pronoun(word="both of them", span=p.span(i, j)), j

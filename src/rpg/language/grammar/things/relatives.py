@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
@@ -10,7 +10,17 @@ from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.standby import NO_ROLE
 from rpg.language.grammar.things.told_relatives import told_relative
+from rpg.language.later import later
 from rpg.language.meaning import Loc, Meaning, Noun, That, Traits, replace
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.clauses.manners import manner
+    from rpg.language.grammar.places.relations import loc
+    from rpg.language.grammar.things.nouns import simple
+else:
+    (manner,) = later(__name__, "rpg.language.grammar.clauses.manners", "manner")
+    (loc,) = later(__name__, "rpg.language.grammar.places.relations", "loc")
+    (simple,) = later(__name__, "rpg.language.grammar.things.nouns", "simple")
 
 _THAT = frozenset({"that", "which", "who", "what"})
 _SHOW = frozenset(
@@ -45,8 +55,6 @@ _WHOSE_COLOR = ("whose color is", "which color is", "that color is", "where the 
 def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
     """Traits, or a tuple of conditions: places, or `That` of kind "whole" where a verb in the singular behind several
     blocks is of the structure that they form."""
-    from rpg.language.grammar.places.relations import loc
-
     comma = p.opt(i, ",")
     if j := p.any_of(comma, _WHOSE_COLOR):
         for named, k in color(p, j):
@@ -59,7 +67,7 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
         if j := p.one(that, _SHOW):
             yield from _shown(p, j)
         namely = comma > i and p.words[i + 1 : i + 3] == ["that", "is"]
-        if j := p.one(that, frozenset({"is", "are"})) if not namely else 0:
+        if j := p.one(that, ("is", "are")) if not namely else 0:
             j = p.opt(j, "all", "both", "each") if j else j
             for marks, k in adjectives(p, j):
                 if marks and head in ("block", "any", "patch"):
@@ -70,7 +78,7 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
         yield from _carrying(p, that, comma > i)
         yield from told_relative(p, i, that, head, plural)
         start = that
-        while start < p.end and p.words[start] in lexicon.POSTURE | _AT_FIRST:
+        while start < p.end and (p.words[start] in lexicon.POSTURE or p.words[start] in _AT_FIRST):
             start = p.reach(start + 1)
         whole = plural and p.words[that] in _SINGULAR
         asserted = comma > i and _AT_FIRST.isdisjoint(p.words[that:start])
@@ -95,8 +103,6 @@ _CARRY = (
 @choice
 def _carrying(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]:
     """ "(the red block) that carries the pink one": what lies on it."""
-    from rpg.language.grammar.things.nouns import simple
-
     j = p.any_of(i, _CARRY)
     for theme, k in simple(p, j) if j else ():
         if isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and not theme.traits.labels:
@@ -108,8 +114,6 @@ def _carrying(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]
 def _conditions(p: Parser, i: int, loc: Any, asserted: bool) -> Results[tuple[Meaning, ...]]:
     """Places; after a comma ("..., which is on the patch") they are said of the goal as well, unless the block is moved
     from there, or "at the start" follows."""
-    from rpg.language.grammar.clauses.manners import manner
-
     for first, j in loc(p, i):
         begun = max((end for told, end in manner(p, j) if getattr(told, "kind", "") == "start"), default=0)
         if asserted and not begun and isinstance(first, Loc):

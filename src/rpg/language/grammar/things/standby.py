@@ -147,7 +147,7 @@ def further_extras(p: Parser, j: int, noun: Noun) -> Results[Marks]:
         return
     if k := p.any_of(j, _OTHERWISE):
         yield Marks(), k
-    opened = p.one(j, frozenset({":", ",", "("})) or j
+    opened = p.one(j, (":", ",", "(")) or j
     for (listed, either), k in colors(p, p.opt(opened, "namely", "one")) if opened > j else ():
         closed = p.one(k, ")") if p.words[j] == "(" else k
         many = noun.amount.low if noun.amount is not None else len(listed) if noun.plural else 1

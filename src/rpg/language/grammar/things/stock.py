@@ -249,7 +249,7 @@ def _of_so_many(p: Parser, i: int) -> int:
     """The position after "of the eight blocks"."""
     the = p.any_of(i, ("of the", "of these", "of my", "of our"))
     for _, j in amounts.count(p, the) if the else ():
-        return p.one(j, frozenset({"blocks", "cubes", "bricks"}))
+        return p.one(j, ("blocks", "cubes", "bricks"))
     return 0
 
 

@@ -48,7 +48,7 @@ def of_patch(p: Parser, j: int) -> Results[Mapping[str, Any]]:
 
 def as_many_colors(p: Parser, j: int, noun: Noun) -> int:
     """The position after "of five different colours" behind five blocks."""
-    of = p.one(j, frozenset({"of", "in", "with"}))
+    of = p.one(j, ("of", "in", "with"))
     many = p.number(of) if of else None
     if many is None or noun.amount is None or noun.amount != Amount(many, many, noun.amount.strict) or many < 2:
         return 0

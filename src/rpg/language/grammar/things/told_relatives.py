@@ -2,10 +2,22 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.later import later
 from rpg.language.meaning import In, Loc, Manner, Meaning, Noun, Structure, replace
 from rpg.language.phrases import Classes
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.places.prepositions import relation
+    from rpg.language.grammar.places.relations import loc
+    from rpg.language.grammar.things.nouns import simple
+else:
+    (relation,) = later(__name__, "rpg.language.grammar.places.prepositions", "relation")
+    (loc,) = later(__name__, "rpg.language.grammar.places.relations", "loc")
+    (simple,) = later(__name__, "rpg.language.grammar.things.nouns", "simple")
 
 _WORDS = Classes({
     "must": ("should|must|shall|will|ought_to|has_to|have_to|needs_to|need_to|is_to|are_to|itself?",),
@@ -45,8 +57,6 @@ _BACK = {"on": "under", "left": "right", "right": "left", "front": "behind", "be
 
 def told_relative(p: Parser, i: int, that: int, head: str, many: bool) -> Results[tuple[Meaning, ...]]:
     """What a relative clause from i on, whose "which" ends at `that`, says of its noun, with the position behind it."""
-    from rpg.language.grammar.places.relations import loc
-
     asserted = p.words[i] == ","
     if that:
         for j in _WANTED.matches(p, that):
@@ -63,11 +73,8 @@ def told_relative(p: Parser, i: int, that: int, head: str, many: bool) -> Result
 
 def _carried(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]:
     """ "on which the green block stands", "to the left of which there shall be a red block"."""
-    from rpg.language.grammar.places.prepositions import relation
-    from rpg.language.grammar.things.nouns import simple
-
     for (name, mods), j in relation(p, i):
-        if name not in _BACK or not (which := p.one(j, frozenset({"which", "whom"}))):
+        if name not in _BACK or not (which := p.one(j, ("which", "whom"))):
             continue
         found = [(block, k) for end in _SUBJECT_LAST.matches(p, which) for block, k in simple(p, end)]
         for block, j in simple(p, which):

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
+from rpg.language.later import later
 from rpg.language.meaning import (
     Amount,
     Chain,
@@ -47,11 +49,16 @@ from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import bare_colors, plain_colors
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
+if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.orders.orders import implied_kind
+    from rpg.passes.schema.resolve.structures.groups import fill, value_of
+else:
+    (implied_kind,) = later(__name__, "rpg.passes.schema.resolve.orders.orders", "implied_kind")
+    fill, value_of = later(__name__, "rpg.passes.schema.resolve.structures.groups", "fill", "value_of")
+
 
 def counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
     """Kinds and numbers that the adjuncts imply for an open theme ("the blocks in alphabetical order")."""
-    from rpg.passes.schema.resolve.orders.orders import implied_kind
-
     kind = implied_kind(spec)
     if (
         isinstance(theme, Noun)
@@ -372,8 +379,6 @@ def _base(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[str, ...]
 
 def _towers_by(theme: Ref, spec: Spec, scene: Scene, span: Span) -> tuple[Ref, Goals]:
     """ "stack the blocks by colour", "where each stack is one colour"."""
-    from rpg.passes.schema.resolve.structures.groups import fill, value_of
-
     attribute = attribute_of(spec) or "color"
     if all(scene.things[n].elastic for n in theme.names):
         colors = len({scene.things[n].color for n in theme.names}) if scene.things[theme.names[0]].color else 3

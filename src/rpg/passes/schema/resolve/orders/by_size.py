@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace as changed
+from typing import TYPE_CHECKING
 
+from rpg.language.later import later
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Noun, replace
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
+
+if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.things.refer import refer
+else:
+    (refer,) = later(__name__, "rpg.passes.schema.resolve.things.refer", "refer")
 
 BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller"})
 _EDGES = {2: (SMALL_EDGE, BIG_EDGE), 3: (SMALL_EDGE, MEDIUM_EDGE, BIG_EDGE)}
@@ -37,8 +44,6 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
 def _those(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
     """The blocks among which it is that one."""
-    from rpg.passes.schema.resolve.things.refer import refer
-
     if noun.part_of is None:
         return matching(replace(noun.traits, rank=None), scene, False)
     them = refer(noun.part_of, scene, changed(scope, role="part"))

@@ -2,8 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.ir import goal as g
+from rpg.language.later import later
 from rpg.passes.schema.resolve.things.world import Scene, refuse
+
+if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.places.sides import place_loose
+else:
+    (place_loose,) = later(__name__, "rpg.passes.schema.resolve.places.sides", "place_loose")
 
 
 def settle(goal: g.Goal, scene: Scene) -> g.Goal:
@@ -11,8 +19,6 @@ def settle(goal: g.Goal, scene: Scene) -> g.Goal:
     if not scene.loose and not scene.denied:
         return goal
     _at_their_times(scene)
-    from rpg.passes.schema.resolve.places.sides import place_loose
-
     return place_loose(goal, scene)
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.schema import SYMBOLS_UNSAID
+from rpg.language.later import later
 from rpg.language.meaning import Amount, Noun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.grouped import group_size, told_lots
@@ -13,6 +16,11 @@ from rpg.passes.schema.resolve.structures.towers import STACK_COLORS
 from rpg.passes.schema.resolve.things.members import declared, members_of, new_members
 from rpg.passes.schema.resolve.things.things import VOWELS, alike
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse, said
+
+if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.things.refer import refer
+else:
+    (refer,) = later(__name__, "rpg.passes.schema.resolve.things.refer", "refer")
 
 Made = tuple[list[Built], list[g.Goal]]
 DEFAULT_GROUPS = 3
@@ -56,8 +64,6 @@ def _there(theme: Ref, scene: Scene) -> bool:
 
 def _new_lots(shape: Structure, spec: Spec, scene: Scene) -> Ref:
     """ "three piles of two red blocks each": the blocks of all of them."""
-    from rpg.passes.schema.resolve.things.refer import refer
-
     count = (shape.amount.low if shape.amount else DEFAULT_GROUPS) * (group_size(shape) or 1)
     source = shape.members or Noun(head="block", plural=True, span=shape.span)
     if not isinstance(source, Noun):
@@ -136,8 +142,6 @@ def _to_be_sorted(shape: Structure | None, spec: Spec, scene: Scene) -> tuple[st
         scene.used.update(there)
         return there
     if source is not None:
-        from rpg.passes.schema.resolve.things.refer import refer
-
         count = shape.amount.low if shape and shape.amount else DEFAULT_GROUPS
         return refer(source, scene, Scope(need=count * DEFAULT_EACH, need_each=DEFAULT_EACH, role="member")).names
     scene.assume(f"the number of blocks is not said: {count * DEFAULT_EACH}")

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
+from rpg.language.later import later
 from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Built, Scene, Scope, refuse
+
+if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.structures.structures import make
+else:
+    (make,) = later(__name__, "rpg.passes.schema.resolve.structures.structures", "make")
 
 Goals = list[g.Goal]
 
@@ -39,8 +47,6 @@ _NEW = ("a", "bare")
 
 def mixed_line(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
     """ "from left to right a red block, a tower of two blue ones, a green block": a row of these and of its foot."""
-    from rpg.passes.schema.resolve.structures.structures import make
-
     items = clause.theme.items if isinstance(clause.theme, Coord) and clause.theme.op == "and" else ()
     way = spec.toward[0] if len(spec.toward) == 1 else None
     if way is None or way.first not in ("left", "right", "front", "back") or not all(map(_stands, items)):

@@ -2,10 +2,22 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from rpg.language.later import later
 from rpg.language.meaning import TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.them import them
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
+
+if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.things.things import create, further, matching
+    from rpg.passes.schema.resolve.things.world import said
+else:
+    create, further, matching = later(
+        __name__, "rpg.passes.schema.resolve.things.things", "create", "further", "matching"
+    )
+    (said,) = later(__name__, "rpg.passes.schema.resolve.things.world", "said")
 
 _EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
 _REST = frozenset({"the other ones", "the others", "the rest", "others", "the other two",
@@ -216,8 +228,6 @@ def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
     stacked = any(scene.on_top.get(a) == b for a in names for b in names)
     if stacked and len(tops) == 1:
         return tops[0].ref
-    from rpg.passes.schema.resolve.things.world import said
-
     readings = [f"the {m.ref.built[0].kind}" if m.ref.built else said(scene.things[m.ref.names[0]]) for m in rivals]
     raise refuse("ambiguous", f"{word.word!r} could be {' or '.join(readings)}", word.span, "name the one you mean")
 
@@ -252,8 +262,6 @@ def _left_over(scene: Scene) -> list[Thing]:
 
 def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     """ "the other (red) block", "the others", "the rest"."""
-    from rpg.passes.schema.resolve.things.things import create, further, matching
-
     taken = {
         n
         for m in scene.mentions

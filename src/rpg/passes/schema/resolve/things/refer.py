@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.core.diagnostics import Refusal
 from rpg.language.grammar.things.retold import retold
+from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits, replace
 from rpg.passes.schema.resolve.clauses.alls import note_all
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE
@@ -18,6 +21,13 @@ from rpg.passes.schema.resolve.things.theirs import THEIRS, in_their_colors, its
 from rpg.passes.schema.resolve.things.them import of_whom, sorted_out
 from rpg.passes.schema.resolve.things.things import alike, compared, create, looks_said, matching, note_premises
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.orders.ranks import ranked
+    from rpg.passes.schema.resolve.structures.structures import refer_structure
+else:
+    (ranked,) = later(__name__, "rpg.passes.schema.resolve.orders.ranks", "ranked")
+    (refer_structure,) = later(__name__, "rpg.passes.schema.resolve.structures.structures", "refer_structure")
 
 OTHERS = 3
 """Blocks besides those that "all blocks except ..." names, where none were spoken of."""
@@ -37,8 +47,6 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
         case PartOf():
             found = _part(meaning, scene, scope)
         case Structure():
-            from rpg.passes.schema.resolve.structures.structures import refer_structure
-
             found = refer_structure(meaning, scene, scope)
         case _:
             raise refuse("misplaced", "this is no description of blocks or patches", meaning.span)
@@ -206,8 +214,6 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if noun.traits.extra:
         return extras(noun, scene)
     if noun.traits.rank:
-        from rpg.passes.schema.resolve.orders.ranks import ranked
-
         return ranked(noun, scene, scope)
     if (told := one_built(noun, scene, scope)) is not None:
         return told

@@ -19,6 +19,7 @@ from rpg.passes.schema.ambiguity import TwoReadings
 from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
+from rpg.passes.schema.respelt import Respelt
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
 
@@ -56,7 +57,10 @@ class BuiltinFrontEnd:
                 ),
             )
 
-    def _read(self, text: str, name: str | None, seed: int, author: str | None) -> Reading:
+    def _read(
+        self, text: str, name: str | None, seed: int, author: str | None, mended: list[str] | None = None
+    ) -> Reading:
+        """`mended`: notes of the misspelt words that were mended in the text."""
         guard(text)
         tokens, strays = tokenize(text)
         if over := title(tokens):
@@ -64,6 +68,9 @@ class BuiltinFrontEnd:
         words, notes, wrong = read_words(untitled(tokens[over:]))
         if wrong or strays:
             return None, (*wrong, *(_stray(s.text, s.span) for s in strays))
+        if notes and mended is None:
+            return self._as_meant(Respelt.of(text, words), name, seed, author, notes)
+        notes = mended or notes
         words = rows_in_words(without_asides(words))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
@@ -75,6 +82,17 @@ class BuiltinFrontEnd:
                 return found.task, found.notes
             raise
         return found.task, found.notes
+
+    def _as_meant(
+        self, respelt: Respelt, name: str | None, seed: int, author: str | None, notes: list[str]
+    ) -> Reading:
+        """The reading of a text with misspelt words: that of the text without them."""
+        try:
+            task, found = self._read(respelt.text, name, seed, author, notes)
+        except Refusal as refusal:
+            refusal.diagnostics = respelt.diagnosed(refusal.diagnostics)
+            raise
+        return task and respelt.task(task), respelt.diagnosed(found)
 
     def _again(self, text: str, name: str | None, seed: int, author: str | None) -> TaskSchema | None:
         """How a text that was made up here is read, if it is."""

@@ -283,7 +283,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                     if (
                         found
                         or sense in ("swap", "stack", "keep", "unstack")
-                        or (sense in ("build", "arrange") and isinstance(theme, Structure))
+                        or (sense in ("build", "arrange", "spell") and isinstance(theme, Structure))
                         or (lemma == "line" and p.words[at_ - 1] == "up")
                         or (negated and lemma in ("move", "touch", "disturb", "shift"))
                     ):

@@ -37,6 +37,15 @@ _ALWAYS: tuple[Turn, ...] = (
     (f"^of the two (\\w+) {_BLOCK}s , the (?:{_BIG}) one (.+) the (?:small|smaller|little) one\\b",
      "the big {1} block {2} the small {1} block"),
     (f"\\b(move|touch|displace|disturb|lift) no other ({_BLOCK})\\b", "do not {1} any other {2}"),
+    (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({_M} .+)$", "{1} and {2} {3}"),
+    (f"^in addition to (the [^,]+?) , (the [^,]+?) ({_M} .+)$", "{1} and {2} {3}"),
+    (f"\\b(spell(?:ed)?\\b[^,]*?)(?: ,)?(?: with)? each letter (?:being )?on (?:its own|a separate) {_BLOCK}$",
+     "{1}"),
+    (f"^(.+?) ({_M}) not (be \\w+ .+?) until (.+? (?:has|have) been .+)$", "{1} {2} {3} , but only after {4}"),
+    ("^in a first step(?: ,)? (.+?)(?: ,)? (?:and )?(?:then )?in a second step(?: ,)? (.+)$",
+     "first , {1} . then , {2}"),
+    ("^in a first step(?: ,)? (.+)$", "first , {1}"),
+    ("^in a (?:second|third|further|next|last|final) step(?: ,)? (.+)$", "then , {1}"),
     ("not be in (?:direct |any )?contact with the table\\b", "not touch the table"),
     ("\\b(?:on|to|at) whose (left|right)(?: side)?\\b", "to the {1} of which"),
     ("\\b(?:arithmetically|mathematically) (?:correct|true|valid|right)\\b", "correct"),
@@ -69,12 +78,18 @@ _PLAINLY: tuple[Turn, ...] = (
      "(?:reached|complete|completed|achieved|fulfilled|met|passed|done|successful)(?: only)? "
      "(?:when|once|if|as soon as) (.+)$", "{1}"),
     ("^care (?:shall|must|should|is to) be taken (?:that|to ensure that) (.+)$", "{1}"),
-    (f"^(.+?) ({_M} .+?) , (?:as|and so) {_M} (the .+)$", "{1} and {3} {2}"),
-    (f"^([^,]+?) ({_M} .+?) , and (the [^,]+) likewise$", "{1} and {3} {2}"),
+    (f"^(.+?) ({_M} (?!not |never ).+?) , (?:as|and so) {_M} (the .+)$", "{1} and {3} {2}"),
+    (f"^([^,]+?) ({_M} (?!not |never ).+?) , and (the [^,]+) likewise$", "{1} and {3} {2}"),
     (f"^(.+ {_BLOCK}) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({_M} be {_MOVED} .+)$",
      "{1} , which starts {2} , {3}"),
     (f"^(.+ {_BLOCK}s) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({_M} be {_MOVED} .+)$",
      "{1} , which start {2} , {3}"),
+    ("^(?:it shall be the case|it shall be so|it shall hold) that (.+)$", "{1}"),
+    ("^(?:all of )?the following(?: conditions| requirements)? (?:shall|must|should)(?: all)? (?:hold|apply|be met|"
+     "be satisfied|be fulfilled)(?: at the end)? : (.+)$", "{1}"),
+    ("^the (?:arrangement|structure|figure|configuration|pattern) to be (?:produced|built|made|formed|laid) is (.+)$",
+     "there shall be {1}"),
+    ("^(.+?) having been (.+?) , (.+)$", "after {1} has been {2} , {3}"),
     # what there is besides
     ("^(.+?)(?: ,)? there being (.+?)(?: in all| in total| altogether)?$", "{1} . there are {2}"),
     (f"^(.+) , ({_MANY} [^,]+?) being (?:present|there|available)( as distractors)?$", "{1} . there are {2} {3}"),
@@ -86,7 +101,16 @@ _PLAINLY: tuple[Turn, ...] = (
      "all blocks except {1} shall stay where they are"),
     (f"^(the [^,]+?) ({_M} be .+?) ,(?: and)? no other {_BLOCK} (?:being|is|{_M} be) (?:moved|touched|displaced)$",
      "{1} {2} . all blocks except {1} shall stay where they are"),
+    (f"^the order of (?:the {_BLOCK}s (?:in|of) )?the ({_LINE})(?: ,)? ({_WAY})(?: ,)? ({_M}) be (.+)$",
+     "the {1} {3} be , {2} : {4}"),
+    (f"^the stacking order(?: ,)? ({_WAY})(?: ,)? ({_M}) be (.+)$", "the tower {2} be , {1} : {3}"),
+    (f"^the word (?:formed|spelled|shown) by the ({_BLOCK}s|letters) {_M} be (.+)$", "the {1} shall spell {2}"),
+    (f"^for each (color|letter|kind)(?: ,)? (?:an?|one)(?: separate| own)? ({_LINE}) ({_M} be .+)$",
+     "one {2} per {1} {3}"),
+    ("\\bin such a (?:manner|fashion) that\\b", "so that"),
     # relative clauses
+    (f", the (center|middle|base|top|bottom) of which {_IS} ([^,]+) , ({_M} .+)$", "whose {1} is {2} {3}"),
+    (f", (whose (?:center|middle|base|top|bottom) is [^,]+) , ({_M} .+)$", "{1} {2}"),
     (f"(?:, )?the (center|middle|base|top|bottom) of which {_IS}\\b", "whose {1} is"),
     (f"(?:, )?the (base|top|bottom) of which (?:consists|consist|{_M} consist) of\\b", "whose {1} consists of"),
     (f"^(.+?) {_M} (?:be|form|make) the (top|base|bottom) of (an? \\w+) whose (.+)$",
@@ -136,6 +160,7 @@ _PLAINLY: tuple[Turn, ...] = (
     (f"^((?:an?|one|{_MANY}) .+?) ({_M}) be (?:standing|present|found|seen)( on the table)?$", "there {2} be {1} {3}"),
     (f"^((?:an?|one|{_MANY}) [^,]+ , each [^,]+) , ({_M}) be (?:standing|present|found|seen)( .+)?$",
      "there {2} be {1} {3}"),
+    (f"^(.+) , ({_MANY} of each) being (?:used|present|available)$", "{1} . there are {2}"),
     # what is said aside
     ("^(?:it is|it shall be) assumed that (.+?) (?:initially )?(lies|stands|is|are|lie|stand|rests|rest) (.+)$",
      "at the start , {1} {2} {3}"),
@@ -163,6 +188,8 @@ _PLAINLY: tuple[Turn, ...] = (
      "with a {1} of {2} between {3}"),
     ("\\bbetween (?:neighboring|adjacent) faces\\b", "between neighboring blocks"),
     (", the (?:distances|gaps|spaces) between (?:them|neighbors|the blocks) being equal\\b", ", evenly spaced"),
+    (f"\\b({_M}) not exceed\\b", "{1} be at most"),
+    (f"\\b({_M}) not (?:fall below|be less than)\\b", "{1} be at least"),
     # structures
     (f"^(.+?) (?:consisting of|comprising|composed of) , ({_WAY}) , (.+)$", "{2} , {1} of {3}"),
     (f"\\b({_M}) comprise\\b", "{1} consist of"),
@@ -193,7 +220,8 @@ _PLAINLY: tuple[Turn, ...] = (
 """What makes no sense as it stands, in an order of words that does."""
 _WORDS = (
     "decreases increases presence arithmetically mathematically cuboid prism previously comprise comprising centrally "
-    "termination considered ascends descends falls deemed regarded whereof care assumed located situated",
+    "exceed manner fashion termination considered ascends descends falls deemed regarded whereof care assumed located "
+    "situated",
 )
 """Words that it takes besides those that are read anyway."""
 

@@ -60,13 +60,11 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         found = merged
     reverse = any(o.by == "reverse" for o in spec.orders)
     if reverse:
-        if found.by == "any":
-            raise refuse(
-                "ambiguous",
-                "it is not said which order is to be reversed",
-                span,
-                "name the order, such as 'in reverse alphabetical order'",
-            )
+        if found.by in ("any", "given"):
+            which = "it is not said which order is to be reversed" if found.by == "any" else (
+                "it is not clear whether the order that is named is the reversed one"
+            )  # fmt: skip
+            raise refuse("ambiguous", which, span, "name the order, such as 'in reverse alphabetical order'")
         found = found.model_copy(update={"descending": not found.descending})
     looks = [(scene.things[n].color, scene.things[n].label) for n in names]
     if found.by == "mirrored" and spec.listed and looks == looks[::-1]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
@@ -29,7 +30,7 @@ _WHO = frozenset({"you", "we", "i"})
 def plainer(tokens: list[Token]) -> list[Token]:
     """The tokens with such constructions in plainer words."""
     words = [token.word for token in tokens]
-    for change in (_seen, _is, _resumed, _have_done, _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off):
+    for change in _CHANGES if not _TELLING.isdisjoint(words) else ():
         if (changed := change(tokens, words)) is not None:
             tokens = changed
             words = [token.word for token in tokens]
@@ -75,7 +76,7 @@ def _is(tokens: list[Token], words: list[str]) -> list[Token] | None:
 def _resumed(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Red and blue, those two should trade places": the two that were just named."""
     for at in range(3, len(words) - 2):
-        if words[at] != "," or words[at + 1] not in ("those", "these", "the", "they"):
+        if words[at] != "," or words[at + 1] not in ("those", "these", "they"):
             continue
         begin = max((n + 1 for n in range(at) if words[n] in _STOPS), default=0)
         named = sum(word in lexicon.COLOR for word in words[begin:at])
@@ -121,6 +122,7 @@ def _hedged(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
+_ALIKE = frozenset({"same", "alike", "like", "each", "every"})
 _TIDIED = frozenset({"tidy", "clean", "straighten", "neaten"})
 
 
@@ -130,7 +132,8 @@ def _tidied(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if words[at] not in _TIDIED or words[at + 1] != "up":
             continue
         end = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
-        if "so" in words[at + 3 : end] and "together" in words[at + 3 : end]:
+        so = words.index("so", at) if "so" in words[at + 3 : end] else end
+        if "together" in words[so:end] and not _ALIKE.isdisjoint(words[so:end]):
             return [*tokens[:at], _said("sort", tokens[at]), *tokens[at + 2 :]]
     return None
 
@@ -138,6 +141,24 @@ def _tidied(tokens: list[Token], words: list[str]) -> list[Token] | None:
 _FREELY = (("any", "way", "you", "like"), ("however", "you", "like"), ("any", "way", "you", "want"),
            ("as", "you", "like"), ("in", "any", "way", "you", "like"),
            ("in", "whatever", "order", "you", "like"))  # fmt: skip
+_FAR = frozenset({"furthest", "farthest"})
+
+
+def _furthest(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "(In a row,) gray furthest left", "the furthest left block": leftmost."""
+    at = next((n for n, word in enumerate(words) if word in _FAR), -1)
+    side = at + 1 + 2 * (words[at + 1 : at + 3] == ["to", "the"])
+    if at < 1 or side >= len(words) or words[side] not in ("left", "right"):
+        return None
+    end = side + 1 + 2 * (words[side + 1 : side + 3] == ["of", "all"])
+    after = words[end] if end < len(words) else "."
+    named = after in lexicon.BLOCK or after == "one"
+    lined = "row" in words or "line" in words
+    if not lined or (words[at - 1] == "the" and not named) or not (named or after in _BREAKS or after == "and"):
+        return None
+    return [*tokens[:at], _said(f"{words[side]}most", tokens[at]), *tokens[end:]]
+
+
 _BUT = (("as", "long", "as"), ("so", "long", "as"), ("provided",), ("but", "with"))
 
 
@@ -211,3 +232,14 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
         top = [_said(word, tokens[at]) for word in ("on", "top")]
         return [*tokens[:at], _said("put", tokens[at]), *thing, *top, *tokens[end:]]
     return None
+
+
+_CHANGES = (_furthest, _seen, _is, _resumed, _have_done, _hedged, _tidied, _freely, _around, _like_a_grid,
+            _finished_off, dealt_out)  # fmt: skip
+_TELLING = (
+    frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",
+               "rows", "approximately", "or", "more", "about", "give", "ish", "like", "but", "as", "half", "each",
+               "equation", "sum", "of", "want", "has", "with"})
+    | _TIDIED | _LEFT_OUT | _TOPPED | _FAR
+)  # fmt: skip
+"""Words without one of which there is nothing of all this."""

@@ -50,12 +50,11 @@ _PHRASES = {
     **{f"over there {on}": on for on in ("on", "in", "at", "next", "behind")},
     **{f"{verb} like the": f"{verb} the" for verb in ("put", "place", "move", "take", "stack", "set", "get")},
     "just not": "but not", "only not": "but not", "only do not": "but do not", "please to": "please",
-    **{f"{far} {side}{end}": f"{side}most" for far in ("furthest", "farthest", "furthest to the", "farthest to the")
-       for side in ("left", "right") for end in ("", " of all")},
     **{f"{read} {down} from the {top}": f"reading from {top} to {bottom}" for read in ("reading", "read")
        for top, bottom, downs in (("top", "bottom", ("down", "downwards")), ("bottom", "top", ("up", "upwards")))
        for down in downs},
-    "something that is true": "a true equation", "something that is correct": "a true equation",
+    "somewhere in between there": "in between there", "something that is true": "a true equation",
+    "something that is correct": "a true equation",
     "something which is true": "a true equation", "something true": "a true equation",
     "something that works out": "a true equation",
     **{f"the {all_}": "all of them" for all_ in ("whole lot", "whole thing", "whole bunch")},

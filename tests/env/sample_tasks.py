@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.env import BlockTask, ColoredCube, GoalPatch, Order, SemanticCube, Stack, Verdict
+from rpg.env import Apart, BlockTask, ColoredCube, GoalPatch, Order, SemanticCube, Stack, Verdict
 
 
 class RedOnYellow(BlockTask):
@@ -39,6 +39,27 @@ class AlikeOnBlue(BlockTask):
         on_blue = self.on("red_block_1", "blue_block")
         behind = self.behind("red_block_2", "blue_block")
         return on_blue & behind & self.at_rest()
+
+
+class Farther(BlockTask):
+    """Two blocks that are apart all the time are to be farther apart, as nearly all are that are drawn so."""
+
+    instruction = "keep the red block 10 cm away from the blue block; in the end it is 15 cm away from it"
+
+    def _initialize_env(self) -> None:
+        self.add(ColoredCube(name="red_block", color="red"))
+        self.add(ColoredCube(name="blue_block", color="blue"))
+
+    def _on_reset(self) -> None:
+        self.arrange(Apart(a=("red_block",), b=("blue_block",)))
+
+    def _success(self) -> Verdict:
+        apart = self.always(self.apart("red_block", "blue_block"))
+        farther = self.distance("red_block", "blue_block", minimum=0.15)
+        return apart & farther & self.at_rest()
+
+    def _fail(self) -> Verdict:
+        return self.lapsed()
 
 
 class PatchThenStack(BlockTask):

@@ -7,14 +7,17 @@ import os
 import subprocess
 import sys
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
 from rpg.blocks.constants import TABLE_Z
-from rpg.blocks.state import IDENTITY, BlockState, Vec3
+from rpg.blocks.initial import sample_start
+from rpg.blocks.state import IDENTITY, BlockState, Vec3, World
 from rpg.core.diagnostics import Refusal
-from rpg.env import BlockTask, GoalPatch, Verdict
-from tests.env.sample_tasks import AlikeOnBlue, AlreadyDone, Heaped, PatchThenStack, RedOnYellow, Restack
+from rpg.env import BlockTask, GoalPatch, Verdict, drawing
+from rpg.ir.schema import InitialState
+from tests.env.sample_tasks import AlikeOnBlue, AlreadyDone, Farther, Heaped, PatchThenStack, RedOnYellow, Restack
 
 LOW, HIGH = TABLE_Z + 0.02, TABLE_Z + 0.06
 
@@ -38,6 +41,25 @@ def test_a_task_that_is_done_at_the_start_is_refused() -> None:
     with pytest.raises(Refusal) as refusal:
         AlreadyDone().reset(0)
     assert [d.code for d in refusal.value.diagnostics] == ["start-solves-goal"]
+
+
+def test_starts_that_are_built_in_vain_are_built_so_that_the_goal_is_ahead(monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn = []
+
+    def counted(init: InitialState, world: World, seed: int, attempt: int, *own: Any) -> BlockState:
+        drawn.append((seed, attempt))
+        return sample_start(init, world, seed, attempt, *own)
+
+    monkeypatch.setattr(drawing, "sample_start", counted)
+    task, other = Farther(), Farther()
+    starts = [task.reset(seed) for seed in range(6)]
+    assert len(drawn) <= drawing.IN_VAIN + 8
+    for seed in (4, 0, 5):
+        assert other.reset(seed).position == starts[seed].position
+    for start in starts:
+        assert 0.1 <= math.dist(start.position["red_block"][:2], start.position["blue_block"][:2]) < 0.15
+    RedOnYellow().reset(0)
+    assert drawn[-1] == (0, 0)
 
 
 def test_conditions_are_told_in_words() -> None:

@@ -76,6 +76,18 @@ def always_ahead(goal: g.Goal, init: InitialState) -> bool:
     return any(at_every_start(stage.goal, init) for sequence in sequences for stage in sequence.stages[1:])
 
 
+def still_ahead(goal: g.Goal) -> tuple[g.Goal, ...]:
+    """What holds at the starts from which `goal` is ahead, so that they may be built by it; nothing where it compares
+    with them."""
+    parts = [part for part in _conjuncts(goal) if part.kind != "stayed"]
+    standing = [part.goal for part in parts if isinstance(part, g.Always)]
+    first = [part.stages[0].goal for part in parts if isinstance(part, g.Sequence)]
+    rest = tuple(part for part in parts if not isinstance(part, g.Always | g.Sequence))
+    unmet = first or ([g.All(goals=rest)] if rest else [])
+    found = (*standing, *(g.Not(goal=part) for part in unmet))
+    return () if not unmet or any(atom.kind in CHANGES for part in found for atom in atoms(part)) else found
+
+
 def stage_holds(goal: g.Goal, start: BlockState, later: bool) -> bool:
     """Does the first stage of a sequence hold at `start`, or with `later` any one of them?"""
     seen = start.since(start)

@@ -13,7 +13,6 @@ import numpy as np
 from rpg.blocks.alike import Judge
 from rpg.blocks.english import clause
 from rpg.blocks.evaluate import settled
-from rpg.blocks.initial import crowded, foreseen, sample_start, solved_at_start
 from rpg.blocks.judgement import Judgement
 from rpg.blocks.namings import all_namings
 from rpg.blocks.physics import Physics, left
@@ -21,9 +20,9 @@ from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import Cells
 from rpg.blocks.verdict import FALSE, Verdict, as_verdict, between
 from rpg.blocks.verdicts import Looked, Verdicts, counted
-from rpg.blocks.waypoints import always_ahead, fixes, leaves_room, stage_holds
-from rpg.core.diagnostics import Refusal
+from rpg.blocks.waypoints import fixes, leaves_room
 from rpg.env import told
+from rpg.env.drawing import Drawing, drawn_start
 from rpg.env.embodiment import ACTION_SIZE, Action, Embodiment, Robot
 from rpg.env.models import model_for
 from rpg.env.progress import Memory
@@ -35,12 +34,8 @@ from rpg.ir import goal as g
 from rpg.ir.node import Node
 from rpg.ir.schema import InitialState
 
-ATTEMPTS = 100
-"""Starts drawn in search of one where the goal is still ahead."""
 MANY = 6
 """So many namings of look-alikes are judged all at once, where the goal does not remember the episode."""
-MOST_AHEAD = 10
-"""Starts drawn in search of one where no later stage holds, once there is one where the first does not."""
 AT_REST = "every block is at rest, released and supported"
 HOLD: Action = np.zeros(ACTION_SIZE)
 NOTHING: frozenset[str] = frozenset()
@@ -78,6 +73,7 @@ class BlockTask(Relations, Structures, Setup):
         self._looks_back: bool | None = None
         self._judge: Judge | None = None
         self._drawn: tuple[int, InitialState, BlockState] | None = None
+        self._drawing: Drawing | None = None
         self._hooked = type(self)._on_step is not BlockTask._on_step
         self._names_of_conditions: dict[int, str] = {}
         self.seed = 0
@@ -252,35 +248,9 @@ class BlockTask(Relations, Structures, Setup):
         until what must stay where it is leaves room for it."""
         init = self._initial_state()
         if self._drawn is None or self._drawn[:2] != (seed, init):
-            self._drawn = seed, init, self._drawn_start(seed, init)
+            self._drawn = seed, init, drawn_start(self, seed, init)
         else:
             self._begin(self._drawn[2])
-
-    def _drawn_start(self, seed: int, init: InitialState) -> BlockState:
-        """The start of `seed`; the episode has begun with it."""
-        fallback, narrow = cast(BlockState | None, None), False
-        for attempt in range(ATTEMPTS):
-            known = foreseen(init, self.world, seed, attempt)
-            start = known or sample_start(init, self.world, seed, attempt, self._plainly)
-            if attempt and self._plainly_past(start, fallback is not None and attempt < MOST_AHEAD):
-                continue
-            self._begin(start)
-            if self._past():
-                continue
-            ahead = any(memory.ahead for memory in self._memories)
-            if not (ahead and fallback) and not self._leaves_room(start, f"{seed}/{attempt}/room"):
-                narrow = True
-                continue
-            if not ahead:
-                return start
-            fallback = fallback or start
-            if attempt >= MOST_AHEAD or (self._told is not None and always_ahead(self._told.goal, init)):
-                break
-        if fallback is None:
-            raise Refusal([crowded(ATTEMPTS) if narrow else solved_at_start(ATTEMPTS)])
-        if start is not fallback:
-            self._begin(fallback)
-        return fallback
 
     def _plainly(self) -> Physics | None:
         """The simulation, where it has nothing but the blocks in it; the episode has no start yet."""
@@ -358,10 +328,6 @@ class BlockTask(Relations, Structures, Setup):
         noted = self._noted
         self._begin_naming(0)
         return answer, noted
-
-    def _plainly_past(self, start: BlockState, later: bool) -> bool:
-        """Is it seen at a glance that a stage is met at `start`, or with `later` that one holds that is not up yet?"""
-        return len(self._namings) == 1 and self._told is not None and stage_holds(self._told.goal, start, later)
 
     def _past(self) -> bool:
         """Is the goal met, or a stage of it, or is the episode lost?"""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import string
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits, record, replace
+from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Traits, record, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
@@ -188,6 +188,8 @@ def note_premises(noun: Noun, found: Ref, scene: Scene, scope: Scope) -> None:
     new = noun.det in ("a", "bare", "some") and scope.role == "landmark" and not (scope.start or scope.given)
     when = "start" if not new else "end" if scene.describing else "both"
     for condition in noun.conditions:
+        if scope.start and isinstance(condition, Loc) and "aside" in condition.mods:
+            condition = replace(condition, mods=tuple(m for m in condition.mods if m not in ("asserted", "aside")))
         scene.premises.append(Premise(span=condition.span, names=found.names, condition=condition, when=when))
 
 

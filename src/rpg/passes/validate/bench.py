@@ -83,15 +83,20 @@ class Bench:
         return made
 
     def _judge_of(self, task: BlockTask) -> Judge | None:
-        """A judge of the schema's goal, where the code is our own lowering and tells just that, and nothing has to be
-        remembered."""
+        """A judge of the schema's goal, where the code tells just that, and nothing has to be remembered."""
         goal = self.program.task.goal
-        if not self.trusted or over_time(goal):
-            return None
-        told = goal_told(task)
-        if told is None or plain(told) != plain(goal):
-            return None
-        return Judge(goal, self.world, namings_of(task))
+        return Judge(goal, self.world, namings_of(task)) if not over_time(goal) and self._tells(task) else None
+
+    def _tells(self, task: BlockTask) -> bool:
+        """Is the code our own lowering, and does it tell just the schema's goal?"""
+        told = goal_told(task) if self.trusted else None
+        return told is not None and plain(told) == plain(self.program.task.goal)
+
+    @cached_property
+    def tells(self) -> bool:
+        """Is the code our own lowering, and does it tell just the schema's goal? Then it holds nowhere where that does
+        not, whatever it remembers."""
+        return self.judge is not None or self._tells(self.task)
 
     @cached_property
     def world(self) -> World:

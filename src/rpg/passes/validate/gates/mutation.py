@@ -54,14 +54,15 @@ class MutationGate:
         rng = Random(f"near-misses of {program.task.name}")
         goal = bench.trace.authored
         history = bench.trace.history
-        judge = bench.judge
-        doubtful, known = both_kinds(program.task.goal, goal, rng, judge or Judge(program.task.goal, bench.world))
+        judge = bench.judge or Judge(program.task.goal, bench.world)
+        doubtful, known = both_kinds(program.task.goal, goal, rng, judge)
         misses = doubtful + known
         sampled, moving = other_goals(program, bench), unsettled(goal)
-        if judge is not None:
+        survivors = misses
+        if bench.tells:
             survivors = [miss for miss in doubtful if judge.as_named(_begun(miss.state, history))]
-        else:
-            survivors = surviving(bench.task, history, misses)
+        if bench.judge is None and survivors:
+            survivors = surviving(bench.task, history, survivors)
         # our own lowering says word for word what the others are found by: one shows that it does
         others = list(islice(sampled, 1 if bench.trusted else None))
         # where stages count, the goal was met before it moves again

@@ -45,12 +45,11 @@ class _Remembered:
         cls.__hash__ = _Remembered.__hash__  # type: ignore[method-assign]
 
     def __hash__(self) -> int:
-        try:
-            return self._hash
-        except AttributeError:
+        known: int | None = getattr(self, "_hash", None)  # nothing is raised for those that have none
+        if known is None:
             kind: Any = type(self)
-            self._hash = hash((kind, _values(kind)(self)))
-            return self._hash
+            known = self._hash = hash((kind, _values(kind)(self)))
+        return known
 
 
 @record
@@ -371,13 +370,12 @@ _ATOMIC = frozenset({"int", "float", "str", "bool", "None", "tuple", "Span", "Am
 def cost_of(meaning: Any) -> int:
     """The sum of the costs of a meaning and everything in it."""
     if isinstance(meaning, Meaning):
-        try:
-            return meaning._whole_cost
-        except AttributeError:
+        whole: int | None = getattr(meaning, "_whole_cost", None)
+        if whole is None:
             kind: Any = type(meaning)
             held = [getattr(meaning, name) for name in _inner(kind)]
-            meaning._whole_cost = meaning.cost + sum([cost_of(part) for part in held if part])
-            return meaning._whole_cost
+            whole = meaning._whole_cost = meaning.cost + sum([cost_of(part) for part in held if part])
+        return whole
     if isinstance(meaning, tuple) and not isinstance(meaning, Amount):
         return sum([cost_of(item) for item in meaning])
     return 0
@@ -386,9 +384,8 @@ def cost_of(meaning: Any) -> int:
 def parts_of(meaning: Any) -> Sequence[Any]:
     """Every record inside `meaning`, itself first, in order of reading."""
     if isinstance(meaning, Meaning):
-        try:
-            inside = meaning._inside
-        except AttributeError:
+        inside: tuple[Any, ...] | None = getattr(meaning, "_inside", None)
+        if inside is None:
             kind: Any = type(meaning)
             held = [getattr(meaning, name) for name in _inner(kind)]
             inside = meaning._inside = tuple([part for one in held if one for part in parts_of(one)])

@@ -18,26 +18,43 @@ _MOST = 4
 
 def turned(tokens: list[Token], turns: Sequence[Turn]) -> list[Token]:
     """The tokens, every sentence of them turned by whichever rows fit it."""
-    for pattern, said in turns:
-        found = _compiled(pattern)
-        for _ in range(_MOST):
-            changed = _once(tokens, found, said)
+    told = _told(tokens)
+    whole = "\n".join([text for _, _, _, text in told])
+    for row, said in turns:
+        pattern, part = _compiled(row)
+        for _ in range(_MOST if part in whole else 0):
+            changed = _once(tokens, told, pattern, said)
             if changed is None:
                 break
-            tokens = changed
+            tokens, told = changed, _told(changed)
+            whole = "\n".join([text for _, _, _, text in told])
     return tokens
 
 
 @lru_cache(maxsize=256)
-def _compiled(pattern: str) -> re.Pattern[str]:
-    return re.compile(pattern)
+def _compiled(pattern: str) -> tuple[re.Pattern[str], str]:
+    """What is looked for, and a part of it without which it is nowhere: the longest that stands outside of brackets."""
+    plain = pattern
+    while (outside := re.sub(r"\((?:[^()\\]|\\.)*\)[?*+]?", "^", plain)) != plain:
+        plain = outside
+    known = not {*"|()"} & {*plain}
+    certain = re.split(r"\\.|\[[^]]*\]|.[?*+]|.\{|[^a-z ]", plain)
+    return re.compile(pattern), max(certain, key=len) if known else ""
 
 
-def _once(tokens: list[Token], pattern: re.Pattern[str], said: str) -> list[Token] | None:
+Told = list[tuple[int, int, list[str], str]]
+"""Where each sentence begins and ends, its words, and all of it."""
+
+
+def _told(tokens: list[Token]) -> Told:
+    words = [token.word.replace(" ", "_") or "_" for token in tokens]
+    return [(begin, end, words[begin:end], " ".join(words[begin:end])) for begin, end in _sentences(tokens)]
+
+
+def _once(tokens: list[Token], told: Told, pattern: re.Pattern[str], said: str) -> list[Token] | None:
     """The tokens with the first fitting sentence turned."""
-    for begin, end in _sentences(tokens):
-        words = [token.word.replace(" ", "_") or "_" for token in tokens[begin:end]]
-        match = pattern.search(" ".join(words))
+    for begin, end, words, text in told:
+        match = pattern.search(text)
         if match is None or not match.group():
             continue
         starts = _starts(words)

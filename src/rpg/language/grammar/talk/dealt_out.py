@@ -191,7 +191,7 @@ def _item(tokens: list[Token], words: list[str], at: int, places: frozenset[str]
         end += 1
     if end >= len(words) or words[end] not in places:
         return 0
-    return end + 1 + (words[end + 1 : end + 2] == ["end"] and words[end] != "end")
+    return end + 1 + (words[end + 1 : end + 2] in (["end"], ["half"]) and words[end] not in ("end", "ends"))
 
 
 def _with_result(tokens: list[Token], words: list[str]) -> list[Token] | None:

@@ -53,6 +53,7 @@ _PHRASES = {
     **{f"{read} {down} from the {top}": f"reading from {top} to {bottom}" for read in ("reading", "read")
        for top, bottom, downs in (("top", "bottom", ("down", "downwards")), ("bottom", "top", ("up", "upwards")))
        for down in downs},
+    **{f"{take} {it} off again": f"{take} {it} off" for take in ("take", "lift", "pick") for it in ("it", "them")},
     "somewhere in between there": "in between there", "something that is true": "a true equation",
     "something that is correct": "a true equation",
     "something which is true": "a true equation", "something true": "a true equation",

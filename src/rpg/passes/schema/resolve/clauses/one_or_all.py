@@ -4,7 +4,21 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Pronoun, Structure, TableTop, Traits, replace
+from rpg.language.meaning import (
+    Absolute,
+    Clause,
+    Coord,
+    In,
+    Loc,
+    Meaning,
+    Noun,
+    Places,
+    Pronoun,
+    Structure,
+    TableTop,
+    Traits,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 
@@ -27,8 +41,22 @@ def _bare_look(noun: Noun, last: Structure) -> bool:
     return alone and noun.det == last.det and noun.traits == Traits(colors=noun.traits.colors[:1]) != Traits()
 
 
+_HALVES = ("left_half", "right_half")
+
+
+def _by_halves(clause: Clause) -> None:
+    """Refuse "a row of three red blocks in the left half and three blue ones in the right half": of the table?"""
+    parts = [a.adjuncts[0] for a in clause.adjuncts if isinstance(a, Absolute)]
+    halves = any(isinstance(x, Places) and x.unit == "half" and x.side in ("left", "right") for x in parts)
+    halves = halves and isinstance(clause.theme, Structure) and clause.theme.kind in ("row", "line")
+    for place in (a for a in clause.adjuncts if halves and isinstance(a, In) and a.region in _HALVES):
+        raise refuse("ambiguous", "this could be a half of the table, or of what is built", place.span,
+                     "say 'of the table', or 'of the row'")  # fmt: skip
+
+
 def one_or_all(clause: Clause, before: Clause | None) -> None:
     """Refuse "build a tower of three red and one of two blue on the mat", whichever of the two it was read as."""
+    _by_halves(clause)
     last = clause.theme.items[-1] if isinstance(clause.theme, Coord) else clause.theme
     if clause.verb != "build" or not isinstance(last, Structure) or last.det not in _NEW:
         return

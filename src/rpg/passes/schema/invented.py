@@ -31,6 +31,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     if task.assumed(COLORS_UNSAID):
         _spoken_of(words, task)
         _set_off(words)
+        _as_many_named(words, task)
 
 
 def _one_word(task: TaskSchema) -> None:
@@ -102,6 +103,22 @@ def _spoken_of(words: Sequence[Token], task: TaskSchema) -> None:
     colored = [t for before, t in nouns if before.word in lexicon.COLOR]
     if colored and len(colored) == len(nouns) and words[0].word not in _OPEN:
         raise refuse("ambiguous", "it is not said of which block this is to be so", colored[0].span, "name the block")
+
+
+def _as_many_named(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "three blocks in a row. Red, white and blue must touch ..." as three others beside the red, white and blue
+    ones."""
+    said = [lexicon.COLOR.get(token.word) for token in words]
+    made_up = sum(block.color not in said for block in task.blocks if not isinstance(block, SemanticCube))
+    run: list[Token] = []
+    for token, color in zip((*words, Token("punct", ".", ".", (0, 0))), (*said, None), strict=True):
+        if color is not None:
+            run.append(token)
+        elif token.word not in (",", "and"):
+            if len(run) == made_up > 1 and len({lexicon.COLOR[t.word] for t in run}) == made_up:
+                raise refuse("ambiguous", "are these the blocks that were counted, or further ones?", run[0].span,
+                             "list them where they are counted: 'a row of three: red, white and blue'")  # fmt: skip
+            run = []
 
 
 def _set_off(words: Sequence[Token]) -> None:

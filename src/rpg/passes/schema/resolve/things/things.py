@@ -188,7 +188,7 @@ def note_premises(noun: Noun, found: Ref, scene: Scene, scope: Scope) -> None:
     new = noun.det in ("a", "bare", "some") and scope.role == "landmark" and not (scope.start or scope.given)
     when = "start" if not new else "end" if scene.describing else "both"
     for condition in noun.conditions:
-        if scope.start and isinstance(condition, Loc) and "aside" in condition.mods:
+        if scope.start and scope.given and isinstance(condition, Loc) and "aside" in condition.mods:
             condition = replace(condition, mods=tuple(m for m in condition.mods if m not in ("asserted", "aside")))
         scene.premises.append(Premise(span=condition.span, names=found.names, condition=condition, when=when))
 

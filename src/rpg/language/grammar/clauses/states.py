@@ -18,7 +18,7 @@ from rpg.language.grammar.things.adjectives import adjectives, of_quality
 from rpg.language.grammar.things.labels import digits_of, label_list, literal
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.grammar.things.printed import colored_cubes
-from rpg.language.grammar.things.retold import none_of, one_heap
+from rpg.language.grammar.things.retold import none_of, one_heap, some_of_which
 from rpg.language.meaning import (
     At,
     Clause,
@@ -385,7 +385,7 @@ def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Mean
 def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     """ "the red block must not be on the mat but must be next to it", "it starts on the red mat and ends on the blue
     one": a further predicate of the same subject."""
-    if before.theme is None or before.verb != "be" or not before.adjuncts:
+    if before.theme is None or before.verb != "be" or not before.adjuncts or some_of_which(p, i, before.theme):
         return
     k, words = _auxiliaries(p, i)
     later = before.mode == "start" and p.words[k] in _BOUND | _LASTING

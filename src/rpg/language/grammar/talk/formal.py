@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.grammar.talk.turned import Turn, turned
 from rpg.language.tokens import Token
 
@@ -228,7 +230,29 @@ _WORDS = (
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    return turned(_steps_told(tokens), _ALWAYS)
+    return turned(_one_of_each(_steps_told(tokens)), _ALWAYS)
+
+
+def _one_of_each(tokens: list[Token]) -> list[Token]:
+    """ "One red, one white, one blue and one green cube": a red, a white, a blue and a green one."""
+    words = [token.word for token in tokens]
+    out, at = list(tokens), 0
+    while at < len(words) - 1:
+        ones, end = [], at
+        while words[end : end + 1] == ["one"] and words[end + 1 : end + 2] and words[end + 1] in lexicon.COLOR:
+            ones.append(end)
+            end += 2
+            while words[end : end + 1] in ([","], ["and"]):
+                end += 1
+        if len({words[n + 1] for n in ones}) == len(ones) > _FEW:
+            for n in ones:
+                out[n] = replace(tokens[n], kind="word", word="a", value=None)
+        at = max(end, at + 1)
+    return out
+
+
+_FEW = 3
+"""So many are read as they stand."""
 
 
 def _steps_told(tokens: list[Token]) -> list[Token]:

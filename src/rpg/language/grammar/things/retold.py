@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import string
 
+from rpg.language.grammar.core import Parser
 from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Pattern, Pronoun, Structure, Traits, replace
 
 
@@ -229,6 +230,12 @@ def beside_heap(first: Meaning, found: Meaning) -> Meaning:
     alike = [x for x in (first.members, *found.items[1:]) if isinstance(x, Noun) and x.det == "bare" and x.plural]
     several = len(alike) == len(found.items) and all(x.head != "patch" and x.amount is not None for x in alike)
     return replace(found, cost=found.cost + 1) if several else found
+
+
+def some_of_which(p: Parser, i: int, theme: Meaning) -> bool:
+    """ "Three blocks, two of which are blue, shall be on the mat": what comes behind it is of all of them."""
+    some = isinstance(theme, Noun) and theme.part_of is not None
+    return some and any(p.words[n] == "which" and p.char(n, 0) >= theme.span[0] for n in range(i))
 
 
 def none_of(theme: Meaning) -> bool:

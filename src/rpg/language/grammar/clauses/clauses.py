@@ -161,8 +161,8 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 there = stands_there(p, i, p.opt(k, ","), first, mode)
                 told = [*there, *((_at(found, first), end) for found, end in _plain(p, p.opt(k, ","), mode))]
                 yield from ((_at(found, lying), end) for found, end in told)
-        for found, k in _fronted(p, j + 1, mode) if isinstance(first, Loc) and p.stands(j, ("and",)) else ():
-            if isinstance(found, Clause) and _goes_with(first, found):
+        for found, k in _fronted(p, j + 1, mode) if p.stands(j, ("and",)) else ():
+            if isinstance(first, Loc) and isinstance(found, Clause) and _goes_with(first, found):
                 yield _at(found, first), k
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")

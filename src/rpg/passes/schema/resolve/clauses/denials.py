@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.ir import goal as g
-from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, replace
+from rpg.language.meaning import Chain, Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, That, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes
@@ -75,3 +75,18 @@ def denied(goals: Atoms, clause: Clause, scene: Scene, together: bool) -> Atoms:
         raise refuse("ambiguous", "it is not clear whether each of these is denied, or both together", places[1].span,
                      "say 'neither ... nor', or 'not both'")  # fmt: skip
     return negation(goals, clause.span, wholes(scene))
+
+
+def apart_from(clause: Clause) -> Clause:
+    """ "Red is on the mat without touching blue": how it is to be, where of a command it says what not to touch."""
+    if clause.verb != "be" or clause.mode != "goal" or clause.negated:
+        return clause
+    return replace(clause, adjuncts=tuple(_no_contact(part) for part in clause.adjuncts))
+
+
+def _no_contact(part: Meaning) -> Meaning:
+    inside = part.clauses if isinstance(part, That) and part.kind == "without" else None
+    told = inside.clauses[0] if isinstance(inside, Chain) and len(inside.clauses) == 1 else None
+    if not isinstance(told, Clause) or told.verb != "touch" or told.theme is None or told.adjuncts:
+        return part
+    return Loc(rel="touching", landmark=told.theme, negated=True, span=part.span)

@@ -104,9 +104,9 @@ def _last_theme(scene: Scene, word: Pronoun) -> Ref:
 
 
 def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
-    single = [
-        m for m in scene.mentions if m.ref.names and (len(m.ref.names) == 1 or m.ref.built) and m.clause <= scene.clause
-    ]
+    told = [m for m in scene.mentions if m.ref.names and m.clause <= scene.clause]
+    there = [m for m in told if m.ref.quant is None or m.ref.quant.high != 0]  # "nothing on it" is no block
+    single = [m for m in there if len(m.ref.names) == 1 or m.ref.built]
     if scope.role == "landmark":
         current = [m for m in scene.mentions if m.clause == scene.clause and m.role in ("theme", "given")]
         own = {n for m in current for n in m.ref.names}

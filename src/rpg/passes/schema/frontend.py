@@ -83,9 +83,7 @@ class BuiltinFrontEnd:
             raise
         return found.task, found.notes
 
-    def _as_meant(
-        self, respelt: Respelt, name: str | None, seed: int, author: str | None, notes: list[str]
-    ) -> Reading:
+    def _as_meant(self, respelt: Respelt, name: str | None, seed: int, author: str | None, notes: list[str]) -> Reading:
         """The reading of a text with misspelt words: that of the text without them."""
         try:
             task, found = self._read(respelt.text, name, seed, author, notes)

@@ -24,6 +24,10 @@ class Token:
     value: float | str | tuple[int, ...] | None = None
     joined: bool = False
 
+    def saying(self, word: str) -> Token:
+        """Another word, or a mark, in its place."""
+        return replace(self, kind="word" if word[0].isalnum() else "punct", word=word, raw=word, value=None)
+
 
 CONTRACTIONS = {
     "don't": "do not", "doesn't": "does not", "didn't": "did not", "isn't": "is not", "aren't": "are not",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import prod
 
 from rpg.language import lexicon
@@ -45,11 +44,6 @@ def dealt_out(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return _by_places(tokens, words) if "of" in words and ("and" in words or "," in words) else None
 
 
-def _said(word: str, like: Token) -> Token:
-    kind = "punct" if word in _STOPS | {",", ":"} else "word"
-    return replace(like, kind=kind, word=word, raw=word, value=None)
-
-
 def _many(token: Token) -> int:
     """A whole number of several, in digits or words."""
     if token.kind == "number" and isinstance(token.value, float) and token.value.is_integer():
@@ -66,9 +60,9 @@ def _halves(tokens: list[Token], words: list[str]) -> list[Token] | None:
     share = lexicon.NUMBERS.get(many // 2)
     if many < 4 or many % 2 or not rest or share is None or not _STOPS.isdisjoint(words[at:rest]):
         return None
-    the = [] if words[rest - 1] == "the" else [_said("the", tokens[rest])]
-    behind = [*the, tokens[rest], _said(share, tokens[rest + 1]), *tokens[rest + 2 :]]
-    return [*tokens[:at], _said(share, tokens[at]), *tokens[at + 1 : rest], *behind]
+    the = [] if words[rest - 1] == "the" else [tokens[rest].saying("the")]
+    behind = [*the, tokens[rest], tokens[rest + 1].saying(share), *tokens[rest + 2 :]]
+    return [*tokens[:at], tokens[at].saying(share), *tokens[at + 1 : rest], *behind]
 
 
 def _one_on_each(tokens: list[Token], words: list[str]) -> list[Token] | None:
@@ -88,9 +82,9 @@ def _one_on_each(tokens: list[Token], words: list[str]) -> list[Token] | None:
             blocks, marks = counted
             if looks and looks != [t.word for t in blocks[1:-1]]:
                 continue
-            lead = [_said("put", told[0])]
-            one_on = [_said(word, told[-1]) for word in (",", "one", "on", "each")]
-            return [*lead, *blocks, _said("on", told[-1]), *marks, *one_on]
+            lead = [told[0].saying("put")]
+            one_on = [told[-1].saying(word) for word in (",", "one", "on", "each")]
+            return [*lead, *blocks, told[-1].saying("on"), *marks, *one_on]
     return None
 
 
@@ -138,8 +132,8 @@ def _two_towers(tokens: list[Token], words: list[str]) -> list[Token] | None:
     lots = (tokens[first:joint], tokens[second:end])
     if any(not _blocks(lot) for lot in lots):
         return None
-    of = [_said(word, tokens[at - 1]) for word in ("a", "tower", "of")]
-    return [*of, *lots[0], _said(";", tokens[at]), *of, *lots[1], *tokens[end:]]
+    of = [tokens[at - 1].saying(word) for word in ("a", "tower", "of")]
+    return [*of, *lots[0], tokens[at].saying(";"), *of, *lots[1], *tokens[end:]]
 
 
 def _blocks(lot: list[Token]) -> bool:
@@ -169,7 +163,7 @@ def _by_places(tokens: list[Token], words: list[str]) -> list[Token] | None:
             end = joint
         if items > 1 and (end >= len(words) or words[end] in _STOPS | {","}):
             made = of[0] == "made" and words[begun - 1] in _HAS
-            with_ = _said(_HAS[words[begun - 1]] if made else _OF[of], tokens[begun])
+            with_ = tokens[begun].saying(_HAS[words[begun - 1]] if made else _OF[of])
             return [*tokens[: begun - made], with_, *tokens[begun + len(of) :]]
     return None
 
@@ -210,9 +204,9 @@ def _with_result(tokens: list[Token], words: list[str]) -> list[Token] | None:
         return None
     if behind < len(words) and words[behind] not in _STOPS:
         return None
-    head = [*tokens[: at - 1], _said("an", tokens[at - 1])] if words[at - 1] == "the" else tokens[:at]
-    own = [tokens[told], _said(",", tokens[told])]
-    return [*head, tokens[at], _said("with", tokens[using]), *own, *tokens[using:end], *tokens[behind:]]
+    head = [*tokens[: at - 1], tokens[at - 1].saying("an")] if words[at - 1] == "the" else tokens[:at]
+    own = [tokens[told], tokens[told].saying(",")]
+    return [*head, tokens[at], tokens[using].saying("with"), *own, *tokens[using:end], *tokens[behind:]]
 
 
 def _after(words: list[str], at: int, phrases: tuple[tuple[str, ...], ...]) -> int:

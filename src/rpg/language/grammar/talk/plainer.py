@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.tokens import Token
@@ -37,10 +35,6 @@ def plainer(tokens: list[Token]) -> list[Token]:
     return tokens
 
 
-def _said(word: str, like: Token) -> Token:
-    return replace(like, kind="punct" if word in _BREAKS else "word", word=word, raw=word, value=None)
-
-
 def _seen(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "You know the green block? It goes ...", "see the mat, put ...": there is one, and what follows speaks of it."""
     lead = next((len(x) for x in _SEEN if tuple(words[: len(x)]) == x), 0)
@@ -55,10 +49,10 @@ def _seen(tokens: list[Token], words: list[str]) -> list[Token] | None:
     stop += words[stop : stop + 1] == [","] and words[stop + 1 : stop + 3] == ["right", "?"] and 2
     if words[stop : stop + 1] not in ([","], ["?"], ["…"], ["."])[: None if lead else 2] or stop + 1 >= len(words):
         return None
-    there = [_said(word, tokens[0]) for word in ("there", "are" if _NOUNS[words[end]] else "is", "the")]
+    there = [tokens[0].saying(word) for word in ("there", "are" if _NOUNS[words[end]] else "is", "the")]
     rest = tokens[stop + 1 :]
     rest = rest[1:] if rest[0].word in ("well", ",", "so", "right") and len(rest) > 1 else rest
-    return [*there, *tokens[lead + 1 : end + 1], _said(".", tokens[stop]), *rest]
+    return [*there, *tokens[lead + 1 : end + 1], tokens[stop].saying("."), *rest]
 
 
 def _is(tokens: list[Token], words: list[str]) -> list[Token] | None:
@@ -69,7 +63,7 @@ def _is(tokens: list[Token], words: list[str]) -> list[Token] | None:
         after = words[at + 1]
         posture = after.endswith("ing") and after in lexicon.POSTURE
         if words[at] == "'s" and (thing or words[at - 1] == "one") and (posture or after in _PLACES):
-            out[at] = _said("is", tokens[at])
+            out[at] = tokens[at].saying("is")
     return out if out != tokens else None
 
 
@@ -95,7 +89,7 @@ def _have_done(tokens: list[Token], words: list[str]) -> list[Token] | None:
             forms = lexicon.VERB.get(words[at + 3], ())
             lemma = next((x for _, x, form in forms if form == "past" or lexicon.PAST.get(x) == words[at + 3]), "")
             if lemma:
-                return [*tokens[: at + 2], _said(lemma, tokens[at + 3]), *tokens[at + 4 :]]
+                return [*tokens[: at + 2], tokens[at + 3].saying(lemma), *tokens[at + 4 :]]
     return None
 
 
@@ -117,7 +111,7 @@ def _hedged(tokens: list[Token], words: list[str]) -> list[Token] | None:
             continue
         if not _EXACT.isdisjoint(words[max(0, figure - 2) : figure]):
             continue
-        about = [] if words[figure - 1] in _HEDGED else [_said("about", tokens[begun])]
+        about = [] if words[figure - 1] in _HEDGED else [tokens[begun].saying("about")]
         return [*tokens[:figure], *about, *tokens[figure:at], *tokens[end:]]
     return None
 
@@ -134,7 +128,7 @@ def _tidied(tokens: list[Token], words: list[str]) -> list[Token] | None:
         end = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
         so = words.index("so", at) if "so" in words[at + 3 : end] else end
         if "together" in words[so:end] and not _ALIKE.isdisjoint(words[so:end]):
-            return [*tokens[:at], _said("sort", tokens[at]), *tokens[at + 2 :]]
+            return [*tokens[:at], tokens[at].saying("sort"), *tokens[at + 2 :]]
     return None
 
 
@@ -156,7 +150,7 @@ def _furthest(tokens: list[Token], words: list[str]) -> list[Token] | None:
     lined = "row" in words or "line" in words
     if not lined or (words[at - 1] == "the" and not named) or not (named or after in _BREAKS or after == "and"):
         return None
-    return [*tokens[:at], _said(f"{words[side]}most", tokens[at]), *tokens[end:]]
+    return [*tokens[:at], tokens[at].saying(f"{words[side]}most"), *tokens[end:]]
 
 
 _BUT = (("as", "long", "as"), ("so", "long", "as"), ("provided",), ("but", "with"))
@@ -201,7 +195,7 @@ def _like_a_grid(tokens: list[Token], words: list[str]) -> list[Token] | None:
             continue
         noun = like + 2 + (words[like + 2 : like + 3] in (["little"], ["small"], ["neat"], ["tiny"]))
         if words[noun : noun + 1] == ["grid"] and (noun + 1 == len(words) or words[noun + 1] in _BREAKS):
-            grid = [_said(word, tokens[noun]) for word in ("a", "grid", "of")]
+            grid = [tokens[noun].saying(word) for word in ("a", "grid", "of")]
             return [*tokens[:at], *grid, *tokens[at:end], *tokens[noun + 1 :]]
     return None
 
@@ -229,8 +223,8 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
             thing = thing[:-2]
         if not thing or any(t.word in ("and", "on", "in", "at", "with") for t in thing):
             continue
-        top = [_said(word, tokens[at]) for word in ("on", "top")]
-        return [*tokens[:at], _said("put", tokens[at]), *thing, *top, *tokens[end:]]
+        top = [tokens[at].saying(word) for word in ("on", "top")]
+        return [*tokens[:at], tokens[at].saying("put"), *thing, *top, *tokens[end:]]
     return None
 
 

@@ -20,7 +20,7 @@ else:
     (simple,) = later(__name__, "rpg.language.grammar.things.nouns", "simple")
 
 _WORDS = Classes({
-    "must": ("should|must|shall|will|ought_to|has_to|have_to|needs_to|need_to|is_to|are_to|itself?",),
+    "must": ("should|must|shall|will|ought_to|has_to|have_to|needs_to|need_to|is_to|are_to",),
     "there": (
         "be|stand|lie|rest|sit|end_up|come_to_rest|come_to_lie|come_to_stand|be_found|be_standing|be_lying|be_resting|"
         "be_sitting|be_placed|be_put|be_positioned|be_located|be_set|be_laid|be_stacked|finish|go|be_moved|end|"
@@ -34,7 +34,7 @@ _WORDS = Classes({
     "meanwhile": ("in_the_process|while_doing_so|while_you_do_so|at_all|at_any_time|meanwhile|during_this|on_the_way",),
     "stay": ("stay|remain|be_left|be_kept|keep_standing",),
 })  # fmt: skip
-_WANTED = Patterns("<must> <there>", "<must> <must> <there>", classes=_WORDS)
+_WANTED = Patterns("itself? <must> itself? <there>", classes=_WORDS)
 _STARTED = Patterns("<starts> <out>?", classes=_WORDS)
 _LEFT_ALONE = Patterns(
     "<must> not|never be <touched> <meanwhile>?",

@@ -11,6 +11,7 @@ from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
+from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.states import state
 from rpg.language.grammar.clauses.terse import about, said_of, terse
 from rpg.language.grammar.clauses.there import exists, listed_there, on_what_is_named, stands_there
@@ -98,6 +99,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield (replace(there, lemma="begun") if begun and isinstance(there, Clause) else there), j
     yield from _describe(p, i, when)
     yield from having(p, i, when)
+    yield from occupied(p, i, when)
     yield from on_what_is_named(p, i, when)
     if mode != "start":
         yield from part_clause(p, i)

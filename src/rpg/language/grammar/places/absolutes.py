@@ -88,11 +88,18 @@ def _several(theme: Meaning) -> bool:
 
 
 def _printed(p: Parser, i: int, part_: Absolute) -> bool:
-    """ "the cube with the number 5 on it": of no colour, that is what it shows, rather than what lies on it."""
+    """ "the cube with the number 5 on it": that is what it shows, rather than what lies on it."""
     theme, place = part_.theme, part_.adjuncts[0]
     it = isinstance(place, Loc) and isinstance(place.landmark, Pronoun) and place.rel == "on"
     shown = isinstance(theme, Noun) and bool(theme.traits.labels) and not theme.traits.colors
-    return it and shown and p.follows(i, lexicon.BLOCK) and p.words[max(0, i - 2)] not in lexicon.COLOR
+    bearer = p.words[i - 1] if i else ""
+    return it and shown and (bearer == "one" or lexicon.BLOCK.get(bearer) is False) and not _block(p, part_)
+
+
+def _block(p: Parser, part_: Absolute) -> bool:
+    """ "with an A block on it": a block is named."""
+    end = part_.theme.span[1] if part_.theme is not None else 0
+    return any(token.span[1] == end and token.word in lexicon.BLOCK for token in p.tokens)
 
 
 def _of_parts(p: Parser, i: int, comma: int) -> Results[Meaning]:

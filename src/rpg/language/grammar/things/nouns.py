@@ -368,9 +368,11 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         changed = _numbered(p, i, j, noun) if k == j + 1 else None
         changed = changed or _with(noun, update, p.span(i, k))
         if changed is not None:
-            yield changed, k
-            tried.append((changed, k))
-            yield from printed(p, i, j, k, changed)
+            on_it = [*printed(p, i, j, k, changed)]
+            if not on_it:
+                yield changed, k
+                tried.append((changed, k))
+            yield from on_it
     single = not noun.plural or (noun.amount is not None and noun.det == "bare" and noun.traits == Traits())
     if noun.head == "block" and single and not noun.traits.colors and not noun.traits.labels:
         for named, k in color(p, j):

@@ -48,12 +48,12 @@ def _among(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
 
 
 def printed(p: Parser, i: int, j: int, k: int, noun: Noun) -> Results[Noun]:
-    """ "the block with an A on it", "the one that has a K on it": what it shows. Of a coloured one it may be as well
-    that a letter block lies on it."""
+    """ "the block with an A on it", "the one that has a K on it": what it shows."""
     end = p.any_of(k, _ON_IT) if noun.traits.labels and p.stands(j, _BEARING) else 0
+    end = 0 if noun.plural and not {"it", "its"}.isdisjoint(p.words[k:end]) else end
     letter = not _NAMED.isdisjoint(p.words[j:k])
     if end and (letter or p.words[j + 1] != "the" or not noun.traits.colors):
-        yield replace(noun, span=p.span(i, end), cost=noun.cost + bool(noun.traits.colors and not letter)), end
+        yield replace(noun, span=p.span(i, end)), end
 
 
 _CUBES = frozenset({*lexicon.BLOCK, "one", "ones"})

@@ -15,6 +15,8 @@ _PRONOUNS = frozenset({"it", "them", "they", "itself", "themselves"})
 _FINITE = frozenset({"should", "must", "may", "can", "is", "are", "shall", "touches", "lies", "stands", "has", "ought",
                      "will", "rests", "sits", "goes", "needs", "touch", "be"})  # fmt: skip
 """What follows "neither" where that is the subject by itself."""
+_ON = frozenset({"on", "onto"})
+_CLOSED = frozenset({".", ",", ";"})
 _NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next", "stacked"}
 _OF_THEM = ("of them", "of these", "of those")
 
@@ -36,6 +38,9 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield from _all_three(p, i, j)
     if (j := p.any_of(i, ("neither", "neither one", "neither of the two"))) and p.stands(j, _FINITE):
         yield Pronoun(word="neither of them", span=p.span(i, j)), j
+    if j and p.follows(i, _ON) and (j >= p.end or p.stands(j, _CLOSED)):
+        them = Pronoun(word="them", span=p.span(i, j))
+        yield Noun(head="any", det="no", amount=Amount(2, 2, True), plural=True, part_of=them, span=them.span), j
     if (j := p.one(i, "none")) and p.stands(j, _NONE_THERE):
         yield Pronoun(word="none of them", span=p.span(i, j)), j
     if j := p.one(i, ("him", "her", "he", "she")):

@@ -51,6 +51,7 @@ from rpg.passes.schema.resolve.places.patches import one_for_each_patch
 from rpg.passes.schema.resolve.places.placing import Goals, distractors, is_shape, parts_alone, places
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.places.stacking import Towers
+from rpg.passes.schema.resolve.structures.by_looks import as_results
 from rpg.passes.schema.resolve.structures.heaps import heaped_up
 from rpg.passes.schema.resolve.structures.lined_towers import mixed_line
 from rpg.passes.schema.resolve.structures.structures import make
@@ -394,6 +395,6 @@ def _thats(clause: Clause, spec: Spec, scene: Scene, start: bool) -> Goals:
         else:
             theme = next((m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "theme"), Ref())
             scene.told.update(theme.names)
-            goals += chain_goals(that.clauses, scene, start)  # type: ignore[arg-type]
+            goals += chain_goals(that.clauses if start else as_results(that.clauses), scene, start)  # type: ignore[arg-type]
     spec.thats = []
     return goals

@@ -98,7 +98,9 @@ def _opposite(a: r.Directional, b: r.Directional) -> bool:
 
 
 def _of_other_shape(spread: g.Goal, line: g.Goal) -> bool:
-    """A figure of several rows or layers against a line or a tower of the same blocks."""
+    """A figure of several rows or layers, or several towers, against a line or a tower of the same blocks."""
+    if isinstance(spread, s.Towers) and isinstance(line, s.Stack):
+        return (spread.count or 1) > 1 and set(spread.blocks) == set(line.blocks)
     if not isinstance(spread, s.Grid | s.Pyramid | s.Staircase) or not isinstance(line, s.Row | s.Stack):
         return False
     sides = (spread.rows, spread.columns, spread.layers) if isinstance(spread, s.Grid) else (2, 2)

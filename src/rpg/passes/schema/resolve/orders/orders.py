@@ -15,7 +15,7 @@ from rpg.passes.schema.resolve.orders.between_ends import between_ends
 from rpg.passes.schema.resolve.orders.extremes import directed, sorted_from
 from rpg.passes.schema.resolve.orders.onward import onward
 from rpg.passes.schema.resolve.orders.parts import place_of
-from rpg.passes.schema.resolve.orders.positions import SIDES, Placed, belongs, positions
+from rpg.passes.schema.resolve.orders.positions import SIDES, Placed, belongs, doubled, positions
 from rpg.passes.schema.resolve.orders.reading import reading_begins
 from rpg.passes.schema.resolve.orders.runs import painted
 from rpg.passes.schema.resolve.things.items import by_look, claimed, claims
@@ -70,7 +70,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     if found.by == "mirrored" and spec.listed and looks == looks[::-1]:
         found = Order()
         spec.orders = [o for o in spec.orders if o.by != "mirrored"]
-    if found.by == "any" and not spec.orders and spec.listed and (first or _doubled(names, scene)):
+    if found.by == "any" and not spec.orders and spec.listed and (first or doubled(names, scene)):
         found = _merge(found, OrderBy(by="given", span=span), names, kind, scene, scope, first)
     starts = all(place.side == "first" for item in spec.absolutes if (place := place_of(item)) is not None)
     inside = kind == "stack" or all(belongs(item.theme, names, scene) for item in spec.absolutes)
@@ -126,13 +126,6 @@ def _begun(found: Order, placed: Placed, names: tuple[str, ...], kind: str, scen
         if fits and all(row) and len({looks[n] for n in two}) == 1 and abs(len(one) - len(two)) < 2:
             return Order(by="given", ranks=tuple(map(tuple, row)), first=placed.first)  # type: ignore[arg-type]
     return _two_orders(span)
-
-
-def _doubled(names: tuple[str, ...], scene: Scene) -> bool:
-    """ "black, white, white, black": a list that names a look twice, not side by side, is meant as an order."""
-    looks = [(scene.things[n].color, scene.things[n].label) for n in names]
-    runs = [look for i, look in enumerate(looks) if i == 0 or looks[i - 1] != look]
-    return len(set(runs)) < len(runs)
 
 
 def _read_from(begin: str, scene: Scene) -> None:

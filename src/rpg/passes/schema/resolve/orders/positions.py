@@ -7,14 +7,13 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from rpg.ir.order import Order
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Size, Structure, replace
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.left_over import all_left, one_or_all
-from rpg.passes.schema.resolve.orders.mirrored import mirrored
 from rpg.passes.schema.resolve.orders.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of, matching, open_to
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
+from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse
 
 SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"),
          "line": ("left", "right", "front", "back"), "column": ("front", "back", "left", "right")}  # fmt: skip
@@ -215,97 +214,6 @@ def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ..
     held.update({k: (name,) for k, name in zip(left, found, strict=True)})
 
 
-def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[Structure, Ref | None]:
-    """ "three red blocks in a row with a white one at each end": further blocks in the line."""
-    source = shape.members
-    if theme is None and mirrored(shape, spec):
-        return replace(shape, members=None, sizes=()), None
-    if (told := _told_through(shape, spec, theme)) is not None:
-        return told, theme
-    counted_ = theme is not None or amount_of(source) is not None
-    if shape.sizes or not counted_ or (theme is None and not isinstance(source, Noun)) or (theme and theme.quant):
-        return shape, theme
-    own = source.traits.colors if isinstance(source, Noun) else tuple({scene.things[n].color for n in theme.names})  # type: ignore[union-attr]
-    if not own or None in own or any(scene.things[n].elastic for n in (theme.names if theme else ())):
-        return shape, theme
-    more = [m for item in spec.absolutes if (m := _further(item, shape.kind, own)) is not None]
-    if not more:
-        return shape, theme
-    if theme is None:
-        return replace(shape, members=Coord(op="and", items=(source, *more), span=shape.span)), None  # type: ignore[arg-type]
-    names = theme.names
-    for noun in more:
-        names += refer(noun, scene, Scope(role="member")).names
-        scene.mentions.pop()
-    return shape, replace(theme, names=names, listed=False)
-
-
-def _told_through(shape: Structure, spec: Spec, theme: Ref | None) -> Structure | None:
-    """ "a column of numbers: 1 is nearest, then 2, then 3": as many as are told from one end on."""
-    source = shape.members
-    bare = isinstance(source, Noun) and source.det == "bare" and not source.traits.labels
-    if theme is not None or shape.sizes or not (source is None or (bare and amount_of(source) is None)):
-        return None
-    places = [place_of(item) for item in spec.absolutes]
-    if (total := _ends_and_rest(spec, places) or _and_others(spec, places)) is not None:
-        return replace(shape, sizes=(Size(what="size", amount=Amount(total, total), span=shape.span),))
-    sides = [place.side if place is not None and place.index in (None, 1) else "" for place in places]
-    told = "next" in sides[1:] and sides[0] != "next" and set(sides[1:-1]) <= {"next"}
-    single = all(isinstance(x.theme, Noun) and x.theme.amount in (None, Amount(1, 1)) for x in spec.absolutes)
-    named = all(isinstance(x.theme, Noun) and len(x.theme.traits.colors + x.theme.traits.labels) == 1
-                for x in spec.absolutes)  # fmt: skip
-    if not (told and single and named):
-        return None
-    size = Size(what="size", amount=Amount(len(places), len(places)), span=shape.span)
-    return replace(shape, sizes=(size,))
-
-
-def _ends_and_rest(spec: Spec, places: list[At | Places | None]) -> int | None:
-    """ "red at both ends and three blue ones between them": how many these are, where it is said of all."""
-    sides = [place.side if place is not None and place.index is None else "" for place in places]
-    counts = [
-        amount_of(item.theme) or (None if side in ("rest", "middle") else 1)
-        for item, side in zip(spec.absolutes, sides, strict=True)
-    ]
-    ends = [side for side in sides if side not in ("rest", "middle")]
-    if len(sides) - len(ends) != 1 or not (ends in (["ends"], ["outer"]) or set(ends) in _BOTH) or None in counts:
-        return None
-    total = sum(n or 0 for n in counts)
-    if len(ends) > 1:
-        return total
-    at = sides.index(ends[0])
-    each = counts[at] == 1 or getattr(places[at], "each", False)
-    return total + (counts[at] or 0) if each else total
-
-
-def _and_others(spec: Spec, places: list[At | Places | None]) -> int | None:
-    """ "red at the bottom and two blue ones": how many these are."""
-    rest = places[-1] if len(places) > 1 else None
-    if not isinstance(rest, Places) or rest.side != "rest" or rest.several is None:
-        return None
-    single = all(isinstance(x, At) and x.index is None and x.side != "next" for x in places[:-1])
-    return rest.several + sum(amount_of(item.theme) or 1 for item in spec.absolutes[:-1]) if single else None
-
-
-_BOTH = ({"left", "right"}, {"top", "bottom"}, {"front", "back"})
-
-
-def _further(item: Absolute, kind: str, own: Sequence[str | None]) -> Noun | None:
-    """The blocks that a part brings into the line: those of another colour, where it is said how many they are."""
-    place, theme = place_of(item), item.theme
-    if place is None or not isinstance(theme, Noun) or not theme.traits.colors or set(theme.traits.colors) & set(own):
-        return None
-    ends = isinstance(place, Places) and place.side in ("ends", "outer")
-    if theme.det not in ("a", "bare") or (not ends and (theme.amount is None or amount_of(theme) is None)):
-        return None
-    if ends and (theme.det, theme.head, theme.amount, theme.plural) == ("bare", "any", None, False):
-        return None
-    if place.side in ("rest", "next") or (kind == "stack" and isinstance(place, At) and place.side != "middle"):
-        return None
-    count = 2 if ends else amount_of(theme) or 1
-    return replace(theme, det="bare", amount=Amount(count, count), plural=count > 1)
-
-
 def ranks_from(
     places: dict[int, tuple[str, ...]], names: tuple[str, ...], scene: Scene, bunches: Sequence[tuple[str, ...]] = ()
 ) -> list[tuple[str, ...]]:
@@ -329,6 +237,13 @@ def ranks_from(
             run.append(next(remaining))
     ranks += [tuple(run)] if run else []
     return _free_runs(ranks, places, scene)
+
+
+def doubled(names: tuple[str, ...], scene: Scene) -> bool:
+    """ "black, white, white, black": a list that names a look twice, not side by side, is meant as an order."""
+    looks = [(scene.things[n].color, scene.things[n].label) for n in names]
+    runs = [look for i, look in enumerate(looks) if i == 0 or looks[i - 1] != look]
+    return len(set(runs)) < len(runs)
 
 
 def belongs(theme: Meaning, names: tuple[str, ...], scene: Scene) -> bool:

@@ -360,8 +360,9 @@ def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
             loc.span,
             "say 'the near half of the table' or 'the far half of the table'",
         )
-    if theme.built or theme.patch:
-        return g.All(goals=())
+    rows = len(theme.built) > 1 and all(built.kind in ("row", "line", "column") for built in theme.built)
+    if (theme.built and not rows) or theme.patch:
+        return g.All(goals=())  # one row stands on what its blocks stand on; of several one may be on another
     if (
         theme.quant is None
         and theme.op == "and"

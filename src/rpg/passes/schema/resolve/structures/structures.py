@@ -12,8 +12,9 @@ from rpg.ir.schema import MAX_BLOCKS
 from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.goals.spacing import gaps_of
+from rpg.passes.schema.resolve.orders.lengthened import lengthened
 from rpg.passes.schema.resolve.orders.orders import order_of
-from rpg.passes.schema.resolve.orders.positions import alternatives, lengthened
+from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.orders.runs import rainbow_of
 from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, stepped, symbols, towers

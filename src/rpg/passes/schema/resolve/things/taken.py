@@ -19,13 +19,14 @@ from rpg.language.meaning import (
     Using,
     replace,
 )
+from rpg.passes.schema.resolve.structures.by_looks import by_looks
 
 _TAKES = frozenset({"pick", "use"})
 
 
 def plainly(chain: Chain) -> Chain:
     """The sentence with such clauses."""
-    return _another(_taken(_listed_apart(chain)))
+    return by_looks(_another(_taken(_listed_apart(chain))))
 
 
 def _another(chain: Chain) -> Chain:

@@ -23,6 +23,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=tuple(dict.fromkeys(here)), plural=True)
     if scope.rel == "between" and (ends := _two_ends(word, own, scene)) is not None:
         return ends
+    if scope.rel in ("on", "off", "not on") and (patches := _patches_of_each(scene)):
+        return Ref(names=patches, patch=True, plural=True)
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     earlier = any(m.clause < scene.clause and m.ref.names for m in scene.mentions)
     for mention in reversed(scene.mentions):
@@ -50,8 +52,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             )
     last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
     if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):
-        said = [n for m in scene.mentions for n in m.ref.names if not scene.things[n].patch]
-        last = list(dict.fromkeys(said))
+        told = [m for m in scene.mentions if not scope.rel or m not in own]
+        last = list(dict.fromkeys(n for m in told for n in m.ref.names if not scene.things[n].patch))
     if word.word in ("both", "both of them") and len(set(last)) > 2:
         return _two_wholes(word, scene)
     if word.word == "all of them":
@@ -63,6 +65,16 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
+
+
+def _patches_of_each(scene: Scene) -> tuple[str, ...]:
+    """ "A on the red patch, B on the blue one and C on neither of them": the patches that the clauses before put
+    something on, where each told its own; none where blocks were told together, or something else was said last."""
+    told = {m.clause: m for m in scene.mentions if m.role == "landmark" and m.clause < scene.clause}
+    each = [m for m in told.values() if m.ref.patch and m.rel == "on" and len(m.ref.names) == 1]
+    several = any(len(m.ref.names) > 1 for m in scene.mentions)
+    names = tuple(dict.fromkeys(n for m in each for n in m.ref.names))
+    return names if len(names) > 1 and len(each) == len(told) and not several else ()
 
 
 def _one_of_two_wholes(ref: Ref, scene: Scene) -> bool:

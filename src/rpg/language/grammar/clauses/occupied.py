@@ -1,0 +1,51 @@
+""" "The red block occupies the blue mat", "the far left corner is occupied by a green cube": it is there."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.places.regions import named_regions
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Structure
+
+_TOLD = frozenset({"occupied", "occupies", "occupy", "occupying", "taken"})
+_OCCUPIES = tuple(
+    f"{must}{verb}"
+    for must in ("", "should ", "must ", "shall ", "has to ", "have to ", "is to ", "are to ", "will ", "both ", "all ")
+    for verb in ("occupy", "occupies")
+)
+_BY = tuple(
+    f"{be}{verb} by"
+    for be in ("", "is ", "are ", "should be ", "must be ", "shall be ", "has to be ", "is to be ", "will be ", "gets ")
+    for verb in ("occupied", "taken", "taken up")
+)
+
+
+@choice
+def occupied(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """Blocks and the patch or the region that they take up, in either order."""
+    if not p.rarely(_TOLD):
+        return
+    for theme, j in noun_phrase(p, i):
+        start = p.any_of(j, _OCCUPIES) if isinstance(theme, Noun | Coord | Structure) else 0
+        for place, end in _place(p, start) if start else ():
+            yield _there(p, i, end, theme, place, mode), end
+    for place, j in _place(p, i):
+        start = p.any_of(j, _BY)
+        for theme, end in noun_phrase(p, start) if start else ():
+            if isinstance(theme, Noun | Coord | Structure):
+                yield _there(p, i, end, theme, place, mode), end
+
+
+def _place(p: Parser, i: int) -> Results[Meaning]:
+    """What may be occupied, as the place that is there."""
+    for patch, j in simple(p, i):
+        if isinstance(patch, Noun) and patch.head == "patch":
+            yield Loc(rel="on", landmark=patch, span=p.span(i, j)), j
+    start = p.one(i, ("the", "a", "one")) or i
+    for name, j in named_regions(p, start):
+        yield In(region=name, vague=name in ("corner", "edge"), span=p.span(i, j)), j
+
+
+def _there(p: Parser, i: int, end: int, theme: Meaning, place: Meaning, mode: str) -> Clause:
+    verb = "build" if isinstance(theme, Structure) else "be"
+    return Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, end), cost=1)

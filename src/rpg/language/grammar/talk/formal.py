@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.roundabout import AT_ONCE, ROUNDABOUT
 from rpg.language.grammar.talk.turned import Turn, turned
 from rpg.language.tokens import Token
 
@@ -230,7 +231,7 @@ _WORDS = (
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    return turned(_one_of_each(_steps_told(tokens)), _ALWAYS)
+    return turned(_one_of_each(_steps_told(tokens)), (*_ALWAYS, *AT_ONCE))
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:
@@ -268,7 +269,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 def plainly(tokens: list[Token]) -> list[list[Token]]:
     """The sentences that one is in plain words; none where it is as plain already."""
-    plain = turned(tokens, _PLAINLY)
+    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT))
     if plain == tokens:
         return []
     out: list[list[Token]] = [[]]

@@ -1,0 +1,124 @@
+"""Sentences that say in a roundabout way what a plainer one says, as rows that turn them into it; they are tried where
+a sentence cannot be read as it stands."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.talk.turned import Turn
+
+_M = "(?:shall|must|should|will|has to|have to|needs to|need to|is to|are to|ought to)"
+_IS = f"(?:is|are|{_M} be|stands|stand|lies|lie|sits|sit)"
+_END = "(?:left|right|front|back|top|bottom|near|far)"
+_WAY = f"from (?:the )?{_END} to (?:the )?{_END}"
+_FEW = "one|two|three|four|five|six|seven|eight|nine|ten|twelve"
+_CM = f"(?:[\\d.]+|{_FEW}) (?:cm|mm|centimeters?|millimeters?)"
+_LINE = "(?:tower|stack|row|line|column)"
+_BLOCK = "(?:block|cube|brick|one)"
+_PATCH = "(?:patch|mat|zone|target|area|spot)"
+_CLIMBS = "(?:climbs|rises|ascends|goes up)"
+
+AT_ONCE: tuple[Turn, ...] = (
+    (f"^([^,]+?) {_IS} at the left end of an? (row|line)(?: ,)? with (.+?) to its right$",
+     "a {2} , from left to right : {1} , then {3}"),
+    (f"^([^,]+?) {_IS} at the right end of an? (row|line)(?: ,)? with (.+?) to its left$",
+     "a {2} , from right to left : {1} , then {3}"),
+    ("^(?:center|put|place) (?:one|an?|the) (.+?) in (?:the middle of )?an? (row|line) with (.+?) on "
+     "(?:either|each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
+    (f"^(?:the|an?) ([^,]+?) {_IS} in the middle of an? (row|line)(?: ,)? (?:and there are|with) (.+?) on "
+     "(?:either|each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
+    ("^(?:in my tower )?there are (.+?) between (the .+?) at the bottom and (the .+?) at the top$",
+     "a tower , from bottom to top : {2} , then {1} , then {3}"),
+    (f"\\ban? (\\w+) ({_LINE}) of (.+?) and an? (\\w+) ({_LINE}) (?:with|of) (?:just |exactly )?(?:as many(?: blocks| "
+     "cubes)?(?: as .+)?|the same (?:height|length|number of blocks))$", "a {1} {2} of {3} and a {4} {5} of {3}"),
+    (f"\\ba (tower|stack) of ({_FEW}) (\\w+) (blocks|cubes) and an equally (?:tall|high) (?:tower|stack) of (\\w+) "
+     "(?:blocks|cubes)$", "a {1} of {2} {3} {4} and a {1} of {2} {5} {4}"),
+    ("^(?:put )?([^,]+?) on the left and ([^,]+?) on the right of ([^,]+)$",
+     "{1} must be to the left of {3} and {2} to the right of {3}"),
+    ("^(?:hoist|lift|take|raise) ([^,]+?) off the table and (?:rest|put|place|set|stack|lay) it (.+)$", "put {1} {2}"),
+    ("\\b(of|from|beside|behind|to) (?:those|these) two$", "{1} them"),
+    ("^there are ([^,]+?)(?: ,)? and each(?: one| of them)? (?:has|carries|gets) (an? .+?) on (?:top of it|it|top)$",
+     "there are {1} . {2} must be on each of them"),
+    ("^(?:a )?(?:vertical )?(?:stack|tower) (?:spelling|reading) (\\S+) , top first$",
+     "a tower that reads {1} from top to bottom"),
+    (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the (?:smallest|lowest)$",
+     "{1} in ascending order {2}"),
+    (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the (?:largest|biggest|highest)$",
+     "{1} in descending order {2}"),
+    ("^((?:the )?equation .+?)(?: ,)? in (?:cubes|blocks|number cubes|digit cubes)$", "{1}"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+
+ROUNDABOUT: tuple[Turn, ...] = (
+    # ends of lines
+    (f"^(an? .+?|one .+?) at (?:either|each) end of (?:the|an?) ({_LINE}) and (.+?) (?:in )?between(?: them)?$",
+     "a {2} of {3} with {1} at each end"),
+    (f"^(?:the|an?) (.+?) (?:{_IS} )?at one end of (?:the|an?) ({_LINE})(?: ,)? and (?:the|an?) (.+?) (?:{_IS} )?"
+     "at the other(?: end)?(?: ,)? (?:with|and) (.+?) (?:in )?between(?: them)?$",
+     "a {2} in the order a {1} , then {4} , then a {3} in either direction"),
+    (f"^(?:cap|close|finish) both ends of (an? (?:row|line) of .+?) with (?:an? )?(.+ {_BLOCK})$",
+     "{1} with a {2} at each end"),
+    # gaps
+    (f"\\b(?:(?:leave|with|leaving) )?(?:an? )?gap of ({_CM}) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and "
+     f"the next(?: {_BLOCK})?$", "with gaps of {1}"),
+    (f"\\b({_CM}) of (?:gap|space) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and the next(?: {_BLOCK})?$",
+     "with gaps of {1}"),
+    (f"^separate (.+?) from (.+?) by ({_CM})(?: , center to center| center to center)?$",
+     "{1} and {2} must be {3} apart"),
+    # numbers in order
+    (f"(?: ,)? and (?:they|the numbers) (?:get|become|grow) (?:bigger|larger|higher) ({_WAY})$",
+     "in ascending order {1}"),
+    (f"(?: ,)? and (?:they|the numbers) (?:get|become) (?:smaller|lower) ({_WAY})$", "in descending order {1}"),
+    (f"^(.+?) count down ({_WAY})( in an? (?:row|line))?$", "{1} in a row in descending order {2}"),
+    (f"^(.+?) count up ({_WAY})( in an? (?:row|line))?$", "{1} in a row in ascending order {2}"),
+    ("\\bthe smallest(?: one)? (?:nearest|closest)(?: to)? (?:the viewer|me|you) and (?:growing|rising|increasing) "
+     "(?:toward|towards|to) the back$", "in ascending order from front to back"),
+    ("\\binto (odd and even|even and odd|vowel and consonant|letter and digit|digit and letter) "
+     "(?:groups|ones|piles|clusters|sets)\\b", "into {1}"),
+    # as many
+    (f"^(?:the|an?) (\\w+) ({_LINE}) has (.+?)(?: ,)? and (?:the|an?) (\\w+) ({_LINE}) has (?:just |exactly )?as many"
+     "(?: blocks| cubes)?(?: as .+)?$", "a {1} {2} of {3} and a {4} {5} of {3}"),
+    (f"^(.*?\\b({_FEW}) .+? on .+?) and (?:just |exactly )?as many (.+? on .+)$", "{1} and {2} {3}"),
+    (f"^(?:share|distribute|divide|split|spread) ({_FEW}) (.+?) (?:equally|evenly|fairly) (?:between|over|among|across) "
+     f"(the .+? {_PATCH}) and (the .+)$", "put half of the {1} {2} on {3} and the other half on {4}"),
+    # one relation in the words of another
+    (f"^(the .+? {_PATCH}) is where (.+?) (?:needs to be|should be|must be|goes|belongs|has to be|is to be|"
+     "should go|must go)$", "{2} must be on {1}"),
+    (f"^(.+? {_PATCH}) receives (.+)$", "{2} must be on {1}"),
+    (f"^(.+?) (?:gets|has|{_M} have) (.+?) as (?:its|a|her|his) neighbor$", "{2} must be next to {1}"),
+    ("\\btouch(?:ing|es)? (?:its|their) neighbors?\\b", "touching each other"),
+    ("\\bflanked by (.+?) on one side and (.+?) on the other(?: side)?\\b", "between {1} and {2}"),
+    ("\\bsandwich (.+?) between (.+?) (?:below|underneath) and (.+?) above$", "put {1} on {2} and {3} on {1}"),
+    ("^end with (.+?) supporting (.+)$", "{1} must support {2}"),
+    (f"^the (?:{_BLOCK}) (?:that is )?(on top of|on|above|under|below|next to|to the left of|to the right of|behind|"
+     f"in front of) (the .+?) ({_M} be|is) (the .+)$", "{4} must be {1} {2}"),
+    ("^(.+?) anywhere (?:except|but) on (.+)$", "{1} must not be on {2}"),
+    ("\\bnearer to the robot than\\b", "in front of"),
+    (f"^(.+?) , (?:which|that) (?:has|carries|bears) (.+?) on (?:it|top|top of it) , ({_IS} .+)$",
+     "{2} must be on {1} and {1} {3}"),
+    # what stays
+    ("^(.+?)(?: ,)? (?:and|but) (.+?) (?:has|have) not (?:been )?moved$", "{1} without moving {2}"),
+    (", (?:which|that) both (stay .+)$", ", which {1}"),
+    ("\\bbut only after (.+?) (has|have) (?:gone|moved) (?:to|on) (.+)$", "but only after {1} {2} been put on {3}"),
+    # structures
+    (f"\\b({_LINE}) that (?:is|reads|goes) , ({_WAY}) , (.+)$", "{1} of {3} {2}"),
+    ("^(.+?) going up in (?:a tower|a stack)$", "a tower , from bottom to top : {1}"),
+    ("^(.+?) going down in (?:a tower|a stack)$", "a tower , from top to bottom : {1}"),
+    (f"^the ({_LINE}) on the (left|right) (?:has|consists of|is made of) (.+?)(?: ,)? (?:and|while) the {_LINE} on the "
+     "(?:left|right) (?:has|consists of|is made of) (.+)$", "a {1} of {3} must be to the {2} of a {1} of {4}"),
+    (f"^(.+?)(?: ,)? and each {_LINE} ({_M}) (?:have|be made of|consist of) (.+)$", "{1} , each of {3}"),
+    ("\\b(?:whose|the) (?:rows|columns|layers) are each of one color :", "; each row in one color :"),
+    (f"^the staircase (?:has|with) (.+? steps) and {_CLIMBS} to the (left|right|back|front)$",
+     "a staircase of {1} , rising to the {2}"),
+    ("^the (?:shape|figure|form) that (.+?) (?:make|form|show|build) is (an? .+)$", "{1} must form {2}"),
+    ("^(.+?) (?:make|form) one group(?: ,)? (?:and )?the (.+?)(?: make| form)? another(?: group| one)?$",
+     "{1} must be in one group and the {2} in another group"),
+    ("^(?:digit|number|letter) (?:cubes|blocks) (?:displaying|showing|spelling|reading) (\\S+)$", "spell {1}"),
+    (f"^from an? ({_LINE}) (?:with|of) (.+?) , rebuild it as (.+)$", "at the start , {2} . at the end , {3}"),
+    # what there is
+    ("^(.+?) (?:are|is) (?:given|available|provided) [:;,] (.+)$", "there are {1} . {2}"),
+    ("(?: ,)? so (?:that )?you (?:have|get) an? (?:letter|vowel|odd|digit|number|consonant|even) group and an? "
+     "(?:letter|vowel|odd|digit|number|consonant|even) group$", ""),
+    ("(?: ,)?(?: and| but)? it does not matter (?:on |at )?which side$", ""),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+WORDS = "receives climbs supporting displaying nearer available equally fairly"
+"""Words that these take besides those that are read anyway."""

@@ -41,8 +41,8 @@ AT_ONCE: tuple[Turn, ...] = (
      "a tower that reads {1} from top to bottom"),
     (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the (?:smallest|lowest)$",
      "{1} in ascending order {2}"),
-    (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the (?:largest|biggest|highest)$",
-     "{1} in descending order {2}"),
+    (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the "
+     "(?:largest|biggest|highest)$", "{1} in descending order {2}"),
     ("^((?:the )?equation .+?)(?: ,)? in (?:cubes|blocks|number cubes|digit cubes)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
@@ -77,8 +77,8 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"^(?:the|an?) (\\w+) ({_LINE}) has (.+?)(?: ,)? and (?:the|an?) (\\w+) ({_LINE}) has (?:just |exactly )?as many"
      "(?: blocks| cubes)?(?: as .+)?$", "a {1} {2} of {3} and a {4} {5} of {3}"),
     (f"^(.*?\\b({_FEW}) .+? on .+?) and (?:just |exactly )?as many (.+? on .+)$", "{1} and {2} {3}"),
-    (f"^(?:share|distribute|divide|split|spread) ({_FEW}) (.+?) (?:equally|evenly|fairly) (?:between|over|among|across) "
-     f"(the .+? {_PATCH}) and (the .+)$", "put half of the {1} {2} on {3} and the other half on {4}"),
+    (f"^(?:share|distribute|divide|split|spread) ({_FEW}) (.+?) (?:equally|evenly|fairly) "
+     f"(?:between|over|among|across) (the .+? {_PATCH}) and (the .+)$", "put half of the {1} {2} on {3} and the other half on {4}"),
     # one relation in the words of another
     (f"^(the .+? {_PATCH}) is where (.+?) (?:needs to be|should be|must be|goes|belongs|has to be|is to be|"
      "should go|must go)$", "{2} must be on {1}"),

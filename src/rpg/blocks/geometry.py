@@ -197,7 +197,7 @@ def square_gap(offset: Point, u: Point, h: float, v: Point, k: float) -> float:
 def _corner_gap(x: float, y: float, h: float, c: float, s: float) -> float:
     """Least distance to a square of half side `h` at the origin from the corners of one at (x, y) turned by (c, s)."""
     corners = ((x + c - s, y + s + c), (x - c - s, y - s + c), (x - c + s, y - s - c), (x + c + s, y + s - c))
-    return min(math.hypot(max(0.0, abs(px) - h), max(0.0, abs(py) - h)) for px, py in corners)
+    return min([math.hypot(max(0.0, abs(px) - h), max(0.0, abs(py) - h)) for px, py in corners])
 
 
 def body_gap(state: BlockState, a: str, b: str) -> float:

@@ -12,6 +12,8 @@ from rpg.blocks.verdict import FALSE, TRUE, Verdict
 from rpg.ir.order import Order
 
 SORTED = ("label", "number", "rainbow", "size")
+Keys = dict[str, Trait | None]
+"""By name, what a sequence is sorted by; None where a block has no place in it."""
 SHUFFLES = 24
 """How many further sequences are offered where the order leaves a choice."""
 
@@ -61,43 +63,48 @@ def _follows_ranks(order: Order, sequence: Sequence[str], world: World) -> bool:
     """Are the ranks' members met rank by rank? Blocks that no rank mentions may stand anywhere."""
     rank_of = {name: k for k, rank in enumerate(order.ranks) for name in rank}
     present = [name for name in sequence if name in rank_of]
-    ranks = sorted(rank_of[name] for name in present)
-    if order.match == "name":
-        return [rank_of[name] for name in present] == ranks
+    met = [rank_of[name] for name in present]
+    ranks = sorted(met)
+    if met == ranks or order.match == "name":
+        return met == ranks
     look = world.look
     expected: list[list[tuple[str, ...]]] = [[] for _ in order.ranks]
-    met: list[list[tuple[str, ...]]] = [[] for _ in order.ranks]
+    found: list[list[tuple[str, ...]]] = [[] for _ in order.ranks]
     for name, rank in zip(present, ranks, strict=True):
         expected[rank_of[name]].append(look[name])
-        met[rank].append(look[name])
-    return all(sorted(a) == sorted(b) for a, b in zip(expected, met, strict=True))
+        found[rank].append(look[name])
+    return all(sorted(a) == sorted(b) for a, b in zip(expected, found, strict=True))
 
 
 def sequences(order: Order, names: Sequence[str], traits: Traits, rng: Random) -> Iterator[list[str]]:
     """Sequences of `names` that follow `order`, from its beginning; the most natural first, no one twice."""
     seen = set()
+    keys = _keys(order, names, traits)
     for attempt in range(SHUFFLES + 1):
         pool = list(names)
         if attempt:
             rng.shuffle(pool)
-        sequence = _sequence(order, pool, traits)
+        sequence = _sequence(order, pool, traits, keys)
         if sequence is not None and tuple(sequence) not in seen and agrees(order, sequence, traits):
             seen.add(tuple(sequence))
             yield sequence
 
 
-def _sequence(order: Order, pool: list[str], traits: Traits) -> list[str] | None:
+def _keys(order: Order, names: Sequence[str], traits: Traits) -> Keys:
+    """What names are sorted by, where the order sorts them."""
+    if order.by == "given":
+        rank_of = {name: k for k, rank in enumerate(order.ranks) for name in rank}
+        return {name: rank_of.get(name, len(order.ranks)) for name in names}
+    return {name: sort_key(order, name, traits) for name in names} if order.by in SORTED else {}
+
+
+def _sequence(order: Order, pool: list[str], traits: Traits, keys: Keys) -> list[str] | None:
     """`pool` put in order, keeping its own order where there is a choice."""
     if order.by == "any":
         return pool
-    if order.by == "given":
-        rank_of = {name: k for k, rank in enumerate(order.ranks) for name in rank}
-        return sorted(pool, key=lambda name: rank_of.get(name, len(order.ranks)))
-    if order.by in SORTED:
-        keys = {name: sort_key(order, name, traits) for name in pool}
-        if None in keys.values():
-            return None
-        return sorted(pool, key=keys.__getitem__, reverse=order.descending)  # type: ignore[arg-type]
+    if order.by == "given" or order.by in SORTED:
+        descending = order.descending and order.by in SORTED
+        return None if None in keys.values() else sorted(pool, key=keys.__getitem__, reverse=descending)  # type: ignore[arg-type]
     groups = list(traits.by_value(tuple(pool), order.attribute).values())
     if order.by == "alternating":
         return _alternating(groups)
@@ -135,13 +142,13 @@ def fixed_edges(order: Order, names: Sequence[str], traits: Traits) -> list[str]
     if order.by == "given":
         if any(len(rank) > 1 for rank in order.ranks) or len(order.ranks) != len(names):
             return None
-        return _sequence(order, list(names), traits)
+        return _sequence(order, list(names), traits, _keys(order, names, traits))
     if order.by not in SORTED or (order.by == "rainbow" and order.first is None):
         return None
-    keys = [sort_key(order, name, traits) for name in names]
-    if None in keys or len(set(keys)) < len(keys):
+    keys = _keys(order, names, traits)
+    if None in keys.values() or len(set(keys.values())) < len(keys):
         return None
-    return _sequence(order, list(names), traits)
+    return _sequence(order, list(names), traits, keys)
 
 
 def swaps(order: Order, sequence: Sequence[str], traits: Traits, either: bool) -> Iterator[tuple[str, str]]:

@@ -138,7 +138,9 @@ class RowPredicate(Predicate[Row]):
     """Best line, gaps, order, readability."""
 
     def evaluate(self, node: Row, state: BlockState) -> Verdict:
-        line = best_line(state, node.blocks)
+        return self._along(best_line(state, node.blocks), node, state)
+
+    def _along(self, line: Line, node: Row, state: BlockState) -> Verdict:
         parts = [holds(min(lined_up(line, state, node), spacing(node, line.sequence, state)))]
         if node.order.by != "any":
             parts.append(_in_order(node, line, state))
@@ -164,7 +166,7 @@ class RowPredicate(Predicate[Row]):
         line = best_line(state, node.blocks)
         if straightness(line, state, node.line_edges) < -ROUNDING:
             return False
-        return self.evaluate(node, state).value
+        return self._along(line, node, state).value
 
     def perhaps(self, node: Row, many: Centres) -> Mask:
         return straight(many, node, node.blocks, axis_of(node))

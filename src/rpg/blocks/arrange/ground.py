@@ -74,7 +74,7 @@ class Ground:
     def clearance(self, piece: Piece, origin: tuple[float, float]) -> float | None:
         """Gap to the nearest placed column, at most NEIGHBOURHOOD; None where the piece would collide."""
         nearest = NEIGHBOURHOOD
-        for column in self.columns[id(piece)]:
+        for column in self.columns[id(piece)] if self.placed else ():
             x, y = column.x + origin[0], column.y + origin[1]
             for others in self.placed.values():
                 for other in others:

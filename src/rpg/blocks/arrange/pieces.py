@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rpg.blocks.arrange.stability import stands
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
-from rpg.blocks.evaluate import settled
+from rpg.blocks.evaluate import rests
 from rpg.blocks.geometry import body_gap
 from rpg.blocks.predicate import Cluster
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World
@@ -157,7 +157,7 @@ def sound(piece: Piece, world: World) -> bool:
     state = BlockState(world, position, {n: q or IDENTITY for n, q in piece.orientation.items()})
     names = list(position)
     clear = all(body_gap(state, a, b) > -OVERLAP for a, b in _near_pairs(names, position, world))
-    return clear and settled(state).value and all(stands(state, name) for name in names)
+    return clear and rests(state) and all(stands(state, name) for name in names)
 
 
 def _near_pairs(names: list[str], position: dict[str, Vec3], world: World) -> Iterator[tuple[str, str]]:

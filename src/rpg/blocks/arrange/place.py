@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import islice
 from math import hypot
+from operator import itemgetter
 from random import Random
 from typing import NamedTuple
 
@@ -165,11 +166,13 @@ class Search:
             del self.position[name]
 
     def _undisturbed(self) -> bool:
-        """Do the conditions that any block can break hold, as far as they can be judged?"""
+        """Do the conditions that any block can break hold, as far as they can be judged? A piece that stands by itself
+        is sound."""
+        alone = len(self.origins) == 1
         return all(
             (rule.slack(self.state) or 0.0) > LEAST_MARGIN
             for rule in self.open_ended
-            if all(n in self.position for n in rule.blocks)
+            if not (alone and rule.holds and not rule.per_place) and all(n in self.position for n in rule.blocks)
         )
 
     def _ranked(self, piece: Piece) -> list[Origin]:
@@ -181,19 +184,8 @@ class Search:
         due += [r for r in (self._so_far(rule, piece) for rule in begun) if r is not None]
         # structures take longest to judge, and need not be where something else rules a place out
         due.sort(key=lambda rule: rule.open_ended)
-        scored = []
-        candidates = self._candidates(piece, telling)
-        for origin, worth in candidates.items():
-            self.budget.spend()
-            score = self._score(piece, origin, due)
-            if score is not None:
-                scored.append((score + worth, origin))
-                if self.style.hasty and len(scored) == WIDTH:
-                    break
-        if due:
-            for name in piece.position:
-                self.position.pop(name, None)
-        scored.sort(key=lambda pair: -pair[0])
+        scored = self._scored(piece, self._candidates(piece, telling), due)
+        scored.sort(key=itemgetter(0), reverse=True)
         return [origin for _, origin in scored]
 
     def _begun(self, piece: Piece) -> list[Rule]:
@@ -210,35 +202,47 @@ class Search:
         groups = tuple(group for group in there if group)
         return replace(rule, atom=atom.model_copy(update={"groups": groups}))
 
-    def _score(self, piece: Piece, origin: Origin, due: list[Rule]) -> float | None:
-        """What a place is worth; None where it will not do. Where something is due, the piece is left there."""
-        clearance = self.ground.clearance(piece, origin)
-        if clearance is None:
-            return None
-        least = 1.0
+    def _scored(self, piece: Piece, candidates: dict[Origin, float], due: list[Rule]) -> list[tuple[float, Origin]]:
+        """Those of the candidates that will do, each with what it is worth."""
+        spend, clearance_of, merit = self.budget.spend, self.ground.clearance, self._merit_of(piece)
+        state, most = self.state, WIDTH if self.style.hasty else None
+        found: list[tuple[float, Origin]] = []
+        for origin, worth in candidates.items():
+            spend()
+            clearance = clearance_of(piece, origin)
+            if clearance is None:
+                continue
+            if due:
+                self._write(piece, origin)
+            least = _least_slack(due, state)
+            if least is not None:
+                found.append((merit(origin, least, clearance) + worth, origin))
+                if len(found) == most:
+                    break
         if due:
-            self._write(piece, origin)
-            for rule in due:
-                slack = rule.slack(self.state)
-                if slack is None:
-                    return None
-                if slack < least:
-                    least = slack
-        return self._merit(piece, origin, least, clearance)
+            for name in piece.position:
+                self.position.pop(name, None)
+        return found
 
-    def _merit(self, piece: Piece, origin: Origin, least: float, clearance: float) -> float:
-        good = least if least < GOOD_MARGIN else GOOD_MARGIN
-        if self.style.dense:
-            return good / GOOD_MARGIN - self.ground.trespass(piece, origin) - 0.1 * sum(origin)
-        bound = self.bound[id(piece)]
+    def _merit_of(self, piece: Piece) -> Callable[[Origin, float, float], float]:
+        """What places are worth for a piece, by origin, least slack of a condition, and clearance."""
+        rng, noise, dense, trespass = self.rng.random, self.style.noise, self.style.dense, self.ground.trespass
+        bound, patches = self.bound[id(piece)], self.ground.patches
         room = GOOD_CLEARANCE if bound else SCATTER_CLEARANCE
-        merit = 1.5 * good / GOOD_MARGIN + 0.5 * least + (clearance if clearance < room else room) / room
-        if bound:
-            x, y, _ = next(iter(piece.position.values()))
-            merit -= 0.8 * hypot(x + origin[0] - CENTRE[0], y + origin[1] - CENTRE[1])
-        if self.ground.patches:
-            merit -= self.ground.trespass(piece, origin)
-        return merit + self.style.noise * self.rng.random()
+        x, y, _ = next(iter(piece.position.values()))
+
+        def merit(origin: Origin, least: float, clearance: float) -> float:
+            good = least if least < GOOD_MARGIN else GOOD_MARGIN
+            if dense:
+                return good / GOOD_MARGIN - trespass(piece, origin) - 0.1 * sum(origin)
+            found = 1.5 * good / GOOD_MARGIN + 0.5 * least + (clearance if clearance < room else room) / room
+            if bound:
+                found -= 0.8 * hypot(x + origin[0] - CENTRE[0], y + origin[1] - CENTRE[1])
+            if patches:
+                found -= trespass(piece, origin)
+            return found + noise * rng()
+
+        return merit
 
     def _candidates(self, piece: Piece, wanted: list[Rule]) -> dict[Origin, float]:
         """Origins to judge, each with what it is worth to have been proposed."""
@@ -247,8 +251,10 @@ class Search:
         (x0, x1), (y0, y1) = (self.bounds.interval(piece, axis, self.origins) for axis in (0, 1))
         if x0 > x1 + 1e-9 or y0 > y1 + 1e-9:
             return {}
+        worth, low, near = self.style.worth, min(x0, x1), min(y0, y1)
+        # where there is room for the piece, as close as can be to what is proposed
         found: dict[Origin, float] = {
-            (round(_within(x, x0, x1), 4), round(_within(y, y0, y1), 4)): self.style.worth
+            (round(x1 if x > x1 else max(x, low), 4), round(y1 if y > y1 else max(y, near), 4)): worth
             for x, y in self._proposed(piece, wanted)
         }
         if not found:
@@ -294,10 +300,16 @@ class Search:
         return BlockState(self.world, position, orientation, start=self.state.start)
 
 
-def _within(value: float, low: float, high: float) -> float:
-    """The value of an interval that comes closest (its upper end where it is empty)."""
-    value = value if value > low else low
-    return value if value < high else high
+def _least_slack(rules: list[Rule], state: BlockState) -> float | None:
+    """How well rules are met, the worst of them (at most 1); None where one is not."""
+    least = 1.0
+    for rule in rules:
+        slack = rule.slack(state)
+        if slack is None:
+            return None
+        if slack < least:
+            least = slack
+    return least
 
 
 def _rounded(quat: Quat) -> Quat:

@@ -17,7 +17,7 @@ from rpg.blocks.arrange.pieces import Assembly, Clash
 from rpg.blocks.arrange.place import DENSE, NATURAL, VARIED, Budget, Exhausted, Search, Style
 from rpg.blocks.arrange.rules import Way
 from rpg.blocks.arrange.turning import orientation_for
-from rpg.blocks.evaluate import satisfied, settled
+from rpg.blocks.evaluate import rests, satisfied
 from rpg.blocks.geometry import is_level
 from rpg.blocks.predicate import Cluster
 from rpg.blocks.state import BlockState, World, yaw_quat
@@ -123,7 +123,7 @@ class Solver:
         search = Search(assembly, bounds, way.rules(assembly), rng, budget, self.start, style)
         try:
             for state in islice(search.run(), LEAVES):
-                if satisfied(self.goal, state) and settled(state):
+                if satisfied(self.goal, state) and rests(state):
                     return state
         except Exhausted:
             pass

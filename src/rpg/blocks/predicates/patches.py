@@ -42,8 +42,10 @@ class OnPatchPredicate(Predicate[OnPatch]):
     """Each of `a` is on the patch."""
 
     def evaluate(self, node: OnPatch, state: BlockState) -> Verdict:
-        patch = state.world.patches[node.patch]
-        return every([on_patch(a, patch, state) for a in state.resolve(node.a)])
+        patch, names = state.world.patches[node.patch], state.resolve(node.a)
+        return (
+            on_patch(names[0], patch, state) if len(names) == 1 else every([on_patch(a, patch, state) for a in names])
+        )
 
     def perhaps(self, node: OnPatch, many: Centres) -> Mask:
         patch = many.world.patches[node.patch]

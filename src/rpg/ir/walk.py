@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cache
+from functools import cache, lru_cache
 from itertools import chain
 from operator import is_
 from typing import Any as AnyType
@@ -171,6 +171,7 @@ def _renamed(value: AnyType, mapping: Mapping[str, str]) -> AnyType:
     return tuple(_renamed(item, mapping) for item in value)
 
 
+@lru_cache(maxsize=64)
 def instances(count: g.Count) -> tuple[g.Goal, ...]:
-    """The goals that a `Count` counts, one per block of `over`."""
+    """The goals that a `Count` counts, one per block of `over`; a count is judged on state after state."""
     return tuple(rename(count.goal, {count.var: name}) for name in count.over)

@@ -67,7 +67,7 @@ _TAILS = ("shape", "shapes", "formation", "shaped figure", "shaped structure", "
 _LEADS = ("shape of an", "shape of a", "shape of the letter", "form of an", "form of a", "figure of an",
     "figure of a", "shape of the", "outline of a", "outline of an",
           "form of the letter", "capital", "figure of the letter", "letter", "shape of capital", "shape of a capital",
-          "shape")  # fmt: skip
+          "shape", "letter shape", "letter form")  # fmt: skip
 
 
 _FORMING = frozenset(

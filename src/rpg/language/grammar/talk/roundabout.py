@@ -43,6 +43,12 @@ AT_ONCE: tuple[Turn, ...] = (
      "{1} in ascending order {2}"),
     (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the "
      "(?:largest|biggest|highest)$", "{1} in descending order {2}"),
+    ("\\bno (?:fewer|less) than\\b", "at least"),
+    ("(?: ,)? (?:which|that) itself (is|sits|stands|lies|rests|must|should)\\b", ", which {1}"),
+    (f"\\beach on the ({_PATCH}) (?:with|of) the same color$", "each on the {1} of its color"),
+    ("\\btower made of (an? .+?) with (an? .+?) on top$", "tower of {2} on {1}"),
+    ("^(on the (?:left|right) of|behind|in front of) (the [^,]+?) and (?:right |directly |immediately )next to it "
+     "(?:is|lies|stands|sits) (.+)$", "directly {1} {2} is {3}"),
     ("^((?:the )?equation .+?)(?: ,)? in (?:cubes|blocks|number cubes|digit cubes)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
@@ -78,7 +84,8 @@ ROUNDABOUT: tuple[Turn, ...] = (
      "(?: blocks| cubes)?(?: as .+)?$", "a {1} {2} of {3} and a {4} {5} of {3}"),
     (f"^(.*?\\b({_FEW}) .+? on .+?) and (?:just |exactly )?as many (.+? on .+)$", "{1} and {2} {3}"),
     (f"^(?:share|distribute|divide|split|spread) ({_FEW}) (.+?) (?:equally|evenly|fairly) "
-     f"(?:between|over|among|across) (the .+? {_PATCH}) and (the .+)$", "put half of the {1} {2} on {3} and the other half on {4}"),
+     f"(?:between|over|among|across) (the .+? {_PATCH}) and (the .+)$",
+     "put half of the {1} {2} on {3} and the other half on {4}"),
     # one relation in the words of another
     (f"^(the .+? {_PATCH}) is where (.+?) (?:needs to be|should be|must be|goes|belongs|has to be|is to be|"
      "should go|must go)$", "{2} must be on {1}"),
@@ -94,11 +101,28 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("\\bnearer to the robot than\\b", "in front of"),
     (f"^(.+?) , (?:which|that) (?:has|carries|bears) (.+?) on (?:it|top|top of it) , ({_IS} .+)$",
      "{2} must be on {1} and {1} {3}"),
+    ("^(.+ (?:under|underneath|below|beneath|above|over|on) .+?) ,? ?in direct contact$", "{1} directly"),
+    (f"^underneath (the [^,]+?) there {_M} be ([^,]+?) , in direct contact$",
+     "{2} must be directly under {1}"),
+    (f"^([^,]+?) ({_M} be) (under|below|beneath|above|over) ([^,]+?) , in direct contact$", "{1} {2} directly {3} {4}"),
+    ("^(.+) , stacked directly$", "{1}"),
+    ("^(.+?) touch(?: each other)? side by side( on the table)?$", "{1} are side by side and touch each other"),
+    ("\\b(gets|get|be|are) grouped into\\b", "must be sorted into"),
     # what stays
     ("^(.+?)(?: ,)? (?:and|but) (.+?) (?:has|have) not (?:been )?moved$", "{1} without moving {2}"),
     (", (?:which|that) both (stay .+)$", ", which {1}"),
     ("\\bbut only after (.+?) (has|have) (?:gone|moved) (?:to|on) (.+)$", "but only after {1} {2} been put on {3}"),
+    (f"^(\\w+) (the .+?) from (the .+?) , where it (?:starts|begins|is|stands|lies)(?: now| at first)? , to (the .+)$",
+     "{2} starts in {3} . {1} it to {4}"),
     # structures
+    ("\\blike (?:in )?(?:a|the) rainbow(?: , in one row)?\\b", "in rainbow order in a row"),
+    (f"^({_WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) down : (.+)$", "a row in descending order {1} : {2}"),
+    (f"^({_WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) up : (.+)$", "a row in ascending order {1} : {2}"),
+    (f"^(.*\\b{_LINE} of .+ then .+) again$", "{1}"),
+    (f"^({_FEW}) layers of (.+?) , each(?: layer)? (\\d+|{_FEW}) by (\\d+|{_FEW}) , one layer (?:right )?on (?:top of )?"
+     "the other$", "a grid of {1} layers of {3} by {4} {2}"),
+    ("\\b(?:and|which) both (stay where they are)$", "which {1}"),
+    ("\\bwith (?:its|the) opening (?:toward|towards|facing) the (?:robot|viewer)$", "open to the front"),
     (f"\\b({_LINE}) that (?:is|reads|goes) , ({_WAY}) , (.+)$", "{1} of {3} {2}"),
     ("^(.+?) going up in (?:a tower|a stack)$", "a tower , from bottom to top : {1}"),
     ("^(.+?) going down in (?:a tower|a stack)$", "a tower , from top to bottom : {1}"),

@@ -13,9 +13,11 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     OrderBy,
+    Pronoun,
     Structure,
     That,
     Traits,
+    Using,
     parts_of,
     replace,
 )
@@ -43,9 +45,12 @@ def as_results(chain: Chain) -> Chain:
 
 def _result(clause: Meaning) -> Meaning:
     there = isinstance(clause, Clause) and clause.verb == "exist" and clause.mode == "given"
-    if not there or not isinstance(clause, Clause) or not all(isinstance(x, Structure) for x in _items(clause.theme)):
+    if not there or not isinstance(clause, Clause) or not any(isinstance(x, Structure) for x in _items(clause.theme)):
         return clause
-    return replace(clause, verb="build", mode="goal")
+    one = clause.theme
+    if isinstance(one, Structure) and one.members is None and one.traits == Traits() and not one.letter:
+        one = replace(one, members=Pronoun(word="them", span=one.span))
+    return replace(clause, verb="build", theme=one, mode="goal")
 
 
 def _items(theme: Meaning | None) -> tuple[Meaning | None, ...]:
@@ -58,6 +63,10 @@ def _told(clause: Clause) -> list[Meaning]:
     named = [(part, _wholes(part)) for part in clause.adjuncts if isinstance(part, Into | That)]
     wholes = named[0][1] if len(named) == 1 else []
     more = [a for a in clause.adjuncts if not named or a is not named[0][0]]
+    apart = [a.members for a in more if isinstance(a, Using) and a.lead == "from" and clause.verb == "sort"]
+    if apart and blocks is not None:
+        blocks = Coord(op="and", items=(blocks, *apart), span=blocks.span)
+        more = [a for a in more if not isinstance(a, Using)]
     if clause.verb not in _VERBS or not wholes or blocks is None or not all(map(_by_color, more)):
         return [clause]
     colors = [whole.traits.colors for whole in wholes]
@@ -66,7 +75,9 @@ def _told(clause: Clause) -> list[Meaning]:
         return [clause]
     if all(whole.kind == "pile" for whole in wholes):
         by = OrderBy(by="attribute", attribute="color", span=named[0][0].span)
-        return [replace(clause, verb="sort", lemma="sort", adjuncts=(by,))] if len(wholes) > 1 else [clause]
+        return (
+            [replace(clause, verb="sort", lemma="sort", theme=blocks, adjuncts=(by,))] if len(wholes) > 1 else [clause]
+        )
     counted = any(isinstance(x, Noun) and x.amount is not None for x in parts_of(blocks))
     there = [Clause(verb="exist", theme=blocks, mode="given", span=blocks.span)] if counted else []
     return [*there, *(Clause(verb="build", theme=x, mode="goal", span=clause.span, word=clause.word) for x in wholes)]
@@ -81,9 +92,18 @@ def _wholes(part: Meaning) -> list[Structure]:
         one = inner.clauses[0] if isinstance(inner, Chain) and len(inner.clauses) == 1 else None
         plain = isinstance(one, Clause) and one.verb in _TOLD and not (one.adjuncts or one.negated)
         target = one.theme if plain and isinstance(one, Clause) else None
-    items = _items(target) if getattr(target, "op", "and") == "and" else ()
+    items = _alike(_items(target)) if getattr(target, "op", "and") == "and" else ()
     found = [x for x in items if isinstance(x, Structure) and _plain(x)]
     return found if items and len(found) == len(items) and (len(found) > 1 or isinstance(part, That)) else []
+
+
+def _alike(items: tuple[Meaning | None, ...]) -> tuple[Meaning | None, ...]:
+    """ "A red tower and a green one": a green tower."""
+    first = items[0]
+    ones = [x for x in items[1:] if isinstance(x, Noun) and (x.head, x.det, x.plural) == ("any", "a", False)]
+    if not isinstance(first, Structure) or len(ones) != len(items) - 1 or not ones:
+        return items
+    return (first, *(replace(first, traits=x.traits, span=x.span) for x in ones))
 
 
 def _plain(shape: Structure) -> bool:

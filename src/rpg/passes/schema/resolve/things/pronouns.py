@@ -97,9 +97,10 @@ def _numbered(word: Pronoun, scene: Scene) -> Ref:
 
 
 def _last_theme(scene: Scene, word: Pronoun) -> Ref:
-    for mention in reversed(scene.mentions):
-        if mention.role == "theme":
-            return mention.ref
+    """What the clause before spoke of, and not what it said of it: "the white block, with red on it, is ..." """
+    themes = [m.ref for m in scene.mentions if m.role == "theme"]
+    if themes:
+        return next((ref for ref in reversed(themes) if ref.span == word.span), themes[-1])
     raise refuse("no-referent", "nothing was mentioned before that this could refer to", word.span)
 
 

@@ -59,6 +59,6 @@ def held_throughout(goals: list[g.Goal], scene: Scene, span: Span) -> list[g.Goa
     """ "at all times": true from the start on, so that it is arranged at the start too."""
     goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
     scene.start_goals += [
-        x for x in goals if not isinstance(x, g.Not | g.Always | r.OnTable) and x not in scene.start_goals
+        x for x in goals if not isinstance(x, g.Not | g.Always | r.OnTable | r.Stayed) and x not in scene.start_goals
     ]
     return [g.Always(goal=conj(goals, span), span=span)] if goals else []

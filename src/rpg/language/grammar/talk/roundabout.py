@@ -12,6 +12,7 @@ _WAY = f"from (?:the )?{_END} to (?:the )?{_END}"
 _FEW = "one|two|three|four|five|six|seven|eight|nine|ten|twelve"
 _CM = f"(?:[\\d.]+|{_FEW}) (?:cm|mm|centimeters?|millimeters?)"
 _LINE = "(?:tower|stack|row|line|column)"
+_SIDED = "(?:upper|top|lower|bottom|left|right|front|back)"
 _BLOCK = "(?:block|cube|brick|one)"
 _PATCH = "(?:patch|mat|zone|target|area|spot)"
 _CLIMBS = "(?:climbs|rises|ascends|goes up)"
@@ -44,6 +45,10 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the "
      "(?:largest|biggest|highest)$", "{1} in descending order {2}"),
     ("\\bno (?:fewer|less) than\\b", "at least"),
+    (f"\\b(the (?:{_SIDED} (?:{_FEW})|(?:{_FEW}) {_SIDED})(?: {_BLOCK}s)? \\w+)(?: ,)? and the {_SIDED} "
+     f"(?:ones|{_BLOCK}s) (\\w+)$", "{1} and the others {2}"),
+    ("^(.*\\b(?:first|then)\\b.*?)(?: ,)? and (?:at|in) the end ((?:put|place|move|stack|set|bring|build|take|add|lay) "
+     ".+)$", "{1} , and finally {2}"),
     ("(?: ,)? (?:which|that) itself (is|sits|stands|lies|rests|must|should)\\b", ", which {1}"),
     (f"\\beach on the ({_PATCH}) (?:with|of) the same color$", "each on the {1} of its color"),
     ("\\btower made of (an? .+?) with (an? .+?) on top$", "tower of {2} on {1}"),
@@ -112,15 +117,15 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^(.+?)(?: ,)? (?:and|but) (.+?) (?:has|have) not (?:been )?moved$", "{1} without moving {2}"),
     (", (?:which|that) both (stay .+)$", ", which {1}"),
     ("\\bbut only after (.+?) (has|have) (?:gone|moved) (?:to|on) (.+)$", "but only after {1} {2} been put on {3}"),
-    (f"^(\\w+) (the .+?) from (the .+?) , where it (?:starts|begins|is|stands|lies)(?: now| at first)? , to (the .+)$",
+    ("^(\\w+) (the .+?) from (the .+?) , where it (?:starts|begins|is|stands|lies)(?: now| at first)? , to (the .+)$",
      "{2} starts in {3} . {1} it to {4}"),
     # structures
     ("\\blike (?:in )?(?:a|the) rainbow(?: , in one row)?\\b", "in rainbow order in a row"),
     (f"^({_WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) down : (.+)$", "a row in descending order {1} : {2}"),
     (f"^({_WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) up : (.+)$", "a row in ascending order {1} : {2}"),
     (f"^(.*\\b{_LINE} of .+ then .+) again$", "{1}"),
-    (f"^({_FEW}) layers of (.+?) , each(?: layer)? (\\d+|{_FEW}) by (\\d+|{_FEW}) , one layer (?:right )?on (?:top of )?"
-     "the other$", "a grid of {1} layers of {3} by {4} {2}"),
+    (f"^({_FEW}) layers of (.+?) , each(?: layer)? (\\d+|{_FEW}) by (\\d+|{_FEW}) , one layer (?:right )?"
+     "on (?:top of )?the other$", "a grid of {1} layers of {3} by {4} {2}"),
     ("\\b(?:and|which) both (stay where they are)$", "which {1}"),
     ("\\bwith (?:its|the) opening (?:toward|towards|facing) the (?:robot|viewer)$", "open to the front"),
     (f"\\b({_LINE}) that (?:is|reads|goes) , ({_WAY}) , (.+)$", "{1} of {3} {2}"),

@@ -267,6 +267,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         if joined:
             stopped = len(items) == 1 and p.words[at : at + 1] == [","] and now == "and"
             shared = shares_head(items[-1], item, p.words[j - 1] == "ones")
+            if stopped and p.stands(j, _TOO):
+                continue  # "A left of B, and C too": so is C
             cost = 6 if retold(whole) else 5 if stopped else 2 if now == "then" or shared else 0
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
             yield from more(p, i, whole, j, now)
@@ -278,6 +280,9 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             if op != "or" and not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
+
+
+_TOO = frozenset({"too", "also", "likewise"})
 
 
 def only_these(p: Parser, i: int, k: int, first: Meaning, j: int) -> Results[Coord]:
@@ -313,12 +318,16 @@ _AT_LAST = ("and finally", "and lastly", "and last", "and at last", "and last of
 
 
 def _like(before: Meaning, one: Meaning) -> Meaning:
-    """ "a blue block, a red one and a white patch": "one" stands for what was named before it, not for the patch."""
+    """ "a blue block, a red one and a white patch": "one" stands for what was named before it, not for the patch. "A
+    big red cube and a small one": that is red as well."""
     if not isinstance(before, Noun) or not isinstance(one, Noun):
         return one
     told = before.head != "any" and bool(before.traits.colors or before.traits.labels)
     further = one.head == "any" and one.det in ("a", "bare", "another") and one.part_of is None
-    return replace(one, head=before.head) if told and further else one
+    if not told or not further:
+        return one
+    look = before.traits.colors if before.traits.size and one.traits == Traits(size=one.traits.size) else ()
+    return replace(one, head=before.head, traits=replace(one.traits, colors=look or one.traits.colors))
 
 
 def _no_item(p: Parser, before: Meaning, item: Meaning, joined: bool, at: int) -> bool:

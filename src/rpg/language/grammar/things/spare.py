@@ -8,7 +8,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.grammar.things.standby import NO_ROLE
-from rpg.language.meaning import Clause, Coord, Meaning, Noun, Pronoun
+from rpg.language.meaning import Clause, Coord, Manner, Meaning, Noun, Pronoun
 
 _PASS_OVER = (
     "leave out", "leave aside", "ignore", "disregard", "forget about", "forget", "skip", "omit", "do not use",
@@ -85,6 +85,10 @@ def spare(p: Parser, i: int) -> Results[Clause]:
             continue  # "on the red mat, not the blue one": perhaps the blue mat
         if p.words[over - 1] == "not" and not _TURNED.isdisjoint(p.words[:i]):
             continue  # "turn A, but not B, upside down": B is there, and must not be so
+        if p.words[over - 1] == "not" and not _ELSEWHERE.isdisjoint(p.words[:i]) and _definite(theme):
+            stay = Manner(kind="stay", span=p.span(i, j))  # "move A somewhere else, but not B": B stays
+            yield Clause(verb="keep", lemma="keep", theme=theme, adjuncts=(stay,), span=p.span(i, j)), j
+            continue
         if not bare or (_definite(theme) and (j >= p.end or p.words[j] in _STOPS)):
             yield _said(p, i, p.opt(j, "at", "out", "aside"), theme), p.any_of(j, ("out", "aside")) or j
     left = p.one(i, _LEAVE)
@@ -119,6 +123,7 @@ def _doing_nothing(p: Parser, j: int) -> Iterator[int]:
 
 
 _ON_TABLE = ("on the table", "on the desk", "lying on the table", "over there", "there")
+_ELSEWHERE = frozenset({"else", "elsewhere", "away"})
 _NAMING = frozenset({"distractor", "decoy", "decoration", "distraction", "ignored", "disregarded", "used", "needed",
                      "required", "nothing", "need", "use", "role", "part"})  # fmt: skip
 """What says of a single block spoken of before that it is only there."""

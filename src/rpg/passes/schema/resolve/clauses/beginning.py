@@ -245,7 +245,7 @@ def _moved_next(before: Chain, after: Chain, text: str) -> bool:
         return False
     if not any(isinstance(a, Loc | In | At) for a in order.adjuncts) or BESIDES.search(text[slice(*order.span)]):
         return False
-    if (order.verb, order.mode) == ("place", "command"):
+    if order.verb in ("place", "stack") and order.mode == "command":
         return True
     wanted = order.mode == "goal" and (order.verb == "place" or (order.verb, order.lemma) == ("be", ""))
     return wanted and len(before.clauses) == 1 and same_one(fact, order)

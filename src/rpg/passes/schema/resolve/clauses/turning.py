@@ -21,6 +21,7 @@ from rpg.language.meaning import (
     Using,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.orientation import oriented, others_not_turned, turn_of
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.clauses.started import taken_out
@@ -28,7 +29,6 @@ from rpg.passes.schema.resolve.clauses.throughout import held_throughout
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.placing import absolutes
 from rpg.passes.schema.resolve.places.relations import place
-from rpg.passes.schema.resolve.things.finish import label_of
 from rpg.passes.schema.resolve.things.operands import crown, spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -308,12 +308,14 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 raise refuse("ambiguous", "are these turned upside down, or do they change places?", clause.span,
                              "say 'upside down', or 'swap'")  # fmt: skip
             goals = [
-                _facing(n, None, Manner(kind="turn", value=180.0, span=clause.span), scene, clause.span)
+                oriented(n, None, Manner(kind="turn", value=180.0, span=clause.span), scene, clause.span)
                 for n in theme.names
             ]
         elif not spec.places and not spec.thats:
             raise refuse("no-goal", "it is not said how far or which way to turn it", clause.span,
                          "say 'by 90 degrees' or 'upside down'")  # fmt: skip
+    others = tuple(thing.name for thing in scene.blocks() if thing.label or thing.kind)
+    goals += others_not_turned(theme, others, facing, flat, scene, clause.span)
     for item in spec.places:
         goals += place(theme, item, scene, scope, clause.span)
     spec.places = []
@@ -351,38 +353,7 @@ def pointing(theme: Ref, pointed: Manner, flat: Manner | None, scene: Scene, spa
     if flat is not None and abs(degrees) != flat.value:
         raise refuse("contradiction", "this says two ways to turn it", pointed.span, "keep one of them")
     exact = Manner(kind="turn", value=degrees, span=span)
-    return [_facing(name, None, exact, scene, span) for name in theme.names]
-
-
-def turn_of(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
-    """How a block is to be turned; "sideways" is a quarter turn either way."""
-    found = _facing(name, facing, flat, scene, span)
-    if flat is None or flat.value != 90.0 or not isinstance(found, r.Facing):
-        return found
-    return g.Any(goals=(found, found.model_copy(update={"turn": -90.0})), span=span)
-
-
-def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
-    thing = scene.things[name]
-    if thing.kind is None and thing.label is None:
-        raise refuse(
-            "order-misfit",
-            "a plain block looks the same on every side",
-            span,
-            "use a letter block, or say 'by 90 degrees'",
-        )
-    piled = any(b.kind == "word" and b.side == "top" and name in b.members for b in scene.built)
-    toward = str(facing.value) if facing is not None else "viewer" if piled else "up"
-    label = label_of(thing, scene)
-    turned = float(flat.value or 0.0) if flat is not None else None
-    if flat is None and toward == "viewer" and (name in scene.on_top or name in scene.on_top.values()):
-        turned = 0.0  # in a tower, symbols are read from the viewer's side
-    elif flat is None and thing.faces is None:
-        thing.faces = {"front": label}
-        scene.assume(f"{label} shows on one face of its block; the other faces are blank")
-    if facing is None and not piled:
-        scene.assume("the letter is read from above")
-    return r.Facing(block=name, label=label, toward=toward, turn=turned, span=span)  # type: ignore[arg-type]
+    return [oriented(name, None, exact, scene, span) for name in theme.names]
 
 
 def _target(clause: Clause, spec: Spec) -> bool:

@@ -13,7 +13,7 @@ from rpg.language.meaning import Amount, Loc, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, refuse
 
 MAX_SHARED = 3
 """So many groups of blocks are dealt out to patches in every possible way."""
@@ -82,7 +82,8 @@ def like_the_last(loc: Loc, scene: Scene) -> bool:
     told = [m for m in scene.mentions if m.clause < scene.clause]
     last = [m for m in told if m.clause == told[-1].clause]
     if isinstance(loc.landmark, Noun) and loc.landmark.det == "the" and loc.landmark.head == "any":
-        return before or (bool(last) and all(m.ref.patch and m.role == "theme" for m in last))
+        same = _other_patch(loc.landmark, [m for m in last if m.ref.span < loc.span], scene)
+        return before or same or (bool(last) and all(m.ref.patch and m.role == "theme" for m in last))
     if not before or any(m.ref.everything and m.ref.quant is not None for m in last):
         return False
     patch = next((m.ref.names for m in reversed(scene.mentions) if m.ref.patch and m.ref.names), ())
@@ -92,6 +93,14 @@ def like_the_last(loc: Loc, scene: Scene) -> bool:
     if isinstance(loc.landmark, Noun) and _from_afar(loc.landmark, scene):
         raise refuse("ambiguous", "this could be a block or a patch", loc.landmark.span, "say 'block' or 'patch'")
     return True
+
+
+def _other_patch(noun: Noun, last: list[Mention], scene: Scene) -> bool:
+    """ "On the white patch A is next to B, on the black one C next to D": that is a patch, for no block is black."""
+    colors = noun.traits.colors
+    plain = bool(colors) and noun.traits == Traits(colors=colors)
+    there = any(thing.color in colors and not thing.patch for thing in scene.things.values())
+    return plain and not there and any(m.ref.patch and m.role == "landmark" and m.rel == "on" for m in last)
 
 
 def _from_afar(noun: Noun, scene: Scene) -> bool:

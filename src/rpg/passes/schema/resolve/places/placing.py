@@ -243,7 +243,6 @@ def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) ->
 
 def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
     """ "on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
-    goals: Goals = []
     if ref.op not in ("and", "nor") or ref.quant is not None:
         raise refuse("ambiguous", "it is not clear which block is meant", ref.span, "name one block")
     for at_ in spec.ats:
@@ -252,7 +251,7 @@ def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
         else:
             scene.loose.append((ref, at_, span))
     spec.ats = []
-    return goals or [g.All(goals=())]
+    return [g.All(goals=())]
 
 
 def parts_alone(spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
@@ -330,7 +329,7 @@ def _off_it(place: Loc, scene: Scene) -> bool:
 def _at_its_ends(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:
     """What is on top or at the bottom of the structure, or on the one block that was put somewhere."""
     goals: Goals = []
-    for at_ in list(inner.ats):
+    for at_ in [*inner.ats]:
         further = not set(theme.names) & set(ref.names) and at_.index is None
         if len(ref.built) == 1 and further and at_.side in ("top", "bottom"):
             inner.ats.remove(at_)
@@ -363,7 +362,8 @@ def _among_members(ref: Ref, theme: Ref, before: int, scene: Scene, span: Span) 
 
 def _turned(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:
     """ "with the U upside down", "with the letters facing up"."""
-    from rpg.passes.schema.resolve.clauses.turning import pointing, turn_of
+    from rpg.passes.schema.resolve.clauses.orientation import others_not_turned, turn_of
+    from rpg.passes.schema.resolve.clauses.turning import pointing
 
     if theme.quant is not None or theme.patch or not theme.names:
         raise refuse("ambiguous", "it is not clear which block is turned", span, "name the block")
@@ -381,7 +381,8 @@ def _turned(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goal
     word = any(b.kind in ("word", "equation") and set(theme.names) <= set(b.members) for b in ref.built)
     if word and flat is None and facing is not None and facing.value == "up":
         return []
-    return [turn_of(name, facing, flat, scene, span) for name in theme.names]
+    others = others_not_turned(theme, ref.names, facing, flat, scene, span)
+    return [*(turn_of(name, facing, flat, scene, span) for name in theme.names), *others]
 
 
 def _at_end(theme: Ref, ref: Ref, at_: At, scene: Scene, span: Span) -> Goals:

@@ -89,6 +89,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             return [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
         case Loc(landmark=Coord(op=op, items=marks)) if any(getattr(x, "word", "") == "each other" for x in marks):
             both = tuple(replace(meaning, landmark=x) for x in marks)
+            if op == "except":  # "touches it but not each other"
+                op, both = "and", (both[0], *(replace(x, negated=not x.negated) for x in both[1:]))
             return place(theme, Coord(op=op, items=both, span=meaning.span), scene, scope, span)
         case Loc(landmark=Pronoun(word="there")) if scene.region_at > scene.last_landmark_at:
             return place(theme, In(region=scene.region, negated=meaning.negated, span=meaning.span), scene, scope, span)
@@ -347,12 +349,8 @@ def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g
 
 def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     if loc.rel in ("off", "above"):
-        raise refuse(
-            "out-of-reach",
-            "blocks cannot leave the table",
-            loc.span,
-            "say where on the table, or on which block, they should be",
-        )
+        raise refuse("out-of-reach", "blocks cannot leave the table", loc.span,
+                     "say where on the table, or on which block, they should be")  # fmt: skip
     if loc.rel in ("front", "behind"):
         raise refuse(
             "out-of-reach",
@@ -368,6 +366,7 @@ def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
         and theme.op == "and"
         and any(scene.on_clause.get(n) == scene.clause for n in theme.names)
         and loc.rel == "on"
+        and not (loc.negated or scene.denying)
     ):
         names = tuple(n for n in theme.names if n not in scene.on_top)
         lower = {base_of(n, scene) for n in theme.names}

@@ -91,6 +91,8 @@ def build(
             said_before.add(told)
         try:
             found = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
+            if best is not None and same(best[1].task, found.task):
+                continue  # that task was looked at
             if (token := unfounded(words, found.task, found.chosen)) is not None:
                 raise _lost(token)
             check_joints(words, found.task)
@@ -103,10 +105,9 @@ def build(
                 limit, first = cost + more, (refusal, chosen)
             first = first or (refusal, chosen)
             continue
-        if best is None:
-            best = (cost, found)
-        elif not same(best[1].task, found.task):
+        if best is not None:
             raise TwoReadings(best[1].task, found.task, text)
+        best = (cost, found)
     if best is not None:
         return best[1]
     if first is None:

@@ -8,13 +8,14 @@ from functools import cache
 from operator import attrgetter
 from typing import Any, cast
 
-from rpg.language.meaning import Absolute, Clause, Coord, Meaning, Structure, replace
+from rpg.language.meaning import Absolute, Clause, Coord, Meaning, Size, Structure, replace
 
 
 def wording(meaning: Any, known: dict[int, Hashable]) -> Hashable:
     """What a reading says, wherever it stands in the text. `known`: of records that were met before, and still exist.
 
-    The parts of a structure may be told behind its noun or behind the clause that builds it, one by one or as a list.
+    The parts of a structure may be told behind its noun or behind the clause that builds it, one by one or as a list; so
+    may its sizes.
     """
     if isinstance(meaning, Meaning):
         found = known.get(id(meaning))
@@ -30,8 +31,9 @@ def _wording(meaning: Meaning, known: dict[int, Hashable]) -> Hashable:
     shape = meaning.theme if isinstance(meaning, Clause) else None
     if isinstance(meaning, Clause) and isinstance(shape, Structure):
         parts = wording(tuple(_parts((*shape.details, *meaning.adjuncts))), known)
-        bare = _fields(replace(shape, details=_others(shape.details)), known)
-        return parts, bare, _fields(replace(meaning, theme=None, adjuncts=_others(meaning.adjuncts)), known)
+        sizes = wording((*shape.sizes, *(one for one in meaning.adjuncts if isinstance(one, Size))), known)
+        bare = _fields(replace(shape, details=_others(shape.details), sizes=()), known)
+        return parts, sizes, bare, _fields(replace(meaning, theme=None, adjuncts=_others(meaning.adjuncts)), known)
     return _fields(meaning, known)
 
 
@@ -47,7 +49,7 @@ def _parts(told: tuple[Meaning, ...]) -> Iterator[Meaning]:
 
 
 def _others(told: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
-    return tuple(one for one in told if not _is_part(one))
+    return tuple(one for one in told if not _is_part(one) and not isinstance(one, Size))
 
 
 def _is_part(one: Meaning) -> bool:

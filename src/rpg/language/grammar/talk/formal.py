@@ -6,6 +6,8 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.before_it import BEFORE_IT
+from rpg.language.grammar.talk.contrasted import CONTRASTED
 from rpg.language.grammar.talk.roundabout import AT_ONCE, ROUNDABOUT
 from rpg.language.grammar.talk.turned import Turn, turned
 from rpg.language.tokens import Token
@@ -269,7 +271,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 def plainly(tokens: list[Token]) -> list[list[Token]]:
     """The sentences that one is in plain words; none where it is as plain already."""
-    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT))
+    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT))
     if plain == tokens:
         return []
     out: list[list[Token]] = [[]]

@@ -16,8 +16,16 @@ _SIDED = "(?:upper|top|lower|bottom|left|right|front|back)"
 _BLOCK = "(?:block|cube|brick|one)"
 _PATCH = "(?:patch|mat|zone|target|area|spot)"
 _CLIMBS = "(?:climbs|rises|ascends|goes up)"
+_STARTED = (
+    "(?:where (?:it|they|each) (?:starts|start|started|is now|are now|was|began|begins)"
+    "|its (?:starting|original|initial) (?:place|position|spot|location))"
+)
 
 AT_ONCE: tuple[Turn, ...] = (
+    (f"^(.+?)(?: {_M})? (?:be|end up|end|finish|come to lie) at least ({_CM})(?: away)? from {_STARTED}$",
+     "{1} must be moved by at least {2}"),
+    (f"^(.+?)(?: {_M})? (?:be|end up|end|finish) ({_CM}) or more(?: away)? from {_STARTED}$",
+     "{1} must be moved by at least {2}"),
     (f"^([^,]+?) {_IS} at the left end of an? (row|line)(?: ,)? with (.+?) to its right$",
      "a {2} , from left to right : {1} , then {3}"),
     (f"^([^,]+?) {_IS} at the right end of an? (row|line)(?: ,)? with (.+?) to its left$",
@@ -149,5 +157,5 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("(?: ,)?(?: and| but)? it does not matter (?:on |at )?which side$", ""),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = "receives climbs supporting displaying nearer available equally fairly"
+WORDS = ("receives climbs supporting displaying nearer available equally fairly",)
 """Words that these take besides those that are read anyway."""

@@ -14,8 +14,8 @@ from rpg.language.meaning import Absolute, Clause, Coord, Meaning, Size, Structu
 def wording(meaning: Any, known: dict[int, Hashable]) -> Hashable:
     """What a reading says, wherever it stands in the text. `known`: of records that were met before, and still exist.
 
-    The parts of a structure may be told behind its noun or behind the clause that builds it, one by one or as a list; so
-    may its sizes.
+    The parts of a structure may be told behind its noun or behind the clause that builds it, one by one or as a list,
+    and so may its sizes.
     """
     if isinstance(meaning, Meaning):
         found = known.get(id(meaning))

@@ -47,7 +47,11 @@ def offsets(kind: str, a: str, b: str, state: BlockState) -> tuple[float, float]
 
 def least_offset(node: Directional, a: str, b: str, state: BlockState) -> float:
     """The least offset along the axis: so many edges, and for a patch at least to its outline."""
-    patches, asked = state.world.patches, node.min_edges * edge_between(state, a, b)
+    return _least(node, a, b, edge_between(state, a, b), state)
+
+
+def _least(node: Directional, a: str, b: str, edge: float, state: BlockState) -> float:
+    patches, asked = state.world.patches, node.min_edges * edge
     if a not in patches and b not in patches:
         return asked
     k = 0 if DIRECTIONS[str(node.kind)][0] else 1  # type: ignore[attr-defined]
@@ -67,7 +71,7 @@ class DirectionalPredicate(Predicate[Directional]):
         if node.immediate:
             gap, edge = min((footprint_gap(state, a, b), edge_between(state, a, b)) for a in left for b in right)
             parts.append(at_most(gap, node.gap_edges * edge))
-        return every(parts)
+        return parts[0] if len(parts) == 1 else every(parts)
 
     def holds(self, node: Directional, state: BlockState) -> bool:
         if node.immediate:
@@ -99,7 +103,7 @@ class DirectionalPredicate(Predicate[Directional]):
     def _pair(self, node: Directional, a: str, b: str, cone: bool, state: BlockState) -> Verdict:
         along, across = offsets(self.kind, a, b, state)
         edge = edge_between(state, a, b)
-        margin = (along - least_offset(node, a, b, state)) / edge
+        margin = (along - _least(node, a, b, edge, state)) / edge
         if cone:
             margin = min(margin, (along - across) / edge)
         if node.directly:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache, lru_cache
 from random import Random
-from typing import Any, get_args
+from typing import Any
 
 from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.geometry import carried
@@ -31,35 +31,47 @@ MIDDLE = (sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2)
 BEST = 12
 """So many of the places that are farthest inside of a region are proposed."""
 Place = tuple[float, float]
-_WORDS = {str(region): region.split("_") for region in get_args(Region)}
 
 
-def border_distances(x: float, y: float) -> dict[str, float]:
-    """Distance inward from each side of the workspace."""
-    return {
-        "near": x - WORKSPACE_X[0],
-        "far": WORKSPACE_X[1] - x,
-        "right": y - WORKSPACE_Y[0],
-        "left": WORKSPACE_Y[1] - y,
-    }
+_INWARD: dict[str, Callable[[float, float], float]] = {
+    "near": lambda x, _: x - WORKSPACE_X[0],
+    "far": lambda x, _: WORKSPACE_X[1] - x,
+    "right": lambda _, y: y - WORKSPACE_Y[0],
+    "left": lambda _, y: WORKSPACE_Y[1] - y,
+}
+"""Distance inward from each side of the workspace."""
+_BEYOND: dict[str, Callable[[float, float], float]] = {
+    "near": lambda x, _: MIDDLE[0] - x,
+    "far": lambda x, _: x - MIDDLE[0],
+    "right": lambda _, y: MIDDLE[1] - y,
+    "left": lambda _, y: y - MIDDLE[1],
+}
+"""Distance beyond the middle towards each side."""
 
 
 def region_margin(region: Region, x: float, y: float, edge: float) -> float:
     """Slack of a centre in a region, over the tolerance of that region."""
+    return _margin_in(region)(x, y, edge)
+
+
+@cache
+def _margin_in(region: Region) -> Callable[[float, float, float], float]:
+    """The slack in a region of a block's centre (x, y), by the block's edge too."""
     if region in ("corner", "edge"):
-        return max(region_margin(part, x, y, edge) for part in (CORNERS if region == "corner" else EDGES))
-    match _WORDS.get(region, []):
+        parts = [_margin_in(part) for part in (CORNERS if region == "corner" else EDGES)]
+        return lambda x, y, edge: max([margin(x, y, edge) for margin in parts])
+    match region.split("_"):
         case ["middle"]:
-            return 1.0 - math.hypot(x - MIDDLE[0], y - MIDDLE[1]) / MIDDLE_RADIUS
+            return lambda x, y, _: 1.0 - math.hypot(x - MIDDLE[0], y - MIDDLE[1]) / MIDDLE_RADIUS
         case [side, "half"]:
-            mx, my = MIDDLE
-            beyond = {"left": y - my, "right": my - y, "far": x - mx, "near": mx - x}[side]
-            return (beyond - edge / 2) / (edge / 2)
+            beyond = _BEYOND[side]
+            return lambda x, y, edge: (beyond(x, y) - edge / 2) / (edge / 2)
         case [side, "edge"]:
-            return 1.0 - border_distances(x, y)[side] / EDGE_DEPTH
+            inward = _INWARD[side]
+            return lambda x, y, _: 1.0 - inward(x, y) / EDGE_DEPTH
         case [depth, side, "corner"]:
-            inward = border_distances(x, y)
-            return min(1.0 - inward[depth] / CORNER[0], 1.0 - inward[side] / CORNER[1])
+            along, across = _INWARD[depth], _INWARD[side]
+            return lambda x, y, _: min(1.0 - along(x, y) / CORNER[0], 1.0 - across(x, y) / CORNER[1])
     raise ValueError(f"there is no region {region!r}")
 
 
@@ -67,7 +79,8 @@ class InRegionPredicate(Predicate[InRegion]):
     """Each centre lies in the region."""
 
     def evaluate(self, node: InRegion, state: BlockState) -> Verdict:
-        return every([self._in(node.region, a, state) for a in state.resolve(node.a)])
+        parts = [self._in(node.region, a, state) for a in state.resolve(node.a)]
+        return parts[0] if len(parts) == 1 else every(parts)
 
     def _in(self, region: Region, name: str, state: BlockState) -> Verdict:
         x, y, _ = state.where(name)
@@ -138,7 +151,7 @@ def _way_out(region: Region, x: float, y: float, edge: float) -> tuple[float, fl
     for step in range(1, 100):
         for dx, dy in DIRECTIONS:
             place = (x + 0.005 * step * dx, y + 0.005 * step * dy)
-            outside = min(border_distances(*place).values()) < 0.0
+            outside = min(inward(*place) for inward in _INWARD.values()) < 0.0
             if not outside and region_margin(region, *place, edge) < -0.02:
                 return place
     return _farthest(region, edge)

@@ -57,8 +57,8 @@ def _any_of(goal: g.Any, say: Speaker) -> g.Count | None:
     for name in names(first):
         over = [name]
         for other in others:
-            fits = [n for n in names(other) if n not in over and rename(first, {name: n}) == other]
-            over += fits[:1]
+            like = (n for n in names(other) if n not in over and say.alike((name, n)))
+            over += [n for n in like if rename(first, {name: n}) == other][:1]
         if not say.alike(over):
             continue
         if len(over) == len(goal.goals) > 1 and not set(over[1:]) & set(names(first)):

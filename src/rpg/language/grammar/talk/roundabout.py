@@ -150,7 +150,16 @@ ROUNDABOUT: tuple[Turn, ...] = (
      "{1} must be in one group and the {2} in another group"),
     ("^(?:digit|number|letter) (?:cubes|blocks) (?:displaying|showing|spelling|reading) (\\S+)$", "spell {1}"),
     (f"^from an? ({_LINE}) (?:with|of) (.+?) , rebuild it as (.+)$", "at the start , {2} . at the end , {3}"),
+    # what comes of it
+    ("^([^,]+?)(?: ,)? (?:which gives|which makes|giving|so that you get|resulting in) (an? .+)$",
+     "{1} so that there is {2}"),
+    (f"^([^,]+?)(?: ,)? (?:which gives|which makes|giving|resulting in) ((?:{_FEW}) .+)$", "{1} so that there are {2}"),
+    ("^(?:make|build|form) (a (?:tower|stack) of .+?) by (?:setting|placing|putting|stacking) ([^,]+)$",
+     "put {2} so that there is {1}"),
+    ("^([^,]+) so that (an? .+?) results$", "{1} so that there is {2}"),
     # what there is
+    ("^given (.+?) , ((?:make|build|put|sort|separate|stack|arrange|line|spell|form|lay|group) .+)$",
+     "there are {1} . {2}"),
     ("^(.+?) (?:are|is) (?:given|available|provided) [:;,] (.+)$", "there are {1} . {2}"),
     ("(?: ,)? so (?:that )?you (?:have|get) an? (?:letter|vowel|odd|digit|number|consonant|even) group and an? "
      "(?:letter|vowel|odd|digit|number|consonant|even) group$", ""),

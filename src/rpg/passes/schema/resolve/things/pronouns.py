@@ -207,6 +207,9 @@ def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
     again = {m.clause for m in scene.mentions if m.word in ("the former", "the latter")}
     last = max((m.clause for m in scene.mentions if m.ref.names and m.clause not in {*again, scene.clause}), default=-1)
     named = sorted((m for m in scene.mentions if m.clause == last), key=lambda m: m.ref.span)
+    here = [m for m in scene.mentions if m.clause == scene.clause and m.ref.span < word.span and m.ref.names]
+    if last < 0:  # "put A on B without moving the latter"
+        named, last = sorted(here, key=lambda m: m.ref.span), scene.clause
     spoken = {m.clause for m in scene.mentions if m.ref.names and named and m.sentence == named[-1].sentence}
     if spoken - {*again, last, scene.clause}:
         raise refuse("ambiguous", f"it is not clear which two {word.word!r} is one of", word.span, "name the block")
@@ -214,10 +217,14 @@ def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
         both = [scene.things[n] for n in named[0].ref.names]
         if len({(t.color, t.label, t.size) for t in both}) == 2:
             return Ref(names=(both[word.word == "the latter"].name,), patch=named[0].ref.patch)
-    if len(named) != 2:
+    both_built = [m.ref.built for m in named if len(m.ref.built) == PAIR and not m.ref.quant]
+    if both_built:
+        whole = both_built[-1][word.word == "the latter"]
+        return Ref(names=whole.members, built=(whole,), plural=True, span=word.span)
+    if len(named) != PAIR:
         raise refuse("ambiguous", f"{word.word!r} wants two things named before", word.span, "name the block")
     found = named[1 if word.word == "the latter" else 0].ref
-    if len(found.parts) > 1 or len(found.names) > 1:
+    if (len(found.parts) > 1 or len(found.names) > 1) and len(found.built) != 1:
         raise refuse("ambiguous", f"it is not clear which {word.word} is", word.span, "name the block")
     return found
 

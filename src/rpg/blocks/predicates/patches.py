@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 from random import Random
 from typing import Any
 
@@ -85,10 +86,17 @@ def _overlap(a: GoalPatch, b: GoalPatch) -> bool:
 
 def lattice(patch: GoalPatch, edge: float, count: int, rng: Random) -> Iterator[tuple[float, float]]:
     """Places for so many blocks side by side on a patch: the lattice that stays deepest inside of it."""
+    best = _deepest(patch, edge, count)
+    yield from rng.sample(best, len(best))
+
+
+@lru_cache(maxsize=32)
+def _deepest(patch: GoalPatch, edge: float, count: int) -> tuple[tuple[float, float], ...]:
+    """Of the lattices that have room for so many blocks, the one that stays deepest inside of a patch."""
     shapes = [(-(-count // columns), columns) for columns in range(1, count + 1)]
     grids = [_centred(rows, columns, edge, patch) for rows, columns in shapes]
-    best = max(grids, key=lambda grid: (min(outline_depth(patch, *spot) for spot in grid), -len(grid)))
-    yield from rng.sample(best, len(best))
+    best = max(grids, key=lambda grid: (min([outline_depth(patch, *spot) for spot in grid]), -len(grid)))
+    return tuple(best)
 
 
 def _centred(rows: int, columns: int, edge: float, patch: GoalPatch) -> list[tuple[float, float]]:

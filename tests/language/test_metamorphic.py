@@ -28,7 +28,9 @@ OTHER = {
 }  # fmt: skip
 """Words and what would mean something else in their place."""
 PASSING = re.compile(
-    r"step|stage|other two|twice|or more|\d\)|both ends|back (?:again|to)|the two|its two|symm|mirror", re.I
+    r"step|stage|other two|twice|or more|\d\)|both ends|back (?:again|to)|the two|its two|symm|mirror"
+    r"|\b(?:er|um|uh|sorry)\b",
+    re.I,
 )
 """Texts in which some of these words are said in passing."""
 CLAUSES = (

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.formed import formed
@@ -11,6 +10,7 @@ from rpg.language.grammar.places.sides import SIDES, at
 from rpg.language.grammar.structures.apposed import AMID
 from rpg.language.grammar.structures.parts import part, part_statement, unit_of
 from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.printed import shown
 from rpg.language.grammar.things.retold import begins_anew
 from rpg.language.grammar.things.standby import AS_EXTRAS
 from rpg.language.meaning import (
@@ -76,7 +76,7 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
             continue  # "red, blue, red leftmost": told of the last one alone
         table = isinstance(first_place, Loc) and isinstance(first_place.landmark, TableTop)
         cost = 2 if table or (j == comma and isinstance(first_place, Loc)) else 1 if isinstance(first_place, At) else 0
-        cost += 2 * _printed(p, i, first)
+        cost += 2 * shown(p, i, first)
         first = replace(first, cost=cost)
         yield first, end
         yield from _absolute_more(p, i, end, (first,))
@@ -85,21 +85,6 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
 def _several(theme: Meaning) -> bool:
     """Several looks without a number."""
     return len(theme.traits.colors + theme.traits.labels) > 1 if isinstance(theme, Noun) else isinstance(theme, Coord)
-
-
-def _printed(p: Parser, i: int, part_: Absolute) -> bool:
-    """ "the cube with the number 5 on it": that is what it shows, rather than what lies on it."""
-    theme, place = part_.theme, part_.adjuncts[0]
-    it = isinstance(place, Loc) and isinstance(place.landmark, Pronoun) and place.rel == "on"
-    shown = isinstance(theme, Noun) and bool(theme.traits.labels) and not theme.traits.colors
-    bearer = p.words[i - 1] if i else ""
-    return it and shown and (bearer == "one" or lexicon.BLOCK.get(bearer) is False) and not _block(p, part_)
-
-
-def _block(p: Parser, part_: Absolute) -> bool:
-    """ "with an A block on it": a block is named."""
-    end = part_.theme.span[1] if part_.theme is not None else 0
-    return any(token.span[1] == end and token.word in lexicon.BLOCK for token in p.tokens)
 
 
 def _of_parts(p: Parser, i: int, comma: int) -> Results[Meaning]:

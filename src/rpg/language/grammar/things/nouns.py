@@ -369,10 +369,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         changed = changed or _with(noun, update, p.span(i, k))
         if changed is not None:
             on_it = [*printed(p, i, j, k, changed)]
-            if not on_it:
-                yield changed, k
-                tried.append((changed, k))
-            yield from on_it
+            yield from on_it or [(changed, k)]
+            tried += [] if on_it else [(changed, k)]
     single = not noun.plural or (noun.amount is not None and noun.det == "bare" and noun.traits == Traits())
     if noun.head == "block" and single and not noun.traits.colors and not noun.traits.labels:
         for named, k in color(p, j):

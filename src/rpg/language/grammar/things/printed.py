@@ -6,7 +6,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import label_list
-from rpg.language.meaning import Clause, Meaning, Noun, Traits, replace
+from rpg.language.meaning import Absolute, Clause, Loc, Meaning, Noun, Pronoun, Traits, replace
 
 _ON_IT = ("on it", "on them", "on its top", "on its top face", "on its faces", "on its sides", "on all sides",
           "on each side", "on their faces", "on all faces", "on every face", "on each of them", "painted on it",
@@ -54,6 +54,21 @@ def printed(p: Parser, i: int, j: int, k: int, noun: Noun) -> Results[Noun]:
     letter = not _NAMED.isdisjoint(p.words[j:k])
     if end and (letter or p.words[j + 1] != "the" or not noun.traits.colors):
         yield replace(noun, span=p.span(i, end)), end
+
+
+def shown(p: Parser, i: int, part_: Absolute) -> bool:
+    """ "the cube with the number 5 on it": that is what it shows, rather than what lies on it."""
+    theme, place = part_.theme, part_.adjuncts[0]
+    it = isinstance(place, Loc) and isinstance(place.landmark, Pronoun) and place.rel == "on"
+    symbol = isinstance(theme, Noun) and bool(theme.traits.labels) and not theme.traits.colors
+    bearer = p.words[i - 1] if i else ""
+    return it and symbol and (bearer == "one" or lexicon.BLOCK.get(bearer) is False) and not _names_block(p, part_)
+
+
+def _names_block(p: Parser, part_: Absolute) -> bool:
+    """ "with an A block on it": a block is named."""
+    end = part_.theme.span[1] if part_.theme is not None else 0
+    return any(token.span[1] == end and token.word in lexicon.BLOCK for token in p.tokens)
 
 
 _CUBES = frozenset({*lexicon.BLOCK, "one", "ones"})

@@ -34,8 +34,7 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         if len(set(looks)) < len(looks):
             raise refuse("ambiguous", "it is not clear which blocks form which tower", shape.span,
                          "say of which blocks each tower is")  # fmt: skip
-    _one_height(shape)
-    shape = _told_apart(shape, spec)
+    shape = _told_apart(_of_one_height(shape), spec)
     sorted_by = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     spec.orders = [o for o in spec.orders if o.by != "attribute"]
     patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
@@ -84,11 +83,12 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     return _remember(node, by_color, scene), [node]
 
 
-def _one_height(shape: Structure) -> None:
+def _of_one_height(shape: Structure) -> Structure:
     """Refuse "towers of at most three": how many blocks each has is one number, or any from two on."""
     amount = getattr(shape.members, "amount", None) if shape.each_size else shape.size
     if amount is not None and amount.low != amount.high and (amount.low > 2 or amount.high is not None):
         raise refuse("ambiguous", "the height of the towers is left open", shape.span, "say one number")
+    return shape
 
 
 def _unequal(blocks: int, count: int | None, per: int | None, shape: Structure) -> tuple[int, ...]:

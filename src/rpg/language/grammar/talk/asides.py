@@ -137,7 +137,7 @@ _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "ne
 def without_asides(tokens: list[Token]) -> list[Token]:
     """The tokens without words that mean nothing, and without the commas that set them off."""
     tokens = corrected(tokens)
-    tokens = [_side(tokens, n) or _between(tokens, n) for n in range(len(tokens))]
+    tokens = [(_side(tokens, n) or _between(tokens, n)) if t.word in _SHORT else t for n, t in enumerate(tokens)]
     words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
     p = Parser(tokens)
     out: list[Token] = []
@@ -189,6 +189,7 @@ def _between(tokens: list[Token], at: int) -> Token:
 
 
 _SIDE = {"l": "left", "r": "right"}
+_SHORT = frozenset({*_SIDE, "btw"})
 _LETTERS = frozenset({"letters", "letter", "blocks", "cubes", "from", "spell", "symbols", "labels", "characters"})
 
 

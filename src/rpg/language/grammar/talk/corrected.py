@@ -21,11 +21,14 @@ _FAR = 9
 """So many words before it at most is what is taken back."""
 
 
+_APART = frozenset({",", "…"})
+
+
 def corrected(tokens: list[Token]) -> list[Token]:
     """The tokens with what was taken back left out, where it is clear what that is; else as they were."""
     at = 0
     while at < len(tokens):
-        end = _repair(tokens, at)
+        end = _repair(tokens, at) if at and tokens[at].word in _APART else 0
         if end and (mended := _mended(tokens, at, end)) is not None:
             tokens = mended
             continue
@@ -35,8 +38,6 @@ def corrected(tokens: list[Token]) -> list[Token]:
 
 def _repair(tokens: list[Token], at: int) -> int:
     """The position behind words that take something back, set off by a comma or dash on both sides; 0 without any."""
-    if not at or tokens[at].word not in (",", "…"):
-        return 0
     end, repairs = at, 0
     while end < len(tokens):
         words = [t.word for t in tokens[end : end + 4]]

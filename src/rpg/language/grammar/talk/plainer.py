@@ -10,6 +10,7 @@ _STOPS = frozenset({".", "!", "?", ";"})
 _BREAKS = _STOPS | {",", ":"}
 _HEDGES = (("roughly",), ("approximately",), ("or", "so"), ("more", "or", "less"), ("or", "thereabouts"), ("about",),
            ("give", "or", "take"), ("roughly", "speaking"), ("ish",))  # fmt: skip
+_HEDGING = frozenset(hedge[0] for hedge in _HEDGES)
 _HEDGED = frozenset({"about", "around", "roughly", "approximately", "nearly"})
 _EXACT = frozenset({"exactly", "precisely", "least", "most", "than", "within"})
 _LOOKS = frozenset({"the", "that", "this", "those", "these", *lexicon.COLOR, *lexicon.SIZE, *lexicon.SHAPE_ADJECTIVE,
@@ -98,7 +99,8 @@ def _hedged(tokens: list[Token], words: list[str]) -> list[Token] | None:
     for at in range(1, len(words)):
         comma = words[at] == ","
         begun = at + comma
-        said = max((len(x) for x in _HEDGES if tuple(words[begun : begun + len(x)]) == x), default=0)
+        hedge = begun < len(words) and words[begun] in _HEDGING
+        said = max((len(x) for x in _HEDGES if tuple(words[begun : begun + len(x)]) == x), default=0) if hedge else 0
         end = begun + said
         if not said or words[begun : begun + 1] == words[end : end + 1]:
             continue

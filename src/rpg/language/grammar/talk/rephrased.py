@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.talk.formal import formal
-from rpg.language.phrases import by_first
+from rpg.language.phrases import tree_of
 from rpg.language.tokens import Token
 
 _MESSY = (
@@ -109,7 +109,6 @@ _PHRASES = {
     "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
 }  # fmt: skip
 """What people write, and what it is read as."""
-_BEGINNINGS = by_first(tuple(_PHRASES))
 
 
 def rephrased(tokens: list[Token]) -> list[Token]:
@@ -134,18 +133,31 @@ def rephrased(tokens: list[Token]) -> list[Token]:
             out.append(replace(tokens[at], word="and"))
             at += 1
             continue
-        begun = _BEGINNINGS.get(tokens[at].word) if tokens[at].kind == "word" else None
-        ahead = tuple([t.word if t.kind == "word" else "" for t in tokens[at : at + 6]]) if begun is not None else ()
-        phrase = max((x for x in begun or () if ahead[: len(x)] == x), key=len, default=()) if ahead else ()
-        if not phrase:
+        phrase, end = _longest(tokens, at)
+        if not end:
             out.append(tokens[at])
             at += 1
             continue
-        span = (tokens[at].span[0], tokens[at + len(phrase) - 1].span[1])
-        plain = _PHRASES[" ".join(phrase)].split()
-        out += [Token("punct" if word == "," else "word", word, word, span) for word in plain]
-        at += len(phrase)
+        span = (tokens[at].span[0], tokens[end - 1].span[1])
+        out += [Token("punct" if word == "," else "word", word, word, span) for word in _PHRASES[phrase].split()]
+        at = end
     return out
+
+
+def _longest(tokens: list[Token], at: int) -> tuple[str, int]:
+    """The longest of the phrases that stands there and the position after it, or 0."""
+    found, branch = ("", 0), tree_of(_PHRASES)
+    for n in range(at, min(at + _WITHIN, len(tokens))):
+        if tokens[n].kind != "word" or tokens[n].word not in branch:
+            break
+        branch = branch[tokens[n].word]
+        if None in branch:
+            found = (branch[None][1], n + 1)
+    return found
+
+
+_WITHIN = 6
+"""As many words of a phrase are looked at."""
 
 
 def _once_more(tokens: list[Token]) -> list[Token]:

@@ -24,6 +24,9 @@ _NUMBERED = frozenset({"step", "stage", "task", "number"})
 def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse blocks of which nothing was said, and fewer or more of a colour than were counted."""
     _as_many_as_said(words, task)
+    _so_many_of_them(words, task)
+    _one_of_those(words, task)
+    _rainbow_beside(words, task)
     _made_up_beside(words, task)
     _one_word(task)
     _counts_with_a_slash(words, task)
@@ -32,6 +35,61 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
         _spoken_of(words, task)
         _set_off(words)
         _as_many_named(words, task)
+        _counted_bare(words, task)
+
+
+def _rainbow_beside(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "four cubes in rainbow order, red, yellow, green, blue" as these and an orange one."""
+    said = [token for token in words if token.word in lexicon.COLOR]
+    named = {lexicon.COLOR[token.word] for token in said}
+    run = any("a run of the rainbow" in note for note in task.assumptions)
+    colors = {block.color for block in task.blocks}
+    if run and len(named & colors) > 1 and colors - named:
+        raise refuse("ambiguous", "are these the blocks that were counted, or further ones?", said[0].span,
+                     "list them where they are counted: 'a row of three: red, white and blue'")  # fmt: skip
+
+
+def _so_many_of_them(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "three blocks. Two of them are red, and the blue one ..." as three red ones and a blue one."""
+    for index, token in enumerate(words):
+        many = lexicon.NUMBER.get(token.word, 0)
+        rest = [t.word for t in words[index + 1 : index + 5]]
+        if many < 1 or rest[:2] not in (["of", "them"], ["of", "these"], ["of", "those"]) or len(rest) < MOST_WORDS:
+            continue
+        look = lexicon.COLOR.get(rest[3]) if rest[2] in ("are", "is", "must", "should") else None
+        if look is not None and sum(block.color == look for block in task.blocks) > many:
+            raise refuse("ambiguous", f"it is not clear which the {token.word} {rest[3]} ones are", token.span,
+                         "say of all blocks how many there are of each colour")  # fmt: skip
+
+
+MOST_WORDS = 4
+"""So many words are looked at behind a number: "of them are red"."""
+
+
+def _one_of_those(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "three white cubes stand in a row. There is one white one between ..." as a fourth white one."""
+    for n in range(1, len(words) - 1):
+        color = lexicon.COLOR.get(words[n].word)
+        if color is None or words[n - 1].word != "one" or words[n + 1].word != "one":
+            continue
+        counts = [lexicon.NUMBER.get(a.word, 0) for a, b in pairwise(words[:n]) if lexicon.COLOR.get(b.word) == color]
+        there = sum(block.color == color for block in task.blocks)
+        if counts and 1 < max(counts) < there:
+            raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", words[n].span,
+                         "say 'one of them', or 'another'")  # fmt: skip
+
+
+def _counted_bare(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "four white cubes and a black one form a tower. Exactly one cube lies above the black one" as a cube that
+    nobody named."""
+    colors = {lexicon.COLOR[token.word] for token in words if token.word in lexicon.COLOR}
+    told = any(block.color in colors for block in task.blocks)
+    made_up = any(block.color not in colors for block in task.blocks if not isinstance(block, SemanticCube))
+    for exactly, number, noun in zip(words, words[1:], words[2:], strict=False):
+        counted = exactly.word in ("exactly", "only", "just") and number.word in lexicon.NUMBER
+        if told and made_up and counted and noun.word in lexicon.BLOCK:
+            raise refuse("ambiguous", "these could be of the blocks before them, or further ones", noun.span,
+                         "say how they look, or 'of them'")  # fmt: skip
 
 
 def _one_word(task: TaskSchema) -> None:

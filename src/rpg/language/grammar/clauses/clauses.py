@@ -313,6 +313,8 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
                 alone = Manner(kind="only", span=p.span(i, k))
                 yield replace(found, adjuncts=(*found.adjuncts, alone), span=p.span(i, end)), end
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
+        if found.verb == "touch" and p.words[i] == "not" and p.follows(i, ("but",)):
+            continue  # "should stand next to it but not touch it": said of what stands there
         if negated or found.negated or j > i:
             found = nothing_at_all(replace(found, negated=negated, span=p.span(i, k)))
         yield ever(denied_of_all(p, i, found), never), k

@@ -305,6 +305,19 @@ def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
             yield replace(before, theme=theme, negated=True, span=p.span(i, ends), cost=0), ends
 
 
+_NOT_TOUCH = ("not touch", "never touch", "not be touching", "must not touch", "should not touch", "shall not touch",
+              "does not touch", "do not touch", "not be in contact with")  # fmt: skip
+
+
+def _untouching(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "The blue block should stand next to the red one but not touch it": no order of its own."""
+    start = p.any_of(i, _NOT_TOUCH) if before.verb == "be" and before.mode == "goal" and before.theme else 0
+    for mark, j in simple(p, start) if start else ():
+        place = Loc(rel="touching", landmark=mark, span=p.span(i, j))
+        told = replace(before, theme=_same(before), adjuncts=(place,), negated=True, lemma="")
+        yield replace(told, span=p.span(i, j), cost=0), j
+
+
 def _blocks(mark: Meaning | None) -> bool:
     return isinstance(mark, Coord) or (isinstance(mark, Noun) and mark.head != "patch")
 
@@ -341,7 +354,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     for theme, j in noun_phrase(p, so) if so else ():
         if isinstance(theme, Noun | Coord):
             yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")
-    yield from (*_elsewhere(p, i, before), *_next_one(p, i, before))
+    yield from (*_elsewhere(p, i, before), *_next_one(p, i, before), *_untouching(p, i, before))
     if before.verb == "spell" and isinstance(before.theme, Structure) and (text := literal(p, i)) is not None:
         word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
         for found, k in adjuncts(p, i + 1) if len(text) > 1 else ():

@@ -70,6 +70,8 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
         for theme, k in simple(p, j):
             yield Absolute(theme=theme, adjuncts=(At(side="top", span=p.span(i, j)),), span=p.span(i, k)), k
         return
+    if p.words[comma] in ("that", "which") and "with" in p.words[:comma]:
+        return  # "red with a blue block to its right that has a white one on it": of the blue one
     for first, end in _one_absolute(p, j):
         first_place = first.adjuncts[0]
         if j == comma and isinstance(first_place, At) and _several(first.theme) and _has_comma(p, first.theme):
@@ -146,6 +148,7 @@ def sided(p: Parser, i: int) -> Results[Meaning]:
             yield replace(found, cost=0), j
 
 
+_TOUCHING = frozenset({"touching", "adjoining"})
 _SIDED = {**SIDES, "lower": "bottom", "upper": "top", "middle": "middle"}
 _THE_ONE = ("any", "the", None, Traits())
 """A noun phrase that says nothing of a block."""
@@ -168,6 +171,9 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         for found, end in _places(p, k):
             if not (isinstance(found[0], At) and begins_anew(theme)):
                 yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
+            more = p.one(end, "and") if isinstance(found[0], Loc) and p.stands(end + 1, _TOUCHING) else 0
+            for again, last in _places(p, more) if more else ():  # "standing behind the gray one and touching it"
+                yield Absolute(theme=theme, adjuncts=(*found, *again), span=p.span(j, last), cost=-1), last
     if rank := p.peek(j, _EXTREMES):
         best = Noun(head="any", det="the", traits=Traits(rank=rank), span=p.span(j, j + 1))
         yield from ((Absolute(theme=best, adjuncts=x, span=p.span(j, e)), e) for x, e in _places(p, p.reach(j + 1)))

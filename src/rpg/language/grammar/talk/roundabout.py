@@ -53,6 +53,8 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the "
      "(?:largest|biggest|highest)$", "{1} in descending order {2}"),
     ("\\bno (?:fewer|less) than\\b", "at least"),
+    ("\\busing (?:just|only) the\\b", "using the"),
+    (f"^(spell \\S+) on ((?:{_FEW}) (?:letter )?(?:cubes|blocks))$", "{1} with {2}"),
     (f"\\b(the (?:{_SIDED} (?:{_FEW})|(?:{_FEW}) {_SIDED})(?: {_BLOCK}s)? \\w+)(?: ,)? and the {_SIDED} "
      f"(?:ones|{_BLOCK}s) (\\w+)$", "{1} and the others {2}"),
     ("^(.*\\b(?:first|then)\\b.*?)(?: ,)? and (?:at|in) the end ((?:put|place|move|stack|set|bring|build|take|add|lay) "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.later import later
@@ -81,10 +82,16 @@ def _carried(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]:
             found += [(block, k) for k in _SUBJECT_FIRST.matches(p, j)]
         for block, k in found:
             if isinstance(block, Noun | Structure) and getattr(block, "head", "") != "patch":
-                wanted = asserted or not _WANTED_WORDS.isdisjoint(p.words[which:k])
+                wanted = asserted or not _WANTED_WORDS.isdisjoint(p.words[which:k]) or _in_picture(p, i, block)
                 close = ("directly",) if name == "on" else mods
                 place = Loc(rel=_BACK[name], landmark=block, mods=close, span=p.span(i, k))
                 yield (_asserted(place) if wanted else place,), k
+
+
+def _in_picture(p: Parser, i: int, block: Meaning) -> bool:
+    """ "A red block should stand behind the green one on which a yellow one sits": of what is wanted, a new block."""
+    wished = not _WANTED_WORDS.isdisjoint(p.words[:i]) and lexicon.VERB.keys().isdisjoint(p.words[:1])
+    return wished and isinstance(block, Noun) and block.det == "a"
 
 
 _WANTED_WORDS = frozenset({"should", "must", "shall", "will", "ought"})

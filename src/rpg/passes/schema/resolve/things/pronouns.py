@@ -257,7 +257,12 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         raise refuse(
             "no-referent", "'one' refers to something, but nothing was mentioned before", word.span, "name the block"
         )
-    return replace(them(word, scene, scope), each=True)
+    found = them(word, scene, scope)
+    wholes = [set(b.members) for b in scene.built]
+    if word.word == "each of them" and len(wholes) > 1 and set(found.names) in wholes:
+        raise refuse("ambiguous", f"{word.word!r} could be the structures, or the blocks of one of them", word.span,
+                     "say 'each of the towers', or name the blocks")  # fmt: skip
+    return replace(found, each=True)
 
 
 def _left_over(scene: Scene) -> list[Thing]:

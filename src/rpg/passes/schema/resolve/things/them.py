@@ -118,6 +118,8 @@ def of_whom(noun: Noun) -> Meaning:
     of_them = isinstance(noun.part_of, Pronoun) and noun.part_of.word in ("them", "these", "those")
     if of_them and (noun.det, noun.amount, noun.traits) == ("all", None, Traits()):
         return Pronoun(word="all of them", span=noun.span)
+    if of_them and (noun.det, noun.amount, noun.traits) == ("each", None, Traits()):
+        return Pronoun(word="each of them", span=noun.span)
     return noun.part_of or Pronoun(word="them", span=noun.span)
 
 

@@ -108,7 +108,10 @@ def side_relation(p: Parser, i: int) -> Results[tuple[str, str]]:
         k = p.opt(k, "hand")
         bounded = p.one(k, "side") and p.words[i] in ("on", "onto", "in")
         k = p.any_of(k, ("side",)) or k
-        if of := p.one(k, ("of", "from")):
+        of = p.one(k, ("of", "from"))
+        if of and p.words[i] == "onto" and p.words[k - 1] != "side":
+            return  # "onto the left of the two blue ones": on that one of them
+        if of:
             yield (side, p.words[j] if near else "side" if bounded else ""), of
         elif k > i and p.words[k - 1] != "hand":
             yield (side + "?", ""), k

@@ -381,10 +381,10 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     yield from meant_again(p, i, before)
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
         for found, k in adjuncts(p, i):
-            it = bool(found) and getattr(getattr(found[0], "landmark", None), "word", "") == "it"
-            if not before.adjuncts and it:
+            mark = getattr(found[0], "landmark", None) if found else None
+            if not before.adjuncts and getattr(mark, "word", "") == "it":
                 continue  # "a tower and, left of it, ...": of what is named next
-            if not it and p.words[max(0, i - 2) : i] == ["and", ","] and "," in p.words[i : k + 1]:
+            if isinstance(mark, Structure) and p.words[max(0, i - 2) : i] == ["and", ","] and "," in p.words[i : k + 1]:
                 continue  # "red on blue and, left of this stack, green on yellow": the same
             if found and (isinstance(found[0], Loc | In) or (isinstance(found[0], Manner) and found[0].kind == "stay")):
                 verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb

@@ -53,7 +53,7 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the "
      "(?:largest|biggest|highest)$", "{1} in descending order {2}"),
     ("\\bno (?:fewer|less) than\\b", "at least"),
-    ("\\busing (?:just|only) the\\b", "using the"),
+    ("^using (?:(?:just|only) )?(the .+?) , (spell \\S+)(.*)$", "{2} with {1} {3}"),
     (f"^(spell \\S+) on ((?:{_FEW}) (?:letter )?(?:cubes|blocks))$", "{1} with {2}"),
     (f"\\b(the (?:{_SIDED} (?:{_FEW})|(?:{_FEW}) {_SIDED})(?: {_BLOCK}s)? \\w+)(?: ,)? and the {_SIDED} "
      f"(?:ones|{_BLOCK}s) (\\w+)$", "{1} and the others {2}"),

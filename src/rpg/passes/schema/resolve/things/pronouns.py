@@ -208,7 +208,7 @@ def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
     last = max((m.clause for m in scene.mentions if m.ref.names and m.clause not in {*again, scene.clause}), default=-1)
     named = sorted((m for m in scene.mentions if m.clause == last), key=lambda m: m.ref.span)
     here = [m for m in scene.mentions if m.clause == scene.clause and m.ref.span < word.span and m.ref.names]
-    if last < 0:  # "put A on B without moving the latter"
+    if last < 0:
         named, last = sorted(here, key=lambda m: m.ref.span), scene.clause
     spoken = {m.clause for m in scene.mentions if m.ref.names and named and m.sentence == named[-1].sentence}
     if spoken - {*again, last, scene.clause}:
@@ -221,7 +221,8 @@ def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
     if both_built:
         whole = both_built[-1][word.word == "the latter"]
         return Ref(names=whole.members, built=(whole,), plural=True, span=word.span)
-    if len(named) != PAIR:
+    named = [m for m in named if not any({*other.ref.names} < {*m.ref.names} for other in named)]
+    if len(named) != PAIR or {*named[0].ref.names} & {*named[1].ref.names}:  # what is built of both is neither of them
         raise refuse("ambiguous", f"{word.word!r} wants two things named before", word.span, "name the block")
     found = named[1 if word.word == "the latter" else 0].ref
     if (len(found.parts) > 1 or len(found.names) > 1) and len(found.built) != 1:

@@ -112,9 +112,13 @@ def _counts_with_a_slash(words: Sequence[Token], task: TaskSchema) -> None:
 
 
 def _ones_beside_patches(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "on any patch; there is a pink one and a gray one" as made-up patches and two blocks."""
+    """Refuse "on any patch; there is a pink one and a gray one" as made-up patches and two blocks, and "a square of
+    blocks, and a block beside the square" as such a square and a patch."""
     if not task.assumed("the colour of the patch is not said"):
         return
+    figures = [token for token in words if token.word in ("square", "circle", "rectangle")]
+    if len(figures) > 1 and not any(token.word in lexicon.PATCH for token in words):
+        raise refuse("ambiguous", "is this the figure, or a patch?", figures[-1].span, "say 'the square patch'")
     spoken_of = {name for part in (task.goal, *task.init.arranged) for name in names(part)}
     idle = {str(block.color) for block in task.blocks if block.name not in spoken_of}
     for color, one in pairwise(words):

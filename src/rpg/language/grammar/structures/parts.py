@@ -335,7 +335,8 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
         if lead := p.any_of(k, _LEADS):
             for place, end in part(p, lead, unit):
                 block = p.words[end - 1] in _UNITS and _UNITS[p.words[end - 1]] == "block"
-                on_block = p.words[k] == "on" and (block or isinstance(place, At))
+                corner = getattr(place, "unit", "") == "cell" and p.words[lead] == "its"
+                on_block = p.words[k] == "on" and (block or corner or isinstance(place, At))
                 own = p.words[lead] in ("its", "each", "every", "either") or getattr(place, "index", None) is not None
                 if (isinstance(place, Places) or own) and not on_block:
                     yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end

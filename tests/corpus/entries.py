@@ -10,7 +10,7 @@ from typing import Any
 import yaml
 
 FOLDER = Path(__file__).parent
-SPLITS = ("dev", "heldout", "fresh", "strangers")
+SPLITS = ("dev", "heldout", "fresh", "strangers", "hunters")
 KEYS = {"say", "assets", "hold", "miss", "refuse", "may_refuse", "start", "start_miss", "heap"}
 
 

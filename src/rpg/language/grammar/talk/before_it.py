@@ -3,25 +3,21 @@ rows that tell it plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.talk.turned import Turn
+from rpg.language.grammar.talk.turned import LENGTH, LINE, MUST, Turn
 
-_M = "(?:shall|must|should|will|has to|have to|needs to|need to|is to|are to|ought to)"
-_FEW = "one|two|three|four|five|six|seven|eight|nine|ten|twelve"
-_CM = f"(?:[\\d.]+|{_FEW}) (?:cm|mm|centimeters?|millimeters?)"
-_LINE = "(?:tower|stack|row|line|column)"
 _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind|in|under) the [^,]+?"
 _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"
 BEFORE_IT: tuple[Turn, ...] = (
     (f"^([^,]+?) , {_NOW} ({_PLACE}) , ", "{1} , which starts {2} ,"),
     (f"^([^,]+?) , (?:which|that) (?:is|lies|stands|sits) ({_PLACE}) {_NOW} , ", "{1} , which starts {2} ,"),
     (f"^([^,]+?) (?:is|lies|stands|sits) ((?:on|next to|left of|right of|behind|in front of|in) [^,]+?) {_NOW}(?: ,)? "
-     f"(?:and|but) (it {_M} .+)$", "at the start , {1} is {2} . {3}"),
+     f"(?:and|but) (it {MUST} .+)$", "at the start , {1} is {2} . {3}"),
     (f"^([^,]+?) (?:is|lies|stands|sits) ((?:on|next to|left of|right of|behind|in front of|in) [^,]+?) {_NOW}(?: ,)? "
      "(?:and|but) belongs (.+)$", "at the start , {1} is {2} . it must be {3}"),
-    (f"^move (.+?) at least ({_CM}) each$", "move {1} by at least {2}"),
+    (f"^move (.+?) at least ({LENGTH}) each$", "move {1} by at least {2}"),
     ("^get (the .+?) out from under (the .+?) and put it (.+)$", "at the start , {2} is on {1} . put {1} {3}"),
-    (f"^(?:at the start|initially|at first)(?: ,)? a ({_LINE}) has (.+)$", "at the start there is a {1} with {2}"),
-    (f"^the ({_LINE}) (?:at the start|currently|now) reads (.+)$", "at the start , the {1} is {2}"),
+    (f"^(?:at the start|initially|at first)(?: ,)? a ({LINE}) has (.+)$", "at the start there is a {1} with {2}"),
+    (f"^the ({LINE}) (?:at the start|currently|now) reads (.+)$", "at the start , the {1} is {2}"),
     ("\\bbut only (?:when|once|if) (the .+?) (?:already )?(?:lies|is|stands|sits)(?: already)? (on .+)$",
      "but only after {1} has been put {2}"),
     ("^(?:put|move|bring|carry|take) (.+?) from (the (?:left|right) half)(?: of the table)? to (the (?:left|right) half"

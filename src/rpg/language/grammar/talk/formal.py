@@ -9,12 +9,9 @@ from rpg.language import lexicon
 from rpg.language.grammar.talk.before_it import BEFORE_IT
 from rpg.language.grammar.talk.contrasted import CONTRASTED
 from rpg.language.grammar.talk.roundabout import AT_ONCE, ROUNDABOUT
-from rpg.language.grammar.talk.turned import Turn, turned
+from rpg.language.grammar.talk.turned import END, MUST, WAY, Turn, turned
 from rpg.language.tokens import Token
 
-_M = "(?:shall|must|should|will|has to|have to|needs to|need to|is to|are to|ought to)"
-_END = "(?:left|right|front|back|top|bottom|near|far)"
-_WAY = f"from (?:the )?{_END} to (?:the )?{_END}"
 _MANY = "(?:\\d+|two|three|four|five|six|seven|eight|nine|ten|twelve)"
 _LINE = "(?:tower|stack|row|line|column|heap|pile|circle|ring|pyramid|grid|wall|staircase)"
 _BLOCK = "(?:block|cube|brick)"
@@ -27,26 +24,26 @@ _THEN = "(?:then|thereafter|afterwards|subsequently|after that)"
 _BIG = "big|bigger|large|larger"
 _MOVED = "(?:moved|transferred|shifted|relocated|brought|carried)"
 _SIDED = f"(?:{_MANY} (?:lower|upper|bottom|top|left|right)|(?:lower|upper|bottom|top|left|right) {_MANY})"
-_IS = f"(?:is|are|{_M} be)"
+_IS = f"(?:is|are|{MUST} be)"
 
 _ALWAYS: tuple[Turn, ...] = (
-    (f"^at no (?:time|point|moment) ({_M}|may|can) any (.+?) (be|stand|lie|touch|rest|sit) (.+)$",
+    (f"^at no (?:time|point|moment) ({MUST}|may|can) any (.+?) (be|stand|lie|touch|rest|sit) (.+)$",
      "no {2} {1} ever {3} {4}"),
-    (f"^(.+?)(?: ,)? (?:which|that) (start|begin|are initially) (?:out )?(in an?|in one) ({_LINE})(?: ,)? ({_M} .+)$",
+    (f"^(.+?)(?: ,)? (?:which|that) (start|begin|are initially) (?:out )?(in an?|in one) ({_LINE})(?: ,)? ({MUST} .+)$",
      "{1} {2} {3} {4} . they {5}"),
     ("(?:so|such) that the word (\\S+) (?:can be read|can be seen|is read|is spelled|is formed|appears)\\b",
      "so that they spell {1}"),
-    (f"^((?:a|the|one) {_LINE}) , ((?:in|on) which [^,]+) , ({_M} .+)$", "{1} {2} {3}"),
+    (f"^((?:a|the|one) {_LINE}) , ((?:in|on) which [^,]+) , ({MUST} .+)$", "{1} {2} {3}"),
     (f"^of the two (\\w+) {_BLOCK}s , the (?:small|smaller|little) one (.+) the (?:{_BIG}) one\\b",
      "the small {1} block {2} the big {1} block"),
     (f"^of the two (\\w+) {_BLOCK}s , the (?:{_BIG}) one (.+) the (?:small|smaller|little) one\\b",
      "the big {1} block {2} the small {1} block"),
     (f"\\b(move|touch|displace|disturb|lift) no other ({_BLOCK})\\b", "do not {1} any other {2}"),
-    (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({_M} .+)$", "{1} and {2} {3}"),
-    (f"^in addition to (the [^,]+?) , (the [^,]+?) ({_M} .+)$", "{1} and {2} {3}"),
+    (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({MUST} .+)$", "{1} and {2} {3}"),
+    (f"^in addition to (the [^,]+?) , (the [^,]+?) ({MUST} .+)$", "{1} and {2} {3}"),
     (f"\\b(spell(?:ed)?\\b[^,]*?)(?: ,)?(?: with)? each letter (?:being )?on (?:its own|a separate) {_BLOCK}$",
      "{1}"),
-    (f"^(.+?) ({_M}) not (be \\w+ .+?) until (.+? (?:has|have) been .+)$", "{1} {2} {3} , but only after {4}"),
+    (f"^(.+?) ({MUST}) not (be \\w+ .+?) until (.+? (?:has|have) been .+)$", "{1} {2} {3} , but only after {4}"),
     ("^in a first step(?: ,)? (.+?)(?: ,)? (?:and )?(?:then )?in a second step(?: ,)? (.+)$",
      "first , {1} . then , {2}"),
     ("^in a first step(?: ,)? (.+)$", "first , {1}"),
@@ -57,18 +54,18 @@ _ALWAYS: tuple[Turn, ...] = (
     ("^(.*\\bnever\\b.*?)(?: ,)? while (?:this is (?:being )?done|this happens|doing so|doing this)$", "{1}"),
     ("\\b(exactly .+?) , (?:neither|no) more (?:nor|and no|or|and not) (?:fewer|less)(?: ,)?", "{1}"),
     ("\\b(come|comes) to (?:rest|lie|stand)\\b", "end up"),
-    (f"^(.+?) (in \\w+ order ,? ?(?:beginning|starting) with .+?) , ({_M} be (?:made|formed|built) (?:of|from) .+)$",
+    (f"^(.+?) (in \\w+ order ,? ?(?:beginning|starting) with .+?) , ({MUST} be (?:made|formed|built) (?:of|from) .+)$",
      "{1} {3} {2}"),
     ("\\b(be (?:formed|made|built|laid)) (?:of|from|out of) (.+ in the center and .+ around it)$", "{1} with {2}"),
     ("\\ban? (row|line|column) (?:that|which) (?:decreases|descends|falls)\\b", "a descending {1}"),
     ("\\ban? (row|line|column) (?:that|which) (?:increases|ascends)\\b", "an ascending {1}"),
     (f"^(in (?:an?|one|{_MANY}) (?:\\w+ ){{0,2}}(?:{_LINE}|square|triangle)s?\\b[^,]*) , "
-     f"(.+ {_M} be (?:arranged|placed|put|laid|set|aligned|ordered|sorted|stacked))$", "{2} {1}"),
-    (f"^({_MANY} [^,]+?) ({_M}) be (?:divided|distributed|split|placed|arranged) so that (?:exactly )?(one|{_MANY}) "
+     f"(.+ {MUST} be (?:arranged|placed|put|laid|set|aligned|ordered|sorted|stacked))$", "{2} {1}"),
+    (f"^({_MANY} [^,]+?) ({MUST}) be (?:divided|distributed|split|placed|arranged) so that (?:exactly )?(one|{_MANY}) "
      f"(?:is|are|lie) (on .+?) and (?:exactly )?(one|{_MANY}) (?:is|are|lie)? ?(on .+)$",
      "{3} of {1} {2} be {4} and the other {5} {6}"),
     ("\\b(rearrange|reorder|arrange) the (?:row|line) so that it reads\\b", "{1} them so that they read"),
-    (f"^given that (.+?) initially (.+?) , (.+ {_M} .+)$", "at the start , {1} {2} . {3}"),
+    (f"^given that (.+?) initially (.+?) , (.+ {MUST} .+)$", "at the start , {1} {2} . {3}"),
 )  # fmt: skip
 """Turns of phrase that are read wrongly, or not at all, where they stand."""
 
@@ -83,11 +80,11 @@ _PLAINLY: tuple[Turn, ...] = (
      "(?:reached|complete|completed|achieved|fulfilled|met|passed|done|successful)(?: only)? "
      "(?:when|once|if|as soon as) (.+)$", "{1}"),
     ("^care (?:shall|must|should|is to) be taken (?:that|to ensure that) (.+)$", "{1}"),
-    (f"^(.+?) ({_M} (?!not |never ).+?) , (?:as|and so) {_M} (the .+)$", "{1} and {3} {2}"),
-    (f"^([^,]+?) ({_M} (?!not |never ).+?) , and (the [^,]+) likewise$", "{1} and {3} {2}"),
-    (f"^(.+ {_BLOCK}) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({_M} be {_MOVED} .+)$",
+    (f"^(.+?) ({MUST} (?!not |never ).+?) , (?:as|and so) {MUST} (the .+)$", "{1} and {3} {2}"),
+    (f"^([^,]+?) ({MUST} (?!not |never ).+?) , and (the [^,]+) likewise$", "{1} and {3} {2}"),
+    (f"^(.+ {_BLOCK}) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
      "{1} , which starts {2} , {3}"),
-    (f"^(.+ {_BLOCK}s) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({_M} be {_MOVED} .+)$",
+    (f"^(.+ {_BLOCK}s) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
      "{1} , which start {2} , {3}"),
     ("^(?:it shall be the case|it shall be so|it shall hold) that (.+)$", "{1}"),
     ("^(?:all of )?the following(?: conditions| requirements)? (?:shall|must|should)(?: all)? (?:hold|apply|be met|"
@@ -100,70 +97,71 @@ _PLAINLY: tuple[Turn, ...] = (
     (f"^(.+) , ({_MANY} [^,]+?) being (?:present|there|available)( as distractors)?$", "{1} . there are {2} {3}"),
     (f"^there being ({_MANY} [^,]+) , (.+)$", "there are {1} . {2}"),
     ("^(.+?)(?: ,)? in the presence of (.+)$", "{1} . there are {2}"),
-    (f"^no (?:other )?{_BLOCK} (?:other than|except|except for|but|apart from|besides) (the .+?) {_M} be "
+    (f"^no (?:other )?{_BLOCK} (?:other than|except|except for|but|apart from|besides) (the .+?) {MUST} be "
      "(?:moved|touched|displaced)$", "all blocks except {1} shall stay where they are"),
-    (f"^(?:apart from|except for|other than) (the .+?) , no (?:other )?{_BLOCK} {_M} be (?:moved|touched|displaced)$",
+    (f"^(?:apart from|except for|other than) (the .+?) , no (?:other )?{_BLOCK} {MUST} be (?:moved|touched|displaced)$",
      "all blocks except {1} shall stay where they are"),
-    (f"^(the [^,]+?) ({_M} be .+?) ,(?: and)? no other {_BLOCK} (?:being|is|{_M} be) (?:moved|touched|displaced)$",
+    (f"^(the [^,]+?) ({MUST} be .+?) ,(?: and)? no other {_BLOCK} (?:being|is|{MUST} be) (?:moved|touched|displaced)$",
      "{1} {2} . all blocks except {1} shall stay where they are"),
-    (f"^the order of (?:the {_BLOCK}s (?:in|of) )?the ({_LINE})(?: ,)? ({_WAY})(?: ,)? ({_M}) be (.+)$",
+    (f"^the order of (?:the {_BLOCK}s (?:in|of) )?the ({_LINE})(?: ,)? ({WAY})(?: ,)? ({MUST}) be (.+)$",
      "the {1} {3} be , {2} : {4}"),
-    (f"^the stacking order(?: ,)? ({_WAY})(?: ,)? ({_M}) be (.+)$", "the tower {2} be , {1} : {3}"),
-    (f"^the word (?:formed|spelled|shown) by the ({_BLOCK}s|letters) {_M} be (.+)$", "the {1} shall spell {2}"),
-    (f"^for each (color|letter|kind)(?: ,)? (?:an?|one)(?: separate| own)? ({_LINE}) ({_M} be .+)$",
+    (f"^the stacking order(?: ,)? ({WAY})(?: ,)? ({MUST}) be (.+)$", "the tower {2} be , {1} : {3}"),
+    (f"^the word (?:formed|spelled|shown) by the ({_BLOCK}s|letters) {MUST} be (.+)$", "the {1} shall spell {2}"),
+    (f"^for each (color|letter|kind)(?: ,)? (?:an?|one)(?: separate| own)? ({_LINE}) ({MUST} be .+)$",
      "one {2} per {1} {3}"),
     ("\\bin such a (?:manner|fashion) that\\b", "so that"),
     # relative clauses
-    (f", the (center|middle|base|top|bottom) of which {_IS} ([^,]+) , ({_M} .+)$", "whose {1} is {2} {3}"),
-    (f", (whose (?:center|middle|base|top|bottom) is [^,]+) , ({_M} .+)$", "{1} {2}"),
+    (f", the (center|middle|base|top|bottom) of which {_IS} ([^,]+) , ({MUST} .+)$", "whose {1} is {2} {3}"),
+    (f", (whose (?:center|middle|base|top|bottom) is [^,]+) , ({MUST} .+)$", "{1} {2}"),
     (f"(?:, )?the (center|middle|base|top|bottom) of which {_IS}\\b", "whose {1} is"),
-    (f"(?:, )?the (base|top|bottom) of which (?:consists|consist|{_M} consist) of\\b", "whose {1} consists of"),
-    (f"^(.+?) {_M} (?:be|form|make) the (top|base|bottom) of (an? \\w+) whose (.+)$",
+    (f"(?:, )?the (base|top|bottom) of which (?:consists|consist|{MUST} consist) of\\b", "whose {1} consists of"),
+    (f"^(.+?) {MUST} (?:be|form|make) the (top|base|bottom) of (an? \\w+) whose (.+)$",
      "{3} whose {2} is {1} and whose {4} shall be built"),
     (f", each of which {_IS}\\b", ", each"),
-    (f"^(.+?) , (?:which|that) ({_M} [^,]+) , ({_M} .+)$", "{1} {2} and {3}"),
-    (f"^(.+?)(?: ,)? (?:which|that) (start|begin)(?: out)? (as an?|as one|in an?|in one) ({_LINE})(?: ,)? ({_M} .+)$",
+    (f"^(.+?) , (?:which|that) ({MUST} [^,]+) , ({MUST} .+)$", "{1} {2} and {3}"),
+    (f"^(.+?)(?: ,)? (?:which|that) (start|begin)(?: out)? (as an?|as one|in an?|in one) ({_LINE})(?: ,)? ({MUST} .+)$",
      "{1} {2} {3} {4} . they {5}"),
-    (f"^(.+?) , (?:which|that) (?:rises|climbs|ascends|goes up) (to|toward|towards) the ({_END}) , ({_M} .+)$",
+    (f"^(.+?) , (?:which|that) (?:rises|climbs|ascends|goes up) (to|toward|towards) the ({END}) , ({MUST} .+)$",
      "{1} {4} , rising {2} the {3}"),
-    (f"(?:, )?whose order ({_WAY}) (?:is|reads|{_M} be|{_M} read) (.+)$", "in the order {2} {1}"),
+    (f"(?:, )?whose order ({WAY}) (?:is|reads|{MUST} be|{MUST} read) (.+)$", "in the order {2} {1}"),
     (f"(?:, )?whose (?:edge|edges|edge length|side length) (?:is|are|measures|measure) ({_CM})(?: ,)?",
      "with an edge of {1}"),
     (f"(?:, )?(?:which|that) (?:has|have) an (?:edge|edge length) of ({_CM})(?: ,)?", "with an edge of {1}"),
-    (f"\\b({_LINE}(?: of (?:\\w+ ){{1,3}}{_BLOCK}s)?)(?: ,)? (?:that|which) (?:runs|goes|extends|leads) ({_WAY})",
+    (f"\\b({_LINE}(?: of (?:\\w+ ){{1,3}}{_BLOCK}s)?)(?: ,)? (?:that|which) (?:runs|goes|extends|leads) ({WAY})",
      "{1} {2}"),
     (f"^(.*?)\\b((?:(?!the |every |each )\\w+ )?)({_THINGS}) , of which there (?:are|is) ({_MANY})"
      "(?: in all| in total| altogether)?(?: ,)?( .+)?$", "{1} {2} {3} {5} . there are {4} {2} {3s}"),
-    (f"^(.+) the ((?:\\w+ )?)({_THING}) , ({_BESIDE}) which (.+?) ({_M} {_STAND})( on the table)?$",
+    (f"^(.+) the ((?:\\w+ )?)({_THING}) , ({_BESIDE}) which (.+?) ({MUST} {_STAND})( on the table)?$",
      "{1} the {2} {3} . {5} {6} {7} {4} the {2} {3}"),
-    (f"^(.+ {_M} be (?:built|formed|made|erected)) , ({_BESIDE}) which (.+?) ({_M} {_STAND})( on the table)?$",
+    (f"^(.+ {MUST} be (?:built|formed|made|erected)) , ({_BESIDE}) which (.+?) ({MUST} {_STAND})( on the table)?$",
      "{1} . {3} {4} {5} {2} it"),
-    (f"^(.+ {_M} (?:be|stand|lie)(?: \\w+ed| put)? on) the same (?:patch|mat|zone|target)(?: ,)? (?:which|that) "
+    (f"^(.+ {MUST} (?:be|stand|lie)(?: \\w+ed| put)? on) the same (?:patch|mat|zone|target)(?: ,)? (?:which|that) "
      "(?:may|can|must|shall|should) be(?: either)? (.+) or (.+)$", "{1} {2} or {1} {3}"),
-    (f"(?:, )?(?:of which|whereof) the (\\w+)(?: one| {_BLOCK})? (?:{_IS}|{_M} stand|{_M} lie|stands|lies) "
+    (f"(?:, )?(?:of which|whereof) the (\\w+)(?: one| {_BLOCK})? (?:{_IS}|{MUST} stand|{MUST} lie|stands|lies) "
      "(at the (?:bottom|top|left|right|front|back)|on top|in the middle|leftmost|rightmost)$", "with the {1} one {2}"),
     (f", the ({_SIDED}) (?:{_BLOCK}s )?of which {_IS} (\\w+) and the ({_SIDED}) (?:{_BLOCK}s )?(?:of which )?"
      f"(?:{_IS} )?(\\w+)$", ", the {1} being {2} and the {3} {4}"),
-    (f"^the {_BLOCK}s (?:of|in) the ({_LINE}) ({_M}) be , ({_WAY}) [:,] (.+)$", "the {1} {2} be , {3} : {4}"),
-    (f"(?:, )?whose {_BLOCK}s {_IS} , ({_WAY}) [:,] (.+)$", "in the order {2} {1}"),
+    (f"^the {_BLOCK}s (?:of|in) the ({_LINE}) ({MUST}) be , ({WAY}) [:,] (.+)$", "the {1} {2} be , {3} : {4}"),
+    (f"(?:, )?whose {_BLOCK}s {_IS} , ({WAY}) [:,] (.+)$", "in the order {2} {1}"),
     (" , (?:originally|initially) (?:located |placed |standing |lying |situated |positioned |resting )?"
      "((?:on|next to|to the|in front|behind) [^,]+?) ,", ", which starts {1} ,"),
-    (f"^(.+?) ({_M} (?:lie|stand|be|be placed|be put)) (to the left|to the right|in front) , and (.+?) "
+    (f"^(.+?) ({MUST} (?:lie|stand|be|be placed|be put)) (to the left|to the right|in front) , and (.+?) "
      "(to the left|to the right|in front) , of (.+)$", "{1} {2} {3} of {6} and {4} {5} of {6}"),
     (f"(?:, )?the (corners|edges) of which {_IS} (\\w+)(?: and the (?:other|remaining) blocks(?: of which)?"
      f"(?: {_IS})? (\\w+))$", "whose {1} are {2} and whose other blocks are {3}"),
     # what there is
-    (f"^the height of the (tower|stack|wall|pyramid) ({_M} be .+ {_BLOCK}s)$", "the {1} {2} high"),
-    (f"^the length of the (row|line|column) ({_M} be .+ {_BLOCK}s)$", "the {1} {2} long"),
-    (f"^the number of ((?:\\w+ )?{_BLOCK}s) (on .+?) ({_M} be) ((?:exactly |at least |at most ){_MANY})$",
+    (f"^the height of the (tower|stack|wall|pyramid) ({MUST} be .+ {_BLOCK}s)$", "the {1} {2} high"),
+    (f"^the length of the (row|line|column) ({MUST} be .+ {_BLOCK}s)$", "the {1} {2} long"),
+    (f"^the number of ((?:\\w+ )?{_BLOCK}s) (on .+?) ({MUST} be) ((?:exactly |at least |at most ){_MANY})$",
      "there {3} {4} {1} {2}"),
-    (f"^the number of ((?:\\w+ )?{_BLOCK}s) (on .+?) ({_M} be) ({_MANY})$", "there {3} exactly {4} {1} {2}"),
-    (f"^the number of ((?:\\w+ )?{_BLOCK}s) in the ({_LINE}) ({_M}) be ((?:exactly |at least )?{_MANY})$",
+    (f"^the number of ((?:\\w+ )?{_BLOCK}s) (on .+?) ({MUST} be) ({_MANY})$", "there {3} exactly {4} {1} {2}"),
+    (f"^the number of ((?:\\w+ )?{_BLOCK}s) in the ({_LINE}) ({MUST}) be ((?:exactly |at least )?{_MANY})$",
      "the {2} {3} consist of {4} {1}"),
-    (f"^the grid ({_M}) (?:consist of|comprise|have) ({_MANY} rows) of ({_MANY}) {_BLOCK}s(?: each)?$",
+    (f"^the grid ({MUST}) (?:consist of|comprise|have) ({_MANY} rows) of ({_MANY}) {_BLOCK}s(?: each)?$",
      "a grid of {2} and {3} columns {1} be built"),
-    (f"^((?:an?|one|{_MANY}) .+?) ({_M}) be (?:standing|present|found|seen)( on the table)?$", "there {2} be {1} {3}"),
-    (f"^((?:an?|one|{_MANY}) [^,]+ , each [^,]+) , ({_M}) be (?:standing|present|found|seen)( .+)?$",
+    (f"^((?:an?|one|{_MANY}) .+?) ({MUST}) be (?:standing|present|found|seen)( on the table)?$",
+     "there {2} be {1} {3}"),
+    (f"^((?:an?|one|{_MANY}) [^,]+ , each [^,]+) , ({MUST}) be (?:standing|present|found|seen)( .+)?$",
      "there {2} be {1} {3}"),
     (f"^(.+) , ({_MANY} of each) being (?:used|present|available)$", "{1} . there are {2}"),
     # what is said aside
@@ -172,34 +170,34 @@ _PLAINLY: tuple[Turn, ...] = (
     ("^with (.+?) (?:left|being|kept) (?:empty|free|clear) , (.+)$", "{1} must be empty . {2}"),
     ("^(.+) , with (the [^,]+?) (?:left|being|kept) (?:empty|free|clear)$", "{1} . {2} must be empty"),
     ("^with (.+?) (?:remaining|staying|being kept) (on .+?|in .+?|where it is) , (.+)$", "{1} must remain {2} . {3}"),
-    (f"^(.+?) , ({_WAY}) , ((?:of|from|out of) .+)$", "{2} , {1} {3}"),
-    (f"^(.*{_M}) (?:read|be|show) , ({_WAY}) [:,] (.+)$", "{1} be , {2} : {3}"),
-    (f"^(.+ {_M}) first (be \\w+|stand|lie|sit|go) (.+?) (?:and|, and|,) {_THEN}"
-     f"(?: {_M} be \\w+| be \\w+)? (.+)$", "{1} {2} first {3} and then {4}"),
-    (f"^((?:(?! then | after ).)+ {_M}) first (be \\w+ (?:(?! then | after ).)+)$", "first , {1} {2}"),
+    (f"^(.+?) , ({WAY}) , ((?:of|from|out of) .+)$", "{2} , {1} {3}"),
+    (f"^(.*{MUST}) (?:read|be|show) , ({WAY}) [:,] (.+)$", "{1} be , {2} : {3}"),
+    (f"^(.+ {MUST}) first (be \\w+|stand|lie|sit|go) (.+?) (?:and|, and|,) {_THEN}"
+     f"(?: {MUST} be \\w+| be \\w+)? (.+)$", "{1} {2} first {3} and then {4}"),
+    (f"^((?:(?! then | after ).)+ {MUST}) first (be \\w+ (?:(?! then | after ).)+)$", "first , {1} {2}"),
     ("^(.+?)(?: ,)? (?:provided|on condition|on the condition|under the condition) that (.+?) (has|have) "
      "(?:first |previously |already |before )?been (.+)$", "{1} , but only after {2} {3} been {4}"),
     ("(?:, )?except that\\b", ", but"),
     (", during which\\b", ", and"),
-    (f"^(?:it|he|she) {_M} (?:not|never) ((?:move|place|put|lift|displace|shift|push|stack) .+)$", "do not {1}"),
-    (f"^(?:it|he|she) {_M} (then |also |finally )?((?:place|put|move|stack|set|build) "
+    (f"^(?:it|he|she) {MUST} (?:not|never) ((?:move|place|put|lift|displace|shift|push|stack) .+)$", "do not {1}"),
+    (f"^(?:it|he|she) {MUST} (then |also |finally )?((?:place|put|move|stack|set|build) "
      f"(?:the|an?|both|all|one|{_MANY}|\\w) .+)$", "{1} {2}"),
-    (f"(?:, )?(?:so|such) that the distance between (them|their centers) (?:is|amounts to|{_M} be) ({_CM})",
+    (f"(?:, )?(?:so|such) that the distance between (them|their centers) (?:is|amounts to|{MUST} be) ({_CM})",
      "with a distance of {2} between {1}"),
-    (f"^(.*?)the (?:positions|places|locations) of (.+? {_M} be (?:swapped|exchanged|interchanged))$", "{1} {2}"),
+    (f"^(.*?)the (?:positions|places|locations) of (.+? {MUST} be (?:swapped|exchanged|interchanged))$", "{1} {2}"),
     ("\\bcentrally (between)\\b", "midway {1}"),
     ("\\b(rotated|turned) through (\\d+ degrees)\\b", "{1} by {2}"),
     (f"(?:, )?(?:so|such) that a (gap|distance) of ({_CM}) (?:remains|is left|is kept) between (.+)$",
      "with a {1} of {2} between {3}"),
     ("\\bbetween (?:neighboring|adjacent) faces\\b", "between neighboring blocks"),
     (", the (?:distances|gaps|spaces) between (?:them|neighbors|the blocks) being equal\\b", ", evenly spaced"),
-    (f"\\b({_M}) not exceed\\b", "{1} be at most"),
-    (f"\\b({_M}) not (?:fall below|be less than)\\b", "{1} be at least"),
+    (f"\\b({MUST}) not exceed\\b", "{1} be at most"),
+    (f"\\b({MUST}) not (?:fall below|be less than)\\b", "{1} be at least"),
     # structures
-    (f"^(.+?) (?:consisting of|comprising|composed of) , ({_WAY}) , (.+)$", "{2} , {1} of {3}"),
-    (f"\\b({_M}) comprise\\b", "{1} consist of"),
+    (f"^(.+?) (?:consisting of|comprising|composed of) , ({WAY}) , (.+)$", "{2} , {1} of {3}"),
+    (f"\\b({MUST}) comprise\\b", "{1} consist of"),
     ("\\bcomprising\\b", "consisting of"),
-    (f", of which (one|{_MANY}) (?:is|are|{_M} be) (\\w+) and (one|{_MANY}) (?:(?:is|are|{_M} be) )?(\\w+)",
+    (f", of which (one|{_MANY}) (?:is|are|{MUST} be) (\\w+) and (one|{_MANY}) (?:(?:is|are|{MUST} be) )?(\\w+)",
      ", {1} {2} and {3} {4}"),
     (f"(?:, )?(?:in which|where|so that) the (?:gap|gaps|space) between (?:the |any two |two )?"
      f"(?:neighbors|(?:neighboring|adjacent|successive|consecutive) \\w+) {_IS} ({_CM})(?: wide)?",
@@ -216,7 +214,7 @@ _PLAINLY: tuple[Turn, ...] = (
     ("\\b(?:lying|standing|resting) (flat on the table)\\b", "{1}"),
     ("^(.*?so that )(.+?) form one group(?: ,)? and (.+?)(?: form)? another(?: group| one)?$",
      "{1} {2} are in one group and {3} in another"),
-    (f"^(.+?) ({_M}) form one group(?: ,)? and (.+?)(?: {_M} form)? another(?: group| one)?$",
+    (f"^(.+?) ({MUST}) form one group(?: ,)? and (.+?)(?: {MUST} form)? another(?: group| one)?$",
      "{1} {2} be in one group and {3} in another"),
     ("\\b(equation)(?: ,)? (?:all (?:of them|of these) being used|with all of them used|using all of them)$", "{1}"),
     ("\\bbe left standing with\\b", "stand with"),
@@ -261,7 +259,7 @@ _FEW = 3
 def _steps_told(tokens: list[Token]) -> list[Token]:
     """ "Step 1: ... Step 2: ... Step 1 shall be completed before step 2.": as steps they follow each other anyway."""
     text = " ".join(token.word for token in tokens)
-    done = f"\\bstep (\\d) {_M} be (?:completed|finished|done) before step (\\d)(?: begins| starts)?(?= \\.|$)"
+    done = f"\\bstep (\\d) {MUST} be (?:completed|finished|done) before step (\\d)(?: begins| starts)?(?= \\.|$)"
     told = re.search(done, text)
     if told is None or int(told[1]) >= int(told[2]) or not all(f"step {n} :" in text for n in told.groups()):
         return tokens

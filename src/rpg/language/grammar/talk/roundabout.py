@@ -3,15 +3,9 @@ a sentence cannot be read as it stands."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.talk.turned import Turn
+from rpg.language.grammar.talk.turned import FEW, LENGTH, LINE, MUST, WAY, Turn
 
-_M = "(?:shall|must|should|will|has to|have to|needs to|need to|is to|are to|ought to)"
-_IS = f"(?:is|are|{_M} be|stands|stand|lies|lie|sits|sit)"
-_END = "(?:left|right|front|back|top|bottom|near|far)"
-_WAY = f"from (?:the )?{_END} to (?:the )?{_END}"
-_FEW = "one|two|three|four|five|six|seven|eight|nine|ten|twelve"
-_CM = f"(?:[\\d.]+|{_FEW}) (?:cm|mm|centimeters?|millimeters?)"
-_LINE = "(?:tower|stack|row|line|column)"
+_IS = f"(?:is|are|{MUST} be|stands|stand|lies|lie|sits|sit)"
 _SIDED = "(?:upper|top|lower|bottom|left|right|front|back)"
 _BLOCK = "(?:block|cube|brick|one)"
 _PATCH = "(?:patch|mat|zone|target|area|spot)"
@@ -22,9 +16,9 @@ _STARTED = (
 )
 
 AT_ONCE: tuple[Turn, ...] = (
-    (f"^(.+?)(?: {_M})? (?:be|end up|end|finish|come to lie) at least ({_CM})(?: away)? from {_STARTED}$",
+    (f"^(.+?)(?: {MUST})? (?:be|end up|end|finish|come to lie) at least ({LENGTH})(?: away)? from {_STARTED}$",
      "{1} must be moved by at least {2}"),
-    (f"^(.+?)(?: {_M})? (?:be|end up|end|finish) ({_CM}) or more(?: away)? from {_STARTED}$",
+    (f"^(.+?)(?: {MUST})? (?:be|end up|end|finish) ({LENGTH}) or more(?: away)? from {_STARTED}$",
      "{1} must be moved by at least {2}"),
     (f"^([^,]+?) {_IS} at the left end of an? (row|line)(?: ,)? with (.+?) to its right$",
      "a {2} , from left to right : {1} , then {3}"),
@@ -36,9 +30,9 @@ AT_ONCE: tuple[Turn, ...] = (
      "(?:either|each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
     ("^(?:in my tower )?there are (.+?) between (the .+?) at the bottom and (the .+?) at the top$",
      "a tower , from bottom to top : {2} , then {1} , then {3}"),
-    (f"\\ban? (\\w+) ({_LINE}) of (.+?) and an? (\\w+) ({_LINE}) (?:with|of) (?:just |exactly )?(?:as many(?: blocks| "
+    (f"\\ban? (\\w+) ({LINE}) of (.+?) and an? (\\w+) ({LINE}) (?:with|of) (?:just |exactly )?(?:as many(?: blocks| "
      "cubes)?(?: as .+)?|the same (?:height|length|number of blocks))$", "a {1} {2} of {3} and a {4} {5} of {3}"),
-    (f"\\ba (tower|stack) of ({_FEW}) (\\w+) (blocks|cubes) and an equally (?:tall|high) (?:tower|stack) of (\\w+) "
+    (f"\\ba (tower|stack) of ({FEW}) (\\w+) (blocks|cubes) and an equally (?:tall|high) (?:tower|stack) of (\\w+) "
      "(?:blocks|cubes)$", "a {1} of {2} {3} {4} and a {1} of {2} {5} {4}"),
     ("^(?:put )?([^,]+?) on the left and ([^,]+?) on the right of ([^,]+)$",
      "{1} must be to the left of {3} and {2} to the right of {3}"),
@@ -48,14 +42,14 @@ AT_ONCE: tuple[Turn, ...] = (
      "there are {1} . {2} must be on each of them"),
     ("^(?:a )?(?:vertical )?(?:stack|tower) (?:spelling|reading) (\\S+) , top first$",
      "a tower that reads {1} from top to bottom"),
-    (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the (?:smallest|lowest)$",
+    (f"\\b((?:numbers|digits) .+) in order ({WAY})(?: ,)? (?:starting|beginning) with the (?:smallest|lowest)$",
      "{1} in ascending order {2}"),
-    (f"\\b((?:numbers|digits) .+) in order ({_WAY})(?: ,)? (?:starting|beginning) with the "
+    (f"\\b((?:numbers|digits) .+) in order ({WAY})(?: ,)? (?:starting|beginning) with the "
      "(?:largest|biggest|highest)$", "{1} in descending order {2}"),
     ("\\bno (?:fewer|less) than\\b", "at least"),
     ("^using (?:(?:just|only) )?(the .+?) , (spell \\S+)(.*)$", "{2} with {1} {3}"),
-    (f"^(spell \\S+) on ((?:{_FEW}) (?:letter )?(?:cubes|blocks))$", "{1} with {2}"),
-    (f"\\b(the (?:{_SIDED} (?:{_FEW})|(?:{_FEW}) {_SIDED})(?: {_BLOCK}s)? \\w+)(?: ,)? and the {_SIDED} "
+    (f"^(spell \\S+) on ((?:{FEW}) (?:letter )?(?:cubes|blocks))$", "{1} with {2}"),
+    (f"\\b(the (?:{_SIDED} (?:{FEW})|(?:{FEW}) {_SIDED})(?: {_BLOCK}s)? \\w+)(?: ,)? and the {_SIDED} "
      f"(?:ones|{_BLOCK}s) (\\w+)$", "{1} and the others {2}"),
     ("^(.*\\b(?:first|then)\\b.*?)(?: ,)? and (?:at|in) the end ((?:put|place|move|stack|set|bring|build|take|add|lay) "
      ".+)$", "{1} , and finally {2}"),
@@ -70,56 +64,57 @@ AT_ONCE: tuple[Turn, ...] = (
 
 ROUNDABOUT: tuple[Turn, ...] = (
     # ends of lines
-    (f"^(an? .+?|one .+?) at (?:either|each) end of (?:the|an?) ({_LINE}) and (.+?) (?:in )?between(?: them)?$",
+    (f"^(an? .+?|one .+?) at (?:either|each) end of (?:the|an?) ({LINE}) and (.+?) (?:in )?between(?: them)?$",
      "a {2} of {3} with {1} at each end"),
-    (f"^(?:the|an?) (.+?) (?:{_IS} )?at one end of (?:the|an?) ({_LINE})(?: ,)? and (?:the|an?) (.+?) (?:{_IS} )?"
+    (f"^(?:the|an?) (.+?) (?:{_IS} )?at one end of (?:the|an?) ({LINE})(?: ,)? and (?:the|an?) (.+?) (?:{_IS} )?"
      "at the other(?: end)?(?: ,)? (?:with|and) (.+?) (?:in )?between(?: them)?$",
      "a {2} in the order a {1} , then {4} , then a {3} in either direction"),
     (f"^(?:cap|close|finish) both ends of (an? (?:row|line) of .+?) with (?:an? )?(.+ {_BLOCK})$",
      "{1} with a {2} at each end"),
     # gaps
-    (f"\\b(?:(?:leave|with|leaving) )?(?:an? )?gap of ({_CM}) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and "
+    (f"\\b(?:(?:leave|with|leaving) )?(?:an? )?gap of ({LENGTH}) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and "
      f"the next(?: {_BLOCK})?$", "with gaps of {1}"),
-    (f"\\b({_CM}) of (?:gap|space) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and the next(?: {_BLOCK})?$",
+    (f"\\b({LENGTH}) of (?:gap|space) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and the next(?: {_BLOCK})?$",
      "with gaps of {1}"),
-    (f"^separate (.+?) from (.+?) by ({_CM})(?: , center to center| center to center)?$",
+    (f"^separate (.+?) from (.+?) by ({LENGTH})(?: , center to center| center to center)?$",
      "{1} and {2} must be {3} apart"),
     # numbers in order
-    (f"(?: ,)? and (?:they|the numbers) (?:get|become|grow) (?:bigger|larger|higher) ({_WAY})$",
+    (f"(?: ,)? and (?:they|the numbers) (?:get|become|grow) (?:bigger|larger|higher) ({WAY})$",
      "in ascending order {1}"),
-    (f"(?: ,)? and (?:they|the numbers) (?:get|become) (?:smaller|lower) ({_WAY})$", "in descending order {1}"),
-    (f"^(.+?) count down ({_WAY})( in an? (?:row|line))?$", "{1} in a row in descending order {2}"),
-    (f"^(.+?) count up ({_WAY})( in an? (?:row|line))?$", "{1} in a row in ascending order {2}"),
+    (f"(?: ,)? and (?:they|the numbers) (?:get|become) (?:smaller|lower) ({WAY})$", "in descending order {1}"),
+    (f"^(.+?) count down ({WAY})( in an? (?:row|line))?$", "{1} in a row in descending order {2}"),
+    (f"^(.+?) count up ({WAY})( in an? (?:row|line))?$", "{1} in a row in ascending order {2}"),
     ("\\bthe smallest(?: one)? (?:nearest|closest)(?: to)? (?:the viewer|me|you) and (?:growing|rising|increasing) "
      "(?:toward|towards|to) the back$", "in ascending order from front to back"),
     ("\\binto (odd and even|even and odd|vowel and consonant|letter and digit|digit and letter) "
      "(?:groups|ones|piles|clusters|sets)\\b", "into {1}"),
     # as many
-    (f"^(?:the|an?) (\\w+) ({_LINE}) has (.+?)(?: ,)? and (?:the|an?) (\\w+) ({_LINE}) has (?:just |exactly )?as many"
+    (f"^(?:the|an?) (\\w+) ({LINE}) has (.+?)(?: ,)? and (?:the|an?) (\\w+) ({LINE}) has (?:just |exactly )?as many"
      "(?: blocks| cubes)?(?: as .+)?$", "a {1} {2} of {3} and a {4} {5} of {3}"),
-    (f"^(.*?\\b({_FEW}) .+? on .+?) and (?:just |exactly )?as many (.+? on .+)$", "{1} and {2} {3}"),
-    (f"^(?:share|distribute|divide|split|spread) ({_FEW}) (.+?) (?:equally|evenly|fairly) "
+    (f"^(.*?\\b({FEW}) .+? on .+?) and (?:just |exactly )?as many (.+? on .+)$", "{1} and {2} {3}"),
+    (f"^(?:share|distribute|divide|split|spread) ({FEW}) (.+?) (?:equally|evenly|fairly) "
      f"(?:between|over|among|across) (the .+? {_PATCH}) and (the .+)$",
      "put half of the {1} {2} on {3} and the other half on {4}"),
     # one relation in the words of another
     (f"^(the .+? {_PATCH}) is where (.+?) (?:needs to be|should be|must be|goes|belongs|has to be|is to be|"
      "should go|must go)$", "{2} must be on {1}"),
     (f"^(.+? {_PATCH}) receives (.+)$", "{2} must be on {1}"),
-    (f"^(.+?) (?:gets|has|{_M} have) (.+?) as (?:its|a|her|his) neighbor$", "{2} must be next to {1}"),
+    (f"^(.+?) (?:gets|has|{MUST} have) (.+?) as (?:its|a|her|his) neighbor$", "{2} must be next to {1}"),
     ("\\btouch(?:ing|es)? (?:its|their) neighbors?\\b", "touching each other"),
     ("\\bflanked by (.+?) on one side and (.+?) on the other(?: side)?\\b", "between {1} and {2}"),
     ("\\bsandwich (.+?) between (.+?) (?:below|underneath) and (.+?) above$", "put {1} on {2} and {3} on {1}"),
     ("^end with (.+?) supporting (.+)$", "{1} must support {2}"),
     (f"^the (?:{_BLOCK}) (?:that is )?(on top of|on|above|under|below|next to|to the left of|to the right of|behind|"
-     f"in front of) (the .+?) ({_M} be|is) (the .+)$", "{4} must be {1} {2}"),
+     f"in front of) (the .+?) ({MUST} be|is) (the .+)$", "{4} must be {1} {2}"),
     ("^(.+?) anywhere (?:except|but) on (.+)$", "{1} must not be on {2}"),
     ("\\bnearer to the robot than\\b", "in front of"),
     (f"^(.+?) , (?:which|that) (?:has|carries|bears) (.+?) on (?:it|top|top of it) , ({_IS} .+)$",
      "{2} must be on {1} and {1} {3}"),
     ("^(.+ (?:under|underneath|below|beneath|above|over|on) .+?) ,? ?in direct contact$", "{1} directly"),
-    (f"^underneath (the [^,]+?) there {_M} be ([^,]+?) , in direct contact$",
+    (f"^underneath (the [^,]+?) there {MUST} be ([^,]+?) , in direct contact$",
      "{2} must be directly under {1}"),
-    (f"^([^,]+?) ({_M} be) (under|below|beneath|above|over) ([^,]+?) , in direct contact$", "{1} {2} directly {3} {4}"),
+    (f"^([^,]+?) ({MUST} be) (under|below|beneath|above|over) ([^,]+?) , in direct contact$",
+     "{1} {2} directly {3} {4}"),
     ("^(.+) , stacked directly$", "{1}"),
     ("^(.+?) touch(?: each other)? side by side( on the table)?$", "{1} are side by side and touch each other"),
     ("\\b(gets|get|be|are) grouped into\\b", "must be sorted into"),
@@ -131,19 +126,19 @@ ROUNDABOUT: tuple[Turn, ...] = (
      "{2} starts in {3} . {1} it to {4}"),
     # structures
     ("\\blike (?:in )?(?:a|the) rainbow(?: , in one row)?\\b", "in rainbow order in a row"),
-    (f"^({_WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) down : (.+)$", "a row in descending order {1} : {2}"),
-    (f"^({_WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) up : (.+)$", "a row in ascending order {1} : {2}"),
-    (f"^(.*\\b{_LINE} of .+ then .+) again$", "{1}"),
-    (f"^({_FEW}) layers of (.+?) , each(?: layer)? (\\d+|{_FEW}) by (\\d+|{_FEW}) , one layer (?:right )?"
+    (f"^({WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) down : (.+)$", "a row in descending order {1} : {2}"),
+    (f"^({WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) up : (.+)$", "a row in ascending order {1} : {2}"),
+    (f"^(.*\\b{LINE} of .+ then .+) again$", "{1}"),
+    (f"^({FEW}) layers of (.+?) , each(?: layer)? (\\d+|{FEW}) by (\\d+|{FEW}) , one layer (?:right )?"
      "on (?:top of )?the other$", "a grid of {1} layers of {3} by {4} {2}"),
     ("\\b(?:and|which) both (stay where they are)$", "which {1}"),
     ("\\bwith (?:its|the) opening (?:toward|towards|facing) the (?:robot|viewer)$", "open to the front"),
-    (f"\\b({_LINE}) that (?:is|reads|goes) , ({_WAY}) , (.+)$", "{1} of {3} {2}"),
+    (f"\\b({LINE}) that (?:is|reads|goes) , ({WAY}) , (.+)$", "{1} of {3} {2}"),
     ("^(.+?) going up in (?:a tower|a stack)$", "a tower , from bottom to top : {1}"),
     ("^(.+?) going down in (?:a tower|a stack)$", "a tower , from top to bottom : {1}"),
-    (f"^the ({_LINE}) on the (left|right) (?:has|consists of|is made of) (.+?)(?: ,)? (?:and|while) the {_LINE} on the "
+    (f"^the ({LINE}) on the (left|right) (?:has|consists of|is made of) (.+?)(?: ,)? (?:and|while) the {LINE} on the "
      "(?:left|right) (?:has|consists of|is made of) (.+)$", "a {1} of {3} must be to the {2} of a {1} of {4}"),
-    (f"^(.+?)(?: ,)? and each {_LINE} ({_M}) (?:have|be made of|consist of) (.+)$", "{1} , each of {3}"),
+    (f"^(.+?)(?: ,)? and each {LINE} ({MUST}) (?:have|be made of|consist of) (.+)$", "{1} , each of {3}"),
     ("\\b(?:whose|the) (?:rows|columns|layers) are each of one color :", "; each row in one color :"),
     (f"^the staircase (?:has|with) (.+? steps) and {_CLIMBS} to the (left|right|back|front)$",
      "a staircase of {1} , rising to the {2}"),
@@ -151,11 +146,11 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^(.+?) (?:make|form) one group(?: ,)? (?:and )?the (.+?)(?: make| form)? another(?: group| one)?$",
      "{1} must be in one group and the {2} in another group"),
     ("^(?:digit|number|letter) (?:cubes|blocks) (?:displaying|showing|spelling|reading) (\\S+)$", "spell {1}"),
-    (f"^from an? ({_LINE}) (?:with|of) (.+?) , rebuild it as (.+)$", "at the start , {2} . at the end , {3}"),
+    (f"^from an? ({LINE}) (?:with|of) (.+?) , rebuild it as (.+)$", "at the start , {2} . at the end , {3}"),
     # what comes of it
     ("^([^,]+?)(?: ,)? (?:which gives|which makes|giving|so that you get|resulting in) (an? .+)$",
      "{1} so that there is {2}"),
-    (f"^([^,]+?)(?: ,)? (?:which gives|which makes|giving|resulting in) ((?:{_FEW}) .+)$", "{1} so that there are {2}"),
+    (f"^([^,]+?)(?: ,)? (?:which gives|which makes|giving|resulting in) ((?:{FEW}) .+)$", "{1} so that there are {2}"),
     ("^(?:make|build|form) (a (?:tower|stack) of .+?) by (?:setting|placing|putting|stacking) ([^,]+)$",
      "put {2} so that there is {1}"),
     ("^([^,]+) so that (an? .+?) results$", "{1} so that there is {2}"),

@@ -28,7 +28,8 @@ AT_ONCE: tuple[Turn, ...] = (
      "(?:either|each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
     (f"^(?:the|an?) ([^,]+?) {_IS} in the middle of an? (row|line)(?: ,)? (?:and there are|with) (.+?) on "
      "(?:either|each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
-    ("^(?:in my tower )?there are (.+?) between (the .+?) at the bottom and (the .+?) at the top$",
+    ("^(?:in (?:my|the|this|a) (?:tower|stack) )?there are (.+?) between (the .+?) at the bottom and "
+     "(the .+?) at the top$",
      "a tower , from bottom to top : {2} , then {1} , then {3}"),
     (f"\\ban? (\\w+) ({LINE}) of (.+?) and an? (\\w+) ({LINE}) (?:with|of) (?:just |exactly )?(?:as many(?: blocks| "
      "cubes)?(?: as .+)?|the same (?:height|length|number of blocks))$", "a {1} {2} of {3} and a {4} {5} of {3}"),

@@ -26,11 +26,10 @@ def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
     if shape.sizes or not counted_ or (theme is None and not isinstance(source, Noun)) or (theme and theme.quant):
         return shape, theme
     things = [scene.things[n] for n in theme.names] if theme is not None else []
+    own: Collection[str | None] = {thing.label or thing.color for thing in things}
     if isinstance(source, Noun) and theme is None:
-        own: Collection[str | None] = source.traits.labels or source.traits.colors
-    else:
-        own = {thing.label or thing.color for thing in things}
-    if not own or None in own or any(scene.things[n].elastic for n in (theme.names if theme else ())):
+        own = source.traits.labels or source.traits.colors
+    if not own or None in own or any(thing.elastic for thing in things):
         return shape, theme
     more = [m for item in spec.absolutes if (m := _further(item, shape.kind, own)) is not None]
     if not more:
@@ -52,10 +51,13 @@ def _ordered(spec: Spec, theme: Ref, scene: Scene) -> bool:
     return bool(spec.first(*sides) or spec.orders or doubled(theme.names, scene))
 
 
+TWO_ENDS = 2
+
+
 def _around(theme: Ref, further: tuple[str, ...], spec: Spec) -> Ref:
     """ "red, blue, red in a row with a green block at each end": the list, with one before it and one behind."""
     item = spec.absolutes[0]
-    if len(spec.absolutes) > 1 or len(further) != len(_BOTH[0]) or place_of(item).side not in ("ends", "outer"):  # type: ignore[union-attr]
+    if len(spec.absolutes) > 1 or len(further) != TWO_ENDS or place_of(item).side not in ("ends", "outer"):  # type: ignore[union-attr]
         raise refuse("ambiguous", "it is not said between which of the listed blocks this one stands", item.span,
                      "list all the blocks in their order")  # fmt: skip
     spec.absolutes = []

@@ -53,8 +53,8 @@ def _so_many_of_them(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "three blocks. Two of them are red, and the blue one ..." as three red ones and a blue one."""
     for index, token in enumerate(words):
         many = lexicon.NUMBER.get(token.word, 0)
-        rest = [t.word for t in words[index + 1 : index + 5]]
-        if many < 1 or rest[:2] not in (["of", "them"], ["of", "these"], ["of", "those"]) or len(rest) < MOST_WORDS:
+        rest = [t.word for t in words[index + 1 : index + 1 + _CLAIM]]
+        if many < 1 or rest[:2] not in (["of", "them"], ["of", "these"], ["of", "those"]) or len(rest) < _CLAIM:
             continue
         look = lexicon.COLOR.get(rest[3]) if rest[2] in ("are", "is", "must", "should") else None
         if look is not None and sum(block.color == look for block in task.blocks) > many:
@@ -62,8 +62,8 @@ def _so_many_of_them(words: Sequence[Token], task: TaskSchema) -> None:
                          "say of all blocks how many there are of each colour")  # fmt: skip
 
 
-MOST_WORDS = 4
-"""So many words are looked at behind a number: "of them are red"."""
+_CLAIM = len(("of", "them", "are", "red"))
+"""The words behind a number that say how so many of them look."""
 
 
 def _one_of_those(words: Sequence[Token], task: TaskSchema) -> None:

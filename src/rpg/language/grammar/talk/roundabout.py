@@ -138,7 +138,7 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^(.+?) going up in (?:a tower|a stack)$", "a tower , from bottom to top : {1}"),
     ("^(.+?) going down in (?:a tower|a stack)$", "a tower , from top to bottom : {1}"),
     (f"^the ({LINE}) on the (left|right) (?:has|consists of|is made of) (.+?)(?: ,)? (?:and|while) the {LINE} on the "
-     "(?:left|right) (?:has|consists of|is made of) (.+)$", "a {1} of {3} must be to the {2} of a {1} of {4}"),
+     "(?!\\2)(?:left|right) (?:has|consists of|is made of) (.+)$", "a {1} of {3} must be to the {2} of a {1} of {4}"),
     (f"^(.+?)(?: ,)? and each {LINE} ({MUST}) (?:have|be made of|consist of) (.+)$", "{1} , each of {3}"),
     ("\\b(?:whose|the) (?:rows|columns|layers) are each of one color :", "; each row in one color :"),
     (f"^the staircase (?:has|with) (.+? steps) and {_CLIMBS} to the (left|right|back|front)$",

@@ -51,13 +51,14 @@ def _ordered(spec: Spec, theme: Ref, scene: Scene) -> bool:
     return bool(spec.first(*sides) or spec.orders or doubled(theme.names, scene))
 
 
-TWO_ENDS = 2
+_ENDS = 2
+"""So many ends a line has."""
 
 
 def _around(theme: Ref, further: tuple[str, ...], spec: Spec) -> Ref:
     """ "red, blue, red in a row with a green block at each end": the list, with one before it and one behind."""
     item = spec.absolutes[0]
-    if len(spec.absolutes) > 1 or len(further) != TWO_ENDS or place_of(item).side not in ("ends", "outer"):  # type: ignore[union-attr]
+    if len(spec.absolutes) > 1 or len(further) != _ENDS or place_of(item).side not in ("ends", "outer"):  # type: ignore[union-attr]
         raise refuse("ambiguous", "it is not said between which of the listed blocks this one stands", item.span,
                      "list all the blocks in their order")  # fmt: skip
     spec.absolutes = []
@@ -132,5 +133,5 @@ def _further(item: Absolute, kind: str, own: Collection[str | None]) -> Noun | N
         return None
     if place.side in ("rest", "next") or (kind == "stack" and isinstance(place, At) and place.side != "middle"):
         return None
-    count = 2 if ends else amount_of(theme) or 1
+    count = _ENDS if ends else amount_of(theme) or 1
     return replace(theme, det="bare", amount=Amount(count, count), plural=count > 1)

@@ -329,7 +329,7 @@ def _off_it(place: Loc, scene: Scene) -> bool:
 def _at_its_ends(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:
     """What is on top or at the bottom of the structure, or on the one block that was put somewhere."""
     goals: Goals = []
-    for at_ in [*inner.ats]:
+    for at_ in list(inner.ats):
         further = not set(theme.names) & set(ref.names) and at_.index is None
         if len(ref.built) == 1 and further and at_.side in ("top", "bottom"):
             inner.ats.remove(at_)

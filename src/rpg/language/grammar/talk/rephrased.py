@@ -147,17 +147,13 @@ def rephrased(tokens: list[Token]) -> list[Token]:
 def _longest(tokens: list[Token], at: int) -> tuple[str, int]:
     """The longest of the phrases that stands there and the position after it, or 0."""
     found, branch = ("", 0), tree_of(_PHRASES)
-    for n in range(at, min(at + _WITHIN, len(tokens))):
+    for n in range(at, len(tokens)):
         if tokens[n].kind != "word" or tokens[n].word not in branch:
             break
         branch = branch[tokens[n].word]
         if None in branch:
             found = (branch[None][1], n + 1)
     return found
-
-
-_WITHIN = 6
-"""As many words of a phrase are looked at."""
 
 
 def _once_more(tokens: list[Token]) -> list[Token]:

@@ -13,6 +13,7 @@ def denied_once(clause: Clause) -> Clause:
     """ "is not on red and not on blue": both are denied, and neither twice."""
     if clause.negated or getattr(clause.theme, "det", "") == "no":
         _said_in_one(clause)
+    _all_that_are_not(clause)
     _not_in_pairs(clause)
     for near in clause.adjuncts if clause.negated and clause.lemma in ("move", "shift") else ():
         if isinstance(near, Loc) and near.rel in ("between", "beside", "adjacent", "near"):
@@ -30,6 +31,17 @@ def denied_once(clause: Clause) -> Clause:
     placed = tuple(replace(a, negated=False) for a in clause.adjuncts if isinstance(a, Loc | In))
     rest = (a for a in clause.adjuncts if not isinstance(a, Loc | In))
     return replace(clause, adjuncts=(Coord(op="and", items=placed, span=clause.span), *rest))
+
+
+def _all_that_are_not(clause: Clause) -> None:
+    """Refuse "all three red blocks are not on the patch": none of them, or not all of them?"""
+    of_all = clause.negated and isinstance(clause.theme, Noun) and clause.theme.det in ("all", "each")
+    if not of_all or clause.lemma != "fact":
+        return
+    for place in clause.adjuncts:
+        if isinstance(place, In) or (isinstance(place, Loc) and not isinstance(place.landmark, Pronoun)):
+            raise refuse("ambiguous", "it is not clear whether none of them are to be so, or not all of them", clause.span,
+                         "say 'none of the ...', or 'not all of the ...'")  # fmt: skip
 
 
 def _not_in_pairs(clause: Clause) -> None:

@@ -284,9 +284,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         own = ref.names if len(ref.names) > 1 and of_no_look(item.theme) else ()
         theme = refer(item.theme, scene, replace(scope, role="theme", pool=own))
         if any(scene.things[n].invented for n in ref.names) and not set(theme.names) & set(ref.names) and ref.built:
-            raise refuse(
-                "ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks"
-            )
+            raise refuse("ambiguous", "it is not clear which blocks the structure is made of", item.span,
+                         "name its blocks")  # fmt: skip
         inner = sort_adjuncts(item.adjuncts)
         if any(m.kind in ("turn", "facing", "by", "by?") for m in inner.manners):
             goals += _turned(theme, ref, inner, scene, item.span)
@@ -314,6 +313,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 goals += negation(found, item.span, wholes(scene)) if adjunct.negated else found
             else:
                 before = len(scene.things)
+                scene.named_again(item.theme, theme)
                 goals += place(theme, adjunct, scene, scope, item.span)
                 _among_members(ref, theme, before, scene, item.span)
         last = theme

@@ -10,7 +10,7 @@ from rpg.core.diagnostics import Diagnostic, Label, Refusal, Span
 from rpg.ir.goal import Goal
 from rpg.ir.schema import MAX_BLOCKS
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Amount, Meaning, Traits, replace
+from rpg.language.meaning import Amount, Meaning, Noun, Traits, replace
 
 BEYOND = 4 * MAX_BLOCKS
 """How many objects are counted out before an instruction is refused for their number."""
@@ -280,6 +280,11 @@ class Scene:
         members = (*(under.members if under else (lower,)), *(over.members if over else (upper,)))
         self.built = [b for b in self.built if b is not under and b is not over]
         self.add_built("stack", members, True, span)
+
+    def named_again(self, said: Meaning, ref: Ref) -> None:
+        """What is said of a block that was put on another is said of itself then, not of what carries it."""
+        for name in ref.names if isinstance(said, Noun) and not ref.built else ():
+            self.on_clause.pop(name, None)
 
     def add_built(self, kind: str, members: Iterable[str], ordered: bool, span: Span, side: str | None = None) -> Built:
         """Remember a structure."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
+from rpg.language.grammar.clauses.nowhere import not_there
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import absolute
 from rpg.language.grammar.places.held import held
@@ -118,7 +119,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
         for blocks, k in apposed_blocks(p, i):
             yield Using(members=blocks, lead=",", span=p.span(i, k), cost=1), k
     yield from _that(p, i)
-    yield from _not_there(p, i)
+    yield from not_there(p, i)
     yield from ((how, k) for how, k in manner(p, i) if not _bare_distractors(p, i, how))
     if not p.follows(i, ("rectangle",)):  # the noun takes it
         yield from size_phrase(p, i)
@@ -127,33 +128,6 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
         yield from limb(p, i, letter)
     yield from each_led(p, i)
     yield from offset(p, i)
-
-
-_NOT = frozenset({"not", "never", "neither"})
-
-
-@choice
-def _not_there(p: Parser, i: int) -> Results[That]:
-    """ "a row of ..., with green not in the middle", "red not at the bottom": where a block of a line is not."""
-    j = p.any_of(i, ("with", ", with", "but with", ", but with", ", and", ", but", ",", "but", "and"))
-    if not j or not p.anywhere(_NOT):
-        return
-    for theme, k in simple(p, j):
-        if not isinstance(theme, Noun) or not p.stands(k, _NOT):
-            continue
-        for place, end in at(p, k + 1):
-            if p.words[k] != "neither":
-                yield _not_at(p, j, end, theme, place), end
-            for other, last in at(p, end + 1) if p.words[k] == "neither" and p.stands(end, ("nor", "or")) else ():
-                yield _not_at(p, j, last, theme, place, other), last
-
-
-def _not_at(p: Parser, j: int, end: int, theme: Noun, *places: Meaning) -> That:
-    """That something is at none of these places."""
-    span = p.span(j, end)
-    denied = Clause(verb="be", theme=theme, negated=True, mode="goal", span=span)
-    clauses = tuple(replace(denied, adjuncts=(place,)) for place in places)
-    return That(kind="so", clauses=Chain(clauses=clauses, links=("and",) * len(places), span=span), span=span)
 
 
 _COPULAS = frozenset(

@@ -183,8 +183,7 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         for found, end in [*_plain(p, j, mode), *further, *found_all]:
             if isinstance(first, Into) and isinstance(found, Clause) and found.verb == "part":
                 yield replace(found, verb="build", theme=first.structure, span=p.span(i, end)), end
-            elif isinstance(first, Into) and isinstance(found, Clause) and _of_a_place(first, found):
-                inside = Chain(clauses=(found,), links=("and",), span=found.span)
+            elif isinstance(first, Into) and (inside := _of_a_place(first, found)) is not None:
                 so = That(kind="so", clauses=inside, span=found.span)
                 line = first.structure
                 when = "start" if mode == "start" else "goal"
@@ -219,11 +218,14 @@ def _at(found: Meaning, place: Meaning) -> Meaning:
     return replace(found, adjuncts=(*found.adjuncts, place)) if isinstance(found, Clause) else found
 
 
-def _of_a_place(first: Into, found: Clause) -> bool:
-    """ "in a row of red, blue and green, the red one is (not) at the left end"."""
-    shape = first.structure
-    placed = found.verb == "be" and found.adjuncts and all(isinstance(a, At) for a in found.adjuncts)
-    return isinstance(shape, Structure) and shape.members is not None and bool(placed)
+def _of_a_place(first: Into, found: Meaning) -> Chain | None:
+    """ "in a row of red, blue and green, the red one is (not) at the left end": what is where in it."""
+    inside = found if isinstance(found, Chain) else Chain(clauses=(found,), links=("and",), span=found.span)
+    for one in inside.clauses:
+        placed = one.adjuncts if isinstance(one, Clause) and one.verb == "be" else ()
+        if not placed or not all(isinstance(a, At) for a in placed):
+            return None
+    return inside if isinstance(first.structure, Structure) and first.structure.members is not None else None
 
 
 _NO_PLACE = frozenset({"there", "besides", "apart", "aside"})

@@ -25,6 +25,12 @@ def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
     return replace(found, adjuncts=(*found.adjuncts, Manner(kind="not all", span=found.span)))
 
 
+def needless(words: set[str]) -> bool:
+    """ "need not", "does not have to": neither asked for nor forbidden."""
+    denied = bool(words & _NOT)
+    return denied and (bool(words & {"need", "needs"}) or ({"have", "to"} <= words and bool(words & {"do", "does"})))
+
+
 def _of_both(p: Parser, at: int, found: Clause) -> bool:
     """ "is not left of both red and blue", "is not on both patches"."""
     end = next((k for k in range(at, p.end) if p.tokens[k].span[0] >= found.span[1]), p.end)

@@ -57,6 +57,8 @@ _CARRIES = (
 _NONE = ("none at all", "none")
 _IS = ("is", "should be", "must be", "shall be", "has to be", "is to be", "goes", "should go", "reads", "should read",
        "will be", "needs to be", "consists of", "is made of", "is built of", "must go")  # fmt: skip
+_ARE = (*_IS, "are", "have to be", "are to be", "go", "read")
+_MEMBERS = frozenset({"blocks", "cubes", "bricks", "boxes", "colors", "letters", "digits", "numbers"})
 
 
 @rule
@@ -132,17 +134,46 @@ def _made_up(p: Parser, i: int, j: int, owner: Meaning, mode: str) -> Results[Cl
 
 @rule
 def structure_is(p: Parser, i: int) -> Results[Clause]:
-    """ "the row is red, green, blue from left to right", "it should be green on white"."""
-    for owner, j in [*pronoun(p, i), *structure(p, i)]:
+    """ "the row is red, green, blue from left to right", "it should be green on white", "the three cubes of the tower
+    are, from bottom to top, red, white and black"."""
+    of, many = _blocks_of(p, i)
+    for owner, j in [*pronoun(p, i), *structure(p, of or i)]:
         if isinstance(owner, Pronoun) and owner.word not in ("it", "this"):
             continue
         bare = isinstance(owner, Structure) and owner.det in ("the", "its") and not (owner.plural or owner.members)
-        k = p.any_of(j, _IS) if bare or isinstance(owner, Pronoun) else 0
-        if not k or (isinstance(owner, Structure) and owner.sizes):
+        k = p.any_of(j, _ARE if of else _IS) if bare or isinstance(owner, Pronoun) else 0
+        if isinstance(owner, Structure) and owner.sizes:
             continue
         theme = owner if isinstance(owner, Structure) else None
-        for order, end in [*one_on_another(p, k), *listed_along(p, k), *_listed_then(p, k)]:
-            yield Clause(verb="part", theme=theme, adjuncts=(order,), mode="goal", span=p.span(i, end)), end
+        orders = [*one_on_another(p, k), *listed_along(p, k), *_listed_then(p, k)] if k else []
+        for order, end in [*orders, *(_told_along(p, j) if bare and not k else ())]:
+            if not many or (isinstance(order, OrderBy) and many == sum(map(_as_many, order.items))):
+                yield Clause(verb="part", theme=theme, adjuncts=(order,), mode="goal", span=p.span(i, end)), end
+
+
+def _blocks_of(p: Parser, i: int) -> tuple[int, int]:
+    """ "the three cubes in (the row)", "the colours of (the tower)": the position behind it, and how many are told."""
+    j = p.opt(i, "the")
+    many = p.number(j) if j > i else None
+    j = p.one(j if many is None else j + 1, _MEMBERS)
+    return p.one(j, ("in", "of")) if j else 0, many or 0
+
+
+def _as_many(item: Meaning) -> int:
+    """So many blocks are named: one, "two red", "white and black"."""
+    if not isinstance(item, Noun):
+        return 0
+    return item.amount.low if item.amount is not None else max(1, len(item.traits.colors), len(item.traits.labels))
+
+
+def _told_along(p: Parser, j: int) -> Results[OrderBy]:
+    """ "(the tower) starting from the top is gray, brown, pink"."""
+    for way, k in toward(p, p.opt(j, ",")):
+        if not isinstance(way, Toward) or way.first is None:
+            continue
+        start = p.any_of(p.opt(k, ","), _ARE)
+        for items, end in listed(p, p.opt(start, ":")) if start else ():
+            yield OrderBy(by="named", items=items, first=way.first, span=p.span(j, end)), end
 
 
 def _listed_then(p: Parser, k: int) -> Results[OrderBy]:

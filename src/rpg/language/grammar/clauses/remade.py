@@ -31,16 +31,19 @@ _ITS_ORDER = ("its order", "the order", "their order")
 
 def reverse(p: Parser, i: int, j: int) -> Results[Clause]:
     """ "reverse the tower", "reverse the order of the row", "reverse its order"."""
-    if k := p.any_of(j, _ITS_ORDER):
-        it = Pronoun(word="it", span=p.span(j, k))
-        for found, end in adjuncts(p, k):
-            yield _clause(p, i, end, "reverse", it, found), end
     if p.stands(j, ("alphabetical", "alphabetic", "numerical")):
         return  # "reverse alphabetical row of ..."
-    start = p.any_of(j, _ORDER_OF) or j
-    for theme, k in noun_phrase(p, start):
+    for (theme, _), k in _ordered(p, j):
         for found, end in adjuncts(p, k):
             yield _clause(p, i, end, "reverse", theme, found), end
+
+
+def _ordered(p: Parser, j: int) -> Results[tuple[Meaning, bool]]:
+    """What has an order, and whether this is named: "the tower", "the order of the row", "its order"."""
+    if k := p.any_of(j, _ITS_ORDER):
+        yield (Pronoun(word="it", span=p.span(j, k)), True), k
+    start = p.any_of(j, _ORDER_OF)
+    yield from (((theme, start > 0), k) for theme, k in noun_phrase(p, start or j))
 
 
 def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
@@ -117,15 +120,23 @@ _INTO_ORDER = ("to", "into", "as", "to be", "so it reads", "so that it reads", "
 
 
 def _flipped(p: Parser, i: int, j: int) -> Results[Clause]:
-    """ "turn the tower the other way round", "flip the stack over"."""
-    for theme, k in noun_phrase(p, j):
-        end = p.one(k, "over") if isinstance(theme, Structure) and theme.kind == "stack" else 0
-        end = end or (p.any_of(k, _ROUND) if isinstance(theme, Structure | Pronoun) else 0)
+    """ "turn the tower the other way round", "flip the stack over", "turn its order around"."""
+    for (theme, order), k in _ordered(p, j):
+        if not isinstance(theme, Structure | Pronoun):
+            continue
+        end = p.any_of(k, _ROUND)
+        if order and not end:
+            end = p.any_of(k, _OVER) or (k if p.words[i] == "flip" or p.stands(j - 1, _OVER) else 0)
+        elif isinstance(theme, Structure) and theme.kind == "stack" and not end:
+            end = p.one(k, "over")
+        end, lemma = (end, "reverse") if end else (p.any_of(k, _AROUND), "turn around")
         for found, last in adjuncts(p, end) if end else ():
-            yield _clause(p, i, last, "reverse", theme, found), last
+            yield replace(_clause(p, i, last, "reverse", theme, found), lemma=lemma), last
 
 
 _ROUND = ("the other way around", "the other way round", "other way around", "other way round")
+_AROUND = ("around", "round")
+_OVER = (*_AROUND, "over", "upside down", "back to front")
 
 
 def _reordered(p: Parser, i: int, j: int) -> Results[Clause]:

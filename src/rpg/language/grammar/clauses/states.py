@@ -6,8 +6,9 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
-from rpg.language.grammar.clauses.denials import denied_of_all, leave, stays
+from rpg.language.grammar.clauses.denials import denied_of_all, leave, needless, stays
 from rpg.language.grammar.clauses.manners import direction, manner
+from rpg.language.grammar.clauses.nowhere import nowhere
 from rpg.language.grammar.clauses.sole import sole
 from rpg.language.grammar.clauses.starts import STARTS, perhaps_first, starts_as
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, spell, with_theme
@@ -114,7 +115,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             found = perhaps_first(p, k, found, mode)
             if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & bound:
                 found = replace(found, lemma="fact")
-            idle = isinstance(found, Clause) and _needless(
+            idle = isinstance(found, Clause) and needless(
                 words | {"not"} if getattr(theme, "det", "") == "no" else words
             )
             if idle and isinstance(found, Clause):
@@ -146,12 +147,6 @@ def _begun_anew(p: Parser, i: int, j: int, theme: Meaning) -> bool:
 _OF_ONE = frozenset({"is", "lies", "stands", "sits", "rests", "comes", "goes"})
 _GO_ON = _MODALS | _BE | lexicon.POSTURE
 """Words that only a predicate begins with."""
-
-
-def _needless(words: set[str]) -> bool:
-    """ "need not", "does not have to": neither asked for nor forbidden."""
-    denied = bool(words & _NOT)
-    return denied and (bool(words & {"need", "needs"}) or ({"have", "to"} <= words and bool(words & {"do", "does"})))
 
 
 _ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
@@ -297,6 +292,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
         if any(not isinstance(a, Manner) or a.kind != "respectively" for a in found):
             said = Clause(verb="be", theme=theme, adjuncts=found, negated=negated, mode=mode, span=p.span(i, k))
             yield replace(said, word=p.span(j, j + 1)), k
+    yield from nowhere(p, start, theme, mode, negated)
     head = theme.head if isinstance(theme, Noun) else "block"
     the = p.opt(j, "the")
     for marks, k in adjectives(p, the):

@@ -157,7 +157,7 @@ _INSIDES = {**SIDES, "middle": "middle", "center": "middle", "hole": "middle"}
 def at(p: Parser, i: int) -> Results[Meaning]:
     """A place within the structure: "at the bottom", "in the middle", "on the left", "third from the left"."""
     if j := p.any_of(i, _LEADS):
-        yield from _inside(p, i, j)
+        yield from inside(p, i, j)
     yield from extreme(p, i)
     if j := p.any_of(i, _EITHER_END):
         yield At(side="end", span=p.span(i, j)), j
@@ -201,7 +201,8 @@ def far_end(p: Parser, j: int) -> bool:
     return far and not p.all.isdisjoint(_IN_A_ROW) and p.all.isdisjoint(_SQUARE)
 
 
-def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
+def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
+    """A place from i on, whose side is named at j."""
     j = p.opt(j, "exact") if p.stands(j + 1, ("middle", "center")) else j
     word = p.words[j] if j < p.end else ""
     ended = word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end"

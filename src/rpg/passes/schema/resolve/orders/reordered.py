@@ -17,9 +17,11 @@ FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front"}
 LAST = {"bottom": "top", "left": "right", "front": "back", "top": "bottom", "right": "left", "back": "front"}
 
 
-def reverse(theme: Ref, scene: Scene, span: Span) -> Atoms:
-    """ "reverse the tower": the same blocks, the other way round."""
+def reverse(theme: Ref, scene: Scene, span: Span, around: bool = False) -> Atoms:
+    """ "reverse the tower": the same blocks, the other way round. `around`: it is turned, and its symbols as well?"""
     built = _ordered(theme, scene, span)
+    if around and any(scene.things[n].label for n in built.members):
+        raise refuse("ambiguous", "are the cubes turned, or is their order?", span, "say 'reverse the order'")
     looks = [(scene.things[n].color, scene.things[n].label, scene.things[n].size) for n in built.members]
     if looks == looks[::-1] and None not in {c or x for c, x, _ in looks}:
         raise refuse("no-goal", "this looks the same the other way round", span, "use blocks that differ")

@@ -7,30 +7,24 @@ for part of something else, is caught here.
 
 from __future__ import annotations
 
-import math
-import re
-from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
 from pydantic import BaseModel
 
-from rpg.ir.assets import FACES, Asset, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
-from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Staircase, Towers
+from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
+from rpg.passes.schema.numbers_had import Numbers, edges_of, numbers_of, symbols_of
 
-UNITS = (1.0, 100.0, 1000.0, 1 / 0.0254)
-"""Lengths are told in metres, centimetres, millimetres or inches."""
-FEW = 2
-"""Numbers up to this are said in passing ("the two towers", "no two of them") and are not asked for."""
-LENGTHS = ("at_least", "distance")
-"""Fields of goals that are said as often as not; of other fields only values that are not the default are."""
+PASSING = frozenset({"the", "no", "any", "those", "these", "other", "all", "step", "stage", "row", "column", "level",
+                     "layer", "floor", "tier"})  # fmt: skip
+"""What stands before a two that is said in passing, or counts off: "the two towers", "no two of them", "row two"."""
 DIGITS = frozenset("0123456789")
 PATCHES = frozenset({"patch", "patches", "mat", "mats"})
 SIGNS = "+*/="
@@ -87,9 +81,9 @@ def _spelt(token: Token, task: TaskSchema) -> bool:
 def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] = ()) -> Token | None:
     """The first word that names something of which nothing in the task comes. `chosen`: of no colour that was said."""
     colors = {asset.color for asset in task.assets if asset.name not in chosen}
-    shown = {symbol for asset in task.assets for symbol in _symbols(asset)}
+    shown = {symbol for asset in task.assets for symbol in symbols_of(asset)}
     shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
-    numbers: _Numbers | None = None
+    numbers: Numbers | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
     terms = {term for part in parts for term in _terms(part)} | _shown_orders(task) | {"heaps" for _ in task.init.heaps}
     for index, token in enumerate(words):
@@ -137,29 +131,18 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         said = said if after not in ALWAYS_FOUR else None
         if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
             return token
-        if said is not None and said > FEW:
-            numbers = numbers or _Numbers(_numbers(task))
-            told = numbers.among(said) or (_measured(words, index + 1) and _Numbers(_edges(task)).among(said))
+        if said is not None and said > 1 and not (said == 2 and _in_passing(words, index)):
+            numbers = numbers or Numbers(numbers_of(task))
+            told = numbers.among(said) or (_measured(words, index + 1) and Numbers(edges_of(task)).among(said))
             if not told:
                 return token
     return None
 
 
-class _Numbers:
-    """Numbers, looked for as they are found."""
-
-    def __init__(self, rest: Iterable[float]) -> None:
-        self.rest, self.known = iter(rest), set[float]()
-
-    def among(self, said: float) -> bool:
-        """Whether one of them is the one that is said."""
-        if any(abs(said - number) < 0.02 for number in self.known):
-            return True
-        for number in self.rest:
-            self.known.add(number)
-            if abs(said - number) < 0.02:
-                return True
-        return False
+def _in_passing(words: Sequence[Token], index: int) -> bool:
+    """Whether a two need not be found: "the two of them", "two of the three"."""
+    told = index > 0 and words[index - 1].word in PASSING
+    return told or (index + 1 < len(words) and words[index + 1].word in ("of", "are"))
 
 
 def _one_of_invented(words: Sequence[Token], color: str, task: TaskSchema) -> bool:
@@ -183,7 +166,7 @@ def _as_listed(task: TaskSchema) -> bool:
     told = any(note.startswith(("the order is read from", "in the order in which")) for note in task.assumptions)
     asked = (task.goal, *getattr(task.goal, "goals", ()))
     orders = [x.order.ranks for x in asked if isinstance(x, Row | Stack) and x.order.by == "given"]
-    return told or (len(orders) == 1 < FEW < len(orders[0]) and all(len(rank) == 1 for rank in orders[0]))
+    return told or (len(orders) == 1 and len(orders[0]) > 2 and all(len(rank) == 1 for rank in orders[0]))
 
 
 def _more_than(words: Sequence[Token], only: int, task: TaskSchema) -> Token | None:
@@ -299,7 +282,7 @@ def _counts(after: Sequence[Token]) -> bool:
 
 def _shown_orders(task: TaskSchema) -> set[str]:
     """The orders that a list comes to which a goal gives block by block: A, B, C is the one by label."""
-    symbols = {asset.name: "".join(sorted(_symbols(asset))) for asset in task.assets}
+    symbols = {asset.name: "".join(sorted(symbols_of(asset))) for asset in task.assets}
     orders: list[list[str]] = []
     for atom in atoms(task.goal):
         order = getattr(atom, "order", None)
@@ -316,46 +299,6 @@ def _number(token: Token) -> float | None:
     return lexicon.NUMBER.get(token.word) if token.kind == "word" and not spelt else None
 
 
-def _symbols(asset: Asset) -> set[str]:
-    return {symbol for face in FACES if (symbol := asset.symbol(face))} if isinstance(asset, SemanticCube) else set()
-
-
-KEYS: tuple[Callable[[Asset], object], ...] = (
-    lambda asset: asset.color,
-    lambda asset: asset.size,
-    lambda asset: (asset.color, asset.size),
-    lambda asset: (asset.color, type(asset)),
-    lambda asset: tuple(sorted(_symbols(asset))),
-    lambda asset: [symbol.isdigit() for symbol in sorted(_symbols(asset))],
-)
-"""What objects are counted by."""
-
-
-def _numbers(task: TaskSchema) -> Iterator[float]:
-    """Every count, length (in all units), angle and digit of a task."""
-    for objects in (task.assets, task.blocks, task.patches):
-        yield len(objects)
-        for key in KEYS:
-            tally = Counter(repr(key(one)) for one in objects)
-            yield from (len(tally), *tally.values())
-    # "With three distractors", "all but three": what is left out has its number too.
-    yield len(task.assets) - len(set(names(task.goal)))
-    for asset in task.assets:
-        yield from map(float, re.findall(r"\d+", asset.name))
-        yield from (float(symbol) for symbol in _symbols(asset) if symbol.isdigit())
-    for part in (task.goal, *task.init.arranged, *task.init.heaps):
-        yield from _inside(part)
-    # The columns of stairs and the layers of a pyramid have every height, or length, up to the largest.
-    for atom in atoms(task.goal):
-        if isinstance(atom, Staircase | Pyramid):
-            yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)
-
-
-def _edges(task: TaskSchema) -> set[float]:
-    """The extents of all objects, in all units."""
-    return {number for asset in task.assets for number in _inside(asset.size)}
-
-
 def _terms(value: object) -> Iterator[str]:
     """The kinds of all parts of a goal, the words among their values, and the flags that are set."""
     if isinstance(value, BaseModel):
@@ -367,27 +310,3 @@ def _terms(value: object) -> Iterator[str]:
     elif isinstance(value, Sequence):
         for item in value:
             yield from _terms(item)
-
-
-def _inside(value: object) -> Iterator[float]:
-    if isinstance(value, BaseModel):
-        low, high = getattr(value, "minimum", None), getattr(value, "maximum", None)
-        if low is not None and high is not None:
-            yield from (*_inside((low + high) / 2), *_inside((high - low) / 2))
-        if isinstance(value, Row) and value.gap is not None:  # "gaps of at most 5 mm"
-            yield from _inside(value.gap + value.tolerance)
-        for name, field in type(value).model_fields.items():
-            told = getattr(value, name)
-            if name != "span" and (told != field.default or name in LENGTHS):
-                yield from _inside(told)
-    elif isinstance(value, str):
-        yield from map(float, re.findall(r"\d+", value))
-    elif isinstance(value, Sequence):
-        yield len(value)
-        sides = [item for item in value if isinstance(item, int)]
-        if len(sides) == len(value):
-            yield math.prod(sides)
-        for item in value:
-            yield from _inside(item)
-    elif isinstance(value, int | float) and not isinstance(value, bool):
-        yield from (abs(value) * factor for factor in UNITS)

@@ -1,0 +1,110 @@
+"""Every number that a task has: counts, lengths, angles, digits."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import groupby
+
+from pydantic import BaseModel
+
+from rpg.ir.assets import FACES, Asset, SemanticCube
+from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import GroupBy, Pyramid, Row, Stack, Staircase
+from rpg.ir.walk import atoms, names
+
+UNITS = (1.0, 100.0, 1000.0, 1 / 0.0254)
+"""Lengths are told in metres, centimetres, millimetres or inches."""
+LENGTHS = ("at_least", "distance")
+"""Fields of goals that are said as often as not; of other fields only values that are not the default are."""
+
+
+class Numbers:
+    """Numbers, looked for as they are found."""
+
+    def __init__(self, rest: Iterable[float]) -> None:
+        self.rest, self.known = iter(rest), set[float]()
+
+    def among(self, said: float) -> bool:
+        """Whether one of them is the one that is said."""
+        if any(abs(said - number) < 0.02 for number in self.known):
+            return True
+        for number in self.rest:
+            self.known.add(number)
+            if abs(said - number) < 0.02:
+                return True
+        return False
+
+
+def symbols_of(asset: Asset) -> set[str]:
+    """What a cube shows."""
+    return {symbol for face in FACES if (symbol := asset.symbol(face))} if isinstance(asset, SemanticCube) else set()
+
+
+KEYS: tuple[Callable[[Asset], object], ...] = (
+    lambda asset: asset.color,
+    lambda asset: asset.size,
+    lambda asset: (asset.color, asset.size),
+    lambda asset: (asset.color, type(asset)),
+    lambda asset: tuple(sorted(symbols_of(asset))),
+    lambda asset: [symbol.isdigit() for symbol in sorted(symbols_of(asset))],
+)
+"""What objects are counted by."""
+
+
+def numbers_of(task: TaskSchema) -> Iterator[float]:
+    """Every count, length (in all units), angle and digit of a task."""
+    for objects in (task.assets, task.blocks, task.patches):
+        yield len(objects)
+        for key in KEYS:
+            tally = Counter(repr(key(one)) for one in objects)
+            yield from (len(tally), *tally.values())
+    # "With three distractors", "all but three": what is left out has its number too.
+    yield len(task.assets) - len(set(names(task.goal)))
+    for asset in task.assets:
+        yield from (float(symbol) for symbol in symbols_of(asset) if symbol.isdigit())
+    for part in (task.goal, *task.init.arranged, *task.init.heaps):
+        yield from _inside(part)
+    colors = {asset.name: asset.color for asset in task.assets}
+    lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
+    yield from Counter((type(line), len(line.blocks)) for line in lines).values()
+    for line in lines:
+        if line.order.by == "given":  # "with three pink cubes on each side of it"
+            yield from (len([*run]) for _, run in groupby(line.order.ranks, lambda rank: {*map(colors.get, rank)}))
+    for atom in atoms(task.goal):
+        if isinstance(atom, GroupBy):
+            yield from (len(group) - atom.outliers for group in atom.groups)
+        # The columns of stairs and the layers of a pyramid have every height, or length, up to the largest.
+        if isinstance(atom, Staircase | Pyramid):
+            yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)
+
+
+def edges_of(task: TaskSchema) -> set[float]:
+    """The extents of all objects, in all units."""
+    return {number for asset in task.assets for number in _inside(asset.size)}
+
+
+def _inside(value: object) -> Iterator[float]:
+    if isinstance(value, BaseModel):
+        low, high = getattr(value, "minimum", None), getattr(value, "maximum", None)
+        if low is not None and high is not None:
+            yield from (*_inside((low + high) / 2), *_inside((high - low) / 2))
+        if isinstance(value, Row) and value.gap is not None:  # "gaps of at most 5 mm"
+            yield from _inside(value.gap + value.tolerance)
+        for name, field in type(value).model_fields.items():
+            told = getattr(value, name)
+            if name != "span" and (told != field.default or name in LENGTHS):
+                yield from _inside(told)
+    elif isinstance(value, str):
+        yield from map(float, [value] if value.isdigit() else re.findall(r"\b\d+", value))
+    elif isinstance(value, Sequence):
+        yield len(value)
+        sides = [item for item in value if isinstance(item, int)]
+        if len(sides) == len(value):
+            yield math.prod(sides)
+        for item in value:
+            yield from _inside(item)
+    elif isinstance(value, int | float) and not isinstance(value, bool):
+        yield from (abs(value) * factor for factor in UNITS)

@@ -36,8 +36,10 @@ from rpg.language.meaning import (
 from rpg.language.phrases import Classes
 
 if TYPE_CHECKING:
+    from rpg.language.grammar.places.borne import borne
     from rpg.language.grammar.places.relations import loc
 else:
+    (borne,) = later(__name__, "rpg.language.grammar.places.borne", "borne")
     (loc,) = later(__name__, "rpg.language.grammar.places.relations", "loc")
 
 _STANDS = (
@@ -194,30 +196,21 @@ def _with_on_it(p: Parser, i: int, mode: str) -> Results[Clause]:
                     yield Clause(verb="be", theme=theme, adjuncts=(there,), mode=when, span=p.span(i, end)), end
 
 
-_EACH_WITH = (", each with", "each with", ", each having", ", each of them with", ", each carrying", ", each topped by",
-              ", each topped with", ", each one with", "which each have", ", each supporting", ", each bearing",
-              ", each has", ", each of which has", ", each holding", "each having", "each carrying", "that each have",
-              ", which each have", ", every one with")  # fmt: skip
-_ON_TOP = ("on top of it", "on top of them", "on top", "on it", "on them", "sitting on it", "lying on it", "above it",
-           "stacked on it", "stacked on top")  # fmt: skip
-
-
 def _each_with(p: Parser, i: int, mode: str) -> Results[Clause]:
     """ "Two red blocks, each with a blue block on top": one on each of these."""
     if not p.anywhere(_EACH):
         return
     for first, j in simple(p, i):
         many = isinstance(first, Noun) and first.amount is not None and first.amount.low > 1 and first.part_of is None
-        joint = p.any_of(j, _EACH_WITH) if many and isinstance(first, Noun) and first.det in ("bare", "the") else 0
-        for theme, k in simple(p, joint) if joint else ():
-            end = p.any_of(k, _ON_TOP)
-            one = isinstance(theme, Noun) and theme.amount == Amount(1, 1) and theme.head == "block"
-            if end and one and isinstance(first, Noun) and bool(first.traits.colors):
+        if not many or not isinstance(first, Noun) or first.det not in ("bare", "the") or not first.traits.colors:
+            continue
+        for told, end in borne(p, j):
+            if isinstance(on := told.adjuncts[0], Loc) and getattr(on.landmark, "word", "") != "it":
                 whole = replace(first, det="the")
                 each = Noun(head=first.head, det="each", plural=True, part_of=whole, span=first.span)
-                on = Loc(rel="on", landmark=each, mods=("directly",), span=p.span(k, end))
+                on = replace(on, landmark=each, mods=("directly",))
                 when = "start" if mode == "start" else "goal"
-                yield Clause(verb="be", theme=theme, adjuncts=(on,), mode=when, span=p.span(i, end)), end
+                yield Clause(verb="be", theme=told.theme, adjuncts=(on,), mode=when, span=p.span(i, end)), end
 
 
 _EACH = frozenset({"each", "every"})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.borne import borne
 from rpg.language.grammar.places.formed import formed
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import SIDES, at
@@ -62,6 +63,7 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
     """ "with the red block on top and the blue one below it"; "the green one on top" after a comma."""
     comma = p.opt(i, ",", ":")
     yield from starting(p, i)
+    yield from borne(p, i)
     yield from _of_parts(p, i, comma)
     j = p.any_of(comma, _LEADS) or (comma if comma > i else 0)
     if not j or (p.words[j - 1] == "keeping" and p.follows(i, ("always", "constantly", "permanently"))):

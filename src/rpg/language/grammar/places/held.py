@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
+from rpg.language.grammar.places.borne import BEARING
 from rpg.language.meaning import Absolute, Amount, Clause, Loc, Meaning, Noun, Pronoun, replace
 
 _SIDES = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near", "touching"})
 _THAT = frozenset({"that", "which"})
-LEADS = _THAT | {"with", "having"}
+BORNE = frozenset(lead.split()[0] for lead in BEARING)
+LEADS = _THAT | BORNE | {"with", "having"}
 
 
 def of_its(found: Meaning, first: Meaning) -> Meaning:

@@ -24,6 +24,8 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     "any red block of the three"."""
     yield from _of_so_many(p, i, j, noun)
     opened = p.one(j, "(")
+    if not opened and noun.head == "patch":
+        yield from _patches_named(p, i, p.one(j, (",", ":")), noun)
     if not opened:
         return
     start = p.any_of(opened, _LEADS) or opened
@@ -49,6 +51,17 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
             yield replace(noun, traits=replace(noun.traits, colors=listed), span=p.span(i, end)), end
 
 
+def _patches_named(p: Parser, i: int, comma: int, noun: Noun) -> Results[Noun]:
+    """ "(each of the two mats,) a red one and a blue one, ...", "red and blue, ...": their colours between commas."""
+    if not comma or noun.amount is None or noun.amount.low < 2 or noun.traits.colors:
+        return
+    each = [((found, False), k) for found, k in _one_by_one(p, comma)]
+    for (named, either), k in [*colors(p, comma), *each]:
+        end = p.one(k, ",") or (k if k >= p.end and not lexicon.COLOR.keys().isdisjoint(p.words[:comma]) else 0)
+        if end and not either and _as_many(noun, len(set(named))):
+            yield replace(noun, traits=replace(noun.traits, colors=named), span=p.span(i, k)), end
+
+
 def _one_by_one(p: Parser, i: int) -> Results[tuple[str, ...]]:
     """ "a red one, a green one": the colour of each."""
     found: list[str] = []
@@ -58,14 +71,14 @@ def _one_by_one(p: Parser, i: int) -> Results[tuple[str, ...]]:
             return
         found.append(named[0])
         end = p.opt(named[1], "one", "block", "cube")
-        if len(found) > 1 and p.stands(end, (")",)):
+        if len(found) > 1 and (end >= p.end or p.stands(end, (")", ","))):
             yield tuple(found), end
         i = p.any_of(end, (", and", "and", ",", "plus"))
         if not i:
             return
 
 
-_ONE = frozenset({"a", "an", "one"})
+_ONE = frozenset({"a", "an", "one", "the"})
 
 
 def _countable(noun: Noun) -> bool:

@@ -33,6 +33,7 @@ _UNFOUND = (
     "it is not clear what belongs to 'each'",
     "the blocks that are counted may be those that are described",
     "these places contradict each other",
+    "one block cannot lie on several blocks",
 )
 """Refusals that come of words joined that do not belong together, so that a pronoun or a place finds nothing to be
 of: a reading that joins them otherwise may be meant."""

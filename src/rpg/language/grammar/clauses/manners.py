@@ -86,7 +86,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         kind, value = _LITTLE[phrase]
         if phrase == "still" and j < p.end and not p.stands(j, _CLAUSE_ENDS):
             continue
-        yield Manner(kind=kind, value=value, span=p.span(i, j)), j
+        of_a_patch = phrase.startswith("where") and not lexicon.PATCH.keys().isdisjoint(p.words[:i])
+        yield Manner(kind=kind, value=value, span=p.span(i, j), cost=2 * of_a_patch), j  # "on the patch where it is"
 
 
 _CLAUSE_ENDS = frozenset({",", ";", "and", "but", "while", "when", "as", "at", "throughout", "until"})

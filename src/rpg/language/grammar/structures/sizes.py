@@ -128,7 +128,7 @@ _MEASURES = {
 }  # fmt: skip
 _WITH = (
     "with", "of", "having", "that has", "which has", "that have", "containing", "in", "whose", "has", "on",
-    "with each side", "the",
+    "with each side", "the", "consists of", "consisting of", "that consists of",
 )  # fmt: skip
 _COUNTED = (
     (("block base", "blocks base", "cube base", "wide base", "block wide base", "base", "blocks wide base",

@@ -69,4 +69,4 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
                    "none of them", "that", "this", "those", "these", "each one", "any other one", "any other",
                    "any of the others", "each", "all others", "all the others", "all the rest",
                    "all")):  # fmt: skip
-        yield Pronoun(word=phrase, span=p.span(i, j)), j
+        yield Pronoun(word=phrase, span=p.span(i, j), cost=int(phrase in ("none of them", "either of them"))), j

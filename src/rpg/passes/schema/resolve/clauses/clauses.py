@@ -68,7 +68,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     """The goals that a clause states; structures that its noun phrases bring up come first."""
     scene.clause += 1
     number = scene.clause
-    scene.verbs[number] = (clause.word, clause.negated)
+    scene.verbs[number] = (clause.word, clause.negated, clause.verb)
     scope = Scope(start=start, given=clause.mode == "given" or start)
     clause = moved_from(with_its_noun(of_the_rest(denied_once(clause))))
     spec = sort_adjuncts(clause.adjuncts)

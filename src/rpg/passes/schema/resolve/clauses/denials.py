@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.ir import goal as g
-from rpg.language.meaning import Chain, Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, That, replace
+from rpg.language.meaning import Amount, Chain, Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, That, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes
@@ -11,6 +11,7 @@ from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes
 
 def denied_once(clause: Clause) -> Clause:
     """ "is not on red and not on blue": both are denied, and neither twice."""
+    clause = _not_any(clause)
     if clause.negated or getattr(clause.theme, "det", "") == "no":
         _said_in_one(clause)
     _all_that_are_not(clause)
@@ -33,6 +34,18 @@ def denied_once(clause: Clause) -> Clause:
     return replace(clause, adjuncts=(Coord(op="and", items=placed, span=clause.span), *rest))
 
 
+def _not_any(clause: Clause) -> Clause:
+    """ "do not put any of them there", "never let either of them touch it": of none of them."""
+    theme = clause.theme
+    if isinstance(theme, Pronoun) and theme.word == "either of them":
+        both = Pronoun(word="both of them", span=theme.span)
+        theme = Noun(head="any", det="any", amount=Amount(1, 1), plural=True, part_of=both, span=theme.span)
+    single = isinstance(theme, Noun) and theme.det == "any" and theme.amount == Amount(1, 1)
+    if not clause.negated or clause.verb not in ("be", "place") or not isinstance(theme, Noun) or not single:
+        return clause
+    return replace(clause, theme=replace(theme, det="no", amount=None), negated=False) if theme.part_of else clause
+
+
 def _all_that_are_not(clause: Clause) -> None:
     """Refuse "all three red blocks are not on the patch": none of them, or not all of them?"""
     of_all = clause.negated and isinstance(clause.theme, Noun) and clause.theme.det in ("all", "each")
@@ -40,7 +53,7 @@ def _all_that_are_not(clause: Clause) -> None:
         return
     for place in clause.adjuncts:
         if isinstance(place, In) or (isinstance(place, Loc) and not isinstance(place.landmark, Pronoun)):
-            raise refuse("ambiguous", "it is not clear whether none of them are to be so, or not all of them", clause.span,
+            raise refuse("ambiguous", "it is not clear whether none of them are to be so, or not all", clause.span,
                          "say 'none of the ...', or 'not all of the ...'")  # fmt: skip
 
 

@@ -99,6 +99,9 @@ def _other_patch(noun: Noun, last: list[Mention], scene: Scene) -> bool:
     """ "On the white patch A is next to B, on the black one C next to D": that is a patch, for no block is black."""
     colors = noun.traits.colors
     plain = bool(colors) and noun.traits == Traits(colors=colors)
+    verbs = [scene.verbs[n][2] for n in (scene.clause, *(m.clause for m in last)) if n in scene.verbs]
+    if verbs[:1] == ["stack"] and set(verbs) != {"stack"}:
+        return False  # "Put A on the white patch. Stack C on the black one": blocks are stacked on blocks
     there = any(thing.color in colors and not thing.patch for thing in scene.things.values())
     return plain and not there and any(m.ref.patch and m.role == "landmark" and m.rel == "on" for m in last)
 

@@ -132,8 +132,7 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     vertical = [p for p in upright if not isinstance(p.landmark, Pronoun) or p == spec.places[0]]
     offsets = [p for p in spec.places if isinstance(p, Loc) and p.rel == "offset"]
     level = [p for p in spec.places if p not in vertical and p not in offsets]
-    paired = spec.manner("respectively")
-    scene.alike = paired is not None and paired.value == "alike"
+    scene.alike = (paired := spec.manner("respectively")) is not None and paired.value == "alike"
     for item in [*vertical, *level]:
         if isinstance(item, Loc) and item.rel == "heaped":
             if len(ref.built) > 1 or any(b.kind not in ("stack", "word") for b in ref.built):
@@ -150,10 +149,11 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
 
 
 def _no_chain(spec: Spec) -> None:
-    """ "A left of B left of C", with nothing between: of B, or of A? "On B and on the table" is not said of B."""
+    """ "A left of B left of C", "on B or C on D", with nothing between: of B, or of A? Nor "on B and on the table"."""
     for one, two in itertools.pairwise(p for p in spec.places if isinstance(p, Loc)):
         gap = two.span[0] - one.span[1]
-        if one.rel == two.rel and one.rel in CHAINED and 0 <= gap <= 1:
+        onto = one.rel == "on" and isinstance(one.landmark, Coord) and getattr(two.landmark, "head", "patch") != "patch"
+        if one.rel == two.rel and (one.rel in CHAINED or onto) and 0 <= gap <= 1:
             raise refuse("misplaced", "it is not clear what this is said of", two.span, "say 'and', or two sentences")
         on = one.rel == two.rel == "on" and isinstance(one.landmark, Noun) and one.landmark.head != "patch"
         close = len(" and") < gap and (gap < len(" together with") or "directly" in two.mods)

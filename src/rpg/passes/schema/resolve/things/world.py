@@ -144,7 +144,7 @@ class Scene:
     `ignored`: blocks that are said to be distractors, each with the words that say so.
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
     `sized`: the size that is said of all blocks, with its words.
-    `verbs`: where the verb of every clause stands, and whether it is denied.
+    `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
     `patch_sides`: patches by the side on which they lie, and where that was said last.
     """
 
@@ -157,7 +157,7 @@ class Scene:
     heaps: list[tuple[str, ...]] = field(default_factory=list)
     used: set[str] = field(default_factory=set)
     clause: int = 0
-    verbs: dict[int, tuple[Span | None, bool]] = field(default_factory=dict)
+    verbs: dict[int, tuple[Span | None, bool, str]] = field(default_factory=dict)
     sentence: int = 0
     counter: int = 0
     batch: int = 0

@@ -15,6 +15,7 @@ from rpg.language.grammar.clauses.there import there_too
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import STARTING
+from rpg.language.grammar.places.borne import and_bears
 from rpg.language.grammar.places.relations import of_one_kind
 from rpg.language.grammar.things.alike import color_at_last
 from rpg.language.grammar.things.bodies import bodies
@@ -117,6 +118,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         items = [
             *clause(p, j),
             *(carried_on(p, j, previous) if previous is not None else ()),
+            *(and_bears(p, j, previous) if previous is not None and link == "and" else ()),
             *(gerund_single(p, j) if link in ("before", "after") else ()),
             *(there_too(p, j, previous) if previous is not None and link == "and" else ()),
         ]

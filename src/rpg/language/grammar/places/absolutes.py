@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.places.borne import borne
+from rpg.language.grammar.places.borne import bearing, borne
 from rpg.language.grammar.places.formed import formed
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import SIDES, at
@@ -42,20 +42,35 @@ _PART_LEADS = (
 """What only a statement about a part of the structure follows, beside the others."""
 _EXTREMES = {"smallest": "smallest", "largest": "largest", "biggest": "largest"}
 STARTING = ("starting with", "beginning with", "starting from", "start with", "begin with")
+_THAT = ("that ", "which ", "and ", "so that it ", "and that ")
+_STARTS = (*STARTING, *(f"{that}{starts} with" for that in _THAT for starts in ("starts", "begins")))
+_ENDING = (
+    *("ending with", "ending in", "and ending with", "finishing with", "and finishing with"),
+    *(f"{that}{ends} with" for that in _THAT for ends in ("ends", "finishes")),
+)
 
 
-def starting(p: Parser, i: int) -> Results[Absolute]:
-    """ "starting with the red one (at the bottom)": what comes first in a line."""
-    j = p.any_of(p.opt(i, ","), STARTING)
+def starting(p: Parser, i: int) -> Results[Meaning]:
+    """ "starting with the red one (at the bottom)", "that ends with blue on the right": what is at an end of a line."""
+    for first, j in _at_end(p, i, _STARTS, 1):
+        yield first, j
+        for last, k in _at_end(p, j, _ENDING, -1):
+            yield Coord(op="absolutes", items=(first, last), span=p.span(i, k)), k
+    yield from _at_end(p, i, _ENDING, -1)
+
+
+@choice
+def _at_end(p: Parser, i: int, leads: tuple[str, ...], index: int) -> Results[Absolute]:
+    j = p.any_of(p.opt(i, ","), leads)
     for theme, k in simple(p, j) if j else ():
         if not isinstance(theme, Noun) or theme.head == "patch":
             continue
-        first = Places(side="first", unit="block", index=1, span=theme.span)
         sides = at(p, k)
         if not sides:
-            yield Absolute(theme=theme, adjuncts=(first,), span=p.span(i, k)), k
-        for side, end in sides:
-            yield Absolute(theme=theme, adjuncts=(side,), span=p.span(i, end)), end
+            end = Places(side="first", unit="block", index=index, span=theme.span)
+            yield Absolute(theme=theme, adjuncts=(end,), span=p.span(i, k)), k
+        for side, end_ in sides:
+            yield Absolute(theme=theme, adjuncts=(side,), span=p.span(i, end_)), end_
 
 
 @rule
@@ -163,6 +178,7 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         bare = isinstance(theme, Noun) and (theme.head, theme.det, theme.amount, theme.traits) == _THE_ONE
         if bare or (isinstance(theme, Pronoun) and p.stands(k, ("above", "below"))):  # "everything above" is the rest
             continue
+        yield from bearing(p, j, k, theme)
         if p.stands(k, ("left", "right")) and (not p.stands(k + 1, ("of",)) or p.stands(k + 2, _MARKS)):
             yield from ((Absolute(theme=theme, adjuncts=x, span=p.span(j, end)), end) for x, end in _places(p, k))
         for shape, end in formed(p, k, theme):

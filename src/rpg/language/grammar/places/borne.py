@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
-from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Absolute, Amount, Loc, Noun, Pronoun
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.meaning import Absolute, Amount, Clause, Coord, Loc, Meaning, Noun, Pronoun
 
 BEARING = ("carrying", "bearing", "supporting", "holding", "holding up")
 _BEARS = ("carries", "bears", "supports", "holds", "holds up", "is topped by", "is topped with", "is carrying")
@@ -33,13 +34,50 @@ _ON_TOP = ("on top of it", "on top of them", "on top", "on it", "on them", "sitt
 def borne(p: Parser, i: int) -> Results[Absolute]:
     """What lies on "it", or on "each of them"."""
     comma = p.opt(i, ",")
-    bearing, bears, has = p.any_of(comma, BEARING), p.any_of(comma, _EACH_BEARS), p.any_of(comma, _EACH_HAS)
-    for theme, k in simple(p, bearing or bears or has) if bearing or bears or has else ():
+    bears_it, bears, has = p.any_of(comma, BEARING), p.any_of(comma, _EACH_BEARS), p.any_of(comma, _EACH_HAS)
+    for theme, k in simple(p, bears_it or bears or has) if bears_it or bears or has else ():
         one = isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and theme.part_of is None
-        if not one or not isinstance(theme, Noun) or (not bearing and theme.amount != Amount(1, 1)):
+        if not one or not isinstance(theme, Noun) or (not bears_it and theme.amount != Amount(1, 1)):
+            continue
+        if _symbols(p, theme, k):
             continue
         top = p.any_of(k, _ON_TOP)
         if top or not has:
-            mark = Pronoun(word="it" if bearing else "each of them", span=p.span(i, k))
+            mark = Pronoun(word="it" if bears_it else "each of them", span=p.span(i, k))
             on = Loc(rel="on", landmark=mark, span=mark.span)
             yield Absolute(theme=theme, adjuncts=(on,), span=p.span(i, top or k)), top or k
+
+
+def bearing(p: Parser, i: int, k: int, owner: Meaning) -> Results[Absolute]:
+    """ "the middle one carrying a yellow block": a thing with that on it."""
+    for on, theme, end in _carried(p, i, p.any_of(k, BEARING), owner):
+        yield Absolute(theme=theme, adjuncts=(on,), span=p.span(i, end)), end
+
+
+_AND_BEARS = (*_BEARS, *_BEAR, *(f"{must} {bear}" for must in ("must", "should", "has to", "is to") for bear in _BEAR))
+
+
+def and_bears(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "(the red block lies on the green one) and carries the blue one": said of the same block."""
+    if before.verb != "be" or not before.adjuncts or not isinstance(before.theme, Noun) or before.theme.plural:
+        return
+    same = Pronoun(word="same", span=before.theme.span)
+    for on, theme, end in _carried(p, i, p.any_of(i, _AND_BEARS), same):
+        yield Clause(verb="be", theme=theme, adjuncts=(on,), mode=before.mode, span=p.span(i, end), cost=1), end
+
+
+def _carried(p: Parser, i: int, k: int, owner: Meaning) -> list[tuple[Loc, Meaning, int]]:
+    """What is carried, and where that puts it."""
+    found: list[tuple[Loc, Meaning, int]] = []
+    for theme, end in noun_phrase(p, k) if k and isinstance(owner, Noun | Pronoun) else ():
+        blocks = theme.items if isinstance(theme, Coord) else (theme,)
+        if all(isinstance(x, Noun) and x.head != "patch" for x in blocks) and not _symbols(p, theme, end):
+            found.append((Loc(rel="on", landmark=owner, mods=("directly",), span=p.span(i, k)), theme, end))
+    return found
+
+
+def _symbols(p: Parser, theme: Meaning, end: int) -> bool:
+    """ "a cube carrying the letter A": what it shows, not what lies on it."""
+    items = theme.items if isinstance(theme, Coord) else (theme,)
+    shown = all(isinstance(x, Noun) and x.traits.labels and not x.traits.colors for x in items)
+    return shown and p.words[end - 2] not in lexicon.BLOCK and p.words[end - 1] not in lexicon.BLOCK

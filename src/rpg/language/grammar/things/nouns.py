@@ -12,6 +12,7 @@ from rpg.language.grammar.things.adjectives import Marks, adjectives, clash, col
 from rpg.language.grammar.things.amounts import Quantity
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
+from rpg.language.grammar.things.in_line import in_line
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
 from rpg.language.grammar.things.labels import label_list, literal, once_more
 from rpg.language.grammar.things.printed import printed, with_symbols
@@ -177,6 +178,9 @@ def _part(p: Parser, i: int) -> Results[Meaning]:
             yield PartOf(part=_PARTS[phrase], whole=whole, span=p.span(i, end)), end
 
 
+_THESE = ("them", "these", "those", "the others", "the rest", "others")
+
+
 def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
     """ "two of the four red blocks", "none of them"."""
     for whole, end in simple(p, j):
@@ -199,14 +203,7 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
                 ),
                 end,
             )
-        elif isinstance(whole, Pronoun) and whole.word in (
-            "them",
-            "these",
-            "those",
-            "the others",
-            "the rest",
-            "others",
-        ):
+        elif isinstance(whole, Pronoun) and whole.word in _THESE:
             yield (
                 Noun(head="any", det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)),
                 end,
@@ -352,6 +349,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         yield told, k
         tried.append((told, k))
     yield from of_edges(p, i, j, noun)
+    yield from in_line(p, i, j, noun)
     yield from with_symbols(p, i, j, noun)
     yield from bracketed(p, i, j, noun)
     for update, k in of_patch(p, j) if noun.head == "patch" and not noun.traits.colors else ():

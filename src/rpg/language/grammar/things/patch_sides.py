@@ -19,6 +19,8 @@ _BEHIND = {
 }
 _NO_SIDE = frozenset({"of", "half", "side", "corner", "edge", "hand", "left", "right", "end"})
 """What follows a part of the table, or a place beside something else."""
+_A_BLOCK = frozenset({"one", "block", "cube", "brick"})
+"""What is told by a corner of the grid that it is part of."""
 _TABLE = frozenset({"of", "on", "in"})
 
 
@@ -28,6 +30,8 @@ def patch_side(p: Parser, i: int) -> Results[dict[str, Any]]:
     side = p.peek(i, _SIDES)
     if not side:
         return
+    if (side in ("@front", "@back")) and p.stands(i + 1, ("left", "right")) and p.stands(i + 2, _A_BLOCK):
+        yield {"rank": f"{side[1:]} {p.words[i + 1]}"}, i + 2
     j = p.opt(p.reach(i + 1), "hand")
     named = p.stands(j, lexicon.PATCH) and not (p.stands(j, ("area", "spot")) and p.stands(j + 1, _TABLE))
     if named or (p.stands(j, ("one",)) and not p.words[i].endswith("most")):

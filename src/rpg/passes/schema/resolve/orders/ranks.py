@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import At, Noun, Traits, replace
+from rpg.language.meaning import Amount, At, Noun, Traits, replace
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
+from rpg.passes.schema.resolve.orders.in_grids import CELLS
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
 from rpg.passes.schema.resolve.places.sided_patches import sided_patch
@@ -18,12 +19,16 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The block at a place of the structure spoken of last, or the extreme in size."""
 
     rank = noun.traits.rank or ""
+    if rank.startswith("@") and (own := _of_the_line(noun, rank[1:], scene)) is not None:
+        return own
     if rank.startswith("@"):
         return sided_patch(noun, rank[1:], scene, scope)
     if rank.startswith("#"):
         return _numbered(noun, rank[1:], scene)
     if rank in BY_SIZE:
         return by_size(noun, scene, scope)
+    if rank == "outer":
+        return _outer(noun, scene)
     if (left := _left_of_so_many(noun, rank, scene)) is not None:
         return left
     there = () if noun.head == "patch" else _candidates(noun, rank, scene)
@@ -42,9 +47,44 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
             noun.span,
             "name its colour or its label",
         )
+    which = " from the ".join(rank.split())
     raise refuse(
-        "no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label"
+        "no-referent", f"it is not clear which block is the {which} one", noun.span, "name its colour or its label"
     )
+
+
+def _outer(noun: Noun, scene: Scene) -> Ref:
+    """ "the outer ones": both ends of the line that was built, which any two of blocks that look alike may be."""
+    line = scene.built[0] if len(scene.built) == 1 else None
+    ends = (line.members[0], line.members[-1]) if line is not None and len(line.members) > 2 else ()
+    plain = noun.traits == Traits(rank="outer") and noun.amount in (None, Amount(2, 2)) and noun.det != "no"
+    loose = line is not None and ends and not line.ordered and _all_alike(line, scene)
+    if line is None or not plain or line.kind not in _LINES or not (loose or line.ordered):
+        raise refuse("no-referent", "it is not clear what the outer ones are", noun.span, "name them")
+    for name, index in zip(ends, (1, -1), strict=True) if loose else ():
+        place = At(side="first", index=index, span=noun.span)
+        scene.loose.append((Ref(names=(name,), span=noun.span), place, noun.span))
+    return Ref(names=ends, plural=True, det=noun.det, each=noun.det == "each", span=noun.span)
+
+
+_BOARDS = ("grid", "square", "rectangle")
+_LINES = ("row", "line", "column", "word")
+
+
+def _all_alike(built: Built, scene: Scene) -> bool:
+    """Whether the blocks of a structure look alike, and nothing is said to be on one of them yet."""
+    things = [scene.things[n] for n in built.members]
+    looks = {(t.color, t.label, t.kind, t.size) for t in things}
+    return len(looks) == 1 and bool(things[0].color) and not any(n in scene.on_top for n in built.members)
+
+
+def _of_the_line(noun: Noun, side: str, scene: Scene) -> Ref | None:
+    """ "the left one": of the blocks of the one line that was built, where there are no patches."""
+    line = scene.built[0] if len(scene.built) == 1 and scene.built[0].kind in _LINES else None
+    if line is None or noun.head != "any" or any(t.patch for t in scene.things.values()):
+        return None
+    name = _in(line, side) if line.ordered else None
+    return Ref(names=(name,)) if name is not None else _among_alike(noun, side, scene)
 
 
 def _left_of_so_many(noun: Noun, rank: str, scene: Scene) -> Ref | None:
@@ -134,24 +174,23 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
         built is None
         or built.ordered
         or len(scene.built) > 1
-        or built.kind not in SIDES
+        or built.kind not in (*SIDES, *_BOARDS)
         or noun.head == "patch"
         or scene.loose
     ):
         return None
-    things = [scene.things[n] for n in built.members]
-    looks = {(t.color, t.label, t.kind, t.size) for t in things}
     colors = noun.traits.colors
-    if len(looks) > 1 or not things[0].color or any(n in scene.on_top for n in built.members):
+    if not _all_alike(built, scene) or (colors and scene.things[built.members[0]].color not in colors):
         return None
-    if colors and things[0].color not in colors:
-        return None
-    side = {"last": "first"}.get(rank, "first" if rank.isdigit() else rank)
+    count, _, told = rank.partition(" ")
+    if built.kind in _BOARDS:
+        return _in_the_grid(noun, rank, built, scene) if rank == "middle" or rank in CELLS else None
+    side = told or {"last": "first"}.get(rank, "first" if rank.isdigit() else rank)
     if side not in ("first", "middle", *SIDES[built.kind][:2]):
         return None
     if side == "middle" and len(built.members) % 2 == 0:
         return None
-    index = int(rank) if rank.isdigit() else -1 if rank == "last" else None
+    index = int(count) if count.isdigit() else -1 if rank == "last" else None
     if index is not None and not -1 <= index <= len(built.members):
         return None
     if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
@@ -161,6 +200,16 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     place = At(side=side, index=index, span=noun.span)
     scene.loose.append((Ref(names=(name,), span=noun.span), place, noun.span))
     return Ref(names=(name,))
+
+
+def _in_the_grid(noun: Noun, rank: str, built: Built, scene: Scene) -> Ref:
+    """ "the middle one", "the far left one" of a grid of blocks that look alike."""
+    if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
+        raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start",
+                     noun.span, "give them colours, or say what is where at the end")  # fmt: skip
+    found = Ref(names=built.members[:1], span=noun.span)
+    scene.loose.append((found, At(side=rank, span=noun.span), noun.span))
+    return found
 
 
 def _of_structures(noun: Noun, index: int, scene: Scene) -> Ref:
@@ -186,6 +235,10 @@ def _in(built: Built, rank: str) -> str | None:
     members = built.members
     if not members:
         return None
+    count, _, side = rank.partition(" ")
+    if count.isdigit() and side:
+        counted = members if side == first else members[::-1] if side == opposite else ()
+        return counted[int(count) - 1] if int(count) <= len(counted) else None
     if rank == first:
         return members[0]
     if rank == opposite or rank == "last":

@@ -15,7 +15,8 @@ from rpg.language.meaning import At, Meaning, replace
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
-from rpg.passes.schema.resolve.orders.positions import SIDES, alternatives, places_of, ranks_from
+from rpg.passes.schema.resolve.orders.in_grids import in_grid
+from rpg.passes.schema.resolve.orders.positions import SIDES, alternatives, looks, places_of, ranks_from
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
@@ -58,6 +59,8 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     whole = max(len(ref.names) for ref, _, _ in loose) if told else 0
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks) and whole < len(n.blocks)):
         return _refine(goal, node, loose, scene)
+    for grid in (a for a in atoms(goal) if isinstance(a, s.Grid) and len(loose) == 1 and set(names) < set(a.blocks)):
+        return in_grid(goal, grid, loose[0])
     for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) <= set(a.blocks)):
         _check_word(word, loose, scene)
         return goal
@@ -305,7 +308,9 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=ranks, first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):
-        either_way = all(at_.side == "middle" for _, at_, _ in loose if isinstance(at_, At))
+        of_no_side = all(at_.side in ("middle", "first") for _, at_, _ in loose if isinstance(at_, At))
+        seen = {index: looks(scene.things[name]) for index, name in places.items()}
+        either_way = of_no_side and all(seen.get(total - 1 - index) == look for index, look in seen.items())
         if node.axis == "x" or either_way:
             order = order.model_copy(update={"first": None if either_way else "front"})
         update = {"axis": node.axis if either_way else node.axis or "y"}

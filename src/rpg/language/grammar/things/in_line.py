@@ -1,0 +1,44 @@
+"""Blocks told by where they stand in a line: "the second one from the left", "the one in the middle"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.meaning import Noun, Traits, replace
+
+_FROM = {f"from {the}{side}": way for way, sides in {
+    "left": ("left",), "right": ("right",), "bottom": ("bottom",), "top": ("top",), "front": ("front", "near end"),
+    "back": ("back", "far end"),
+}.items() for side in sides for the in ("the ", "")}  # fmt: skip
+_THERE = {
+    **{f"in the {middle}": "middle" for middle in ("middle", "very middle", "center", "very center")},
+    **{f"{at} the {side}": way
+       for side, way in {"left end": "left", "right end": "right", "near end": "front", "far end": "back",
+                         "front end": "front", "back end": "back", "very left": "left", "very right": "right",
+                         "far left": "left", "far right": "right", "left": "left", "right": "right"}.items()
+       for at in ("at", "on")},
+}  # fmt: skip
+_OF_LINE = ("of it", "of them", "of these", "of those", "of the row", "of the line", "of the column", "of that row",
+            "of the word", "of this row", "of the letters", "of the blocks", "of the cubes")  # fmt: skip
+_ENDS_THERE = frozenset({"of", "half", "side", "corner", "hand", "edge", "block", "cube", "one"})
+_TOLD_SIDES = frozenset({"left", "right", "front", "back", "bottom", "top", "middle", "last"})
+
+
+def in_line(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
+    """The noun with its place in the line that was spoken of."""
+    rank = noun.traits.rank
+    if noun.plural or noun.head == "patch" or noun.det not in ("the", "its"):
+        return
+    if rank is None and noun.traits == Traits() and noun.amount is None and p.stands(j - 1, _ONE):
+        for phrase, k in p.standing(j, _THERE):
+            end = p.any_of(k, _OF_LINE) or k
+            if end > k or not p.stands(k, _ENDS_THERE):
+                yield replace(noun, traits=Traits(rank=_THERE[phrase]), span=p.span(i, end)), end
+    elif rank is not None and rank.isdigit():
+        for phrase, k in p.standing(j, _FROM):
+            end = p.any_of(k, _OF_LINE) or k
+            yield replace(noun, traits=replace(noun.traits, rank=f"{rank} {_FROM[phrase]}"), span=p.span(i, end)), end
+    if rank is not None and (rank in _TOLD_SIDES or rank.isdigit()) and (end := p.any_of(j, _OF_LINE)):
+        yield replace(noun, span=p.span(i, end)), end
+
+
+_ONE = frozenset({"one", "block", "cube", "brick", "letter", "digit"})

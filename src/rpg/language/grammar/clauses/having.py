@@ -7,6 +7,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import part_list
+from rpg.language.grammar.places.gaps import apart_by
 from rpg.language.grammar.places.onto import one_on_another
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.along import listed_along
@@ -74,6 +75,7 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield _stated(p, i, end, owner, (on,), mode), end
         patch = isinstance(owner, Noun) and owner.head == "patch"
         if k := p.any_of(j, _HAS) or (p.any_of(j, _IS_FOR) if patch else 0):
+            yield from ((replace(far, mode=mode), end) for far, end in apart_by(p, i, k, owner))
             for theme, start in noun_phrase(p, k):
                 if (told := _of_its_color(owner, theme, p.span(i, start))) is not None:
                     yield _stated(p, i, start, *told, mode), start

@@ -6,6 +6,7 @@ from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.borne import bearing, borne
 from rpg.language.grammar.places.formed import formed
+from rpg.language.grammar.places.in_turn import in_turn, one_by_one
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import SIDES, at
 from rpg.language.grammar.structures.apposed import AMID
@@ -52,23 +53,24 @@ _ENDING = (
 
 def starting(p: Parser, i: int) -> Results[Meaning]:
     """ "starting with the red one (at the bottom)", "that ends with blue on the right": what is at an end of a line."""
-    for first, j in _at_end(p, i, _STARTS, 1):
+    for first, j in _at_end(p, i, _STARTS):
         yield first, j
-        for last, k in _at_end(p, j, _ENDING, -1):
+        for last, k in _at_end(p, j, _ENDING):
             yield Coord(op="absolutes", items=(first, last), span=p.span(i, k)), k
-    yield from _at_end(p, i, _ENDING, -1)
+    yield from _at_end(p, i, _ENDING)
 
 
 @choice
-def _at_end(p: Parser, i: int, leads: tuple[str, ...], index: int) -> Results[Absolute]:
-    j = p.any_of(p.opt(i, ","), leads)
+def _at_end(p: Parser, i: int, leads: tuple[str, ...]) -> Results[Absolute]:
+    """What is first, or last, or where it is said to be."""
+    j, first = p.any_of(p.opt(i, ","), leads), leads is _STARTS
     for theme, k in simple(p, j) if j else ():
         if not isinstance(theme, Noun) or theme.head == "patch":
             continue
         sides = at(p, k)
         if not sides:
-            end = Places(side="first", unit="block", index=index, span=theme.span)
-            yield Absolute(theme=theme, adjuncts=(end,), span=p.span(i, k)), k
+            place = Places(side="first" if first else "last", unit="block", index=1 if first else None, span=theme.span)
+            yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
         for side, end_ in sides:
             yield Absolute(theme=theme, adjuncts=(side,), span=p.span(i, end_)), end_
 
@@ -151,9 +153,6 @@ def _not_further(part_: Absolute) -> Absolute:
     return replace(part_, theme=replace(theme, det="some")) if among and isinstance(theme, Noun) else part_
 
 
-_ENDS = frozenset({"left", "right", "front", "back", "top", "bottom"})
-
-
 @rule
 def sided(p: Parser, i: int) -> Results[Meaning]:
     """Absolutes about the sides of a structure alone."""
@@ -228,8 +227,8 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
     for one, end in more:
         if then and len(getattr(one.theme, "items", ())) > 1:
             one = replace(one, cost=one.cost + 1)
-        turns = _in_turn(one)
-        apart = turns or (_one_by_one(p, one) if then or _comes_next(had[-1]) else ())
+        turns = in_turn(one)
+        apart = turns or (one_by_one(p, one) if then or _comes_next(had[-1]) else ())
         told = [apart] if turns or (apart and _has_comma(p, one.theme)) else [(one,), apart] if apart else [(one,)]
         for parts in told:
             whole = (*had, *parts)
@@ -286,36 +285,6 @@ def _relative_to_it(part: Absolute) -> bool:
 
 def _comes_next(part: Meaning) -> bool:
     return isinstance(part, Absolute) and isinstance(part.adjuncts[0], At) and part.adjuncts[0].side == "next"
-
-
-def _one_by_one(p: Parser, part: Absolute) -> tuple[Absolute, ...]:
-    """ "then blue, green on top": blue comes next, and green alone is on top. Nothing for a single block."""
-    theme, place = part.theme, part.adjuncts[0]
-    if not isinstance(theme, Noun) or theme.amount is not None or not isinstance(place, At) or place.side not in _ENDS:
-        return ()
-    looks = [replace(theme.traits, colors=(color,)) for color in theme.traits.colors]
-    if len(theme.traits.labels) > 1:
-        looks = [replace(theme.traits, labels=(label,)) for label in theme.traits.labels]
-    if len(looks) < 2:
-        return ()
-    named = [t.span for t in p.tokens if theme.span[0] <= t.span[0] < theme.span[1] and t.word not in (",", "and")]
-    if len(named) != len(looks):
-        return ()
-    single = [
-        replace(theme, traits=look, plural=False, head="any", span=span)
-        for look, span in zip(looks, named, strict=True)
-    ]
-    before = (Absolute(theme=one, adjuncts=(At(side="next", span=one.span),), span=one.span) for one in single[:-1])
-    return (*before, replace(part, theme=single[-1]))
-
-
-def _in_turn(part: Absolute) -> tuple[Absolute, ...]:
-    """ "two purple ones, then an orange one last": the last thing is there, and what is named before it comes next."""
-    theme, place = part.theme, part.adjuncts[0]
-    if not isinstance(theme, Coord) or theme.op != "then" or not isinstance(place, At) or place.side == "middle":
-        return ()
-    before = (Absolute(theme=x, adjuncts=(At(side="next", span=x.span),), span=x.span) for x in theme.items[:-1])
-    return (*before, replace(part, theme=theme.items[-1]))
 
 
 def _has_comma(p: Parser, theme: Meaning | None) -> bool:

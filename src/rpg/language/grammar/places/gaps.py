@@ -6,16 +6,17 @@ from collections.abc import Iterator
 from typing import Any, cast
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.places.measures import bounds, measured_so, room, their_ends
+from rpg.language.grammar.places.measures import AMONG, NEXT, bounds, measured_so, room, their_ends
 from rpg.language.grammar.places.sides import at
+from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That, Traits, replace
+from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Spacing, That, Traits, replace
 
 _GAPS = tuple(
     (noun, measure, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}"),
      (f"{noun} from", f"{noun} of"))
     for noun, measure in (("gap", "faces"), ("space", "faces"), ("distance", "centres"), ("spacing", "centres"),
-                          ("separation", "centres"))
+                          ("separation", "centres"), ("gaps", "faces"), ("spaces", "faces"), ("distances", "centres"))
 )  # fmt: skip
 """Words for a distance, what it is measured between, what of them follows a length, and what precedes two blocks."""
 _LEAVE = (
@@ -25,7 +26,7 @@ _LEAVE = (
 
 
 _IS = (
-    "is", "be", "comes to", "amounts to", "measures",
+    "is", "be", "comes to", "amounts to", "measures", "are", "being",
     *(f"{must} {be}" for must in ("should", "must", "has to", "shall", "ought to", "needs to", "is to", "will")
       for be in ("be", "come to", "amount to", "measure")),
 )  # fmt: skip
@@ -58,6 +59,76 @@ def gap(p: Parser, i: int) -> Results[Clause]:
                 if same == measure:
                     yield _far_apart(p, i, end, both, low, high, measure), end
     yield from _left_between(p, i)
+    yield from _between_first(p, i)
+    yield from _limited(p, i)
+
+
+def _parted(p: Parser, i: int) -> Results[Meaning]:
+    """Behind "between": some blocks, or those side by side in a line."""
+    if j := p.any_of(i, NEXT):
+        yield Pronoun(word="them", span=p.span(i, j)), j
+    yield from noun_phrase(p, i)
+
+
+_SAME = tuple(
+    f"{are} {all_}{same}"
+    for are in ("are", "should be", "must be", "have to be", "shall be", "being")
+    for all_ in ("", "all ")
+    for same in ("equal", "the same", "equally wide", "equally large", "of equal size", "of the same size",
+                 "of equal width", "the same size", "even", "identical")
+)  # fmt: skip
+
+
+def _alike(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:
+    """ "the gaps between them are equal"."""
+    if end := p.any_of(j, _SAME):
+        even = Spacing(kind="even", span=p.span(j, end))
+        yield Clause(verb="be", theme=theme, adjuncts=(even,), mode="goal", span=p.span(i, end)), end
+
+
+_THERE = ("there is", "there should be", "there must be", "there has to be", "there shall be", "leave", "keep",
+          "there needs to be", "there are", "there will be")  # fmt: skip
+
+
+def _between_first(p: Parser, i: int) -> Results[Clause]:
+    """ "between the red and the blue block there is a gap of 5 cm", "between A and B the distance must be 12 cm"."""
+    m = p.one(i, "between")
+    ends = p.any_of(m, tuple(_CENTERS)) if m else 0
+    for theme, k in _parted(p, ends or m) if m else ():
+        k = p.opt(k, ",")
+        there = p.any_of(k, _THERE)
+        j = p.opt(there or k, "a", "an", "the")
+        measures = {"": "", **_CENTERS}[" ".join(p.words[m:ends])]
+        for (low, high), end, measure in _wide(p, j) if there else ():
+            yield _far_apart(p, i, end, theme, low, high, measures or measure), end
+        for noun, measure, _, _ in _GAPS if not there else ():
+            measure = measures or measure
+            named = p.one(j, noun)
+            told = p.any_of(named, _IS)
+            for (low, high), end in bounds(p, told) if named and told else ():
+                yield _far_apart(p, i, end, theme, low, high, measure), end
+
+
+_CENTERS = {
+    f"the {ends} of": measure
+    for ends, measure in (("centers", "centres"), ("middles", "centres"), ("faces", "faces"), ("sides", "faces"))
+}
+_LIMIT = {**dict.fromkeys(("maximum", "largest"), False), **dict.fromkeys(("minimum", "smallest"), True)}
+
+
+def _limited(p: Parser, i: int) -> Results[Clause]:
+    """ "the maximum distance is 10 cm", "the minimum gap between the blocks is 2 cm"."""
+    j = p.opt(i, "the", "with", "a")
+    least = p.lex(j, _LIMIT)
+    for noun, measure, _, _ in _GAPS if least is not None else ():
+        k = p.one(p.opt(j + 1, "allowed"), noun)
+        between = p.one(k, "between") if k else 0
+        them = Pronoun(word="them", span=p.span(i, k or j))
+        for theme, end in _parted(p, between) if between else [(them, k)]:
+            told = p.any_of(end, _IS) or p.opt(end, "of", ":") if end else 0
+            for metres, last in length(p, told) if told > end else ():
+                low, high = (metres, None) if least else (None, metres)
+                yield _far_apart(p, i, last, theme, low, high, measure), last
 
 
 def _end_of(p: Parser, i: int) -> Iterator[tuple[Noun, str, int]]:
@@ -68,19 +139,21 @@ def _end_of(p: Parser, i: int) -> Iterator[tuple[Noun, str, int]]:
                 yield block, _ENDS_OF[phrase], k
 
 
+_REMAINS = ("remains", "is left", "is kept", "must remain", "should remain", "remain", "stays", "is", "should be")
+
+
 def _left_between(p: Parser, i: int) -> Results[Clause]:
     """ "leave a gap of 6 cm between the red and the green block": the distance comes first."""
     j = p.any_of(i, _LEAVE) or i
-    j = p.opt(j, "a", "an", "the")
-    spans: list[tuple[Any, int, str]] = []
-    wide = bounds(p, j)
-    for noun, measure, behind, _ in _GAPS:
-        if (k := p.one(j, noun)) and (k := p.one(k, "of")):
-            spans += [(b, e, measure) for b, e in bounds(p, k)]
-        spans += [(b, e, measure) for b, k in wide if (e := p.any_of(k, behind))]
-        if (k := p.one(j, noun)) and (k := p.any_of(k, ("between the faces of", "between", "of"))):
-            measure = "faces" if p.words[k - 2] == "faces" else measure
-            for theme, end in noun_phrase(p, k):
+    j = p.opt(p.opt(j, "all"), "a", "an", "the")
+    spans = list(_wide(p, j))
+    for noun, measure, _, _ in _GAPS:
+        if k := p.one(j, noun):
+            m = p.any_of(k, ("between the faces of", "between", "of"))
+            measure = "faces" if m and p.words[m - 2] == "faces" else measure
+            theirs = [(Pronoun(word="them", span=p.span(i, k)), k)] if p.words[j - 1] in ("the", "all") else []
+            for theme, end in _parted(p, m) if m else theirs:
+                yield from _alike(p, i, end, theme)
                 made = end if p.words[i] in ("make", "keep") else 0
                 end = p.any_of(end, _IS) or made
                 wide_ = [*bounds(p, end), *(room(p, end) if measure == "faces" else ())] if end else []
@@ -89,7 +162,7 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                     yield _far_apart(p, i, last, theme, low, high, measure), last
     for _, measure, _, before in _GAPS:
         yield from _from_to(p, i, p.any_of(j, before), measure)
-    spans += [(b, e, "faces") for b, e in wide]
+    spans += [(b, e, "faces") for b, e in bounds(p, j)]
     if k := p.any_of(j, ("room for", "space for", "gap of", "space of", "enough room for", "enough space for")):
         spans += [(b, e, "faces") for b, e in room(p, k)]
     for (low, high), k, _ in spans:
@@ -99,19 +172,35 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                     both = Coord(op="and", items=(one, two), span=p.span(k, end))
                     yield _far_apart(p, i, end, both, low, high, measure), end
     for (low, high), k, measure in spans:
-        if m := p.one(k, "between"):
+        if m := p.one(p.any_of(k, _REMAINS) or k, "between"):
             if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):
                 m, measure = centres, "centres"
             if faces := p.any_of(m, ("the faces of", "faces of", "the sides of")):
                 m, measure = faces, "faces"
             for ends, end in their_ends(p, m):
                 yield _far_apart(p, i, end, Pronoun(word="them", span=p.span(m, end)), low, high, ends), end
-            for told, end in noun_phrase(p, m):
+            for told, end in _parted(p, m):
                 theme = _its_own(told) if p.words[i] == "leaving" else told
                 apart = _far_apart(p, i, end, theme, low, high, measure)
                 for far, last in measured_so(p, cast(Loc, apart.adjuncts[0]), i, end):
                     yield replace(apart, adjuncts=(far,), span=p.span(i, last)), last
                 yield from _with_side(p, i, end, apart)
+
+
+def _wide(p: Parser, j: int) -> Iterator[tuple[Any, int, str]]:
+    """ "gap of 6 cm", "6 cm gap": how wide it is, and between what of the blocks."""
+    told = bounds(p, j)
+    for noun, measure, behind, _ in _GAPS:
+        of = p.one(k, "of") if (k := p.one(j, noun)) else 0
+        yield from ((b, e, measure) for b, e in (bounds(p, of) if of else ()))
+        yield from ((b, e, measure) for b, k in told if (e := p.any_of(k, behind)))
+
+
+def apart_by(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:
+    """ "(red and blue have) a gap of 6 cm between them"."""
+    for (low, high), k, measure in _wide(p, p.opt(j, "a", "an")):
+        if end := p.any_of(k, AMONG):
+            yield _far_apart(p, i, end, theme, low, high, measure), end
 
 
 def _its_own(told: Meaning) -> Meaning:

@@ -10,7 +10,7 @@ from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Loc, Meaning, Pronoun, replace
 
 _KINDS = ("blocks", "cubes", "bricks", "ones", "letters", "digits", "numbers", "signs", "symbols")
-_NEXT = tuple(
+NEXT = tuple(
     f"{which}{next_}{what}"
     for which in ("", "two ", "the ", "any two ", "every two ", "each two ", "each pair of ", "every pair of ")
     for next_, whats in (("", ("neighbors", *_KINDS)), ("neighboring ", _KINDS), ("adjacent ", _KINDS),
@@ -18,9 +18,9 @@ _NEXT = tuple(
     for what in whats
 )  # fmt: skip
 """What stands side by side in a line."""
-_ENDS_OF = ("", " of the blocks", " of the cubes", " of them", *(f" of {next_}" for next_ in _NEXT))
-_AMONG = (
-    *(f"between {next_}" for next_ in _NEXT),
+_ENDS_OF = ("", " of the blocks", " of the cubes", " of them", *(f" of {next_}" for next_ in NEXT))
+AMONG = (
+    *(f"between {next_}" for next_ in NEXT),
     "between them", "between each other", "in between them", "in between", "between the two",
     *(f"between each{what}" for what in ("", " pair", " of them", " of the blocks", *(f" {x[:-1]}" for x in _KINDS))),
 )  # fmt: skip
@@ -226,11 +226,12 @@ _OF_CENTERS = (
 _BETWEEN_CENTERS = (
     *_OF_CENTERS,
     "apart from each other", "from each other", "away from each other", "apart", "from one another", "of each other",
+    *(f"{away}from the next{one}" for away in ("", "away ") for one in ("", " one")),
     "of one another", "away", "to each other", "to one another", "center to center", "from center to center",
     "between centers", "apart from one another",
 )  # fmt: skip
 _BETWEEN_FACES = (
-    *(f"between {next_}" for next_ in _NEXT),
+    *(f"between {next_}" for next_ in NEXT),
     *(f"between {their}{ends}{of}" for their in ("", "the ", "their ") for ends in ("faces", "sides")
       for of in _ENDS_OF),
     "between them", "between each other", "in between them", "in between", "between the two",
@@ -299,7 +300,7 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     for (low, high), j in bounds(p, p.opt(noted, "of", ":")) if noted else ():
         end = p.opt(j, "gap", "gaps")
         measure = "faces" if end > j or p.words[noted - 1] in ("gap", "gaps") else "centres"
-        end = p.any_of(end, _AMONG) or end
+        end = p.any_of(end, AMONG) or end
         yield replace(_each_other(p, i, end, low, high, measure), cost=1), end
     yield from _moved(p, i)
     yield from _spaced(p, i)
@@ -334,7 +335,7 @@ def _spaced(p: Parser, i: int) -> Results[Meaning]:
     ):
         for (low, high), k in bounds(p, j):
             if gap := p.any_of(k, _ROOM):
-                end = p.any_of(gap, _AMONG) or gap
+                end = p.any_of(gap, AMONG) or gap
                 measure = "centres" if p.words[gap - 1] in ("spacing", "distance") else "faces"
                 yield from measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
             if end := p.any_of(k, _OF_CENTERS):

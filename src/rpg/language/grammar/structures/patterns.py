@@ -176,6 +176,7 @@ _TOUCH = Patterns(
     "adjacent_blocks|neighboring_cube|neighboring_cubes|next_cube|one_beside_it|one_next_to_it|ones_beside_it",
     "so|so_that|such_that|with|where|and|, the|all? neighbors|neighboring_blocks|neighboring_cubes|adjacent_blocks|"
     "adjacent_cubes all|just|must|should? touch|touching each_other|one_another?",
+    "that|which|who all|both? touch each_other|one_another|their_neighbors",
     ",? with? the|their? faces|sides|cubes|blocks touching",
     ",? touching cubes|blocks|bricks",
 )

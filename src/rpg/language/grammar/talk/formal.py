@@ -187,10 +187,7 @@ _PLAINLY: tuple[Turn, ...] = (
     (f"^(.*?)the (?:positions|places|locations) of (.+? {MUST} be (?:swapped|exchanged|interchanged))$", "{1} {2}"),
     ("\\bcentrally (between)\\b", "midway {1}"),
     ("\\b(rotated|turned) through (\\d+ degrees)\\b", "{1} by {2}"),
-    (f"(?:, )?(?:so|such) that a (gap|distance) of ({_CM}) (?:remains|is left|is kept) between (.+)$",
-     "with a {1} of {2} between {3}"),
     ("\\bbetween (?:neighboring|adjacent) faces\\b", "between neighboring blocks"),
-    (", the (?:distances|gaps|spaces) between (?:them|neighbors|the blocks) being equal\\b", ", evenly spaced"),
     (f"\\b({MUST}) not exceed\\b", "{1} be at most"),
     (f"\\b({MUST}) not (?:fall below|be less than)\\b", "{1} be at least"),
     # structures

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
@@ -109,7 +111,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             readings += starts_as(p, i, s, theme)
         for found, end in readings:
             found = denied_of_all(p, j, found) if isinstance(found, Clause) else found
-            lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words or bool(barred)
+            lasting = _lasting(words) or bool(barred)
             lasting = lasting or ("ever" in words and none_of(theme))
             bound = (_MODALS | _BOUND) - (_HAVE if p.words[k] == "been" else set())  # "have been put", not "have to"
             found = perhaps_first(p, k, found, mode)
@@ -123,6 +125,10 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             if isinstance(found, Clause) and (idle or (words & {"may", "might"} and not asked)):
                 found = leave(found, p.words[i] in ("only", "just") and not idle, p.span(j, k))
             yield (ever(nothing_at_all(found), lasting) if isinstance(found, Clause) else found), end
+
+
+def _lasting(words: Collection[str]) -> bool:
+    return not {"never", "always"}.isdisjoint(words) or {"not", "ever"}.issubset(words)
 
 
 def _told_apart(p: Parser, i: int, j: int, theme: Meaning) -> bool:
@@ -392,4 +398,4 @@ def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     mode = "goal" if later or words & (_MODALS | _ENDS) else before.mode
     for found, j in _predicate_after_be(p, i, k, same, mode, bool(words & _NOT)):
         if isinstance(found, Clause):
-            yield replace(found, cost=found.cost + 1), j
+            yield ever(replace(found, cost=found.cost + 1), _lasting(words)), j

@@ -49,9 +49,14 @@ def _not_any(clause: Clause) -> Clause:
 def _all_that_are_not(clause: Clause) -> None:
     """Refuse "all three red blocks are not on the patch": none of them, or not all of them?"""
     of_all = clause.negated and isinstance(clause.theme, Noun) and clause.theme.det in ("all", "each")
-    if not of_all or clause.lemma != "fact":
-        return
-    for place in clause.adjuncts:
+    for place in clause.adjuncts if clause.negated else ():
+        mark = place.landmark if isinstance(place, Loc) else None
+        if not isinstance(mark, Noun) or mark.head == "patch":
+            continue
+        if mark.det in ("all", "each") or (mark.amount is not None and mark.amount.strict):
+            raise refuse("ambiguous", "it is not clear whether this is so of none of them, or not of all", place.span,
+                         "say 'any of', 'none of', or 'not both'")  # fmt: skip
+    for place in clause.adjuncts if of_all and clause.lemma == "fact" else ():
         if isinstance(place, In) or (isinstance(place, Loc) and not isinstance(place.landmark, Pronoun)):
             raise refuse("ambiguous", "it is not clear whether none of them are to be so, or not all", clause.span,
                          "say 'none of the ...', or 'not all of the ...'")  # fmt: skip

@@ -21,6 +21,9 @@ HALFWAY_GAP = 10.0
 
 def between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     """One or several blocks between two ends."""
+    if mark.quant is not None:
+        raise refuse("between-two", "'between' wants two ends", loc.span,
+                     "say 'between the red block and the blue block'")  # fmt: skip
     ends = two_ends(mark, loc, scene)
     b, c = (foot(e) for e in ends)
     if loc.rel == "sandwiched":

@@ -44,6 +44,7 @@ from rpg.passes.schema.resolve.things.operands import (
     carrier,
     count,
     crown,
+    far_from_any,
     foot,
     measure,
     one_by_one,
@@ -265,13 +266,13 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
         return conj([_landmarks(Ref(names=(n,)), mark, loc, scene, span) for n in theme.names], span)
     if mark.op == "or":
         return disj([_landmarks(theme, part, loc, scene, span) for part in mark.parts], span)
-    if mark.quant is not None:
-        quant = mark.quant
+    mark = far_from_any(mark, loc)
+    if (quant := mark.quant) is not None:
         if theme.quant is not None and theme.quant.high != 0 and quant.low == quant.high:
             raise refuse("ambiguous", "so many of the ones, and so many of the others: it is not clear which",
                          loc.span, "say 'on any of them', or name the blocks")  # fmt: skip
         return count(mark.names, quant, lambda b: _relate(theme, Ref(names=tuple(b)), loc, scene, span), span)  # type: ignore[arg-type]
-    marks = one_by_one(mark, loc, scene)
+    marks = [mark] if mark.each and indefinite(theme) else one_by_one(mark, loc, scene)
     if len(marks) > 1 and (theme.op in ("or", "xor") or (theme.quant is not None and theme.quant.high != 0)):
         raise refuse("ambiguous", "it is not clear which of them is meant by each", loc.span, "use two sentences")
     return conj([_relate(theme, part, loc, scene, span) for part in marks], span)

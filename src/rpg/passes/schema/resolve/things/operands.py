@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH, Highest, Lowest, Operand
-from rpg.language.meaning import Amount, Loc
+from rpg.language.meaning import Amount, Loc, replace
 from rpg.passes.schema.resolve.goals.logic import conj, disj, negation
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse, said
 
@@ -69,16 +69,25 @@ def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
     """ "next to the blue and the green block": next to each of them; several that look alike are one landmark, unless
     all of them are said to be, or to be touched.
     """
-    if loc.rel not in (*LEVEL, "distance") or loc.rel == "apart" or mark.op != "and" or mark.each or mark.patch:
+    if loc.rel not in (*LEVEL, "distance") or loc.rel == "apart" or mark.op != "and" or mark.patch:
         return [mark]
     if len(mark.parts) > 1 or mark.built:
         return list(mark.parts) or [mark]
-    if mark.det in ("all", "both") or loc.rel == "touching":
+    if mark.each or mark.det in ("all", "both") or loc.rel == "touching":
         return [Ref(names=(name,)) for name in mark.names]
     looks: dict[tuple[str | None, ...], list[str]] = {}
     for thing in (scene.things[name] for name in mark.names if name != EACH):
         looks.setdefault((thing.color, thing.label, thing.size), []).append(thing.name)
     return [Ref(names=tuple(names)) for names in looks.values()] if len(looks) > 1 else [mark]
+
+
+def far_from_any(mark: Ref, loc: Loc) -> Ref:
+    """ "far from any of the red blocks", "at least 10 cm from any of them": from each."""
+    far = loc.rel == "apart" or (loc.rel == "distance" and loc.low is not None and loc.high is None)
+    return replace(mark, quant=None, det="all") if far and mark.det == "any" and mark.quant == ANY else mark
+
+
+ANY = Amount(1, None, True)
 
 
 def foot(ref: Ref) -> Operand:

@@ -303,7 +303,7 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     check_both(noun, whole)
     amount = noun.amount
     if noun.det in ("all", "each", "both"):
-        return replace(whole, each=noun.det == "each", quant=None)
+        return replace(whole, each=noun.det == "each", quant=None, det=noun.det)
     if noun.det == "no":
         return replace(whole, quant=fewer_than(noun.amount))
     if noun.det in SHARES:

@@ -91,10 +91,12 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
     if not p.rarely(_TELLING):
         return
     for j in _TURNS.matches(p, i):
-        two = p.opt(j, "between", ":")
-        if two == j or p.words[j] == ":":
+        two = p.opt(j, "between", ":", ",")
+        if two == j or p.words[j] != "between":
             yield OrderBy(by="alternating", span=p.span(i, j)), j
-        yield from _two(p, i, two)
+        for found, k in _two(p, i, two):  # ", three red and three white" is what there is
+            if p.words[j] != "," or not any(isinstance(x, Noun) and x.amount for x in parts_of(found)):
+                yield found, k
     for patterns, by in ((_APART, "alternating"), (_MIRRORED, "mirrored")):
         yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
     if j := p.any_of(i, _BETWEEN):
@@ -118,7 +120,9 @@ def _two(p: Parser, i: int, j: int) -> Results[Meaning]:
             yield OrderBy(by="alternating", items=both, span=p.span(i, end)), p.opt(end, "blocks", "cubes", "ones")
     for items, k in listed(p, j):
         k = p.opt(k, "blocks", "cubes", "ones")
-        yield OrderBy(by="alternating", items=items, span=p.span(i, k)), k
+        looks = [x.traits for x in items if isinstance(x, Noun)]
+        turns = len(looks) > 3 and looks[2:] == looks[:-2]  # "red, white, red, white": how they stand
+        yield OrderBy(by="named" if turns else "alternating", items=items, span=p.span(i, k)), k
 
 
 def _one_and_rest(p: Parser, i: int, j: int) -> Results[Meaning]:

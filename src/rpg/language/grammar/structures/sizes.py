@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
@@ -146,6 +147,8 @@ _COUNTED = (
       "blocks at its base", "blocks in the base", "cubes at the bottom", "cubes in the bottom row",
       "blocks in the bottom layer", "blocks as its base", "at the base"), "base", 1),
 )  # fmt: skip
+_SEVERAL = {*_PARTS, *(word for word, (_, many) in lexicon.STRUCTURE.items() if many)} - {"row", "column", "layer"}
+"""With these words "two each" says how many each of them has."""
 
 
 def _led(p: Parser, i: int, j: int) -> Results[Size]:
@@ -162,7 +165,9 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
             yield Size(what=_PARTS[part], amount=found, span=p.span(i, end)), p.opt(end, "only")
         for phrases, what, cost in _COUNTED:
             if end := p.any_of(e, phrases):
-                yield Size(what=what, amount=found, span=p.span(i, end), cost=cost), end
+                of_looks = p.words[end - 1] == "each" and p.all.isdisjoint(_SEVERAL)  # "red and blue, two each"
+                of_looks = of_looks and sum(word in lexicon.STRUCTURE for word in p.words) < 2
+                yield Size(what=what, amount=found, span=p.span(i, end), cost=cost + 5 * of_looks), end
     lines = p.number(k)
     for dims, e in _lines_by_lines(p, k, lines) if lines is not None else ():
         yield Size(what="dims", dims=dims, span=p.span(i, e)), e

@@ -36,6 +36,17 @@ def retold(items: tuple[Meaning, ...]) -> bool:
     return tally(items[1:]) > 1 or (len(items) == 2 and mere)
 
 
+def counted_again(items: tuple[Meaning, ...]) -> bool:
+    """ "red and blue blocks, three red and two blue", "next to each other, two red and two blue": the list goes on
+    with how many these are."""
+    nouns = [x for x in items if isinstance(x, Noun) and x.det == "bare" and x.head != "patch"]
+    open_ = {color for x in nouns if x.amount is None for color in x.traits.colors}
+    told = [x.traits.colors for x in nouns if x.amount is not None]
+    if any(isinstance(x, Pronoun) and x.word == "each other" for x in items):
+        return bool(told)
+    return len(told) > 1 and open_ == {color for colors in told for color in colors} and nouns[0].amount is None
+
+
 def the_other(first: Meaning, item: Meaning) -> Noun | None:
     """ "the other patch, the red one": one thing told twice."""
     if not (isinstance(first, Noun) and isinstance(item, Noun)) or first.det != "other" or item.det != "the":

@@ -7,17 +7,20 @@ from itertools import pairwise
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
+from rpg.passes.schema.resolve.orders.by_size import edge_of
 from rpg.passes.schema.resolve.things.world import Scene, Thing
 
 OPPOSITE = {"left": "right", "front": "back", "bottom": "top"}
 OPPOSITE |= {two: one for one, two in OPPOSITE.items()}
-_SORTED = ("label", "number", "rainbow")
+_SORTED = ("label", "number", "rainbow", "size")
 
 
 def key(order: Order, thing: Thing) -> float | str | None:
     """What an order compares."""
     if order.by == "rainbow":
         return RAINBOW.index(thing.color) if thing.color in RAINBOW else None
+    if order.by == "size":
+        return edge_of(thing)
     return thing.label if order.by in ("number", "label") else None
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from rpg.ir.order import Attribute
 from rpg.language.lexicon import RAINBOW
-from rpg.language.meaning import Noun, OrderBy, Traits
+from rpg.language.meaning import Coord, Noun, OrderBy, Structure, Traits, replace
+from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import fits
-from rpg.passes.schema.resolve.things.world import Scene, Thing, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
 
 _SORTS: dict[frozenset[str | None], Attribute] = {
     frozenset({"odd", "even"}): "parity",
@@ -14,6 +15,33 @@ _SORTS: dict[frozenset[str | None], Attribute] = {
     frozenset({"letter", "digit"}): "kind",
 }
 """Sorts of symbols that may take turns, and what tells them apart."""
+
+
+def as_listed(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
+    """ "A red, blue, red, blue tower": looks of which one comes again are told block by block.
+
+    "An alternating tower, red and white, four high": which two take turns. "Three red and three white blocks take
+    turns": these are its blocks.
+    """
+    colors = shape.traits.colors
+    lined = shape.kind in ("stack", "row", "line", "column") and not shape.plural and shape.members is None
+    if not lined or theme is not None:
+        return shape
+    turns = [o for o in spec.orders if o.by == "alternating"]
+    pair = [o for o in spec.orders if o.by == "named" and len(o.items) == 2 and not o.first]
+    if len(turns) == 1 and len(pair) == 1 and not turns[0].items:
+        turns = [replace(turns[0], items=pair[0].items)]
+        spec.orders = [turns[0] if o.by == "alternating" else o for o in spec.orders if o is not pair[0]]
+    counted = len(turns) == 1 and all(isinstance(x, Noun) and x.amount for x in turns[0].items)
+    if counted and turns[0].items and not (spec.usings or shape.sizes or colors):
+        looks = tuple(replace(x, amount=None) for x in turns[0].items if isinstance(x, Noun))
+        spec.orders = [replace(o, items=looks) if o is turns[0] else o for o in spec.orders]
+        return replace(shape, members=Coord(op="and", items=turns[0].items, span=turns[0].span))
+    if len(set(colors)) == len(colors) or shape.sizes or any(o.items for o in spec.orders):
+        return shape
+    items = tuple(Noun(head="any", traits=Traits(colors=(color,)), span=shape.span) for color in colors)
+    spec.orders = [OrderBy(by="named", items=items, attribute="color", span=shape.span), *spec.orders]
+    return replace(shape, traits=replace(shape.traits, colors=()))
 
 
 def alternating(order: OrderBy, things: list[Thing], scene: Scene) -> Attribute:

@@ -9,9 +9,10 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.schema import MAX_BLOCKS
-from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Size, Structure, Traits, replace
+from rpg.language.meaning import Amount, Coord, Noun, Size, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.goals.spacing import gaps_of
+from rpg.passes.schema.resolve.orders.alternating import as_listed
 from rpg.passes.schema.resolve.orders.lengthened import lengthened
 from rpg.passes.schema.resolve.orders.orders import order_of
 from rpg.passes.schema.resolve.orders.positions import alternatives
@@ -91,7 +92,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         spec.toward, spec.any_way = [*inner.toward, *spec.toward], spec.any_way or inner.any_way
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
-    shape = _paged(_as_listed(shape, spec), spec, theme)
+    shape = _paged(as_listed(shape, spec, theme), spec, theme)
     _known_sizes(shape)
     if shape.filled is False and shape.kind in _MASSIVE:
         raise refuse("unsupported-structure", f"a {shape.kind} has no hole here", shape.span, "say 'an outline square'")
@@ -112,17 +113,6 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         return each_of(shape, spec, theme, maker, scene, scope)
     built, goals = maker(shape, spec, theme, scene, scope)
     return built, [*goals, *gaps_of(goals, spec)]
-
-
-def _as_listed(shape: Structure, spec: Spec) -> Structure:
-    """ "A red, blue, red, blue tower": looks of which one comes again are told block by block."""
-    colors = shape.traits.colors
-    lined = shape.kind in ("stack", "row", "line", "column") and not shape.plural and shape.members is None
-    if not lined or len(set(colors)) == len(colors) or shape.sizes or any(o.items for o in spec.orders):
-        return shape
-    items = tuple(Noun(head="any", traits=Traits(colors=(color,)), span=shape.span) for color in colors)
-    spec.orders = [OrderBy(by="named", items=items, attribute="color", span=shape.span), *spec.orders]
-    return replace(shape, traits=replace(shape.traits, colors=()))
 
 
 def _paged(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:

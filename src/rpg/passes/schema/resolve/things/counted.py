@@ -35,7 +35,8 @@ def counted_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
             if (many := _number(clause)) is None:
                 continue
             before = [*found[:n], replace(found[n], clauses=found[n].clauses[: _at(found[n], clause)])]
-            lots = {x: None for c in before for x in parts_of(c) if isinstance(x, Noun) and _open(x)}
+            alone = not any(isinstance(x, Noun) and _told_by_look(x) for c in found for x in parts_of(c))
+            lots = {x: None for c in before for x in parts_of(c) if isinstance(x, Noun) and _open(x, alone)}
             shapes = any(isinstance(x, Structure) and x.plural for x in parts_of(before[-1]))
             if len({(x.traits, x.head) for x in lots}) != 1 or shapes:
                 raise refuse("ambiguous", "it is not clear of which blocks so many are there", clause.span,
@@ -65,6 +66,9 @@ def _without(chain: Chain, clause: Meaning) -> Chain:
 
 
 def _so_many(lot: Noun, many: Amount) -> Noun:
+    if lot.det == "each":
+        whole = replace(lot, det="the", amount=many, plural=True)
+        return Noun(head="any", det="each", part_of=whole, span=lot.span)
     return replace(lot, amount=many, det="bare" if lot.det == "some" else lot.det)
 
 
@@ -111,12 +115,18 @@ def _number(clause: Meaning) -> Amount | None:
     return Amount(theme.amount.low, theme.amount.low) if them or theme.part_of is None else None
 
 
-def _open(noun: Noun) -> bool:
-    """Blocks of which it is not said how many they are."""
+def _open(noun: Noun, alone: bool = False) -> bool:
+    """Blocks of which it is not said how many they are. `alone`: nothing is said of how any block looks."""
     looks = noun.traits.colors or noun.traits.kind or noun.traits.size or noun.traits.edge
-    plain = noun.head in ("block", "any") and noun.plural and noun.amount is None and noun.part_of is None
+    looks = looks or (alone and noun.head == "block" and noun.traits == Traits())
+    many = noun.plural or (noun.det == "each" and bool(noun.traits.colors))
+    plain = noun.head in ("block", "any") and many and noun.amount is None and noun.part_of is None
     listed = len(noun.traits.colors) > 1 or noun.traits.labels or noun.traits.extra
-    return plain and bool(looks) and not listed and noun.det in ("the", "all", "bare", "some")
+    return plain and bool(looks) and not listed and noun.det in ("the", "all", "bare", "some", "each")
+
+
+def _told_by_look(noun: Noun) -> bool:
+    return noun.head != "patch" and bool(noun.traits.colors or noun.traits.labels)
 
 
 def put(meaning: Any, old: Meaning, new: Meaning) -> Any:

@@ -1,4 +1,4 @@
-"""How many of each there are, said behind a list: "red, white and blue in a row, two of each"."""
+"""How many of each there are, said behind a list: "red and blue in a row, two of each", "..., three red, two blue"."""
 
 from __future__ import annotations
 
@@ -29,6 +29,11 @@ def each_later(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
             if many is None or line < 0:
                 continue
             clauses = found[line].clauses
+            if isinstance(many, dict):
+                told = _counted(clauses[place], many) if {*many} == _listed(clauses[place]) else clauses[place]
+                whole = tuple(told if x is clauses[place] else x for x in clauses)
+                found[line] = replace(found[line], clauses=whole)
+                continue
             alone = sum(len(x.clauses) for x in chains) == 2
             if alone and (kinds := _quantified(clauses[place])) and isinstance(clause, Clause):
                 items = tuple(_so_many(x, many) for x in kinds)
@@ -41,13 +46,29 @@ def each_later(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     return tuple(found)
 
 
-def _of_each(clause: Meaning) -> int | None:
-    """The number in "two of each", where no more is said."""
-    if not isinstance(clause, Clause) or clause.lemma != "tally" or clause.theme is not None:
+Many = int | dict[str, int]
+"""How many there are of each, or of each colour."""
+
+
+def _of_each(clause: Meaning) -> Many | None:
+    """The number in "two of each", where no more is said; the numbers in "three red and two blue"."""
+    if not isinstance(clause, Clause) or clause.lemma != "tally":
         return None
+    if clause.theme is not None:
+        items = clause.theme.items if isinstance(clause.theme, Coord) else (clause.theme,)
+        told = [x for x in items if isinstance(x, Noun) and x.traits == Traits(colors=x.traits.colors[:1])]
+        counts = {x.traits.colors[0]: x.amount.low for x in told if x.traits.colors and x.amount and x.det == "bare"}
+        return counts if 1 < len(items) == len(counts) and not clause.adjuncts else None
     sizes = [z for z in clause.adjuncts if getattr(z, "what", "") == "each"]
     amount = getattr(sizes[0], "amount", None) if len(sizes) == len(clause.adjuncts) == 1 else None
     return int(amount.low) if amount is not None and amount.low == amount.high else None
+
+
+def _listed(clause: Meaning) -> set[str]:
+    """The colours that a clause lists as its theme."""
+    theme = clause.theme if isinstance(clause, Clause) and clause.verb in ("arrange", "stack", "place") else None
+    items = theme.items if isinstance(theme, Coord) else (theme,)
+    return {color for x in items if isinstance(x, Noun) and x.amount is None for color in x.traits.colors}
 
 
 def _quantified(clause: Meaning) -> tuple[Noun, ...]:
@@ -64,7 +85,7 @@ def _quantified(clause: Meaning) -> tuple[Noun, ...]:
     return kinds if some and alone else ()
 
 
-def _counted(clause: Meaning, many: int) -> Meaning:
+def _counted(clause: Meaning, many: Many) -> Meaning:
     """A clause with so many of each of the looks that it lists."""
     if not isinstance(clause, Clause) or clause.mode == "start" or (clause.mode == "given" and clause.verb != "exist"):
         return clause
@@ -96,7 +117,7 @@ def _counted(clause: Meaning, many: int) -> Meaning:
     return clause
 
 
-def _apart(clause: Clause, theme: Noun, many: int) -> Clause | None:
+def _apart(clause: Clause, theme: Noun, many: Many) -> Clause | None:
     """ "Separate red from blue", three of each."""
     other = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
     if not isinstance(other, Using) or other.lead != "from" or not _single(theme) or not _single(other.members):
@@ -106,7 +127,7 @@ def _apart(clause: Clause, theme: Noun, many: int) -> Clause | None:
     )
 
 
-def _taking_turns(turns: list[OrderBy], many: int) -> Coord | None:
+def _taking_turns(turns: list[OrderBy], many: Many) -> Coord | None:
     """So many of each of the looks that alternate."""
     items = turns[0].items if len(turns) == 1 else ()
     if not items or not all(map(_single, items)):
@@ -130,5 +151,8 @@ def _single(item: Meaning) -> bool:
     return plain and told and marks == Traits(colors=marks.colors, labels=marks.labels)
 
 
-def _so_many(item: Meaning, many: int) -> Meaning:
-    return replace(item, head="block", amount=Amount(many, many), plural=many > 1) if isinstance(item, Noun) else item
+def _so_many(item: Meaning, many: Many) -> Meaning:
+    if not isinstance(item, Noun):
+        return item
+    number = many if isinstance(many, int) else many[item.traits.colors[0]]
+    return replace(item, head="block", amount=Amount(number, number), plural=number > 1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rpg.core.diagnostics import Refusal
-from rpg.language.grammar.things.retold import retold
+from rpg.language.grammar.things.retold import counted_again, retold
 from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits, replace
 from rpg.passes.schema.resolve.clauses.alls import note_all
@@ -72,6 +72,8 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if retold(meaning.items):
         raise refuse("ambiguous", "these could be further blocks, or what was counted before told apart", meaning.span,
                      "say 'and' between further blocks, or leave the number out")  # fmt: skip
+    if counted_again(meaning.items):
+        raise refuse("misplaced", "these numbers are told behind the list", meaning.span, "say them in the list")
     _unmixed(meaning)
     parts: list[Ref] = []
     seen: list[Traits] = []
@@ -273,7 +275,7 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
 
 def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
     if noun.head == "any":
-        if scope.like_patch and noun.traits.colors:
+        if scope.like_patch and noun.traits.colors and not (scope.given and noun.det == "a"):
             pool = [t for t in scene.things.values() if t.color in noun.traits.colors]
             last = next((m.ref.names for m in reversed(scene.mentions) if m.ref.patch and m.ref.names), ())
             if not pool and len(last) == 1 and all(scene.things[n].color is None for n in last):

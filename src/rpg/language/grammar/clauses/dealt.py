@@ -40,17 +40,28 @@ def _counted(whole: object) -> bool:
 def one_for_each(p: Parser, found: Meaning) -> Meaning:
     """ "Yellow and green are each on a white block": as many white blocks, one under each."""
     theme, place = (found.theme, found.adjuncts[:1]) if isinstance(found, Clause) else (None, ())
-    if not isinstance(found, Clause) or not isinstance(theme, Coord) or theme.op != "and" or found.negated or not place:
+    if not isinstance(found, Clause) or found.negated or not place or not (many := _one_by_one(theme)):
         return found
     mark = place[0].landmark if isinstance(place[0], Loc) and place[0].rel == "on" else None
     if not isinstance(mark, Noun) or (mark.head, mark.det, mark.amount) != ("block", "a", Amount(1, 1)):
         return found
-    many = len(theme.items)
-    if not all(isinstance(x, Noun) and _single(x) for x in theme.items) or not _each_told(p, theme, mark):
+    if theme is None or not _each_told(p, theme, mark):
         return found
     own = replace(mark, det="bare", amount=Amount(many, many), plural=True)
     dealt = Manner(kind="respectively", value="alike", span=mark.span)
     return replace(found, adjuncts=(replace(place[0], landmark=own), *found.adjuncts[1:], dealt))
+
+
+def _one_by_one(theme: Meaning | None) -> int:
+    """How many blocks are named one by one, or are counted."""
+    if isinstance(theme, Coord) and theme.op == "and":
+        return len(theme.items) if all(isinstance(x, Noun) and _single(x) for x in theme.items) else 0
+    if not isinstance(theme, Noun) or not theme.plural or theme.head == "patch" or theme.traits.either or theme.part_of:
+        return 0
+    looks = max(len(theme.traits.colors), len(theme.traits.labels))
+    if theme.amount is None:
+        return looks if looks > 1 else 0
+    return theme.amount.low if looks < 2 and theme.amount.low == theme.amount.high else 0
 
 
 def _single(noun: Noun) -> bool:

@@ -81,7 +81,9 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                     yield _stated(p, i, start, *told, mode), start
                     continue
                 if (lying := _on_patch(owner, theme, p.span(i, start))) is not None:
-                    yield _stated(p, i, start, *lying, mode), start
+                    stated = _stated(p, i, start, *lying, mode)
+                    yield stated, start
+                    yield from _next_owner(p, i, start, stated, mode)
                 for found, end in adjuncts(p, start):
                     if isinstance(owner, Structure) and owner.members is not None and _parts(found):
                         detail = Absolute(theme=theme, adjuncts=found, span=p.span(k, end))
@@ -198,6 +200,21 @@ def _another(p: Parser, i: int, at: int, owner: Meaning, first: Clause, mode: st
                 yield replace(first, adjuncts=(*first.adjuncts, told), span=p.span(i, end)), end
 
 
+def _next_owner(p: Parser, i: int, at: int, first: Clause, mode: str) -> Results[Meaning]:
+    """ "(the red mat gets the blue block,) the blue mat the red one": a second patch with what lies there."""
+    joint = p.opt(p.opt(at, ",", ";"), "and", "while")
+    for owner, j in simple(p, joint) if joint > at else ():
+        patch = isinstance(owner, Noun) and owner.head == "patch" and not owner.plural and owner.det == "the"
+        for theme, end in noun_phrase(p, j) if patch else ():
+            if (lying := _on_patch(owner, theme, p.span(joint, end))) is not None:
+                second = replace(_stated(p, joint, end, *lying, mode), cost=0)
+                chain = Chain(clauses=(second,), links=("and",), span=second.span)
+                said = (*first.adjuncts, That(kind="so", clauses=chain, span=chain.span))
+                whole = replace(first, adjuncts=said, span=p.span(i, end))
+                yield whole, end
+                yield from _next_owner(p, i, end, whole, mode)
+
+
 def _of_its_color(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tuple[Meaning, ...]] | None:
     """ "each patch gets the block of its own colour": every block lies on the patch of its colour."""
     each = isinstance(owner, Noun) and owner.head == "patch" and (owner.det in ("each", "all") or owner.plural)
@@ -211,13 +228,20 @@ def _of_its_color(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, 
 
 
 def _on_patch(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tuple[Meaning, ...]] | None:
-    """ "each patch has one block", "each letter gets its own patch": what lies on what."""
+    """ "each patch has one block", "each letter gets its own patch", "the mat gets a tower": what lies on what."""
+    single = isinstance(owner, Noun) and owner.head == "patch" and not owner.plural and owner.det in ("the", "each")
+    if single and (isinstance(theme, Structure) or _all_blocks(theme)):
+        return theme, (Loc(rel="on", landmark=owner, span=span),)
     if not (isinstance(owner, Noun) and isinstance(theme, Noun)) or (owner.head == "patch") == (theme.head == "patch"):
         return None
     if theme.head == "patch" and theme.traits.scheme != "different":
         return None
     block, patch = (theme, owner) if owner.head == "patch" else (owner, theme)
     return block, (Loc(rel="on", landmark=patch, span=span),)
+
+
+def _all_blocks(theme: Meaning) -> bool:
+    return isinstance(theme, Coord) and all(isinstance(x, Noun) and x.head != "patch" for x in theme.items)
 
 
 def _parts(found: tuple[Meaning, ...]) -> bool:

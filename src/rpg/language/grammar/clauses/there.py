@@ -222,7 +222,10 @@ def there_too(p: Parser, i: int, before: Clause) -> Results[Clause]:
     if before.verb != "exist" or before.mode != "given" or before.negated:
         return
     mats = [x for x in parts_of(before.theme) if isinstance(x, Noun) and x.head == "patch"]
-    mats = mats if len(mats) == sum(isinstance(x, Noun) for x in parts_of(before.theme)) else []
+    things = [x for x in parts_of(before.theme) if isinstance(x, Noun)]
+    if mats and things[-1].head == "patch" and all(x.head == "any" and x.traits.colors for x in things[:-1]):
+        mats = things  # "a red, a green and a blue mat"
+    mats = mats if len(mats) == len(things) else []
     yield from _of_their_colors(p, i, before, mats)
     for theme, j in noun_phrase(p, i) if before.adjuncts or mats else ():
         told = isinstance(theme, Noun) and theme.det in ("a", "bare", "some") and theme.part_of is None

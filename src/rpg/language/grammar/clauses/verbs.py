@@ -9,6 +9,7 @@ from rpg.language.grammar.clauses.again import meant_again, said_too
 from rpg.language.grammar.clauses.manners import direction
 from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.formed import beside_word
 from rpg.language.grammar.places.relations import on_its_own
 from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.structures.sizes import AS_HIGH
@@ -69,6 +70,8 @@ _BEHIND = {**dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT)
 _ACROSS = frozenset({"over", "round", "around", "across", "along"})
 _WHITHER = frozenset({"on", "onto", "in", "into", "behind", "beside", "next", "near", "by", "upon", "under", "beneath"})
 """Before these words of place the others tell no more than that something moves."""
+_THENCE = ("from there", "from here", "away from there", "off there", "from where it is", "from where it is now")
+_THITHER = _WHITHER | {"to", "over"}
 
 
 @rule
@@ -117,6 +120,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             continue
         k = p.opt(k, "places", "positions", "around", "over", "round") if sense == "swap" else k
         k = k + 1 if sense == "place" and p.stands(k, _ACROSS) and p.stands(k + 1, _WHITHER) else k
+        thence = p.any_of(k, _THENCE) if i or p.char(0, 0) else 0  # where something was told before
+        k = thence if thence and p.stands(thence, _THITHER) else k
         if sense == "swap" and (end := p.one(k, "back")):
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
@@ -136,7 +141,9 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
                     quality = Quality(traits=Traits(**marks), span=p.span(k, end))
                     yield from throughout(p, i, _is(theme, quality, p.span(i, end), word), end)
         after = [(f, e) for f, e in adjuncts(p, k + 1) if f] if p.words[k : k + 1] == [","] else []
-        after += [x for x in adjuncts(p, k + 1) if x[0] and on_its_own(x[0][0])] if p.stands(k, ("each",)) else []
+        several = isinstance(theme, Coord) or getattr(theme, "plural", False)
+        each = p.one(p.opt(k, ","), "each") if several else 0
+        after += [x for x in adjuncts(p, each) if x[0] and on_its_own(x[0][0])] if each else []
         after += adjuncts(p, k - 1) if lemma in ("lift", "pick") and p.words[k - 1] == "off" else []
         for found, end in [*adjuncts(p, k), *after]:
             if lemma in ("take", "pull") and found and isinstance(found[0], Loc) and found[0].rel == "apart":
@@ -208,11 +215,10 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
     if lemma == "write":
         yield from _written(p, i, j)
     for theme, k in themes:
-        for found, end in adjuncts(p, k):
-            clause_ = Clause(
-                verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=p.span(i, i + 1)
-            )
-            yield clause_, end
+        beside = [((word, *more), e) for word, m in beside_word(p, k) for more, e in adjuncts(p, m)]
+        for found, end in [*adjuncts(p, k), *beside]:
+            span, word = p.span(i, end), p.span(i, i + 1)
+            yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=span, word=word), end
 
 
 def _written(p: Parser, i: int, j: int) -> Results[Clause]:

@@ -12,7 +12,7 @@ from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Coord, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, replace
+from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, replace
 
 _COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"})
 """ "Not more than 10 cm from" is a measure, and denies no place."""
@@ -185,9 +185,12 @@ def of_one_kind(first: Meaning, second: Meaning) -> Meaning:
 
 
 def on_its_own(place: Meaning) -> bool:
-    """ "(red and blue each) on a mat of its own"."""
+    """ "(red and blue each) on a mat of its own", "... on the mat of its colour", "... on a white block"."""
     mark = place.landmark if isinstance(place, Loc) and place.rel == "on" else None
-    return isinstance(mark, Noun) and mark.head == "patch" and mark.traits.scheme == "different"
+    if not isinstance(mark, Noun) or mark.head != "patch":
+        told = isinstance(place, In) and place.region not in ("corner", "edge")
+        return told or (isinstance(mark, Noun) and (mark.head, mark.det) == ("block", "a"))
+    return mark.traits.scheme == "different" or mark.traits.matching
 
 
 @choice

@@ -9,7 +9,7 @@ from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import adjectives, color
 from rpg.language.grammar.things.brackets import counted_aside
-from rpg.language.grammar.things.excepted import exceptions
+from rpg.language.grammar.things.excepted import and_no_other, exceptions
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.retold import (
     bare_color,
@@ -42,6 +42,7 @@ _JOIN = frozenset({"and", "or", "plus", "&", "nor"})
 def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     """ "all the blocks that are not red"."""
     yield from _but_so_many(p, i, whole, j)
+    yield from and_no_other(p, i, whole, j)
     if isinstance(whole, Pronoun) and whole.word in ("everything", "all"):
         whole = Noun(head="block", det="all", plural=True, span=whole.span)
     k = p.any_of(j, ("that are not", "which are not", "that is not", "which is not")) if isinstance(whole, Noun) else 0
@@ -220,8 +221,11 @@ def _joint(p: Parser, comma: int, op: str | None, before: Meaning) -> tuple[int,
         return summed, "and"
     if op == "comma" and (k := p.any_of(comma, _AT_LAST)):
         return k, "then"
-    joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
+    joined = p.any_of(comma, _AS_WELL) or p.one(comma, _JOIN)
     return joined, p.words[comma] if joined else ""
+
+
+_AS_WELL = ("and then", "as well as", "along with", "together with", "and also")
 
 
 def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord | Noun | Structure]:
@@ -266,7 +270,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             yield from ((Coord(op="xor", items=whole, span=p.span(i, k)), e) for e in {k: None, p.opt(k, ","): None})
         if joined:
             stopped = len(items) == 1 and p.words[at : at + 1] == [","] and now == "and"
-            shared = shares_head(items[-1], item, p.words[j - 1] == "ones")
+            shared = shares_head(items[-1], item, p.words[j - 1] == "ones") or any(map(shares_head, items, items[1:]))
             if stopped and p.stands(j, _TOO):
                 continue  # "A left of B, and C too": so is C
             cost = 6 if retold(whole) else 5 if stopped else 2 if now == "then" or shared else 0

@@ -353,14 +353,17 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
                 using = (Using(members=them, span=them.span), *found)
                 said = Clause(verb="spell", theme=word, adjuncts=using, span=p.span(i, k), cost=1)
                 yield That(kind="so", clauses=Chain(clauses=(said,), links=("and",), span=said.span), span=said.span), k
-    if j := p.any_of(comma, ("without", "without ever", "while not", "while never", "but without", "and without")):
-        for clauses, k in gerund_clause(p, j):
-            if p.words[j - 1] == "ever":
+    if j := p.any_of(comma, _WITHOUT):
+        for clauses, k in gerund_clause(p, j, ("ing",)) if p.words[j - 1] == "never" else gerund_clause(p, j):
+            if p.words[j - 1] in ("ever", "never"):
                 clauses = replace(clauses, clauses=tuple(map(_ever, clauses.clauses)))
             yield That(kind="without", clauses=clauses, span=p.span(i, k)), k
     if j := p.any_of(comma, ("while keeping", "while leaving", "keeping", "leaving", "but keep", "but leave")):
         for clauses, k in gerund_clause(p, j - 1):
             yield That(kind="while", clauses=clauses, span=p.span(i, k)), k
+
+
+_WITHOUT = ("without", "without ever", "while not", "while never", "but without", "and without", "never", "but never")
 
 
 def throughout(p: Parser, i: int, said: Clause, end: int) -> Results[Clause]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.core.diagnostics import Span
-from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
@@ -20,6 +20,7 @@ from rpg.language.meaning import (
     Pronoun,
     Structure,
     TableTop,
+    That,
     Using,
     replace,
 )
@@ -56,6 +57,8 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
     if lemma in _RESPELLED:
         yield from _respelled(p, i, j)
         yield from _in_new_order(p, i, j)
+    if sense in ("build", "spell") and p.stands(j, _WITH):
+        yield from _of_these(p, i, j, sense)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):
             told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
@@ -73,6 +76,18 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
             if end := k if parted else p.one(k, ("apart", "down")):
                 for found, last in adjuncts(p, end):
                     yield _clause(p, i, last, "unstack", theme, found), last
+
+
+_WITH = frozenset({"with", "using", "from", "out"})
+
+
+def _of_these(p: Parser, i: int, j: int, sense: str) -> Results[Clause]:
+    """ "build with five red blocks a tower", "write with the letter cubes the word DOG": of what, said first."""
+    for using, k in adjunct(p, j):
+        for theme, end in simple(p, k) if isinstance(using, Using) else ():
+            if isinstance(theme, Structure):
+                for found, last in adjuncts(p, end):
+                    yield _clause(p, i, last, sense, theme, (using, *found)), last
 
 
 _RESPELLED = frozenset({"turn", "transform", "convert", "change", "rearrange", "arrange", "reorder", "make"})
@@ -164,7 +179,7 @@ _GOING_ON = frozenset({",", "and", "then"})
 _OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there", "down",
         "down again", "down from there", "back down", "back off", "away again", "out of there")  # fmt: skip
 """Where something is taken from that was said to be somewhere."""
-_CLOSED = frozenset({",", ";", "and", "then", "."})
+_CLOSED = frozenset({",", ";", "and", "then", ".", "so", "such"})
 
 
 def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
@@ -187,8 +202,10 @@ def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
     if end and (end >= p.end or p.stands(end, _CLOSED)):
         there = Pronoun(word="there", span=p.span(k, end))
         off = Loc(rel="off", landmark=there, span=there.span)
-        span, word = p.span(i, end), p.span(i, i + 1)
-        yield Clause(verb="place", lemma="put", theme=theme, adjuncts=(off,), span=span, word=word), end
+        for so, last in adjuncts(p, end):
+            if all(isinstance(a, That) for a in so):
+                span, word = p.span(i, last), p.span(i, i + 1)
+                yield Clause(verb="place", lemma="put", theme=theme, adjuncts=(off, *so), span=span, word=word), last
 
 
 def put_down(theme: Meaning, lemma: str, span: Span, word: Span) -> Clause:

@@ -262,6 +262,7 @@ def _predicate_after_be(
         return [(replace(c, adjuncts=(*c.adjuncts, past)) if isinstance(c, Clause) else c, e) for c, e in longer]
     if (
         p.words[k - 1 : k] in (["up"], ["finishes"])
+        or (p.words[k - 1] in ("get", "gets") and p.stands(k, ("to", "onto", "into")))
         or any(m.kind != "extra" for m, _ in manner(p, k) if isinstance(m, Manner))
         or p.words[k - 1 : k] in (["always"], ["never"])
     ):
@@ -344,11 +345,8 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
     yield from touches(p, i, k, theme, mode, negated)
     if j := p.one(k, ("face", "faces", "point", "points", "look", "looks")):
         for side, end in direction(p, j):
-            faced = Manner(kind="facing", value=side, span=p.span(k, end))
-            yield (
-                Clause(verb="be", theme=theme, adjuncts=(faced,), negated=negated, mode=mode, span=p.span(i, end)),
-                end,
-            )
+            faced, span = Manner(kind="facing", value=side, span=p.span(k, end)), p.span(i, end)
+            yield Clause(verb="be", theme=theme, adjuncts=(faced,), negated=negated, mode=mode, span=span), end
     if j := p.one(k, ("read", "reads", "show", "shows", "say", "says", "spell", "spells")):
         for told, end in _reads(p, i, j, theme, mode):
             yield (replace(told, negated=negated) if isinstance(told, Clause) else told), end

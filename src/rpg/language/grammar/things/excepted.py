@@ -74,3 +74,21 @@ def _but(whole: Meaning) -> str | None:
         return "except"
     plain = whole.traits == Traits() and whole.head == "block" and whole.part_of is None
     return "only" if plain else None
+
+
+_NO_OTHER = tuple(
+    f"{and_} {other}{ends}"
+    for and_ in (", and", ", but", ",", "and")
+    for other in ("no other", "no others", "no other one", "no other block", "no other cube", "none of the others",
+                  "nothing else", "none other")
+    for ends in (" ,", "")
+)  # fmt: skip
+"""Behind a block: it alone is so."""
+
+
+def and_no_other(p: Parser, i: int, one: Meaning, j: int) -> Results[Coord]:
+    """ "the red block, and no other, (is on the mat)": only the red one."""
+    told = isinstance(one, Noun) and one.head != "patch" and not one.plural and one.det in ("the", "bare")
+    k = p.any_of(j, _NO_OTHER) if told else 0
+    if k and k < p.end and (p.words[k - 1] == ",") == (p.words[j] == ","):
+        yield Coord(op="only", items=(one,), span=p.span(i, k)), k

@@ -43,7 +43,6 @@ def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     """ "all the blocks that are not red"."""
     yield from _but_so_many(p, i, whole, j)
     yield from and_no_other(p, i, whole, j)
-    yield from and_no_other(p, i, whole, j)
     if isinstance(whole, Pronoun) and whole.word in ("everything", "all"):
         whole = Noun(head="block", det="all", plural=True, span=whole.span)
     k = p.any_of(j, ("that are not", "which are not", "that is not", "which is not")) if isinstance(whole, Noun) else 0

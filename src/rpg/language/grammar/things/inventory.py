@@ -92,7 +92,7 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     if i == 0 or p.follows(i, _OPENERS):
         for theme, told, j in contents(p, i):
             if theme is None or not _goes_on(p, j, theme):
-                yield given(p, i, j, theme, told, 2), j
+                yield given(p, i, j, theme, told, 0 if theme is None else 2), j
                 if k := p.any_of(j, _NO_OTHERS):
                     yield given(p, i, k, theme, told, 2), k
     if i == 0 and (only := p.any_of(i, _NO_MORE_THAN)):

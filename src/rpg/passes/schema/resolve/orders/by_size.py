@@ -33,10 +33,7 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
             thing.edge = edge
         told = f"{', '.join(f'{edge * 100:g}' for edge in _EDGES[len(those)][:-1])} and {BIG_EDGE * 100:g} cm"
         scene.assume(f"the sizes of the {_MANY[len(those)]} blocks are not said: {told}")
-    if noun.traits.kind == "digit" and all(t.label for t in those) and len({edge_of(t) for t in those}) == 1:
-        sized = sorted(((float(t.label or 0), t.name) for t in those), reverse=rank.startswith("large"))
-    else:
-        sized = sorted(((edge_of(t), t.name) for t in those), reverse=rank.startswith("large"))
+    sized = sorted(((edge_of(t), t.name) for t in those), reverse=rank.startswith("large"))
     if len(sized) > 1 and sized[0][0] != sized[1][0]:
         return Ref(names=(sized[0][1],))
     raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")

@@ -205,7 +205,8 @@ def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
         for so, last in adjuncts(p, end):
             if all(isinstance(a, That) for a in so):
                 span, word = p.span(i, last), p.span(i, i + 1)
-                yield Clause(verb="place", lemma="put", theme=theme, adjuncts=(off, *so), span=span, word=word), last
+                done = Clause(verb="place", lemma="put", theme=theme, adjuncts=(off, *so), span=span, word=word)
+                yield replace(done, cost=len(so)), last
 
 
 def put_down(theme: Meaning, lemma: str, span: Span, word: Span) -> Clause:

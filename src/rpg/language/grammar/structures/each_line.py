@@ -4,15 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import OPPOSITE, SIDES, toward
+from rpg.language.grammar.structures.patterns import agree
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
-from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Pattern, Places, Toward, Traits
+from rpg.language.grammar.things.nouns import simple
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    Clause,
+    Coord,
+    Meaning,
+    Noun,
+    Pattern,
+    Places,
+    Structure,
+    Toward,
+    Traits,
+    replace,
+)
 
 _UNITS = {"row": "row", "column": "column", "layer": "layer", "level": "layer"}
 _WHERE = "with|where|and|so_that|such_that|having|in_which|whose|while?"
-_ONE = "one|a|a_single|its_own|a_different|the_same|one_single|a_separate|a_distinct|only_one|just_one|another"
+_ONE = "one|a|a_single|its_own|own|a_different|the_same|one_single|a_separate|a_distinct|only_one|just_one|another"
 
 
 def _openings(unit: str) -> Patterns:
@@ -28,6 +43,7 @@ def _openings(unit: str) -> Patterns:
         f"color|paint the|its|all {unit}s",
         f"the|its|all? {unit}s",
         f"with|whose the|its? {unit}s are|being|colored|in?",
+        f"whose {unit}s are_of|have|each_have {_ONE} color each?",
     )
 
 
@@ -79,6 +95,26 @@ def each_line(p: Parser, i: int) -> Results[Meaning]:
             yield from _colors(p, i, end, behind or "")
 
 
+_GRIDS = ("grid", "wall", "square", "rectangle")
+_HAS = ("has", "should have", "must have", "is in", "is of", "is", "should be", "must be", "shows", "gets")
+
+
+@choice
+def lines_of(p: Parser, i: int) -> Results[Clause]:
+    """ "each row of the 2x3 grid has its own colour: the front row is red, the back row white"."""
+    each = p.one(i, ("each", "every"))
+    unit = _UNITS.get(p.words[each], "") if each else ""
+    of = p.one(each + 1, ("of", "in")) if unit else 0
+    for grid, k in simple(p, of) if of else ():
+        told = isinstance(grid, Structure) and grid.kind in _GRIDS and (grid.dims or grid.sizes)
+        has = p.any_of(k, _HAS) if told else 0
+        for alike, j in agree(p, i, has, unit) if has and isinstance(grid, Structure) else ():
+            behind = p.any_of(j, (":", ","))
+            for lines, end in [(alike, j), *(_colors(p, i, behind, unit) if behind else ())]:
+                made = replace(grid, det="a")
+                yield Clause(verb="build", theme=made, adjuncts=(lines,), mode="goal", span=p.span(i, end)), end
+
+
 def _colors(p: Parser, i: int, start: int, unit: str) -> Results[Meaning]:
     start = p.opt(p.any_of(start, _NAMED_AS) or start, ":")
     for way, j in toward(p, start):
@@ -122,13 +158,15 @@ def _told(p: Parser, i: int, unit: str) -> tuple[Told, int]:
     found: list[tuple[Noun, str, tuple[int, int]]] = []
     at = end = i
     while len(found) < 12:
-        many = p.number(at)
-        named = next(iter(color(p, p.opt(at, "all", "only") if many is None else at + 1)), None)
+        ahead, start = _side(p, p.opt(at, "the"), unit)
+        start = (p.any_of(start, _IS) or start) if ahead else at
+        many = p.number(start)
+        named = next(iter(color(p, p.opt(start, "all", "only") if many is None else start + 1)), None)
         if named is None:
             break
-        k = p.opt(named[1], "again")
+        k = p.opt(named[1], "again", unit)
         k = p.opt(k, "blocks", "cubes", "bricks", "ones") if many else k
-        side, end = _side(p, k, unit)
+        side, end = (ahead, k) if ahead else _side(p, k, unit)
         amount = Amount(many, many) if many else None
         look = Noun(head="any", amount=amount, traits=Traits(colors=(named[0],)), span=p.span(at, end))
         found.append((look, side, p.span(at, end)))

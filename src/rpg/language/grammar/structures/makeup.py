@@ -24,6 +24,7 @@ from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
 from rpg.language.grammar.structures.sizes import AS_HIGH, IN_TOTAL, each_told, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.structures.steps import steps_told
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
 from rpg.language.grammar.things.labels import run
@@ -186,7 +187,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     yield base, j
     if len(base.sizes) > 3:
         return
-    if k := p.any_of(p.any_of(j, (",", ", and", ", but", "and", "but", ":")) or j, _HOLLOW):
+    hollow = p.any_of(j, (",", ", and", ", but", "and", "but", ":")) or j
+    if k := max(_HOLLOW.matches(p, hollow), default=0):
         yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
     if k := p.any_of(
         j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
@@ -269,24 +271,20 @@ _ALL_IN = ("all in", "all", "in", "all blocks", "all cubes", "all of them", "all
            "all the blocks", "all blocks in", "all are", "everything")  # fmt: skip
 
 
-_HOLLOW = (
-    *(
-        f"{lead}{nothing} {where}"
-        for lead in ("with ", "")
-        for nothing in ("nothing", "no block", "no blocks", "no cube", "no cubes")
-        for where in ("in the middle", "inside", "in the center", "inside it", "in its middle", "in its center",
-                      "in the inside", "within")
-    ),
-    "with an empty center", "with an empty middle", "with a hole in the middle", "hollow", "empty inside",
-    "that is hollow", "just the outline", "outline", "as an outline", "just an outline", "outline only",
-    "only the outline",
-    "the outline only", "hollow inside",
-    "empty in the middle", "empty in the center", "with a hole in the center", "with the inside empty",
-    "with the middle empty", "with its middle empty", "with the center empty", "with a hollow middle",
-    "with an empty inside", "not filled", "which is hollow", "leaving the middle empty", "the middle empty",
-    "the inside empty", "the center empty", "only its outline", "the middle is empty",
-    "the inside is empty", "the center is empty",
-)  # fmt: skip
+_HOLLOW = Patterns(
+    "with|but|leaving|keeping? nothing|no_block|no_blocks|no_cube|no_cubes in|inside|within the|its|it? "
+    "middle|center|inside|interior?",
+    "with|leaving|keeping? a|an empty|hollow|free|open middle|center|inside|interior",
+    "with a hole in the|its middle|center|inside",
+    "with|leaving|keeping|while|where? the|its middle|center|inside|interior is|stays|remains|being|left? "
+    "empty|free|open|hollow",
+    "that_is|which_is|it_is? left? hollow inside|within?",
+    "that_is|which_is|it_is? left? empty|free|open inside|within",
+    "hollow|empty|free|open in|at the|its middle|center|inside|interior it_is|is empty|hollow?",
+    "in the|its middle|center|inside|interior it|that is|stays empty|hollow|free",
+    "just|only|as? the|an|its? outline only?",
+    "not filled",
+)
 """What makes a figure an outline."""
 
 

@@ -29,7 +29,7 @@ _DIFFERENT = ("a different color", "of a different color", "its own color", "a u
               "different in color", "of different colors", "a different colour", "of a different colour",
               "its own colour", "in its own color",
               "a unique colour", "differently colored", "of its own color", "a separate color",
-              "different color")  # fmt: skip
+              "different color", "own color", "a color of its own", "one color of its own")  # fmt: skip
 
 
 _ONE_FOR_EACH = {
@@ -61,8 +61,8 @@ _PER = {
 @rule
 def pattern(p: Parser, i: int) -> Results[Meaning]:
     """ "where each row is a different colour", "one colour per layer", "in a checkerboard pattern"."""
-    j = p.any_of(i, ("where", "with", "such that", "so that", "in which", ", where", ", with", "so")) or i
-    j2 = p.any_of(j, ("each", "every", "all", "each of the", "all the")) or 0
+    j = p.any_of(i, ("where", "with", "such that", "so that", "in which", ", where", ", with", "so", "whose")) or i
+    j2 = p.any_of(j, ("each", "every", "all", "each of the", "all the")) or (j if p.follows(j, ("whose",)) else 0)
     if j2 and j2 < p.end and p.words[j2] in _UNITS:
         k = p.reach(j2 + 1)
         unit = _UNITS[p.words[j2]]
@@ -70,7 +70,7 @@ def pattern(p: Parser, i: int) -> Results[Meaning]:
         k = p.any_of(k, ("is made of", "should be", "must be", "consists of", "contains", "should have", "is",
             "being", "has", "having", "in", "are", "be", "made of",
                          "containing", "made up of", "uses", "using", "with", "have", "of")) or k  # fmt: skip
-        yield from _agree(p, i, k, unit)
+        yield from agree(p, i, k, unit)
     for phrase, k in p.standing(j, _PER):
         yield Pattern(unit=_PER[phrase], span=p.span(i, k)), k
     for phrase, k in p.standing(p.opt(i, ","), _ONE_FOR_EACH):
@@ -135,9 +135,10 @@ def _checkered(p: Parser, i: int) -> Results[Meaning]:
                 yield Pattern(unit="checkerboard", values=named, span=p.span(i, k)), k
 
 
-def _agree(p: Parser, i: int, k: int, unit: str) -> Results[Meaning]:
+def agree(p: Parser, i: int, k: int, unit: str) -> Results[Meaning]:
     for phrases, different in ((_SAME, False), (_DIFFERENT, True)):
         for _, e in p.standing(k, phrases):
+            e = p.opt(e, "each")
             yield Pattern(unit=unit, different=different, span=p.span(i, e)), e
 
 

@@ -83,6 +83,8 @@ def like_the_last(loc: Loc, scene: Scene) -> bool:
     last = [m for m in told if m.clause == told[-1].clause]
     if isinstance(loc.landmark, Noun) and loc.landmark.det == "the" and loc.landmark.head == "any":
         same = _other_patch(loc.landmark, [m for m in last if m.ref.span < loc.span], scene)
+        if before and _otherwise(loc.landmark, scene):
+            raise refuse("ambiguous", "this could be a block or a patch", loc.landmark.span, "say 'block' or 'patch'")
         return before or same or (bool(last) and all(m.ref.patch and m.role == "theme" for m in last))
     if not before or any(m.ref.everything and m.ref.quant is not None for m in last):
         return False
@@ -115,6 +117,19 @@ def _from_afar(noun: Noun, scene: Scene) -> bool:
     if known or last is None:
         return False
     return last.sentence != scene.sentence or scene.verbs.get(last.clause) != scene.verbs.get(scene.clause)
+
+
+def _otherwise(noun: Noun, scene: Scene) -> bool:
+    """Whether no block has a look, and the last patch was spoken of with another verb, and of other blocks: "once red
+    is on the white patch, put the blue cube on the green one"."""
+    last = next((m for m in reversed(scene.mentions) if m.ref.patch), None)
+    known = any(t.color in noun.traits.colors and not t.patch for t in scene.things.values())
+    if last is None or known or not noun.traits.colors or last.clause == scene.clause:
+        return False
+    here, there = ({n for m in scene.mentions if m.clause == clause and m.role == "theme" for n in m.ref.names}
+                   for clause in (scene.clause, last.clause))  # fmt: skip
+    verbs = [scene.verbs[n][2] for n in (last.clause, scene.clause) if n in scene.verbs]
+    return here.isdisjoint(there) and len(set(verbs)) > 1
 
 
 def _unnamed(lots: list[tuple[str, ...]], scene: Scene) -> bool:

@@ -95,12 +95,16 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
         first_place = first.adjuncts[0]
         if j == comma and isinstance(first_place, At) and _several(first.theme) and _has_comma(p, first.theme):
             continue  # "red, blue, red leftmost": told of the last one alone
-        table = isinstance(first_place, Loc) and isinstance(first_place.landmark, TableTop)
-        cost = 2 if table or (j == comma and isinstance(first_place, Loc)) else 1 if isinstance(first_place, At) else 0
+        cost = 2 if _on_the_table(first_place) or (j == comma and isinstance(first_place, Loc)) else 0
+        cost += isinstance(first_place, At)
         cost += 2 * shown(p, i, first)
         first = replace(first, cost=cost)
         yield first, end
         yield from _absolute_more(p, i, end, (first,))
+
+
+def _on_the_table(place: Meaning) -> bool:
+    return isinstance(place, Loc) and isinstance(place.landmark, TableTop)
 
 
 def _several(theme: Meaning) -> bool:
@@ -188,6 +192,9 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         for found, end in _places(p, k):
             if not (isinstance(found[0], At) and begins_anew(theme)):
                 yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
+            for again, last in _places(p, end) if _on_the_table(found[0]) else ():
+                if isinstance(again[0], Loc):  # "with a green one on the table to the right of them"
+                    yield Absolute(theme=theme, adjuncts=(*again, *found), span=p.span(j, last)), last
             more = p.one(end, "and") if isinstance(found[0], Loc) and p.stands(end + 1, _TOUCHING) else 0
             for again, last in _places(p, more) if more else ():  # "standing behind the gray one and touching it"
                 yield Absolute(theme=theme, adjuncts=(*found, *again), span=p.span(j, last), cost=-1), last

@@ -39,7 +39,8 @@ def one_on_another(p: Parser, i: int) -> Results[OrderBy]:
     for words, first in ((_OVER, "top"), (_UNDER, "bottom")):
         for items, j in _more(p, i, words):
             if len(items) > 1:
-                yield OrderBy(by="named", items=items, first=first, span=p.span(i, j)), j
+                joined = int(p.follows(i, ("with",)) and p.stands(j, ("and",)))  # "with C on B and B on A"
+                yield OrderBy(by="named", items=items, first=first, span=p.span(i, j), cost=joined), j
     yield from piled_up(p, i)
 
 

@@ -54,6 +54,7 @@ def _looks_again(found: Clause) -> Clause | None:
     return replace(found, verb="build", lemma="", theme=tower, adjuncts=())
 
 
+_PUTTING = ("be", "place", "stack", "build")
 _BESIDE = frozenset({"left", "right", "front", "behind", "beside", "adjacent"})
 
 
@@ -62,7 +63,7 @@ def _beside_a_tower(found: Clause) -> Clause | None:
     theme, places = found.theme, [x for x in found.adjuncts if isinstance(x, Loc) and not x.negated]
     below = [x for x in places if _lies_on(x) and not x.mods and isinstance(x.landmark, Noun) and single(x.landmark)]
     side = [x for x in places if x.rel in _BESIDE]
-    if not isinstance(theme, Noun) or not single(theme) or found.negated or found.verb not in ("be", "place", "stack"):
+    if not isinstance(theme, Noun) or not single(theme) or found.negated or found.verb not in _PUTTING:
         return None
     if len(below) != 1 or len(side) != 1 or len(found.adjuncts) != 2:
         return None

@@ -245,8 +245,7 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
     if (
         clause.verb == "place"
         and clause.lemma in ("move", "shift", "nudge", "relocate", "push", "drag")
-        and not clause.adjuncts
-        and not clause.negated
+        and not (clause.adjuncts or clause.negated)
     ):
         if clause.theme is not None and clause.span[1] > clause.theme.span[1]:
             raise refuse("no-goal", "it is not said where to", clause.span, "say where the block should be")
@@ -393,8 +392,9 @@ def _thats(clause: Clause, spec: Spec, scene: Scene, start: bool) -> Goals:
         if that.kind == "without":
             goals += turning.without(that, scene)
         else:
-            theme = next((m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "theme"), Ref())
-            scene.told.update(theme.names)
-            goals += chain_goals(that.clauses if start else as_results(that.clauses), scene, start)  # type: ignore[arg-type]
+            themes = (m.ref.names for m in scene.mentions if m.clause == scene.clause and m.role == "theme")
+            scene.told.update(next(themes, ()))
+            told = that.clauses if start else as_results(that.clauses, scene)  # type: ignore[arg-type]
+            goals += chain_goals(told, scene, start) if getattr(told, "clauses", ()) else []  # type: ignore[arg-type]
     spec.thats = []
     return goals

@@ -21,6 +21,8 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.things.operands import base_of
+from rpg.passes.schema.resolve.things.world import Scene
 
 _VERBS = frozenset({"stack", "sort", "arrange", "place", "build"})
 _TOLD = frozenset({"exist", "be", "build"})
@@ -38,9 +40,25 @@ def by_looks(chain: Chain) -> Chain:
     return chain if told_plainly == chain else told_plainly
 
 
-def as_results(chain: Chain) -> Chain:
-    """What "so that there is a tower" tells of: what is built, not what there was."""
-    return replace(chain, clauses=tuple(map(_result, chain.clauses)))
+def as_results(chain: Chain, scene: Scene) -> Chain:
+    """What "so that there is a tower" tells of: what is built, not what there was, and not again what stands there."""
+    told = [pair for pair in zip(chain.clauses, chain.links, strict=True) if not _stands(pair[0], scene)]
+    clauses = tuple(_result(clause) for clause, _ in told)
+    return replace(chain, clauses=clauses, links=tuple(link for _, link in told))
+
+
+def _stands(clause: Meaning, scene: Scene) -> bool:
+    """ "(Red on blue, green on yellow,) so that there are two towers": as many as there are."""
+    shape = clause.theme if isinstance(clause, Clause) and clause.verb in _TOLD and not clause.negated else None
+    if not isinstance(shape, Structure) or shape.kind != "stack" or not shape.plural or shape.amount is None:
+        return False
+    bare = not (shape.members or shape.details or shape.dims or shape.traits != Traits())
+    lying = {upper: lower for upper, lower in scene.on_top.items() if upper not in scene.begun_on}
+    feet = [name for name in dict.fromkeys(lying.values()) if name not in lying]
+    high = {1 + sum(base_of(name, scene) == foot for name in lying) for foot in feet}
+    tall = all(size.amount is not None and high == {size.amount.low} == {size.amount.high} for size in shape.sizes)
+    count = shape.amount.low if shape.amount.low == shape.amount.high else 0
+    return bare and tall and count == len(feet) and isinstance(clause, Clause) and not clause.adjuncts
 
 
 def _result(clause: Meaning) -> Meaning:

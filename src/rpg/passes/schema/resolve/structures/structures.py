@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve.goals.spacing import gaps_of
 from rpg.passes.schema.resolve.orders.alternating import as_listed
 from rpg.passes.schema.resolve.orders.lengthened import lengthened
 from rpg.passes.schema.resolve.orders.orders import order_of
+from rpg.passes.schema.resolve.orders.pairwise import one_on_another
 from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.orders.runs import rainbow_of
@@ -92,6 +93,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         spec.toward, spec.any_way = [*inner.toward, *spec.toward], spec.any_way or inner.any_way
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
+    one_on_another(shape, spec)
     shape = _paged(as_listed(shape, spec, theme), spec, theme)
     _known_sizes(shape)
     if shape.filled is False and shape.kind in _MASSIVE:

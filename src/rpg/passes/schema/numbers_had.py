@@ -12,7 +12,7 @@ from pydantic import BaseModel
 
 from rpg.ir.assets import FACES, Asset, SemanticCube
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import GroupBy, Pyramid, Row, Stack, Staircase
+from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Stack, Staircase
 from rpg.ir.walk import atoms, names
 
 UNITS = (1.0, 100.0, 1000.0, 1 / 0.0254)
@@ -76,6 +76,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     for atom in atoms(task.goal):
         if isinstance(atom, GroupBy):
             yield from (len(group) - atom.outliers for group in atom.groups)
+        if isinstance(atom, Figure) and atom.shape == "T" and atom.sides is not None:  # with the bar's middle, or without
+            yield from (side - 1 for side in atom.sides)
         # The columns of stairs and the layers of a pyramid have every height, or length, up to the largest.
         if isinstance(atom, Staircase | Pyramid):
             yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)

@@ -1,10 +1,10 @@
-""" "Cover the red block with the blue one", "top both towers with an A each": what goes on top is named last."""
+""" "Cover the red block with the blue one", "build from four blue cubes a tower": what it is about is named last."""
 
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Clause, Loc, Noun, Pronoun, Structure, replace
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, Structure, Using, replace
 
 _COVER = frozenset({"cover", "crown", "cap", "load", "top"})
 
@@ -24,3 +24,11 @@ def covered(p: Parser, i: int) -> Results[Clause]:
                 on = Loc(rel="on", landmark=under, span=p.span(i, k))
                 word = p.span(i, j)
                 yield Clause(verb="place", lemma="put", theme=over, adjuncts=(on,), span=p.span(i, end), word=word), end
+
+
+def named_last(p: Parser, i: int, k: int, found: tuple[Meaning, ...], lemma: str) -> Results[Clause]:
+    """ "build from four blue cubes a tower": behind what is used for it."""
+    for shape, end in noun_phrase(p, k) if len(found) == 1 and isinstance(found[0], Using) else ():
+        if isinstance(shape, Structure) and shape.members is None and shape.det in ("a", "bare"):
+            word = p.span(i, i + 1)
+            yield Clause(verb="build", lemma=lemma, theme=shape, adjuncts=found, span=p.span(i, end), word=word), end

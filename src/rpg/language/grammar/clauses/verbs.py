@@ -6,6 +6,7 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.again import meant_again, said_too
+from rpg.language.grammar.clauses.covered import named_last
 from rpg.language.grammar.clauses.manners import direction
 from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
 from rpg.language.grammar.core import Parser, Results, rule
@@ -162,6 +163,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         for found, end in adjuncts(p, j):
             if found:
                 yield Clause(verb=sense, lemma=lemma, adjuncts=found, span=p.span(i, end), word=word, cost=1), end
+            yield from named_last(p, i, end, found, lemma) if sense == "build" else ()
 
 
 def _is(theme: Meaning, quality: Quality, span: Span, word: Span) -> Clause:

@@ -68,7 +68,7 @@ def limb(p: Parser, i: int, kind: str) -> Results[Size]:
             yield Size(what=named[phrase], amount=found, span=p.span(i, end)), end
         more = p.opt(p.any_of(j, _LONG) or j, "more", "further")
         beyond = p.words[more - 1] in ("more", "further")  # "two more for the stem": besides the one in the bar
-        many = Amount(found.low + 1, found.low + 1) if beyond else found
+        many = Amount(found.low + 1, found.low + 1, True) if beyond else found
         for phrase, end in p.standing(more, _ACROSS) if kind == "T" else ():
             yield Size(what=_ACROSS[phrase], amount=many, span=p.span(i, end)), end
 

@@ -197,7 +197,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     if p.stands(j, ("filled",)) and p.number(j + 1) is not None:
         yield from _sized(p, i, j + 1, replace(base, filled=True, span=p.span(i, j + 1)))
     drawn = base.kind in LIMBED or base.kind in _DRAWN
-    if k := p.any_of(j, _LYING_FLAT) or (p.any_of(j, ("lying on the table", ", lying on the table")) if drawn else 0):
+    if k := p.any_of(j, _LYING_FLAT) or (p.any_of(j, _DRAWN_FLAT) if drawn else 0):
         yield from _sized(p, i, k, replace(base, upright=False, span=p.span(i, k)))
     plain = base.members is None and not base.traits.colors
     for blocks, k in apposed_blocks(p, j, not base.plural) if plain else ():
@@ -212,8 +212,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         for (named, either), k in colors(p, every or p.any_of(comma, _ALL_IN) or comma):
             if bare and k < p.end:
                 continue  # "filled 3x3 square purple"
-            k = p.opt(k, "blocks", "cubes", "bricks") if len(named) == 1 or not flat else k
-            k = p.opt(k, "everywhere") if flat else k
+            k = p.opt(k, "blocks", "cubes", "bricks", "ones") if len(named) == 1 or not flat else k
+            k = p.opt(k, "everywhere", "only") if flat else k
             closed = k >= p.end or p.words[k] == "," or (flat and p.words[k] in _CLOSED)
             if not either and (len(named) == 1 or base.kind == "checkerboard") and closed:
                 painted = replace(base.traits, colors=named)
@@ -247,8 +247,11 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 
 
 _DRAWN = ("V", "U", "X", "grid", "square", "circle", "rectangle", "plus", "triangle")
-_LYING_FLAT = (", lying flat on the table", "lying flat on the table", ", lying flat", "lying flat",
-               ", flat on the table", "flat on the table")  # fmt: skip
+_LYING_FLAT = (
+    *(f"{lies} flat{on}" for lies in (", lying", "lying", "which lies", "that lies") for on in (" on the table", "")),
+    ", flat on the table", "flat on the table",
+)  # fmt: skip
+_DRAWN_FLAT = ("lying on the table", ", lying on the table", ", flat")
 _COUNTED = ("row", "line", "column", "stack", "circle")
 _LINE_WORDS = frozenset({"row", "rows", "column", "columns"})
 """What tells how a rectangle lies: it is a grid."""
@@ -275,12 +278,12 @@ _HOLLOW = Patterns(
     "with|but|leaving|keeping? nothing|no_block|no_blocks|no_cube|no_cubes in|inside|within the|its|it? "
     "middle|center|inside|interior?",
     "with|leaving|keeping? a|an empty|hollow|free|open middle|center|inside|interior",
-    "with a hole in the|its middle|center|inside",
+    "with? a? hole in the|its middle|center|inside",
     "with|leaving|keeping|while|where? the|its middle|center|inside|interior is|stays|remains|being|left? "
     "empty|free|open|hollow",
     "that_is|which_is|it_is? left? hollow inside|within?",
     "that_is|which_is|it_is? left? empty|free|open inside|within",
-    "hollow|empty|free|open in|at the|its middle|center|inside|interior it_is|is empty|hollow?",
+    "hollow|empty|free|open in|at the|its middle|center|inside|interior",
     "in the|its middle|center|inside|interior it|that is|stays empty|hollow|free",
     "just|only|as? the|an|its? outline only?",
     "not filled",

@@ -17,7 +17,7 @@ def noun(p: Parser, i: int) -> Results[tuple[str, bool]]:
         j = (
             i + 1
             if kind in ("stack", "pile", "word")
-            else p.opt(i + 1, "shape", "formation", "outline", "pattern", "arrangement", "figure", "sign")
+            else p.opt(p.opt(i + 1, "sign"), "shape", "formation", "outline", "pattern", "arrangement", "figure")
         )
         j = p.opt(j, "tower") if kind == "pyramid" else j
         yield (kind, plural), j
@@ -84,10 +84,11 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
     if letter:
         for tail, j in p.standing(i + 1, _TAILS):
             yield (letter, tail == "shapes"), j
-        if i == 0 and p.tokens[i].raw.isupper() and (p.any_of(i + 1, _MADE_OF) or p.any_of(i + 1, _WITH_LIMBS)):
+        drawn = i == 0 and p.tokens[i].raw.isupper()
+        if drawn and (_made_of(p, i + 1) or p.any_of(i + 1, _WITH_LIMBS) or _so_many(p, p.any_of(i + 1, _SET_OFF))):
             yield (letter, False), p.reach(i + 1)
         if (
-            p.words[i - 1 : i] in (["a"], ["an"])
+            (p.words[i - 1 : i] in (["a"], ["an"]) or (_described(p, i) and _made_of(p, i + 1)))
             and i > 0
             and not (i + 1 < p.end and p.words[i + 1] in lexicon.BLOCK)
             and p.tokens[i].raw.isupper()
@@ -100,7 +101,7 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
             or p.one(j + 1, ("shape", "formation"))
             or p.words[i - 1] == "like"
             or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
-            or p.any_of(j + 1, _MADE_OF)
+            or _made_of(p, j + 1)
         ):
             yield (letter, False), p.opt(p.reach(j + 1), "shape", "formation")
         elif not letter and lead not in ("capital", "letter"):
@@ -109,10 +110,36 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
                 yield (inner[0], False), p.opt(j + 1, "sign", "shape")
 
 
-_MADE_OF = tuple(
-    f"{of} {n}" for of in ("of", "from", "out of", "made of", "made from", "built from")
-    for n in ("three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", *map(str, range(3, 12)))
-)  # fmt: skip
+_OF = ("of", "from", "out of", "made of", "made from", "made out of", "built from", "with", "using", "built of")
+_SET_OFF = (",", ":")
+_KINDS = frozenset({*lexicon.SIZE, "capital", "flat", "simple"})
+"""What may stand between "a" and the letter that a figure looks like; a colour would be that of a block."""
+
+
+def _described(p: Parser, i: int) -> bool:
+    return p.follows(i, _KINDS) and p.follows(i - 1, ("a", "an"))
+
+
+def _made_of(p: Parser, i: int) -> bool:
+    """ "(V) with five green blocks", "(the letter T) from red cubes": so many that they form a figure."""
+    of = p.any_of(i, _OF)
+    many = of > 0 and p.stands(of, lexicon.COLOR) and lexicon.BLOCK.get(p.words[of + 1]) is True
+    return (many and p.words[of - 1] not in _BESIDE) or _so_many(p, of)
+
+
+def _so_many(p: Parser, i: int) -> bool:
+    """ "seven yellow blocks": enough for a figure, and not said to be anywhere where they may be others."""
+    many = p.number(i) if i else None
+    if many is None or many < 3:
+        return False
+    k = i + 1 + p.stands(i + 1, lexicon.COLOR)
+    end = k + (lexicon.BLOCK.get(p.words[k]) is True)
+    return (end > i + 1 or p.words[i - 1] not in _SET_OFF) and (
+        p.words[i - 1] not in _BESIDE or p.words[end] in ("", ",", ".", ";")
+    )
+
+
+_BESIDE = ("with", "using", ",", ":")
 
 
 _WITH_LIMBS = tuple(f"with {the}{limb}" for the in ("", "a ", "the ", "its ") for limb in ("foot", "leg", "arm", "bar"))

@@ -13,7 +13,7 @@ PEOPLE = (
 """Whom an instruction may be for."""
 FINE = (
     "great|nice|good|lovely|wonderful|perfect|cool|awesome|amazing|fantastic|super|brilliant|kind|helpful|appreciated|"
-    "very_kind|much_appreciated|the_best|fine|fun|enough"
+    "very_kind|much_appreciated|the_best|fine|fun|enough|neat|ideal|excellent"
 )
 """What is said of good work."""
 EVENTS = (

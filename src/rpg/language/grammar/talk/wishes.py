@@ -231,7 +231,7 @@ TAGS = Patterns(
     "when you are done",
     "once|when finished",
     "in the final state",
-    f"that|which|it|this would|will|'d be so|really|very|just? {FINE}",
+    f"that|which|it|this? would|will|'d be so|really|very|just? {FINE}",
     "when|if|whenever you have|find|get|'ve_got? a|the|some? time|moment|minute|chance",
     "so|so_that i|we can|could|may take|get|make|shoot a|some|my|the? nice|good? picture|pictures|photo|photos|video|"
     "photograph of_it|of_them|of_this|of_that|afterwards?",

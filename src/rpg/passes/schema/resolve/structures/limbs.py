@@ -37,11 +37,14 @@ def _of_u(shape: Structure, count: int | None) -> list[Sides]:
 
 
 def _of_t(shape: Structure, count: int | None) -> list[Sides]:
-    """A stem begins below the bar, unless the number of blocks says that it is counted with the bar's middle."""
+    """A stem begins below the bar, unless it is told or the number of blocks says that it has the bar's middle."""
     bar, stem, high = shape.extent("bar", "wide"), shape.extent("stem"), shape.extent("high")
     if high is not None and stem is None:  # all of it, of which the bar is one
         stem = high - 1
-    if bar is not None and stem is not None:
+    whole = any(size.what == "stem" and size.amount and size.amount.strict for size in shape.sizes)
+    if bar is not None and stem is not None and whole:
+        options = [(bar, stem)]
+    elif bar is not None and stem is not None:
         options = [(bar, stem + 1)] if count is None else [(bar, stem + 1), (bar, stem)]
     elif count is None:
         return []

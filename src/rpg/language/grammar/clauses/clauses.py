@@ -190,8 +190,8 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield Clause(verb="build", theme=line, adjuncts=(so,), mode=when, span=p.span(i, end), cost=1), end
             elif isinstance(found, Clause) and found.verb != "exist":
                 yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
-        if isinstance(first, Toward):
-            yield from (found for start in (j, *wished) for found in listed_there(p, i, start, first))
+        if isinstance(first, Toward | Into):
+            yield from (found for start in (j, *wished) for found in listed_there(p, i, start, first, mode))
 
 
 _SEEN = frozenset({"state", "end", "command"})

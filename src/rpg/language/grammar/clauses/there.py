@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import never_there
-from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.clauses.done_there import likewise
 from rpg.language.grammar.clauses.having import topped, with_more
 from rpg.language.grammar.core import Parser, Results, rule
@@ -21,6 +21,7 @@ from rpg.language.meaning import (
     Amount,
     Clause,
     Coord,
+    Into,
     Loc,
     Manner,
     Meaning,
@@ -104,17 +105,48 @@ def stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Result
             yield replace(there, cost=cost), last
 
 
-def listed_there(p: Parser, i: int, j: int, first: Toward) -> Results[Meaning]:
-    """ "from left to right there should be red, green, blue"."""
+def listed_there(p: Parser, i: int, j: int, first: Toward | Into, mode: str) -> Results[Meaning]:
+    """ "from left to right there should be red, green, blue", "in a row (from left to right) stand a red, a green and
+    a blue cube"."""
+    when = "start" if mode == "start" else "goal"
+    for second, k in adjunct(p, p.opt(j, ",")):
+        way, shape = (first, second) if isinstance(first, Toward) else (second, first)
+        there = _standing(p, p.opt(k, ","))
+        if not there or not isinstance(way, Toward) or not isinstance(shape, Into):
+            continue
+        for items, end in listed(p, p.opt(there, ":")):
+            given = OrderBy(by="given", items=items, span=p.span(there, end))
+            said = Clause(verb="arrange", adjuncts=(way, given, shape), mode=when, span=p.span(i, end))
+            yield said, end
+    if isinstance(first, Toward):
+        yield from _along(p, i, j, first, when)
+    else:
+        there = _standing(p, p.opt(j, ","))
+        for theme, end in noun_phrase(p, there) if there else ():
+            several = isinstance(theme, Coord) or (isinstance(theme, Noun) and theme.plural)
+            for more, last in adjuncts(p, end) if several else ():
+                span = p.span(i, last)
+                yield Clause(verb="arrange", theme=theme, adjuncts=(first, *more), mode=when, span=span), last
+
+
+def _standing(p: Parser, i: int) -> int:
+    """The position after "there are", "must stand"."""
+    return max(p.any_of(i, _THERE_ARE), *_STANDING.matches(p, i), 0)
+
+
+_THERE_ARE = ("there are", "there should be", "there must be", "there shall be", "there have to be", "come")
+
+
+def _along(p: Parser, i: int, j: int, first: Toward, when: str) -> Results[Meaning]:
     there = p.opt(max(_SEEN.matches(p, j), default=j), ":", ",")
     for theme, end in noun_phrase(p, there) if there > j else ():
         if isinstance(theme, Coord) and any(isinstance(x, Structure) for x in theme.items):
-            yield Clause(verb="build", theme=theme, adjuncts=(first,), mode="goal", span=p.span(i, end), cost=1), end
+            yield Clause(verb="build", theme=theme, adjuncts=(first,), mode=when, span=p.span(i, end), cost=1), end
     for items, end in listed(p, there):
         given = OrderBy(by="given", items=items, span=p.span(there, end))
         for more, last in adjuncts(p, end):
             span = p.span(i, last)
-            yield Clause(verb="arrange", adjuncts=(first, given, *more), mode="goal", span=span, cost=1), last
+            yield Clause(verb="arrange", adjuncts=(first, given, *more), mode=when, span=span, cost=1), last
 
 
 @rule

@@ -12,6 +12,7 @@ from rpg.language.grammar.places.onto import piled_from_an_end
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.structures.each import each_clause
 from rpg.language.grammar.structures.each_line import each_line, lines_of
+from rpg.language.grammar.structures.ends_filled import ends_filled
 from rpg.language.grammar.structures.levels import levels
 from rpg.language.grammar.structures.parts import IS, part, part_statement
 from rpg.language.grammar.structures.patterns import DIAGONALS, pattern
@@ -42,7 +43,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
     yield from body_clause(p, i)
     yield from succession(p, i)
     yield from levels(p, i)
-    yield from lines_of(p, i)
+    yield from (*lines_of(p, i), *ends_filled(p, i))
     for lines, j in each_line(p, i):
         if isinstance(lines, Coord):
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j

@@ -73,8 +73,8 @@ _REST = (
     *(
         f"{rest} {between}"
         for rest in ("everything", "all", "the ones", "all those", "all blocks", "the blocks", "all the blocks",
-                     "all the ones", "every block")
-        for between in ("between them", "in between", "in between them")
+                     "all the ones", "every block", "those", "the others")
+        for between in ("between them", "in between", "in between them", "between", "between the ends")
     ),
 )  # fmt: skip
 _BEYOND = {"above": 1, "below": -1}

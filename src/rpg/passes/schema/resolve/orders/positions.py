@@ -286,6 +286,8 @@ def line_groups(place: At | Places, total: int, kind: str) -> Groups:
     elif getattr(place, "each", False) and index is not None and 2 * index <= total:
         raise refuse("ambiguous", "one block, or each one that comes so many places after another?", place.span,
                      "name each of their places, or say 'alternating'")  # fmt: skip
+    elif unit == "whole" and place.side in ("first", "last"):
+        pass  # of a single line "the first" is a block, and no line
     elif unit not in ("block", "layer" if kind == "stack" else "block"):
         return []
     return [[k] for k in chosen(place.side, index, several, total, (sides[0], sides[1]))]

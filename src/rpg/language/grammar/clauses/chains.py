@@ -9,6 +9,7 @@ from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import emphasised, linked
+from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
 from rpg.language.grammar.clauses.there import there_too
@@ -136,7 +137,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             if bare and isinstance(item, Clause) and item.cost and _adds(p, j, previous, item):
                 item = replace(item, cost=item.cost + 2)
             item = _less_likely(previous, item)
-            item = _same_letters(previous, item) if link in ("or", "then") and previous is not None else item
+            item = same_letters(previous, item) if link in ("or", "then") and previous is not None else item
             item = begun_of(previous, still_begun(p, j, k, previous, item)) if link == "and" else item
             whole = (*had, item)
             yield from ((found, k) for found in _so_far(p, (i, j, k), whole, (*links, link)))
@@ -152,7 +153,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
                 if link == "or" and [",", "and"] in (p.words[n : n + 2] for n in range(j, k - 1)):
                     continue  # "put A on B or C, and D on the mat": a comma parts more than "or" does
-                item = _same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
+                item = same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
                 same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
                 if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
@@ -360,21 +361,6 @@ def _shared(had: tuple[Meaning, ...], item: Meaning, link: str) -> tuple[Meaning
         return had  # "UP in red letters and DOWN in blue letters"
     own = tuple(a for a in item.adjuncts if not isinstance(a, Using) or not isinstance(a.members, Pronoun))
     return (*had[:-1], replace(last, adjuncts=tuple(dict.fromkeys((*last.adjuncts, *own)))))
-
-
-def _same_letters(before: Clause, item: Meaning) -> Meaning:
-    """ "spell TEA or EAT", "spell TEA, then EAT": either word is of the same cubes."""
-    one, two = before.theme, item.theme if isinstance(item, Clause) else None
-    if not (isinstance(one, Structure) and isinstance(two, Structure) and isinstance(item, Clause)):
-        return item
-    same = bool(one.letter) and one.kind == two.kind == "word" and sorted(one.letter or "") == sorted(two.letter or "")
-    own = [a for a in item.adjuncts if isinstance(a, Using)]
-    if not same or any(isinstance(a.members, Noun) and a.members.traits.labels for a in own):
-        return item
-    if any(not isinstance(a.members, Noun | Structure) for a in own):
-        return item
-    them = Using(members=Pronoun(word="them", span=two.span), span=two.span)
-    return replace(item, verb="spell", adjuncts=(*(a for a in item.adjuncts if a not in own), them))
 
 
 def _told_again(before: Clause, item: Meaning) -> Clause | None:

@@ -78,4 +78,4 @@ _TELLING = frozenset({"see", "sees", "shows", "show", "want", "sure", "expect", 
 """What has several clauses with "that" behind it."""
 _ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also", "while", "but also", "but",
     "as well as", "also", "whereas", "&",
-         "yet", "although", "though")  # fmt: skip
+         "yet", "although", "though", "except that", "only that", "with the exception that")  # fmt: skip

@@ -24,7 +24,7 @@ _VAGUE = (
     "a bunch of", "a handful of", "some", "lots of", "a lot of", "a variety of", "a group of", "a mix of",
     "a mixture of", "any number of",
 )  # fmt: skip
-_LOW = ("at least", "no fewer than", "no less than", "a minimum of", "minimum")
+_LOW = ("at least", "no fewer than", "no less than", "not fewer than", "not less than", "a minimum of", "minimum")
 _HIGH = ("at most", "no more than", "up to", "a maximum of", "maximum", "not more than")
 _EXACT = ("exactly", "precisely", "only", "just")
 _SINGLE = ("one and only one", "one but only one", "one , and only one", "one and exactly one", "just the one")
@@ -69,6 +69,8 @@ def amount(p: Parser, i: int) -> Results[Amount]:
             for m, after in count(p, k):
                 if m > n:
                     yield Amount(n, m, True), after
+            if n == 1 and (both := p.one(k, "both")):
+                yield Amount(1, 2, True), both
     for phrases, kind in ((_EXACT, "exact"), (_LOW, "low"), (_HIGH, "high")):
         if j := p.any_of(i, phrases):
             for n, k in count(p, j):
@@ -150,6 +152,7 @@ _SHARES = {
     "a third of": "third", "one third of": "third", "a quarter of": "quarter", "one quarter of": "quarter",
     "most of": "most", "the majority of": "most", "a majority of": "most", "more than half of": "most",
     "not all of": "not all", "not all": "not all", "not every one of": "not all", "some but not all": "some",
+    "not both of": "not all", "not both": "not all", "not every": "not all",
 }  # fmt: skip
 
 
@@ -157,7 +160,7 @@ _SHARES = {
 def _shares(p: Parser, i: int) -> Results[Quantity]:
     """ "half of the", "most of the", "not all of the", "all but one of the": a share of a number."""
     for phrase, j in p.standing(i, _SHARES):
-        if p.words[j : j + 1] and p.words[j] in THE | {"them", "all"}:
+        if p.words[j : j + 1] and (_SHARES[phrase] == "not all" or p.words[j] in THE | {"them", "all"}):
             yield Quantity(_SHARES[phrase], None, True, partitive=True), j
     if j := p.any_of(i, ("all but", "all except", "everything but")):
         for found, k in count(p, j):
@@ -167,7 +170,7 @@ def _shares(p: Parser, i: int) -> Results[Quantity]:
 
 _UNIVERSAL = {
     "all": "all", "both": "both", "each": "each", "every": "each", "any": "any", "no": "no", "none": "no",
-    "neither": "no", "either": "any", "one": "any", "whichever": "any",
+    "neither": "no", "not one": "no", "either": "any", "one": "any", "whichever": "any",
 }  # fmt: skip
 """Words for all or for any, and the determiner that they come to."""
 
@@ -191,7 +194,7 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
         if word in ("each", "every", "any") and (of := p.seq(j, "one of")):
             yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of
         bare = p.peek(j, lexicon.COLOR) and not p.peek(j + 1, lexicon.BLOCK) and not p.stands(j + 1, ("or", ","))
-        if word in ("none", "one") or (word == "either" and bare):  # "either red on blue or ...": of no two red ones
+        if word in ("none", "one", "not one") or (word == "either" and bare):
             continue
         plural = None if det in ("any", "no") else det != "each"
         if word == "no" and (k := p.one(j, ("other", "further", "additional"))):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.retold import universal
 from rpg.language.later import later
@@ -46,6 +47,8 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
             closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
             if p.words[comma] == "apart" and _of_another_kind(items[0], item):
                 continue
+            if p.words[k] == "that" and p.words[k + 1] != "one" and p.words[k + 1] not in lexicon.BLOCK:
+                continue  # "except that yellow is not on top": that is a clause
             if p.words[k - 1] == "not" and _one(items[0]):
                 continue
             if (op := _but(items[0])) is not None:

@@ -186,6 +186,8 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
     for whole, end in simple(p, j):
         if isinstance(whole, Noun) and whole.head == "any" and whole.det == "the" and found.det in ("all", "no"):
             whole = replace(whole, plural=whole.plural or bool(whole.traits.colors))
+        if isinstance(whole, Noun) and found.det == "not all" and whole.det == "bare":
+            whole = replace(whole, det="the", plural=True)  # "not all red blocks", "not every red block"
         if (
             isinstance(whole, Noun)
             and whole.det in ("the", "bare", "its", "other", "all")

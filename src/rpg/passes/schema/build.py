@@ -51,6 +51,7 @@ from rpg.passes.schema.resolve.goals.only_denied import still_ahead
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
+from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
@@ -159,6 +160,7 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
+    chains = tuple(shared_sides(chain, text) for chain in chains)
     links, chains = hoisted(*places_told(*words_in_rows(links, from_heaps(chains))))
     facts = cleared_of(begun(chains, text), links)
     if (last := heaps_last(*told_later(links, facts))) is not None:

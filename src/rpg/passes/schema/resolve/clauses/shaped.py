@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.ir import structures as s
 from rpg.language.meaning import (
     Amount,
     Chain,
@@ -271,9 +272,21 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
     if isinstance(shape, Noun) and shape.det == "each" and shape.head == "any" and shape.traits.colors:
         raise refuse("ambiguous", "it is not clear of what this is each one", shape.span, "say it in two sentences")
     ref = refer(shape, scene, scope)
+    if clause.verb == "stack" and ref.built and not spec.intos and all(b.kind == "pile" for b in ref.built):
+        return _piled_up(ref, scene)
     if not ref.built and not spec.places:
         raise refuse("no-goal", "it is not said where these blocks should be", shape.span, "say where they should be")
     return ref, []
+
+
+def _piled_up(ref: Ref, scene: Scene) -> tuple[Ref, Goals]:
+    """ "(Sort them by colour and) stack each group"."""
+    short = next((b for b in ref.built if len(b.members) < 2), None)
+    if short is not None:
+        raise refuse("too-few", "a lone block is no tower", ref.span, "name at least two blocks of each", blocks=1)
+    goals: Goals = [s.Stack(blocks=b.members, span=ref.span) for b in ref.built]
+    built = tuple(scene.add_built("stack", b.members, False, ref.span) for b in ref.built)
+    return replace(ref, built=built), goals
 
 
 _BLOCKS = Noun(head="block", plural=True, span=(0, 0))

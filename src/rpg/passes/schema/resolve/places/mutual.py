@@ -11,7 +11,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
-from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, Structure, replace
+from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, Structure, TableTop, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL, foot
@@ -100,6 +100,7 @@ def _alone(ref: Ref, spec: Spec) -> None:
     """ "white in front of black, touching", "a tower of two left of a tower of three, 5 cm apart": of one block, or one
     structure, it is said of what it is placed by."""
     marks = [p.landmark for p in spec.places if isinstance(p, Loc) and not p.negated and not _mutual(p)]
+    marks = [mark for mark in marks if not isinstance(mark, TableTop)]  # "touching blue, side by side on the table"
     mark = marks[0] if len(marks) == 1 else None
     one = len(ref.names) == 1 or (len(ref.built) == 1 and ref.built[0].kind == "stack")
     if not isinstance(mark, Noun | Structure) or getattr(mark, "head", "") == "patch":
@@ -110,7 +111,11 @@ def _alone(ref: Ref, spec: Spec) -> None:
     if len(ref.names) > 1 and mark.plural:
         return
     known = replace(mark, det="the", amount=None) if mark.amount in (None, Amount(1, 1)) else mark
-    spec.places = [replace(p, landmark=known) if isinstance(p, Loc) and _mutual(p) else p for p in spec.places]
+    beside = {"side_by_side": "beside"}
+    spec.places = [
+        replace(p, landmark=known, rel=beside.get(p.rel, p.rel)) if isinstance(p, Loc) and _mutual(p) else p
+        for p in spec.places
+    ]
 
 
 def _clear_what_touches(spec: Spec) -> None:
@@ -123,7 +128,7 @@ def _clear_what_touches(spec: Spec) -> None:
 
 def _mutual(place_: Loc) -> bool:
     each_other = isinstance(place_.landmark, Pronoun) and place_.landmark.word == "each other"
-    return each_other and place_.rel in ("touching", "adjacent", "distance", "near", "apart")
+    return each_other and place_.rel in ("touching", "adjacent", "distance", "near", "apart", "side_by_side")
 
 
 def _merge_distance(spec: Spec) -> None:

@@ -76,8 +76,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     for atom in atoms(task.goal):
         if isinstance(atom, GroupBy):
             yield from (len(group) - atom.outliers for group in atom.groups)
-        if isinstance(atom, Figure) and atom.shape == "T" and atom.sides is not None:  # with the bar's middle, or without
-            yield from (side - 1 for side in atom.sides)
+        if isinstance(atom, Figure) and atom.shape == "T" and atom.sides is not None:
+            yield from (side - 1 for side in atom.sides)  # its stem, without the middle of the bar
         # The columns of stairs and the layers of a pyramid have every height, or length, up to the largest.
         if isinstance(atom, Staircase | Pyramid):
             yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)

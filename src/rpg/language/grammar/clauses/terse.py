@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.into_groups import into_groups
 from rpg.language.grammar.clauses.sorted import ordered
 from rpg.language.grammar.clauses.turned import but_turned
 from rpg.language.grammar.clauses.wheres import is_where
@@ -113,6 +114,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _left_empty(p, i)
     yield from _nobody_there(p, i)
     yield from _all_colored(p, i)
+    yield from into_groups(p, i, mode)
     yield from ordered(p, i)
     yield from order_told(p, i)
     for found, j in alternation_alone(p, i):

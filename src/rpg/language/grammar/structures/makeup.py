@@ -48,13 +48,13 @@ if TYPE_CHECKING:
     from rpg.language.grammar.places.absolutes import one_more, sided
     from rpg.language.grammar.places.onto import counted_pile, one_on_another
     from rpg.language.grammar.structures.each import each_of, heights
-    from rpg.language.grammar.structures.wholes import wholes
+    from rpg.language.grammar.structures.wholes import wholes, with_stranger
     from rpg.language.grammar.things.nouns import noun_phrase
 else:
     one_more, sided = later(__name__, "rpg.language.grammar.places.absolutes", "one_more", "sided")
     counted_pile, one_on_another = later(__name__, "rpg.language.grammar.places.onto", "counted_pile", "one_on_another")
     each_of, heights = later(__name__, "rpg.language.grammar.structures.each", "each_of", "heights")
-    (wholes,) = later(__name__, "rpg.language.grammar.structures.wholes", "wholes")
+    wholes, with_stranger = later(__name__, "rpg.language.grammar.structures.wholes", "wholes", "with_stranger")
     (noun_phrase,) = later(__name__, "rpg.language.grammar.things.nouns", "noun_phrase")
 
 _IN_A_ROW = ("in a row", "in a line", "in one row", "standing in a row", "lined up", "in one line")
@@ -334,6 +334,8 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 yield replace(base, members=members, span=p.span(i, end)), end
     if not k or (p.words[k - 1] == "from" and run(p, k)):
         return
+    for lot, end in with_stranger(p, k) if base.kind == "pile" else ():
+        yield replace(base, members=lot, span=p.span(i, end)), end
     for labels, end in run(p, k):
         if not measures(p, end):
             shown = Noun(head="block", plural=True, traits=Traits(labels=labels), span=p.span(k, end))

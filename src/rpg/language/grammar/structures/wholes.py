@@ -14,6 +14,7 @@ from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.strangers import STRANGERS
 from rpg.language.later import later
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Toward, Traits
 
@@ -25,6 +26,7 @@ else:
 _HAVING = (
     "with", "having", "should have", "has to have", "must have", "made from", "out of", "made out of", "has", "of",
     "consists of", "consisting of", "contains", "gets", "built from", "built of", "which has", "made up of",
+    "holds", "should hold", "must hold", "shall hold", "should contain", "must contain", "shall have", "is made of",
 )  # fmt: skip
 _UNITS = ("row", "tower", "stack", "column", "line", "group", "pile", "heap", "bunch", "cluster")
 _ONES = (
@@ -69,6 +71,7 @@ def wholes(p: Parser, i: int) -> Results[Coord]:
     start = p.any_of(i, (",", ":", "with", "where", ", with", ", where", "of which", ", of which"))
     if start:
         yield from _piles(p, i, start)
+        yield from _strange_lots(p, i, start) if p.anywhere(_GROUPS) else ()
         for found, j in _wholes(p, i, start, ()):
             if len(found.items) > 1 and _heights_fit(p, found):
                 yield _all_in_color(p, found, j), j
@@ -266,15 +269,50 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
         plain = marks == Traits(colors=colors) and len(colors) < 2
         counted = theme.amount is not None and theme.det == "bare"
         labelled = len(marks.labels) > 1 and marks == Traits(labels=marks.labels, kind=marks.kind)
-        if (plain and (counted or (colors and theme.amount is None))) or (labelled and theme.det == "bare"):
+        labelled = labelled and theme.det in (("bare", "the") if p.anywhere(_GROUPS) else ("bare",))
+        if (plain and (counted or (colors and theme.amount is None))) or labelled:
+            yield theme, k
+        a_class = marks == Traits(kind=marks.kind, quality=marks.quality) != Traits() and theme.plural
+        if a_class and theme.amount is None and theme.det in ("bare", "the") and p.anywhere(_GROUPS):
             yield theme, k
         in_turn = marks == Traits(colors=colors) and len(colors) > 1 and theme.amount is None and theme.det == "bare"
         if in_turn and (theme.head == "any" or not p.words[k - 1].endswith("s")):
             yield theme, k
 
 
+_GROUPS = frozenset({"group", "groups", "bunch", "bunches", "pile", "piles", "cluster", "clusters", "heap", "heaps"})
+
+
+def with_stranger(p: Parser, j: int) -> Results[Coord]:
+    """ "four red ones with a blue stranger": blocks of one look, and so many of another among them."""
+    for most, k in simple(p, j):
+        lead = p.any_of(k, _AMID) if isinstance(most, Noun) and most.amount is not None else 0
+        for strange, end in simple(p, p.opt(lead, "exactly", "only", "just")) if lead else ():
+            told = p.any_of(end, _INSIDE) or (end if p.stands(end - 1, STRANGERS) else 0)
+            looks = [x for x in (most, strange) if isinstance(x, Noun) and x.amount and len(x.traits.colors) == 1]
+            if told and len(looks) == 2 and looks[0].traits != looks[1].traits:
+                yield Coord(op="lot", items=tuple(looks), span=p.span(j, told)), told
+
+
+_AMID = ("with", "including", "and", "plus", "but with", "but")
+_INSIDE = ("in it", "among them", "in them", "in between", "inside", "inside it", "amongst them", "as a stranger")
+"""Where a stranger is."""
+
+
+def _strange_lots(p: Parser, i: int, at: int) -> Results[Coord]:
+    """ ": four reds with one blue stranger, four blues with one red stranger": what each of several groups has."""
+    had: list[Absolute] = []
+    while at and (found := next(iter(with_stranger(p, at)), None)) is not None:
+        place = Places(side="one", unit="whole", span=found[0].span)
+        had.append(Absolute(theme=found[0], adjuncts=(place,), span=found[0].span))
+        if len(had) > 1:
+            yield Coord(op="absolutes", items=tuple(had), span=p.span(i, found[1])), found[1]
+        at = p.any_of(found[1], _AND)
+
+
 def _lot(p: Parser, j: int) -> Results[Coord]:
     """ "three red blocks and one blue one": blocks of several looks that one of them has."""
+    yield from with_stranger(p, p.opt(j, "with")) if p.anywhere(_GROUPS) else ()
     for theme, k in noun_phrase(p, p.opt(j, "with")):
         items = theme.items if isinstance(theme, Coord) and theme.op == "and" else ()
         counted = [x for x in items if isinstance(x, Noun) and x.amount is not None and x.det in ("a", "bare")]

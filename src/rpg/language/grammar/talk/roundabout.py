@@ -144,8 +144,6 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"^the staircase (?:has|with) (.+? steps) and {_CLIMBS} to the (left|right|back|front)$",
      "a staircase of {1} , rising to the {2}"),
     ("^the (?:shape|figure|form) that (.+?) (?:make|form|show|build) is (an? .+)$", "{1} must form {2}"),
-    ("^(.+?) (?:make|form) one group(?: ,)? (?:and )?the (.+?)(?: make| form)? another(?: group| one)?$",
-     "{1} must be in one group and the {2} in another group"),
     ("^(?:digit|number|letter) (?:cubes|blocks) (?:displaying|showing|spelling|reading) (\\S+)$", "spell {1}"),
     (f"^from an? ({LINE}) (?:with|of) (.+?) , rebuild it as (.+)$", "at the start , {2} . at the end , {3}"),
     # what comes of it

@@ -29,7 +29,7 @@ from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.places.drawn import drawn, grounded
 from rpg.passes.schema.resolve.places.overs import in_one_tower
-from rpg.passes.schema.resolve.structures.grouped import sorted_with_strangers
+from rpg.passes.schema.resolve.structures.grouped import groups_joined, sorted_with_strangers
 from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_inside
 from rpg.passes.schema.resolve.structures.told_towers import (
     one_more_tower,
@@ -94,6 +94,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             built = replace(builder, adjuncts=(*builder.adjuncts, *clause.adjuncts))
             found[line][place] = (found[line][place][0], built)
     _others_told(found)
+    found = [groups_joined(kept) for kept in found]
     left = [n for n, kept in enumerate(found) if kept]
     said_so = {n: tuple(sorted_with_strangers(c) for _, c in found[n]) for n in left}
     return [links[n] for n in left], tuple(

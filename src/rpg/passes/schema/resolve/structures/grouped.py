@@ -7,13 +7,26 @@ from itertools import pairwise
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import Amount, Clause, Coord, Manner, Meaning, Noun, OrderBy, Structure, replace
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    Clause,
+    Coord,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Places,
+    Structure,
+    Traits,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.lots import one_of
 from rpg.passes.schema.resolve.structures.several import told_looks
 from rpg.passes.schema.resolve.structures.sharing import Look
-from rpg.passes.schema.resolve.things.things import alike, amount_of
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.things import alike, amount_of, matching
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Thing, refuse
 
 Made = tuple[list[Built], list[g.Goal]]
 
@@ -26,11 +39,41 @@ def group_size(shape: Structure) -> int | None:
     return shape.extent("size", "columns")
 
 
+def groups_joined(kept: list[tuple[str, Meaning]]) -> list[tuple[str, Meaning]]:
+    """ "a group of three red blocks with a blue stranger, and a group of ...": told as one list."""
+    joined: list[tuple[str, Meaning]] = []
+    for link, said in kept:
+        before = joined[-1][1] if joined else None
+        both = _with_stranger(before), _with_stranger(said)
+        if link == "and" and all(both) and isinstance(before, Clause):
+            theme = Coord(op="and", items=(*both[0], *both[1]), span=before.span)
+            joined[-1] = joined[-1][0], replace(before, theme=theme)
+        else:
+            joined.append((link, said))
+    return joined
+
+
+def _with_stranger(said: Meaning | None) -> tuple[Meaning, ...]:
+    """The groups that a clause builds and says no more of, where each has blocks of several looks."""
+    theme = said.theme if isinstance(said, Clause) and said.verb == "build" and not said.adjuncts else None
+    items = theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)
+    lots = [x for x in items if isinstance(x, Structure) and x.kind == "pile" and getattr(x.members, "op", "") == "lot"]
+    return tuple(lots) if len(lots) == len(items) else ()
+
+
 def sorted_with_strangers(said: Meaning) -> Meaning:
     """ "a group of four red blocks and a group of four blue ones, one wrong in each": sorted with strangers."""
     theme = said.theme if isinstance(said, Clause) and said.verb in ("build", "be") and not said.negated else None
     if not isinstance(said, Clause) or not isinstance(theme, Coord) or theme.op != "and":
         return said
+    told = [x.members for x in _with_stranger(said) if isinstance(x, Structure) and x.members is not None]
+    if told:
+        place = Places(side="one", unit="whole", span=theme.span)
+        each = tuple(Absolute(theme=x, adjuncts=(place,), span=x.span) for x in told)
+        detail = Coord(op="absolutes", items=each, span=theme.span)
+        many = Amount(len(told), len(told))
+        whole = Structure(kind="pile", amount=many, plural=True, det="bare", details=(detail,), span=theme.span)
+        return replace(said, verb="build", theme=whole)
     piles = [x.members for x in theme.items if isinstance(x, Structure) and x.kind == "pile" and not x.plural]
     lots = [x for x in piles if isinstance(x, Noun) and len(x.traits.colors) == 1 and x.amount is not None]
     strange = any(isinstance(x, Manner) and x.kind == "outliers" for x in said.adjuncts)
@@ -51,7 +94,11 @@ def told_lots(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> 
     pool = [scene.things[n] for n in theme.names] if theme is not None else None
     pool = pool or [t for t in scene.blocks() if t.declared and not t.extra and t.name not in scene.used] or None
     taken: set[str] = set()
-    lots = tuple(tuple(one_of(x, pool, taken, order, scene) for x in _blocks(look, size)) for look in looks)
+    lots = tuple(
+        _of_a_class(look, pool, taken, scene)
+        or tuple(one_of(x, pool, taken, order, scene) for x in _blocks(look, size))
+        for look in looks
+    )
     if pool is not None and len(taken) < len(pool):
         raise refuse("count-mismatch", "some of the blocks are in none of the groups", shape.span,
                      "say what each group has so that all are used")  # fmt: skip
@@ -61,6 +108,17 @@ def told_lots(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> 
     goals: list[g.Goal] = [s.GroupBy(groups=lots, span=shape.span)]
     goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(lots)] if axis is not None else []
     return [scene.add_built("pile", lot, False, shape.span) for lot in lots], goals
+
+
+def _of_a_class(look: Look, pool: list[Thing] | None, taken: set[str], scene: Scene) -> tuple[str, ...]:
+    """ "one has the vowels": those of the blocks that were spoken of."""
+    marks = look.traits if isinstance(look, Noun) and look.amount is None else Traits()
+    if pool is None or not (marks.kind or marks.quality) or marks.labels or marks.colors:
+        return ()
+    fits = {t.name for t in matching(marks, scene, False)}
+    found = tuple(t.name for t in pool if t.name in fits and t.name not in taken)
+    taken.update(found)
+    return found
 
 
 def _blocks(look: Look, size: int | None) -> list[Noun]:

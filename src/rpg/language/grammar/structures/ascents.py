@@ -32,11 +32,19 @@ _DECREASING = Patterns(
     f"{_NUMBERS_GO} going|go|goes|getting|get|run|running down|downward|downwards|smaller|lower",
     f"{_NUMBERS_GO} decreasing|decrease|falling|fall|descending|descend|shrinking|shrink|dropping|drop",
 )
+_THEY_GO = (
+    "so_that|such_that|so|where|while? they|the_cubes|the_blocks|the_edges? "
+    "get|getting|become|becoming|grow|growing|go|going|are_getting"
+)
 _UP = Patterns(
+    f"{_THEY_GO} bigger|larger|taller|greater",
+    "so_that|such_that|so|where they|the_cubes|the_blocks increase|rise|grow|ascend in_size|in_value?",
     "and? then|from_there|from_there_on only? ascending|increasing|rising|going_up|growing|upwards|up",
     f"{_IN} rising|growing|ascending|increasing|upward number|numeric|numerical|size? {_ORDER}",
 )
 _DOWN = Patterns(
+    f"{_THEY_GO} smaller",
+    "so_that|such_that|so|where they|the_cubes|the_blocks decrease|shrink|descend in_size|in_value?",
     "and? then|from_there|from_there_on only? descending|decreasing|falling|going_down|shrinking|downwards|down",
     f"{_IN} falling|shrinking|descending|decreasing|downward number|numeric|numerical|size? {_ORDER}",
 )
@@ -58,7 +66,8 @@ _NAMES = (
 )  # fmt: skip
 _TELLING = frozenset(
     f"{_ABC} z alphabetically numerical numeric number size numbers digits values numerals ascending increasing rising "
-    "growing upwards upward up descending decreasing falling shrinking downwards downward down".replace(
+    "growing upwards upward up descending decreasing falling shrinking downwards downward down bigger larger taller "
+    "greater smaller increase rise grow ascend decrease shrink descend".replace(
         "|", " "
     ).split()
 )

@@ -61,8 +61,13 @@ READABLE = (
     "so that you can read them in",
 )
 """What an order follows, and no statement of its own."""
-_READABLE = ("row by row", "so that they can be read", "so they can be read", "so that it can be read", "to be read",
-             "so that they are", "so that they read", "so that they stand", "so that you can read them")  # fmt: skip
+_READABLE = (
+    "row by row", "so that they can be read", "so they can be read", "so that it can be read", "to be read",
+    "so that you can read them",
+    *(f"{so} {they} {run}" for so in ("so that", "such that", "so")
+      for they in ("they", "the letters", "the cubes", "the blocks", "the numbers", "the digits", "the colors")
+      for run in ("are", "read", "stand", "run", "go", "come", "appear", "follow", "are lined up", "are arranged")),
+)  # fmt: skip
 _NAMED = {
     said: (by, extra.get("descending", False))
     for phrase, by, extra in NAMED
@@ -240,35 +245,25 @@ _ATTRIBUTES = {
 }  # fmt: skip
 
 
+_COLORS_ARE = ("whose colors are", "that are", "which are", "with colors that are", "whose colors should be")
+_COLORS = ("whose colors", "so that the colors", "with the colors", "with colors", "so that", "where the colors",
+           "such that", "in which the colors", "where", "so")  # fmt: skip
+_THEY_ARE = ("they are", "are", "it is", "they read", "is", "read", "it reads", "the blocks are", "the colors are")
+
+
 @rule
 def _toward_list(p: Parser, i: int) -> Results[Meaning]:
-    """ "whose colors from top to bottom are red, white and black", "so that from left to right they are ..."."""
-    j = (
-        p.any_of(
-            i,
-            (
-                "whose colors",
-                "so that the colors",
-                "with the colors",
-                "with colors",
-                "so that",
-                "where the colors",
-                "such that",
-                "in which the colors",
-                "where",
-                "so",
-            ),
-        )
-        or i
-    )
-    sides = list(toward(p, j)) if j < p.end else []
-    for found, k in sides:
+    """ "whose colors from top to bottom are red, white and black", "so that from left to right they are ...", "that
+    are, from top to bottom, red, white and black"."""
+    are = p.any_of(i, _COLORS_ARE)
+    j = are or p.any_of(i, _COLORS) or i
+    start = p.opt(j, ",") if j > i else j
+    for found, k in toward(p, start) if start < p.end else ():
         if not isinstance(found, Toward) or not found.first:
             continue
-        end = p.any_of(
-            p.opt(k, "order"),
-            ("they are", "are", "it is", "they read", "is", "read", "it reads", "the blocks are", "the colors are"),
-        ) or (p.one(k, ":") if j == i else 0)
+        k = p.opt(k, "order")
+        comma = p.opt(k, ",") if j > i else k
+        end = comma if are else p.any_of(comma, _THEY_ARE) or (p.one(k, ":") if j == i else 0)
         if not end and j == i and i and p.words[i - 1] in (",", ":"):
             end = k
         for items, last in listed(p, p.opt(end, ":")) if end else ():

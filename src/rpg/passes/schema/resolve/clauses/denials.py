@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.language.meaning import Amount, Chain, Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, That, replace
+from rpg.passes.schema.resolve.clauses.exception_last import exception_last
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes
@@ -11,7 +12,7 @@ from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes
 
 def denied_once(clause: Clause) -> Clause:
     """ "is not on red and not on blue": both are denied, and neither twice."""
-    clause = _not_any(clause)
+    clause = _not_any(exception_last(clause))
     if clause.negated or getattr(clause.theme, "det", "") == "no":
         _said_in_one(clause)
     _all_that_are_not(clause)

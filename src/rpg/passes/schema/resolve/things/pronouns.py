@@ -42,7 +42,8 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word in ("same", "both the same"):
         last = _last_theme(scene, word)
         return replace(last, op="and") if last.op == "nor" and word.word != "same" else last
-    if word.word in _NUMBERED and len(scene.built) > 1:
+    of_some = bool(scene.whole) and _NUMBERED.get(word.word) is None  # "one of the two is on red, the other is not"
+    if word.word in _NUMBERED and len(scene.built) > 1 and not of_some:
         return _numbered(word, scene)
     if word.word in _REST or word.word in _OTHER:
         noun = Noun(head="any", det="other", plural=word.word in _REST, span=word.span)

@@ -9,10 +9,12 @@ from rpg.language.meaning import Amount, Chain, Clause, Coord, Into, Meaning, No
 _GROUPS = ("group", "bunch", "cluster", "pile", "heap", "clump")
 _MUST = ("", "should ", "must ", "shall ", "are to ", "have to ", "will ")
 _FORM = (
-    *(f"{must}{form}" for must in _MUST for form in ("form", "make", "make up", "build", "go into", "be", "be in",
-                                                     "belong in", "belong to", "constitute")),
-    "forms", "makes", "are", "in", "into", "to form", "forming",
-)  # fmt: skip
+    *(f"{must}{form}" for must in _MUST for form in ("form", "make", "make up", "build", "constitute")),
+    "forms",
+    "makes",
+    "to form",
+    "forming",
+)
 _ONE = tuple(f"{one} {group}" for one in ("one", "a", "the first") for group in _GROUPS)
 _ANOTHER = (
     *(f"{other} {group}" for other in ("another", "the other", "a second", "the second", "a further", "the first")

@@ -25,6 +25,7 @@ _HOMES = Patterns(
     "a_second|a_separate|second|the_one|the_first|the_second "
     "group|pile|heap|bunch|cluster|side|set|place?",
     "form|forms|make|makes|build|builds one|another|a|the_other|the_first|the_second group|pile|heap|bunch|cluster",
+    "form|forms|make|makes|build|builds? another|the_other|a_second|another_one|the_other_one",
     "here|there",
 )
 _HEAPS = frozenset({"group", "pile", "heap", "bunch", "cluster"})

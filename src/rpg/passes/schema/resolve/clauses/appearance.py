@@ -28,6 +28,10 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     theme = refer(said_of, scene, Scope(given=scope.given)) if said_of is not None else Ref()
     if theme.table:
         raise refuse("misplaced", "the table has one look", clause.span)
+    several = next((q for q in spec.qualities if len(q.traits.colors) > 1), None)
+    if several is not None and theme.built and all(scene.things[n].color for n in theme.names):
+        raise refuse("ambiguous", "are these the colours that it has, or an order that it should have?", several.span,
+                     "say from which side on, and of the start 'there is a row of A, B and C'")  # fmt: skip
     if theme.part is not None:
         raise refuse("no-referent", f"it is not clear which block the {theme.part} is", theme.span, "name the block")
     if isinstance(clause.theme, Pronoun) and theme.plural and any(q.traits.colors for q in spec.qualities):

@@ -91,6 +91,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 kept.append((link, towers or (replace(clause, verb="build") if alone else said)))
                 continue
             line, place, builder = host
+            _ordered_once(builder, clause)
             built = replace(builder, adjuncts=(*builder.adjuncts, *clause.adjuncts))
             found[line][place] = (found[line][place][0], built)
     _others_told(found)
@@ -316,6 +317,26 @@ _OTHERS = ("the rest", "the others", "the other ones", "the remaining ones", "al
            "all the rest")  # fmt: skip
 _ONES = ("one", "the other", "the other one", "another", "one of them")
 _SIDES = ("left", "right", "front", "back", "middle")
+
+
+def _ordered_once(builder: Clause, clause: Clause) -> None:
+    """Refuse "the stack is red, green, blue from top to bottom; it should be green, blue, red from top to bottom"."""
+    own = builder.theme.details if isinstance(builder.theme, Structure) else ()
+    before, after = ([x for x in parts if isinstance(x, OrderBy) and x.by == "named" and x.items]
+                     for parts in ((*own, *builder.adjuncts), clause.adjuncts))  # fmt: skip
+    sided = any(isinstance(x, Toward) or (isinstance(x, OrderBy) and x.first) for x in builder.adjuncts)
+    if before and after and sided and not _ranked(clause.theme) and _looks(before[0]) != _looks(after[0]):
+        raise refuse("ambiguous", "is this the order that it has at the end, or is it there in another one at first?",
+                     after[0].span, "say 'there is a row A B C' of the start, or leave one order out")  # fmt: skip
+
+
+def _ranked(theme: Meaning | None) -> bool:
+    """ "The left tower": one of several."""
+    return isinstance(theme, Structure) and theme.traits != Traits()
+
+
+def _looks(order: OrderBy) -> list[Traits | None]:
+    return [getattr(item, "traits", None) for item in order.items]
 
 
 def _units(clause: Clause) -> set[str]:

@@ -8,6 +8,7 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import part_list
 from rpg.language.grammar.places.gaps import apart_by
+from rpg.language.grammar.places.held import SIDES
 from rpg.language.grammar.places.onto import one_on_another
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.along import listed_along
@@ -307,8 +308,11 @@ def topped_there(found: Meaning) -> Meaning:
         return found
     theme, tops = found.theme, [x for x in found.adjuncts if isinstance(x, Absolute)]
     placed = [x for x in found.adjuncts if isinstance(x, In) or (isinstance(x, Loc) and x.rel == "on")]
+    beside = [x for x in found.adjuncts if isinstance(x, Loc) and x.rel in SIDES]
+    placed = placed or [x for x in beside if tops and tops[0].span < x.span]
     one = isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and len(theme.traits.colors) < 2
-    on_block = [x for x in placed if isinstance(x, Loc) and getattr(x.landmark, "head", "patch") != "patch"]
+    lying = [x.landmark for x in placed if isinstance(x, Loc) and x.rel == "on"]
+    on_block = [mark for mark in lying if getattr(mark, "head", "patch") != "patch"]
     several = isinstance(theme, Noun) and theme.amount is not None and theme.amount.low != 1
     if not one or several or len(tops) != 1 or len(placed) != 1 or on_block:
         return found
@@ -322,7 +326,7 @@ def _on_it(part: Meaning) -> Meaning:
     if not isinstance(place, At) or (place.side, place.index, place.whole) != ("top", None, None):
         return part
     on = Loc(rel="on", landmark=Pronoun(word="it", span=place.span), span=place.span)
-    return replace(part, adjuncts=(on,))
+    return replace(part, adjuncts=(on,), cost=0)
 
 
 def with_more(theme: Meaning | None, found: tuple[Meaning, ...]) -> bool:

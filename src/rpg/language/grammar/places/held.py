@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.places.borne import BEARING
-from rpg.language.meaning import Absolute, Amount, Clause, Loc, Meaning, Noun, Pronoun, replace
+from rpg.language.meaning import Absolute, Amount, At, Clause, Loc, Meaning, Noun, Pronoun, replace
 
-_SIDES = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near", "touching"})
+SIDES = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near", "touching"})
 _THAT = frozenset({"that", "which"})
 BORNE = frozenset(lead.split()[0] for lead in BEARING)
 LEADS = _THAT | BORNE | {"with", "having"}
@@ -34,14 +34,15 @@ def held(p: Parser, j: int, first: Meaning, second: Meaning) -> Absolute | None:
     mark = first.landmark if isinstance(first, Loc) and not first.negated else None
     if not isinstance(first, Loc) or not isinstance(mark, Noun) or mark.head == "patch" or mark.plural:
         return None
-    if not p.stands(j, LEADS) or not (first.rel in _SIDES or p.stands(j, _THAT)):
+    if not p.stands(j, LEADS) or not (first.rel in SIDES or p.stands(j, _THAT)):
         return None
     if not isinstance(second, Absolute) or len(second.adjuncts) != 1 or mark.amount not in (None, Amount(1, 1)):
         return None
     place = second.adjuncts[0]
+    it = replace(mark, det="the", amount=None, cost=0)
+    if isinstance(place, At) and (place.side, place.index, place.whole) == ("top", None, None) and mark.det != "bare":
+        on = Loc(rel="on", landmark=it, span=place.span)  # "next to a blue block with a white one on top"
+        return replace(second, adjuncts=(on,), cost=0)
     if not isinstance(place, Loc) or place.rel != "on" or not isinstance(place.landmark, Pronoun):
         return None
-    if place.landmark.word != "it":
-        return None
-    it = replace(mark, det="the", amount=None, cost=0)
-    return replace(second, adjuncts=(replace(place, landmark=it),))
+    return replace(second, adjuncts=(replace(place, landmark=it),)) if place.landmark.word == "it" else None

@@ -267,7 +267,7 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
             continue
         colors, marks = theme.traits.colors, theme.traits
         plain = marks == Traits(colors=colors) and len(colors) < 2
-        counted = theme.amount is not None and theme.det == "bare"
+        counted = theme.amount is not None and (theme.det == "bare" or (theme.det == "the" and bool(colors)))
         labelled = len(marks.labels) > 1 and marks == Traits(labels=marks.labels, kind=marks.kind)
         labelled = labelled and theme.det in (("bare", "the") if p.anywhere(_GROUPS) else ("bare",))
         if (plain and (counted or (colors and theme.amount is None))) or labelled:

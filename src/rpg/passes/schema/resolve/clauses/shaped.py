@@ -209,6 +209,10 @@ def _remade(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | N
     if sorted_ and isinstance(theme, Structure) and theme.det == "the":
         again = Structure(kind=theme.kind, span=theme.span)
         spec.intos.append(Into(structure=again, span=theme.span))
+    if known and clause.verb == "build" and isinstance(theme, Structure) and not (spec.intos or theme.members):
+        listed = [x for x in theme.details if isinstance(x, OrderBy) and x.items]  # "at the end the row is C, B, A"
+        spec.orders += listed
+        spec.intos += [Into(structure=Structure(kind=theme.kind, span=theme.span), span=theme.span) for _ in listed[:1]]
     if (line := _lined_already(clause, spec, scene, scope)) is not None:
         return line
     if isinstance(theme, Structure) and spec.intos and (known or sorted_ or clause.lemma == "turn into"):

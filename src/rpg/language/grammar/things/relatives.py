@@ -11,7 +11,7 @@ from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.standby import NO_ROLE
 from rpg.language.grammar.things.told_relatives import told_relative
 from rpg.language.later import later
-from rpg.language.meaning import Loc, Meaning, Noun, That, Traits, replace
+from rpg.language.meaning import Loc, Manner, Meaning, Noun, That, Traits, replace
 
 if TYPE_CHECKING:
     from rpg.language.grammar.clauses.manners import manner
@@ -82,13 +82,17 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
             start = p.reach(start + 1)
         whole = plural and p.words[that] in _SINGULAR
         asserted = comma > i and _AT_FIRST.isdisjoint(p.words[that:start])
+        staying = not _STAYING.isdisjoint(p.words[that:start])
         for places, k in _conditions(p, start, loc, asserted) if start > that or p.words[that] == "touches" else ():
+            if staying and not whole:
+                places = (*places, Manner(kind="staying", span=p.span(that, k)))
             yield (tuple(That(kind="whole", clauses=x, span=x.span) for x in places) if whole else places), k
     else:
         yield from told_relative(p, i, 0, head, plural)
 
 
 _AT_FIRST = frozenset({"currently", "already", "initially", "originally", "now", "presently"})
+_STAYING = frozenset({"stay", "stays", "remain", "remains"})
 _SINGULAR = frozenset({"is", "stands", "lies", "sits", "rests", "touches"})
 
 

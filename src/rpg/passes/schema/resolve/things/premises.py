@@ -7,6 +7,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Coord, In, Loc, Manner
+from rpg.passes.schema.resolve.clauses.throughout import held_throughout
 from rpg.passes.schema.resolve.goals.conflicts import required
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.alone import beyond
@@ -68,6 +69,8 @@ def _facts(premise: object, scene: Scene) -> list[g.Goal]:
     scene.describing = premise.when == "end"
     facts = place(theme, premise.condition, scene, Scope(start=premise.when != "end"), premise.span)
     facts = [f for f in facts if not (isinstance(f, g.All) and not f.goals)]
+    if premise.when == "always":
+        return held_throughout(facts, scene, premise.span)
     asserted = "asserted" in getattr(premise.condition, "mods", ())
     if premise.when != "end" and not asserted:
         scene.start_goals += [f for f in facts if f not in scene.start_goals]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import string
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Traits, record, replace
+from rpg.language.meaning import Amount, Coord, Loc, Manner, Meaning, Noun, Traits, record, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
@@ -173,7 +173,8 @@ def compared(meaning: Meaning | None) -> bool:
 
 @record
 class Premise(Meaning):
-    """What a relative clause takes for granted of some objects. `when`: at the "start", at the "end", or "both"."""
+    """What a relative clause takes for granted of some objects. `when`: at the "start", at the "end", at "both", or
+    "always"."""
 
     names: tuple[str, ...]
     condition: Meaning
@@ -187,7 +188,11 @@ def note_premises(noun: Noun, found: Ref, scene: Scene, scope: Scope) -> None:
         raise refuse("ambiguous", "it is not clear which blocks are there at the start", noun.span, "use two sentences")
     new = noun.det in ("a", "bare", "some") and scope.role == "landmark" and not (scope.start or scope.given)
     when = "start" if not new else "end" if scene.describing else "both"
+    if any(isinstance(condition, Manner) and condition.kind == "staying" for condition in noun.conditions):
+        when = "always"  # "a block that stays off the mat"
     for condition in noun.conditions:
+        if isinstance(condition, Manner) and condition.kind == "staying":
+            continue
         if scope.start and scope.given and isinstance(condition, Loc) and "aside" in condition.mods:
             condition = replace(condition, mods=tuple(m for m in condition.mods if m not in ("asserted", "aside")))
         scene.premises.append(Premise(span=condition.span, names=found.names, condition=condition, when=when))

@@ -9,6 +9,7 @@ from rpg.language.meaning import In
 
 _NEAR = frozenset({"near", "front", "nearer", "bottom", "lower", "closest", "nearest"})
 _FAR = frozenset({"far", "back", "rear", "farther", "top", "upper", "farthest", "furthest"})
+_TABLE = frozenset({"table"})
 _HALVES = {"left": "left", "right": "right", **dict.fromkeys(_NEAR, "near"), **dict.fromkeys(_FAR, "far")}
 
 
@@ -107,7 +108,8 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
         if e := p.one(k, "half"):
             found.append((f"{side}_half", e, True))
         if e := p.one(k, "side"):
-            found.append((f"{side}_half", e, False))
+            again = word in _NEAR | _FAR and not p.all.isdisjoint(_TABLE) and not p.stands(e, ("of",))
+            found.append((f"{side}_half", e, again))  # "on the near side of the table, ... on the far side"
         if e := p.one(k, "edge"):
             found.append((f"{side}_edge", e, True))
         if e := p.one(k, "end"):

@@ -5,6 +5,11 @@ from __future__ import annotations
 
 from rpg.language.grammar.talk.turned import FEW, LINE, MUST, WAY, Turn
 
+_MOST = f"(?:at most|not more than|no more than|maximally) (?:{FEW}|\\d+)"
+_LEAST = f"(?:at least|not fewer than|no fewer than|minimally) (?:{FEW}|\\d+)"
+_BUT = "(?:(?: ,)?(?: but| and| yet)(?: also)?| ,)"
+_THEM = "(?: of (?:them|these|those)| one)?(?: ,)?(?: though)?"
+
 CONTRASTED: tuple[Turn, ...] = (
     # the contrary, which what is said before excludes
     ("^(.+?)(?: ,)? (?:and )?not (?:the other way (?:round|around)|vice versa|the reverse)$", "{1}"),
@@ -15,6 +20,8 @@ CONTRASTED: tuple[Turn, ...] = (
     ("^(.+ in a (?:row|column)(?: on the table)?)(?: ,)? (?:and )?not in a (?:row|column)$", "{1}"),
     (f"^(spell .+? {WAY}) , not \\S+$", "{1}"),
     (f"^({FEW}) (of .+?) , no more and no (?:fewer|less) , (.+)$", "exactly {1} {2} {3}"),
+    (f"^(.*?)({_MOST}) (of .+?){_BUT} ({_LEAST}){_THEM}$", "{1} {4} and {2} {3}"),
+    (f"^(.*?)({_LEAST}) (of .+?){_BUT} ({_MOST}){_THEM}$", "{1} {2} and {4} {3}"),
     ("(?: ,)? with no (?:tower|color|group) mixed(?: into another)?$", ""),
     ("(?: ,)? (?:not mixing the two|without mixing them)$", ""),
     ("(?: ,)? which must not be (?:a )?part of (?:the word|the row|the tower|it)$", ""),

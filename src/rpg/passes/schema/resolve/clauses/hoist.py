@@ -25,6 +25,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.denials import apart_from
+from rpg.passes.schema.resolve.clauses.leftovers import all_used
 from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.places.drawn import drawn, grounded
@@ -97,7 +98,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
     _others_told(found)
     found = [groups_joined(kept) for kept in found]
     left = [n for n, kept in enumerate(found) if kept]
-    said_so = {n: tuple(sorted_with_strangers(c) for _, c in found[n]) for n in left}
+    said_so = {n: tuple(sorted_with_strangers(all_used(c)) for _, c in found[n]) for n in left}
     return [links[n] for n in left], tuple(
         replace(chains[n], clauses=said_so[n], links=tuple(link for link, _ in found[n])) for n in left
     )

@@ -60,6 +60,7 @@ from rpg.passes.schema.resolve.things import finish
 from rpg.passes.schema.resolve.things.counted import counted_later
 from rpg.passes.schema.resolve.things.inventory import each_agrees
 from rpg.passes.schema.resolve.things.of_each import each_later
+from rpg.passes.schema.resolve.things.recounted import recounted
 from rpg.passes.schema.resolve.things.rest import listed_alone, selects, speaks_of_rest
 from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one_by_one
 from rpg.passes.schema.resolve.things.sized import sized
@@ -160,7 +161,7 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    chains = tuple(shared_sides(chain, text) for chain in chains)
+    chains = tuple(shared_sides(recounted(chain), text) for chain in chains)
     links, chains = hoisted(*places_told(*words_in_rows(links, from_heaps(chains))))
     facts = cleared_of(begun(chains, text), links)
     if (last := heaps_last(*told_later(links, facts))) is not None:

@@ -395,6 +395,6 @@ def _thats(clause: Clause, spec: Spec, scene: Scene, start: bool) -> Goals:
             themes = (m.ref.names for m in scene.mentions if m.clause == scene.clause and m.role == "theme")
             scene.told.update(next(themes, ()))
             told = that.clauses if start else as_results(that.clauses, scene)  # type: ignore[arg-type]
-            goals += chain_goals(told, scene, start) if getattr(told, "clauses", ()) else []  # type: ignore[arg-type]
+            goals += chain_goals(told, scene, start)  # type: ignore[arg-type]
     spec.thats = []
     return goals

@@ -210,7 +210,8 @@ def _remade(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | N
         again = Structure(kind=theme.kind, span=theme.span)
         spec.intos.append(Into(structure=again, span=theme.span))
     if known and clause.verb == "build" and isinstance(theme, Structure) and not (spec.intos or theme.members):
-        listed = [x for x in theme.details if isinstance(x, OrderBy) and x.items]  # "at the end the row is C, B, A"
+        begun = theme.traits.rank is None and bool(scene.start_goals)  # "at the end the row is C, B, A"
+        listed = [x for x in theme.details if isinstance(x, OrderBy) and x.items and begun]
         spec.orders += listed
         spec.intos += [Into(structure=Structure(kind=theme.kind, span=theme.span), span=theme.span) for _ in listed[:1]]
     if (line := _lined_already(clause, spec, scene, scope)) is not None:

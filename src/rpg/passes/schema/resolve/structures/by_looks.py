@@ -41,24 +41,32 @@ def by_looks(chain: Chain) -> Chain:
 
 
 def as_results(chain: Chain, scene: Scene) -> Chain:
-    """What "so that there is a tower" tells of: what is built, not what there was, and not again what stands there."""
-    told = [pair for pair in zip(chain.clauses, chain.links, strict=True) if not _stands(pair[0], scene)]
-    clauses = tuple(_result(clause) for clause, _ in told)
-    return replace(chain, clauses=clauses, links=tuple(link for _, link in told))
+    """What "so that there is a tower" tells of: what is built, not what there was."""
+    clauses: list[Meaning] = []
+    links: list[str] = []
+    for clause, link in zip(chain.clauses, chain.links, strict=True):
+        told = _standing(clause, scene) or [_result(clause)]
+        clauses += told
+        links += [link, *["and"] * (len(told) - 1)]
+    return replace(chain, clauses=tuple(clauses), links=tuple(links))
 
 
-def _stands(clause: Meaning, scene: Scene) -> bool:
-    """ "(Red on blue, green on yellow,) so that there are two towers": as many as there are."""
+def _standing(clause: Meaning, scene: Scene) -> list[Meaning]:
+    """ "(Red on blue, green on yellow,) so that there are two towers": those are the towers, each on the table."""
     shape = clause.theme if isinstance(clause, Clause) and clause.verb in _TOLD and not clause.negated else None
     if not isinstance(shape, Structure) or shape.kind != "stack" or not shape.plural or shape.amount is None:
-        return False
+        return []
     bare = not (shape.members or shape.details or shape.dims or shape.traits != Traits())
     lying = {upper: lower for upper, lower in scene.on_top.items() if upper not in scene.begun_on}
     feet = [name for name in dict.fromkeys(lying.values()) if name not in lying]
-    high = {1 + sum(base_of(name, scene) == foot for name in lying) for foot in feet}
-    tall = all(size.amount is not None and high == {size.amount.low} == {size.amount.high} for size in shape.sizes)
+    towers = [(foot, *(name for name in lying if base_of(name, scene) == foot)) for foot in feet]
+    tall = all(z.amount and {z.amount.low, z.amount.high} == {len(tower)} for z in shape.sizes for tower in towers)
     count = shape.amount.low if shape.amount.low == shape.amount.high else 0
-    return bare and tall and count == len(feet) and isinstance(clause, Clause) and not clause.adjuncts
+    if not bare or not tall or count != len(feet) or not isinstance(clause, Clause) or clause.adjuncts:
+        return []
+    one = Structure(kind="stack", det="a", span=shape.span)
+    themes = [replace(one, members=Pronoun(word="=" + " ".join(tower), span=shape.span)) for tower in towers]
+    return [replace(clause, verb="build", theme=theme, mode="goal") for theme in themes]
 
 
 def _result(clause: Meaning) -> Meaning:

@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.blocks.figures import FEWEST, NATURAL, takes
 from rpg.ir import structures as s
-from rpg.language.meaning import Manner, Structure
+from rpg.language.meaning import At, Manner, Noun, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
@@ -41,7 +41,7 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     if shape.kind == "square" and theme is None and _bare(shape) and any(b.kind == "grid" for b in scene.built):
         raise refuse("ambiguous", "this could be a place of the grid, or a figure of its own", shape.span,
                      "say 'the block', or of how many blocks the square is built")  # fmt: skip
-    count = said_count(shape, theme, scene)
+    count = _with_centre(shape, spec, said_count(shape, theme, scene))
     hub = hub_of(shape, spec, theme, scene) if not shape.filled else None
     if hub is not None:
         spec.absolutes.remove(hub)
@@ -84,6 +84,18 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         blocks=names, filled=filled, sides=sides, pattern=pattern, readable=readable, span=shape.span, **said
     )
     return made(shape.kind, _fitting(node, shape, scene), names, shape.span, scene)
+
+
+def _with_centre(shape: Structure, spec: Spec, count: int | None) -> int | None:
+    """ "a plus of four white blocks with a red one at its centre": of five, for four have no centre."""
+    source = shape.members
+    if shape.kind not in ("plus", "X") or not count or count % 4 or not isinstance(source, Noun):
+        return count
+    parts = [(x.theme, place_of(x)) for x in spec.absolutes]
+    told = [theme for theme, at in parts if isinstance(at, At) and (at.side, at.index) == ("middle", None)]
+    further = [x for x in told if isinstance(x, Noun) and x.det == "a" and x.traits.colors]
+    own = source.traits.colors
+    return count + 1 if own and len(further) == len(told) == 1 and further[0].traits.colors != own else count
 
 
 def _fitting(node: s.Figure, shape: Structure, scene: Scene) -> s.Figure:

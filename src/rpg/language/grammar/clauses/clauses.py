@@ -20,7 +20,7 @@ from rpg.language.grammar.clauses.weighed import rows_forming, weighed
 from rpg.language.grammar.clauses.wheres import is_where, trading_places
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.gaps import gap
-from rpg.language.grammar.places.held import LEADS, held, of_its
+from rpg.language.grammar.places.held import LEADS, THE_ONE, by_block, held, of_its
 from rpg.language.grammar.places.offsets import centering
 from rpg.language.grammar.places.piled import piled
 from rpg.language.grammar.structures.details import part_clause
@@ -126,14 +126,14 @@ _GOES = (
 
 @rule
 def _what(p: Parser, i: int, mode: str) -> Results[Clause]:
-    """ "what goes on top of the yellow block is the pink one": the pink one goes there."""
-    j = p.any_of(i, ("what", "the block that", "the one that", "the cube that"))
-    j = p.any_of(j, _GOES) if j else 0
-    for place, k in adjunct(p, j) if j else ():
-        end = p.any_of(k, ("is", "should be", "must be", "has to be"))
-        for theme, last in simple(p, end) if end and isinstance(place, Loc | In) else ():
-            if isinstance(theme, Noun) and theme.head != "patch":
-                yield Clause(verb="be", theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, last), cost=1), last
+    """ "what goes on top of the yellow block is the pink one", "the block under the red one is yellow"."""
+    led = p.any_of(i, ("what", "the block that", "the one that", "the cube that"))
+    for place, k in adjunct(p, j) if (j := p.any_of(led, _GOES) if led else p.any_of(i, THE_ONE)) else ():
+        spot = place if led else by_block(p, place)
+        end = p.any_of(k, ("is", "should be", "must be", "has to be")) if spot is not None else 0
+        for theme, last in simple(p, end) if end else ():
+            if isinstance(theme, Noun) and theme.head != "patch" and isinstance(spot, Loc | In):
+                yield Clause(verb="be", theme=theme, adjuncts=(spot,), mode=mode, span=p.span(i, last), cost=1), last
 
 
 @rule

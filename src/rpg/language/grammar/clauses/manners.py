@@ -88,6 +88,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
             continue
         of_a_patch = phrase.startswith("where") and not lexicon.PATCH.keys().isdisjoint(p.words[:i])
         yield Manner(kind=kind, value=value, span=p.span(i, j), cost=2 * of_a_patch), j  # "on the patch where it is"
+        if kind == "extra":  # "lying around which are not needed"
+            yield from ((Manner(kind=kind, value="around", span=p.span(i, k)), k) for k in said_idle(p, j))
 
 
 _CLAUSE_ENDS = frozenset({",", ";", "and", "but", "while", "when", "as", "at", "throughout", "until"})

@@ -187,7 +187,8 @@ def exists(p: Parser, i: int) -> Results[Meaning]:
     for theme, k in noun_phrase(p, j):
         apart = adjuncts(p, k + 1) if p.words[k : k + 1] == [","] and isinstance(theme, Structure) else []
         nothing = isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det == "no")
-        k = p.opt(p.any_of(k, _TOO) or k, *_LYING) if isinstance(theme, Noun) else k
+        k = (p.any_of(k, _TOO) or k) if isinstance(theme, Noun) else k
+        k = p.opt(k, *_LYING) if isinstance(theme, Noun) and not p.stands(k + 1, _ABOUT) else k
         for found, end in [*adjuncts(p, k), *(x for x in apart if x[0])]:
             if any(WHEN_DONE.matches(p, end)):
                 continue
@@ -198,6 +199,7 @@ def exists(p: Parser, i: int) -> Results[Meaning]:
 
 
 _TOO = ("too", "as well", "also")
+_ABOUT = frozenset({"around", "about", "there", "nearby"})
 _LYING = ("lying", "standing", "sitting", "resting", "placed", "located", "positioned", "situated")
 
 

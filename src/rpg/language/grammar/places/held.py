@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.places.borne import BEARING
 from rpg.language.meaning import Absolute, Amount, At, Clause, Loc, Meaning, Noun, Pronoun, replace
@@ -46,3 +47,15 @@ def held(p: Parser, j: int, first: Meaning, second: Meaning) -> Absolute | None:
     if not isinstance(place, Loc) or place.rel != "on" or not isinstance(place.landmark, Pronoun):
         return None
     return replace(second, adjuncts=(replace(place, landmark=it),)) if place.landmark.word == "it" else None
+
+
+THE_ONE = ("the block", "the cube", "the one")
+
+
+def by_block(p: Parser, place: Meaning) -> Loc | None:
+    """A place that a block tells: "(the block) under the red one", unless it may be a part of what was told before."""
+    mark = place.landmark if isinstance(place, Loc) and not place.negated else None
+    known = not isinstance(mark, Noun) or mark.head == "patch" or mark.plural
+    if known or not isinstance(place, Loc) or p.char(0, 0) or not p.all.isdisjoint(lexicon.STRUCTURE):
+        return None
+    return replace(place, mods=(*place.mods, "directly")) if place.rel in ("under", "above") else place

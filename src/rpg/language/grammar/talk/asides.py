@@ -64,24 +64,24 @@ _FREE = (
     "up to you", "as you like", "you choose", "either is fine",
     "whichever", "whatever", "your pick", "you pick", "take your pick", "your call", "you decide", "you can decide",
     "that will do", "that will do fine", "that will be fine", "that would do", "either will do", "either one will do",
-    "either one is fine",
-    "it does not matter which", "does not matter which", "no matter which",
+    "i could not care less", "i could not care less which", "either side will do", "either way will do",
+    *(f"{both} {free}"
+      for both in ("both is", "both are", "either is", "either side is", "either way is", "either one is")
+      for free in ("acceptable", "fine", "ok", "okay", "all right", "alright", "good", "possible", "allowed")),
+    *(f"{lead} {which}"
+      for lead in ("it does not matter", "does not matter", "no matter", "i do not care", "do not care",
+                   "i do not mind")
+      for which in ("which", "which one", "which ones", "where", "which side", "on which side")),
     "distance does not matter", "the distance does not matter", "at whatever distance", "no matter how far",
-    "i do not care where", "do not care where", "i do not mind where", "it does not matter where", "no matter where",
-    "any color", "any colors", "of any color", "whatever color", "whatever colors",
-    "the color does not matter",
+    "any color", "any colors", "of any color", "whatever color", "whatever colors", "the color does not matter",
     "color does not matter", "colors do not matter", "the colors do not matter", "any color will do",
-    "any color is fine", "i do not care which", "i do not care", "do not care which", "do not care",
-    "i do not mind which", "i do not care which one",
-    "it does not matter which one", "i do not mind", "rather", "whichever you prefer", "whatever you prefer",
-    "whichever you like", "whatever you like", "it does not matter which side", "does not matter which side",
+    "any color is fine", "i do not care", "do not care", "i do not mind", "rather", "whichever you prefer",
+    "whatever you prefer", "whichever you like", "whatever you like",
     "the side does not matter", "on whichever side", "whichever side", "in either order", "either order is fine",
     "which goes where is up to you", "which one goes where is up to you", "which is which does not matter",
     "which goes where does not matter", "it does not matter which goes where", "in both cases", "in either case",
-    "in any case", "however", "no matter which one", "no matter which side",
-    "no matter which ones", "it does not matter which ones", "i do not mind which ones", "i do not care which ones",
-    "which ones does not matter", "which ones is up to you", "which ones you choose is up to you",
-    "which ones you like", "whichever one",
+    "in any case", "however", "which ones does not matter", "which ones is up to you",
+    "which ones you choose is up to you", "which ones you like", "whichever one",
     *(
         f"{lead} {which} {hue}{have}"
         for lead in ("it does not matter", "no matter", "i do not care", "i do not mind", "does not matter",

@@ -80,6 +80,8 @@ _IDLENESS = Classes(
 NO_ROLE = Patterns(
     "<may>? <role> <here>*",
     "<not> <just>? play|have|serve|get a|any <part> <here>*",
+    "<not> be|become part|a_part|parts|used|member|in of|in|for? it|them|this|that <here>*",
+    "<not> be|become part|a_part|parts|used|member|in of|in|for? the word|tower|row|stack|structure|pattern|task",
     "<not> <just>? matter|count|participate|take_part|join_in|concern_us|concern_you|interest_us|contribute|"
     "mean_anything|belong_to_it|belong_to_this|belong_here|belong_there|be_used|be_needed|get_used|have_to_be_used|"
     "need_to_be_used|make_a_difference <here>*",

@@ -54,7 +54,8 @@ def _all_that_are_not(clause: Clause) -> None:
         mark = place.landmark if isinstance(place, Loc) else None
         if not isinstance(mark, Noun) or mark.head == "patch":
             continue
-        if mark.det in ("all", "each") or (mark.amount is not None and mark.amount.strict):
+        far = getattr(place, "rel", "") == "apart" and mark.det == "any"
+        if far or mark.det in ("all", "each") or (mark.amount is not None and mark.amount.strict):
             raise refuse("ambiguous", "it is not clear whether this is so of none of them, or not of all", place.span,
                          "say 'any of', 'none of', or 'not both'")  # fmt: skip
     for place in clause.adjuncts if of_all and clause.lemma == "fact" else ():

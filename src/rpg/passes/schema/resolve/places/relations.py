@@ -45,6 +45,7 @@ from rpg.passes.schema.resolve.things.operands import (
     count,
     crown,
     far_from_any,
+    first_of_all,
     foot,
     measure,
     one_by_one,
@@ -267,10 +268,9 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
     if mark.op == "or":
         return disj([_landmarks(theme, part, loc, scene, span) for part in mark.parts], span)
     mark = far_from_any(mark, loc)
+    if first_of_all(theme, mark, loc):
+        return spread(theme, lambda a: _landmarks(Ref(names=tuple(a)), mark, loc, scene, span), span)  # type: ignore[arg-type]
     if (quant := mark.quant) is not None:
-        if theme.quant is not None and theme.quant.high != 0 and quant.low == quant.high:
-            raise refuse("ambiguous", "so many of the ones, and so many of the others: it is not clear which",
-                         loc.span, "say 'on any of them', or name the blocks")  # fmt: skip
         return count(mark.names, quant, lambda b: _relate(theme, Ref(names=tuple(b)), loc, scene, span), span)  # type: ignore[arg-type]
     marks = [mark] if mark.each and indefinite(theme) else one_by_one(mark, loc, scene)
     if len(marks) > 1 and (theme.op in ("or", "xor") or (theme.quant is not None and theme.quant.high != 0)):

@@ -90,6 +90,26 @@ def far_from_any(mark: Ref, loc: Loc) -> Ref:
 ANY = Amount(1, None, True)
 
 
+def first_of_all(theme: Ref, mark: Ref, loc: Loc) -> bool:
+    """Whether every one of the theme's blocks, or so many of them, have each so many of the landmarks: "both red blocks
+    touch at least one blue block", "no red block touches both blue ones"."""
+    quant = theme.quant
+    each = len(theme.names) > 1 and not theme.built and (theme.each or theme.det in ("all", "both"))
+    of_all = mark.each or mark.det in ("all", "both")
+    if quant is None or quant.high == 0:
+        return (quant is not None or each) and (mark.quant is not None or (quant is not None and of_all))
+    if mark.quant is not None and mark.quant != ANY and not _every(quant, theme):
+        raise refuse("ambiguous", "so many of the ones, and so many of the others: it is not clear which", loc.span,
+                     "say 'on any of them', or name the blocks")  # fmt: skip
+    if mark.each and len(mark.names) > 1:
+        raise refuse("ambiguous", "it is not clear which of them is meant by each", loc.span, "use two sentences")
+    return mark.quant is not None
+
+
+def _every(quant: Amount, theme: Ref) -> bool:
+    return quant.low == len(theme.names)
+
+
 def foot(ref: Ref) -> Operand:
     """The operand for a relation on the table: a tower's lowest block, a structure's blocks, the block itself."""
     if len(ref.built) == 1 and ref.built[0].kind == "stack":

@@ -85,8 +85,8 @@ def region(p: Parser, i: int) -> Results[In]:
         elif plain:
             yield In(region=name, vague=name in ("corner", "edge") or name.endswith("half"), span=p.span(i, k)), k
     if k := p.any_of(exact, EACH_CORNER):
-        end = of_table(p, k)
-        yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k
+        end = of_table(p, k)  # else they may as well be those of a board that was built
+        yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k), cost=int(not end)), end or k
     if j := p.any_of(i, ("on the table's", "to the table's", "in the table's", "at the table's")):
         pass
     if (k := p.any_of(i, ("on the table", "in the table"))) and p.one(k, "'s"):

@@ -19,6 +19,7 @@ _GAPS = tuple(
                           ("separation", "centres"), ("gaps", "faces"), ("spaces", "faces"), ("distances", "centres"))
 )  # fmt: skip
 """Words for a distance, what it is measured between, what of them follows a length, and what precedes two blocks."""
+_NOUNS = frozenset(noun for noun, *_ in _GAPS)
 _LEAVE = (
     "leave", "keep", "have", "put", "make", "maintain", "there should be", "there must be", "there is",
     "there has to be", "there needs to be", "there shall be", "there will be", "leaving",
@@ -147,7 +148,8 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
     j = p.any_of(i, _LEAVE) or i
     j = p.opt(p.opt(j, "all"), "a", "an", "the")
     spans = list(_wide(p, j))
-    for noun, measure, _, _ in _GAPS:
+    named = p.stands(j, _NOUNS)
+    for noun, measure, _, _ in _GAPS if named else ():
         if k := p.one(j, noun):
             m = p.any_of(k, ("between the faces of", "between", "of"))
             measure = "faces" if m and p.words[m - 2] == "faces" else measure
@@ -160,7 +162,7 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                 for (low, high), last in wide_:
                     last = p.opt(last, "wide")
                     yield _far_apart(p, i, last, theme, low, high, measure), last
-    for _, measure, _, before in _GAPS:
+    for _, measure, _, before in _GAPS if named else ():
         yield from _from_to(p, i, p.any_of(j, before), measure)
     spans += [(b, e, "faces") for b, e in bounds(p, j)]
     if k := p.any_of(j, ("room for", "space for", "gap of", "space of", "enough room for", "enough space for")):
@@ -190,7 +192,7 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
 def _wide(p: Parser, j: int) -> Iterator[tuple[Any, int, str]]:
     """ "gap of 6 cm", "6 cm gap": how wide it is, and between what of the blocks."""
     told = bounds(p, j)
-    for noun, measure, behind, _ in _GAPS:
+    for noun, measure, behind, _ in _GAPS if told or p.stands(j, _NOUNS) else ():
         of = p.one(k, "of") if (k := p.one(j, noun)) else 0
         yield from ((b, e, measure) for b, e in (bounds(p, of) if of else ()))
         yield from ((b, e, measure) for b, k in told if (e := p.any_of(k, behind)))

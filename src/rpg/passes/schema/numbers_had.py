@@ -71,6 +71,7 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()
     for line in lines:
+        yield from Counter(map(colors.get, line.blocks)).values()  # "each of three red blocks and a blue one"
         if line.order.by == "given":  # "with three pink cubes on each side of it"
             yield from (len([*run]) for _, run in groupby(line.order.ranks, lambda rank: {*map(colors.get, rank)}))
     for atom in atoms(task.goal):

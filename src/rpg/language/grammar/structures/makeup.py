@@ -309,13 +309,14 @@ _WHICH = ("which is ", "that is ", "which are ", "that are ", "")
 _BUILT = (*(w + m for w in _WHICH for m in _MADE), "consisting of", "which consists of", "that consists of")
 _PILED = (*_BUILT, "which is", "that is")
 """Those of them that a comma may stand in front of."""
-
-
 _EACH = ("each", "apiece", "in each one", "in each", "in each of them", "in every one", "per tower", "in each tower",
          "per stack", "in each stack")  # fmt: skip
 """What says that a number of blocks is that of each of several structures."""
-_OF_EACH = ("each made of", "each of", "each made from", "each built of", "each consisting of", "each made up of",
-            "each built from", "each composed of", "each with")  # fmt: skip
+_OF_EACH = (
+    *(f"each {of}" for of in ("of", "consisting of", "composed of", "with", *_MADE)),
+    *(f"{lead}each{one} {has}" for lead in ("", "and ") for one in ("", " of them", " one", " one of them", " tower")
+      for has in ("has", "having", "should have", "must have", "consists of", "contains", "is made of")),
+)  # fmt: skip
 
 
 def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
@@ -379,7 +380,7 @@ def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, e
     if isinstance(members, Coord):
         if p.one(end, ("each", "apiece")) or any(isinstance(x, Structure | Pronoun) for x in members.items):
             return False
-        if base.plural and any(map(_mere_number, members.items)):
+        if base.plural and ("each" in p.words[j:k] or any(map(_mere_number, members.items))):
             return False
     return not (ends_in_lines(p, j) and base.sizes and members_amount(members) is not None)
 

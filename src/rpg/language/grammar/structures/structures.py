@@ -92,6 +92,10 @@ def _as_many_symbols(p: Parser, i: int) -> Results[Meaning]:
         if len(dims) == 2 and min(dims) > 1 and begin > i and p.stands(j, ("of", "where", "with", "made", "from")):
             one = Structure(kind="grid", det="a", amount=Amount(1, 1), dims=dims, span=p.span(i, j))
             yield from ((grid, end) for grid, end in _tail(p, i, j, one) if end > j or p.stands(j, ("where",)))
+        if len(dims) == 2 and min(dims) > 1 and i == 0 and p.stands(j, (":",)):  # "3x3: left column red, ..."
+            board = Structure(kind="grid", dims=dims, span=p.span(i, j))
+            told = ((x, end) for x, end in _tail(p, i, j, board) if isinstance(x, Structure))
+            yield from ((grid, end) for grid, end in told if grid.details)
         if len(dims) == 2 and min(dims) > 1 and p.follows(i, _SHAPED) and (j >= p.end or p.words[j] in _CLOSED):
             yield Structure(kind="grid", dims=dims, span=p.span(i, j)), j
 

@@ -273,7 +273,8 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
         if (plain and (counted or (colors and theme.amount is None))) or labelled:
             yield theme, k
         a_class = marks == Traits(kind=marks.kind, quality=marks.quality) != Traits() and theme.plural
-        if a_class and theme.amount is None and theme.det in ("bare", "the") and p.anywhere(_GROUPS):
+        a_class = a_class and theme.amount is None and theme.det in ("bare", "the") and not p.stands(k, ("in",))
+        if a_class and p.anywhere(_GROUPS):
             yield theme, k
         in_turn = marks == Traits(colors=colors) and len(colors) > 1 and theme.amount is None and theme.det == "bare"
         if in_turn and (theme.head == "any" or not p.words[k - 1].endswith("s")):

@@ -131,7 +131,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         said = said if after not in ALWAYS_FOUR else None
         if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
             return token
-        if said is not None and said > 1 and not (said == 2 and _in_passing(words, index)):
+        passing = _numbered(words, index, task) or (said == 2 and _in_passing(words, index))
+        if said is not None and said > 1 and not passing:
             numbers = numbers or Numbers(numbers_of(task))
             told = numbers.among(said) or (_measured(words, index + 1) and Numbers(edges_of(task)).among(said))
             if not told:
@@ -143,6 +144,12 @@ def _in_passing(words: Sequence[Token], index: int) -> bool:
     """Whether a two need not be found: "the two of them", "two of the three"."""
     told = index > 0 and words[index - 1].word in PASSING
     return told or (index + 1 < len(words) and words[index + 1].word in ("of", "are"))
+
+
+def _numbered(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
+    """ "Red block 3": the number is part of a name."""
+    named = index > 0 and words[index - 1].word in lexicon.BLOCK
+    return named and any(asset.name.endswith(f"_{words[index].raw}") for asset in task.assets)
 
 
 def _one_of_invented(words: Sequence[Token], color: str, task: TaskSchema) -> bool:

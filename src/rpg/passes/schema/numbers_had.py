@@ -75,6 +75,7 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
         if line.order.by == "given":  # "with three pink cubes on each side of it"
             yield from (len([*run]) for _, run in groupby(line.order.ranks, lambda rank: {*map(colors.get, rank)}))
     for atom in atoms(task.goal):
+        yield from Counter(colors.get(name) for name in set(names(atom))).values()  # "three of the six red blocks"
         if isinstance(atom, GroupBy):
             yield from (len(group) - atom.outliers for group in atom.groups)
         if isinstance(atom, Figure) and atom.shape == "T" and atom.sides is not None:

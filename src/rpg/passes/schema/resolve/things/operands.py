@@ -66,9 +66,8 @@ def count(names: tuple[str, ...], quant: Amount, atom: Callable[[Operand], g.Goa
 
 
 def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
-    """ "next to the blue and the green block": next to each of them; several that look alike are one landmark, unless
-    all of them are said to be, or to be touched.
-    """
+    """ "next to the blue and the green block": next to each of them. Several that look alike are one landmark where
+    that comes to the same, as with "at least 10 cm from the two red blocks"."""
     if loc.rel not in (*LEVEL, "distance") or loc.rel == "apart" or mark.op != "and" or mark.patch:
         return [mark]
     if len(mark.parts) > 1 or mark.built:
@@ -78,6 +77,12 @@ def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
     looks: dict[tuple[str | None, ...], list[str]] = {}
     for thing in (scene.things[name] for name in mark.names if name != EACH):
         looks.setdefault((thing.color, thing.label, thing.size), []).append(thing.name)
+    alike = any(len(names) > 1 for names in looks.values())
+    if alike and loc.rel in ("beside", "adjacent"):
+        raise refuse("ambiguous", "next to each of these, or to them as a group?", loc.span,
+                     "say 'next to both', 'next to each of the ...', or 'next to one of the ...'")  # fmt: skip
+    if loc.rel == "near":
+        return [Ref(names=(name,)) for name in mark.names]
     return [Ref(names=tuple(names)) for names in looks.values()] if len(looks) > 1 else [mark]
 
 

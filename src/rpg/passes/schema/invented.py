@@ -36,6 +36,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
         _set_off(words)
         _as_many_named(words, task)
         _counted_bare(words, task)
+        _of_the_counted(words, task)
 
 
 def _rainbow_beside(words: Sequence[Token], task: TaskSchema) -> None:
@@ -90,6 +91,20 @@ def _counted_bare(words: Sequence[Token], task: TaskSchema) -> None:
         if told and made_up and counted and noun.word in lexicon.BLOCK:
             raise refuse("ambiguous", "these could be of the blocks before them, or further ones", noun.span,
                          "say how they look, or 'of them'")  # fmt: skip
+
+
+def _of_the_counted(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a tower of three blocks. The white block is on the red one" as a tower with the red one in it, two blocks
+    of made-up colours, and the white one beside it."""
+    said = {lexicon.COLOR.get(token.word) for token in words}
+    plain = [block for block in task.blocks if not isinstance(block, SemanticCube)]
+    made_up = sum(block.color not in said for block in plain)
+    for number, noun in pairwise(words):
+        many = lexicon.NUMBER.get(number.word, 0) if noun.word in lexicon.BLOCK else 0
+        named = [token for token in words if token.span > noun.span and token.word in lexicon.COLOR]
+        if made_up < many < len(plain) and made_up and len({token.word for token in named}) > 1:
+            raise refuse("ambiguous", "are these of the blocks that were counted, or further ones?", named[0].span,
+                         "say how all of those look that are counted")  # fmt: skip
 
 
 def _one_word(task: TaskSchema) -> None:

@@ -36,8 +36,10 @@ _DEEPWARDS = Patterns(f"running? parallel to|with {_OF_TABLE} left|right {_EDGE}
 """Lines by the edges of the table."""
 _ENDS = {"left": "y", "right": "y", "bottom": "z", "top": "z", "front": "x", "back": "x"}
 _BEGINNING = {
-    **{f"{starting} {at} the {side}": (side, axis) for starting in ("starting", "beginning")
-       for at in ("from", "at", "on") for side, axis in _ENDS.items()},
+    **{f"{starting} {at} the {side}{end}": (side, axis) for starting in ("starting", "beginning")
+       for at in ("from", "at", "on") for side, axis in _ENDS.items() for end in ("", " end", " side", " edge")},
+    **{f"{starting} {near} me": (side, "x") for starting in ("starting", "beginning") for near, side in
+       (("nearest to", "front"), ("closest to", "front"), ("farthest from", "back"), ("furthest from", "back"))},
     "upwards": ("bottom", "z"), "going right": ("left", "y"),
     "going left": ("right", "y"), "downwards": ("top", "z"), "downward": ("top", "z"), "going down": ("top", "z"),
     "bottom up": ("bottom", "z"), "top down": ("top", "z"), "upward": ("bottom", "z"),
@@ -100,9 +102,10 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
                 )
         if j2 > j > i and first in ("left", "right") and p.words[k] not in ("to", "towards"):
             yield Toward(first=first, axis="y", span=p.span(i, k)), k
-        upright = first in ("top", "bottom") and not p.follows(i, _COUNTED)
+        depth = first in ("front", "back") and p.words[j2] != "near" and p.words[k] not in ("row", "half")
+        upright = (first in ("top", "bottom") or depth) and not p.follows(i, _COUNTED)
         if j2 > j > i and upright and not p.stands(k, ("to", "towards", "up", "down", "of", "upwards", "downwards")):
-            yield Toward(first=first, axis="z", span=p.span(i, k), cost=1), k
+            yield Toward(first=first, axis=AXIS[first], span=p.span(i, k), cost=1), k
         if j2 == j > i and p.words[k] == ":":
             yield Toward(first=first, axis=AXIS[first], span=p.span(i, k)), k
         if p.words[k : k + 1] in (["up"], ["upwards"], ["upward"]) and first == "bottom" and j > i:

@@ -28,13 +28,17 @@ _NEXT = ("and then", "and", "then", "followed by", "and finally", "finally", "an
 def listed(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     """An explicit list, at least two long: "red, yellow, green", "red to yellow to green", "A B C", noun phrases."""
     yield from _colors(p, i)
-    for (labels, more), j in label_list(p, i):
+    for (labels, more), j in label_list(p, p.any_of(i, _SYMBOLS) or i):
         if len(labels) > 1 and not more:
             span = p.span(i, j)
             yield tuple(Noun(head="any", traits=Traits(labels=(a,)), span=span) for a in labels), j
     for first, j in simple(p, i):
-        if isinstance(first, Noun):
+        if isinstance(first, Noun) and not (first.plural and len(first.traits.labels) == 1):
             yield from _more(p, (first,), j)
+
+
+_SYMBOLS = tuple(f"{the}{noun}" for the in ("the ", "") for noun in ("blocks", "cubes", "letters", "digits", "numbers"))
+"""What may stand before a list of symbols; "the blocks 2" alone, of several, is the beginning of one."""
 
 
 @choice

@@ -82,10 +82,11 @@ _BOARDS = ("grid", "square", "rectangle")
 
 
 def as_a_grid(clause: Clause) -> Clause:
-    """ "three columns of two in a grid", "..., a filled rectangle": a grid of so many by so many."""
+    """ "three columns of two in a grid", "(put them) in two rows of three as a grid": a grid of so many by so many."""
     intos = [a for a in clause.adjuncts if isinstance(a, Into)]
-    into = intos[0].structure if len(intos) == 1 else None
-    lines = clause.theme
+    told = intos[0] if len(intos) == 2 else None
+    into = intos[-1].structure if len(intos) == 1 or told is not None else None
+    lines = clause.theme if told is None else told.structure
     if not isinstance(lines, Structure) or not isinstance(into, Structure) or into.kind not in _BOARDS:
         return clause
     if lines.kind not in ("row", "column") or not lines.plural or lines.amount is None or lines.details:
@@ -102,4 +103,7 @@ def as_a_grid(clause: Clause) -> Clause:
     members = replace(lines.members, amount=None) if isinstance(lines.members, Noun) else lines.members
     grid = replace(lines, kind="grid", det="a", plural=False, amount=None, sizes=(), members=members, each_size=False,
                    dims=dims)  # fmt: skip
-    return replace(clause, theme=grid, adjuncts=tuple(a for a in clause.adjuncts if a is not intos[0]))
+    kept = tuple(a for a in clause.adjuncts if a is not intos[-1])
+    if told is not None:
+        return replace(clause, adjuncts=tuple(replace(told, structure=grid) if a is told else a for a in kept))
+    return replace(clause, theme=grid, adjuncts=kept)

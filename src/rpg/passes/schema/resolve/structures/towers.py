@@ -180,7 +180,7 @@ def _source(
 ) -> tuple[Ref | None, int | None]:
     """The blocks that were named for the towers, and how many are in each where that was said."""
     if theme is not None:
-        return theme, per
+        return theme, per or _so_many_each(theme, shape, count)
     source: Meaning | None = shape.members or (spec.usings.pop(0).members if spec.usings else None)
     if source is None:
         there = declared(shape.traits, scene)
@@ -200,8 +200,17 @@ def _source(
     return certain(found, scene), per
 
 
+def _so_many_each(theme: Ref, shape: Structure, count: int | None) -> int | None:
+    """ "(Divide six green blocks into) two towers of three blocks each": how many of the theme's blocks that is."""
+    members = shape.members if isinstance(shape.members, Noun) else None
+    plain = members is not None and members.traits == Traits() and members.part_of is None
+    many = amount_of(members) if plain else None
+    return many if many is not None and (shape.each_size or many * (count or 0) == len(theme.names)) else None
+
+
 def _each(source: Noun, amount: int, shape: Structure, count: int | None, by_color: bool, scene: Scene) -> Ref:
-    """ "two towers of three red blocks": three for each tower."""
+    """ "two towers of three red blocks", "two red towers of three blocks each": three for each tower."""
+    source = replace(source, traits=replace(source.traits, colors=source.traits.colors or shape.traits.colors))
     towers = count or (
         len(source.traits.colors) if len(source.traits.colors) > 1 else DEFAULT_COLORS if by_color else 2
     )

@@ -64,6 +64,8 @@ AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 ROUNDABOUT: tuple[Turn, ...] = (
+    (f"^it (?:is|must be|should be) ([^,]+?) (?:that|which|who) ({MUST} .+|(?:is|are|goes|ends|belongs|stands) .+)$",
+     "{1} {2}"),
     # ends of lines
     (f"^(an? .+?|one .+?) at (?:either|each) end of (?:the|an?) ({LINE}) and (.+?) (?:in )?between(?: them)?$",
      "a {2} of {3} with {1} at each end"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from rpg.ir.assets import FACES, SemanticCube
@@ -24,6 +24,7 @@ _NUMBERED = frozenset({"step", "stage", "task", "number"})
 def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse blocks of which nothing was said, and fewer or more of a colour than were counted."""
     _as_many_as_said(words, task)
+    _one_of_its_look(words, task)
     _so_many_of_them(words, task)
     _one_of_those(words, task)
     _rainbow_beside(words, task)
@@ -48,6 +49,34 @@ def _rainbow_beside(words: Sequence[Token], task: TaskSchema) -> None:
     if run and len(named & colors) > 1 and colors - named:
         raise refuse("ambiguous", "are these the blocks that were counted, or further ones?", said[0].span,
                      "list them where they are counted: 'a row of three: red, white and blue'")  # fmt: skip
+
+
+def _one_of_its_look(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a white block has a red one on its left and a blue one on its right" as two white ones."""
+    told = [token.word for token in words]
+    counted = any(lexicon.NUMBER.get(word, 0) > 1 or (word.isdigit() and word != "1") for word in told)
+    on_both = any({first, last} == {"left", "right"} and joint == "and" for first, joint, last in _joined(told))
+    if counted or on_both or not _SEVERAL.isdisjoint(told):
+        return
+    said = [lexicon.COLOR.get(token.word) or lexicon.COLOR_PLURAL.get(token.word) for token in words]
+    for before, token, noun in zip(words, words[1:], words[2:], strict=False):
+        color = lexicon.COLOR.get(token.word)
+        single = before.word in ("a", "an", "one", "the") and lexicon.BLOCK.get(noun.word) is False
+        if color and single and said.count(color) == 1 and sum(block.color == color for block in task.blocks) > 1:
+            raise refuse("ambiguous", f"it is not clear how many {token.word} blocks there are", token.span,
+                         "say it in two sentences, and 'the' of a block that was spoken of")  # fmt: skip
+
+
+def _joined(told: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """Three words in a row, those between them left out that tell no more: "to the left and to the right"."""
+    kept = [word for word in told if word not in ("the", "to", "on", "its", "of")]
+    return zip(kept, kept[1:], kept[2:], strict=False)
+
+
+_SEVERAL = frozenset({"same", "own", "each", "every", "both", "all", "per", "any", "another", "pair", "pairs",
+                      "alternate", "alternating", "mirrored", "symmetric", "ends", "either", "turns", "more",
+                      "further"})  # fmt: skip
+"""Where one of these stands, what is named once may be there several times."""
 
 
 def _so_many_of_them(words: Sequence[Token], task: TaskSchema) -> None:

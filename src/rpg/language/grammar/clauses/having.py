@@ -19,6 +19,7 @@ from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.meaning import (
     Absolute,
+    Amount,
     At,
     Chain,
     Clause,
@@ -192,6 +193,8 @@ def _listed_then(p: Parser, k: int) -> Results[OrderBy]:
 def _another(p: Parser, i: int, at: int, owner: Meaning, first: Clause, mode: str) -> Results[Meaning]:
     """ "... and the white block on its right": a second thing that the owner has."""
     joint = p.one(p.opt(at, ","), "and")
+    if isinstance(owner, Noun) and owner.det in ("a", "bare") and owner.amount == Amount(1, 1):
+        owner = replace(owner, det="the", amount=None)  # the one that has the first
     for theme, j in noun_phrase(p, joint) if joint else ():
         for found, end in adjuncts(p, j):
             if (places := _owned(found, owner)) is not None:

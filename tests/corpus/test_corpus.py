@@ -10,7 +10,7 @@ from tests.corpus.judge import Score
 from tests.corpus.run import score, table
 from tests.corpus.templates import case
 
-FLOOR = {"dev": 0.98, "heldout": 0.89, "fresh": 0.93, "strangers": 0.88, "hunters": 0.63}
+FLOOR = {"dev": 0.98, "heldout": 0.89, "fresh": 0.93, "strangers": 0.88, "hunters": 0.68}
 """The least share of each split that must be right."""
 
 

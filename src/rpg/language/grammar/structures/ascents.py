@@ -67,9 +67,7 @@ _NAMES = (
 _TELLING = frozenset(
     f"{_ABC} z alphabetically numerical numeric number size numbers digits values numerals ascending increasing rising "
     "growing upwards upward up descending decreasing falling shrinking downwards downward down bigger larger taller "
-    "greater smaller increase rise grow ascend decrease shrink descend".replace(
-        "|", " "
-    ).split()
+    "greater smaller increase rise grow ascend decrease shrink descend".replace("|", " ").split()
 )
 """Words without one of which none of these orders is told."""
 _EXTREMES = {

@@ -236,12 +236,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
             continue
         k = (p.any_of(k, _EACH) or k) if base.plural else k
-        lines = (
-            size.what == "dims"
-            and base.kind == "rectangle"
-            and base.filled is not False
-            and _LINE_WORDS & {*p.words[j:k]}
-        )
+        lines = size.what == "dims" and base.kind == "rectangle" and base.filled is not False
+        lines = lines and not _LINE_WORDS.isdisjoint(p.words[j:k])
         changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k), kind="grid" if lines else base.kind)
         yield from _sized(p, i, k, changed)
 

@@ -16,6 +16,8 @@ _STARTED = (
 )
 
 AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:in |create |build |make )?(an? [^,]*\\bgrid\\b[^,]*?)(?: ,| where| in which)+ the (rows|columns|layers)"
+     f"(?: ,)? ({WAY})(?: ,)? (?:are|{MUST} be) (.+)$", "{1} whose {2} are {4} {3}"),
     (f"^(.+?)(?: {MUST})? (?:be|end up|end|finish|come to lie) at least ({LENGTH})(?: away)? from {_STARTED}$",
      "{1} must be moved by at least {2}"),
     (f"^(.+?)(?: {MUST})? (?:be|end up|end|finish) ({LENGTH}) or more(?: away)? from {_STARTED}$",
@@ -74,6 +76,9 @@ ROUNDABOUT: tuple[Turn, ...] = (
      "a {2} in the order a {1} , then {4} , then a {3} in either direction"),
     (f"^(?:cap|close|finish) both ends of (an? (?:row|line) of .+?) with (?:an? )?(.+ {_BLOCK})$",
      "{1} with a {2} at each end"),
+    # grids
+    (f"^the (rows|columns|layers) of (an? [^,]*\\bgrid\\b[^,]*?) (?:are|{MUST} be) (.+)$", "{2} whose {1} are {3}"),
+    (f"^(an? [^,]*\\bgrid\\b[^,]*?) (?:has|{MUST} have) ((?:an? )?\\w+ (?:blocks|cubes) in the (?:.+))$", "{1} , {2}"),
     # gaps
     (f"\\b(?:(?:leave|with|leaving) )?(?:an? )?gap of ({LENGTH}) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and "
      f"the next(?: {_BLOCK})?$", "with gaps of {1}"),

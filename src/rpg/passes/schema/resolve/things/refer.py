@@ -92,20 +92,15 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         if isinstance(item, Noun):
             seen.append(item.traits)
             if item.det == "each" and (item.part_of is not None or (parts and item.head == "any")):
-                raise refuse(
-                    "ambiguous", "it is not clear what belongs to 'each'", item.span, "say it in two sentences"
-                )
+                raise refuse("ambiguous", "it is not clear what belongs to 'each'", item.span,
+                             "say it in two sentences")  # fmt: skip
         parts.append(refer(item, scene, scope))
         if parts[-1].table:
             raise refuse("misplaced", "the table is no block", parts[-1].span, "name blocks")
         scene.mentions.pop()
     if len({part.patch for part in parts}) > 1:
-        raise refuse(
-            "misplaced",
-            "blocks and patches are listed together here",
-            meaning.span,
-            "name them in clauses of their own",
-        )
+        raise refuse("misplaced", "blocks and patches are listed together here", meaning.span,
+                     "name them in clauses of their own")  # fmt: skip
     names = tuple(dict.fromkeys(n for part in parts for n in part.names))
     if meaning.op == "and" and len(names) < sum(len(part.names) for part in parts if part.quant is None):
         raise refuse("ambiguous", "a block is named twice in this list", meaning.span, "name each block once")

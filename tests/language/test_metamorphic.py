@@ -85,6 +85,8 @@ def test_politeness_changes_nothing(text: str) -> None:
     schema = read(text)
     polite = POLITE[len(text) % len(POLITE)].format(text.rstrip(".!?"))
     other = read(polite)
+    if polite.startswith("please") and schema is not None and schema.init.arranged:
+        return  # "Two blocks lie on the mat. Then ..." is how it starts; with "please" that is asked for, too
     assert schema is None or other is None or same(schema, other), polite
 
 

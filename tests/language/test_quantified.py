@@ -105,13 +105,13 @@ def of_both() -> Iterator[tuple[str, Truth]]:
         ("exactly one blue block", lambda told: sum(told) == 1),
     ]  # fmt: skip
     for words, verb, so_many in (*all_of(2, "red"), *none_of(2, "red")):
-        for mark, holds in landmarks:
+        for mark, of_blue in landmarks:
             for relation in RELATIONS:
-                yield f"{before} {words} {verb} {relation} {mark}. /{relation}", _of_reds(so_many, holds)
+                yield f"{before} {words} {verb} {relation} {mark}. /{relation}", _of_reds(so_many, of_blue)
 
 
-def _of_reds(so_many: HowMany, holds: Callable[[list[bool]], bool]) -> Truth:
-    return lambda table: so_many(sum(map(holds, table)))
+def _of_reds(so_many: HowMany, of_blue: Callable[[list[bool]], bool]) -> Truth:
+    return lambda table: so_many(sum(map(of_blue, table)))
 
 
 def _of_blues(so_many: HowMany) -> Truth:

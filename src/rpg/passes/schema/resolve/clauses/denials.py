@@ -16,6 +16,7 @@ def denied_once(clause: Clause) -> Clause:
     if clause.negated or getattr(clause.theme, "det", "") == "no":
         _said_in_one(clause)
     _all_that_are_not(clause)
+    _not_to_all(clause)
     _not_in_pairs(clause)
     for near in clause.adjuncts if clause.negated and clause.lemma in ("move", "shift") else ():
         if isinstance(near, Loc) and near.rel in ("between", "beside", "adjacent", "near"):
@@ -49,7 +50,15 @@ def _not_any(clause: Clause) -> Clause:
 
 def _all_that_are_not(clause: Clause) -> None:
     """Refuse "all three red blocks are not on the patch": none of them, or not all of them?"""
-    of_all = clause.negated and isinstance(clause.theme, Noun) and clause.theme.det in ("all", "each")
+    of_all = isinstance(clause.theme, Noun) and clause.theme.det in ("all", "each")
+    for place in clause.adjuncts if clause.negated and of_all and clause.lemma == "fact" else ():
+        if isinstance(place, In) or (isinstance(place, Loc) and not isinstance(place.landmark, Pronoun)):
+            raise refuse("ambiguous", "it is not clear whether none of them are to be so, or not all", clause.span,
+                         "say 'none of the ...', or 'not all of the ...'")  # fmt: skip
+
+
+def _not_to_all(clause: Clause) -> None:
+    """Refuse "does not touch all three red blocks", "is not far from any of them": of none of them, or not of all?"""
     for place in clause.adjuncts if clause.negated else ():
         mark = place.landmark if isinstance(place, Loc) else None
         if not isinstance(mark, Noun) or mark.head == "patch":
@@ -58,10 +67,6 @@ def _all_that_are_not(clause: Clause) -> None:
         if far or mark.det in ("all", "each") or (mark.amount is not None and mark.amount.strict):
             raise refuse("ambiguous", "it is not clear whether this is so of none of them, or not of all", place.span,
                          "say 'any of', 'none of', or 'not both'")  # fmt: skip
-    for place in clause.adjuncts if of_all and clause.lemma == "fact" else ():
-        if isinstance(place, In) or (isinstance(place, Loc) and not isinstance(place.landmark, Pronoun)):
-            raise refuse("ambiguous", "it is not clear whether none of them are to be so, or not all", clause.span,
-                         "say 'none of the ...', or 'not all of the ...'")  # fmt: skip
 
 
 def _not_in_pairs(clause: Clause) -> None:

@@ -83,7 +83,7 @@ def like_the_last(loc: Loc, scene: Scene) -> bool:
     last = [m for m in told if m.clause == told[-1].clause]
     if isinstance(loc.landmark, Noun) and loc.landmark.det == "the" and loc.landmark.head == "any":
         same = _other_patch(loc.landmark, [m for m in last if m.ref.span < loc.span], scene)
-        if before and _otherwise(loc.landmark, scene):
+        if before and _with_another_verb(loc.landmark, scene):
             raise refuse("ambiguous", "this could be a block or a patch", loc.landmark.span, "say 'block' or 'patch'")
         return before or same or (bool(last) and all(m.ref.patch and m.role == "theme" for m in last))
     if not before or any(m.ref.everything and m.ref.quant is not None for m in last):
@@ -119,7 +119,7 @@ def _from_afar(noun: Noun, scene: Scene) -> bool:
     return last.sentence != scene.sentence or scene.verbs.get(last.clause) != scene.verbs.get(scene.clause)
 
 
-def _otherwise(noun: Noun, scene: Scene) -> bool:
+def _with_another_verb(noun: Noun, scene: Scene) -> bool:
     """Whether no block has a look, and the last patch was spoken of with another verb, and of other blocks: "once red
     is on the white patch, put the blue cube on the green one"."""
     last = next((m for m in reversed(scene.mentions) if m.ref.patch), None)

@@ -103,16 +103,12 @@ def first_of_all(theme: Ref, mark: Ref, loc: Loc) -> bool:
     of_all = mark.each or mark.det in ("all", "both")
     if quant is None or quant.high == 0:
         return (quant is not None or each) and (mark.quant is not None or (quant is not None and of_all))
-    if mark.quant is not None and mark.quant != ANY and not _every(quant, theme):
+    if mark.quant is not None and mark.quant != ANY and quant.low != len(theme.names):
         raise refuse("ambiguous", "so many of the ones, and so many of the others: it is not clear which", loc.span,
                      "say 'on any of them', or name the blocks")  # fmt: skip
     if mark.each and len(mark.names) > 1:
         raise refuse("ambiguous", "it is not clear which of them is meant by each", loc.span, "use two sentences")
     return mark.quant is not None
-
-
-def _every(quant: Amount, theme: Ref) -> bool:
-    return quant.low == len(theme.names)
 
 
 def foot(ref: Ref) -> Operand:

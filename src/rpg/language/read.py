@@ -203,6 +203,8 @@ _NO_MORE = {
     for there in ((), ("there", "is")) for where in ((), ("there",), ("on", "the", "table"))
 }  # fmt: skip
 """Sentences that say no more than that what was told is all there is."""
+_JUST_SO = frozenset({"no", "not", "more", "fewer", "less", "and", "or", ",", "neither", "nor"})
+"""Of such words are sentences that say no more than that a number is exact: "No more, no fewer."."""
 
 
 def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
@@ -213,6 +215,9 @@ def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
         if out and tuple(token.word for token in part) in _NO_MORE:
             comma = replace(part[0], kind="punct", word=",", raw=",", value=None)
             out[-1] = [*out[-1], comma, *(token for token in part if token.word in ("nothing", "else"))]
+            continue
+        if out and {token.word for token in part} <= _JUST_SO:
+            out[-1] = [*out[-1], replace(part[0], kind="punct", word=",", raw=",", value=None), *part]
             continue
         if out and announces(out[-1]):
             out[-1] = [*out[-1], replace(part[0], kind="punct", word=":", raw=":", value=None), *part]

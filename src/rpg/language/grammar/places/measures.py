@@ -135,11 +135,16 @@ def measured_so(p: Parser, far: Loc, i: int, j: int) -> Results[Loc]:
             yield replace(said, low=low, high=high, span=p.span(i, end)), end
 
 
+def _as_far(p: Parser, i: int) -> int:
+    """ "(move it) to within 5 cm of": where the length begins."""
+    return i + 1 if p.words[i : i + 2] == ["to", "within"] else i
+
+
 @choice
 def measured(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm from the red block", "at least 10 cm to the left of it", "within 3 cm of ..."."""
     start = p.any_of(i, ("at a distance of", "with a distance of", "a distance of")) or (
-        i + 1 if p.words[i] == "at" and p.words[i + 1] not in ("least", "most") else i
+        i + 1 if p.words[i] == "at" and p.words[i + 1] not in ("least", "most") else _as_far(p, i)
     )
     for (low, high), j in bounds(p, start):
         to = (
@@ -276,7 +281,7 @@ _APART = ("apart", "apart from each other", "away from each other", "from each o
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
     start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
-    start = p.one(i, "to") if p.words[i : i + 2] == ["to", "within"] else start
+    start = _as_far(p, i) if start == i else start
     for measure, k in their_ends(p, p.opt(i, "with", ",")):
         for (low, high), j in bounds(p, p.opt(k, "being")):
             if end := p.any_of(j, ("apart", "from each other", "apart from each other")):

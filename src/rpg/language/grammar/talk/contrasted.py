@@ -8,6 +8,7 @@ from rpg.language.grammar.talk.turned import FEW, LINE, MUST, WAY, Turn
 _MOST = f"(?:at most|not more than|no more than|maximally) (?:{FEW}|\\d+)"
 _LEAST = f"(?:at least|not fewer than|no fewer than|minimally) (?:{FEW}|\\d+)"
 _BUT = "(?:(?: ,)?(?: but| and| yet)(?: also)?| ,)"
+_JUST = "no more(?: and| ,)? no (?:fewer|less)"
 _THEM = "(?: of (?:them|these|those)| one)?(?: ,)?(?: though)?"
 
 CONTRASTED: tuple[Turn, ...] = (
@@ -19,7 +20,10 @@ CONTRASTED: tuple[Turn, ...] = (
     (f"({WAY})(?: ,)? (?:and )?not {WAY}$", "{1}"),
     ("^(.+ in a (?:row|column)(?: on the table)?)(?: ,)? (?:and )?not in a (?:row|column)$", "{1}"),
     (f"^(spell .+? {WAY}) , not \\S+$", "{1}"),
-    (f"^({FEW}) (of .+?) , no more and no (?:fewer|less) , (.+)$", "exactly {1} {2} {3}"),
+    (f"^({FEW}) (of .+?) , {_JUST} , (.+)$", "exactly {1} {2} {3}"),
+    (f"^(.*?\\b)(?<!exactly )({FEW}) ((?:of (?:(?:the|my) )?(?:{FEW} )?)?(?:(?!(?:{FEW}) )\\S+ )+?), {_JUST}$",
+     "{1} exactly {2} {3}"),
+    (f"\\b(exactly .+?) , {_JUST}$", "{1}"),
     (f"^(.*?)({_MOST}) (of .+?){_BUT} ({_LEAST}){_THEM}$", "{1} {4} and {2} {3}"),
     (f"^(.*?)({_LEAST}) (of .+?){_BUT} ({_MOST}){_THEM}$", "{1} {2} and {4} {3}"),
     ("(?: ,)? with no (?:tower|color|group) mixed(?: into another)?$", ""),

@@ -98,7 +98,7 @@ STATES = Patterns(
     "make sure that?",
     "please? ensure that?",
     "see to it that",
-    "check that",
+    "check|verify|confirm|guarantee that",
     "the goal is that|to_have|for?",
     "the target is",
     "it should be that",

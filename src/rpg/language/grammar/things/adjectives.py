@@ -9,7 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length, of_more
-from rpg.language.grammar.things.edges import STANDARD, USUAL, edge_told
+from rpg.language.grammar.things.edges import STANDARD, USUAL, each_long, edge_told
 from rpg.language.grammar.things.labels import from_to, label_list, look_at
 from rpg.language.grammar.things.patch_sides import patch_side
 from rpg.language.meaning import Traits
@@ -165,7 +165,7 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
     for (listed, either), j in colors(p, i):
         yield (
             Marks({"colors": listed, **({"either": True} if either else {})}),
-            p.opt(j, "colored", "coloured", "color"),
+            p.opt(j, "colored", "coloured", "color", "bodied"),
         )
     if plain := p.peek(i, _PLAIN):
         key, value = plain
@@ -326,7 +326,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
             yield Marks({"matching": True}), j
     if j := p.any_of(i, _EDGE_OF):
         yield from ((Marks({"edge": metres}), p.any_of(k, _EDGES) or k) for metres, k in length(p, j))
-    yield from _each_long(p, i)
+    yield from ((Marks({"edge": metres}), j) for metres, j in each_long(p, i))
     if j := p.any_of(i, STANDARD):
         yield EMPTY, j
     if head == "block":
@@ -337,24 +337,14 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         for metres, k in length(p, j):
             if end := p.any_of(k, _EDGES):
                 yield Marks({"edge": metres}), end
-    if j := p.any_of(i, ("in", "in color", "colored", "coloured", "painted", "of color", "with color")):
+    if j := p.any_of(
+        i, ("in", "in color", "colored", "coloured", "painted", "of color", "with color", "with a", "with", "with the")
+    ):
         for (listed, either), k in colors(p, j):
-            if not (p.words[i] in ("colored", "painted", "of") and _goes_on(p, k)):
-                yield Marks({"colors": listed, "either": either}), k
-
-
-def _each_long(p: Parser, i: int) -> Results[Marks]:
-    """ "(three blocks,) 5 cm each", "each 5 cm wide": the edge of every one of them."""
-    j = p.opt(i, ",")
-    every = p.one(j, _EVERY)
-    for metres, k in length(p, every or j):
-        k = p.opt(k, "wide", "large", "long", "high", "tall", "cubes", "edge", "edges")
-        end = k if every else p.any_of(k, ("each", "apiece"))
-        if end and p.words[end] not in ("apart", "away", "from", "to", "of"):
-            yield Marks({"edge": metres}), end
-
-
-_EVERY = frozenset({"each", "all", "both"})
+            body = p.one(k, ("body", "bodies"))
+            goes_on = p.words[i] in ("colored", "painted", "of") and _goes_on(p, k)
+            if body or not (goes_on or p.words[j - 1] in ("with", "a", "the")):
+                yield Marks({"colors": listed, "either": either}), body or k
 
 
 def _goes_on(p: Parser, k: int) -> bool:

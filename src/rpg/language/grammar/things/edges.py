@@ -132,3 +132,18 @@ def edge_told(p: Parser, i: int) -> Results[float]:
         if end and p.words[end] not in ("apart", "away", "from", "to", "of"):
             for last in {end, p.opt(end, ",")}:
                 yield metres, last
+
+
+@choice
+def each_long(p: Parser, i: int) -> Results[float]:
+    """ "(three blocks,) 5 cm each", "each 5 cm wide": the edge of every one of them."""
+    j = p.opt(i, ",")
+    every = p.one(j, _EVERY)
+    for metres, k in length(p, every or j):
+        k = p.opt(k, "wide", "large", "long", "high", "tall", "cubes", "edge", "edges")
+        end = k if every else p.any_of(k, ("each", "apiece"))
+        if end and p.words[end] not in ("apart", "away", "from", "to", "of"):
+            yield metres, end
+
+
+_EVERY = frozenset({"each", "all", "both"})

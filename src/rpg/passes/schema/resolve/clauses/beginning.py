@@ -73,6 +73,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
             heaped.append(n)
     found = []
     for n, chain in enumerate(chains):
+        chain = _wanted_elsewhere(chain, text) if bold else chain
         if n in heaped or (told[n] and any(m > n for m in (*commands, *undone))):
             clauses = tuple(
                 c if _tally(c) else replace(c, mode="given" if c.verb == "exist" else "start")
@@ -259,6 +260,18 @@ def _wanted_later(before: Chain, after: Chain, text: str) -> bool:
     joint = text[before.span[1] : after.clauses[0].span[0]]
     asked = _ASKED.search(text[slice(*before.span)]), _ASKED.search(text[slice(*after.span)])
     return _LATER.fullmatch(joint) is not None and asked[0] is None and asked[1] is not None
+
+
+def _wanted_elsewhere(chain: Chain, text: str) -> Chain:
+    """ "The red block is on the green mat and must be on the blue one": where it is, and where it should be."""
+    fact, *more = chain.clauses
+    if not isinstance(fact, Clause) or not more or not _fact(fact, True) or _ASKED.search(text[slice(*fact.span)]):
+        return chain
+    wanted = text[fact.span[1] : chain.span[1]]
+    elsewhere = all(isinstance(c, Clause) and not c.negated and same_one(fact, c) for c in more)
+    if not elsewhere or _ASKED.search(wanted) is None:
+        return chain
+    return replace(chain, clauses=(replace(fact, mode="start"), *more))
 
 
 _PLAINLY = re.compile(r"\W*(?:(?:ok|okay|so|now|well|hi|hello|hey|listen|robot|look)\W+)*", re.IGNORECASE)

@@ -30,7 +30,7 @@ from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.places.drawn import drawn, grounded
 from rpg.passes.schema.resolve.places.overs import in_one_tower
-from rpg.passes.schema.resolve.structures.grouped import groups_joined, sorted_with_strangers
+from rpg.passes.schema.resolve.structures.grouped import groups_joined, sorted_with_strangers, told_apart
 from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_inside
 from rpg.passes.schema.resolve.structures.told_towers import (
     one_more_tower,
@@ -60,7 +60,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if link != "then" and other_side(found, said):
                 continue
             said = as_a_grid(said)
-            if parts := in_a_line(said):
+            if parts := in_a_line(said) or told_apart(said):
                 kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]
                 continue
             if (parts := in_one_tower(said)) and not any(found[:-1]) and not kept:

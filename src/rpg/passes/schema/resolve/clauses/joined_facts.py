@@ -37,4 +37,4 @@ def same_one(fact: Clause, order: Clause) -> bool:
     theme = order.theme
     same = isinstance(theme, Noun) and isinstance(fact.theme, Noun) and theme.traits == fact.theme.traits
     named = isinstance(theme, Noun) and theme.det == "the" and same
-    return named or (isinstance(theme, Pronoun) and theme.word in ("it", "them", "they", "both", "both of them"))
+    return named or (isinstance(theme, Pronoun) and theme.word in ("it", "them", "they", "same", "both", "both of them"))

@@ -127,6 +127,8 @@ def _by_color(theme: Ref, spec: Spec, scene: Scene) -> str | None:
 
 def _gathered(theme: Ref, spec: Spec, scene: Scene, scope: Scope, clause: Clause) -> Goals:
     """ "gather the red blocks", "put A and B into one group": all of them in one."""
+    if not spec.intos:
+        scene.gathered.add(frozenset(theme.names))
     spec.intos = []
     spec.places = [p for p in spec.places if not _together(p)]
     for middle in [x for x in spec.ats if (x.side, x.index, x.whole) == ("middle", None, None)]:

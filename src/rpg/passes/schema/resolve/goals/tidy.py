@@ -19,7 +19,7 @@ from rpg.passes.schema.resolve.things.world import Scene, refuse
 def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
     """Rewrites that keep the meaning of the whole."""
     sizes = {thing.name: thing.edge or EDGE for thing in scene.blocks()}
-    return spaced(_open_tops(_stack_patches(_in_lines(_diagonals(_excused(goal))))), sizes)
+    return spaced(_open_tops(_stack_patches(_group_by_group(_in_lines(_diagonals(_excused(goal))), scene))), sizes)
 
 
 MANY = 3
@@ -92,6 +92,27 @@ def _in_lines(goal: g.Goal) -> g.Goal:
 
 def _not_beside(goal: g.Goal) -> bool:
     return isinstance(goal, g.Not) and isinstance(goal.goal, r.Beside)
+
+
+def _group_by_group(goal: g.Goal, scene: Scene) -> g.Goal:
+    """ "Group the cubes A, B, 1 and 2: letters together, digits together": not all of them in one."""
+
+    def change(node: g.Goal) -> g.Goal:
+        if not isinstance(node, g.All):
+            return node
+        groupings = [x for x in node.goals if isinstance(x, s.GroupBy)]
+        lots = [frozenset(lot) for x in groupings for lot in x.groups]
+        parted = {frozenset(lot) for x in groupings if len(x.groups) > 1 for lot in x.groups}
+        gone = [
+            x
+            for x in groupings
+            for whole in map(frozenset, x.groups)
+            if len(x.groups) == 1
+            and ((whole in scene.gathered and sum(lot < whole for lot in lots) > 1) or whole in parted)
+        ]
+        return node.model_copy(update={"goals": tuple(x for x in node.goals if x not in gone)}) if gone else node
+
+    return transform(goal, change)
 
 
 def once(goals: Iterable[g.Goal]) -> tuple[g.Goal, ...]:

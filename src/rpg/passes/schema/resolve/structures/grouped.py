@@ -61,6 +61,22 @@ def _with_stranger(said: Meaning | None) -> tuple[Meaning, ...]:
     return tuple(lots) if len(lots) == len(items) else ()
 
 
+def told_apart(said: Clause) -> tuple[Clause, ...]:
+    """ "Group the cubes: letters together, digits together": the grouping, and each group that is told; or nothing."""
+    told = [x for a in said.adjuncts for x in _absolutes(a)]
+    together = [x for x in told if len(x.adjuncts) == 1 and getattr(x.adjuncts[0], "rel", "") == "together"]
+    if said.verb != "sort" or said.negated or len(together) < 2 or len(together) < len(told):
+        return ()
+    rest = tuple(a for a in said.adjuncts if not _absolutes(a))
+    groups = (Clause(verb="be", theme=x.theme, adjuncts=x.adjuncts, mode="goal", span=x.span) for x in together)
+    return replace(said, adjuncts=rest), *groups
+
+
+def _absolutes(adjunct: Meaning) -> tuple[Absolute, ...]:
+    items = adjunct.items if isinstance(adjunct, Coord) and adjunct.op == "absolutes" else (adjunct,)
+    return tuple(x for x in items if isinstance(x, Absolute))
+
+
 def sorted_with_strangers(said: Meaning) -> Meaning:
     """ "a group of four red blocks and a group of four blue ones, one wrong in each": sorted with strangers."""
     theme = said.theme if isinstance(said, Clause) and said.verb in ("build", "be") and not said.negated else None

@@ -140,6 +140,7 @@ class Scene:
     `surveyed`: all blocks of some look that there were when something was said of whichever there are.
     `describing`: whether the clause says how something is to be, and nothing of how it comes to be so.
     `excepted`: blocks that are left out of what all others form.
+    `gathered`: blocks that are grouped by a verb alone, which may yet be told group by group.
     `kept`: what the verb "keep" asks for, each with what it says of the start.
     `ignored`: blocks that are said to be distractors, each with the words that say so.
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
@@ -155,6 +156,7 @@ class Scene:
     goals: dict[int, list[Goal]] = field(default_factory=dict)
     start_goals: list[Goal] = field(default_factory=list)
     heaps: list[tuple[str, ...]] = field(default_factory=list)
+    gathered: set[frozenset[str]] = field(default_factory=set)
     used: set[str] = field(default_factory=set)
     clause: int = 0
     verbs: dict[int, tuple[Span | None, bool, str]] = field(default_factory=dict)

@@ -61,6 +61,8 @@ AT_ONCE: tuple[Turn, ...] = (
     ("\\btower made of (an? .+?) with (an? .+?) on top$", "tower of {2} on {1}"),
     ("^(on the (?:left|right) of|behind|in front of) (the [^,]+?) and (?:right |directly |immediately )next to it "
      "(?:is|lies|stands|sits) (.+)$", "directly {1} {2} is {3}"),
+    ("\\b(?:the |a )?letter (?:- )?(\\w) shape\\b", "a {1} shape"),
+    ("(?: ,)? so that there (?:is|are) (?:a|one) group of \\w+ and (?:a|one|another) group of \\w+$", ""),
     ("^((?:the )?equation .+?)(?: ,)? in (?:cubes|blocks|number cubes|digit cubes)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
@@ -114,6 +116,16 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^end with (.+?) supporting (.+)$", "{1} must support {2}"),
     (f"^the (?:{_BLOCK}) (?:that is )?(on top of|on|above|under|below|next to|to the left of|to the right of|behind|"
      f"in front of) (the .+?) ({MUST} be|is) (the .+)$", "{4} must be {1} {2}"),
+    (f"\\bthe {_BLOCK} on which (.+?) (?:rests|sits|stands|lies|is placed|is|{MUST} be) (?:{MUST} be|is) (the [^,]+?)"
+     f"(?=$| ,| and the {_BLOCK})", "{1} must be on {2}"),
+    (f"\\bthe {_BLOCK} (?:(?:that|which) (?:carries|supports|holds|bears)|carrying|supporting|holding|bearing) (.+?) "
+     f"(?:{MUST} be|is) (the [^,]+?)(?=$| ,| and the {_BLOCK})", "{2} must carry {1}"),
+    (f"^contact (?:is|{MUST} be) made between (.+?) and (.+?)(?: so that they touch)?$", "{1} must touch {2}"),
+    (f"^(.+?) (?:{MUST} )?(?:make|makes|come into|be in) contact with (.+)$", "{1} must touch {2}"),
+    (f"^(.+? and .+?) (?:{MUST} )?(?:make|be in) contact(?: with each other)?$", "{1} must touch each other"),
+    (f"^(?:the )?(?:positions|places) of (.+? and .+?) (?:are|{MUST} be) (?:swapped|exchanged|switched)$", "swap {1}"),
+    ("^will (the .+? and .+?) (?:please )?(?:swap|change|trade|exchange|switch) (?:places|positions)$", "swap {1}"),
+    ("^(an? .+?) tops (an? [^,]+)$", "{1} must be on {2}"),
     ("^(.+?) anywhere (?:except|but) on (.+)$", "{1} must not be on {2}"),
     ("\\bnearer to the robot than\\b", "in front of"),
     (f"^(.+?) , (?:which|that) (?:has|carries|bears) (.+?) on (?:it|top|top of it) , ({_IS} .+)$",
@@ -133,6 +145,15 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^(\\w+) (the .+?) from (the .+?) , where it (?:starts|begins|is|stands|lies)(?: now| at first)? , to (the .+)$",
      "{2} starts in {3} . {1} it to {4}"),
     # structures
+    (f"(?: ,)? each of (?:which|them) (?:has|contains|consists of|{MUST} have|is made of) (?:exactly |just )?"
+     f"((?:{FEW}) [^,]+)$", " with {1} each"),
+    (f"\\bwhose width is ({FEW})(?: {_BLOCK}s)? and (?:whose|the) height is ({FEW})(?: {_BLOCK}s)?\\b",
+     ", {1} wide and {2} high"),
+    (f"^(an? stair(?:case|s|way) .+?) {_CLIMBS} to the (left|right|back|front) and (?:is|{MUST} be) (?:made|built) "
+     "(?:of|from) (.+)$", "{1} made of {3} , rising to the {2}"),
+    ("\\bmirrored (?:about|around) (?:its|the|their) (?:middle|center)\\b", "mirrored"),
+    (f"\\b(?:descend|decrease|fall) ({WAY})\\b", "are in descending order {1}"),
+    (f"\\b(?:ascend|increase|rise) ({WAY})\\b", "are in ascending order {1}"),
     ("\\blike (?:in )?(?:a|the) rainbow(?: , in one row)?\\b", "in rainbow order in a row"),
     (f"^({WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) down : (.+)$", "a row in descending order {1} : {2}"),
     (f"^({WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) up : (.+)$", "a row in ascending order {1} : {2}"),
@@ -169,5 +190,5 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("(?: ,)?(?: and| but)? it does not matter (?:on |at )?which side$", ""),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("receives climbs supporting displaying nearer available equally fairly",)
+WORDS = ("tops contact receives climbs supporting displaying nearer available equally fairly",)
 """Words that these take besides those that are read anyway."""

@@ -111,7 +111,8 @@ def _flat_and_upright(flat: g.Goal, upright: g.Goal) -> bool:
     """A line on the table against a stack of two of its blocks."""
     if not isinstance(flat, s.Row | s.Figure | r.OnTable):
         return False
-    line = set(members(flat.a) if isinstance(flat, r.OnTable) else flat.blocks)
+    on_table = flat.a if isinstance(flat, r.OnTable) else flat.blocks
+    line = set(on_table) if isinstance(on_table, tuple) else set()  # of a tower it is its lowest block, whichever it is
     if isinstance(upright, s.Stack):
         return len(line & set(upright.blocks)) > 1
     if isinstance(upright, r.On | r.Above) and isinstance(upright.a, tuple) and isinstance(upright.b, tuple):

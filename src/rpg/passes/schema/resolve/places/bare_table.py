@@ -5,16 +5,53 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable
 
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import atoms, children, rebuild
+from rpg.language.meaning import Loc
 from rpg.passes.schema.resolve.goals.conflicts import undoes
 from rpg.passes.schema.resolve.goals.logic import conj
-from rpg.passes.schema.resolve.things.world import Scene
+from rpg.passes.schema.resolve.things.operands import base_of, foot, spread
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 Marks = dict[str, dict[str, None]]
 """The patches on which a block was before."""
+
+
+def on_the_table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    """ "on the table", which says nothing of a structure unless it was on a patch before."""
+    if loc.rel in ("off", "above"):
+        raise refuse("out-of-reach", "blocks cannot leave the table", loc.span,
+                     "say where on the table, or on which block, they should be")  # fmt: skip
+    if loc.rel in ("front", "behind"):
+        raise refuse(
+            "out-of-reach",
+            "blocks must stay on the table",
+            loc.span,
+            "say 'the near half of the table' or 'the far half of the table'",
+        )
+    rows = len(theme.built) > 1 and all(built.kind in ("row", "line", "column") for built in theme.built)
+    if theme.patch:
+        return g.All(goals=())
+    if theme.built and not rows:
+        before: Marks = defaultdict(dict)
+        _note(scene.start_goals, before)
+        if loc.rel == "on" and not before.keys().isdisjoint(theme.names):
+            return r.OnTable(a=foot(theme), span=span)
+        return g.All(goals=())  # one row stands on what its blocks stand on; of several one may be on another
+    if (
+        theme.quant is None
+        and theme.op == "and"
+        and any(scene.on_clause.get(n) == scene.clause for n in theme.names)
+        and loc.rel == "on"
+        and not (loc.negated or scene.denying)
+    ):
+        names = tuple(n for n in theme.names if n not in scene.on_top)
+        lower = {base_of(n, scene) for n in theme.names}
+        theme = Ref(names=tuple(dict.fromkeys((*names, *sorted(lower)))))
+    return spread(theme, lambda a: r.OnTable(a=a, span=span), span, together=True)
 
 
 def off_their_patches(goal: g.Goal, scene: Scene) -> g.Goal:

@@ -12,6 +12,7 @@ from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here
+from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.corners import corners, of_something_else, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
@@ -40,7 +41,6 @@ from rpg.passes.schema.resolve.things.none_of import one_and_all
 from rpg.passes.schema.resolve.things.operands import (
     DIRECTIONS,
     LEVEL,
-    base_of,
     carrier,
     count,
     crown,
@@ -200,7 +200,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if (pairs := one_and_all(theme, mark, loc, scene)) is not None:
         return [x for one, other in pairs for x in related(one, other, loc, scene, span)]
     if mark.table:
-        return [_table(theme, loc, scene, span)]
+        return [on_the_table(theme, loc, scene, span)]
     if (shared := each_its_own(theme, mark, loc, scene)) is not None:
         return [x for one, other in shared for x in related(one, other, loc, scene, span)]
     if loc.rel in ("between", "sandwiched", "flank"):
@@ -346,33 +346,6 @@ def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g
         return spread(theme, far, span)
     goal = node(a=carrier(foot(theme), scene, moved=True), b=b if mark.patch else carrier(b, scene), span=span, **flags)
     return conj([goal, *so_far(foot(theme), b, loc, span)], span)
-
-
-def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
-    if loc.rel in ("off", "above"):
-        raise refuse("out-of-reach", "blocks cannot leave the table", loc.span,
-                     "say where on the table, or on which block, they should be")  # fmt: skip
-    if loc.rel in ("front", "behind"):
-        raise refuse(
-            "out-of-reach",
-            "blocks must stay on the table",
-            loc.span,
-            "say 'the near half of the table' or 'the far half of the table'",
-        )
-    rows = len(theme.built) > 1 and all(built.kind in ("row", "line", "column") for built in theme.built)
-    if (theme.built and not rows) or theme.patch:
-        return g.All(goals=())  # one row stands on what its blocks stand on; of several one may be on another
-    if (
-        theme.quant is None
-        and theme.op == "and"
-        and any(scene.on_clause.get(n) == scene.clause for n in theme.names)
-        and loc.rel == "on"
-        and not (loc.negated or scene.denying)
-    ):
-        names = tuple(n for n in theme.names if n not in scene.on_top)
-        lower = {base_of(n, scene) for n in theme.names}
-        theme = Ref(names=tuple(dict.fromkeys((*names, *sorted(lower)))))
-    return spread(theme, lambda a: r.OnTable(a=a, span=span), span, together=True)
 
 
 def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:

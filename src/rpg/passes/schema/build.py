@@ -38,8 +38,8 @@ from rpg.passes.schema.invented import check_invented
 from rpg.passes.schema.joints import check_joints
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, patience
-from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun, start_first
-from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of
+from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun
+from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_first
 from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
 from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted

@@ -22,7 +22,15 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, lined_up_first, named_there, wanted
-from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, added, demanded, same_one
+from rpg.passes.schema.resolve.clauses.joined_facts import (
+    BESIDES,
+    added,
+    asked_of,
+    demanded,
+    ends_elsewhere,
+    same_one,
+)
+from rpg.passes.schema.resolve.clauses.lifted import lifted
 from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it, they_begin_as
 
 UNMEANT = frozenset({"contradiction", "support-cycle"})
@@ -42,7 +50,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
-    chains = tuple(map(named_there, chains))
+    chains = lifted(tuple(map(named_there, chains)), text)
     chains = lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
     chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))
@@ -69,6 +77,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     plain = [_facts(chain) and not final[n] and _unframed(chains, n, text) for n, chain in enumerate(chains)]
     for n in reversed(range(len(chains) - 1)):
         later = _moved_next(chains[n], chains[n + 1], text) or _wanted_later(chains[n], chains[n + 1], text)
+        later = later or (final[n + 1] and ends_elsewhere(chains[n], chains[n + 1]))
         if plain[n] and (later or (plain[n + 1] and n + 1 in heaped)):
             heaped.append(n)
     found = []
@@ -150,11 +159,11 @@ def _there_too(chain: Chain) -> Chain:
     """ "There is a red block on the blue one and a green block on the mat": "there is" is said of both."""
     told: list[Meaning] = []
     for link, clause in zip(chain.links, chain.clauses, strict=True):
-        bare = isinstance(clause, Clause) and (clause.verb, clause.lemma, clause.mode) == ("be", "", "goal")
-        bare = bare and isinstance(clause, Clause) and bool(clause.cost) and not clause.negated
+        said = clause.verb if isinstance(clause, Clause) and (clause.lemma, clause.mode) == ("", "goal") else ""
+        bare = said in ("be", "build") and isinstance(clause, Clause) and bool(clause.cost) and not clause.negated
         if link == "and" and told and there_is(told[-1]) and bare and isinstance(clause, Clause):
-            spots = clause.adjuncts and all(isinstance(a, Loc | In) and not a.negated for a in clause.adjuncts)
-            if spots and _indefinite(clause.theme):
+            spots = all(isinstance(a, Loc | In) and not a.negated for a in clause.adjuncts)
+            if spots and (clause.adjuncts or said == "build") and _indefinite(clause.theme):
                 clause = replace(clause, verb="exist", mode="given")
         told.append(clause)
     return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
@@ -177,10 +186,10 @@ def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
         return None
     if not all(isinstance(c, Clause) and _describes(c, text, seen) for c in clauses):
         return None
-    ends = [c for c in map(partial(_of_the_end, seen=seen), clauses) if isinstance(c, Clause) and c.mode == "goal"]
+    pictured = partial(_of_the_end, seen=seen, whole=True)
+    ends = [c for c in map(pictured, clauses) if isinstance(c, Clause) and c.mode == "goal"]
     if not any(seen or c.lemma == "fact" or there_is(replace(c, mode="given")) for c in ends):
         return None
-    pictured = partial(_of_the_end, seen=seen, whole=True)
     return tuple(replace(chain, clauses=tuple(map(pictured, chain.clauses))) for chain in chains)
 
 
@@ -239,7 +248,7 @@ def _moved_next(before: Chain, after: Chain, text: str) -> bool:
     next sentence moves, or says to belong elsewhere ("It has to go to the left half"), or what is told before another
     block is put somewhere ("Put the white block on top").
     """
-    fact, order = before.clauses[-1], after.clauses[0]
+    fact, order = before.clauses[-1], asked_of(after)
     if not _facts(before) or not isinstance(fact, Clause) or not isinstance(order, Clause) or order.negated:
         return False
     if isinstance(fact.theme, Noun) and fact.theme.head == "patch":
@@ -374,26 +383,3 @@ def _to_be_moved(clause: Clause) -> bool:
 
 
 _MOVING = frozenset({"move", "take", "bring", "carry", "transfer", "relocate", "shift", "get", "remove"})
-
-
-def start_first(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]] | None:
-    """The sentences with what they say of the start in front: "Unstack the two, then stack them the other way round. At
-    the start green is on yellow". None where that changes nothing."""
-    told = [(n, c) for n, chain in enumerate(chains) for c in chain.clauses]
-    starts = [isinstance(c, Clause) and c.mode == "start" for _, c in told]
-    if True not in starts or starts == sorted(starts, reverse=True):
-        return None
-    front = tuple(
-        Chain(clauses=(c,), links=("and",), span=c.span) for (_, c), begun in zip(told, starts, strict=True) if begun
-    )
-    left: list[tuple[str, Chain]] = []
-    for link, chain in zip(links, chains, strict=True):
-        pairs = [
-            (joint, c)
-            for joint, c in zip(chain.links, chain.clauses, strict=True)
-            if not (isinstance(c, Clause) and c.mode == "start")
-        ]
-        if pairs:
-            joints = ("and", *(joint for joint, _ in pairs[1:]))
-            left.append((link, replace(chain, clauses=tuple(c for _, c in pairs), links=joints)))
-    return [*("and" for _ in front), *(link for link, _ in left)], (*front, *(chain for _, chain in left))

@@ -185,3 +185,26 @@ def _moves_one(order: Clause, listed: list[Traits]) -> bool:
         return True
     told = (order.mode, order.verb) == ("command", "place") and not order.negated
     return one and told and len(at_) == 1 and isinstance(at_[0], At)
+
+
+def start_first(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]] | None:
+    """The sentences with what they say of the start in front: "Unstack the two, then stack them the other way round. At
+    the start green is on yellow". None where that changes nothing."""
+    told = [(n, c) for n, chain in enumerate(chains) for c in chain.clauses]
+    starts = [isinstance(c, Clause) and c.mode == "start" for _, c in told]
+    if True not in starts or starts == sorted(starts, reverse=True):
+        return None
+    front = tuple(
+        Chain(clauses=(c,), links=("and",), span=c.span) for (_, c), begun in zip(told, starts, strict=True) if begun
+    )
+    left: list[tuple[str, Chain]] = []
+    for link, chain in zip(links, chains, strict=True):
+        pairs = [
+            (joint, c)
+            for joint, c in zip(chain.links, chain.clauses, strict=True)
+            if not (isinstance(c, Clause) and c.mode == "start")
+        ]
+        if pairs:
+            joints = ("and", *(joint for joint, _ in pairs[1:]))
+            left.append((link, replace(chain, clauses=tuple(c for _, c in pairs), links=joints)))
+    return [*("and" for _ in front), *(link for link, _ in left)], (*front, *(chain for _, chain in left))

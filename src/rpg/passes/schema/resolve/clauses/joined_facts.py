@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from rpg.language.meaning import Chain, Clause, Noun, Pronoun
+from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun
 
 BESIDES = re.compile(r"\b(?:also|too|as well|still|both|in addition|additionally)\b", re.IGNORECASE)
 _DEMANDED = re.compile(
@@ -36,5 +36,24 @@ def same_one(fact: Clause, order: Clause) -> bool:
     """Whether an order is about the very block of which something was told."""
     theme = order.theme
     same = isinstance(theme, Noun) and isinstance(fact.theme, Noun) and theme.traits == fact.theme.traits
-    named = isinstance(theme, Noun) and theme.det == "the" and same
-    return named or (isinstance(theme, Pronoun) and theme.word in ("it", "them", "they", "same", "both", "both of them"))
+    named = isinstance(theme, Noun) and theme.det in ("the", "bare") and theme.amount is None and same
+    return named or (
+        isinstance(theme, Pronoun) and theme.word in ("it", "them", "they", "same", "both", "both of them")
+    )
+
+
+def ends_elsewhere(before: Chain, after: Chain) -> bool:
+    """ "The red block sits on the blue one. At the end it is on the mat": what bears a block, and later."""
+    fact, end = before.clauses[0], asked_of(after)
+    if len(before.clauses) > 1 or not isinstance(fact, Clause) or not isinstance(end, Clause):
+        return False
+    bases = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel == "on"] for c in (fact, end)]
+    alone = all(len(base) == 1 for base in bases) and len(fact.adjuncts) == 1 and not end.negated
+    return alone and same_one(fact, end) and bases[0] != bases[1]
+
+
+def asked_of(chain: Chain) -> Meaning:
+    """What a sentence asks of a block, behind "take it and ..."."""
+    first = chain.clauses[0]
+    taken = isinstance(first, Clause) and first.verb == "pick" and not (first.adjuncts or first.negated)
+    return chain.clauses[1] if taken and len(chain.clauses) > 1 else first

@@ -332,7 +332,8 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
         "making sure that", "making sure", "ensuring that", "ensuring",
                      "where", ", where", "in a way that", "and make sure that", "and ensure that",
                      "in which", "on which", "so", ", making sure", ", ensuring that", ", ensuring",
-                     "while making sure", "while ensuring", ", so long as", "so long as", ", as long as",
+                     "while making sure", "while making sure that", "while ensuring", "while ensuring that",
+                     ", so long as", "so long as", ", as long as",
                      "as long as", ", provided that",
                      "provided that"))  # fmt: skip
     if j and not p.any_of(i, READABLE):

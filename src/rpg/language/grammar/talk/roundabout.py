@@ -68,8 +68,8 @@ AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 ROUNDABOUT: tuple[Turn, ...] = (
-    (f"^it (?:is|must be|should be) ([^,]+?) (?:that|which|who) ({MUST} .+|(?:is|are|goes|ends|belongs|stands) .+)$",
-     "{1} {2}"),
+    (f"^it (?:is|must be|should be) ([^,]+?) (?:that|which|who) ({MUST} .+|"
+     "(?:is|are|goes|ends|belongs|stands|has|carries|touches|lies) .+)$", "{1} {2}"),
     # ends of lines
     (f"^(an? .+?|one .+?) at (?:either|each) end of (?:the|an?) ({LINE}) and (.+?) (?:in )?between(?: them)?$",
      "a {2} of {3} with {1} at each end"),
@@ -120,6 +120,25 @@ ROUNDABOUT: tuple[Turn, ...] = (
      f"(?=$| ,| and the {_BLOCK})", "{1} must be on {2}"),
     (f"\\bthe {_BLOCK} (?:(?:that|which) (?:carries|supports|holds|bears)|carrying|supporting|holding|bearing) (.+?) "
      f"(?:{MUST} be|is) (the [^,]+?)(?=$| ,| and the {_BLOCK})", "{2} must carry {1}"),
+    (f"^(?:not )(the [^,]+?|\\w+) but (the [^,]+?|\\w+) ({MUST}) (.+)$", "{2} {3} {4} . {1} must not {4}"),
+    (f"^(the [^,]+?|\\w+) , (?:and )?not (the [^,]+?|\\w+) , ({MUST}) ((?!not\\b).+)$",
+     "{1} {3} {4} . {2} must not {4}"),
+    (f"^it (?:is|{MUST} be) (the [^,]+?) , (?:and )?not (the [^,]+?) , (on|under|behind|next to|in front of) which "
+     f"(.+?) (?:is|{MUST} be)(?: to be)?(?: placed| put)?$", "{4} must be {3} {1} . {4} must not be {3} {2}"),
+    (f"^only (the [^,]+?)(?: ,)? and neither (the [^,]+?) nor (the [^,]+?)(?: ,)? (?:is|{MUST} be)(?: to be)?"
+     "(?: placed| put)? (.+)$", "{1} must be {4} . {2} must not be {4} . {3} must not be {4}"),
+    (f"^of (the .+? (?:blocks|cubes|ones)) , only (the .+?) (?:is|goes|stands|lies|{MUST} be) (.+)$",
+     "there are {1} . only {2} must be {3}"),
+    (f"^((?:(?:directly|right|immediately) )?(?:in front of|behind|next to|beside|on|on top of|under|to the left of|"
+     f"to the right of) [^,]+?)(?: ,)? (an? [^,]+?) (?:is|can be|{MUST} be) (?:to be )?(?:found|seen|located|placed)$",
+     "{1} is {2}"),
+    (f"^(.+?) (?:is|are|{MUST} be) (?:to be )?found ((?:directly|on|in|behind|next|under|beside|to the) .+)$",
+     "{1} must be {2}"),
+    (f"\\bthe top of (the [^,]+?) (?:is|remains|stays|{MUST} be) (?:clear|free|empty|uncovered)\\b",
+     "nothing is on {1}"),
+    (f"^({LENGTH}) is how far apart (.+?) (?:are|{MUST} be)$", "{2} must be {1} apart"),
+    (f"^([a-z])'s (left|right)(?: - hand|hand)? side is where (.+?) (?:goes|belongs|{MUST} be|{MUST} go)$",
+     "{3} must be to the {2} of {1}"),
     (f"^contact (?:is|{MUST} be) made between (.+?) and (.+?)(?: so that they touch)?$", "{1} must touch {2}"),
     (f"^(.+?) (?:{MUST} )?(?:make|makes|come into|be in) contact with (.+)$", "{1} must touch {2}"),
     (f"^(.+? and .+?) (?:{MUST} )?(?:make|be in) contact(?: with each other)?$", "{1} must touch each other"),
@@ -139,12 +158,29 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^(.+?) touch(?: each other)? side by side( on the table)?$", "{1} are side by side and touch each other"),
     ("\\b(gets|get|be|are) grouped into\\b", "must be sorted into"),
     # what stays
+    ("^(.+?) (starts?|begins?) (in a (?:heap|pile|tower|row|stack)) and (?:is|are) to be (.+)$",
+     "{1} {2} {3} and must be {4}"),
     ("^(.+?)(?: ,)? (?:and|but) (.+?) (?:has|have) not (?:been )?moved$", "{1} without moving {2}"),
     (", (?:which|that) both (stay .+)$", ", which {1}"),
     ("\\bbut only after (.+?) (has|have) (?:gone|moved) (?:to|on) (.+)$", "but only after {1} {2} been put on {3}"),
     ("^(\\w+) (the .+?) from (the .+?) , where it (?:starts|begins|is|stands|lies)(?: now| at first)? , to (the .+)$",
      "{2} starts in {3} . {1} it to {4}"),
+    # what comes with it
+    ("^do not stack (?:anything|any(?: of them| blocks| block)?)(?: ,)? (?:but |just |only |instead )+(.+)$", "{1}"),
+    ("\\bin (?:exactly|precisely|just) (that|this) order\\b", "in {1} order"),
+    ("\\b(underneath|under|below|on top of|behind|in front of|next to) the (?:whole )?lot$", "{1} all of them"),
+    (f"\\b(all|both) ({FEW}) of (?:my|your|our|the|these|those) (\\w+ {_BLOCK}s)\\b", "{1} {2} {3}"),
+    (f"\\b((?:{FEW}) (?:\\w+ )?{_BLOCK}s) of (?:mine|ours|yours)\\b", "{1}"),
+    ("^(?:move|shift|slide|push|bring|nudge) (the .+?|\\w+) (?:over|across|along)(?: ,)? so (?:that )?(?:it is|it 's) "
+     "(.+)$", "put {1} {2}"),
+    (f"^(need|want|require) ((?:the|an?|{FEW}|all|both) .+)$", "i {1} {2}"),
     # structures
+    (f"(?: ,)? whose base (?:is|has)(?: a row of)? ({FEW}) (?:{_BLOCK}s)?(?: long| wide)?$", " with a base of {1}"),
+    ("(?: ,)? so that (?:the|their) (?:order|colors) (?:is|are|follow|follows|match|matches) (?:that |those )?"
+     "(?:of |like )?(?:the|a) rainbow$", " in rainbow order"),
+    ("^([^,]*\\b(?:form|make|are|be) )one (tower|stack|row|column|group)(?: ,)? (?:and|while) (.+?) "
+     "(?:form|make|are|be) another$", "{1} a {2} and {3} form another {2}"),
+    (f"\\b(tower|stack|row) of (height|length) ({FEW}|\\d+) in (\\w+)\\b", "{4} {1} of {2} {3}"),
     (f"(?: ,)? each of (?:which|them) (?:has|contains|consists of|{MUST} have|is made of) (?:exactly |just )?"
      f"((?:{FEW}) [^,]+)$", " with {1} each"),
     (f"\\bwhose width is ({FEW})(?: {_BLOCK}s)? and (?:whose|the) height is ({FEW})(?: {_BLOCK}s)?\\b",
@@ -162,7 +198,7 @@ ROUNDABOUT: tuple[Turn, ...] = (
      "on (?:top of )?the other$", "a grid of {1} layers of {3} by {4} {2}"),
     ("\\b(?:and|which) both (stay where they are)$", "which {1}"),
     ("\\bwith (?:its|the) opening (?:toward|towards|facing) the (?:robot|viewer)$", "open to the front"),
-    (f"\\b({LINE}) that (?:is|reads|goes) , ({WAY}) , (.+)$", "{1} of {3} {2}"),
+    (f"\\b({LINE})(?: on the table)? that (?:is|reads|goes) , ({WAY}) , (.+)$", "{1} of {3} {2}"),
     ("^(.+?) going up in (?:a tower|a stack)$", "a tower , from bottom to top : {1}"),
     ("^(.+?) going down in (?:a tower|a stack)$", "a tower , from top to bottom : {1}"),
     (f"^the ({LINE}) on the (left|right) (?:has|consists of|is made of) (.+?)(?: ,)? (?:and|while) the {LINE} on the "
@@ -190,5 +226,5 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("(?: ,)?(?: and| but)? it does not matter (?:on |at )?which side$", ""),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("tops contact receives climbs supporting displaying nearer available equally fairly",)
+WORDS = ("found seen lot mine tops contact receives climbs supporting displaying nearer available equally fairly",)
 """Words that these take besides those that are read anyway."""

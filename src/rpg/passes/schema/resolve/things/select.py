@@ -299,6 +299,11 @@ def counted_each(noun: Noun, scene: Scene, patch: bool) -> bool:
 
 def _pick(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> Thing:
     """The one of several that was spoken of last, if just one was; else the phrase is ambiguous."""
+    if scope.role == "landmark":  # what is placed is not placed relative to itself
+        placed = {n for m in scene.mentions if (m.clause, m.role) == (scene.clause, "theme") for n in m.ref.names}
+        found = [t for t in found if t.name not in placed] or found
+    if len(found) == 1:
+        return found[0]
     singles = {m.ref.names[0] for m in scene.mentions if len(m.ref.names) == 1}
     recent = [t for t in found if t.name in singles]
     if len(recent) == 1 and (len(found) == 1 or not any(t.declared for t in found)):

@@ -190,6 +190,11 @@ def swapped(node: r.Swapped, say: Speaker) -> str:
 
 
 def turned(node: r.Turned, say: Speaker) -> str:
+    if not node.degrees:
+        say.negated = not say.negated
+        be = say.be(node.block)
+        say.negated = not say.negated
+        return f"{say.the(node.block)} {be} turned"
     way = "" if node.either_way else " counterclockwise" if node.degrees > 0 else " clockwise"
     return f"{say.the(node.block)} {say.be(node.block)} turned by {abs(node.degrees):g} degrees{way}"
 

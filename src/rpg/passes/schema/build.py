@@ -49,6 +49,7 @@ from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.only_denied import still_ahead
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
+from rpg.passes.schema.resolve.goals.untouched import left_as_they_are
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
@@ -240,7 +241,7 @@ def _resolved(
     check_counted(chains, scene, text)
     settle_sides(scene)
     chosen = finish.choose(scene)
-    goal = tidy(goal, scene)
+    goal = tidy(left_as_they_are(goal, scene), scene)
     check_all(goal, scene)
     _all_used(goal, scene, chains)
     names = finish.naming(scene)

@@ -10,7 +10,7 @@ from itertools import combinations, pairwise
 from rpg.ir import goal as g
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
-from rpg.ir.relations import On
+from rpg.ir.relations import On, Stayed, Turned
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
 from rpg.ir.structures import GroupBy, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, children, names
@@ -43,9 +43,22 @@ def _left_open(words: Sequence[Token], task: TaskSchema) -> None:
     said = [one for one, then in pairwise(words) if one.word == "or" and then.word not in _NO_CHOICE]
     if not said or any(isinstance(x, GroupBy) and x.by in _SORTS for x in atoms(task.goal)):
         return
+    denied = any(not _DENIED.isdisjoint(t.word for t in _before(words, one)) for one in said)
+    if denied and any(isinstance(x, Stayed | Turned) for x in atoms(task.goal)):  # "without moving A or B"
+        return
     if not any(isinstance(x, g.Any | g.Count | g.Not) for x in _nodes(task.goal)):
         raise refuse("ambiguous", "it is not clear what 'or' leaves open here", said[0].span,
                      "say 'and', or name one of them")  # fmt: skip
+
+
+_DENIED = frozenset({"not", "without", "never", "neither"})
+
+
+def _before(words: Sequence[Token], one: Token) -> list[Token]:
+    """The words of the sentence that stand before one of it."""
+    at = next(n for n, token in enumerate(words) if token is one)
+    begin = max((n + 1 for n in range(at) if words[n].word in _ENDS), default=0)
+    return [*words[begin:at]]
 
 
 def _strangers(task: TaskSchema) -> None:

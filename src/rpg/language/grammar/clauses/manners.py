@@ -57,15 +57,20 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     comma = p.opt(i, ",")
     if k := p.any_of(comma, _FACING):
         for side, end in direction(p, k):
-            yield Manner(kind="facing", value=side, span=p.span(i, end)), end
+            if not any(degrees_of(p, end)):  # "turned to the left by 90 degrees"
+                yield Manner(kind="facing", value=side, span=p.span(i, end)), end
     yield from _pointed(p, i, comma)
     if j := p.any_of(i, _RISING):
         yield from _rising(p, i, j)
     if j := p.any_of(i, _LEFTWARD):
         yield Manner(kind="rising", value="left", span=p.span(i, j)), j
     yield from ((Manner(kind="idle", value="any way", span=p.span(i, j)), j) for j in _ANY_WAY.matches(p, i))
-    for n, j in _degrees(p, p.opt(i, "turned", "rotated", "twisted", "spun")):
+    spun = p.opt(i, "turned", "rotated", "twisted", "spun")
+    for n, j in degrees_of(p, spun):
         yield from _spun(p, i, j, n)
+    for clockwise, way in ((True, p.any_of(spun, _CLOCKWISE)), (False, p.any_of(spun, _COUNTER))):
+        for n, j in degrees_of(p, p.opt(way, ",")) if way else ():  # "clockwise by 90 degrees"
+            yield Manner(kind="by", value=-n if clockwise else n, span=p.span(i, j)), j
     yield from strangers(p, i)
     for kind, frame in (("finally", WHEN_DONE), ("idle", IN_PICTURE)):
         for j in frame.matches(p, i):
@@ -146,8 +151,12 @@ _RISING = (
     ),
     "up to the", "up towards the",
 )  # fmt: skip
-_CLOCKWISE = ("clockwise", "to the right")
-_COUNTER = ("counterclockwise", "counter clockwise", "anticlockwise", "anti clockwise", "to the left")
+_AGAINST = ("counterclockwise", "counter clockwise", "anticlockwise", "anti clockwise")
+_CLOCKWISE, _COUNTER = (
+    (*(f"{lead}{way}{end}" for lead, end in (("", ""), ("in the ", " direction"), ("in a ", " direction"))
+       for way in ways), side)
+    for ways, side in ((("clockwise",), "to the right"), ((*_AGAINST,), "to the left"))
+)  # fmt: skip
 
 
 def _pointed(p: Parser, i: int, comma: int) -> Results[Manner]:
@@ -312,11 +321,12 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "the whole time": ("always", None), "throughout": ("always", None), "always": ("always", None),
     "in the scene": ("idle", None), "side up": ("idle", None),
     "in place": ("stay", None),
-    "as it is": ("stay", None), "as they are": ("stay", None),
-    "untouched": ("stay", None), "alone": ("alone", None), "still": ("stay", None), "where they were": ("stay", None),
+    "as it is": ("stay", "wholly"), "as they are": ("stay", "wholly"),
+    "untouched": ("stay", "wholly"), "alone": ("alone", "wholly"),
+    "still": ("stay", None), "where they were": ("stay", None),
     "unmoved": ("stay", None),
     "in its place": ("stay", None), "in their places": ("stay", None), "at its place": ("stay", None),
-    "undisturbed": ("stay", None),
+    "undisturbed": ("stay", "wholly"),
     "in its current position": ("stay", None), "in its original position": ("stay", None),
     "to its original place": ("stay", None), "to its original position": ("stay", None),
     "back to its original place": ("stay", None), "back to its original position": ("stay", None),
@@ -335,7 +345,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
            *(f"{was} {then}" for was in ("was", "were", "stood", "lay", "sat") for then in (
                "at the start", "at the beginning", "initially", "originally", "at first", "before", "to begin with",
                "in the beginning", "to start with")))},
-    "as is": ("stay", None),
+    "as is": ("stay", "wholly"),
     "in the same place": ("stay", None), "where it currently is": ("stay", None),
     "in their current positions": ("stay", None), "in the same position": ("stay", None),
     "in its initial position": ("stay", None), "in its starting position": ("stay", None),
@@ -355,7 +365,7 @@ _TURNS = {
 
 
 @choice
-def _degrees(p: Parser, i: int) -> Results[float]:
+def degrees_of(p: Parser, i: int) -> Results[float]:
     j = p.one(i, "by") or i
     j = p.opt(j, "about")
     if (n := p.figure(j)) is not None and j + 1 < p.end and p.words[j + 1] in _DEGREES:

@@ -287,7 +287,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                         or sense in ("swap", "stack", "keep", "unstack")
                         or (sense in ("build", "arrange", "spell") and isinstance(theme, Structure))
                         or (lemma == "line" and p.words[at_ - 1] == "up")
-                        or (negated and lemma in ("move", "touch", "disturb", "shift"))
+                        or (negated and lemma in ("move", "touch", "disturb", "shift", "turn", "rotate", "spin"))
                     ):
                         done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, negated=negated, mode=mode,
                                       span=p.span(i, k))  # fmt: skip

@@ -7,7 +7,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.again import meant_again, said_too
 from rpg.language.grammar.clauses.covered import named_last
-from rpg.language.grammar.clauses.manners import direction
+from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.formed import beside_word
@@ -238,19 +238,12 @@ def _turn(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
     """ "turn the A block to face left"."""
     for theme, k in noun_phrase(p, j):
         for side, end in direction(p, k):
+            if any(degrees_of(p, end)):  # "to the right by 90 degrees": clockwise
+                continue
             faced = Manner(kind="facing", value=side, span=p.span(k, end))
             for found, last in adjuncts(p, end):
-                yield (
-                    Clause(
-                        verb="turn",
-                        lemma=lemma,
-                        theme=theme,
-                        adjuncts=(faced, *found),
-                        span=p.span(i, last),
-                        word=p.span(i, i + 1),
-                    ),
-                    last,
-                )
+                told = Clause(verb="turn", lemma=lemma, theme=theme, adjuncts=(faced, *found), span=p.span(i, last))
+                yield replace(told, word=p.span(i, i + 1)), last
 
 
 @rule
@@ -345,14 +338,20 @@ _REST = ("the others", "the rest", "others", "the other", "the other one")
 
 
 def _next_one(p: Parser, i: int, before: Clause) -> Results[Clause]:
-    """ "red is on the left, then green (next to it)": green comes next."""
+    """ "red is on the left, then green (next to it)", "red is at the bottom, green comes next": green comes next."""
     place = before.adjuncts[0] if before.verb == "be" and len(before.adjuncts) == 1 else None
-    if not isinstance(place, At) or place.side == "middle" or before.negated or not p.follows(i, ("then",)):
+    if not isinstance(place, At) or place.side == "middle" or before.negated:
         return
     for theme, j in noun_phrase(p, i):
         if isinstance(theme, Noun) and theme.head != "patch" and theme.amount in (None, Amount(1, 1)):
             follows = At(side="next", span=theme.span)
-            yield replace(before, theme=theme, adjuncts=(follows,), span=p.span(i, j), cost=1), j
+            told = p.any_of(j, _COMES_NEXT)
+            if told or p.follows(i, ("then",)):
+                yield replace(before, theme=theme, adjuncts=(follows,), span=p.span(i, told or j), cost=1), told or j
+
+
+_COMES_NEXT = ("comes next", "is next", "goes next", "should come next", "must come next", "must be next",
+               "should be next", "follows")  # fmt: skip
 
 
 @rule
@@ -387,7 +386,8 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 cost += (2 if _bare_count(theme) or beside else 0) + isinstance(before.adjuncts[-1], That)
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     yield from meant_again(p, i, before)
-    if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
+    carried = before.verb == "pick" and before.adjuncts  # "take it to the red mat, then to the blue one"
+    if before.theme is not None and (carried or before.verb in ("place", "stack", "be", "arrange", "build")):
         for found, k in adjuncts(p, i):
             mark = getattr(found[0], "landmark", None) if found else None
             if not before.adjuncts and getattr(mark, "word", "") == "it":

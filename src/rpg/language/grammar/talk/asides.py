@@ -126,7 +126,6 @@ _DEGREES = frozenset(_DEGREE_WORDS.split())
 """What an emphasis in front of them would change."""
 _BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "to", "of", "with"})
 """Words that are said again when what they begin is begun again."""
-
 _STANDING = frozenset({"behind", "on", "in", "next", "under", "above", "between", "near", "touching", "at", "beside"})
 """After these "its" was meant as "it is"."""
 _NAMED = frozenset({"a", "an", "not", "only", "just", "there"})
@@ -153,7 +152,8 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         if end == at:
             if waiting and words[at] in _STOPS:
                 out, waiting = out + waiting, []
-            if not (out and words[at] in _BEGUN and out[-1].raw.lower() == tokens[at].raw == words[at]):
+            again = out and words[at] in _BEGUN and out[-1].raw.lower() == tokens[at].raw == words[at]
+            if not again or (out[-1].raw == "A" and len(out) > 1):  # "turn block A a quarter turn"
                 out.append(tokens[at])
             at += 1
         elif "order" in words[at:end] and not _LINES.isdisjoint(words):
@@ -274,12 +274,13 @@ def _anyplace(words: list[str], at: int, end: int) -> bool:
     return _set_off(words, at, end) or (behind and after in _STOPS and _OTHERS.isdisjoint(words[:at]))
 
 
+_SINGLE = ("block", "cube", "tower", "stack", "row")
 _OTHERS = frozenset({"other", "others", "rest", "remaining", "not", "no", "never", "without"})
 
 
 def _all_over(words: list[str], at: int, end: int) -> bool:
     """ "a wall, brown all through"; but "stays on the red throughout" says when."""
-    apart = at > 1 and words[at - 1] in lexicon.COLOR and words[at - 2] in (",", ":", "all")
+    apart = at > 1 and words[at - 1] in lexicon.COLOR and words[at - 2] in (",", ":", "all", "one", *_SINGLE)
     return apart and (end == len(words) or words[end] in _BREAKS)
 
 

@@ -24,7 +24,7 @@ from rpg.language.meaning import (
     Structure,
     replace,
 )
-from rpg.passes.schema.resolve.clauses import turning
+from rpg.passes.schema.resolve.clauses import turning, turns
 from rpg.passes.schema.resolve.clauses.ahead import ahead, by_verb
 from rpg.passes.schema.resolve.clauses.appearance import appear
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
@@ -58,7 +58,6 @@ from rpg.passes.schema.resolve.structures.structures import make
 from rpg.passes.schema.resolve.structures.towers import on_matching_patches
 from rpg.passes.schema.resolve.things.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.things.inventory import blocks_and_patches, tally, told_apart
-from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spare import ignore
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -105,7 +104,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if spec.manner("only") is not None:
         moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]
         scene.only += [n for names in moved for n in names]
-    together = spec.manner("not all") is not None
+    together = spec.manner("not all")
     none_further(spec, scene)
     nothing_left(spec, clause)
     if clause.negated:
@@ -206,7 +205,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.theme is None or ahead(clause.theme, clause.verb, spec, scene):
         return _themeless(clause, spec, scene, scope)
     if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
-        return turning.turn(clause, spec, scene, scope)
+        return turns.turn(clause, spec, scene, scope)
     if clause.lemma == "balance" and any(isinstance(x, In) for x in spec.places):
         raise refuse("misplaced", "blocks lie flat: none is balanced on an edge or a corner", clause.span, "say 'on'")
     return _arranged(clause, clause.theme, spec, scene, scope)
@@ -250,8 +249,7 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
         if clause.theme is not None and clause.span[1] > clause.theme.span[1]:
             raise refuse("no-goal", "it is not said where to", clause.span, "say where the block should be")
         theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-        scene.assume("moved: at least 5 cm away from where it started")
-        return [spread(theme, lambda a: r.Moved(a=a, span=clause.span), clause.span, together=True)]
+        return turning.moved(theme, scene, clause.span)
     if clause.negated and clause.verb == "place" and all(getattr(a, "kind", "") in _BARRED for a in clause.adjuncts):
         return turning.stay(clause, spec, scene, scope, stays=True)
     return None
@@ -370,7 +368,7 @@ def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         case "swap":
             return swap(clause, spec, scene, scope)
         case "turn":
-            return turning.turn(clause, spec, scene, scope)
+            return turns.turn(clause, spec, scene, scope)
         case "reverse":
             theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
             if isinstance(clause.theme, Structure) and (clause.theme.members or clause.theme.details):

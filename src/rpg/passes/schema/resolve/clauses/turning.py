@@ -1,6 +1,8 @@
-"""Verbs about the start and about orientation: keep, take off, pick up, turn."""
+"""Verbs about the start: keep, leave, move, pick up, take off."""
 
 from __future__ import annotations
+
+from functools import partial
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -21,11 +23,10 @@ from rpg.language.meaning import (
     Using,
     replace,
 )
-from rpg.passes.schema.resolve.clauses.orientation import oriented, others_not_turned, turn_of
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.clauses.started import taken_out
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout
+from rpg.passes.schema.resolve.clauses.whose_turn import is_none, neither, turned_of, unturned
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.placing import absolutes
 from rpg.passes.schema.resolve.places.relations import place
@@ -61,6 +62,8 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.verb == "place":
         scene.returned.update(theme.names)
     stayed = _stayed(theme, clause.span)
+    if any(m.value == "wholly" for m in stays):
+        scene.untouched.update(theme.names)
     if isinstance(clause.theme, Structure) and stays:  # "leave the tower of red and blue alone": it is there
         scene.start_goals += scene.goals.pop(scene.clause, [])
     return [g.Always(goal=stayed, span=clause.span) if ever else stayed, *more]
@@ -80,12 +83,25 @@ def _stayed(theme: Ref, span: Span) -> g.Goal:
 
 def stay(clause: Clause, spec: Spec, scene: Scene, scope: Scope, stays: bool) -> Goals:
     """ "do not move the red block" (the negation is in the verb's meaning), "move ..." alone: moved."""
-    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-    if not stays:
+    told = neither(clause.theme)
+    theme = refer(told, scene, scope) if told else Ref()
+    if not stays and not is_none(theme):
         raise refuse(
             "no-goal", "touching a block leaves nothing to check", clause.span, "say where the block should be"
         )
+    if clause.lemma != "move":
+        scene.untouched.update(theme.names)
+    if not stays:  # "neither of them may be touched"
+        return [r.Stayed(a=theme.names, span=clause.span)]
     return [g.Not(goal=_stayed(theme, clause.span), span=clause.span)]
+
+
+def moved(theme: Ref, scene: Scene, span: Span) -> Goals:
+    """ "Move the red block", of which no more is said; "move neither of them"."""
+    if is_none(theme):
+        return [r.Stayed(a=theme.names, span=span)]
+    scene.assume("moved: at least 5 cm away from where it started")
+    return [spread(theme, lambda a: r.Moved(a=a, span=span), span, together=True)]
 
 
 def without(that: That, scene: Scene) -> Goals:
@@ -101,7 +117,8 @@ def without(that: That, scene: Scene) -> Goals:
             raise refuse("ambiguous", "it is not clear when this is forbidden", that.span, "say 'without ever ...'")
         if clause.verb in ("place", "touch", "turn", "swap", "pick") and len(clause.adjuncts) == lasting:
             before = len(scene.goals.get(scene.clause, []))
-            theme = refer(_moved_theme(clause), scene, Scope(role="landmark"))
+            role = "theme" if clause.verb == "turn" else "landmark"  # what is moved anyway is not turned
+            theme = refer(_moved_theme(clause), scene, Scope(role=role))
             scene.start_goals += scene.goals.get(scene.clause, [])[before:]
             del scene.goals.get(scene.clause, [])[before:]
             still = _untouched(clause, theme, scene, that.span)
@@ -119,6 +136,8 @@ def without(that: That, scene: Scene) -> Goals:
 
 def _untouched(clause: Clause, theme: Ref, scene: Scene, span: Span) -> g.Goal:
     """ "next to the red block without touching it" is about the two blocks; else the block stays where it is."""
+    if clause.verb == "turn":
+        return conj(turned_of(theme, partial(unturned, span=span), span, done=True), span)
     now = [m for m in scene.mentions if m.clause == scene.clause]
     placed = next((m.ref for m in now if m.role == "theme" and m.ref.names), None)
     marks = {n for m in now if m.role == "landmark" for n in m.ref.names}
@@ -129,6 +148,8 @@ def _untouched(clause: Clause, theme: Ref, scene: Scene, span: Span) -> g.Goal:
         and set(theme.names) <= marks
     ):
         return g.Not(goal=r.Touching(a=placed.names, b=theme.names, span=span), span=span)
+    if clause.verb == "touch":
+        scene.untouched.update(theme.names)
     return _stayed(theme, span)
 
 
@@ -138,7 +159,7 @@ def _moved_theme(clause: Clause) -> Meaning:
         return some if isinstance(some, Pronoun) else replace(clause.theme, det="all", amount=None, plural=True)
     if isinstance(clause.theme, Pronoun) and clause.theme.word == "either of them":
         return replace(clause.theme, word="them")  # "without moving either of them"
-    return clause.theme or Pronoun(word="everything", span=clause.span)
+    return neither(clause.theme) or Pronoun(word="everything", span=clause.span)
 
 
 def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
@@ -267,99 +288,3 @@ def _off(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Goals:
                 scene.start_goals.append(there)
             loc_goals.append(g.Not(goal=there, span=span))
     return loc_goals
-
-
-def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """ "turn the A upside down", "rotate the red block by 90 degrees", "face the letter A left"."""
-    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-    if theme.patch or theme.table:
-        raise refuse("fixed-patch", "patches and the table cannot be turned", theme.span, "name a block")
-    if theme.op == "except":
-        raise refuse(
-            "misplaced", "it is not said how the other one is to be turned", clause.span, "say it of each block"
-        )
-    if len(theme.names) > 1 and theme.built:
-        raise refuse("misplaced", "a structure is not turned as a whole", theme.span, "say which blocks to turn")
-    goals: Goals = []
-    used: list[Manner] = []
-    degrees = next((m for m in spec.manners if m.kind in ("by", "by?")), None)
-    facing = next((m for m in spec.manners if m.kind == "facing"), None)
-    flat = next((m for m in spec.manners if m.kind == "turn"), None)
-    if (pointed := _pointed(theme, facing, spec)) is not None:
-        return _upward(theme, pointed, flat, spec, scene, clause.span)
-    for name in theme.names:
-        if degrees is not None:
-            value = float(degrees.value or 0)
-            if not 0 < abs(value) <= 360:
-                raise refuse("misplaced", "a turn is by 1 to 360 degrees", degrees.span)
-            read = spun(name, degrees, clause.mode == "goal", scene, clause.span, flat is not None)
-            came = r.Turned(block=name, degrees=value, either_way=degrees.kind == "by?", span=clause.span)
-            goals.append(read or came)
-            used.append(degrees)
-        if facing is not None or flat is not None:
-            goals.append(turn_of(name, facing, flat, scene, clause.span))
-            used += [m for m in (facing, flat) if m]
-    spec.manners = [m for m in spec.manners if m not in used]
-    if not goals and _target(clause, spec):
-        return _target_letter(theme, spec, scene, clause.span)
-    if not goals:
-        if clause.lemma == "flip" and not spec.places:
-            if len(theme.names) == 2 and theme.det not in ("both", "each", "all"):
-                raise refuse("ambiguous", "are these turned upside down, or do they change places?", clause.span,
-                             "say 'upside down', or 'swap'")  # fmt: skip
-            goals = [
-                oriented(n, None, Manner(kind="turn", value=180.0, span=clause.span), scene, clause.span)
-                for n in theme.names
-            ]
-        elif not spec.places and not spec.thats:
-            raise refuse("no-goal", "it is not said how far or which way to turn it", clause.span,
-                         "say 'by 90 degrees' or 'upside down'")  # fmt: skip
-    others = tuple(thing.name for thing in scene.blocks() if thing.label or thing.kind)
-    goals += others_not_turned(theme, others, facing, flat, scene, clause.span)
-    for item in spec.places:
-        goals += place(theme, item, scene, scope, clause.span)
-    spec.places = []
-    return goals
-
-
-_ROUND = {"back": 0.0, "left": 90.0, "front": 180.0, "viewer": 180.0, "right": -90.0}
-"""How far a symbol that is read from above is turned where its top points to a side."""
-
-
-def _pointed(theme: Ref, facing: Manner | None, spec: Spec) -> Manner | None:
-    """ "its top points left", "with its top to the right": where the top of a symbol is."""
-    if facing is not None and theme.part == "top":
-        return facing
-    return next((m for m in spec.manners if m.kind == "pointing:top"), None)
-
-
-def _upward(theme: Ref, pointed: Manner, flat: Manner | None, spec: Spec, scene: Scene, span: Span) -> Goals:
-    """A symbol that lies with its top to a side, wherever it is put."""
-    goals = pointing(theme, pointed, flat, scene, span)
-    used = (pointed, flat)
-    spec.manners = [m for m in spec.manners if not any(m is x for x in used)]
-    for item in spec.places:
-        goals += place(theme, item, scene, Scope(), span)
-    spec.places = []
-    return goals
-
-
-def pointing(theme: Ref, pointed: Manner, flat: Manner | None, scene: Scene, span: Span) -> Goals:
-    """Symbols with their tops to a side; "on its side" says so once more."""
-    degrees = _ROUND.get(str(pointed.value))
-    if degrees is None:
-        raise refuse("ambiguous", "the symbol could be turned round, or its block tipped over", pointed.span,
-                     "say 'upside down', 'to the left' or 'facing up'")  # fmt: skip
-    if flat is not None and abs(degrees) != flat.value:
-        raise refuse("contradiction", "this says two ways to turn it", pointed.span, "keep one of them")
-    exact = Manner(kind="turn", value=degrees, span=span)
-    return [oriented(name, None, exact, scene, span) for name in theme.names]
-
-
-def _target(clause: Clause, spec: Spec) -> bool:
-    return bool(spec.thats) and clause.theme is not None
-
-
-def _target_letter(theme: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
-    """ "so that the target letter is in the target orientation": the letter is chosen."""
-    return []

@@ -363,7 +363,7 @@ def _among_members(ref: Ref, theme: Ref, before: int, scene: Scene, span: Span) 
 def _turned(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:
     """ "with the U upside down", "with the letters facing up"."""
     from rpg.passes.schema.resolve.clauses.orientation import others_not_turned, turn_of
-    from rpg.passes.schema.resolve.clauses.turning import pointing
+    from rpg.passes.schema.resolve.clauses.turns import pointing
 
     if theme.quant is not None or theme.patch or not theme.names:
         raise refuse("ambiguous", "it is not clear which block is turned", span, "name the block")

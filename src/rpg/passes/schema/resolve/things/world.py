@@ -144,6 +144,7 @@ class Scene:
     `kept`: what the verb "keep" asks for, each with what it says of the start.
     `ignored`: blocks that are said to be distractors, each with the words that say so.
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
+    `untouched`: blocks that are left as they are, which is more than where they are.
     `sized`: the size that is said of all blocks, with its words.
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
     `patch_sides`: patches by the side on which they lie, and where that was said last.
@@ -184,6 +185,7 @@ class Scene:
     closed: list[tuple[Traits, int, Span]] = field(default_factory=list)
     tallied: set[str] = field(default_factory=set)
     stocked: set[str] = field(default_factory=set)
+    untouched: set[str] = field(default_factory=set)
     each: tuple[int, Span] | None = None
     each_in: int = 0
     spare: set[str] = field(default_factory=set)

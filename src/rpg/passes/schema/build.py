@@ -45,6 +45,7 @@ from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.clauses.moments import in_time
+from rpg.passes.schema.resolve.clauses.told_order import in_told_order
 from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.only_denied import still_ahead
@@ -163,6 +164,7 @@ def resolve(
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     chains = tuple(shared_sides(recounted(chain), text) for chain in chains)
+    links, chains = in_told_order(links, chains, text)
     links, chains = hoisted(*places_told(*words_in_rows(links, from_heaps(chains))))
     facts = cleared_of(begun(chains, text), links)
     if (last := heaps_last(*told_later(links, facts))) is not None:

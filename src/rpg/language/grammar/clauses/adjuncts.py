@@ -160,13 +160,19 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
                 yield (first, *rest), k
         for joined in {p.opt(j, ","), p.opt(p.opt(j, ","), "and"), p.opt(j, "and", "but")} - {j}:
             for rest, k in adjuncts(p, joined):
-                if rest and (p.words[joined - 1] != "but" or _opposed(first, rest[0])):
+                framed = p.words[joined - 1] == "and" and p.words[k] == "," and _of_a_time(rest)
+                if rest and not framed and (p.words[joined - 1] != "but" or _opposed(first, rest[0])):
                     yield (first, *rest), k
     yield (), i
 
 
 _POSED = frozenset({"standing", "placed", "positioned", "lying", "sitting", "located", "set"})
 """What may stand before how what was formed stands: "as two towers, standing side by side"."""
+
+
+def _of_a_time(rest: tuple[Meaning, ...]) -> bool:
+    """ "... and throughout, green must not touch blue": when the next clause is so."""
+    return len(rest) == 1 and isinstance(rest[0], Manner) and rest[0].kind in ("always", "finally", "start", "time")
 
 
 def _later(first: Meaning) -> bool:

@@ -228,8 +228,9 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     **{f"{lead}{whole} time": ("always", None)
        for lead in ("", "during ", "for ") for whole in ("the whole", "the entire", "all of the", "all that")},
     **dict.fromkeys((
-        "all along", "at every moment", "at each moment", "at every point", "at every step", "from beginning to end",
-        "from the beginning to the end", "from the start to the end", "from start to end", "until the end",
+        "all along", "constantly", "continuously", "at every moment", "at each moment", "at every point",
+        "at every step", "from beginning to end", "from the beginning to the end", "from the start to the end",
+        "from start to end", "until the end",
         "until the very end", "up to the end", "till the end", "all the way through", "the whole way through"),
         ("always", None)),
     **{f"{at} of {the}{event}": (kind, None)

@@ -1,8 +1,9 @@
 """What is told of the start beside what is to be done, "the red block, now on the mat, ...", "from where it starts", as
-rows that tell it plainly."""
+rows that tell it plainly; and what tells of other times."""
 
 from __future__ import annotations
 
+from rpg.language.grammar.talk.at_times import AT_TIMES
 from rpg.language.grammar.talk.turned import LENGTH, LINE, MUST, Turn
 
 _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind|in|under) the [^,]+?"
@@ -22,6 +23,7 @@ BEFORE_IT: tuple[Turn, ...] = (
      "but only after {1} has been put {2}"),
     ("^(?:put|move|bring|carry|take) (.+?) from (the (?:left|right) half)(?: of the table)? to (the (?:left|right) half"
      "(?: of the table)?)$", "at the start , {1} is in {2} of the table . put {1} in {3}"),
+    *AT_TIMES,
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("present",)

@@ -26,7 +26,23 @@ _TAKES = frozenset({"pick", "use"})
 
 def plainly(chain: Chain) -> Chain:
     """The sentence with such clauses."""
-    return by_looks(_another(_taken(_listed_apart(chain))))
+    return by_looks(_another(_taken(_listed_apart(_no_block(chain)))))
+
+
+def _no_block(chain: Chain) -> Chain:
+    """ "Never put a block on the green one": not any, rather than one more block that is not put there."""
+    told = tuple(
+        replace(c, theme=replace(c.theme, det="any", amount=None))
+        if isinstance(c, Clause) and c.negated and isinstance(c.theme, Noun) and _some_block(c.theme)
+        else c
+        for c in chain.clauses
+    )
+    return replace(chain, clauses=told) if told != chain.clauses else chain
+
+
+def _some_block(noun: Noun) -> bool:
+    plain = noun.traits == Traits() and not noun.conditions and noun.part_of is None
+    return noun.head == "block" and noun.det == "a" and noun.amount == Amount(1, 1) and plain
 
 
 def _another(chain: Chain) -> Chain:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from rpg.ir import goal as g
 from rpg.ir.node import members
-from rpg.ir.relations import Facing, On, Stayed
+from rpg.ir.relations import Above, Facing, On, Stayed
 from rpg.ir.structures import Cells, Equation, Row, Spells, Stack
 from rpg.ir.walk import children, transform
 
@@ -22,6 +22,7 @@ def reconcile(goal: g.Goal) -> g.Goal:
     turned = {atom.block for atom in asked if isinstance(atom, Facing) and atom.turn}
     turned |= {name for atom in asked if isinstance(atom, Stayed) for name in members(atom.a)}
     resting = [atom for atom in asked if isinstance(atom, On)]
+    lifting = [atom for atom in asked if isinstance(atom, On | Above)]
     read = {id(atom) for atom in asked if getattr(atom, "readable", isinstance(atom, Equation))}
 
     def change(node: g.Goal) -> g.Goal:
@@ -37,7 +38,7 @@ def reconcile(goal: g.Goal) -> g.Goal:
             covered = tuple(name for name in node.blocks if name in under or name in node.covered)
             if covered != node.covered:
                 node = node.model_copy(update={"covered": covered})
-        if isinstance(node, Stack) and not node.raised and any(_lifts(on, node) for on in resting):
+        if isinstance(node, Stack) and not node.raised and any(_lifts(x, node) for x in lifting):
             node = node.model_copy(update={"raised": True})
         return node
 
@@ -62,7 +63,7 @@ def _covered(on: On, read: tuple[str, ...]) -> Iterator[str]:
         yield from (name for name in on.b if name in read)
 
 
-def _lifts(on: On, stack: Stack) -> bool:
-    """Does `on` put a block of the stack on a block outside of it?"""
+def _lifts(over: On | Above, stack: Stack) -> bool:
+    """Does `over` put a block of the stack on, or somewhere above, a block outside of it?"""
     inside = set(stack.blocks)
-    return not inside.isdisjoint(members(on.a)) and inside.isdisjoint(members(on.b))
+    return not inside.isdisjoint(members(over.a)) and inside.isdisjoint(members(over.b))

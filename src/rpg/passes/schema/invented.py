@@ -38,6 +38,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
         _as_many_named(words, task)
         _counted_bare(words, task)
         _of_the_counted(words, task)
+        _of_those_left(words, task)
 
 
 def _rainbow_beside(words: Sequence[Token], task: TaskSchema) -> None:
@@ -225,6 +226,17 @@ def _as_many_named(words: Sequence[Token], task: TaskSchema) -> None:
                 raise refuse("ambiguous", "are these the blocks that were counted, or further ones?", run[0].span,
                              "list them where they are counted: 'a row of three: red, white and blue'")  # fmt: skip
             run = []
+
+
+def _of_those_left(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "five yellow cubes: a tower of three, a tower of two" as three of them and two others."""
+    spoken_of = {name for part in (task.goal, *task.init.arranged) for name in names(part)}
+    used = {str(block.color) for block in task.blocks if block.name in spoken_of}
+    left = {str(block.color) for block in task.blocks if block.name not in spoken_of} & used
+    told = [token for token in words if lexicon.COLOR.get(token.word) in left]
+    if told:
+        raise refuse("ambiguous", f"it is not clear what the {told[0].word} blocks are for of which so many are there",
+                     told[0].span, "say of which blocks each part is")  # fmt: skip
 
 
 def _set_off(words: Sequence[Token]) -> None:

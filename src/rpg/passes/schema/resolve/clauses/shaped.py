@@ -57,7 +57,10 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     parts: list[Ref] = []
     goals = []
     of_each = [replace(z, what="size") for z in spec.sizes if z.what == "columns"] if len(shapes) > 1 else []
+    lines = [x for x in shapes if isinstance(x, Structure) and x.kind in ("row", "line", "column")]
+    ways = [] if len(lines) < 2 or len(lines) < len(shapes) else [*spec.toward]
     for shape in shapes:
+        spec.toward = [*ways] or spec.toward
         if of_each:
             spec.sizes = [*(z for z in spec.sizes if z.what not in ("columns", "size")), *of_each]
         if is_extra(shape) and len(shapes) > 1:

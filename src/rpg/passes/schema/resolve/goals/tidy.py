@@ -102,7 +102,7 @@ def _group_by_group(goal: g.Goal, scene: Scene) -> g.Goal:
             return node
         groupings = [x for x in node.goals if isinstance(x, s.GroupBy)]
         lots = [frozenset(lot) for x in groupings for lot in x.groups]
-        parted = {frozenset(lot) for x in groupings if len(x.groups) > 1 for lot in x.groups}
+        parted = {frozenset(lot) for x in groupings if len(x.groups) > 1 and not x.outliers for lot in x.groups}
         gone = [
             x
             for x in groupings

@@ -12,6 +12,7 @@ from types import CodeType, ModuleType
 from rpg.core.diagnostics import Diagnostic
 from rpg.language import grammar, lexicon
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.roles import as_anyone
 from rpg.language.tokens import Token
 
 LONG_WORD = 7
@@ -217,6 +218,7 @@ def _likeliest(word: str, close: list[str]) -> list[str]:
 def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagnostic]]:
     """The tokens with misspellings mended and words to be spelt marked; assumptions; unknown words."""
     known = vocabulary()
+    tokens = as_anyone(tokens, known)
     shouting = (
         sum(t.raw.isupper() and len(t.raw) > 1 for t in tokens) * 2 > len([t for t in tokens if t.kind == "word"])
         and len(tokens) > 3
@@ -233,7 +235,8 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
         elif token.word in SHORT_FORMS and not token.raw.isupper():
             out.append(replace(token, word=SHORT_FORMS[token.word], raw=SHORT_FORMS[token.word]))
         elif token.word in known or len(token.word) == 1:
-            out.append(replace(token, raw=token.raw.lower()) if shouting and len(token.raw) > 1 else token)
+            quiet = (shouting and len(token.raw) > 1) or _agreed(tokens, index)
+            out.append(replace(token, raw=token.raw.lower()) if quiet else token)
         elif token.raw.isupper() and not shouting:
             out.append(replace(token, kind="literal", value=token.raw))
         elif token.word not in _OTHER_THINGS and (match := _one_match(token.word)):
@@ -278,6 +281,13 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     after = tokens[index + 1].word if index + 1 < len(tokens) else ""
     behind = tokens[index + 2].word if index + 2 < len(tokens) else ""
     return before in _WRITERS or after in _SPELT or (after == "," and behind in _SPELT)
+
+
+def _agreed(tokens: list[Token], index: int) -> bool:
+    """ "OK. Put ...", "Hmm OK. ...": in front of an instruction it is no word to be spelt."""
+    begins = index == 0 or tokens[index - 1].word in (".", "!", "?", ";", "hmm", "hm", "um", "uh", "ah", "oh", "well")
+    goes_on = index + 2 < len(tokens) and tokens[index + 1].word in (".", "!", "…")
+    return tokens[index].word == "ok" and begins and goes_on
 
 
 _OF_A_WORD = frozenset({"is", "of", "to", "and", "should", "in", "on", "left", "right", "that", "from"})

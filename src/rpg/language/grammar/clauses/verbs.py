@@ -7,8 +7,10 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.again import meant_again, said_too
 from rpg.language.grammar.clauses.covered import named_last
+from rpg.language.grammar.clauses.for_whom import behind_us
 from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
+from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.formed import beside_word
 from rpg.language.grammar.places.relations import on_its_own
@@ -85,7 +87,7 @@ def verb_phrase(p: Parser, i: int, forms: tuple[str, ...] = ("base",)) -> Result
         if form in forms:
             after = _PARTICLES.get(sense, PARTICLES)
             for particle in dict.fromkeys((p.opt(i + 1, *after), i + 1)):
-                yield from with_theme(p, i, particle, sense, lemma)
+                yield from with_theme(p, i, behind_us(p, particle, sense), sense, lemma)
 
 
 def _its_own_way(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
@@ -135,7 +137,9 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         if sense == "use":
             yield from _use(p, i, k, theme)
         if lemma == "separate":
-            yield from _separated(p, i, k, theme)
+            yield from separated(p, i, k, theme)
+        if sense in KEEPING:
+            yield from kept_separate(p, i, k, theme)
         if sense in ("keep", "build") and lemma in ("keep", "leave", "make"):
             for marks, end in adjectives(p, k):
                 if marks:
@@ -180,15 +184,6 @@ def _by_first(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
             for found, last in adjuncts(p, end):
                 span, word = p.span(i, last), p.span(i, i + 1)
                 yield Clause(verb="sort", lemma=lemma, theme=theme, adjuncts=(by, *found), span=span, word=word), last
-
-
-def _separated(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
-    """ "separate the vowels of the consonants"."""
-    of = p.one(k, "of")
-    for other, end in noun_phrase(p, of) if of else ():
-        using = Using(members=other, span=p.span(k, end))
-        said = Clause(verb="sort", lemma="separate", theme=theme, adjuncts=(using,), span=p.span(i, end))
-        yield replace(said, word=p.span(i, i + 1)), end
 
 
 def _use(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:

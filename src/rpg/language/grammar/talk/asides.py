@@ -118,9 +118,8 @@ _LOOSE = tuple(
 _ANYPLACE = ("anywhere", "anywhere you like", "anywhere you want", "wherever", "wherever you like", "wherever you want",
              "no matter where", "it does not matter where", "does not matter where")  # fmt: skip
 _LINES = frozenset({"row", "line", "tower", "stack", "towers", "stacks", "column", "rows", "columns", "layers"})
-_STOPS = frozenset({"…", ";", ".", "!", "?", ":"})
-_BREAKS = _STOPS | {","}
-_ENDED = frozenset({".", "!"})
+_STOPS, _ENDED = frozenset({"…", ";", ".", "!", "?", ":"}), frozenset({".", "!"})
+_BREAKS, _PAUSES = _STOPS | {","}, _STOPS | {",", *_HESITATIONS}
 _DEGREE_WORDS = "if as that when of for enough and but to near close far long small big large tiny up away out"
 _DEGREES = frozenset(_DEGREE_WORDS.split())
 """What an emphasis in front of them would change."""
@@ -242,7 +241,7 @@ def _emphatic(words: list[str], end: int) -> bool:
 
 
 def _set_off(words: list[str], at: int, end: int) -> bool:
-    before = at == 0 or words[at - 1] in _BREAKS or words[at] in ("in", "regardless", "with", "using", "of")
+    before = at == 0 or words[at - 1] in _PAUSES or words[at] in ("in", "regardless", "with", "using", "of")
     before = before and not (at and words[at - 1] in ("rest", "others"))
     lines, others = _LINED & {*words[at:end]}, _LINED & {*words[:at], *words[end:]}
     if lines and others and not lines & others:  # "the order of the rows" of a grid of which the columns are told

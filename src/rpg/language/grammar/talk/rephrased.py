@@ -23,6 +23,7 @@ _PHRASES = {
        for what in ("blocks", "cubes", "bricks", "boxes", "letters", "numbers", "digits", "letter")},
     **{f"{just} in the {middle}": f"in the {middle}" for just in ("exactly", "precisely")
        for middle in ("middle", "center")},
+    **{f"{be} separate from": f"{be} separated from" for be in ("be", "is", "are", "stay", "remain", "stand", "lie")},
     "share a color": "have the same color", "share the same color": "have the same color",
     **{f"{on} the {floor}": f"{on} the table" for on in ("on", "onto", "to") for floor in ("floor", "ground")},
     **{f"{how} {heap}": heap for how in _MESSY for heap in ("heap", "pile", "jumble", "bunch")},

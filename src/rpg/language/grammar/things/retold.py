@@ -122,21 +122,26 @@ def _named_by(first: Noun, item: Noun) -> bool:
     return plain and fits and bool(labels) and kind in ("letter", "digit") and item.det == "bare"
 
 
+_SORTS = {"odd": "13579", "even": "02468", "vowel": "AEIOU", "consonant": "BCDFGHJKLMNPQRSTVWXYZ",
+          "digit": string.digits}  # fmt: skip
+
+
 def named_by(whole: Noun, labels: tuple[str, ...]) -> bool:
     """Whether these symbols may be the ones that a phrase speaks of: odd digits, three letters."""
     marks, many = whole.traits, whole.amount
-    sorts = {"odd": "13579", "even": "02468", "vowel": "AEIOU", "consonant": "BCDFGHJKLMNPQRSTVWXYZ",
-             "digit": string.digits}  # fmt: skip
-    among = sorts.get(marks.quality or marks.kind or "", string.ascii_uppercase)
+    among = _SORTS.get(marks.quality or marks.kind or "", string.ascii_uppercase)
     plain = marks == Traits(kind=marks.kind, quality=marks.quality) and whole.part_of is None and not whole.conditions
     return plain and all(label in among for label in labels) and (many is None or many.low == many.high == len(labels))
 
 
 def _counted_symbols(first: Noun, item: Noun) -> bool:
-    """ "two letters, X and Y": symbols behind a number of them tell which these are, they are no further ones."""
-    kind = first.traits.kind
+    """ "two letters, X and Y", "two vowels, A and E": symbols behind a number of them tell which these are, they are no
+    further ones."""
+    kind, quality = first.traits.kind, first.traits.quality
     fits = kind in ("letter", "symbol") or (kind == "digit" and all(x.isdigit() for x in item.traits.labels))
-    plain = first.traits == Traits(kind=kind) and item.traits == Traits(labels=item.traits.labels)
+    if quality is not None:
+        fits = quality in _SORTS and all(x in _SORTS[quality] for x in item.traits.labels)
+    plain = first.traits == Traits(kind=kind, quality=quality) and item.traits == Traits(labels=item.traits.labels)
     return first.amount is not None and fits and plain and bool(item.traits.labels)
 
 

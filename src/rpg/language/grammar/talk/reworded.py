@@ -1,0 +1,116 @@
+"""What a plainer sentence says as well: pairs that are told one by one, headings that a list repeats, what is shown or
+asked in place of being asked for, as rows that tell it plainly."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.talk.turned import FEW, LENGTH, MUST, Turn
+
+_A = "(?:an?|one|the)"
+_BLOCK = "(?:block|cube|brick|box)"
+_PATCH = "(?:patch|mat|zone|target|area|spot)"
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_PUT = "(?:put|place|set|lay|move)"
+_HALF = "(?:left|right|near|far|front|back)"
+_LARGER = "(?:larger|bigger|wider|greater|longer|farther|further|higher)"
+_SMALLER = "(?:smaller|narrower|shorter|closer|nearer|lower)"
+_MANY = f"(?:\\d+|{FEW})"
+_STANDING = "(?:standing|lying|resting|sitting|placed|set)"
+
+REWORDED_AT_ONCE: tuple[Turn, ...] = (
+    # what is asked
+    ("^(would|could|can|will) you ever (?=\\w)", "{1} you"),
+    (f"\\b(at least {_MANY} and at most {_MANY} of .+?) (?:may|can) (be|lie|stand)\\b", "{1} must {2}"),
+    # a heading, and a list that tells all of it
+    (f"^each color (?:goes |belongs |lies |is |comes )?on (?:its own|the matching|its) {_PATCH} : "
+     f"((?:(?:\\w+ )?({_COLOR})(?: \\w+)? on (?:the )?\\2 {_PATCH}(?: , and | , | and |$))+)$", "{1}"),
+    ("^(?:\\w+ )?\\w+ (?:separate|separated|apart|away) from (?:\\w+ )?\\w+ : (.+ one group\\b.+ group.*)$", "{1}"),
+    ("^\\w+ here ,(?: and)? \\w+ there : (.+ one group\\b.+ (?:group|one).*)$", "{1}"),
+    ("^(sort .*?by \\w+) : (.+?) , (into (?:\\w+ )?(?:piles|groups|heaps|bunches|clusters))$", "{1} {3} : {2}"),
+    ("^((?:\\w+ )?(?:\\w+ )?groups\\b[^:]*: .+?) , each (?:color|letter|number) (?:by itself|on its own|for itself)$",
+     "{1}"),
+    (f"\\bmirrored [:,] ({_COLOR} outside ,? ?(?:and )?{_COLOR} inside)$", "{1}"),
+    # orders
+    ("(?: ,)? but in the order\\b", " in the order"),
+    ("\\bbehind (?:each other|one another)\\b", "one behind the other"),
+    ("(?: ,)? in which the (biggest|largest|highest|smallest|lowest) (number|digit) is (on top|at the bottom)"
+     "(?: and the (?:biggest|largest|highest|smallest|lowest)(?: one| number| digit)? is (?:on top|at the bottom)"
+     "(?: ,)? in order)?$", ", the {1} {2} {3}"),
+    (f"^(?:{_PUT} )(.+?) in the front row , (.+?) in the middle row(?: ,)? and (.+?) in the back row"
+     "(?: , each row in order from left to right)?$", "front row : {1} ; middle row : {2} ; back row : {3}"),
+    (f"^(?:{_PUT} )(.+?) in the front row(?: ,)? and (.+?) in the back row"
+     "(?: , each row in order from left to right)?$", "front row : {1} ; back row : {2}"),
+    (f"\\b({_MANY}) (layers|rows|columns) , ({_MANY}(?: {_COLOR} {_BLOCK}s)?)(?: {_BLOCK}(?:s|es))? in each"
+     "(?: of them| one)?\\b", "{1} {2} of {3}"),
+    (f"\\b(cube|cuboid|box) (?:that|which) is ({_MANY}(?: blocks| cubes)? (?:wide|long|deep|high) (?:,|and) .+)$",
+     "{1} , {2}"),
+    # places
+    (f"\\bbetween {_A} ([^,]+?) (?:on|to) (?:its|the) (left|right)(?: side)? and {_A} ([^,]+?) (?:on|to) (?:its|the) "
+     "(?:left|right)(?: side)?$", "between a {1} and a {3} , the {1} on its {2}"),
+    (f"^(.+?) is not in the {_HALF} half(?: of the table)? ,(?: but)? it is (in the {_HALF}) (?:half|one)"
+     "(?: of the table)?$", "{1} is {2} half"),
+    (f"^(.+? to the (?:left|right) of) (it|them) and ({_A} .+?) (?:to|on) the (left|right)$",
+     "{1} {2} and {3} to the {4} of {2}"),
+    ("^(the [^,]+?) has ([^,]+?) on its (left|right) , ([^,]+?) on its (left|right) and ([^,]+?) on top(?: of it)?$",
+     "{2} is to the {3} of {1} , {4} is to the {5} of {1} and {6} is on {1}"),
+    (f"^(.*?)({_PUT} [^,]+? (?:on|in) (the [^,]+?))(?: ,)? (?:and|but) none of (the .+)$",
+     "{1} {2} . none of {4} must be on {3}"),
+    (f"^(.*?)\\b(an?|the|one) ({_BLOCK})( [^,]+?) , (?:an?|the) ({_COLOR}) one$", "{1} {2} {5} {3} {4}"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+
+REWORDED: tuple[Turn, ...] = (
+    # measures
+    (f"\\bgap (?:no|not) {_LARGER} than ({LENGTH})", "gap of at most {1}"),
+    (f"\\b(?:no|not) {_LARGER} than ({LENGTH})", "at most {1}"),
+    (f"\\b(?:no|not) {_SMALLER} than ({LENGTH})", "at least {1}"),
+    (f"(?:and )?(?:leave |with |leaving )?(?:an? )?(?:gap of )?({LENGTH})(?: of space)? (?:in )?between "
+     f"(?:each|every|one)(?: {_BLOCK})? and the next(?: {_BLOCK}| one)?$", "with gaps of {1}"),
+    (f"^(.+?) (?:moves|{MUST} move|moves away|{MUST} move away)(?: by)? (at least {LENGTH})$",
+     "{1} must be moved by {2}"),
+    # what is asked
+    ("^let (\\S+) be (?:read|spelled|written|seen)\\b", "spell {1}"),
+    ("^(all .+? must be .+?) when (?:you |we )?((?:spell|build|form|make|write) .+)$", "{2} . {1}"),
+    ("^(?:not (?:on|in) [^,]+ ,? ?but )?((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) "
+     "(?:want|need|would like)(?: to see)? (.+)$", "{2} must be {1}"),
+    ("^([^:,]+) [:,] (?:that|this) is (?:how|the way) (?:i|we) (?:want|need|would like)(?: to see)? (.+)$",
+     "{2} must be {1}"),
+    ("^if (?:you|one|we) looks? (?:closely|carefully|again|at it closely) , (.+)$", "{1}"),
+    (f"^(?:share|distribute|divide|split|spread) ({FEW}) (.+?) (?:between|over|among|across) (the .+? {_PATCH}) and "
+     "(the .+?) so that there are (?:just |exactly )?as many on .+$",
+     "put half of the {1} {2} on {3} and the other half on {4}"),
+    # pairs told one by one
+    ("^([^,]+?) gets ([^,]+?) , ([^,]+?) gets ([^,]+?)(?: ,)? and ([^,]+?) gets ([^,]+?) on top(?: of it)?$",
+     "put {2} on {1} , {4} on {3} and {6} on {5}"),
+    ("^([^,]+?) gets ([^,]+?)(?: ,)? and ([^,]+?) gets ([^,]+?) on top(?: of it)?$", "put {2} on {1} and {4} on {3}"),
+    ("^([^,]+?) gets ([^,]+?) on top(?: of it)?$", "put {2} on {1}"),
+    # words
+    ("^(?:a (?:tower|stack) )?read(?:ing)? (?:down|downwards|from the top of) the (tower|stack)(?: down| downwards)?"
+     "(?: ,)?(?: top first)?(?: [:,])?(?: you get| it says| it reads| one reads)? (\\S+)$",
+     "a {1} that reads {2} from top to bottom"),
+    ("\\b(\\S+) and (\\d) with (plus|minus|times)(?: ,)? and equals\\b", "{1} , {2} , {3} and equals"),
+    (f"\\b({_COLOR}) bodied\\b", "{1}"),
+    # structures
+    ("\\b(tower|stack|wall) in layers (?=[:,])", "{1}"),
+    (f"\\b(an?|the) {_LARGER} (tower|stack|row|line) of (?={_MANY}\\b)", "{1} {2} of"),
+    (f"\\b(an?|the) taller (tower|stack) of (?={_MANY}\\b)", "{1} {2} of"),
+    (f"\\b(an?|the) {_SMALLER} (tower|stack|row|line) of (?={_MANY}\\b)", "{1} {2} of"),
+    (f"\\b(an?|the) pattern (with|of) (?={_MANY} (?:rows|columns))", "{1} grid {2}"),
+    (f"^(?:an?|one) ((?:\\w+ )?{_PATCH})(?: ,)? and on (?:it|top of it)(?: ,)? (an? .+)$", "on the {1} {2}"),
+    # what stands beside it
+    (f"^([^,]+ (?:rotated|turned)\\b[^,]*) , {_STANDING} (on .+)$", "{1} {2}"),
+    (f"\\boff (the [^,]+?) (?:that |which )?(?:it|they) (?:is|are|stands|sits|lies|rests)(?: now| currently)?"
+     f"(?: {_STANDING})? on\\b", "off {1}"),
+    ("\\bwhich (is|are) an? (\\w+) one\\b", "which {1} {2}"),
+    (" (?:too|as well) , (and|but|while)\\b", " , {1}"),
+    # what is said besides
+    ("(?: ,)? (?:nice|neat|good) and (?:straight|even)$", ""),
+    ("(?: ,)? (?:for sure|for certain|full stop|here)$", ""),
+    ("^like goes with like :", ""),
+)  # fmt: skip
+"""What makes no sense as it stands, in words that do."""
+WORDS = (
+    "gets bodied closely carefully sure certain stop straight share pattern mirrored taller farther further narrower "
+    "wider nearer",
+)
+"""Words that these take besides those that are read anyway."""

@@ -34,11 +34,13 @@ _UNFOUND = (
     "the blocks that are counted may be those that are described",
     "these places contradict each other",
     "one block cannot lie on several blocks",
+    "a block is named twice in this list",
 )
 """Refusals that come of words joined that do not belong together, so that a pronoun or a place finds nothing to be
 of: a reading that joins them otherwise may be meant."""
 _SOMEWHAT = 3
-_OPEN = ("one for all of them, or one for each?", "it is not clear which block is on which")
+_OPEN = ("one for all of them, or one for each?", "it is not clear which block is on which",
+         "nothing is placed relative to itself")
 """Refusals of a reading that leaves open how many blocks there are: one as natural that does not see it guesses."""
 
 

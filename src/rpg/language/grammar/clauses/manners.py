@@ -91,6 +91,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         kind, value = _LITTLE[phrase]
         if phrase == "still" and j < p.end and not p.stands(j, _CLAUSE_ENDS):
             continue
+        if phrase == "there" and p.follows(i, ("not",)):
+            continue
         of_a_patch = phrase.startswith("where") and not lexicon.PATCH.keys().isdisjoint(p.words[:i])
         yield Manner(kind=kind, value=value, span=p.span(i, j), cost=2 * of_a_patch), j  # "on the patch where it is"
         if kind == "extra":  # "lying around which are not needed"

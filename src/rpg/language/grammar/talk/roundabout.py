@@ -16,6 +16,7 @@ _STARTED = (
 )
 
 AT_ONCE: tuple[Turn, ...] = (
+    ("\\bnot there but (in|on|at|inside)\\b", "{1}"),
     (f"^(use|take) ([^,]+?) for ((?:an?|one) [^,]*\\b{LINE}\\b.*)$", "{1} {2} to build {3}"),
     (f"^(?:in |create |build |make )?(an? [^,]*\\bgrid\\b[^,]*?)(?: ,| where| in which)+ the (rows|columns|layers)"
      f"(?: ,)? ({WAY})(?: ,)? (?:are|{MUST} be) (.+)$", "{1} whose {2} are {4} {3}"),

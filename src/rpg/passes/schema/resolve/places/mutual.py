@@ -44,6 +44,8 @@ def reciprocal(theme: Ref, loc: Loc, span: Span, *, denied: bool = False) -> Ato
     if theme.quant is not None and theme.quant.low == 0 and theme.quant.high in (0, 1) and len(names) > 1:
         return _none_of_them(theme, loc, span)
     if len(names) < 2:
+        if isinstance(loc.landmark, Pronoun) and loc.landmark.word == "itself":
+            raise refuse("self-reference", "nothing is placed relative to itself", loc.span, "name another block")
         raise refuse("no-referent", "one block alone has no other to relate to", loc.span, "name at least two blocks")
     if any(b.kind == "towers" for b in theme.built):
         raise refuse(

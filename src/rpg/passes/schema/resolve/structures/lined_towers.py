@@ -12,7 +12,20 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.language.later import later
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Into, Meaning, Noun, Structure, Toward, Traits, replace
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    Toward,
+    Traits,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.operands import foot
 from rpg.passes.schema.resolve.things.refer import refer
@@ -112,10 +125,11 @@ def of_all_that_follows(chain: Chain) -> None:
     if way is None or not isinstance(first, Clause) or first.mode != "goal" or way.span[0] > first.span[0]:
         return
     for clause in later:
-        built = isinstance(clause, Clause) and clause.verb in ("build", "arrange") and clause.mode == "goal"
-        told = isinstance(clause, Clause) and any(isinstance(a, Toward) for a in clause.adjuncts)
-        if built and not told:
-            raise refuse("ambiguous", "this direction could be of the first, or of all that follows", way.span,
+        if not isinstance(clause, Clause) or clause.mode != "goal" or isinstance(clause.theme, Pronoun):
+            continue
+        lined = clause.verb in ("build", "arrange") or any(isinstance(a, Into) for a in clause.adjuncts)
+        if lined and not any(isinstance(a, Toward) for a in clause.adjuncts):
+            raise refuse("misplaced", "this direction could be of the first, or of all that follows", way.span,
                          "say it where it belongs, as in 'a row of two red blocks from left to right'")  # fmt: skip
 
 

@@ -85,7 +85,7 @@ VERBS = {
     "locate seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich "
     "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
     "heave hoist install wedge fit slot squeeze center pack squish squash cram jam plonk toss",
-    "pick": "pick grab grasp lift take find",
+    "pick": "pick grab grasp lift take find choose select",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape",
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
@@ -111,7 +111,8 @@ PAST = {
     "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
     "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",
     "transfer": "transferred", "drag": "dragged", "hide": "hidden hid", "stick": "stuck", "drop": "dropped",
-    "grab": "grabbed", "cram": "crammed", "jam": "jammed", "fit": "fitted", "slot": "slotted", "carry": "carried",
+    "grab": "grabbed", "cram": "crammed", "jam": "jammed", "choose": "chosen",
+    "fit": "fitted", "slot": "slotted", "carry": "carried",
     "classify": "classified", "empty": "emptied", "sit": "sat", "slide": "slid", "stand": "stood",
 }  # fmt: skip
 DOUBLED = {

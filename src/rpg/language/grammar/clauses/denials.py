@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Amount, Clause, In, Loc, Manner, Noun, replace
+from rpg.language.meaning import Amount, Clause, In, Loc, Manner, Meaning, Noun, replace
 
 _NOT = frozenset({"not", "never"})
 _ALL = (["both"], ["all"])
@@ -18,11 +18,24 @@ def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
     denial = next((k for k in range(j, min(j + REACH, p.end)) if p.words[k] in _NOT), None)
     if denial is None or not found.negated:
         return found
+    ahead = found.verb == "be" and found.theme is not None and found.theme.span[1] <= p.char(denial, 0)
+    if ahead and _so_many(found.theme):
+        some = Manner(kind="not all", value="of them", span=found.span)
+        return replace(found, adjuncts=(*found.adjuncts, some))
     skipped = p.words[denial + 1 : denial + 2] in (["be"], *([word] for word in _verbs(found)))
     at = denial + 1 + skipped
     if p.words[at : at + 1] not in _ALL and not _of_both(p, at, found):
         return found
     return replace(found, adjuncts=(*found.adjuncts, Manner(kind="not all", span=found.span)))
+
+
+def _so_many(theme: Meaning | None) -> bool:
+    """ "at least one of the red blocks (is not)", "exactly two red blocks (are not)": so many are not, and no more is
+    said of the others."""
+    if not isinstance(theme, Noun) or theme.amount is None or theme.det in ("no", "any", "all", "both", "the"):
+        return False
+    many = theme.amount
+    return (many.low > 0 or bool(many.high)) and (many.strict or theme.part_of is not None)
 
 
 def needless(words: set[str]) -> bool:

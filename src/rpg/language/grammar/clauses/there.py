@@ -95,6 +95,9 @@ def stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Result
         bare = isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None
         if bare and isinstance(theme, Noun) and not (theme.traits.colors or theme.traits.labels):
             continue
+        onward = not k and isinstance(theme, Noun) and theme.head == "patch" and getattr(mark, "head", "") == "patch"
+        if onward:  # "then to the green patch and finally to the blue patch": no patch is on another
+            continue
         behind = max(_LAST.matches(p, end), default=0) if not (k or shape) else 0  # "in a circle, ... shall be placed"
         for more, last in [((), behind)] if behind and p.words[behind] in _CLOSED else adjuncts(p, end):
             verb = "build" if isinstance(theme, Structure) else "be"

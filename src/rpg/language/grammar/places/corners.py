@@ -8,7 +8,8 @@ from rpg.language.grammar.talk.slots import Patterns
 _VIEWER = "me|us|the_robot|the_viewer|the_camera|you|robot|camera|viewer"
 _NEAR = Patterns(f"nearest|closest|nearer|closer|near|close|next to? {_VIEWER}", "in|at|on the front|near side?")
 _FAR = Patterns(
-    f"farthest|furthest|farther|further|far|away away? from {_VIEWER}", "in|at|on the back|far|rear side?",
+    f"farthest|furthest|farther|further|far|away away? from {_VIEWER}", "far|farther|further|farthest|furthest away",
+    "in|at|on the back|far|rear side?",
 )  # fmt: skip
 _SIDES = {"left": "left", "right": "right"}
 _DEPTHS = {"near": "near", "front": "near", "far": "far", "back": "far", "rear": "far"}
@@ -26,6 +27,7 @@ def _told(p: Parser, k: int, across: str, along: str) -> list[tuple[str, int]]:
     """The corner once both are known: which side, and how far away."""
     if across and along:
         return [(f"{along}_{across}_corner", k)]
+    k = p.any_of(k, ("of the table",)) or k if not (across or along) else k
     start = p.any_of(k, _LINKS) or k
     found: list[tuple[str, int]] = []
     if not along and (way := p.peek(start, _DEPTHS)) is not None:

@@ -33,6 +33,12 @@ _LEADS = ("with a", "with the", "with its", "with", "whose", "the", "its", "a", 
 _LONG = ("blocks long", "blocks wide", "blocks high", "cubes long", "cubes wide", "long", "wide", "high", "blocks",
          "cubes", "block", "bricks")  # fmt: skip
 _BOTH = ("both arms", "both sides", "both legs", "with both arms", "two arms")
+_BOTH_ARE = (*_BOTH, "arms", "each arm", "with each arm", "each leg", "each of its arms")
+_PER_ARM = tuple(f"{along} {arm}" for along, arm in (
+    *((along, arm) for along in ("along", "in", "for", "on") for arm in ("each arm", "each leg", "both arms",
+                                                                             "both legs", "each of its arms")),
+    ("per", "arm"), ("per", "leg")))  # fmt: skip
+_ARMS = frozenset({"arm", "arms", "leg", "legs"})
 _SHARED = (
     "sharing the corner", "including the corner", "counting the corner", "including the corner block",
     "counting the corner twice", "with the corner shared", "sharing the corner block", "with a shared corner",
@@ -47,14 +53,13 @@ def limb(p: Parser, i: int, kind: str) -> Results[Size]:
         yield Size(what="equal arms", span=p.span(i, j)), j
     if kind == "L" and (j := p.any_of(start, _SHARED)):
         yield Size(what="shared", span=p.span(i, j)), j
-    both = (
-        p.any_of(start, ("both arms", "both sides", "both legs", "with both arms", "arms", "two arms"))
-        if kind == "L"
-        else 0
-    )
+    both = p.any_of(start, _BOTH_ARE) if kind == "L" else 0
     for found, j in amounts.amount(p, p.any_of(both, ("of", "are", "each")) or both) if both else ():
         end = p.any_of(p.any_of(j, _LONG) or j, ("each",)) or p.any_of(j, _LONG) or j
         yield Size(what="each arm", amount=found, span=p.span(i, end)), end
+    for found, j in amounts.amount(p, p.opt(start, "with")) if kind == "L" and p.rarely(_ARMS) else ():
+        if end := p.any_of(p.any_of(j, _LONG) or j, _PER_ARM):
+            yield Size(what="each arm", amount=found, span=p.span(i, end)), end
     named = LIMBED[kind]
     lead = p.any_of(start, _LEADS) or start
     for phrase, j in p.standing(lead, named) if lead > i else ():

@@ -101,7 +101,8 @@ COMMANDS = Patterns(
     "would|will|could|can you be? so|that|as? kind|nice|good|friendly and|as? to?",
     "be so kind|nice|good and|as to?",
     "is|would|might there be? a|any|some way|chance|possibility to|you_could|you_can|for_you_to|that_you",
-    "is|would it be? possible|okay|ok|fine|feasible|alright to|for_you_to|if_you|for_the_robot_to|that_you|that_we",
+    "is|would it be? possible|okay|ok|fine|feasible|alright|all_right|acceptable "
+    "to|for_you_to|if_you|for_the_robot_to|that_you|that_we",
     "i|we want|need|wish|ask|would_like you",
     "would|could|are|will you be? so? willing|able|prepared|ready|happy|good|nice|generous enough? to",
     "would|is it be? too? much|bold|rude to_ask_you|to_ask_for_you|if_i_asked_you|if_we_asked_you|to_expect_you to",

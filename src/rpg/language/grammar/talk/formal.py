@@ -11,6 +11,8 @@ from rpg.language.grammar.talk.contrasted import CONTRASTED
 from rpg.language.grammar.talk.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.talk.roundabout import AT_ONCE, ROUNDABOUT
 from rpg.language.grammar.talk.turned import END, MUST, WAY, Turn, turned
+from rpg.language.grammar.talk.wordier import AT_ONCE as FEWER_AT_ONCE
+from rpg.language.grammar.talk.wordier import WORDIER
 from rpg.language.tokens import Token
 
 _MANY = "(?:\\d+|two|three|four|five|six|seven|eight|nine|ten|twelve)"
@@ -225,7 +227,7 @@ _WORDS = (
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    return turned(_one_of_each(_steps_told(tokens)), (*_ALWAYS, *AT_ONCE, *REWORDED_AT_ONCE))
+    return turned(_one_of_each(_steps_told(tokens)), (*_ALWAYS, *AT_ONCE, *REWORDED_AT_ONCE, *FEWER_AT_ONCE))
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:
@@ -263,7 +265,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 def plainly(tokens: list[Token]) -> list[list[Token]]:
     """The sentences that one is in plain words; none where it is as plain already."""
-    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED))
+    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER))
     if plain == tokens:
         return []
     out: list[list[Token]] = [[]]

@@ -25,7 +25,7 @@ def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
     if token.kind in ("quote", "literal") and isinstance(token.value, str) and len(token.value) == 1:
         found = token.value.upper()
     elif token.kind == "word" and len(token.raw) == 1 and token.raw.isalpha():
-        if token.raw.isupper() or spoken or token.word not in ("a", "i", "x"):
+        if token.raw.isupper() or spoken or token.word not in ("a", "i", "x") or _among_letters(p, i):
             found = token.raw.upper()
     elif (token.kind == "number" and token.word in string.digits) or token.kind == "sign":
         found = token.word
@@ -38,6 +38,21 @@ def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
         p.reach(i + 1)
         return found
     return None
+
+
+def _among_letters(p: Parser, i: int) -> bool:
+    """ "c, a and t": an "a" in a list of letters, where no article could stand."""
+    if p.words[i] != "a" or p.words[i + 1] not in _BEHIND_ONE:
+        return False
+    others = [(i - 2, i - 1), (i + 2, i + 1)]
+    return any(
+        n >= 0 and p.words[joint] in _JOINTS and len(p.words[n]) == 1 and p.words[n].isalpha() and p.words[n] != "a"
+        for n, joint in others
+    )
+
+
+_JOINTS = frozenset({",", "and"})
+_BEHIND_ONE = frozenset({",", "and", "", ".", "on", "onto", "under", "in"})
 
 
 def _between(first: str, last: str) -> tuple[str, ...]:

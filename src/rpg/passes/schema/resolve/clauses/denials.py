@@ -3,7 +3,21 @@
 from __future__ import annotations
 
 from rpg.ir import goal as g
-from rpg.language.meaning import Amount, Chain, Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, That, replace
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    That,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.exception_last import exception_last
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
@@ -102,9 +116,12 @@ def of_the_same(clause: Clause) -> bool:
     return any(isinstance(mark, Noun) and mark.traits.scheme == "same" for mark in marks)
 
 
-def denied(goals: Atoms, clause: Clause, scene: Scene, together: bool) -> Atoms:
-    """The opposite of what a clause states. `together`: "not both", "not all", where some of it may be so."""
-    if together or of_the_same(clause):
+def denied(goals: Atoms, clause: Clause, scene: Scene, together: Manner | None) -> Atoms:
+    """The opposite of what a clause states. `together`: "not both", "not all", where some of it may be so, or "at least
+    one of them is not", where it is told of how many it is denied."""
+    if together is not None and together.value:
+        return [_of_so_many(goal, clause) for goal in goals]
+    if together is not None or of_the_same(clause):
         return [g.Not(goal=conj(goals, clause.span), span=clause.span)] if goals else []
     places = [place for place in clause.adjuncts if isinstance(place, Loc | In) and not place.negated]
     open_ = any(isinstance(place, Loc) and isinstance(place.landmark, Coord) for place in places)
@@ -112,6 +129,16 @@ def denied(goals: Atoms, clause: Clause, scene: Scene, together: bool) -> Atoms:
         raise refuse("ambiguous", "it is not clear whether each of these is denied, or both together", places[1].span,
                      "say 'neither ... nor', or 'not both'")  # fmt: skip
     return negation(goals, clause.span, wholes(scene))
+
+
+def _of_so_many(goal: g.Goal, clause: Clause) -> g.Goal:
+    """ "exactly two of them are not on the mat": so many of which it does not hold."""
+    many = clause.theme.amount if isinstance(clause.theme, Noun) else None
+    if isinstance(goal, g.Count) and many is not None and goal.at_least == many.low:
+        return goal.model_copy(update={"goal": conj(negation([goal.goal], clause.span), clause.span)})
+    if isinstance(goal, g.Any) and not any(isinstance(x, g.All | g.Any | g.Count | g.Not) for x in goal.goals):
+        return g.Any(goals=tuple(g.Not(goal=x, span=clause.span) for x in goal.goals), span=clause.span)
+    raise refuse("ambiguous", "it is not clear of how many this is denied", clause.span, "say 'none of', or 'not all'")
 
 
 def apart_from(clause: Clause) -> Clause:

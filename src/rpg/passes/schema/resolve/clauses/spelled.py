@@ -49,6 +49,10 @@ def _of_line(line: Structure, spec: Spec, scene: Scene, scope: Scope) -> Ref | N
     """ "the tower spells DOG": the tower that was spoken of, or the letters that it is to be made of, if any."""
     known = known_ones(line, scene) if line.det in ("the", "its") else []
     using = spec.usings.pop(0)
+    if not known and _as_many_as_it_takes(line):
+        spec.intos.insert(0, Into(structure=replace(line, det="a", members=None), span=using.span))
+        spec.usings.insert(0, replace(using, members=line.members))
+        return None
     if known or line.members is not None or line.sizes:
         if line.kind == "stack":
             spec.toward.append(Toward(axis="z", span=using.span))
@@ -56,6 +60,13 @@ def _of_line(line: Structure, spec: Spec, scene: Scene, scope: Scope) -> Ref | N
     spec.intos.insert(0, Into(structure=replace(line, det="a"), span=using.span))
     letters = [m.ref for m in scene.mentions if m.role == "theme" and m.ref.names][-1:]
     return next((ref for ref in letters if all(scene.things[n].elastic for n in ref.names)), None)
+
+
+def _as_many_as_it_takes(line: Structure) -> bool:
+    """ "a tower of letter cubes (spells BOOK)": of so many as the word has letters."""
+    of = line.members
+    plain = isinstance(of, Noun) and of.plural and of.det == "bare" and of.amount is None and of.part_of is None
+    return plain and not line.sizes and isinstance(of, Noun) and not of.traits.labels
 
 
 def _of_its_own(word: Meaning | None, source: Meaning, scene: Scene) -> bool:

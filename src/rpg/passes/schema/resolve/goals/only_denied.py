@@ -32,7 +32,14 @@ def _broken(part: g.Goal) -> g.Goal | None:
             return goals[0]
         case g.Not():
             return part.goal
+        case g.Count(goal=g.Not()) if part.at_least == 0:
+            return None
         case g.Count() if part.at_least == 0 and part.at_most is not None and part.at_most < len(part.over):
             more = part.at_most + 1
             return part.model_copy(update={"at_least": more, "at_most": more})
+        case g.Any(goals=goals) if all(isinstance(x, g.Not) for x in goals):
+            return g.All(goals=tuple(x.goal for x in goals if isinstance(x, g.Not)))
+        case g.Count(goal=g.Not(goal=told)) if part.at_most is None and part.at_least > 0:
+            many = len(part.over) - part.at_least + 1
+            return part.model_copy(update={"goal": told, "at_least": many, "at_most": many})
     return None

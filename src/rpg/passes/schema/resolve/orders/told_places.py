@@ -16,9 +16,11 @@ from rpg.language.meaning import (
     OrderBy,
     Pronoun,
     Structure,
+    That,
     Traits,
     replace,
 )
+from rpg.passes.schema.resolve.orders.onward import onward
 
 _LINES = {"stack": ("bottom", "top", "middle"), "row": ("left", "right", "middle"),
           "line": ("left", "right", "front", "back", "middle"), "column": ("front", "back", "middle")}  # fmt: skip
@@ -30,7 +32,7 @@ def places_told(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str],
     Only where it tells the place of each of them, or of some in a tower: "Red is on the left" after "three blocks in a
     row" could be the left of the table.
     """
-    chains = tuple(map(_one_by_one, chains))
+    chains = tuple(_one_by_one(_out_of_so(chain)) for chain in chains)
     said = [(n, k) for n, chain in enumerate(chains) for k in range(len(chain.clauses))]
     links, rows = list(links), [list(chain.clauses) for chain in chains]
     joints = [list(chain.links) for chain in chains]
@@ -47,6 +49,7 @@ def places_told(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str],
             if _inventory(rows[line][place]):
                 continue
             told = _told(rows[line][place], _LINES[kind], link)
+            told = told or _onward_from([part for _, _, part in parts], rows[line][place])
             if told is None:
                 unread = unread or _somewhere(rows[line][place], _LINES[kind])
                 break
@@ -136,12 +139,41 @@ def _told(said: Meaning, sides: tuple[str, ...], link: str) -> Absolute | None:
     return Absolute(theme=said.theme, adjuncts=(place,), span=said.theme.span)
 
 
+def _onward_from(parts: list[Absolute], said: Meaning) -> Absolute | None:
+    """ "(Red is at the bottom, yellow comes next,) green is above yellow": green comes next, too."""
+    going = any(isinstance(place := part.adjuncts[0], At) and place.side == "next" for part in parts)
+    if not going or not isinstance(said, Clause) or said.verb != "be" or said.negated or len(said.adjuncts) != 1:
+        return None
+    if not isinstance(said.theme, Noun) or not _single(said.theme) or not isinstance(said.adjuncts[0], Loc):
+        return None
+    last = onward([*parts, Absolute(theme=said.theme, adjuncts=said.adjuncts, span=said.theme.span)])[-1]
+    return last if isinstance(last.adjuncts[0], At) else None
+
+
 def _place(said: Meaning) -> At | None:
     """The place of a line that a clause says, and nothing else, of its theme."""
     if not isinstance(said, Clause) or said.verb != "be" or said.negated or said.mode != "goal":
         return None
     place = said.adjuncts[0] if len(said.adjuncts) == 1 else None
     return place if isinstance(place, At) else None
+
+
+def _out_of_so(chain: Chain) -> Chain:
+    """ "Stack them so that red is at the bottom, yellow comes next": told as in a sentence behind it."""
+    clauses: list[Meaning] = []
+    links: list[str] = []
+    for link, said in zip(chain.links, chain.clauses, strict=True):
+        last = said.adjuncts[-1] if isinstance(said, Clause) and said.adjuncts else None
+        inside = last.clauses if isinstance(last, That) and last.kind == "so" else None
+        told = [_place(c) for c in inside.clauses] if isinstance(inside, Chain) else []
+        going = any(place is not None and place.side == "next" for place in told)
+        if not isinstance(said, Clause) or not isinstance(inside, Chain) or not going:
+            clauses.append(said)
+            links.append(link)
+            continue
+        clauses += [replace(said, adjuncts=said.adjuncts[:-1]), *inside.clauses]
+        links += [link, "and", *inside.links[1:]]
+    return replace(chain, clauses=tuple(clauses), links=tuple(links))
 
 
 def _one_by_one(chain: Chain) -> Chain:

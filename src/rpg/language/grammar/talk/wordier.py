@@ -1,0 +1,170 @@
+"""What is said with more words than it takes, or of a part of what it is said of, "whose numbers increase", "two blocks
+by four blocks", as rows that say it plainly."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.talk.turned import FEW, LENGTH, LINE, MUST, WAY, Turn
+
+_MANY = f"(?:\\d+|{FEW})"
+_BLOCK = "(?:block|cube|brick)"
+_PATCH = "(?:patch|mat|zone|target|area|spot|pad|goal)"
+_COUNTED = f"(?:{_MANY}|an?) [^,]+?"
+_TRUE = "(?:true|correct|right|valid)"
+_KINDS = "(?:letter|digit|number|vowel|consonant)"
+_LIKING = "(?: you (?:like|want|please|wish|choose|prefer))?"
+_RISE = "(?:increase|rise|grow|ascend|go up|get bigger|get larger)"
+_FALL = "(?:decrease|fall|shrink|descend|go down|get smaller)"
+_SHAPE = f"(?:{LINE}|wall|pyramid|grid|circle|square|triangle|staircase|checkerboard)"
+_PUSH = "(?:move|bring|push|slide|shift|carry|nudge|drag|pull)"
+_STARTED = "where (?:it|they) (?:starts|start|started|is now|are now|was|were|began|begins)"
+
+_NO_FAVOR = "".join(f"(?<!{word})" for word in (
+    "upright", "readable", "legible", "visible", "enough", "fine", "good", "possible", "ok", "okay", "right", "work",
+    "works", "do", "easy", "hard", "easier", "important", "best", "nice"))  # fmt: skip
+"""Behind these "for us" tells for whom it is so."""
+
+_OF = "(?:exactly |just |only |at least |at most )?(?:each|one|any|any one|none|all|both|either|neither|two|three)"
+
+AT_ONCE: tuple[Turn, ...] = (
+    # for whom
+    (f"\\b(build|make|show|give) us (?=(?:an?|the|one|some|\\d+|{FEW}) )", "{1} me "),
+    (f"\\b(create|draw|stack|spell|write|lay|arrange|construct|assemble|form) (?:me|us) "
+     f"(?=(?:an?|the|one|some|\\d+|{FEW}) |\\S+$)", "{1} "),
+    (f"{_NO_FAVOR} for (?:me|us)(?=$| ,| with | on | in | and | as | from )", " "),
+    (f"\\bdo (an? (?:\\w+ )?{_SHAPE})\\b", "make {1}"),
+    # who touches whom
+    (f"^(?:(?:i|we) (?:want|need|would like) )?(?!no )(.+?) (?:{MUST}|to) be touched by (?!the (?:robot|arm|gripper))"
+     "(.+)$", "{2} must touch {1}"),
+    ("^(?!no )([^,]+?) (?:is|are) touched by (?!the (?:robot|arm|gripper))([^,]+)$", "{2} must touch {1}"),
+    (f"\\b({_PUSH}) ((?:the|an?) [^,]+? {_BLOCK}|the \\w+ one|\\w+|it) (?:up|over|right up|all the way) to (it|the "
+     f"[^,]+?"
+     f"|\\w)(?: ,)? (so that|until) (they|the two|both|the two {_BLOCK}s)(?: just)? touch\\b(?! the table)",
+     "put {2} next to {3} so that they touch"),
+    # how much there is
+    (f"\\b({_MANY}) {_BLOCK}s (by|x) ({_MANY}) {_BLOCK}s\\b", "{1} {2} {3} blocks"),
+    (f"^with ({_COUNTED}) (?:standing |lying )?on the table(?: ,)? ((?:put|place|stack|build|make|arrange|set|lay|line|"
+     "sort|move) .+)$", "there are {1} . {2}"),
+    (f"^((?:every|each) [^,]+? {_BLOCK}) , (?:and )?there are ({_MANY})(?: of (?:them|those|these))? , "
+     "(.+)$", "{1} {3} . there are {2} of them"),
+    (f"\\bsome ((?:\\w+ )?{_BLOCK}) (?!of\\b|.*\\b(?:not|no|never)\\b)", "at least one {1}"),
+    # numbers and letters
+    (f"^((?:(?!equation|sum).)+?)(?: ,)? (?:so|such) that the (?:equation|sum|calculation) (?:is|comes out|works out|"
+     f"holds|becomes) ?{_TRUE}?$", "{1} so that they form a true equation"),
+    ("^((?:write|show|lay|build|make|form|spell) (?:out )?(?:the )?(?:equation|sum) .+?)(?: ,)? in (?:cubes|blocks|"
+     "number "
+     "cubes|digit cubes|number blocks)$", "{1}"),
+    ("^of (the (?:digits|numbers|letters) [^;]+?) , (the (?:even|odd) (?:ones|digits|numbers) .+)$",
+     "there are {1} . {2}"),
+    ("^((?:separate|sort|split|divide) .+?)(?: ,)? so that there is (?:a|one) group (?:of|for) each(?: kind| color)?$",
+     "{1}"),
+    (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_RISE}\\b", "{1} a {2} in "
+     "ascending order"),
+    (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_FALL}\\b", "{1} a {2} in "
+     "descending order"),
+    (f"^(?:the word )?(\\S+) (?:{MUST} be|is) (?:spelled|spelt|written|shown|formed) by (an? {LINE}\\b[^,]*)(.*)$",
+     "{2} must spell {1} {3}"),
+    # one of several that are listed with an article each
+    *((f"\\b({_OF}) of the (\\w+){more} (?:and|or) the (\\w+) ({noun})\\b",
+       f"{{1}} of the {{2}}{said} and {{{n}}} {plural}")
+      for more, said, n in (("", "", 3), (" , the (\\w+)(?: ,)?", " , {3}", 4),
+                            (" , the (\\w+) , the (\\w+)(?: ,)?", " , {3} , {4}", 5))
+      for noun, plural in (("block|cube|brick|box", "blocks"), ("patch|mat|zone|target|area|spot", "patches"))),
+    ("\\b(gradient|rainbow|rainbow order|spectrum)(?: ,)? from (\\w+) (?:on|at) the (left|right|front|back|top|"
+     "bottom) to "
+     "(\\w+) (?:on|at) the (left|right|front|back|top|bottom)$", "{1} from {2} to {4} from {3} to {5}"),
+    (f"\\b(checkerboard|chessboard)( of [^,]+?)?(?: ,| with| of| in) ({FEW}) rows of ({FEW})(?: {_BLOCK}s)?(?: each)?$",
+     "{1} {2} , {3} by {4}"),
+    ("^(?:seen )?in (?:plan|plan view|top view)(?: ,)? (.+)$", "{1}"),
+    # what is where
+    (f"^({WAY})(?: ,)? (?:we|you|i) (?:have|see|find|get) ", "{1} there are"),
+    ("\\b(stack|tower|pile)\\b(.*) at (?:the|its) foot\\b", "{1} {2} at the bottom"),
+    ("\\b(left|right) hand (end|edge|position|place|one|block|half)\\b", "{1} {2}"),
+    ("\\b(half|corner|middle|center|edge) of the table\\b(.+?)\\b(half|corner|middle|center|edge) of it$",
+     "{1} of the table {2} {3} of the table"),
+    ("^((?:the|an?|both|block|cube) [^,]+?|\\w+) (starts|begins|stands|sits|is|lies)(?: now| initially| at first| "
+     "at the start)? ((?:on|in|next to|behind|"
+     "under) [^,]+?)(?: at the start| now| at first| initially)?(?: ,)? (?:and|but) (?:(?:i|we) (?:would like|want|"
+     "need) "
+     "it not to|it (?:should|must|may|shall) (?:not|no longer)|(?:should|must|may) (?:not|no longer)) (?:be|stay|"
+     "remain) "
+     "there(?: any more| anymore| any longer)?(?: (?:at|in) the end)?$",
+     "at the start , {1} is {3} . {1} must not be {3}"),
+    (f"^on (?:either|each) side of (the [^,]+?) there (?:is|{MUST} be) one of the two (\\w+) {_BLOCK}s\\b",
+     "on either side of {1} there is a {2} block"),
+    (f"^(?:in (?:the|an?) ({LINE})|an? ({LINE}) (?:in which|where))(?: ,)? (?:both|the two|the) ends (?:are|{MUST} be) "
+     f"(\\w+) and the ({FEW}) (?:{_BLOCK}s |ones )?(?:in )?between(?: them)? (?:are |{MUST} be )?(\\w+)$",
+     "a {1} {2} of {4} {5} blocks with a {3} block at each end"),
+    ("^(?:stack|pile|pile up|stack up) (an? [^,]+?) , ((?:and |then )?an? [^,]+? on (?:it|top of it|that)\\b.*)$",
+     "put {1} on the table , {2}"),
+    (f"^(?:(?:each of |all )?the four (\\w+) {_BLOCK}s {MUST} (?:be|end up|stand|go|lie)|(?:put|place|set|move) "
+     f"(?:each of )?"
+     f"the four (\\w+) {_BLOCK}s) in (?:a different|its own|a separate|different|separate) corners?(?: of the table)?$",
+     "a {1} {2} block must be in each corner of the table"),
+    (f"^(?:take|get|pick|pick up|grab) (the (?:{_MANY} )?(?:\\w+ )?{_BLOCK}s)(?: up)? (?:from|out of) (?:their|a) "
+     f"(heap|pile)"
+     "(?: ,)? (?:and|then|and then) (.+)$", "{1} start in a {2} . {3}"),
+    (f"^({_MANY} \\w+ {_BLOCK}s?(?: ,| and| , and) {_MANY} \\w+ {_BLOCK}s?) , and (on (?:every|each) .+)$", "{1} . "
+     "{2}"),
+    (f"^visit (?:the|all|all the) (?:{_MANY} )?(?:{_PATCH}s|patches) in (?:this |that |the following )?order : (.+ "
+     f"then .+)$",
+     "{1}"),
+    # who does what
+    ("\\b(change|swap|trade|exchange|switch) (?:their )?(places|positions|spots) with (?:each other|one another)\\b",
+     "{1} {2}"),
+    (f"^(?:just )?{_PUSH} (the [^,]+?) , (?:and )?(?:i want|(?:so that|until) (?:i have)?) ?(?:it|it is) at least "
+     f"({LENGTH})(?: away)? from {_STARTED}$", "move {1} by at least {2}"),
+    (f"^(?:i|we) (?:want|need|would like) ([^,]+?) (?:to be )?at least ({LENGTH})(?: away)? from {_STARTED}$",
+     "move {1} by at least {2}"),
+    ("\\b(an? (?:plus|cross)) (?:out of|from|of) (an? .+ in the center and .+ around it)$", "{1} with {2}"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+
+WORDIER: tuple[Turn, ...] = (
+    # what each is
+    (f"\\bby whether (?:they|it|each(?: one)?|the \\w+) (?:are|is) (?:an? )?({_KINDS})s? or (?:an? )?({_KINDS})s?$",
+     "into {1s} and {2s}"),
+    ("\\bby whether (?:they|it|each(?: one)?|their numbers|the numbers|the digits) (?:are|is) (odd or even|even or "
+     "odd)$",
+     "into odd and even"),
+    # what may be anywhere
+    (f"^(?:you (?:may|can|could|are free to) |feel free to )?(?:put|place|set|move) (.+?) (?:just )?(?:anywhere|"
+     f"wherever)"
+     f"{_LIKING}(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) (?:is|are|stays|stay|"
+     f"ends up"
+     "|end up|remains|remain) (.+)$", "{1} must be {2}"),
+    ("\\bonly (.+?) (?:may|can) be (on .+?)(?: ,)? and (?:there it must be|it must be there|it must)$",
+     "only {1} must be {2}"),
+    # lines
+    (f"\\b({LINE}(?: of [^,]+?)?)(?: ,)? (?:which|that)(?: ,)? (?:going |read |reading |seen )?({WAY})(?: ,)? "
+     "(?:is|are|reads|goes|read) (.+)$", "{1} , {2} : {3}"),
+    (f"\\b({LINE}(?: of [^,]+?)?)(?: ,)? (?:whose gaps are|with) (?:all )?(?:the )?(?:gaps )?(?:all )?(?:equal|"
+     f"equally wide"
+     "|the same)$", "{1} with equal gaps"),
+    (f"\\bat (either|each|both|one) ends? of (?:the|that|this) {LINE}$", "at {1} end"),
+    ("(?<!filled )\\b(square|rectangle|circle|triangle) whose (?:outline|perimeter) (?:is|consists of|is made of|is "
+     "formed by"
+     ") (.+)$", "{1} of {2}"),
+    ("\\bflat (in (?:the (?:form|shape) of )?an? \\w+)$", "{1}"),
+    (f"^(each of .+?|[^,]+? {_PATCH}s?|[^,]+? patches) receives? (.+)$", "{1} gets {2}"),
+    # together and apart
+    ("(?: ,)?(?: and)? (?:away|apart|separate|separated) from (?:the )?(?:blocks of |those of |ones of )?(?:the "
+     ")?other "
+     "colors$", ""),
+    (f"^(.+? (?:on|onto|on top of) the [^,]+?) , which (?:{MUST} be|is|comes) at the (?:very )?bottom(?: of (?:it "
+     f"all|all|"
+     f"the {LINE}|the pile|everything))?(| , .+| and .+)$", "{1} , which must be on the table {2}"),
+    # one after another
+    ("(?: ,)? but not until (.+)$", ", but only after {1}"),
+    (f"\\b(?:has reached|have reached|reaches|reached) ((?:the|its|an?) (?:\\w+ )?{_PATCH})\\b", "is on {1}"),
+    (f"\\b(?:{MUST} )?reach ((?:the|its|an?) (?:\\w+ )?{_PATCH})\\b", "must be on {1}"),
+    # to and from
+    ("\\b(?:get|take|bring|move|lift) (it|them) (?:out of|off|from|away from) there and (?:put (?:it|them) )?((?:in|"
+     "into|on|"
+     "onto|to|over to) .+)$", "put {1} {2}"),
+    ("^([^,]+? and [^,]+?) , (?:please )?(?:now )?(?:change|swap|trade|exchange|switch) (?:places|positions|spots)$",
+     "{1} must swap places"),
+    ("\\bwhere (.+?) in turn (is|rests|stands|sits|lies|must)\\b", "where {1} {2}"),
+)  # fmt: skip
+"""What makes no sense as it stands."""
+WORDS = ("wherever touched turn reach reaches reached whether outline perimeter",)
+"""Words that these take besides those that are read anyway."""

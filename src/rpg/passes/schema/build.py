@@ -55,6 +55,7 @@ from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
+from rpg.passes.schema.resolve.structures.another_such import another_such
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.structures.unbuilt import check_known
@@ -218,7 +219,8 @@ def _resolved(
     for note in notes:
         scene.assume(note)
     links, chains = counted_later(links, each_later(chains))
-    links, chains = sized(links, tuple(without_spare(plainly(chain)) for chain in chains), scene)
+    chains = another_such(tuple(without_spare(plainly(chain)) for chain in chains))
+    links, chains = sized(links, chains, scene)
     scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
     check_words(chains, scene)
     pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))

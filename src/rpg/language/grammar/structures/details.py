@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import pointed
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import more_parts, one_more
@@ -23,7 +24,21 @@ from rpg.language.grammar.things.bodies import body_clause
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.grammar.things.strangers import strangers_told
 from rpg.language.later import later
-from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, OrderBy, Places, Structure, replace
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    At,
+    Clause,
+    Coord,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Places,
+    Structure,
+    Traits,
+    replace,
+)
 
 if TYPE_CHECKING:
     from rpg.language.grammar.structures.structures import structure
@@ -150,6 +165,9 @@ def _in_a_whole(p: Parser, i: int) -> Results[Clause]:
         led = p.any_of(told, ("in", "at", "on", "as"))
         there = [*part(p, told, "block"), *(part(p, led, "block") if led else ()), *at(p, told)]
         for place, k in dict.fromkeys(there):
+            upon = p.words[told] == "on" and any(word in lexicon.BLOCK for word in p.words[told:k])
+            if upon and not (isinstance(place, At) and place.whole is None):
+                continue
             inside = p.any_of(k, ("in", "of"))
             for whole, end in structure(p, inside) if inside else ():
                 new = isinstance(whole, Structure) and whole.det in ("a", "bare") and not whole.plural
@@ -157,12 +175,24 @@ def _in_a_whole(p: Parser, i: int) -> Results[Clause]:
                     continue
                 look = replace(theme, det="bare")
                 first = Absolute(theme=look, adjuncts=(place,), span=p.span(i, k))
+                if upon and isinstance(place, At):
+                    on_it = Loc(rel="on", landmark=_block_at(place), span=place.span)
+                    first = Absolute(theme=replace(theme, amount=Amount(1, 1)), adjuncts=(on_it,), span=first.span)
                 built = Clause(verb="build", theme=whole, adjuncts=(first,), mode="goal", span=p.span(i, end))
+                if upon:
+                    yield built, end
+                    continue
                 parts = [(x, last) for x, last in more_parts(p, i, end, first) if isinstance(x, Coord)]
                 if not parts:
                     yield replace(built, lemma="alone"), end
                 for more, last in parts:
                     yield replace(built, adjuncts=(more,), span=p.span(i, last)), last
+
+
+def _block_at(place: At) -> Noun:
+    """ "On the second block from the left": what lies there is on top of it, no part of the line."""
+    rank = f"{place.index} {place.side}" if place.index is not None else place.side
+    return Noun(head="any", det="the", traits=Traits(rank=rank), span=place.span)
 
 
 _PLACED = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "last", "middle", "center", "leftmost",

@@ -9,7 +9,8 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Clause, In, Loc, Noun, PartOf, TableTop, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.things.world import Scene, refuse
+from rpg.passes.schema.resolve.goals.logic import Atoms
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 
 def centred(spec: Spec, scene: Scene, span: Span, names: tuple[str, ...] | None = None) -> list[g.Goal]:
@@ -55,3 +56,13 @@ def by_centring(clause: Clause, spec: Spec) -> None:
             spec.places[n] = replace(place, rel="on", landmark=middle)
         elif not told and place.high is None:
             raise refuse("ambiguous", "it is not said how well it is to be centred", place.span, "say 'to within 5 mm'")
+
+
+def centred_on(theme: Ref, mark: Ref, loc: Loc, span: Span) -> Atoms:
+    """ "centred on the blue block to within 5 mm": how far off its middle at most."""
+    if loc.high is None:
+        return []
+    if len(theme.names) != 1 or len(mark.names) != 1:
+        raise refuse("ambiguous", "it is not said which block lies on which, centred so well", loc.span,
+                     "say it of a block that is put on another one")  # fmt: skip
+    return [r.Distance(a=theme.names, b=mark.names, maximum=loc.high, span=span)]

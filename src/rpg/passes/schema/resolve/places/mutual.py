@@ -14,6 +14,7 @@ from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, Structure, TableTop, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
+from rpg.passes.schema.resolve.structures.towers_apart import tell_apart
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL, foot
 from rpg.passes.schema.resolve.things.things import create, fits, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
@@ -76,6 +77,10 @@ _LEVEL = frozenset({"distance", "apart", "side_by_side", "beside", "adjacent", "
 
 def of_the_towers(theme: Ref, loc: Loc, scene: Scene) -> Ref:
     """ "Make a red tower. Make a blue tower. 10 cm between them": said of both towers."""
+    if any(b.kind == "towers" for b in theme.built):
+        tell_apart(Structure(kind="stack", det="the", plural=True, span=theme.span), scene)
+        apart = tuple(b for b in scene.built if b.kind == "stack" and {*b.members} < {*theme.names})
+        return replace(theme, built=apart) if {n for b in apart for n in b.members} == {*theme.names} else theme
     stacks = [b for b in scene.built if b.kind == "stack" and len(b.members) > 1]
     own = [b for b in stacks if set(theme.names) == set(b.members)]
     begun = bool(own) and set(own[0].members[1:]) <= scene.begun_on  # of a tower of the start blocks are said anything

@@ -29,7 +29,7 @@ from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.centred import centred
 from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
-from rpg.passes.schema.resolve.places.pointed import of_a_part
+from rpg.passes.schema.resolve.places.pointed import of_a_part, onto_a_list
 from rpg.passes.schema.resolve.places.relations import place, related
 from rpg.passes.schema.resolve.places.stacking import stands_on
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
@@ -152,7 +152,7 @@ def _no_chain(spec: Spec) -> None:
     """ "A left of B left of C", "on B or C on D", with nothing between: of B, or of A? Nor "on B and on the table"."""
     for one, two in itertools.pairwise(p for p in spec.places if isinstance(p, Loc)):
         gap = two.span[0] - one.span[1]
-        onto = one.rel == "on" and isinstance(one.landmark, Coord) and getattr(two.landmark, "head", "patch") != "patch"
+        onto = onto_a_list(one, two)
         if one.rel == two.rel and (one.rel in CHAINED or onto) and 0 <= gap <= 1:
             raise refuse("misplaced", "it is not clear what this is said of", two.span, "say 'and', or two sentences")
         on = one.rel == two.rel == "on" and isinstance(one.landmark, Noun) and one.landmark.head != "patch"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language.meaning import Absolute, At, Loc, Pronoun
+from rpg.language.meaning import Absolute, At, Coord, Loc, Noun, Pronoun
 from rpg.passes.schema.resolve.things.world import Ref, refuse
 
 
@@ -14,3 +14,10 @@ def of_a_part(whole: Ref, theme: Ref, it: Pronoun, place: Loc, told: Sequence[Ab
     further = bool(whole.built) and not set(theme.names) & set(whole.names)
     if inside and further and it.word in ("it", "that") and place.rel in ("on", "above", "under"):
         raise refuse("ambiguous", f"{it.word!r} could be the block or the structure", it.span, "name what you mean")
+
+
+def onto_a_list(one: Loc, two: Loc) -> bool:
+    """ "On B or C on D", "on the black mat and another one on the white mat": what lies on the second may be listed."""
+    items = one.landmark.items if one.rel == "on" and isinstance(one.landmark, Coord) else ()
+    another = any(isinstance(x, Noun) and x.det == "another" for x in items[-1:])
+    return bool(items) and (another or getattr(two.landmark, "head", "patch") != "patch")

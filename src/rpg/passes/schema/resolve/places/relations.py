@@ -14,6 +14,7 @@ from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, neg
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here
 from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between
+from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.corners import corners, of_something_else, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
 from rpg.passes.schema.resolve.places.moved import off_what, taken_off
@@ -287,8 +288,14 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         pairs = zip(lots, mark.names, strict=True)
         if (len(lots[0]) == 1 or loc.rel != "on") and theme.quant is None:
             return conj([_relate(Ref(names=lot), Ref(names=(b,)), loc, scene, span) for lot, b in pairs], span)
+    several = len(mark.built) > 1 and (mark.each or mark.det in ("both", "all")) and not theme.built
+    if several and loc.rel == "on" and indefinite(theme) and theme.quant is None:  # "a block on each tower"
+        lots = one_lot_each(theme, len(mark.built), scene)
+        tops = [Ref(names=tower.members, built=(tower,)) for tower in mark.built]
+        each = zip(lots, tops, strict=True)
+        return conj([_relate(Ref(names=lot), top, loc, scene, span) for lot, top in each], span)
     if loc.rel in ("on", "above", "under"):
-        return conj([vertical(theme, mark, loc, scene, span), *_centred(theme, mark, loc, span)], span)
+        return conj([vertical(theme, mark, loc, scene, span), *centred_on(theme, mark, loc, span)], span)
     if loc.rel in DIRECTIONS:
         return _directional(theme, mark, loc, scene, span)
     together = bool(theme.built) and not (len(theme.built) == 1 and theme.built[0].kind == "stack")
@@ -319,16 +326,6 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
     if loc.rel == "together":
         return s.GroupBy(groups=((*theme.names, *mark.names),), span=span)
     raise refuse("misplaced", "this relation does not fit here", loc.span)
-
-
-def _centred(theme: Ref, mark: Ref, loc: Loc, span: Span) -> Atoms:
-    """ "centred on the blue block to within 5 mm": how far off its middle at most."""
-    if loc.high is None:
-        return []
-    if len(theme.names) != 1 or len(mark.names) != 1:
-        raise refuse("ambiguous", "it is not said which block lies on which, centred so well", loc.span,
-                     "say it of a block that is put on another one")  # fmt: skip
-    return [r.Distance(a=theme.names, b=mark.names, maximum=loc.high, span=span)]
 
 
 def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:

@@ -49,7 +49,8 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
         if len(known) > 1 and not shape.plural and shape.det not in ("each", "all"):
             raise refuse("ambiguous", f"there are {len(known)} of them", shape.span, "say which")
         names = tuple(dict.fromkeys(n for b in known for n in b.members))
-        return Ref(names=names, built=tuple(known), plural=len(known) > 1, each=shape.det == "each")
+        det = shape.det if shape.det in ("both", "all") else "the"
+        return Ref(names=names, built=tuple(known), det=det, plural=len(known) > 1, each=shape.det == "each")
     several = any(built.kind == "towers" for built in scene.built)
     if several and shape.kind == "stack" and shape.det in ("each", "the", "both") and shape.members is None:
         raise refuse("ambiguous", "it is not clear which block is in which tower", shape.span,

@@ -302,4 +302,6 @@ def _remember(node: s.Towers, by_color: bool, scene: Scene) -> list[Built]:
             scene.add_built("stack", [n for n in names if scene.things[n].color == c], False, node.span or (0, 0))
             for c in colors
         ]
+    if node.heights is not None:
+        scene.heights[names] = node.heights
     return [scene.add_built("towers", names, False, node.span or (0, 0))]

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from rpg.language.later import later
 from rpg.language.meaning import TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
+from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.them import them
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
@@ -39,6 +40,8 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(reciprocal=True, span=word.span)
     if word.word.startswith("="):
         return Ref(names=tuple(word.word[1:].split()), plural=" " in word.word)
+    if (towers := one_of_them(word, scene)) is not None:
+        return towers
     if word.word in ("same", "both the same"):
         last = _last_theme(scene, word)
         return replace(last, op="and") if last.op == "nor" and word.word != "same" else last

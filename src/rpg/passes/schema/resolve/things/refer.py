@@ -10,6 +10,7 @@ from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits, replace
 from rpg.passes.schema.resolve.clauses.alls import note_all
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE
+from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.counting import check_both, counted_among, denied, elliptical, not_of_a_structure
 from rpg.passes.schema.resolve.things.extras import extras
 from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, one_more, quantified, repeats
@@ -196,6 +197,8 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
 
 def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    if (towers := one_of_them(noun, scene)) is not None:
+        return towers
     noun = one_more(noun, scene)
     if noun.part_of is None and elliptical(noun, scene, scope):
         if noun.amount is not None and noun.amount.strict:

@@ -6,6 +6,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.language.meaning import Amount, Noun, OrderBy, Structure, Traits, replace
+from rpg.passes.schema.resolve.structures.towers_apart import on_their_sides, tell_apart
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
 
@@ -27,6 +28,7 @@ def as_it_stands(ref: Ref, scene: Scene) -> list[g.Goal]:
 
 def known_ones(shape: Structure, scene: Scene, role: str = "") -> list[Built]:
     """Structures brought up before that fit the description; what stands beside "that tower" is another one."""
+    tell_apart(shape, scene)
     found = _fitting(shape, scene) or _with_its_color(shape, scene)
     if role == "landmark" and len(found) > 1:
         now = [m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
@@ -152,7 +154,7 @@ def _ranked(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
     if len(found) > 1 and (rank.isdigit() or rank == "last"):
         index = len(found) if rank == "last" else int(rank)
         return found[index - 1 : index]
-    return [built for built in found if scene.sides.get(built.key) == rank]
+    return on_their_sides(rank, found, scene)
 
 
 def exact_size(shape: Structure) -> int | None:

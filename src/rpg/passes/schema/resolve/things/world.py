@@ -134,6 +134,7 @@ class Scene:
     """Everything brought up so far, with the goals and assumptions it led to.
 
     `sides`: where structures stand that were built together, by key.
+    `heights`: of towers that were built together, by their blocks; `lots`: their blocks where they were told apart.
     `vague`: blocks of which neither look nor number was said, though they have been given a colour.
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
@@ -191,6 +192,8 @@ class Scene:
     spare: set[str] = field(default_factory=set)
     vague: set[str] = field(default_factory=set)
     sides: dict[int, str] = field(default_factory=dict)
+    heights: dict[tuple[str, ...], tuple[int, ...]] = field(default_factory=dict)
+    lots: dict[tuple[str, ...], tuple[tuple[str, ...], ...]] = field(default_factory=dict)
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     untimed: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)

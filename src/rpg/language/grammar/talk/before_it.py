@@ -4,6 +4,7 @@ rows that tell it plainly; and what tells of other times."""
 from __future__ import annotations
 
 from rpg.language.grammar.talk.at_times import AT_TIMES
+from rpg.language.grammar.talk.traded import TRADED
 from rpg.language.grammar.talk.turned import LENGTH, LINE, MUST, Turn
 
 _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind|in|under) the [^,]+?"
@@ -23,7 +24,12 @@ BEFORE_IT: tuple[Turn, ...] = (
      "but only after {1} has been put {2}"),
     ("^(?:put|move|bring|carry|take) (.+?) from (the (?:left|right) half)(?: of the table)? to (the (?:left|right) half"
      "(?: of the table)?)$", "at the start , {1} is in {2} of the table . put {1} in {3}"),
+    (f"^(an? {LINE}(?: of)? .+?) (?:(?:is )?(?:standing|lying)|stands|lies|is|has been built|was built) "
+     "(?:on the table|there)$", "there is {1}"),
+    (f"^an? ({LINE}) has been (?:built|made|set up)(?: on the table)? ([:,]) (.+)$", "there is a {1} {2} {3}"),
+    ("^it has (.+? at the bottom(?: ,)?.+)$", "at the start , {1}"),
     *AT_TIMES,
+    *TRADED,
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("present",)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.language.meaning import (
     Amount,
-    Chain,
     Clause,
     Coord,
     In,
@@ -15,7 +14,6 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     Pronoun,
-    That,
     replace,
 )
 from rpg.passes.schema.resolve.clauses.exception_last import exception_last
@@ -139,18 +137,3 @@ def _of_so_many(goal: g.Goal, clause: Clause) -> g.Goal:
     if isinstance(goal, g.Any) and not any(isinstance(x, g.All | g.Any | g.Count | g.Not) for x in goal.goals):
         return g.Any(goals=tuple(g.Not(goal=x, span=clause.span) for x in goal.goals), span=clause.span)
     raise refuse("ambiguous", "it is not clear of how many this is denied", clause.span, "say 'none of', or 'not all'")
-
-
-def apart_from(clause: Clause) -> Clause:
-    """ "Red is on the mat without touching blue": how it is to be, where of a command it says what not to touch."""
-    if clause.verb != "be" or clause.mode != "goal" or clause.negated:
-        return clause
-    return replace(clause, adjuncts=tuple(_no_contact(part) for part in clause.adjuncts))
-
-
-def _no_contact(part: Meaning) -> Meaning:
-    inside = part.clauses if isinstance(part, That) and part.kind == "without" else None
-    told = inside.clauses[0] if isinstance(inside, Chain) and len(inside.clauses) == 1 else None
-    if not isinstance(told, Clause) or told.verb != "touch" or told.theme is None or told.adjuncts:
-        return part
-    return Loc(rel="touching", landmark=told.theme, negated=True, span=part.span)

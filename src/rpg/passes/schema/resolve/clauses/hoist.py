@@ -24,7 +24,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
-from rpg.passes.schema.resolve.clauses.denials import apart_from
+from rpg.passes.schema.resolve.clauses.left_alone import left_alone
 from rpg.passes.schema.resolve.clauses.leftovers import all_used
 from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
@@ -57,7 +57,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if not isinstance(said, Clause):
                 kept.append((link, said))
                 continue
-            said = grounded(drawn(plainly(apart_from(said))), chains)
+            said = grounded(drawn(plainly(left_alone(said))), chains)
             _below_what(_last(found), said)
             if link != "then" and other_side(found, said):
                 continue

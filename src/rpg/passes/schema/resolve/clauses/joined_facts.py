@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import Chain, Clause, In, Loc, Meaning, Noun, Pronoun, replace
 
 BESIDES = re.compile(r"\b(?:also|too|as well|still|both|in addition|additionally)\b", re.IGNORECASE)
 _DEMANDED = re.compile(
@@ -43,13 +43,55 @@ def same_one(fact: Clause, order: Clause) -> bool:
 
 
 def ends_elsewhere(before: Chain, after: Chain) -> bool:
-    """ "The red block sits on the blue one. At the end it is on the mat": what bears a block, and later."""
-    fact, end = before.clauses[0], asked_of(after)
-    if len(before.clauses) > 1 or not isinstance(fact, Clause) or not isinstance(end, Clause):
+    """ "The red block sits on the blue one. At the end it is on the mat": what bears a block, and what later."""
+    ends = [asked_of(after), *after.clauses[1:]]
+    return any(_moves(fact, end) for fact in before.clauses for end in ends)
+
+
+def _moves(fact: Meaning, end: Meaning) -> bool:
+    if not isinstance(fact, Clause) or not isinstance(end, Clause) or end.negated:
         return False
     bases = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel == "on"] for c in (fact, end)]
-    alone = all(len(base) == 1 for base in bases) and len(fact.adjuncts) == 1 and not end.negated
+    alone = all(len(base) == 1 for base in bases) and len(fact.adjuncts) == 1
     return alone and same_one(fact, end) and bases[0] != bases[1]
+
+
+def facts_joined(chain: Chain) -> Chain:
+    """ "On the blue patch lies a red block, on the yellow one a green one": a fact without a verb of its own."""
+    told: list[Meaning] = []
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        before = told[-1] if told else None
+        fact = isinstance(before, Clause) and (before.lemma, before.mode) == ("fact", "goal") and not before.negated
+        if link == "and" and fact and isinstance(clause, Clause) and _verbless(clause):
+            clause = replace(clause, lemma="fact")
+        told.append(clause)
+    return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
+
+
+def borne_in_turn(chain: Chain) -> Chain:
+    """ "Blue starts on green, which is on red": two facts of the start, of one tower."""
+    told: list[tuple[str, Meaning]] = []
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        inner: list[tuple[str, Meaning]] = []
+        last = clause.adjuncts[-1] if isinstance(clause, Clause) and clause.adjuncts else None
+        mark = last.landmark if isinstance(last, Loc) and last.rel == "on" and not last.negated else None
+        if isinstance(clause, Clause) and clause.mode == "start" and isinstance(last, Loc) and isinstance(mark, Noun):
+            below = [x for x in mark.conditions if isinstance(x, Loc) and x.rel == "on" and not x.negated]
+            if len(below) == len(mark.conditions) == 1 and not mark.plural:
+                bare = replace(mark, conditions=())
+                plain = tuple(m for m in below[0].mods if m not in ("asserted", "aside", "start"))
+                inner = [("and", replace(clause, theme=bare, adjuncts=(replace(below[0], mods=plain),)))]
+                known = replace(bare, det="the", amount=None) if bare.det == "a" else bare
+                clause = replace(clause, adjuncts=(*clause.adjuncts[:-1], replace(last, landmark=known)))
+        told += [*inner, (link, clause)]  # "it" is what was told last
+    if len(told) == len(chain.clauses):
+        return chain
+    return replace(chain, clauses=tuple(c for _, c in told), links=tuple(link for link, _ in told))
+
+
+def _verbless(clause: Clause) -> bool:
+    bare = (clause.verb, clause.lemma, clause.mode, clause.word) == ("be", "", "goal", None) and not clause.negated
+    return bare and bool(clause.adjuncts) and all(isinstance(a, Loc | In) for a in clause.adjuncts)
 
 
 def asked_of(chain: Chain) -> Meaning:

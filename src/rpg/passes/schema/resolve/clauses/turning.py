@@ -25,6 +25,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.started import taken_out
+from rpg.passes.schema.resolve.clauses.taken_apart import pile_of
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout
 from rpg.passes.schema.resolve.clauses.whose_turn import is_none, neither, turned_of, unturned
 from rpg.passes.schema.resolve.goals.logic import conj
@@ -240,6 +241,8 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
             goals += place(theme, item, scene, scope, clause.span)
         spec.places = []
         return goals
+    if clause.verb == "unstack" and not landmarks and not clause.negated:
+        theme = pile_of(theme, clause.theme, scene)
     names = theme.names
     if clause.negated:
         if not goals:

@@ -1,0 +1,50 @@
+"""What is not touched meanwhile: "without touching blue", "leaving it where it is"."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, That, Traits, replace
+
+
+def left_alone(clause: Clause) -> Clause:
+    """The clause, with what stands beside it told plainly."""
+    return apart_from(_not_moved(clause))
+
+
+def _not_moved(clause: Clause) -> Clause:
+    """ "Put red on blue, leaving it where it is": without moving it, for what is put somewhere does not stay."""
+    if clause.negated or clause.verb not in ("be", "place", "stack"):
+        return clause
+    return replace(clause, adjuncts=tuple(_without_moving(part) for part in clause.adjuncts))
+
+
+def _without_moving(part: Meaning) -> Meaning:
+    inside = part.clauses if isinstance(part, That) and part.kind == "while" else None
+    told = inside.clauses[0] if isinstance(inside, Chain) and len(inside.clauses) == 1 else None
+    if not isinstance(told, Clause) or told.verb != "keep" or not isinstance(told.theme, Pronoun) or told.negated:
+        return part
+    stays = [a for a in told.adjuncts if isinstance(a, Manner) and a.kind == "stay"]
+    if told.theme.word != "it" or not stays or not all(isinstance(a, Manner) for a in told.adjuncts):
+        return part
+    rest = tuple(a for a in told.adjuncts if a not in stays)
+    moves = replace(told, verb="place", lemma="move", adjuncts=rest)
+    chain = Chain(clauses=(moves,), links=("and",), span=part.span)
+    return That(kind="without", clauses=chain, span=part.span)
+
+
+def apart_from(clause: Clause) -> Clause:
+    """ "Red is on the mat without touching blue": how it is to be, where of a command it says what not to touch."""
+    if clause.verb != "be" or clause.mode != "goal" or clause.negated:
+        return clause
+    marks = [x.landmark for x in clause.adjuncts if isinstance(x, Loc) and x.rel == "on" and not x.negated]
+    below = [mark.traits for mark in marks if isinstance(mark, Noun)]
+    return replace(clause, adjuncts=tuple(_no_contact(part, below) for part in clause.adjuncts))
+
+
+def _no_contact(part: Meaning, below: list[Traits]) -> Meaning:
+    inside = part.clauses if isinstance(part, That) and part.kind == "without" else None
+    told = inside.clauses[0] if isinstance(inside, Chain) and len(inside.clauses) == 1 else None
+    if not isinstance(told, Clause) or told.lemma != "touch" or told.theme is None or told.adjuncts:
+        return part
+    if isinstance(told.theme, Noun) and told.theme.traits in below:
+        return part  # what a block lies on is touched by it: this tells whoever puts it there
+    return Loc(rel="touching", landmark=told.theme, negated=True, span=part.span)

@@ -274,7 +274,9 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
     j = past(p, j)
     senses = p.lex(j, lexicon.VERB)
     for sense, lemma, form in senses or ():
-        if lemma == "leave" and p.words[j - 1 : j] != ["be"]:
+        listed = theme.items if isinstance(theme, Coord) else (theme,)
+        plain = all(isinstance(x, Noun) and x.traits.colors and not x.traits.labels for x in listed)
+        if (lemma == "leave" and p.words[j - 1 : j] != ["be"]) or (sense == "spell" and plain):
             continue
         if lemma in ("take", "pull") and p.stands(j + 1, ("apart", "down")):
             sense = lemma = "unstack"
@@ -292,9 +294,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                         done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, negated=negated, mode=mode,
                                       span=p.span(i, k))  # fmt: skip
                         yield replace(done, word=p.span(j, j + 1)), k
-    start = j
-    if j < p.end and p.words[j] in lexicon.POSTURE:
-        start = p.reach(j + 1)
+    start = p.reach(j + 1) if j < p.end and p.words[j] in lexicon.POSTURE else j
     for found, k in adjuncts(p, start):
         if any(not isinstance(a, Manner) or a.kind != "respectively" for a in found):
             said = Clause(verb="be", theme=theme, adjuncts=found, negated=negated, mode=mode, span=p.span(i, k))

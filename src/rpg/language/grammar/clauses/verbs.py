@@ -11,6 +11,7 @@ from rpg.language.grammar.clauses.for_whom import behind_us
 from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
+from rpg.language.grammar.clauses.turned import REST, not_turned
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.formed import beside_word
 from rpg.language.grammar.places.relations import on_its_own
@@ -277,19 +278,22 @@ def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     Behind a place on, or beside, a block it is this block that another is told from: "red on green, not (on) blue".
     """
     place = before.adjuncts[0] if len(before.adjuncts) == 1 and before.verb in ("be", "place") else None
+    yield from not_turned(p, i, before)
     if not isinstance(place, Loc | In) or place.negated or before.negated:
         return
     mark = place.landmark if isinstance(place, Loc) else None
     colored = isinstance(mark, Noun) and mark.head == "patch" and bool(mark.traits.colors)
     denied = p.one(i, "not")
     for theme, j in noun_phrase(p, denied or i):
-        told = isinstance(theme, Noun | Coord) or (isinstance(theme, Pronoun) and theme.word in _REST)
+        told = isinstance(theme, Noun | Coord) or (isinstance(theme, Pronoun) and theme.word in REST)
         ends = p.any_of(p.any_of(j, _MUST_BE) or j, _ELSEWHERE) if not denied else 0
         flat = isinstance(place, In) or (isinstance(mark, Noun) and mark.head == "patch")
         one = flat and isinstance(theme, Noun) and bool(theme.traits.colors)  # "on the mat, but not the white one"
         block = isinstance(theme, Noun) and (theme.head == "block" or ((theme.det == "bare" or one) and not colored))
+        block = block or (flat and isinstance(theme, Pronoun) and theme.word in REST)
         ended = j >= p.end or p.words[j] in (",", ";")
-        if not denied and ended and flat and isinstance(theme, Noun) and theme.det == "no" and theme.head != "patch":
+        none = getattr(theme, "det", "") == "no" or (getattr(theme, "op", "") == "nor" and not colored)
+        if not denied and ended and flat and none and getattr(theme, "head", "") != "patch":
             yield replace(before, theme=theme, span=p.span(i, j), cost=0), j
         if denied and block and ended and isinstance(place, Loc) and _blocks(mark):
             yield replace(before, theme=_same(before), adjuncts=(replace(place, landmark=theme),), negated=True,
@@ -328,8 +332,6 @@ def _told_elsewhere(found: tuple[Meaning, ...], before: Clause) -> bool:
     there = isinstance(place, Loc | In) and not (isinstance(place, Loc) and place.rel == "moved")
     return there and isinstance(found[0], Loc) and "else" in found[0].mods
 
-
-_REST = ("the others", "the rest", "others", "the other", "the other one")
 
 
 def _next_one(p: Parser, i: int, before: Clause) -> Results[Clause]:

@@ -81,6 +81,7 @@ def spare(p: Parser, i: int) -> Results[Clause]:
     for theme, j in noun_phrase(p, over) if over else ():
         bare = p.words[over - 1] in ("not", "without")
         elliptic = isinstance(theme, Noun) and theme.head == "any" and theme.det == "the"
+        elliptic = elliptic or (isinstance(theme, Pronoun) and theme.word in _OTHERS)
         if p.words[over - 1] == "not" and elliptic and not _PLACED.isdisjoint(p.words[:i]):
             continue  # "on the red mat, not the blue one": perhaps the blue mat
         if p.words[over - 1] == "not" and not _TURNED.isdisjoint(p.words[:i]):

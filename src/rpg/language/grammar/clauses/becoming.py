@@ -210,3 +210,10 @@ def touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool)
         if (end := p.seq(j, "side by side")) and not negated:
             level = (replace(touch, rel="side_by_side"), touch)
             yield Clause(verb="be", theme=theme, adjuncts=level, mode=mode, span=p.span(i, end)), end
+
+
+def and_touches(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "(the two stand side by side) and touch each other": a further predicate of the same subject."""
+    if before.verb == "be" and before.theme is not None and not before.negated and before.mode != "start":
+        same = Pronoun(word="same", span=before.theme.span)
+        yield from touches(p, i, i, same, before.mode, False)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.language import lexicon
+from rpg.language.grammar.clauses.becoming import and_touches
 from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
@@ -120,6 +121,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             *clause(p, j),
             *(carried_on(p, j, previous) if previous is not None else ()),
             *(and_bears(p, j, previous) if previous is not None and link == "and" else ()),
+            *(and_touches(p, j, previous) if previous is not None and link == "and" else ()),
             *(gerund_single(p, j) if link in ("before", "after") else ()),
             *(there_too(p, j, previous) if previous is not None and link == "and" else ()),
         ]

@@ -10,6 +10,7 @@ from rpg.language.grammar.talk.before_it import BEFORE_IT
 from rpg.language.grammar.talk.contrasted import CONTRASTED
 from rpg.language.grammar.talk.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.talk.roundabout import AT_ONCE, ROUNDABOUT
+from rpg.language.grammar.talk.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.talk.turned import END, MUST, WAY, Turn, turned
 from rpg.language.grammar.talk.wordier import AT_ONCE as FEWER_AT_ONCE
 from rpg.language.grammar.talk.wordier import WORDIER
@@ -32,7 +33,8 @@ _IS = f"(?:is|are|{MUST} be)"
 _ALWAYS: tuple[Turn, ...] = (
     (f"^at no (?:time|point|moment) ({MUST}|may|can) any (.+?) (be|stand|lie|touch|rest|sit) (.+)$",
      "no {2} {1} ever {3} {4}"),
-    (f"^(.+?)(?: ,)? (?:which|that) (start|begin|are initially) (?:out )?(in an?|in one) ({_LINE})(?: ,)? ({MUST} .+)$",
+    (f"^(.+?)(?: ,)? (?:which|that) (start|begin|are initially) (?:out )?(in an?|in one) ({_LINE})(?: ,)? "
+     f"({MUST} .+|end up .+|form .+)$",
      "{1} {2} {3} {4} . they {5}"),
     ("(?:so|such) that the word (\\S+) (?:can be read|can be seen|is read|is spelled|is formed|appears)\\b",
      "so that they spell {1}"),
@@ -227,7 +229,8 @@ _WORDS = (
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    return turned(_one_of_each(_steps_told(tokens)), (*_ALWAYS, *AT_ONCE, *REWORDED_AT_ONCE, *FEWER_AT_ONCE))
+    rows = (*_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
+    return turned(_one_of_each(_steps_told(tokens)), rows)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:

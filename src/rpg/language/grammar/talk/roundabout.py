@@ -16,6 +16,10 @@ _STARTED = (
 )
 
 AT_ONCE: tuple[Turn, ...] = (
+    ("^(.+?) touch(?: each other)? side by side( on the table)?$", "{1} are side by side and touch each other"),
+    ("\\b(with \\w+(?: block| cube)?) (?:sandwiched|held|placed) between (?:the two|both|the two of them)$",
+     "{1} between them"),
+    ("^(.+?)(?: ,)? (?:and |but )?not the other way (?:round|around)$", "{1}"),
     ("\\bnot there but (in|on|at|inside)\\b", "{1}"),
     (f"^(use|take) ([^,]+?) for ((?:an?|one) [^,]*\\b{LINE}\\b.*)$", "{1} {2} to build {3}"),
     (f"^(?:in |create |build |make )?(an? [^,]*\\bgrid\\b[^,]*?)(?: ,| where| in which)+ the (rows|columns|layers)"
@@ -157,7 +161,6 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"^([^,]+?) ({MUST} be) (under|below|beneath|above|over) ([^,]+?) , in direct contact$",
      "{1} {2} directly {3} {4}"),
     ("^(.+) , stacked directly$", "{1}"),
-    ("^(.+?) touch(?: each other)? side by side( on the table)?$", "{1} are side by side and touch each other"),
     ("\\b(gets|get|be|are) grouped into\\b", "must be sorted into"),
     # what stays
     ("^(.+?) (starts?|begins?) (in a (?:heap|pile|tower|row|stack)) and (?:is|are) to be (.+)$",

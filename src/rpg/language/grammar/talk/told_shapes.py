@@ -1,0 +1,86 @@
+"""Grids and pyramids whose parts are told by where they are, "a red column on the left", "the row nearer to me", "a
+base of 2x2 and one on top in the middle", as rows that name each part by its place."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.talk.turned import FEW, LINE, Turn
+
+_LINE = "(?:columns?|rows?)"
+_SIDE = "(?:left|right|middle|center|front|back|near|far)"
+_NEAR = "(?:nearer|nearest|closer|closest) to (?:me|you|us|the viewer|the robot)"
+_FAR = "(?:farther|further|farthest|furthest)(?: away)?(?: from (?:me|you|us|the viewer|the robot))?"
+_BE = "(?:is|are|must be|should be)"
+_LATERAL = f"(?:{_BE} )?(?:on|at|in|to) the"
+_ONE_AND_OTHER = f"\\b(grid\\b.*?) one (column|row) (?:{_BE} )?(\\w+)(?: ,)? and the other(?: one)? (?:{_BE} )?(\\w+)"
+_THE_FIRST = "(?: ,| with|;)+ the \\3 (?:column|row|one)"
+_ROW_AND_OTHER = f"({_BE} )?(?:all )?(\\w+)(?: ,)? and the other(?: one| row)? ({_BE} )?(?:all )?(\\w+)$"
+
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
+_BASE = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
+_TOP = "(an?|one) (\\w+)(?: block| cube| one)? on (?:the )?top(?: (?:in|at) the (?:middle|center))?$"
+
+TOLD_SHAPES: tuple[Turn, ...] = (
+    (f"\\b(grid\\b.*?) an? (\\w+) (row|column) (?:on|at|in|to) the ({_SIDE})(?: side| end)?\\b", "{1} the {4} {3} {2}"),
+    (f"^(.*\\bgrid\\b[^,]*?) (?:has|must have|should have) (the {_SIDE} (?:row|column) \\w+)\\b", "{1} with {2}"),
+    ("\\b(grid) with (\\w+)(?: blocks| ones)? on the left and (\\w+)(?: blocks| ones)? on the right$",
+     "{1} with the left column {2} and the right column {3}"),
+    ("\\b(grid) with (\\w+)(?: blocks| ones)? (?:in|at) (?:the )?(front|back) and (\\w+)(?: blocks| ones)? (?:in|at) "
+     "(?:the )?(front|back)$", "{1} with the {3} row {2} and the {5} row {4}"),
+    (f"\\b(grid\\b.*) the row {_NEAR} {_ROW_AND_OTHER}", "{1} the near row {2} {3} and the far row {4} {5}"),
+    (f"\\b(grid\\b.*) the row {_FAR} {_ROW_AND_OTHER}", "{1} the far row {2} {3} and the near row {4} {5}"),
+    (f"{_ONE_AND_OTHER}{_THE_FIRST} {_LATERAL} left$", "{1} the left {2} {3} and the right {2} {4}"),
+    (f"{_ONE_AND_OTHER}{_THE_FIRST} {_LATERAL} right$", "{1} the right {2} {3} and the left {2} {4}"),
+    (f"\\b(grid) (?:in which|where|whose) ((?:{FEW})) (?:blocks |cubes |of them )?{_BE} (\\w+)(?: ,)? and the "
+     f"(?:center|middle)(?: one| block| cube) (?:{_BE} )?(\\w+)$",
+     "{1} of {2} {3} blocks with a {4} block in the center"),
+    ("\\b(grid with .+?) , the (\\w+) ones in the (\\w+) row and the (\\w+) ones in the (\\w+) row$",
+     "{1} , {2} in the {3} row and {4} in the {5} row"),
+    # towers and rows
+    (f"\\b(towers [^,]+ , one ({_COLOR})(?: ,| and)? one ({_COLOR}))(?: ,|;| with)+ (?:the )?\\2(?: one| tower)? "
+     f"(?:{_BE} |stands )?({_SPOT}) (?:the )?\\3(?: one| tower)?$", "{1} . the {2} tower must be {4} the {3} tower"),
+    (f"^(an? {LINE} of .+?) in front(?: ,| and)+ (an? {LINE} of .+?) behind(?: it)?$", "{1} and {2} behind it"),
+    (f"^rainbow ({LINE})(?: :| of| ,| with)+ (.+ (?:blocks|cubes)|.+ , (?:starting|beginning) .+)$",
+     "a rainbow {1} of {2}"),
+    (f"^((?:{FEW}|\\d+) [^,]*?(?:blocks|cubes|ones)) , ((?:{FEW}) (?:towers|stacks)) , (?:both|all|each|all of "
+     f"them)(?: of)? "
+     "(?:the same|equal) height$", "{1} in {2} of the same height"),
+    (f"^({FEW}|\\d+) (?:blocks )?high , (alternating .+)$", "a tower of {1} blocks , {2}"),
+    (f"\\bthat (?:does not|must not|should not|may not) have (?:the )?({_COLOR})(?: one| block| cube)? (at the "
+     f"top|on top|"
+     "at the bottom)$", "with {1} not {2}"),
+    ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group "
+     "(in|on|to|behind|next|"
+     "near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
+    (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({_COLOR})(?: block| cube| one)? , (?:then |and "
+     f"then |next "
+     "|and )?(?:put |place |set |stack )?(.+? on (?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put "
+     "{2}"),
+    # letters
+    ("^(?:make|build) a (?:tower|stack) of (?:the |some )?letters?(?: blocks| cubes)? (?:so that|that|such that)(?: "
+     "from "
+     "top to bottom)?(?: it| they)? (?:says?|spells?|reads?) (\\S+)(?: from top to bottom)?$",
+     "stack letter blocks so that they read {1} from the top down"),
+    ("\\b(?:show|have|take) the shape of (?:the |a )?(?:letter )?(\\w)\\b", "form the letter {1}"),
+    ("\\b(?:so that|so) they look like (?:the |a )?(?:letter )?(\\w)\\b", "so that they form the letter {1}"),
+    # what there is
+    (f"^(?:the )?({_COLOR}(?: , {_COLOR})*(?: ,)? and {_COLOR} (?:blocks|cubes)) : "
+     f"((?:put|stack|place|build|make|arrange|line|"
+     "move|set|lay) .+)$", "there are the {1} . {2}"),
+    ("^the words [^:]+ : ((?:spell|put|write|place|lay|set) .+)$", "{1}"),
+    # pyramids
+    (f"\\b(pyramid)(?: :| of| from| with)? (?:an? )?{_BASE} (\\w+) (?:blocks|cubes) (?:at the bottom|as (?:the|a) base)"
+     f"(?: ,| and|, and)+ {_TOP}", "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
+    (f"\\b(pyramid) (?:from|of|out of) an? {_BASE} base of (\\w+) (?:blocks|cubes)(?: ,| and)+ {_TOP}",
+     "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
+    (f"\\b(pyramid) of (?:{FEW}|\\d+) (\\w+) (?:blocks|cubes) as an? {_BASE} base(?: ,| and)+ {_TOP}",
+     "{1} with a {3} base of {2} blocks and {4} {5} block on top"),
+    (f"\\b(pyramid) whose base (?:is|has|consists of) {_BASE} (\\w+) (?:blocks|cubes)(?: ,)? and whose top is (an?) "
+     "(\\w+)(?: block| cube| one)?$", "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
+    (f"\\b(pyramid of [^,:]+?) (?:in which|where) the base(?: of \\w+)? {_BE} (\\w+) , the (?:second|middle) layer "
+     f"(?:{_BE} )?(\\w+)(?: ,)? and the (?:tip|top|topmost block) (?:{_BE} )?(\\w+)$",
+     "{1} : the base {2} , the second layer {3} , the tip {4}"),
+    ("\\b(pyramid\\b.* on top) (?:in|at) the (?:middle|center)$", "{1}"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""

@@ -128,6 +128,8 @@ def _negated(goal: g.Goal, say: Speaker) -> str:
             return join([_negated(part, say) for part in goal.goals])
         case g.All():
             return _alternatives([_negated(part, say) for part in goal.goals])
+        case g.Count() if not say.negated:
+            return _alternatives([spoken(part, say) for part in _of_other_numbers(goal)])
     say.negated = not say.negated
     text = spoken(goal, say)
     say.negated = not say.negated
@@ -135,6 +137,15 @@ def _negated(goal: g.Goal, say: Speaker) -> str:
         # "Red and blue must not be there" would deny it of each of them.
         text = _NOT.sub(r"\1 both" if len(goal.a) == 2 else r"\1 all", text, count=1)
     return text
+
+
+def _of_other_numbers(goal: g.Count) -> list[g.Goal]:
+    """What is left where so many are not: fewer, or more. "Not exactly two" is "at most one, or at least three"."""
+    fewer: dict[str, int | None] = {"at_least": 0, "at_most": goal.at_least - 1}
+    more: dict[str, int | None] = {"at_least": (goal.at_most or 0) + 1, "at_most": None}
+    found = [fewer] if goal.at_least > 0 else []
+    found += [more] if goal.at_most is not None and goal.at_most < len(goal.over) else []
+    return [goal.model_copy(update=numbers) for numbers in found] or [goal]
 
 
 _NOT = re.compile(r"\b(not|never)\b")

@@ -47,6 +47,11 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"^((?:every|each) [^,]+? {_BLOCK}) , (?:and )?there are ({_MANY})(?: of (?:them|those|these))? , "
      "(.+)$", "{1} {3} . there are {2} of them"),
     (f"\\bsome ((?:\\w+ )?{_BLOCK}) (?!of\\b|.*\\b(?:not|no|never)\\b)", "at least one {1}"),
+    *((f"\\b(?:every|any) two of {them} ((?:are|{MUST} be|stand|lie) (?:at least|more than|no less than) {LENGTH} "
+       "apart)\\b(?: from each other)?", f"{they} {{{n}}} from each other")
+      for them, they, n in (("them", "they", 1), ("(the [^,]+?)", "{1}", 2))),
+    *((f"\\bevery two of {them} ((?:{MUST}|may|can|do) not .+ each other)$", f"{they} {{{n}}}")
+      for them, they, n in (("them", "they", 1), ("(the [^,]+?)", "{1}", 2))),
     # numbers and letters
     (f"^((?:(?!equation|sum).)+?)(?: ,)? (?:so|such) that the (?:equation|sum|calculation) (?:is|comes out|works out|"
      f"holds|becomes) ?{_TRUE}?$", "{1} so that they form a true equation"),
@@ -75,9 +80,12 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(checkerboard|chessboard)( of [^,]+?)?(?: ,| with| of| in) ({FEW}) rows of ({FEW})(?: {_BLOCK}s)?(?: each)?$",
      "{1} {2} , {3} by {4}"),
     ("^(?:seen )?in (?:plan|plan view|top view)(?: ,)? (.+)$", "{1}"),
+    (f"^((?:to|on|behind|in front of|next to|beside) .*?\\b(?:a|the) {LINE}) , ((?:in|on) which [^,]+) , (.+)$",
+     "{1} {2} {3}"),
     # what is where
     (f"^({WAY})(?: ,)? (?:we|you|i) (?:have|see|find|get) ", "{1} there are"),
-    ("\\b(stack|tower|pile)\\b(.*) at (?:the|its) foot\\b", "{1} {2} at the bottom"),
+    ("\\b(stack|tower|pile)\\b((?:(?! put | place | set | lay | stands | lies ).)*(?:,|with) (?:the )?\\w+(?: one)?)"
+     " at the foot$", "{1} {2} at the bottom"),
     ("\\b(left|right) hand (end|edge|position|place|one|block|half)\\b", "{1} {2}"),
     ("\\b(half|corner|middle|center|edge) of the table\\b(.+?)\\b(half|corner|middle|center|edge) of it$",
      "{1} of the table {2} {3} of the table"),
@@ -109,6 +117,7 @@ AT_ONCE: tuple[Turn, ...] = (
      f"then .+)$",
      "{1}"),
     # who does what
+    ("^file ((?:the|all|these|those|them) ?.*\\border\\b.*)$", "arrange {1}"),
     ("\\b(change|swap|trade|exchange|switch) (?:their )?(places|positions|spots) with (?:each other|one another)\\b",
      "{1} {2}"),
     (f"^(?:just )?{_PUSH} (the [^,]+?) , (?:and )?(?:i want|(?:so that|until) (?:i have)?) ?(?:it|it is) at least "

@@ -24,7 +24,7 @@ from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes
 
 def denied_once(clause: Clause) -> Clause:
     """ "is not on red and not on blue": both are denied, and neither twice."""
-    clause = _not_any(exception_last(clause))
+    clause = _on_no_patch(_not_any(exception_last(clause)))
     if clause.negated or getattr(clause.theme, "det", "") == "no":
         _said_in_one(clause)
     _all_that_are_not(clause)
@@ -58,6 +58,25 @@ def _not_any(clause: Clause) -> Clause:
     if not clause.negated or clause.verb not in ("be", "place") or not isinstance(theme, Noun) or not single:
         return clause
     return replace(clause, theme=replace(theme, det="no", amount=None), negated=False) if theme.part_of else clause
+
+
+def _on_no_patch(clause: Clause) -> Clause:
+    """ "No patch has more than one block": each has at most one."""
+    places = [a for a in clause.adjuncts if isinstance(a, Loc) and not a.negated]
+    mark = places[0].landmark if len(places) == 1 else None
+    theme = clause.theme
+    many = theme.amount if isinstance(theme, Noun) and theme.head != "patch" else None
+    of_none = isinstance(mark, Noun) and mark.head == "patch" and mark.det == "no" and not clause.negated
+    if not of_none or many is None or not (many.strict or many.low > 1):
+        return clause
+    ahead = isinstance(mark, Noun) and isinstance(theme, Noun) and mark.span[0] < theme.span[0]
+    some_more = many.low > 1 and (many.high is None or not many.strict)
+    if len(clause.adjuncts) > 1 or not ahead or not some_more or not isinstance(theme, Noun):
+        raise refuse("ambiguous", "it is not clear how many this leaves on each of them", clause.span,
+                     "say 'each patch has at most ...'")  # fmt: skip
+    each = replace(mark, det="each") if isinstance(mark, Noun) else mark
+    fewer = replace(theme, amount=Amount(0, many.low - 1, True))
+    return replace(clause, theme=fewer, adjuncts=(replace(places[0], landmark=each),))
 
 
 def _all_that_are_not(clause: Clause) -> None:

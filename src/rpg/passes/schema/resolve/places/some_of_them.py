@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from itertools import combinations
+from math import comb
 
 from rpg.core.diagnostics import Span
 from rpg.language.meaning import Loc
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.orders.positions import looks
 from rpg.passes.schema.resolve.places.mutual import reciprocal
-from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
 
 
 def to_each_other(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
@@ -27,12 +28,28 @@ def _among_some(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
     if loc.negated or scene.denying or parting or many.low < 2 or theme.built:
         raise refuse("ambiguous", "is this said of every two of them, or of some?", span, "say 'every two of ...', "
                      "or name the blocks")  # fmt: skip
-    if len({looks(scene.things[n]) for n in theme.names}) > 1:
+    alike = len({looks(scene.things[n]) for n in theme.names}) == 1
+    if not alike and comb(len(theme.names), many.low) > _CHOICES:
         raise refuse("ambiguous", "it is not said which of the blocks are meant", span, "name the blocks")
     if many.high != many.low:
         lots = combinations(theme.names, many.low)
         return [disj([conj(reciprocal(Ref(names=lot), loc, span), span) for lot in lots], span)]
-    chosen = theme.names[: many.low]
-    others = (two for two in combinations(theme.names, 2) if not set(two) <= set(chosen))
+    if alike and not any(map(_of_no_look, (scene.things[n] for n in theme.names))):
+        return _just_these(theme.names[: many.low], theme.names, loc, span)
+    lots = combinations(theme.names, many.low)  # these will differ in looks: whichever of them
+    return [disj([conj(_just_these(lot, theme.names, loc, span), span) for lot in lots], span)]
+
+
+_CHOICES = 12
+"""Of so many sets of blocks it may be said that they are those."""
+
+
+def _of_no_look(thing: Thing) -> bool:
+    return thing.color is None and thing.label is None
+
+
+def _just_these(chosen: tuple[str, ...], names: tuple[str, ...], loc: Loc, span: Span) -> Atoms:
+    """The relation of the chosen ones to each other, and of no two others."""
+    others = (two for two in combinations(names, 2) if not set(two) <= set(chosen))
     apart = negation([conj(reciprocal(Ref(names=two), loc, span), span) for two in others], span)
     return [*reciprocal(Ref(names=chosen), loc, span), *apart]

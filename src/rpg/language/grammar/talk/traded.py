@@ -17,6 +17,9 @@ TRADED: tuple[Turn, ...] = (
     ("^i (?:want|would like|need) (.+?) and (.+?) (?:to be )?(?:swapped|exchanged|interchanged|switched)$",
      "swap {1} and {2}"),
     (f"^(.+?) {MUST} (?:end up|be) {_BEGAN} of (.+?)(?: ,)? and \\2 {_BEGAN} of \\1$", "swap {1} and {2}"),
+    (f"^(the [^,]+?|\\w+) {MUST} leave (the .+)$", "take {1} off {2}"),
+    ("\\b(take|move|get|clear) (.+?) away from (the [^,]+? (?:patch|mat|zone|target))\\b", "{1} {2} off {3}"),
+    ("\\bfree (the [^,]+? (?:patch|mat|zone|target))\\b", "clear {1}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("spot",)

@@ -30,6 +30,7 @@ from rpg.passes.schema.resolve.clauses.joined_facts import (
     demanded,
     ends_elsewhere,
     facts_joined,
+    instead_of,
     same_one,
 )
 from rpg.passes.schema.resolve.clauses.lifted import lifted
@@ -52,7 +53,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
-    chains = lifted(tuple(facts_joined(named_there(chain)) for chain in chains), text)
+    chains = lifted(instead_of(tuple(facts_joined(named_there(chain)) for chain in chains)), text)
     chains = lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
     chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))

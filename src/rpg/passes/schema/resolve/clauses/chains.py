@@ -9,6 +9,7 @@ from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, OrderBy, TableTop, That, replace
+from rpg.passes.schema.resolve.clauses.again_later import comes_later
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
@@ -55,7 +56,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
             raise refuse("ambiguous", "it is not said what is before what", clause.span, "say where they should be")
         if after == "or" and len(goals) > 1:
             goals = [conj(goals, clause.span)]
-        if link == "and" and _restacked(stages[-1], goals, scene):
+        if link == "and" and comes_later(stages[-1], goals, clause, scene):
             link = "then"
         _no_exception(clause, link)
         if link == "or" and not (goals and (stages[-1] or starts)):
@@ -158,12 +159,6 @@ def _strewn(begun: list[Manner], rest: tuple[Meaning, ...]) -> bool:
     """ "scattered on the table": so they begin anyway."""
     there = all(isinstance(m, Loc) and isinstance(m.landmark, TableTop) and m.rel in ("on", "above") for m in rest)
     return begun[0].kind == "strewn" and there
-
-
-def _restacked(before: Goals, after: Goals, scene: Scene) -> bool:
-    """ "unstack the tower and rebuild it": what was taken apart is stacked afterwards, not at the same time."""
-    taken = [x for x in before if isinstance(x, r.OnTable) and scene.unstacked.issuperset(members(x.a))]
-    return bool(taken) and any(undoes(x, y) for x in after for y in taken)
 
 
 def _given_first(chain: Chain) -> list[tuple[str, Meaning]]:
@@ -329,7 +324,8 @@ def _undone(later: g.Goal, earlier: g.Goal, scene: Scene) -> bool:
 
 
 def _subjects(atom: g.Goal) -> tuple[str, ...]:
-    return members(getattr(atom, "a", ()))
+    told = atom.goal if isinstance(atom, g.Not) else atom  # "taken off" is told as not being there
+    return members(getattr(told, "a", ()))
 
 
 def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]) -> g.Goal:
@@ -340,7 +336,7 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
         if link == "before" and goals:
             stages += _stages(goals)
             continue
-        if goals and ((link == "then" and not _comes_of_it(now, goals, scene)) or _restacked(now, goals, scene)):
+        if goals and ((link == "then" and not _comes_of_it(now, goals, scene)) or comes_later(now, goals, None, scene)):
             stages += _stages(now)
             now = []
         now += goals

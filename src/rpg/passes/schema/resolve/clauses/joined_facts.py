@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
-from rpg.language.meaning import Chain, Clause, In, Loc, Meaning, Noun, Pronoun, replace
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, TableTop, replace
 
 BESIDES = re.compile(r"\b(?:also|too|as well|still|both|in addition|additionally)\b", re.IGNORECASE)
 _DEMANDED = re.compile(
@@ -53,7 +54,40 @@ def _moves(fact: Meaning, end: Meaning) -> bool:
         return False
     bases = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel == "on"] for c in (fact, end)]
     alone = all(len(base) == 1 for base in bases) and len(fact.adjuncts) == 1
-    return alone and same_one(fact, end) and bases[0] != bases[1]
+    return alone and same_one(fact, end) and not _same_mark(bases[0][0], bases[1][0])
+
+
+def _same_mark(one: Meaning | None, other: Meaning | None) -> bool:
+    """Whether two phrases name the same block or patch, "the blue mat" and "it" or "there" behind that."""
+    if isinstance(other, Pronoun):
+        return other.word in ("it", "there")
+    if isinstance(one, Noun) and isinstance(other, Noun):
+        return (one.head, one.traits) == (other.head, other.traits)
+    return isinstance(one, TableTop) and isinstance(other, TableTop)
+
+
+def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "On the mat there is a red block. Put the green one there instead": what is there gives way to it."""
+    for n, (before, after) in enumerate(pairwise(chains)):
+        fact, end = before.clauses[-1], after.clauses[0]
+        if not isinstance(fact, Clause) or not isinstance(end, Clause) or end.negated or fact.negated:
+            continue
+        told = [a for a in end.adjuncts if isinstance(a, Manner) and a.value == "before instead"]
+        spots = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel in ("on", "in")] for c in (fact, end)]
+        was = fact.mode == "start" or fact.lemma == "fact" or (fact.verb, fact.mode) == ("exist", "given")
+        once = [len(spot) for spot in spots] == [1, 1] and len(after.clauses) == 1 and len(fact.adjuncts) == 1
+        if not told or not was or not once or not _same_mark(spots[0][0], spots[1][0]) or same_one(fact, end):
+            continue
+        theme = fact.theme
+        if not isinstance(theme, Noun) or theme.plural or isinstance(end.theme, Pronoun):
+            continue
+        begun = fact if fact.mode == "start" else replace(fact, verb="be", lemma="fact", mode="start")
+        known = replace(theme, det="the" if theme.det == "a" else theme.det, amount=None)
+        gone = Clause(verb="be", theme=known, adjuncts=fact.adjuncts, negated=True, mode="goal", span=end.span)
+        put = replace(end, adjuncts=tuple(a for a in end.adjuncts if a not in told))
+        chains = (*chains[:n], replace(before, clauses=(*before.clauses[:-1], begun)),
+                  replace(after, clauses=(put, gone), links=(after.links[0], "and")), *chains[n + 2 :])  # fmt: skip
+    return chains
 
 
 def facts_joined(chain: Chain) -> Chain:

@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, That, Traits, replace
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, That, Traits, replace
 
 
 def left_alone(clause: Clause) -> Clause:
     """The clause, with what stands beside it told plainly."""
-    return apart_from(_not_moved(clause))
+    return apart_from(_not_moved(_only_moved(clause)))
+
+
+def _only_moved(clause: Clause) -> Clause:
+    """ "Only red should be moved to the mat", as "move only red": no other block is."""
+    theme = clause.theme
+    passive = clause.mode == "goal" and clause.verb == "place" and clause.lemma in _MOVING and not clause.negated
+    if not passive or not isinstance(theme, Coord) or theme.op != "only" or not clause.adjuncts:
+        return clause
+    only = Manner(kind="only", span=theme.span)
+    return replace(clause, mode="command", theme=theme.items[0], adjuncts=(*clause.adjuncts, only))
+
+
+_MOVING = ("move", "take", "bring", "carry", "transfer", "relocate", "shift")
 
 
 def _not_moved(clause: Clause) -> Clause:

@@ -60,6 +60,7 @@ from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, 
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.structures.unbuilt import check_known
 from rpg.passes.schema.resolve.things import finish
+from rpg.passes.schema.resolve.things.bare_numbers import check_bare_numbers
 from rpg.passes.schema.resolve.things.counted import counted_later
 from rpg.passes.schema.resolve.things.inventory import each_agrees
 from rpg.passes.schema.resolve.things.of_each import each_later
@@ -248,6 +249,7 @@ def _resolved(
     goal = tidy(left_as_they_are(goal, scene), scene)
     check_all(goal, scene)
     _all_used(goal, scene, chains)
+    check_bare_numbers(goal, scene, chains)
     names = finish.naming(scene)
     start = InitialState(
         arranged=once(finish.renamed(x, names) for x in scene.start_goals),

@@ -18,7 +18,9 @@ from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.later import later
 from rpg.language.meaning import (
+    Absolute,
     Amount,
+    At,
     Clause,
     Coord,
     Into,
@@ -198,7 +200,22 @@ def exists(p: Parser, i: int) -> Results[Meaning]:
             ended = any(isinstance(a, Manner) and a.kind == "finally" for a in found)
             said, found = "goal" if nothing or ended else mode, topped(theme, found)
             verb = "be" if said == "goal" and with_more(theme, found) else "exist"
-            yield Clause(verb=verb, theme=theme, adjuncts=found, mode=said, span=p.span(i, end)), end
+            there = Clause(verb=verb, theme=theme, adjuncts=found, mode=said, span=p.span(i, end))
+            yield (_borne_there(there) if said == "given" else there), end
+
+
+def _borne_there(there: Clause) -> Clause:
+    """ "There is an orange mat with a white block on it": a white block on a mat is what there is."""
+    theme, absolute = there.theme, there.adjuncts[0] if len(there.adjuncts) == 1 else None
+    single = isinstance(theme, Noun) and theme.det in ("a", "the") and not theme.plural
+    if not single or not isinstance(absolute, Absolute) or len(absolute.adjuncts) != 1:
+        return there
+    place = absolute.adjuncts[0]
+    if isinstance(place, At) and place.side == "top" and place.index is None:
+        place = Loc(rel="on", landmark=Pronoun(word="it", span=place.span), span=place.span)
+    if not isinstance(place, Loc) or place.negated or place.second or getattr(place.landmark, "word", "") != "it":
+        return there
+    return replace(there, theme=absolute.theme, adjuncts=(replace(place, landmark=theme),))
 
 
 _TOO = ("too", "as well", "also")

@@ -159,7 +159,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             if sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc):
                 continue
             said = (*found, *alone)
-            cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] == "off")))
+            cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
             done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
             yield replace(done, cost=cost), end
     if sense == "sort" and p.words[j] in ("by", "according"):

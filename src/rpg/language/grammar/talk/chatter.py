@@ -73,6 +73,7 @@ CHATTER = Patterns(
     "any|whatever|whichever orientation|rotation is|will|would fine|ok|okay|do|be_fine|allowed",
     "done|finished|over|ready|go|stop",
     "have fun",
+    "show|tell me|us please? with|using|in the? letter? blocks|cubes|letters please?",
     "please|now|let_us? tidy|clean|clear up? please|now|everybody|kids?",
     "i|we am|are making|doing|shooting|preparing|planning|taking a|the|some|this? nice|little|short? "
     "picture|pictures|photo|photos|video|videos|demo|poster|presentation|game|exercise for|of? my|our|the|a? "

@@ -346,6 +346,33 @@ def _otherwise(tokens: list[Token], at: int) -> list[Token]:
     return [token]
 
 
+def _they_start(tokens: list[Token]) -> list[Token]:
+    """ "They start as two towers.": where a text begins with it, the blocks that it goes on to speak of."""
+    if [t.word for t in tokens[:1]] != ["they"] or tokens[1].word not in ("start", "begin"):
+        return tokens
+    return [replace(tokens[0], word="the"), replace(tokens[0], word="blocks"), *tokens[1:]]
+
+
+_ON = frozenset({",", "then", "and", "next", "to", "it", "after", "that", "finally", "last"})
+"""What goes on with a list that begins with "first"."""
+
+
+def _one_by_one(tokens: list[Token]) -> list[Token]:
+    """ "A row: first A, next to it 1, then B, 2 and C": the list of these."""
+    words = [t.word for t in tokens]
+    colon = next((n for n in range(len(words) - 1) if words[n : n + 2] == [":", "first"]), 0)
+    end = next((n for n in range(colon, len(words)) if words[n] in _ENDS), len(words))
+    rest = range(colon + 2, end)
+    kept = [n for n in rest if words[n] not in _ON]
+    looks = all(len(words[n]) == 1 or words[n] in lexicon.COLOR for n in kept)
+    single = looks and all(words[n - 1] in (*_ON, "first") for n in kept)
+    if not colon or len(kept) < 3 or not single or not _LINED & {*words[:colon]} or "," not in words[kept[0] : end]:
+        return tokens
+    comma = replace(tokens[colon], word=",", raw=",")
+    listed = [x for n in kept for x in (comma, tokens[n])][1:]
+    return [*tokens[: colon + 1], *listed, *tokens[end:]]
+
+
 _TURNS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]], ...] = (
     (frozenset({"again"}), _once_more),
     (frozenset({"takes", "gets", "occupies"}), _in_the_corners),
@@ -354,5 +381,7 @@ _TURNS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]], ...] 
     (frozenset({"colors"}), _so_many_colors),
     (_SPOTS, _grouped),
     (frozenset({"was"}), _was_so),
+    (frozenset({"start", "begin"}), _they_start),
+    (frozenset({"first"}), _one_by_one),
 )
 """Turns of phrase that are told by whole sentences, with words one of which they have."""

@@ -15,6 +15,8 @@ _HALF = "(?:left|right|near|far|front|back)"
 _LARGER = "(?:larger|bigger|wider|greater|longer|farther|further|higher)"
 _SMALLER = "(?:smaller|narrower|shorter|closer|nearer|lower)"
 _MANY = f"(?:\\d+|{FEW})"
+_SO_MANY = f"(?:(?:exactly|at least|at most|only|just) )?{_MANY}"
+_ON_IT = "(on (?!each|either|every|both|top)|in (?=the))"
 _STANDING = "(?:standing|lying|resting|sitting|placed|set)"
 
 REWORDED_AT_ONCE: tuple[Turn, ...] = (
@@ -30,7 +32,14 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
     ("^((?:\\w+ )?(?:\\w+ )?groups\\b[^:]*: .+?) , each (?:color|letter|number) (?:by itself|on its own|for itself)$",
      "{1}"),
     (f"\\bmirrored [:,] ({_COLOR} outside ,? ?(?:and )?{_COLOR} inside)$", "{1}"),
+    # so many, and how many of them are where
+    (f"^({_MANY} (?:\\w+ )?(?:blocks|cubes|bricks|boxes|letters|digits)) , ({_SO_MANY}) {_ON_IT} ?"
+     "((?:(?! and )[^,])+)$", "{1} , {2} of them {3} {4}"),
+    (f"^({_MANY}) ((?:\\w+ )?(?:blocks|cubes|bricks|boxes)) , ({_SO_MANY}) (on [^,]+?)(?: , and | , | and )"
+     f"({_SO_MANY}) (on [^,]+)$", "{3} of the {1} {2} {4} and {5} of the {1} {2} {6}"),
     # orders
+    ("(?: ,)? (?:in which|so that|such that|where) (?:the )?blocks of the same color (?:never|do not|must not|may not) "
+     "touch(?: each other| one another)?$", " where no two blocks of the same color touch"),
     ("(?: ,)? but in the order\\b", " in the order"),
     ("\\bbehind (?:each other|one another)\\b", "one behind the other"),
     ("(?: ,)? in which the (biggest|largest|highest|smallest|lowest) (number|digit) is (on top|at the bottom)"
@@ -71,8 +80,11 @@ REWORDED: tuple[Turn, ...] = (
     # what is asked
     ("^let (\\S+) be (?:read|spelled|written|seen)\\b", "spell {1}"),
     ("^(all .+? must be .+?) when (?:you |we )?((?:spell|build|form|make|write) .+)$", "{2} . {1}"),
-    ("^(?:not (?:on|in) [^,]+ ,? ?but )?((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) "
-     "(?:want|need|would like)(?: to see)? (.+)$", "{2} must be {1}"),
+    ("^not ((?:on|in) [^,]+?) ,? ?but ((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) "
+     "(?:want|need|would like)(?: to see)? (.+)$", "{3} must not be {1} but {2}"),
+    ("^((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) (?:want|need|would like)(?: to see)? (.+)$",
+     "{2} must be {1}"),
+    ("^how (?:do|would|can|should) (?:you|we|i|one) (?=(?:spell|write) )", "please"),
     ("^([^:,]+) [:,] (?:that|this) is (?:how|the way) (?:i|we) (?:want|need|would like)(?: to see)? (.+)$",
      "{2} must be {1}"),
     ("^if (?:you|one|we) looks? (?:closely|carefully|again|at it closely) , (.+)$", "{1}"),
@@ -84,6 +96,12 @@ REWORDED: tuple[Turn, ...] = (
      "put {2} on {1} , {4} on {3} and {6} on {5}"),
     ("^([^,]+?) gets ([^,]+?)(?: ,)? and ([^,]+?) gets ([^,]+?) on top(?: of it)?$", "put {2} on {1} and {4} on {3}"),
     ("^([^,]+?) gets ([^,]+?) on top(?: of it)?$", "put {2} on {1}"),
+    # who, which, where
+    ("^all (?=(?:on|in|within|inside|at) )", "all are"),
+    (f"^(.*?\\b(?:{_BLOCK}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}corner)"
+     f"(?: of the table)? , (.+?(?:{_BLOCK}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}"
+     "corner)(?: of the table)?$", "{1} in {2} , {3} in {4}"),
+    ("^who (?:can|could|would|wants to|is able to|knows how to) (?=\\w)", "please"),
     # words
     ("^(?:a (?:tower|stack) )?read(?:ing)? (?:down|downwards|from the top of) the (tower|stack)(?: down| downwards)?"
      "(?: ,)?(?: top first)?(?: [:,])?(?: you get| it says| it reads| one reads)? (\\S+)$",

@@ -88,8 +88,8 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"^the (rows|columns|layers) of (an? [^,]*\\bgrid\\b[^,]*?) (?:are|{MUST} be) (.+)$", "{2} whose {1} are {3}"),
     (f"^(an? [^,]*\\bgrid\\b[^,]*?) (?:has|{MUST} have) ((?:an? )?\\w+ (?:blocks|cubes) in the (?:.+))$", "{1} , {2}"),
     # gaps
-    (f"\\b(?:(?:leave|with|leaving) )?(?:an? )?gap of ({LENGTH}) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and "
-     f"the next(?: {_BLOCK})?$", "with gaps of {1}"),
+    (f"\\b(?:(?:and )?(?:leave|with|leaving) )?(?:an? )?gap of ({LENGTH}) (?:in )?between (?:each|every|one)"
+     f"(?: {_BLOCK})? and the next(?: {_BLOCK})?$", "with gaps of {1}"),
     (f"\\b({LENGTH}) of (?:gap|space) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and the next(?: {_BLOCK})?$",
      "with gaps of {1}"),
     (f"^separate (.+?) from (.+?) by ({LENGTH})(?: , center to center| center to center)?$",
@@ -165,6 +165,7 @@ ROUNDABOUT: tuple[Turn, ...] = (
     # what stays
     ("^(.+?) (starts?|begins?) (in a (?:heap|pile|tower|row|stack)) and (?:is|are) to be (.+)$",
      "{1} {2} {3} and must be {4}"),
+    ("^(.+) , (?:and|but) ([^,]+?) (?:has|have) not (?:been )?moved$", "{1} without moving {2}"),
     ("^(.+?)(?: ,)? (?:and|but) (.+?) (?:has|have) not (?:been )?moved$", "{1} without moving {2}"),
     (", (?:which|that) both (stay .+)$", ", which {1}"),
     ("\\bbut only after (.+?) (has|have) (?:gone|moved) (?:to|on) (.+)$", "but only after {1} {2} been put on {3}"),

@@ -15,7 +15,7 @@ MUST = "(?:shall|must|should|will|has to|have to|needs to|need to|is to|are to|o
 END = "(?:left|right|front|back|top|bottom|near|far)"
 WAY = f"from (?:the )?{END} to (?:the )?{END}"
 FEW = "one|two|three|four|five|six|seven|eight|nine|ten|twelve"
-LENGTH = f"(?:[\\d.]+|{FEW}) (?:cm|mm|centimeters?|millimeters?)"
+LENGTH = f"(?:[\\d.]+|{FEW}) (?:cm|mm|(?:centi|milli)met(?:er|re)s?)"
 LINE = "(?:tower|stack|row|line|column)"
 """What rows have in common: modals, ends, ways along a line, numbers, lengths and lines."""
 _STOPS = frozenset({".", "!", "?", ";"})

@@ -23,6 +23,7 @@ from rpg.language.grammar.things.retold import (
     retold,
     shares_head,
     sized_alike,
+    so_many_of_it,
     tally,
     the_other,
     told_anew,
@@ -255,7 +256,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             continue
         like = _like(items[-1], item) if p.words[j - 1] in ("one", "ones") else item
         item = _weighed(items, like, op == "and" and p.words[at] in (",", ";"))
-        if _no_item(p, items[-1], item, bool(joined), at):
+        if _no_item(p, items[-1], item, bool(joined), at) or so_many_of_it(p, items[-1], item, at):
             continue
         if not joined and len(items) == 1 and (again := the_other(items[0], item)) is not None:
             yield from ((replace(again, span=p.span(i, j)), end) for end in {j: None, p.opt(j, ","): None})

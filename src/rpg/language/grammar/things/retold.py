@@ -150,6 +150,19 @@ def _some_of_it(item: Noun) -> bool:
     return item.head == "any" and item.det == "bare" and item.amount is not None and item.traits == Traits()
 
 
+def so_many_of_it(p: Parser, before: Meaning, item: Meaning, at: int) -> bool:
+    """ "four red boxes, 2 on the mat": a number behind counted blocks, and where these are, is no block with it."""
+    counted = isinstance(before, Noun) and before.head != "patch" and not before.traits.labels and before.amount
+    if not counted or not isinstance(item, Noun) or p.words[at : at + 1] != [","] or at + 2 >= p.end:
+        return False
+    mere = item == Noun(head=item.head, det="bare", traits=Traits(labels=item.traits.labels), span=item.span,
+                        cost=item.cost)  # fmt: skip
+    return mere and p.tokens[at + 1].kind == "number" and p.words[at + 2] in _THERE and counted.low > 1
+
+
+_THERE = frozenset({"on", "in", "onto", "at", "next", "behind", "beside", "near", "under", "of"})
+
+
 def bare_color(item: Noun) -> bool:
     """ "red" after a structure and a comma says something of the structure."""
     return item.head == "any" and item.det in ("bare", "all") and item.amount is None and bool(item.traits.colors)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from math import factorial
+
+from rpg.blocks.symmetry import MAX_NAMINGS
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
@@ -16,6 +19,25 @@ def not_one_line(rows: list[g.Goal], span: Span) -> list[g.Goal]:
         return []
     blocks = tuple(name for row in lines for name in row.blocks)
     return [g.Not(goal=s.Row(blocks=blocks, axis=lines[0].axis, span=span), span=span)]
+
+
+def too_alike(rows: list[g.Goal], scene: Scene, span: Span) -> s.Grid | None:
+    """ "Put twelve blocks in three rows of four": a grid, where there would be too many ways to deal blocks that look
+    alike out to rows that may lie anywhere."""
+    lines = [row for row in rows if isinstance(row, s.Row)]
+    blocks = tuple(name for row in lines for name in row.blocks)
+    plain = [row.model_copy(update={"blocks": lines[0].blocks}) == lines[0] for row in lines]
+    if len(lines) < len(rows) or not all(plain) or len({len(row.blocks) for row in lines}) > 1:
+        return None
+    first = lines[0]
+    if first.order.by != "any" or first.axis is None or first.gap is not None or first.spacing is not None:
+        return None
+    looks = {(t.color, t.label, t.edge) for t in (scene.things[n] for n in blocks)}
+    if len(looks) > 1 or factorial(len(blocks)) // factorial(len(first.blocks)) ** len(lines) <= MAX_NAMINGS:
+        return None
+    scene.assume("so many rows of blocks that look alike are read as a grid: one beside the other")
+    sides = (len(lines), len(first.blocks)) if first.axis == "y" else (len(first.blocks), len(lines))
+    return s.Grid(blocks=blocks, rows=sides[0], columns=sides[1], span=span)
 
 
 def close_by(atom: g.Goal, scene: Scene) -> g.Goal:

@@ -25,7 +25,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line, own_unit
+from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line, own_unit, too_alike
 from rpg.passes.schema.resolve.structures.sharing import (
     Look,
     as_long_as_listed,
@@ -151,6 +151,8 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         own.orders, own.patterns, own.spacings, own.toward, [],
     )  # fmt: skip
     spec.absolutes, spec.manners = own.absolutes, own.manners
+    if axis is None and (grid := too_alike(goals, scene, shape.span)) is not None:
+        return built, [grid]
     goals += not_one_line(goals, shape.span) if axis is None else _side_by_side(built, axis, shape, scene)
     return built, goals
 

@@ -141,13 +141,15 @@ def _bounded(item: Meaning, bounds: Amount) -> Meaning:
     return replace(item, amount=Amount(low, high, strict=True))
 
 
-def repeats(item: Noun, seen: list[Traits]) -> bool:
-    """ "red, yellow, yellow, red", "the A and the other A": the second of a kind in a list is another block."""
+def repeats(item: Noun, seen: list[Traits], members: bool = False) -> bool:
+    """ "red, yellow, yellow, red", "the A and the other A": the second of a kind in a list is another block; and so it
+    is of symbols where the list tells the members of a structure, "a row: O X O"."""
+    looks = bool(item.traits.colors) or (members and item.det == "bare" and bool(item.traits.labels))
     return (
         item.traits in seen
         and not item.plural
         and item.amount in (None, Amount(1, 1))
-        and ((item.det in ("bare", "a") and bool(item.traits.colors)) or item.det in ("other", "another"))
+        and ((item.det in ("bare", "a") and looks) or item.det in ("other", "another"))
         and item.traits != Traits()
     )
 

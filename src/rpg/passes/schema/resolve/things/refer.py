@@ -86,7 +86,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     ):
         scope = replace(scope, like_patch=True)
     for item in bounded(meaning):
-        if isinstance(item, Noun) and repeats(item, seen):
+        if isinstance(item, Noun) and repeats(item, seen, scope.role == "member"):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))
         if parts and isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None:
             raise refuse("misplaced", "this could describe the blocks before it", item.span, "say it in front of them")

@@ -128,8 +128,9 @@ def _of_so_many(p: Parser, i: int) -> Results[Clause]:
 
 
 _HEIGHTS = ("of heights", "with heights", "with heights of", "with the heights", "having heights", "heights :",
-            "of height")  # fmt: skip
-_TALL = ("blocks high", "blocks tall", "high", "tall", "blocks", "cubes")
+            "of height", "with the heights of", "of the heights", "whose heights are", "with heights :")  # fmt: skip
+_TALL = (*(f"{blocks}{tall}" for blocks in ("blocks", "cubes", "block", "cube")
+           for tall in (" high", " tall", " each", "")), "high", "tall")  # fmt: skip
 
 
 @rule
@@ -145,10 +146,13 @@ def heights(p: Parser, i: int, count: int) -> Results[tuple[Size, tuple[str, ...
             ((), e) for e in (p.any_of(j + 1, _TALL), j + 1 if lead or count == len(listed) else 0) if e
         ]
         ends += [((named,), e) for named, k in color(p, j + 1) if (e := p.one(k, ("blocks", "cubes")))]
+        after = p.opt(p.opt(j + 1, ","), "and")
+        on = after > j + 1 and p.number(after) is not None
         for named, end in ends if len(listed) > 1 else ():
+            if on and end == j + 1:
+                continue  # the list goes on
             end = p.any_of(end, (", respectively", "respectively")) or end
             yield (Size(what="heights", dims=tuple(listed), span=p.span(i, end)), named), end
-        after = p.opt(p.opt(j + 1, ","), "and")
         j = after if after > j + 1 else 0
 
 

@@ -40,6 +40,7 @@ _PHRASES = {
        for one, two in (("odd", "even"), ("even", "odd")) for what in ("digits", "numbers")},
     **{f"{on} the {top} of the table": f"{on} the table" for on in ("on", "onto", "to")
        for top in ("floor", "top", "surface")},
+    "seen from left to right": "from left to right", "capped by": "topped by", "capped with": "topped with",
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
     **{f"upright {to} {who}": "upright" for to in ("for", "to") for who in ("the viewer", "the camera", "me")},

@@ -31,7 +31,7 @@ from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
 from rpg.passes.schema.resolve.places.pointed import of_a_part, onto_a_list
 from rpg.passes.schema.resolve.places.relations import place, related
-from rpg.passes.schema.resolve.places.stacking import stands_on
+from rpg.passes.schema.resolve.places.stacking import piled_on, stands_on
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spare import definite, further, pass_over
@@ -390,7 +390,7 @@ def _at_end(theme: Ref, ref: Ref, at_: At, scene: Scene, span: Span) -> Goals:
     if at_.side == "top":
         if ref.built[0].kind not in UPRIGHT and len(ref.names) > 1:
             raise refuse("ambiguous", "it is not clear on which of the blocks this goes", at_.span, "name the block")
-        return [r.On(a=theme.names, b=crown(ref), span=span)]
+        return [piled_on(theme.names, crown(ref), scene, span)]
     if ref.built[0].kind != "stack" or len(theme.names) != 1:
         raise refuse("misplaced", "nothing goes under this", at_.span, "count the block among its members")
     return [r.On(a=foot(ref) if ref.built[0].ordered else Lowest(lowest=ref.names), b=theme.names, span=span)]

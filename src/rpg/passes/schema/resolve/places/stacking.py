@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -61,6 +62,10 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         return spread(theme, lambda a: r.Above(a=a, b=b, span=span), span)
     if theme.quant is None and theme.op == "and" and len(theme.names) > 1 and len(mark.names) == 1 and not theme.built:
         return _several_on_one(theme, mark, scene, span)
+    tower = mark.built[0] if len(mark.built) == 1 and mark.built[0].kind == "stack" else None
+    one = getattr(loc.landmark, "word", "") != "them"  # "stack two and put two on them": one on each of these?
+    if tower and one and theme.quant is None and theme.op == "and" and len(theme.names) > 1 and not theme.built:
+        return piled_on(theme.names, crown(mark), scene, span)
     if len(theme.built) > 1 and len(mark.names) == 1:
         raise refuse("ambiguous", "two towers have no room on one block", loc.span, "say which of them stands on it")
     if theme.built and theme.built[0].kind == "stack":
@@ -102,6 +107,15 @@ def _on_operand(a: Operand, b: Operand, scene: Scene, span: Span) -> g.Goal:
     ):
         scene.stacked(a[0], b[0], span)
     return r.On(a=a, b=b, span=span)
+
+
+def piled_on(names: tuple[str, ...], base: Operand, scene: Scene, span: Span) -> g.Goal:
+    """ "Two blue blocks on top of the tower": one on the other, for there is no room; of look-alikes it does not
+    matter which."""
+    if len({_look(name, scene) for name in names}) > 1:
+        raise refuse("ambiguous", "it is not said which of these is on which", span, "say what goes on what")
+    first = _on_operand((names[0],), base, scene, span)
+    return conj([first, *(_on(upper, (lower,), scene, span) for lower, upper in pairwise(names))], span)
 
 
 def _several_on_one(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:

@@ -31,7 +31,42 @@ def another_such(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """The sentences with each of them told in full."""
     if sum(isinstance(part, Structure) for chain in chains for part in parts_of(chain)) > 1:
         chains = _of_such_blocks(chains)
-    return tuple(_with_others(chain) for chain in chains)
+    return tuple(_with_others(_on_both_sides(chain)) for chain in chains)
+
+
+_ACROSS = {"across": ("left", "right"), "deep": ("front", "behind")}
+
+
+def _on_both_sides(chain: Chain) -> Chain:
+    """ "To the left and to the right of a blue block there is a tower of two": a tower on each of these sides."""
+    clauses: list[Meaning] = []
+    links: list[str] = []
+    for link, said in zip(chain.links, chain.clauses, strict=True):
+        shape = said.theme if isinstance(said, Clause) else None
+        sides = _two_sides(said) if isinstance(said, Clause) and not said.negated else ()
+        links.append(link)
+        if not sides or not isinstance(said, Clause) or not isinstance(shape, Structure) or not _is_built(shape):
+            clauses.append(said)
+            continue
+        one, other = sides
+        mark = other.landmark
+        if isinstance(mark, Noun):
+            other = replace(other, landmark=replace(mark, det="the", amount=None))
+        clauses += [replace(said, adjuncts=(one,)), replace(said, theme=_copy(shape, shape), adjuncts=(other,))]
+        links.append("and")
+    return replace(chain, clauses=tuple(clauses), links=tuple(links))
+
+
+def _two_sides(said: Clause) -> tuple[Loc, ...]:
+    """The two places of a clause that tells both sides of one thing; none where it does not."""
+    place = said.adjuncts[0] if len(said.adjuncts) == 1 else None
+    if isinstance(place, Loc) and place.rel == "flank" and "each" not in place.mods and not place.negated:
+        rels = next((_ACROSS[mod] for mod in place.mods if mod in _ACROSS), ())
+        return tuple(replace(place, rel=rel, mods=()) for rel in rels)
+    items = place.items if isinstance(place, Coord) and place.op == "and" else ()
+    both = tuple(x for x in items if isinstance(x, Loc) and not x.negated and isinstance(x.landmark, Noun))
+    marks = {x.landmark.span for x in both if x.landmark is not None}
+    return both if len(both) == len(items) == 2 and len(marks) == 1 and {x.rel for x in both} <= _SIDES else ()
 
 
 def _of_such_blocks(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:

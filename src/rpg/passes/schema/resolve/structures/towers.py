@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.language.meaning import Meaning, Noun, Pattern, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.heights import of_heights
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import certain, declared, new_members, some_of
 from rpg.passes.schema.resolve.things.refer import refer
@@ -24,7 +25,7 @@ Made = tuple[list[Built], list[g.Goal]]
 def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "two towers of three red blocks", "towers, one per colour", "two stacks"."""
     if any(z.what == "heights" for z in shape.sizes):
-        return _of_heights(shape, spec, theme, scene)
+        return of_heights(shape, spec, theme, scene)
     for listed in (shape.members, *(x.members for x in spec.usings)):
         looks = listed.traits.colors if isinstance(listed, Noun) else ()
         shown = listed.traits.labels if isinstance(listed, Noun) and listed.det == "bare" and listed.cost else ()
@@ -110,28 +111,6 @@ def _one_color_each(
     if told and even and len(lots) > 1 and min(lots.values()) > 1:
         raise refuse("ambiguous", "a tower of each colour, or of whichever of these blocks?", shape.span,
                      "say 'one tower per color', or 'in any order'")  # fmt: skip
-
-
-def _of_heights(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Made:
-    """ "three towers of heights 2, 3 and 4"."""
-    said = next(z for z in shape.sizes if z.what == "heights")
-    heights, total = said.dims, sum(said.dims)
-    count = shape.amount.low if shape.amount and shape.amount.low > 1 else len(heights)
-    if len(shape.sizes) > 1 or count != len(heights) or spec.patterns or spec.orders or shape.traits.scheme:
-        raise refuse("count-mismatch", f"{len(heights)} heights are said, but not of as many towers", said.span,
-                     "say the height of each tower", heights=len(heights), towers=count)  # fmt: skip
-    if min(heights) < 2:
-        raise refuse("too-few", "a lone block is no tower", said.span, "say at least two blocks for each")
-    source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
-    if theme is None and source is not None:
-        theme = certain(refer(source, scene, Scope(role="member", need=total)), scene)
-    names = theme.names if theme is not None else declared(shape.traits, scene)
-    names = scene.fit(names, total) if names else new_members(shape.traits, total, None, scene)
-    if len(names) != total:
-        raise refuse("count-mismatch", f"these towers take {total} blocks, but {len(names)} are named", said.span,
-                     f"use {total}", needed=total, named=len(names))  # fmt: skip
-    node = s.Towers(blocks=names, count=count, heights=heights, span=shape.span)
-    return _remember(node, False, scene), [node]
 
 
 def _told_apart(shape: Structure, spec: Spec) -> Structure:

@@ -106,7 +106,10 @@ def one_by_one(goal: g.Goal, scene: Scene) -> g.Goal:
 
 
 def _look_alike(names: tuple[str, ...], scene: Scene) -> bool:
-    return len({(t.color, t.label, t.kind, t.size, t.edge) for t in (scene.things[n] for n in names)}) == 1
+    """Whether it is known of the blocks how they look, and that it is all the same."""
+    things = [scene.things[n] for n in names]
+    looks = {(t.color, t.label, t.kind, t.size, t.edge) for t in things}
+    return len(looks) == 1 and bool(things[0].color or things[0].label)
 
 
 def _of_the_start(names: tuple[str, ...], scene: Scene) -> bool:

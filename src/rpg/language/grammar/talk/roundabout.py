@@ -16,6 +16,8 @@ _STARTED = (
 )
 
 AT_ONCE: tuple[Turn, ...] = (
+    ("^do not stack (?:anything|any(?: of them| blocks| block)?)(?: ,)? (?:but |just |only |instead )+(.+ in an? "
+     "(?:row|line|column)\\b.*|.+ side by side)$", "{1}"),
     ("^(.+?) touch(?: each other)? side by side( on the table)?$", "{1} are side by side and touch each other"),
     ("\\b(with \\w+(?: block| cube)?) (?:sandwiched|held|placed) between (?:the two|both|the two of them)$",
      "{1} between them"),
@@ -68,7 +70,9 @@ AT_ONCE: tuple[Turn, ...] = (
     ("^(on the (?:left|right) of|behind|in front of) (the [^,]+?) and (?:right |directly |immediately )next to it "
      "(?:is|lies|stands|sits) (.+)$", "directly {1} {2} is {3}"),
     ("\\b(?:the |a )?letter (?:- )?(\\w) shape\\b", "a {1} shape"),
-    ("(?: ,)? so that there (?:is|are) (?:a|one) group of \\w+ and (?:a|one|another) group of \\w+$", ""),
+    ("^((?:separate|sort|split|divide|group) .+?|.+ (?:separated|sorted|split|divided|grouped) .+?)(?: ,)? so that "
+     "there "
+     "(?:is|are) (?:a|one) group of \\w+ and (?:a|one|another) group of \\w+$", "{1}"),
     ("^((?:the )?equation .+?)(?: ,)? in (?:cubes|blocks|number cubes|digit cubes)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
@@ -172,7 +176,6 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^(\\w+) (the .+?) from (the .+?) , where it (?:starts|begins|is|stands|lies)(?: now| at first)? , to (the .+)$",
      "{2} starts in {3} . {1} it to {4}"),
     # what comes with it
-    ("^do not stack (?:anything|any(?: of them| blocks| block)?)(?: ,)? (?:but |just |only |instead )+(.+)$", "{1}"),
     ("\\bin (?:exactly|precisely|just) (that|this) order\\b", "in {1} order"),
     ("\\b(underneath|under|below|on top of|behind|in front of|next to) the (?:whole )?lot$", "{1} all of them"),
     (f"\\b(all|both) ({FEW}) of (?:my|your|our|the|these|those) (\\w+ {_BLOCK}s)\\b", "{1} {2} {3}"),

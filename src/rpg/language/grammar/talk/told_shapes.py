@@ -22,7 +22,8 @@ _BASE = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
 _TOP = "(an?|one) (\\w+)(?: block| cube| one)? on (?:the )?top(?: (?:in|at) the (?:middle|center))?$"
 
 TOLD_SHAPES: tuple[Turn, ...] = (
-    (f"\\b(grid\\b.*?) an? (\\w+) (row|column) (?:on|at|in|to) the ({_SIDE})(?: side| end)?\\b", "{1} the {4} {3} {2}"),
+    (f"\\b(grid(?: has| with| having| must have| should have| :).*?) an? ({_COLOR}) (row|column) (?:on|at|in|to) the "
+     f"({_SIDE})(?: side| end)?\\b", "{1} the {4} {3} {2}"),
     (f"^(.*\\bgrid\\b[^,]*?) (?:has|must have|should have) (the {_SIDE} (?:row|column) \\w+)\\b", "{1} with {2}"),
     ("\\b(grid) with (\\w+)(?: blocks| ones)? on the left and (\\w+)(?: blocks| ones)? on the right$",
      "{1} with the left column {2} and the right column {3}"),

@@ -98,9 +98,20 @@ def of_the_towers(theme: Ref, loc: Loc, scene: Scene) -> Ref:
 def of_the_other(ref: Ref, spec: Spec) -> None:
     """What is said of blocks "to each other" beside a place: of one block, it is said of what that is placed by."""
     _gapless(spec)
+    _whose_side(spec)
     _alone(ref, spec)
     if len(ref.names) == 1:
         _merge_distance(spec)
+
+
+def _whose_side(spec: Spec) -> None:
+    """Refuse "red is touching blue on its right": on the right of red, or of blue?"""
+    for one, two in pairwise(p for p in spec.places if isinstance(p, Loc)):
+        its = isinstance(two.landmark, Pronoun) and two.landmark.word == "it" and two.rel in ("left", "right")
+        touched = one.rel == "touching" and isinstance(one.landmark, Noun | Structure)
+        if its and touched and two.span[0] - one.span[1] < 2:
+            raise refuse("ambiguous", "it is not clear on whose side this is", two.span,
+                         "say it of one of the two in a sentence of its own")  # fmt: skip
 
 
 def _alone(ref: Ref, spec: Spec) -> None:

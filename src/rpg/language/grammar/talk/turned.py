@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import cache
 
 from rpg.language.tokens import Token
 
@@ -28,9 +28,8 @@ def turned(tokens: list[Token], turns: Sequence[Turn]) -> list[Token]:
     told = _told(tokens)
     whole = "\n".join([text for _, _, _, text in told])
     for row, said in turns:
-        pattern, part = _compiled(row)
-        for _ in range(_MOST if part in whole else 0):
-            changed = _once(tokens, told, pattern, said)
+        for _ in range(_MOST if _certain(row) in whole else 0):
+            changed = _once(tokens, told, _compiled(row), said)
             if changed is None:
                 break
             tokens, told = changed, _told(changed)
@@ -38,15 +37,20 @@ def turned(tokens: list[Token], turns: Sequence[Turn]) -> list[Token]:
     return tokens
 
 
-@lru_cache(maxsize=256)
-def _compiled(pattern: str) -> tuple[re.Pattern[str], str]:
-    """What is looked for, and a part of it without which it is nowhere: the longest that stands outside of brackets."""
+@cache
+def _compiled(pattern: str) -> re.Pattern[str]:
+    return re.compile(pattern)
+
+
+@cache
+def _certain(pattern: str) -> str:
+    """A part of what is looked for without which it is nowhere: the longest that stands outside of brackets."""
     plain = pattern
     while (outside := re.sub(r"\((?:[^()\\]|\\.)*\)[?*+]?", "^", plain)) != plain:
         plain = outside
-    known = not {*"|()"} & {*plain}
-    certain = re.split(r"\\.|\[[^]]*\]|.[?*+]|.\{|[^a-z ]", plain)
-    return re.compile(pattern), max(certain, key=len) if known else ""
+    if {*"|()"} & {*plain}:
+        return ""
+    return max(re.split(r"\\.|\[[^]]*\]|.[?*+]|.\{|[^a-z ]", plain), key=len)
 
 
 Told = list[tuple[int, int, list[str], str]]

@@ -16,6 +16,18 @@ _STARTED = (
 )
 
 AT_ONCE: tuple[Turn, ...] = (
+    (f"(?: ,)? each of (?:which|them) (?:has|contains|consists of|{MUST} have|is made of) (?:exactly |just )?"
+     f"((?:{FEW}) (?:\\w+ )?{_BLOCK}s)$", " with {1} each"),
+    (f"^(an? stair(?:case|s|way) .+?) {_CLIMBS} to the (left|right|back|front) and (?:is|{MUST} be) (?:made|built) "
+     "(?:of|from) (.+)$", "{1} made of {3} , rising to the {2}"),
+    ("^(.+?) (starts?|begins?) (in a (?:heap|pile|tower|row|stack)) and (?:is|are) to be (.+)$",
+     "{1} {2} {3} and must be {4}"),
+    ("\\b(?:the |a )?letter (?:- )?(\\w) shape\\b", "a {1} shape"),
+    ("\\b(equation \\S.*?)(?: ,)?(?: written| laid| spelled)?(?: out)? in (?:number |digit )?(?:cubes|blocks)$", "{1}"),
+    ("(?:so|such) that (\\S+) (?:can be read|is read|reads) (downwards|upwards|from .+)$", "so that they read {1} {2}"),
+    ("^remove (?:it|them|the .+?) so that (the .+?) (?:is|becomes) (?:empty|clear|free)$", "{1} must be empty"),
+    (f"^(.+?) that (?:are|is) (stacked|in an? (?:heap|pile|tower|row)) at the start ({MUST} .+)$", "{1} start {2} . "
+     "they {3}"),
     ("^do not stack (?:anything|any(?: of them| blocks| block)?)(?: ,)? (?:but |just |only |instead )+(.+ in an? "
      "(?:row|line|column)\\b.*|.+ side by side)$", "{1}"),
     ("^(.+?) touch(?: each other)? side by side( on the table)?$", "{1} are side by side and touch each other"),
@@ -69,11 +81,9 @@ AT_ONCE: tuple[Turn, ...] = (
     ("\\btower made of (an? .+?) with (an? .+?) on top$", "tower of {2} on {1}"),
     ("^(on the (?:left|right) of|behind|in front of) (the [^,]+?) and (?:right |directly |immediately )next to it "
      "(?:is|lies|stands|sits) (.+)$", "directly {1} {2} is {3}"),
-    ("\\b(?:the |a )?letter (?:- )?(\\w) shape\\b", "a {1} shape"),
     ("^((?:separate|sort|split|divide|group) .+?|.+ (?:separated|sorted|split|divided|grouped) .+?)(?: ,)? so that "
      "there "
      "(?:is|are) (?:a|one) group of \\w+ and (?:a|one|another) group of \\w+$", "{1}"),
-    ("^((?:the )?equation .+?)(?: ,)? in (?:cubes|blocks|number cubes|digit cubes)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
@@ -167,8 +177,6 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^(.+) , stacked directly$", "{1}"),
     ("\\b(gets|get|be|are) grouped into\\b", "must be sorted into"),
     # what stays
-    ("^(.+?) (starts?|begins?) (in a (?:heap|pile|tower|row|stack)) and (?:is|are) to be (.+)$",
-     "{1} {2} {3} and must be {4}"),
     ("^(.+) , (?:and|but) ([^,]+?) (?:has|have) not (?:been )?moved$", "{1} without moving {2}"),
     ("^(.+?)(?: ,)? (?:and|but) (.+?) (?:has|have) not (?:been )?moved$", "{1} without moving {2}"),
     (", (?:which|that) both (stay .+)$", ", which {1}"),
@@ -176,6 +184,16 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^(\\w+) (the .+?) from (the .+?) , where it (?:starts|begins|is|stands|lies)(?: now| at first)? , to (the .+)$",
      "{2} starts in {3} . {1} it to {4}"),
     # what comes with it
+    (f"^(?:the following |these )?(?:(?:{FEW}) )?(?:conditions|requirements|rules|constraints)(?: must hold| must be "
+     f"met"
+     "| hold| apply)? : (.+)$", "{1}"),
+    (f"^(an? {LINE}\\b.+) (?:is|are) (?:required|needed|wanted|desired|expected)$", "{1}"),
+    ("^(?:tidy|clean) up(?: the table)? so that (.+)$", "{1}"),
+    ("^(?:type|print) (\\S+)(?: (?:in|with|out of) (?:letter )?(?:cubes|blocks))?$", "spell {1}"),
+    ("^([^,]+?) (?:form|make up|make|build) (?:one|a) (tower|stack|row|column|group|pile)(?: ,)? (?:and|while) (.+?) "
+     "(?:form|make up|make|build) another(?: one)?$", "{1} form a {2} . {3} form a {2}"),
+    ("^([^,]+?) (?:form|make up|make|build) one (tower|stack|row|column|group|pile) , (?:and )?(.+?) another(?: one)?$",
+     "{1} form a {2} . {3} form a {2}"),
     ("\\bin (?:exactly|precisely|just) (that|this) order\\b", "in {1} order"),
     ("\\b(underneath|under|below|on top of|behind|in front of|next to) the (?:whole )?lot$", "{1} all of them"),
     (f"\\b(all|both) ({FEW}) of (?:my|your|our|the|these|those) (\\w+ {_BLOCK}s)\\b", "{1} {2} {3}"),
@@ -184,18 +202,12 @@ ROUNDABOUT: tuple[Turn, ...] = (
      "(.+)$", "put {1} {2}"),
     (f"^(need|want|require) ((?:the|an?|{FEW}|all|both) .+)$", "i {1} {2}"),
     # structures
-    (f"(?: ,)? whose base (?:is|has)(?: a row of)? ({FEW}) (?:{_BLOCK}s)?(?: long| wide)?$", " with a base of {1}"),
+    (f"(?: ,)? whose base (?:is|has)(?: a row of)? ({FEW})(?: {_BLOCK}s)?(?: long| wide)?$", " with a base of {1}"),
     ("(?: ,)? so that (?:the|their) (?:order|colors) (?:is|are|follow|follows|match|matches) (?:that |those )?"
      "(?:of |like )?(?:the|a) rainbow$", " in rainbow order"),
-    ("^([^,]*\\b(?:form|make|are|be) )one (tower|stack|row|column|group)(?: ,)? (?:and|while) (.+?) "
-     "(?:form|make|are|be) another$", "{1} a {2} and {3} form another {2}"),
     (f"\\b(tower|stack|row) of (height|length) ({FEW}|\\d+) in (\\w+)\\b", "{4} {1} of {2} {3}"),
-    (f"(?: ,)? each of (?:which|them) (?:has|contains|consists of|{MUST} have|is made of) (?:exactly |just )?"
-     f"((?:{FEW}) [^,]+)$", " with {1} each"),
     (f"\\bwhose width is ({FEW})(?: {_BLOCK}s)? and (?:whose|the) height is ({FEW})(?: {_BLOCK}s)?\\b",
      ", {1} wide and {2} high"),
-    (f"^(an? stair(?:case|s|way) .+?) {_CLIMBS} to the (left|right|back|front) and (?:is|{MUST} be) (?:made|built) "
-     "(?:of|from) (.+)$", "{1} made of {3} , rising to the {2}"),
     ("\\bmirrored (?:about|around) (?:its|the|their) (?:middle|center)\\b", "mirrored"),
     (f"\\b(?:descend|decrease|fall) ({WAY})\\b", "are in descending order {1}"),
     (f"\\b(?:ascend|increase|rise) ({WAY})\\b", "are in ascending order {1}"),
@@ -235,5 +247,8 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("(?: ,)?(?: and| but)? it does not matter (?:on |at )?which side$", ""),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("found seen lot mine tops contact receives climbs supporting displaying nearer available equally fairly",)
+WORDS = (
+    "conditions requirements rules constraints type print found seen lot mine tops contact receives climbs "
+    "supporting displaying nearer available equally fairly",
+)
 """Words that these take besides those that are read anyway."""

@@ -252,6 +252,8 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         elif before and _counts(before) and len(token.raw) == 2 and token.raw[0].isupper() and token.raw[1] == "s":
             letter = Token("word", token.word[0], token.raw[0], (token.span[0], token.span[0] + 1))
             out += [letter, replace(token, word="blocks", span=(token.span[0] + 1, token.span[1]))]
+        elif before and _letter(token) and before.raw.lower() == "one" and (len(out) < 2 or out[-2].word in _LEADING):
+            out[-1:] = [replace(before, word="a"), token]
         elif before and adjoining and before.kind == "number" and token.word in _ORDINAL_TAIL:
             out[-1] = Token("word", before.word + token.word, before.raw + token.raw, (before.span[0], token.span[1]))
         elif token.word == "-" and before and after and adjoining and after.span[0] == token.span[1]:
@@ -275,6 +277,13 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         else:
             out.append(token)
     return out
+
+
+_LEADING = frozenset({
+    ",", ":", ".", ";", "and", "with", "using", "of", "from", "are", "is", "have", "has", "need", "put", "place", "use",
+    "take", "want", "move", "set", "lay", "stack", "bring", "add",
+})  # fmt: skip
+"""Behind these "one B" is a cube that shows it; "the red one B" is none."""
 
 
 def _listed_sign(before: list[Token], after: list[Token]) -> bool:

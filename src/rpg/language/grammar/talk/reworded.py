@@ -4,7 +4,7 @@ asked in place of being asked for, as rows that tell it plainly."""
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.turned import FEW, LENGTH, MUST, Turn
+from rpg.language.grammar.talk.turned import FEW, LENGTH, MUST, WAY, Turn
 
 _A = "(?:an?|one|the)"
 _BLOCK = "(?:block|cube|brick|box)"
@@ -16,7 +16,8 @@ _LARGER = "(?:larger|bigger|wider|greater|longer|farther|further|higher)"
 _SMALLER = "(?:smaller|narrower|shorter|closer|nearer|lower)"
 _MANY = f"(?:\\d+|{FEW})"
 _SO_MANY = f"(?:(?:exactly|at least|at most|only|just) )?{_MANY}"
-_ON_IT = "(on (?!each|either|every|both|top)|in (?=the))"
+_ON_IT = "(on (?!each|either|every|both|top|(?!a )\\S(?: |$))|in (?=the))"
+_NO_LINE = "(?:(?!\\b(?:row|line|tower|stack)s?\\b).)"
 _STANDING = "(?:standing|lying|resting|sitting|placed|set)"
 
 REWORDED_AT_ONCE: tuple[Turn, ...] = (
@@ -42,6 +43,10 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "touch(?: each other| one another)?$", " where no two blocks of the same color touch"),
     ("(?: ,)? but in the order\\b", " in the order"),
     ("\\bbehind (?:each other|one another)\\b", "one behind the other"),
+    ("\\bone behind the other ,? ?(?:all )?in (?:a|one) (?:straight )?(?:row|line)\\b", "one behind the other"),
+    (f"^({_NO_LINE}*?)\\b(?:a|one) (?:straight )?(?:row|line) (of {_NO_LINE}+?)(?: ,)? one behind the other$",
+     "{1} a column {2}"),
+    ("\\bin (?:a|one) (?:straight )?(?:row|line) ,? ?one behind the other\\b", "one behind the other"),
     ("(?: ,)? in which the (biggest|largest|highest|smallest|lowest) (number|digit) is (on top|at the bottom)"
      "(?: and the (?:biggest|largest|highest|smallest|lowest)(?: one| number| digit)? is (?:on top|at the bottom)"
      "(?: ,)? in order)?$", ", the {1} {2} {3}"),
@@ -64,7 +69,8 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "{2} is to the {3} of {1} , {4} is to the {5} of {1} and {6} is on {1}"),
     (f"^(.*?)({_PUT} [^,]+? (?:on|in) (the [^,]+?))(?: ,)? (?:and|but) none of (the .+)$",
      "{1} {2} . none of {4} must be on {3}"),
-    (f"^(.*?)\\b(an?|the|one) ({_BLOCK})( [^,]+?) , (?:an?|the) ({_COLOR}) one$", "{1} {2} {5} {3} {4}"),
+    (f"^(.*?)\\b(an?|the|one) ({_BLOCK})((?: {_COLOR} {_BLOCK}| (?!{_BLOCK}\\b|another\\b)[^, ]+)+) , "
+     f"(?:an?|the) ({_COLOR}) one$", "{1} {2} {5} {3} {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
@@ -115,6 +121,12 @@ REWORDED: tuple[Turn, ...] = (
     (f"\\b(an?|the) {_SMALLER} (tower|stack|row|line) of (?={_MANY}\\b)", "{1} {2} of"),
     (f"\\b(an?|the) pattern (with|of) (?={_MANY} (?:rows|columns))", "{1} grid {2}"),
     (f"^(?:an?|one) ((?:\\w+ )?{_PATCH})(?: ,)? and on (?:it|top of it)(?: ,)? (an? .+)$", "on the {1} {2}"),
+    ("\\b(row|column|line|tower|stack) of colors\\b", "{1}"),
+    (f"^(?:the|a) (?:number )?row (?:goes|counts|runs) down : (.+?) ({WAY})$", "a row in descending order {2} : {1}"),
+    (f"^(?:the|a) (?:number )?row (?:goes|counts|runs) up : (.+?) ({WAY})$", "a row in ascending order {2} : {1}"),
+    (f"^the (leftmost|rightmost) of (?:the )?({_MANY}) ({_BLOCK}s) is (.+?) , the (leftmost|rightmost) (?:one )?"
+     "is (.+?)(?: ,)? and (.+?) (?:is|stands|lies|sits) (?:in )?between(?: them)?(?: , all in (?:a|one) row)?$",
+     "{2} {3} in a row : the {1} is {4} , the {5} is {6} and {7} is in between"),
     # what stands beside it
     (f"^([^,]+ (?:rotated|turned)\\b[^,]*) , {_STANDING} (on .+)$", "{1} {2}"),
     (f"\\boff (the [^,]+?) (?:that |which )?(?:it|they) (?:is|are|stands|sits|lies|rests)(?: now| currently)?"
@@ -125,6 +137,7 @@ REWORDED: tuple[Turn, ...] = (
     ("(?: ,)? (?:nice|neat|good) and (?:straight|even)$", ""),
     ("(?: ,)? (?:for sure|for certain|full stop|here)$", ""),
     ("^like goes with like :", ""),
+    (f"^(.+ : keep [^,]+) , and ({_PUT} .+)$", "{1} . {2}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
 WORDS = (

@@ -225,6 +225,8 @@ def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
                 yield At(side=side, whole=whole, span=p.span(i, end)), end
         if p.words[i] == "on" and (p.words[k - 1] == "block" or side == "middle"):  # on top of what is there
             return
+        if p.words[i] == "in" and k == j + 1 and p.stands(k, ("tower", "stack")):  # "in the left tower"
+            return
         of_it = p.seq(k, "of it") if side in ("top", "bottom", "middle") else 0
         yield At(side=side, span=p.span(i, k)), of_it or k
     counted = word in ("first", "last", *lexicon.ORDINAL)

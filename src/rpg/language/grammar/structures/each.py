@@ -59,7 +59,7 @@ def each_of(p: Parser, i: int) -> Results[OrderBy]:
     comma = p.opt(i, ",", ":")
     j = p.any_of(comma, ("of", "with", "from", "made of"))
     for found, k in _lot(p, i, j or comma) if j or comma > i else ():
-        if not found.first and (end := p.any_of(k, _EACH)):
+        if not found.first and p.words[k - 1] != "," and (end := p.any_of(k, _EACH)):
             yield replace(found, span=p.span(i, end)), end
         elif found.first and j and p.words[j - 1] == "of" and len(set(map(_look, found.items))) > 1:
             yield found, k  # "two towers of blue on green"

@@ -264,7 +264,8 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     """Blocks that a verb arranges, with what the verb itself says of their order and their places."""
     if clause.lemma == "line" and not spec.intos:
         spec.intos.append(Into(structure=Structure(kind="line", span=clause.word or clause.span), span=clause.span))
-    if clause.verb == "stack" and not _kind_of_shape(spec) and any(map(on_matching_patches, spec.places)):
+    matching = clause.verb == "stack" and any(on_matching_patches(place, said) for place in spec.places)
+    if matching and not _kind_of_shape(spec):
         spec.patterns.append(Pattern(unit="stack", span=clause.span))
     shape = _kind_of_shape(spec)
     if clause.lemma in ("spread", "distribute") and not (

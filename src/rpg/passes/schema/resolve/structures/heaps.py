@@ -137,6 +137,10 @@ def heaps_begun(chains: tuple[Chain, ...]) -> tuple[Chain, ...] | None:
     told = [[_begun_heap(clause) for clause in chain.clauses] for chain in chains]
     if not any(heap for heaps in told for heap in heaps) or all(heap for heaps in told for heap in heaps):
         return None
+    whole = [c for chain in chains for c in chain.clauses if isinstance(c, Clause) and c.mode == "goal"]
+    piles = [c for c in whole if _single_heap(c.theme)]
+    if not all(map(_begun_heap, piles)):  # "a pile of blue blocks, and to its right a pile of red ones"
+        return None
     return tuple(
         replace(chain, clauses=tuple(heap or c for heap, c in zip(heaps, chain.clauses, strict=True)))
         for heaps, chain in zip(told, chains, strict=True)
@@ -148,6 +152,8 @@ def _begun_heap(clause: Meaning) -> Clause | None:
         return None
     shape = clause.theme
     if isinstance(shape, Structure) and _single_heap(shape) and clause.verb in ("build", "be"):
+        if clause.lemma == "build":  # "a pile of three blocks is built"
+            return None
         told = all(isinstance(a, Loc) and isinstance(a.landmark, TableTop) for a in clause.adjuncts)
         return replace(clause, verb="exist", lemma="begun", mode="given", adjuncts=()) if told else None
     into = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
@@ -156,7 +162,7 @@ def _begun_heap(clause: Meaning) -> Clause | None:
     return replace(clause, mode="start")
 
 
-def _single_heap(shape: Meaning) -> bool:
+def _single_heap(shape: Meaning | None) -> bool:
     return isinstance(shape, Structure) and shape.kind == "pile" and not shape.plural and not shape.sizes
 
 

@@ -7,7 +7,7 @@ from itertools import combinations
 
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.language.meaning import Meaning, Noun, Pattern, Structure, Traits, replace
+from rpg.language.meaning import Coord, Meaning, Noun, Pattern, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.heights import of_heights
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
@@ -141,10 +141,11 @@ def _matching(place: object) -> bool:
     return mark.traits.matching or (mark.traits.scheme in ("some", "different") and not mark.traits.colors)
 
 
-def on_matching_patches(place: object) -> bool:
-    """ "stack the blocks on the patches of their own colour": one stack for each colour."""
+def on_matching_patches(place: object, blocks: Meaning) -> bool:
+    """ "stack the blocks on the patches of their own colour", "... on the patch of the same colour": one for each."""
     mark = getattr(place, "landmark", None)
-    return isinstance(mark, Noun) and mark.head == "patch" and mark.plural and mark.traits.matching
+    several = isinstance(blocks, Coord) or (isinstance(blocks, Noun) and len(blocks.traits.colors) > 1)
+    return isinstance(mark, Noun) and mark.head == "patch" and mark.traits.matching and (mark.plural or several)
 
 
 def _source(

@@ -10,6 +10,8 @@ _NEVER = "(?:at no (?:time|point|moment|stage|instant)|on no occasion|not once|n
 _EVER = "(?:at any (?:time|point|moment)|at all times|the whole time|the entire time|all the time|throughout|always)"
 _BLOCK = "(?:block|cube|brick|thing)"
 _STEP = "(?:put|place|move|stack|set|bring|lay|take|unstack|swap|build|make|line up|carry|transfer|shift)"
+_MOVED = "(?:moved|touched|disturbed|displaced|shifted)"
+_OTHERS = "the others stay where they are"
 _BARE = "nothing may ever be on {1}"
 _SO = "(?:is|are|has been|have been|lies|stands|sits|rests)"
 AT_TIMES: tuple[Turn, ...] = (
@@ -41,6 +43,10 @@ AT_TIMES: tuple[Turn, ...] = (
     (f"\\b(?:{MUST}|may) not leave (.+?)(?: {_EVER})?$", "must not leave {1}"),
     (f"\\b((?:the [^,]+?|\\w+)) {MUST} never have (?:a {_BLOCK}|anything) on (?:it|top)(?: of it)?$",
      _BARE),
+    # nothing else
+    (f"\\b(?:no other {_BLOCK}|nothing else) (?:moves|(?:{_MUST} )?(?:be|is|gets?) {_MOVED}|{_MUST} move)$", _OTHERS),
+    (f"\\b(?:do not|never) (?:move|touch|disturb|displace) any other {_BLOCK}s?$", "leave the others where they are"),
+    (f"\\bwithout (?:moving|touching|disturbing) (?:any other {_BLOCK}s?|anything else)$", "without moving the others"),
     # one after the other
     (f"^(?:please )?wait (?:until|till) (.+?)(?: ,)? (?:and )?(?:then|before you) ({_STEP} .+)$", "once {1} , {2}"),
     (f"^(.+?)(?: ,)? (?:but )?(?:as soon as|once|only when|but not until) ([^,]+? {_SO} .+)$", "once {2} , {1}"),

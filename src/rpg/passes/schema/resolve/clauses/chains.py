@@ -8,7 +8,20 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, OrderBy, TableTop, That, replace
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    In,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Structure,
+    TableTop,
+    That,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.again_later import comes_later
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
@@ -169,9 +182,9 @@ def _given_first(chain: Chain) -> list[tuple[str, Meaning]]:
 
 
 def in_that_order(chain: Chain) -> Chain:
-    """ "..., in that order" behind several clauses with a block each: one after the other."""
+    """ "..., in that order" behind several clauses with a block each, or with several alike: one after the other."""
     last = chain.clauses[-1]
-    if len(chain.clauses) < 2 or not isinstance(last, Clause) or not isinstance(last.theme, Noun) or last.theme.plural:
+    if len(chain.clauses) < 2 or not isinstance(last, Clause) or not _in_no_order(last.theme):
         return chain
     orders = [a for a in last.adjuncts if isinstance(a, OrderBy) and a.by in ("given", "temporal") and not a.items]
     if not orders:
@@ -180,6 +193,13 @@ def in_that_order(chain: Chain) -> Chain:
     return replace(
         chain, clauses=(*chain.clauses[:-1], bare), links=(chain.links[0], *("then" for _ in chain.links[1:]))
     )
+
+
+def _in_no_order(theme: Meaning | None) -> bool:
+    """Whether there is no order among the blocks themselves: a single one, or "a tower of two pink blocks"."""
+    blocks = theme.members if isinstance(theme, Structure) else theme
+    alike = isinstance(blocks, Noun) and len(blocks.traits.colors) == 1 and not blocks.traits.labels
+    return isinstance(blocks, Noun) and (alike or not blocks.plural)
 
 
 def time_of(clause: object) -> float | None:

@@ -7,7 +7,20 @@ from rpg.language.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Nou
 
 def left_alone(clause: Clause) -> Clause:
     """The clause, with what stands beside it told plainly."""
-    return apart_from(_not_moved(_only_moved(clause)))
+    return apart_from(_not_moved(_only_moved(_nothing_else(clause))))
+
+
+def _nothing_else(clause: Clause) -> Clause:
+    """ "Touch nothing else", "do not move anything else": the others stay where they are."""
+    word = clause.theme.word if isinstance(clause.theme, Pronoun) else ""
+    touched = clause.verb == "touch" or (clause.verb == "place" and clause.lemma == "move")
+    if clause.mode != "command" or not touched or clause.adjuncts or clause.theme is None:
+        return clause
+    if (word, clause.negated) not in (("nothing else", False), ("anything else", True)):
+        return clause
+    others = Pronoun(word="the others", span=clause.theme.span)
+    stay = Manner(kind="stay", span=clause.span)
+    return replace(clause, verb="keep", lemma="leave", theme=others, adjuncts=(stay,), negated=False)
 
 
 def _only_moved(clause: Clause) -> Clause:

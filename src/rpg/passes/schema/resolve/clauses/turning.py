@@ -146,12 +146,17 @@ def _untouched(clause: Clause, theme: Ref, scene: Scene, span: Span) -> g.Goal:
         clause.verb == "touch"
         and placed is not None
         and isinstance(clause.theme, Pronoun)
+        and clause.theme.word in _LANDMARKS
         and set(theme.names) <= marks
     ):
         return g.Not(goal=r.Touching(a=placed.names, b=theme.names, span=span), span=span)
     if clause.verb == "touch":
         scene.untouched.update(theme.names)
     return _stayed(theme, span)
+
+
+_LANDMARKS = frozenset({"it", "them", "this", "that", "these", "those", "both", "both of them", "either of them"})
+"""Pronouns for what something is put beside, as "the others" are not."""
 
 
 def _moved_theme(clause: Clause) -> Meaning:

@@ -233,11 +233,20 @@ def _touching_none(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relat
     denied = loc.negated or scene.denying
     if loc.rel not in LEVEL or word not in (_ANYTHING if denied else _NOTHING) or len(theme.names) != 1:
         return None
-    others = [t.name for t in scene.blocks() if not t.extra and t.name not in theme.names]
+    told = _told_of(theme, scene) if word.endswith("else") else set()
+    others = [t.name for t in scene.blocks() if not t.extra and t.name not in theme.names and t.name not in told]
     if not others or theme.quant is not None or theme.built:
         raise refuse("no-referent", "there is no other block", loc.span, "say which blocks there are")
     goals = [relate(theme, Ref(names=(name,)), loc, scene, span) for name in others]
     return goals if denied else [g.Not(goal=goal, span=span) for goal in goals]
+
+
+def _told_of(theme: Ref, scene: Scene) -> set[str]:
+    """ "Red is on blue and touches nothing else": nothing but what it is said to lie on, or touch."""
+    before = [m for m in scene.mentions if m.clause == scene.clause - 1]
+    same = any(m.role == "theme" and m.ref.names == theme.names for m in before)
+    marks = [m.ref.names for m in before if m.role == "landmark" and m.rel in ("on", "touching")]
+    return {name for names in marks for name in names} if same else set()
 
 
 def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:

@@ -4,6 +4,7 @@ asked in place of being asked for, as rows that tell it plainly."""
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.talk.turned import FEW, LENGTH, MUST, WAY, Turn
 
 _A = "(?:an?|one|the)"
@@ -21,6 +22,7 @@ _NO_LINE = "(?:(?!\\b(?:row|line|tower|stack)s?\\b).)"
 _STANDING = "(?:standing|lying|resting|sitting|placed|set)"
 
 REWORDED_AT_ONCE: tuple[Turn, ...] = (
+    *OTHERWISE_AT_ONCE,
     # what is asked
     ("^(would|could|can|will) you ever (?=\\w)", "{1} you"),
     (f"\\b(at least {_MANY} and at most {_MANY} of .+?) (?:may|can) (be|lie|stand)\\b", "{1} must {2}"),
@@ -75,6 +77,7 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 REWORDED: tuple[Turn, ...] = (
+    *OTHERWISE,
     # measures
     (f"\\bgap (?:no|not) {_LARGER} than ({LENGTH})", "gap of at most {1}"),
     (f"\\b(?:no|not) {_LARGER} than ({LENGTH})", "at most {1}"),

@@ -1,0 +1,114 @@
+"""Ordinary sentences in an order or with a word that others do without: headings of what follows, what is said of a
+whole and once more of its parts, how a structure reads, as rows that say it plainly."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.talk.turned import FEW, LINE, MUST, WAY, Turn
+
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_MANY = f"(?:\\d+|{FEW})"
+_BLOCKS = "(?:blocks|cubes|bricks|boxes|letters|digits)"
+_BLOCK = "(?:block|cube|brick|box)"
+_THING = f"(?:{_BLOCK}|patch|mat|zone|target|area|spot)"
+_ROW = "(?:far|near|front|back|first|second)"
+_LIES = "(?:lies?|is|are|stands?|sits?|rests?)"
+_LEAVE = "(?:be taken (?:away|off)|be removed|be moved away|go|go away|come off|leave)"
+_SIDE = "(?:to the left of|to the right of|left of|right of|in front of|behind)"
+_AT_START = "(?:at the start|at the beginning|now|initially|at first)"
+_THE = f"(?:the )?{_COLOR}(?: {_BLOCK}| one)?"
+_LETTERS = "(?:letter (?:blocks|cubes)|blocks|cubes|letter tiles)"
+
+OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
+    # what there is
+    ("^(?:from|with|using|out of) (the (?:letters|letter blocks|letter cubes) [^;:]+?) , (spell|write)(?: only| just)? "
+     "((?:the word )?\\S+)$", "there are {1} . {2} {3}"),
+    (f"^the number of (.+? {_BLOCKS}) (?:is|{MUST} be) ({_MANY})$", "there are {2} {1}"),
+    (f"\\bthe ({_THING}) with (?:the )?color ({_COLOR})(?= |$)", "the {2} {1}"),
+    (f"\\bthe ({_THING}) with (?:the )?({_COLOR}) color(?= |$)", "the {2} {1}"),
+    (f"\\b(?:that|the) ({_THING}) (?:which|that) is ({_COLOR})(?= (?:on|onto|in|into|next|to|behind|under)\\b|$)",
+     "the {2} {1}"),
+    # words
+    (f"^the word (\\S+) please(?: ,)? (?:in|with|from|out of) {_LETTERS}$", "spell the word {1}"),
+    (f"^the word (\\S+) , (?:in|with|from|out of) {_LETTERS}(?: please)?$", "spell the word {1}"),
+    (f"^(?:(?:put|write|lay|set|spell) )?the words (\\S+) and (\\S+)(?: {MUST} be (?:written|put|laid|spelled))? in "
+     f"two rows(?: ,| :) (\\1)(?: is)? in the ({_ROW}) (?:one|row)(?: ,| and)+ (\\2)(?: is)? in the ({_ROW}) "
+     "(?:one|row)$", "{3} in the {4} row and {5} in the {6} row"),
+    (f"^two words , one (?:per|in each) row : (\\S+) in the ({_ROW}) (?:one|row)(?: ,| and)+ (\\S+) in the ({_ROW}) "
+     "(?:one|row)$", "{1} in the {2} row and {3} in the {4} row"),
+    # what is left open anyway
+    ("^(?:i|we) do not (?:care|mind) how (?:far|close|near|high) .+$", ""),
+    # "a red block on the left, to the right of it a blue one": which is the left one follows
+    ("(^|: )(an? [^,:]+?) (?:on|at|to) the left(?: ,| and| , and) to the right of it (?=an? )",
+     "{1} {2} , to the right of it"),
+    # what it is made of and from
+    (f"^(build|make|erect|construct) an? (tower|stack) with an? ({_COLOR}) (?:base|bottom)(?: ,)? and (?:put|place|"
+     f"stack|set) (?:the )?({_COLOR}) and (?:the )?({_COLOR})(?: ones| blocks?)? (?:over|above|on top of|on) it"
+     "(?: ,)?(?: in (?:whatever|any) order)?$", "make a {2} of {3} , {4} and {5} with {3} at the bottom"),
+    ("^(?:rearrange|change|turn) the (?:row|word|letters) (\\S+) (?:to|into|to spell|to form|to read) (?:the word )?"
+     "(\\S+)$", "blocks spell {1} at the start . rearrange them to {2}"),
+    ("\\band at same time\\b", "and also"),
+    (f"^use ({_MANY} \\w+ {_BLOCKS}) (?:for|to build) ((?:an?|one) {LINE} of {_MANY}) and (?:another|one)(?: one)? of "
+     f"({_MANY})$", "make {2} and one of {3} out of {1}"),
+    (" on the table(?: ,)? (?:each (?:one |of them |block )?)?(?:by itself|by themselves)$", " on the table"),
+    # what is over what in a tower
+    (f"^(?:make sure (?:that )?)?({_THE}) (?:is|{MUST} be) higher(?: up)? than ({_THE}) in (?:one|an?|the same) "
+     "(tower|stack) (?:of|made of) (.+)$", "a {3} of {4} with {1} somewhere above {2}"),
+    (f"^(?:(?:i|we) (?:need|want|would like) )?({_THE}) somewhere (above|below) ({_THE}) in (?:one|an?|the same) "
+     f"(tower|stack) (?:together )?with ({_THE})$", "a {4} of {1} , {3} and {5} with {1} somewhere {2} {3}"),
+    ("^it is like a (?:chessboard|chess board|checkerboard) : (.+)$", "{1}"),
+    # a line and where it begins
+    (f"^(an? {LINE} of .+?) , ({WAY}) , (is standing|stands|is|starts) (on the table)$", "{1} {2} {3} {4}"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+
+OTHERWISE: tuple[Turn, ...] = (
+    ("\\bconfigure\\b", "arrange"),
+    (f"\\b({MUST}) be disposed (?:such|so) that\\b", "{1} be placed so that"),
+    # said of the whole, and once more of its parts
+    ("^(all .+? (?:in|inside|inside of|within|on) the [^,]+?) (?:,|and|, and|, with) none (?:of them )?(?:(?:remains|"
+     "stays|lies|is|being|left|remaining|lying) )?(?:outside|elsewhere|on the table)(?: of it| it)?$", "{1}"),
+    ("\\b(?:two|2) towers : (an? [^:]*?\\btower\\b[^:]*?\\ban? [^:]*?\\btower\\b(?:(?!tower).)*)$", "{1}"),
+    (f"^(.*?)\\b(?:straight|directly|immediately|right) ({_SIDE}|above|under|below|next to|beside) ([^,]+?)(?: ,)+ "
+     "(?:directly|immediately) \\2 (?:it|them)$", "{1} directly {2} {3}"),
+    # patterns and groups
+    ("\\bwith (\\w+) in the corners and (\\w+) otherwise(?: alternating)?$",
+     "of {1} and {2} blocks with {1} in the corners"),
+    ("^(.+ : .+) come together and (.+) come together$", "{1} are together and {2} are together"),
+    ("^the (first|last|leftmost|rightmost)(?: one)?(?: of them)? gets (an? [^,]+?) on top(?: of it)?(?: ,| and| , and) "
+     "the (first|last|leftmost|rightmost)(?: one)? (an? [^,]+)$", "put {2} on the {1} and {4} on the {3}"),
+    # which way it reads
+    ("\\breading (?:down|downwards|from top to bottom)(?: ,)? (?:you|one|we|i) (?:gets?|reads?|sees?) (\\S+)$",
+     "they read {1} from top to bottom"),
+    ("^spell (?:the word )?((\\w)\\w*(\\w)) vertically(?: by stacking (?:the )?(?:blocks|cubes|letters))?(?: ,)? with "
+     "(?:the )?\\2 (?:on|at) (?:the )?top and (?:the )?\\3 (?:on|at) the bottom$",
+     "a tower that reads {1} from top to bottom"),
+    (f"^the (?:row|word|letters) (\\S+) , (?:which|that) (?:is|are) there {_AT_START} , {MUST} be (?:rearranged|"
+     "changed|turned|made) (?:to|into) (?:the word )?(\\S+)$", "blocks spell {1} at the start . rearrange them to {2}"),
+    (f"^(.+ {_COLOR}) , (?:thats|that is) how the ({LINE}) {MUST} look$", "a {2} : {1}"),
+    # what is not to be at an end of it
+    ("(?: ,)? but not with (.+?) ((?:on|at) (?:the )?(?:top|bottom|left|right))(?: end)?$", "with {1} not {2}"),
+    # what is all so but for a part
+    (f"^((?:an? )?\\d+x\\d+)(?: square| grid)? of (\\w+) ({_BLOCKS})(?: ,)? except (?:for )?the (center|middle|corners)"
+     f"(?: one| block| cube)?(?: ,)? which (?:is|are|{MUST} be) (\\w+)$", "{1} square of {2} {3} , but the {4} is {5}"),
+    # towers told by their base or their height
+    (f"^the (\\w+) tower has ({_MANY}) \\w+ and (?:is|stands|is standing) ({_SIDE}) the (\\w+) tower , which has "
+     f"({_MANY}) \\w+$", "a {1} tower of {2} is {3} a {4} tower of {5}"),
+    (f"^(an? [^,]+? {_BLOCK}) completes the (tower|stack)$", "put {1} on top of the {2}"),
+    # what is there and has to go
+    (f"^(?:clear|empty) (the [^:,]+?) : (the [^,:]+?) {_LIES} on it(?: {_AT_START})? and {MUST} {_LEAVE}$",
+     "at the start , {2} is on {1} . {2} must not be on {1}"),
+    ("^(?:unstack (?:everything|it|all) : )?(.+ (?:at the start|initially|at the beginning))(?: ,)? and (?:in|at) the "
+     "end (.+)$", "{1} . in the end {2}"),
+    # numbers
+    (f"^use (?:the )?{_BLOCKS} to (?:show|write)(?: that)? (.+ equals .+)$", "write {1}"),
+    (f"(?: ,)? with (?:the )?(?:digit|number) and (?:operator|symbol|sign) {_BLOCKS}$", ""),
+    # one of two
+    (f"\\b((?:exactly |only |just )?one) of the (\\w+) ({_BLOCK}) and the (\\w+) {_BLOCK}\\b", "{1} of the {2} and {4} "
+     "{3s}"),
+    # what is wanted
+    (f"^({WAY})(?: ,)? (?:i|we) (?:need|want|would like) the following :", "{1} :"),
+)  # fmt: skip
+"""What makes no sense as it stands."""
+WORDS = ("completes configure disposed following thats vertically operator",)
+"""Words that these take besides those that are read anyway."""

@@ -36,6 +36,7 @@ ORDINALS = {
 UNITS = {
     "0.01": "cm centimeter centimeters centimetre centimetres cms",
     "0.001": "mm millimeter millimeters millimetre millimetres",
+    "0.1": "dm decimeter decimeters decimetre decimetres",
     "0.0254": "inch inches in",
     "1": "m meter meters metre metres",
 }

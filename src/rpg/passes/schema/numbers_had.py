@@ -15,8 +15,8 @@ from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Stack, Staircase
 from rpg.ir.walk import atoms, names
 
-UNITS = (1.0, 100.0, 1000.0, 1 / 0.0254)
-"""Lengths are told in metres, centimetres, millimetres or inches."""
+UNITS = (1.0, 10.0, 100.0, 1000.0, 1 / 0.0254)
+"""Lengths are told in metres, decimetres, centimetres, millimetres or inches."""
 LENGTHS = ("at_least", "distance")
 """Fields of goals that are said as often as not; of other fields only values that are not the default are."""
 

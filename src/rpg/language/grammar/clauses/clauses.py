@@ -12,6 +12,7 @@ from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
 from rpg.language.grammar.clauses.occupied import occupied
+from rpg.language.grammar.clauses.sole import just_these
 from rpg.language.grammar.clauses.states import state
 from rpg.language.grammar.clauses.terse import about, said_of, terse
 from rpg.language.grammar.clauses.there import exists, listed_there, on_what_is_named, stands_there
@@ -261,11 +262,10 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
         for table, told in _FRAMES if p.stands(start, _FRAMING) else ():
             kind = told or mode
             for j in table.matches(p, start):
-                if p.words[j] == "to" and p.words[j - 1] in ("next", "addition"):
+                numbered = start > 0 and p.tokens[start].kind == "number" and p.words[start - 1] != ";"
+                if numbered or just_these(p, j) or (p.words[j] == "to" and p.words[j - 1] in ("next", "addition")):
                     continue
                 if table is CHATTER and not (j := p.one(j, _SET_OFF)):
-                    continue
-                if start > 0 and p.tokens[start].kind == "number" and p.words[start - 1] != ";":
                     continue
                 dashed = j < p.end and p.words[j] == "," and p.tokens[j].raw != ","
                 j = p.opt(j, ",") if table in (FIRST, STARTS) or dashed else j

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun
@@ -21,3 +22,14 @@ def sole(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Clause
         if isinstance(place, In) or (isinstance(place, Loc) and place.landmark is not None):
             alone = Coord(op="only", items=(theme,), span=theme.span)
             yield Clause(verb="be", theme=alone, adjuncts=found, mode=mode, span=p.span(i, end)), end
+
+
+_ASSERTED = frozenset({"is", "are", "should", "must", "shall", "may", "has", "have", "goes", "go", "touches", "touch",
+                       "belongs", "belong", "stands", "stand", "lies", "lie", "faces", "face"})  # fmt: skip
+
+
+def just_these(p: Parser, j: int) -> bool:
+    """ "Just the red block is on the mat": no other is; "just put it there", "just red on blue" say no more by it."""
+    if p.words[j - 1] != "just" or _ASSERTED.isdisjoint(p.words[j:]):
+        return False
+    return p.words[j] in ("the", "these", "those") or p.words[j] in lexicon.COLOR or p.tokens[j].raw.isupper()

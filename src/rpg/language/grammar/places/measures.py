@@ -26,7 +26,8 @@ AMONG = (
 )  # fmt: skip
 
 
-_AROUND = {"about": 0.25, "around": 0.25, "roughly": 0.25, "approximately": 0.25, "nearly": 0.25, "exactly": 0.0}
+_AROUND = {"about": 0.25, "around": 0.25, "roughly": 0.25, "approximately": 0.25, "nearly": 0.25,
+           "circa": 0.25, "ca": 0.25, "some": 0.25, "more or less": 0.25, "exactly": 0.0, "precisely": 0.0}  # fmt: skip
 _LIMITS = {
     "at least": "low", "more than": "low", "no less than": "low", "a minimum of": "low", "at most": "high",
     "less than": "high", "no more than": "high", "within": "high", "up to": "high", "not more than": "high",

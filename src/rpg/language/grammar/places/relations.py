@@ -209,6 +209,8 @@ def _between(p: Parser, i: int) -> Results[Meaning]:
         name = "sandwiched"
     if k and p.words[j] in ("midway", "halfway", "centered"):
         mods = ("halfway",)
+    elif p.any_of(j, ("in the middle between",)):
+        mods = ("middle",)
     if k:
         for landmark, end in noun_phrase(p, k):
             if isinstance(landmark, TableTop):

@@ -53,7 +53,7 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
         for item, j in simple(p, k):
             lists = ((x, k) for x, k in more(p, i, (item,), j, None) if isinstance(x, Coord) and x.op == "or")
             yield from ((replace(found, op="nor"), k) for found, k in lists)
-    if k := p.one(i, "only"):
+    if k := p.one(i, ("only", "just")):
         for item, j in simple(p, k):
             counted = isinstance(item, Noun) and item.det == "bare" and item.amount is not None
             if isinstance(item, Noun) and not counted and item.amount in (None, Amount(1, 1)) and item.det in _ONE:

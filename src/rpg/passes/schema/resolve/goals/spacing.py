@@ -7,7 +7,10 @@ from typing import Any
 
 from rpg.blocks.predicates.common import TOUCH
 from rpg.ir import goal as g
+from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.assets import EDGE
+from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.walk import transform
 from rpg.passes.schema.resolve.clauses.spec import Spec
@@ -38,10 +41,23 @@ def spaced(goal: g.Goal, sizes: Mapping[str, float]) -> g.Goal:
                     told = _told(other, said, sizes)
                     goals = [x for part in goals if part is not said for x in (told if part is other else [part])]
                     break
-        goals = _sorted_rows(goals)
+        goals = _sorted_rows(_as_far_as_told(goals, sizes))
         return goals[0] if len(goals) == 1 else node.model_copy(update={"goals": tuple(goals)})
 
     return transform(goal, change)
+
+
+def _as_far_as_told(goals: list[g.Goal], sizes: Mapping[str, float]) -> list[g.Goal]:
+    """ "Next to it with a gap of 6 cm": as far off as is told, and not as near as "next to" alone asks."""
+    gaps = {(x.a, x.b): x.maximum for x in goals if isinstance(x, r.Distance) and x.measure == "faces" and x.maximum}
+    found: list[g.Goal] = []
+    for part in goals:
+        wide = gaps.get((part.a, part.b)) if isinstance(part, r.Beside) else None
+        if isinstance(part, r.Beside) and wide is not None:
+            edge = max(sizes.get(name, EDGE) for name in (*members(part.a), *members(part.b)))
+            part = part.model_copy(update={"gap_edges": max(part.gap_edges, round(wide / edge, 3))})
+        found.append(part)
+    return found
 
 
 def _is_spacing(part: g.Goal) -> bool:

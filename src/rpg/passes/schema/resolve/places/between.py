@@ -30,7 +30,9 @@ def between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         if len(theme.names) != 1 or any(len(e.names) != 1 for e in ends):
             raise refuse("misplaced", "one block is sandwiched between two", loc.span)
         return sandwich(ends[0].names[0], theme.names[0], ends[1].names[0], scene, span)
-    if "halfway" in loc.mods:
+    blocks = [*theme.names, *mark.names]
+    piled = mark.patch or any(built.kind == "stack" and {*built.members} & {*blocks} for built in scene.built)
+    if "halfway" in loc.mods or ("middle" in loc.mods and len(blocks) == 3 and not piled):
         if (
             isinstance(b, Lowest | Highest)
             or isinstance(c, Lowest | Highest)

@@ -58,6 +58,7 @@ _CARRIES = (
     "must support", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip
 _NONE = ("none at all", "none")
+_OF_TWO = ("the former", "the latter")
 _IS = ("is", "should be", "must be", "shall be", "has to be", "is to be", "goes", "should go", "reads", "should read",
        "will be", "needs to be", "consists of", "is made of", "is built of", "must go")  # fmt: skip
 _ARE = (*_IS, "are", "have to be", "are to be", "go", "read")
@@ -68,7 +69,7 @@ _MEMBERS = frozenset({"blocks", "cubes", "bricks", "boxes", "colors", "letters",
 def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block should have the blue one on it", "the patch must contain two blocks", "A has B to its left"."""
     for owner, j in noun_phrase(p, i):
-        if isinstance(owner, Pronoun | TableTop):
+        if isinstance(owner, TableTop) or (isinstance(owner, Pronoun) and owner.word not in _OF_TWO):
             continue
         yield from _made_up(p, i, j, owner, mode)
         for mark, end in simple(p, k) if (k := p.any_of(j, _SHARE)) else ():

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.same_again import same_again
+from rpg.language.grammar.talk.taken_back import taken_back
 from rpg.language.tokens import Token
 
 _REPAIRS = (
@@ -26,7 +28,7 @@ _APART = frozenset({",", "…"})
 
 def corrected(tokens: list[Token]) -> list[Token]:
     """The tokens with what was taken back left out, where it is clear what that is; else as they were."""
-    at = 0
+    tokens, at = same_again(taken_back(tokens)), 0
     while at < len(tokens):
         end = _repair(tokens, at) if at and tokens[at].word in _APART else 0
         if end and (mended := _mended(tokens, at, end)) is not None:

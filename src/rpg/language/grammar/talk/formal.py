@@ -10,6 +10,7 @@ from rpg.language.grammar.talk.before_it import BEFORE_IT
 from rpg.language.grammar.talk.contrasted import CONTRASTED
 from rpg.language.grammar.talk.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.talk.roundabout import AT_ONCE, ROUNDABOUT
+from rpg.language.grammar.talk.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.talk.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.talk.turned import END, MUST, WAY, Turn, turned
 from rpg.language.grammar.talk.wordier import AT_ONCE as FEWER_AT_ONCE
@@ -229,7 +230,7 @@ _WORDS = (
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    rows = (*_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
+    rows = (*SHORT_AT_ONCE, *_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
     return turned(_one_of_each(_steps_told(tokens)), rows)
 
 
@@ -268,7 +269,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 def plainly(tokens: list[Token]) -> list[list[Token]]:
     """The sentences that one is in plain words; none where it is as plain already."""
-    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER))
+    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT))
     if plain == tokens:
         return []
     out: list[list[Token]] = [[]]

@@ -15,6 +15,7 @@ from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
 from rpg.language.grammar.things.in_line import in_line
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
 from rpg.language.grammar.things.labels import label_list, literal, once_more
+from rpg.language.grammar.things.of_listed import listed
 from rpg.language.grammar.things.printed import printed, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
@@ -183,7 +184,7 @@ _THESE = ("them", "these", "those", "the others", "the rest", "others")
 
 def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
     """ "two of the four red blocks", "none of them"."""
-    for whole, end in simple(p, j):
+    for whole, end in (*simple(p, j), *listed(p, j, found.det)):
         if isinstance(whole, Noun) and whole.head == "any" and whole.det == "the" and found.det in ("all", "no"):
             whole = replace(whole, plural=whole.plural or bool(whole.traits.colors))
         if isinstance(whole, Noun) and found.det == "not all" and whole.det == "bare":
@@ -199,17 +200,11 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
             if found.det == "all" and whole.det == "the" and whole.amount is not None and whole.part_of is None:
                 yield replace(whole, det="all", span=p.span(i, end)), end
                 continue
-            yield (
-                Noun(
-                    head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)
-                ),
-                end,
-            )
+            head, span = whole.head, p.span(i, end)
+            yield Noun(head=head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=span), end
         elif isinstance(whole, Pronoun) and whole.word in _THESE:
-            yield (
-                Noun(head="any", det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)),
-                end,
-            )
+            span = p.span(i, end)
+            yield Noun(head="any", det=found.det, amount=found.amount, plural=True, part_of=whole, span=span), end
 
 
 @choice

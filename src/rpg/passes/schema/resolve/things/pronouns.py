@@ -221,6 +221,8 @@ def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
         both = [scene.things[n] for n in named[0].ref.names]
         if len({(t.color, t.label, t.size) for t in both}) == 2:
             return Ref(names=(both[word.word == "the latter"].name,), patch=named[0].ref.patch)
+    if len(named) == 1 and len(named[0].ref.parts) == PAIR and not named[0].ref.built:  # "three red and two blue ones"
+        return replace(named[0].ref.parts[word.word == "the latter"], span=word.span)
     both_built = [m.ref.built for m in named if len(m.ref.built) == PAIR and not m.ref.quant]
     if both_built:
         whole = both_built[-1][word.word == "the latter"]

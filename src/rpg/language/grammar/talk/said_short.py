@@ -1,0 +1,166 @@
+"""What leaves out a part that stands nearby: "red on blue or vice versa", "the red cube, not the blue one, goes ...",
+"to the left and to the right of C, respectively", "one of them here, the other there", as rows that say all of it."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.talk.turned import FEW, LINE, MUST, WAY, Turn
+
+COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+BLOCK = "(?:block|cube|brick|box|letter|digit|number)"
+PATCH = "(?:patch|mat|zone|target|area|spot|tile)"
+_NOUN = f"(?:{BLOCK}s?|boxes|{PATCH}s?|patches|ones?)"
+_BEHIND = ("and|or|on|onto|in|to|left|right|behind|above|below|next|beside|not|must|should|is|goes|belongs|has|gets|"
+           "each|instead|rather")  # fmt: skip
+LABEL = f"(?:[b-z0-9](?= |$)|a(?! \\w)|a(?= (?:{_BEHIND}) ))"
+"""Symbols; the article is none."""
+_ONE = f"(?:{BLOCK}|{PATCH}|one)(?= |$)"
+_WORD = ("(?:(?!(?:on|onto|in|into|to|of|and|or|not|is|are|must|should|goes|behind|above|below|under|next|beside|near|"
+         "from|with|to|where|each|has|gets) )\\w+ )")  # fmt: skip
+THING = (f"(?:(?:the|an?|all|both|every|my|{FEW}) {_WORD}{{0,3}}?{_NOUN}(?= |$)(?: {LABEL})?|"
+         f"(?:the )?(?:{COLOR}(?: {_NOUN})?(?= |$)|{LABEL}))")  # fmt: skip
+_SINGLE = f"(?:(?:the|an?|one) {_WORD}{{0,3}}?{_ONE}(?: {LABEL})?|(?:the )?(?:(?:{COLOR})(?= |$)|{LABEL}))"
+_KNOWN = f"(?:the {_WORD}{{0,3}}?{_ONE}(?: {LABEL})?|(?:the )?(?:(?:{COLOR})(?= |$)|{LABEL}))"
+"""One thing, and one that is the same when it is named twice."""
+_JOINED = f"{THING}(?:(?: ,)? and {THING})*"
+THINGS = f"{THING}(?:(?: ,)? and {THING}| , {THING})*"
+"""Things by what they are called: "the red cube", "red", "A", "the letter A"; and several of them."""
+PUT = "(?:put|place|set|move|lay|bring|stand)"
+_SIDE = "(?:to the left of|to the right of|on the left of|on the right of|left of|right of|in front of|behind)"
+ASIDE = f"(?:(?:directly |immediately |right |somewhere )?{_SIDE}|above|below|under|beneath|underneath)"
+OVER = "(?:directly )?(?:on top of|on|onto|upon)"
+PLACE = f"(?:{ASIDE}|{OVER}|in|into|inside|next to|beside|near|close to|against|between|touching)"
+"""Words of place: those that tell a side, those that tell what bears a thing, and all of them."""
+_BE = "(?:be placed|be put|be|go|stand|lie|sit|rest|end up)"
+IS = f"(?:(?:{MUST}|may|can) {_BE}|is|goes|belongs|stands|lies|sits|comes|rests)"
+_ARE = f"(?:{IS}|are|go|belong|stand|lie|sit|come|rest)"
+_THAT = f"(?:that |which )?(?:{_ARE}|has|gets|carries|touches|forms?|makes?)"
+_AROUND = "(?:vice versa|the other way (?:round|around)|the reverse|the opposite|the other way)"
+_NOT = "(?:and not|but not|not|rather than|instead of|as opposed to)"
+_NEITHER = (f"neither(?: one| of (?:them|these|the two))?(?: {MUST}| may| can| is)?"
+            "(?: be| being| lie| lying| stand| rest| sit)?")  # fmt: skip
+_FORM = "(?:row|column|line|stack|tower|circle|ring|heap|pile|grid|square)"
+_EACH_GETS = (f"(?:{MUST} )?(?:each )?(?:{MUST} )?(?:each )?(?:get|gets|have|has|carry|carries|receive|bear) (.+?)"
+              " (?:on top(?: of (?:it|them))?|on (?:it|them))")  # fmt: skip
+_TO = "(?:to|towards|toward) the"
+_ELLIPTIC = "to the left|to the right|on the left|on the right|left|right|in front|behind|above|below|under"
+_HALF = "(left|right|near|far|front|back)"
+_PAIRS = (
+    (f"the ({COLOR}) and (?:the )?({COLOR}) (?:block|cube|brick|box)(?:s|es)?", "the {1} one", "the {2} one"),
+    (f"(?:the (?:two )?(?:letters|cubes|blocks|digits|numbers) )?({_KNOWN}) and ({_KNOWN})", "{1}", "{2}"),
+)
+"""Two things: how they are told, and each of them."""
+
+
+def _respectively() -> tuple[Turn, ...]:
+    """ "A and B to the left and to the right of C, respectively": each of the two at one of the two places."""
+    rows: list[Turn] = []
+    for two, one, other in _PAIRS:
+        begun = f"^(?:please )?(?:{PUT} )?{two}(?: {_ARE})?"
+        rows += [
+            (f"{begun} ({_ELLIPTIC})(?: of)? and ({ASIDE}) ({THING})(?: ,)? respectively$",
+             f"{one} must be {{3}} of {{5}} and {other} must be {{4}} {{5}}"),
+            (f"{begun} ({PLACE} {THING}) and ({PLACE} {THING})(?: ,)? respectively$",
+             f"{one} must be {{3}} and {other} must be {{4}}"),
+            (f"{begun} (?:in|on) the {_HALF} halfs?(?: of the table)? and (?:(?:in|on) )?the {_HALF} half"
+             "(?: of the table)?(?: ,)? respectively$",
+             f"{one} must be in the {{3}} half and {other} must be in the {{4}} half of the table"),
+        ]  # fmt: skip
+    return tuple(rows)
+
+
+SHORT_AT_ONCE: tuple[Turn, ...] = (
+    *_respectively(),
+    # "each get a white cube on top"
+    (f"^(?:each of )?({LABEL}(?: , {LABEL})*(?: ,)? and {LABEL}) {_EACH_GETS}$", "put {2} on each of the cubes {1}"),
+    (f"^(?:each of )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR}) {_EACH_GETS}$", "put {2} on each of the {1} cubes"),
+    (f"^({THINGS}) (?=.*\\beach\\b){_EACH_GETS}$", "put {2} on each of {1}"),
+    (f"^(.+ in (?:an? |the )?({_FORM}))(?: ,)? (?:rather than|instead of|as opposed to) (?:in|as) an? (?!\\2$){_FORM}$",
+     "{1}"),
+    ("^(.*\\bat least .+?)(?: ,)? (?:and )?(?:possibly|maybe|perhaps) (?:both|all|all of them|more)$", "{1}"),
+    ("^(.*\\bat least .+?) , (?:both|all of them)$", "{1}"),
+    ("^(?:it does not matter which(?: one)?|which(?: one| of them)?(?: it is)? does not matter|no matter which"
+     "(?: one)?)$", ""),
+    # "C has A on its left and B on its right"
+    (f"^({_KNOWN}) (?:gets|has|{MUST} have) ({_SINGLE}) (?:on|to) its (left|right)(?: side)?(?: ,)? and ({_SINGLE}) "
+     "(?:on|to) its (left|right)(?: side)?$", "{2} must be to the {3} of {1} and {4} must be to the {5} of {1}"),
+    # what is one of a kind that was named before
+    (f"^(.*?\\b(?:an?|one) ({LINE}) (?:of|made of|made from) .*?)\\b(?:one|another(?: one)?) (made (?:of|from) .+)$",
+     "{1} a {2} {3}"),
+    (f"^({THINGS}) (?:{MUST} )?(?:make up|form|make) (?:an?|one) ({LINE})(?: ,)?(?: and)? ({THINGS})"
+     "(?: make up| form| make)? another(?: one)?$", "{1} form a {2} and {3} form another {2}"),
+    ("^(?:separate|sort|divide|split) [^:]+ : (.+ in one (group|pile|bunch)\\b.+ in another(?: \\2| one)?)$", "{1}"),
+    # what is so of all but one
+    (f"^((?:build|make|form|stack) )?(an? {LINE} of (?:\\d+|{FEW})) ({COLOR}) (\\w+)(?: ,)? except that "
+     f"the (top|bottom|leftmost|rightmost|middle)(?: one| {BLOCK})? (?:is|{MUST} be) ({COLOR})$",
+     "{1} {2} {4} , the {5} one {6} and the others {3}"),
+    ("^(.+ at the ends(?: ,)? and .+) inside$", "{1} in the middle"),
+    # "neither may be on the other"
+    (f"(?: ,)?(?: but| and| with)? {_NEITHER} (on top of|on|touching|next to|beside|near|above) the other(?: one)?$",
+     ". they must not be {1} each other"),
+    (f"^{_NEITHER} (on top of|on|touching|next to|beside|near|above) the other(?: one)?$",
+     "they must not be {1} each other"),
+    (f"^neither (.+?) nor (.+?) (?:(?:{MUST}|may|can) {_BE}|is) (on top of|on|touching|next to|beside|near|above) "
+     "the other(?: one)?$", "{1} and {2} must not be {3} each other"),
+    # "one of them here, the other there"
+    *((f"^(?:{PUT} )?(?:exactly )?one of (?:the (?:two )?\\w+s )?{two} (?:{IS} )?({PLACE} {THING})"
+       f"(?: ,)?(?: and)? the other(?: one)?(?: {IS})? ({PLACE} {THING})$",
+       f"either {one} must be {{3}} and {other} must be {{4}} , or {other} must be {{3}} and {one} "
+       f"must be {{4}}") for two, one, other in _PAIRS),
+    *((f"^(?:{PUT} )?({_KNOWN}) ({OVER}) either the ({COLOR}) or (?:the )?({COLOR}) ({noun})(?: ,)? and ({_KNOWN}) "
+       "on the other(?: one)?$",
+       "either {1} must be {2} the {3} {5} and {6} must be {2} the {4} {5} , or {1} must be {2} the {4} {5} and {6} "
+       "must be {2} the {3} {5}") for noun in (BLOCK, PATCH)),
+    (f"^of {_PAIRS[0][0]} ,? ?(?:exactly )?one (?:{IS} )?({PLACE}) the other(?: one)?$",
+     "the {1} one must be {3} the {2} one or the {2} one must be {3} the {1} one"),
+    (f"^(?:exactly )?one of {_PAIRS[0][0]} (?:{IS} )?({PLACE}) the other(?: one)?$",
+     "the {1} one must be {3} the {2} one or the {2} one must be {3} the {1} one"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+
+SHORT: tuple[Turn, ...] = (
+    # "the red cube, not the blue one, goes on the green cube"
+    (f"^((?:please )?{PUT} {_JOINED})(?: ,| \\()? {_NOT} ({THINGS})(?: ,| \\))? (?={PLACE}\\b)", "{1} and not {2}"),
+    (f"^({_JOINED})(?: ,| \\()? {_NOT} ({THINGS})(?: ,| \\))? (?={_THAT}\\b)", "{1} and not {2}"),
+    (f"^(?:instead of|rather than) ({THINGS})(?: ,)? ({PUT}) ({THINGS}) (.+)$", "{2} {3} and not {1} {4}"),
+    (f"^(?:instead of|rather than|unlike) ({THINGS}) , ({THINGS}) ({_THAT} .+)$", "{2} and not {1} {3}"),
+    (f"^unlike ({THINGS}) , (?:which|that) ({_THAT} [^,]+) , (.+)$", "{1} {2} . {3}"),
+    ("^(?:likewise|similarly)(?: ,)? (?=\\w)", ""),
+    # "on the red patch rather than on the blue one", "to the right of B, not to the left"
+    (f"(?: ,)? (?:rather than|instead of|as opposed to) (?={PLACE} {THING})", ", not"),
+    (f"^(.+ in (?:an? |the )?({_FORM}))(?: ,)? {_NOT} (?:in|as) an? (?!\\2$)({_FORM})$", "{1}"),
+    (f"^(.+ {WAY})(?: ,)? (?:and |but )?(?:not|rather than|instead of) {WAY}$", "{1}"),
+    (f"^(.+ (?:{ASIDE}) ({_KNOWN}))(?: ,)? {_NOT} ((?:to|on) the (?:left|right)|in front)$", "{1} , not {3} of {2}"),
+    (f"^(.+ (?:{ASIDE}) ({_KNOWN}))(?: ,)? {_NOT} (behind|above|below|under|beneath|beside)$", "{1} , not {3} {2}"),
+    (f"^(.* (?:goes|going|go|rises?|rising|climbs?|climbing|up|down) {_TO} (left|right))(?: ,)? {_NOT} {_TO} (?!\\2)"
+     "(?:left|right)$", "{1}"),
+    (f"^(.* ({PLACE}) the (?:\\w+ )?{COLOR} ({PATCH}))(?: ,| \\()? {_NOT} the ((?:\\w+ )?{COLOR}) {PATCH}(?: \\))?$",
+     "{1} , not {2} the {4} {3}"),
+    (f"^((?:{PUT} )?{LABEL}(?: {_ARE})? ({PLACE}) the {COLOR} (\\w+))(?: ,| \\()? {_NOT} the ({COLOR})"
+     f"(?: one| {BLOCK})?(?: \\))?$",
+     "{1} , not {2} the {4} {3}"),
+    # "red on blue or vice versa"
+    (f"^((?:please )?{PUT} )?(?:either )?({_KNOWN}) ({_ARE} )?({PLACE}) ({_KNOWN})(?: ,)? or {_AROUND}$",
+     "{1} {2} {3} {4} {5} or {5} {3} {4} {2}"),
+    (f"^(?:{PUT}) ({THING}) (?:to )?where ({THING}) (?:is|stands|lies)(?: now)?(?: ,)? and {_AROUND}$",
+     "swap {1} and {2}"),
+    (f"^((?:{PUT} )?the ({COLOR}) ({BLOCK}) ((?:{_ARE} )?{OVER} the) ({COLOR}) ({PATCH}))(?: ,)? and {_AROUND}$",
+     "{1} and the {5} {3} {4} {2} {6}"),
+    ("(?: ,)? and vice versa : (?=\\S)", " and"),
+    # what is left open anyway
+    ("^(.+\\b(?:one|either|any|two|three|some) .+?)(?: ,)? (?:and |but )?(?:it does not matter|i do not mind|"
+     "no matter|i do not care) which(?: one| of them)?(?: it is)?$", "{1}"),
+    # "not this but that"
+    (f"^not (?:only|just|merely) ({THINGS})(?: ,)? but(?: also)? ({THINGS})(?: as well| too)? ((?:{MUST}|{_ARE}) .+)$",
+     "{1} and {2} {3}"),
+    (f"^it is ({THINGS})(?: ,)? (?:and )?not ({THINGS})(?: ,)? (?:that|which) (.+)$", "{1} and not {2} {3}"),
+    ("^(.+?)(?: ,| :)? not ((?:\\w+ )?rows of \\w+)(?: ,)? but ((?:\\w+ )?rows of \\w+)$", "{1} : {3}"),
+    ("^(spell (?:the word )?\\S+)(?: ,)? (?:and )?not \\S+$", "{1}"),
+    (f"\\b(?:makes?|making) up (an?|one) ({LINE})\\b", "form {1} {2}"),
+    (f"\\bwith ({FEW}) of them (?:each|in each)$", "of {1}"),
+    # what follows
+    ("^(.+?)(?: ,)? and , (?:after that|then|afterwards|next|finally) , (.+)$", "{1} , and then {2}"),
+)  # fmt: skip
+"""What makes no sense as it stands, with the part that it leaves out."""
+WORDS = ("respectively likewise similarly versa vice opposed unlike possibly maybe perhaps reverse opposite",)
+"""Words that these take besides those that are read anyway."""

@@ -166,8 +166,7 @@ def resolve(
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     chains = tuple(shared_sides(recounted(chain), text) for chain in chains)
-    links, chains = in_told_order(links, chains, text)
-    links, chains = hoisted(*places_told(*words_in_rows(links, from_heaps(chains))))
+    links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, from_heaps(chains), text))))
     facts = cleared_of(begun(chains, text), links)
     if (last := heaps_last(*told_later(links, facts))) is not None:
         with suppress(Refusal):
@@ -395,8 +394,7 @@ def _begins_with_all(clause: Clause) -> bool:
 
 def _no_goal(scene: Scene, text: str) -> Refusal:
     if scene.picked:
-        return refuse(
-            "no-goal", "a block that is held has no place at the end", scene.picked, "say where to put it down"
-        )
+        hint = "say where to put it down"
+        return refuse("no-goal", "a block that is held has no place at the end", scene.picked, hint)
     hint = "say where the blocks should be at the end"
     return refuse("no-goal", "it is not said what should be done", (0, len(text)), hint)

@@ -190,14 +190,10 @@ def _asks(sentence: Sentence) -> bool:
 
 _LAST = ("finish with", "end with", "conclude with")
 """Behind steps these begin one more; else they tell of the end."""
-
-
 _BARE = frozenset({"is", "are", "must", "should", "does", "may", "not", "be", "shall"})
 """What a sentence ends with that leaves its predicate to the one before it."""
 _RELATIVE = frozenset({"where", "as", "what", "how", "that", "which"})
 """With these "is" at the end is no predicate that is left out: "where it is"."""
-
-
 _NO_MORE = {
     (*there, "nothing", "else", *where)
     for there in ((), ("there", "is")) for where in ((), ("there",), ("on", "the", "table"))

@@ -9,6 +9,7 @@ from rpg.language.grammar.clauses.again import meant_again, said_too
 from rpg.language.grammar.clauses.covered import named_last
 from rpg.language.grammar.clauses.for_whom import behind_us
 from rpg.language.grammar.clauses.manners import degrees_of, direction
+from rpg.language.grammar.clauses.particles import across
 from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.clauses.turned import REST, not_turned
@@ -71,11 +72,6 @@ def gerund_single(p: Parser, i: int) -> Results[Clause]:
 _UP_OR_OUT = ("up", "out", "down", "back")
 _BEHIND = {**dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT), "pick": (*_UP_OR_OUT, "off")}
 """What may follow a verb behind its theme."""
-_ACROSS = frozenset({"over", "round", "around", "across", "along"})
-_WHITHER = frozenset({"on", "onto", "in", "into", "behind", "beside", "next", "near", "by", "upon", "under", "beneath"})
-"""Before these words of place the others tell no more than that something moves."""
-_THENCE = ("from there", "from here", "away from there", "off there", "from where it is", "from where it is now")
-_THITHER = _WHITHER | {"to", "over"}
 
 
 @rule
@@ -122,10 +118,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
     for theme, k in noun_phrase(p, only or j):
         if isinstance(theme, Structure) and lemma in ("take", "pull") and p.words[k] in ("down", "apart"):
             continue
-        k = p.opt(k, "places", "positions", "around", "over", "round") if sense == "swap" else k
-        k = k + 1 if sense == "place" and p.stands(k, _ACROSS) and p.stands(k + 1, _WHITHER) else k
-        thence = p.any_of(k, _THENCE) if i or p.char(0, 0) else 0  # where something was told before
-        k = thence if thence and p.stands(thence, _THITHER) else k
+        k = across(p, k, sense, told=bool(i or p.char(0, 0)))
         if sense == "swap" and (end := p.one(k, "back")):
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
@@ -331,7 +324,6 @@ def _told_elsewhere(found: tuple[Meaning, ...], before: Clause) -> bool:
     place = before.adjuncts[0] if before.adjuncts else None
     there = isinstance(place, Loc | In) and not (isinstance(place, Loc) and place.rel == "moved")
     return there and isinstance(found[0], Loc) and "else" in found[0].mods
-
 
 
 def _next_one(p: Parser, i: int, before: Clause) -> Results[Clause]:

@@ -30,6 +30,7 @@ REST = ("the others", "the rest", "others", "the other", "the other one")
 def not_turned(p: Parser, i: int, before: Clause) -> Results[Clause]:
     """ "(Turn A and C clockwise), but not B", "and neither B nor C": these are not turned."""
     turned = before.verb == "turn" and not before.negated and all(isinstance(a, Manner) for a in before.adjuncts)
+    turned = turned and getattr(before.theme, "det", "") not in ("all", "each")  # of all of them it is an exception
     denied = p.one(i, "not") if turned else 0
     for theme, j in noun_phrase(p, denied or i) if turned else ():
         plain = isinstance(theme, Noun | Coord) or (isinstance(theme, Pronoun) and theme.word in REST)

@@ -55,7 +55,6 @@ from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
-from rpg.passes.schema.resolve.structures.another_such import another_such
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.structures.unbuilt import check_known
@@ -68,8 +67,8 @@ from rpg.passes.schema.resolve.things.recounted import recounted
 from rpg.passes.schema.resolve.things.rest import listed_alone, selects, speaks_of_rest
 from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one_by_one
 from rpg.passes.schema.resolve.things.sized import sized
-from rpg.passes.schema.resolve.things.spare import definite, none_ignored, without_spare
-from rpg.passes.schema.resolve.things.taken import plainly
+from rpg.passes.schema.resolve.things.spare import definite, none_ignored
+from rpg.passes.schema.resolve.things.taken import all_plainly
 from rpg.passes.schema.resolve.things.things import fits, matching
 from rpg.passes.schema.resolve.things.world import Scene, refuse, said
 from rpg.passes.schema.wordings import wording
@@ -219,8 +218,7 @@ def _resolved(
     for note in notes:
         scene.assume(note)
     links, chains = counted_later(links, each_later(chains))
-    chains = another_such(tuple(without_spare(plainly(chain)) for chain in chains))
-    links, chains = sized(links, chains, scene)
+    links, chains = sized(links, all_plainly(chains), scene)
     scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
     check_words(chains, scene)
     pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))

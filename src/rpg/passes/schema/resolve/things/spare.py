@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, replace
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, Traits, replace
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, said
 
@@ -54,7 +54,7 @@ def ignore(clause: Clause, scene: Scene, scope: Scope) -> list[g.Goal]:
     mixed = {isinstance(x, Noun) and x.head == "patch" for x in items} == {True, False}
     for theme in items if mixed else (clause.theme,):  # "a white patch and a red block serve as distractors"
         if theme is not None and not left_open:
-            pass_over(refer(theme, scene, scope), scene)
+            pass_over(refer(_so_many_more(theme, scene), scene, scope), scene)
     return []
 
 
@@ -64,6 +64,19 @@ def _of_no_others(theme: Meaning | None, scene: Scene) -> bool:
         return False
     placed = {name for m in scene.mentions if m.role != "given" for name in m.ref.names}
     return bool(placed) and all(t.extra or t.name in placed for t in scene.blocks())
+
+
+def _so_many_more(theme: Meaning, scene: Scene) -> Meaning:
+    """ "ignore the three other blocks", where all blocks spoken of have their place: three more that are only there."""
+    if not isinstance(theme, Noun) or theme.det != "other" or theme.head == "patch" or theme.conditions:
+        return theme
+    counted = theme.amount is not None and theme.amount.low == theme.amount.high
+    if not counted or theme.traits != Traits() or any(t.declared for t in scene.things.values()):
+        return theme
+    placed = {name for m in scene.mentions if m.role != "given" for name in m.ref.names}
+    if not placed or any(not t.extra and t.name not in placed for t in scene.blocks()):
+        return theme
+    return replace(theme, det="bare", traits=Traits(extra=True))
 
 
 def pass_over(ref: Ref, scene: Scene) -> None:

@@ -92,9 +92,9 @@ def spare(p: Parser, i: int) -> Results[Clause]:
             continue
         if not bare or (_definite(theme) and (j >= p.end or p.words[j] in _STOPS)):
             yield _said(p, i, p.opt(j, "at", "out", "aside"), theme), p.any_of(j, ("out", "aside")) or j
-            there = p.any_of(j, _ON_TABLE) if isinstance(theme, Noun) and theme.det == "other" and theme.amount else 0
-            if there:  # "ignore the three other blocks on the table": they lie where all blocks do
-                yield _said(p, i, there, theme), there
+            lying = p.any_of(j, _ON_TABLE) if isinstance(theme, Noun) and theme.det == "other" and theme.amount else 0
+            if lying:  # "ignore the three other blocks on the table": they lie where all blocks do
+                yield _said(p, i, lying, theme), lying
     left = p.one(i, _LEAVE)
     for theme, j in noun_phrase(p, p.opt(left, "in")) if left else ():
         aside = _ASIDE.matches(p, j) if p.words[i].startswith("leav") or _told(theme) else ()

@@ -8,6 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.talk.before_it import BEFORE_IT
 from rpg.language.grammar.talk.contrasted import CONTRASTED
+from rpg.language.grammar.talk.required import REQUIRED
 from rpg.language.grammar.talk.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.talk.roundabout import AT_ONCE, ROUNDABOUT
 from rpg.language.grammar.talk.said_short import SHORT, SHORT_AT_ONCE
@@ -130,7 +131,7 @@ _PLAINLY: tuple[Turn, ...] = (
     (f"^(.+?) , (?:which|that) (?:rises|climbs|ascends|goes up) (to|toward|towards) the ({END}) , ({MUST} .+)$",
      "{1} {4} , rising {2} the {3}"),
     (f"(?:, )?whose order ({WAY}) (?:is|reads|{MUST} be|{MUST} read) (.+)$", "in the order {2} {1}"),
-    (f"(?:, )?whose (?:edge|edges|edge length|side length) (?:is|are|measures|measure) ({_CM})(?: ,)?",
+    (f"(?:, )?whose (?:edge|edges|edge length|side length) (?:is|are|measures|measure) ({_CM})(?: long)?(?: ,)?",
      "with an edge of {1}"),
     (f"(?:, )?(?:which|that) (?:has|have) an (?:edge|edge length) of ({_CM})(?: ,)?", "with an edge of {1}"),
     (f"\\b({_LINE}(?: of (?:\\w+ ){{1,3}}{_BLOCK}s)?)(?: ,)? (?:that|which) (?:runs|goes|extends|leads) ({WAY})",
@@ -269,7 +270,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 def plainly(tokens: list[Token]) -> list[list[Token]]:
     """The sentences that one is in plain words; none where it is as plain already."""
-    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT))
+    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED))
     if plain == tokens:
         return []
     out: list[list[Token]] = [[]]

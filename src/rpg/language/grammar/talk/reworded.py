@@ -69,7 +69,7 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} and {3} to the {4} of {2}"),
     ("^(the [^,]+?) has ([^,]+?) on its (left|right) , ([^,]+?) on its (left|right) and ([^,]+?) on top(?: of it)?$",
      "{2} is to the {3} of {1} , {4} is to the {5} of {1} and {6} is on {1}"),
-    (f"^(.*?)({_PUT} [^,]+? (?:on|in) (the [^,]+?))(?: ,)? (?:and|but) none of (the .+)$",
+    (f"^(.*?)({_PUT} [^,]+? (?:on|in) (the [^,]+?))(?: ,)? (?:and|but) none of (the [^,]+)$",
      "{1} {2} . none of {4} must be on {3}"),
     (f"^(.*?)\\b(an?|the|one) ({_BLOCK})((?: {_COLOR} {_BLOCK}| (?!{_BLOCK}\\b|another\\b)[^, ]+)+) , "
      f"(?:an?|the) ({_COLOR}) one$", "{1} {2} {5} {3} {4}"),

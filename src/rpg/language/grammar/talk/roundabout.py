@@ -16,7 +16,10 @@ _STARTED = (
 )
 
 AT_ONCE: tuple[Turn, ...] = (
-    (f"(?: ,)? each of (?:which|them) (?:has|contains|consists of|{MUST} have|is made of) (?:exactly |just )?"
+    ("(?: ,)? so that there is (?:one|a) (tower|stack) (?:per|for each) color$", "in one {1} per color"),
+    (f"^in an? ({LINE}) (with|of) (.+) , ((?:swap|exchange|switch|turn|move|take) .+)$", "there is a {1} {2} {3} . "
+     "{4}"),
+    (f"(?: ,)?(?: and)? each of (?:which|them) (?:has|contains|consists of|{MUST} have|is made of) (?:exactly |just )?"
      f"((?:{FEW}) (?:\\w+ )?{_BLOCK}s)$", " with {1} each"),
     (f"^(an? stair(?:case|s|way) .+?) {_CLIMBS} to the (left|right|back|front) and (?:is|{MUST} be) (?:made|built) "
      "(?:of|from) (.+)$", "{1} made of {3} , rising to the {2}"),

@@ -55,9 +55,10 @@ TOLD_SHAPES: tuple[Turn, ...] = (
      "(in|on|to|behind|next|"
      "near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
     (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({_COLOR})(?: block| cube| one)? , (?:then |and "
-     f"then |next "
-     "|and )?(?:put |place |set |stack )?(.+? on (?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put "
-     "{2}"),
+     f"then "
+     f"|next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{_COLOR}(?: block| cube| one)? on "
+     f"(?:it|that|"
+     "top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
     # letters
     ("^(?:make|build) a (?:tower|stack) of (?:the |some )?letters?(?: blocks| cubes)? (?:so that|that|such that)(?: "
      "from "

@@ -103,7 +103,7 @@ STATES = Patterns(
     "the target is",
     "it should be that",
     "it must be that",
-    "it is required that",
+    "it is required|expected|desired|wanted|prescribed|necessary|demanded that",
     "it|we|you should|must|has_to end|end_up with",
     "it ends with",
     "finish|end|end_up with",

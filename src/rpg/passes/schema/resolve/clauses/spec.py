@@ -28,7 +28,7 @@ from rpg.language.meaning import (
 @dataclass
 class Spec:
     """What a clause says besides its verb and theme. `left`: what nobody has used yet; `lined`: towers in a row;
-    `values`: the kinds that groups were said to be of."""
+    `values`: the kinds that groups were said to be of; `in_turn`: the blocks of each of several that come in turn."""
 
     orders: list[OrderBy] = field(default_factory=list)
     toward: list[Toward] = field(default_factory=list)
@@ -45,6 +45,7 @@ class Spec:
     qualities: list[Quality] = field(default_factory=list)
     parts: list[Places] = field(default_factory=list)
     values: tuple[str, ...] = ()
+    in_turn: tuple[tuple[str, ...], ...] = ()
     listed: bool = False
     lined: bool = False
     any_way: bool = False

@@ -10,11 +10,11 @@ FEWEST = 4
 
 
 def by_symbols(ranks: Ranks, names: tuple[str, ...], scene: Scene) -> Ranks:
-    """ "Stack A, B, C and D with A at the bottom and D on top": symbols that are listed in their order, from the
-    end that is told first to the other, stand in it."""
+    """ "Stack A, B, C and D with A at the bottom and D on top": symbols that are listed in their order, from one of the
+    ends that are told to the other, stand in it."""
     listed = _listed(ranks, names)
     symbols = [scene.things[n].label or "" for n in listed]
-    if all(symbols) and listed == names and sorted(set(symbols)) in (symbols, symbols[::-1]):
+    if all(symbols) and symbols and sorted(set(symbols)) in (symbols, symbols[::-1]):
         scene.assume("the order between the ends is the one in which the blocks are listed")
         return tuple((n,) for n in listed)
     return ranks

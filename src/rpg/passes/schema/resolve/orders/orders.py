@@ -58,6 +58,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
                 continue
             merged = agreed(found, merged, first is not None, scene) or _two_orders(order.span)
         found = merged
+    if found.by == "given" and len(found.ranks) == len(names) == sum(map(len, spec.in_turn)):
+        found = found.model_copy(update={"ranks": spec.in_turn})
     reverse = any(o.by == "reverse" for o in spec.orders)
     if reverse:
         if found.by in ("any", "given"):

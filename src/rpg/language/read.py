@@ -11,11 +11,11 @@ from rpg.language.grammar.clauses.chains import chain
 from rpg.language.grammar.clauses.clauses import tail
 from rpg.language.grammar.clauses.links import emphasised, next_step
 from rpg.language.grammar.core import Parser, TooMuchWork
+from rpg.language.grammar.rows.formal import plainly
 from rpg.language.grammar.structures.levels import in_one
 from rpg.language.grammar.talk.asides import SOFT
 from rpg.language.grammar.talk.chatter import announces, idle
 from rpg.language.grammar.talk.commands import AFTER_THAT, WHEN_OVER
-from rpg.language.grammar.talk.formal import plainly
 from rpg.language.grammar.talk.smalltalk import without_talk
 from rpg.language.grammar.things.lists import with_commas
 from rpg.language.meaning import Chain, Clause, cost_of

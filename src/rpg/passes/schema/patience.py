@@ -39,8 +39,11 @@ _UNFOUND = (
 """Refusals that come of words joined that do not belong together, so that a pronoun or a place finds nothing to be
 of: a reading that joins them otherwise may be meant."""
 _SOMEWHAT = 3
-_OPEN = ("one for all of them, or one for each?", "it is not clear which block is on which",
-         "nothing is placed relative to itself")
+_OPEN = (
+    "one for all of them, or one for each?",
+    "it is not clear which block is on which",
+    "nothing is placed relative to itself",
+)
 """Refusals of a reading that leaves open how many blocks there are: one as natural that does not see it guesses."""
 
 

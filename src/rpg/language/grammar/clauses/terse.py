@@ -237,8 +237,20 @@ def _patch_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=1), k
 
 
-_FOR = (":", "=", "for", "is for", "goes to", "belongs to", "is reserved for", "is meant for", "gets", "holds", "has",
-        "contains")
+_FOR = (
+    ":",
+    "=",
+    "for",
+    "is for",
+    "goes to",
+    "belongs to",
+    "is reserved for",
+    "is meant for",
+    "gets",
+    "holds",
+    "has",
+    "contains",
+)
 """What stands between a part of the table and what lies there."""
 
 

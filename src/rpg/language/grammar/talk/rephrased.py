@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.formal import formal
+from rpg.language.grammar.rows.formal import formal
 from rpg.language.phrases import tree_of
 from rpg.language.tokens import Token
 

@@ -6,8 +6,8 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.said_short import THINGS
-from rpg.language.grammar.talk.turned import FEW, MUST
+from rpg.language.grammar.rows.said_short import THINGS
+from rpg.language.grammar.rows.turned import FEW, MUST
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})

@@ -7,8 +7,8 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.said_short import IS, PLACE, PUT, THING
-from rpg.language.grammar.talk.turned import FEW, WAY
+from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING
+from rpg.language.grammar.rows.turned import FEW, WAY
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.turned import FEW, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import FEW, LINE, MUST, WAY, Turn
 
 COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 BLOCK = "(?:block|cube|brick|box|letter|digit|number)"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.grammar.talk.turned import LENGTH, LINE, MUST, Turn
+from rpg.language.grammar.rows.turned import LENGTH, LINE, MUST, Turn
 
 _WANTED = "(?:required|needed|wanted|desired|prescribed|requested|asked for)"
 _BLOCK = "(?:block|cube|brick)"

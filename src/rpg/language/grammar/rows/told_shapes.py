@@ -4,7 +4,7 @@ base of 2x2 and one on top in the middle", as rows that name each part by its pl
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.turned import FEW, LINE, Turn
+from rpg.language.grammar.rows.turned import FEW, LINE, Turn
 
 _LINE = "(?:columns?|rows?)"
 _SIDE = "(?:left|right|middle|center|front|back|near|far)"

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from rpg.language.grammar.talk.turned import MUST, Turn
+from rpg.language.grammar.rows.turned import MUST, Turn
 
 _MUST = f"(?:{MUST}|may|can|might)"
 _NEVER = "(?:at no (?:time|point|moment|stage|instant)|on no occasion|not once|never ever|not ever)"

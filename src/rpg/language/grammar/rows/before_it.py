@@ -3,9 +3,9 @@ rows that tell it plainly; and what tells of other times."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.talk.at_times import AT_TIMES
-from rpg.language.grammar.talk.traded import TRADED
-from rpg.language.grammar.talk.turned import LENGTH, LINE, MUST, Turn
+from rpg.language.grammar.rows.at_times import AT_TIMES
+from rpg.language.grammar.rows.traded import TRADED
+from rpg.language.grammar.rows.turned import LENGTH, LINE, MUST, Turn
 
 _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind|in|under) the [^,]+?"
 _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"

@@ -6,16 +6,16 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.before_it import BEFORE_IT
-from rpg.language.grammar.talk.contrasted import CONTRASTED
-from rpg.language.grammar.talk.required import REQUIRED
-from rpg.language.grammar.talk.reworded import REWORDED, REWORDED_AT_ONCE
-from rpg.language.grammar.talk.roundabout import AT_ONCE, ROUNDABOUT
-from rpg.language.grammar.talk.said_short import SHORT, SHORT_AT_ONCE
-from rpg.language.grammar.talk.told_shapes import TOLD_SHAPES
-from rpg.language.grammar.talk.turned import END, MUST, WAY, Turn, turned
-from rpg.language.grammar.talk.wordier import AT_ONCE as FEWER_AT_ONCE
-from rpg.language.grammar.talk.wordier import WORDIER
+from rpg.language.grammar.rows.before_it import BEFORE_IT
+from rpg.language.grammar.rows.contrasted import CONTRASTED
+from rpg.language.grammar.rows.required import REQUIRED
+from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
+from rpg.language.grammar.rows.roundabout import AT_ONCE, ROUNDABOUT
+from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
+from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
+from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned
+from rpg.language.grammar.rows.wordier import AT_ONCE as FEWER_AT_ONCE
+from rpg.language.grammar.rows.wordier import WORDIER
 from rpg.language.tokens import Token
 
 _MANY = "(?:\\d+|two|three|four|five|six|seven|eight|nine|ten|twelve)"
@@ -229,10 +229,15 @@ _WORDS = (
 """Words that it takes besides those that are read anyway."""
 
 
+_OF_ALL = (*SHORT_AT_ONCE, *_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
+"""The rows of every sentence."""
+_OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED)
+"""The rows of a sentence that cannot be read as it stands."""
+
+
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    rows = (*SHORT_AT_ONCE, *_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
-    return turned(_one_of_each(_steps_told(tokens)), rows)
+    return turned(_one_of_each(_steps_told(tokens)), _OF_ALL)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:
@@ -270,7 +275,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 def plainly(tokens: list[Token]) -> list[list[Token]]:
     """The sentences that one is in plain words; none where it is as plain already."""
-    plain = turned(tokens, (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED))
+    plain = turned(tokens, _OF_THE_UNREAD)
     if plain == tokens:
         return []
     out: list[list[Token]] = [[]]

@@ -3,7 +3,7 @@ by four blocks", as rows that say it plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.talk.turned import FEW, LENGTH, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import FEW, LENGTH, LINE, MUST, WAY, Turn
 
 _MANY = f"(?:\\d+|{FEW})"
 _BLOCK = "(?:block|cube|brick)"

@@ -4,8 +4,8 @@ asked in place of being asked for, as rows that tell it plainly."""
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
-from rpg.language.grammar.talk.turned import FEW, LENGTH, MUST, WAY, Turn
+from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
+from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, WAY, Turn
 
 _A = "(?:an?|one|the)"
 _BLOCK = "(?:block|cube|brick|box)"

@@ -4,7 +4,7 @@ whole and once more of its parts, how a structure reads, as rows that say it pla
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.turned import FEW, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import FEW, LINE, MUST, WAY, Turn
 
 _COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _MANY = f"(?:\\d+|{FEW})"

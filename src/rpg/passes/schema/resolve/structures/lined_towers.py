@@ -97,7 +97,7 @@ def mixed_line(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals 
             parts.append(found)
             ranks.append(found.names)
     spec.toward, spec.intos, spec.orders = [], [], []
-    if not stands:
+    if not stands or (not lines and all(isinstance(x, Structure) for x in items)):
         return [*goals, *_one_beside_the_next(parts, way.first, clause.span)]
     feet = tuple(name for rank in ranks for name in rank)
     order = Order.model_validate({"by": "given", "ranks": tuple(ranks), "first": way.first})

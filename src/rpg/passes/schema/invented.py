@@ -171,18 +171,23 @@ def _ones_beside_patches(words: Sequence[Token], task: TaskSchema) -> None:
             raise refuse("ambiguous", "is this a block or a patch?", color.span, f"say 'a {color.word} patch'")
 
 
+_MADE_UP = ("the colours are not said", "the number of blocks is not said")
+"""What is noted of blocks that the words leave open."""
+
+
 def _as_many_as_said(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "two pink ones and two gray ones" as three of one and one of the other, and "checkerboard, 2 red and 2
     black" as these and others that are red."""
     for index, (number, color) in enumerate(pairwise(words)):
         look = lexicon.COLOR.get(color.word) or lexicon.COLOR_PLURAL.get(color.word)
         many = lexicon.NUMBER.get(number.word, 0) if number.kind == "word" else number.value
-        labels = index and words[index - 1].word in _NUMBERED
-        if look is None or labels or not isinstance(many, int | float) or many < 2:
+        other = index and words[index - 1].word in _NUMBERED
+        other = other or any(t.word in lexicon.STRUCTURE for t in words[index + 2 : index + 3])  # "two red towers"
+        if look is None or other or not isinstance(many, int | float) or many < 2:
             continue
         blocks = sum(block.color == look for block in task.blocks)
         patches = sum(patch.color == look for patch in task.patches)
-        made_up = any(note.startswith("the colours are not said") for note in task.assumptions)
+        made_up = any(note.startswith(_MADE_UP) for note in task.assumptions)
         if max(blocks, patches) < many or (made_up and blocks > many):
             raise refuse("ambiguous", f"it is not clear which the {many:g} {color.word} ones are", number.span,
                          "say of all blocks how many there are of each colour")  # fmt: skip

@@ -156,9 +156,9 @@ WORDIER: tuple[Turn, ...] = (
     ("\\bflat (in (?:the (?:form|shape) of )?an? \\w+)$", "{1}"),
     (f"^(each of .+?|[^,]+? {_PATCH}s?|[^,]+? patches) receives? (.+)$", "{1} gets {2}"),
     # together and apart
-    ("(?: ,)?(?: and)? (?:away|apart|separate|separated) from (?:the )?(?:blocks of |those of |ones of )?(?:the "
-     ")?other "
-     "colors$", ""),
+    ("^(.*\\b(?:together|grouped|group|groups|sorted|gathered)\\b.*?)(?: ,)?(?: and)? "
+     "(?:away|apart|separate|separated) from "
+     "(?:the )?(?:blocks of |those of |ones of )?(?:the )?other colors$", "{1}"),
     (f"^(.+? (?:on|onto|on top of) the [^,]+?) , which (?:{MUST} be|is|comes) at the (?:very )?bottom(?: of (?:it "
      f"all|all|"
      f"the {LINE}|the pile|everything))?(| , .+| and .+)$", "{1} , which must be on the table {2}"),

@@ -36,6 +36,8 @@ RELATIONS: tuple[tuple[Callable[..., g.Goal], dict[str, bool], tuple[str, ...]],
     (g.RightOf, {"somewhere": True}, ("somewhere to the right of",)),
     (g.RightOf, {"directly": True, "immediate": True}, ("immediately to the right of", "immediately right of")),
 )
+FACTS = ("{a} is {r} {b}", "{a} sits {r} {b}", "{a} stands {r} {b}")
+ORDERS = ("put", "place", "take", "position", "get", "please move")
 ACROSS: tuple[tuple[str, str, Side], ...] = (
     ("from left to right", "y", "left"), ("from right to left", "y", "right"),
     ("from front to back", "x", "front"), ("from back to front", "x", "back"),
@@ -102,9 +104,11 @@ def relation(rng: Random) -> Case:
 def two_relations(rng: Random) -> Case:
     """Two statements of place that may share a block."""
     colors = rng.sample(COLORS, 4)
-    first, _, one = _statement(rng, colors[0], colors[1])
+    first, told, one = _statement(rng, colors[0], colors[1])
     d = colors[3] if isinstance(one, g.On) else rng.choice((colors[3], colors[1], colors[0]))
-    second, _, two = _statement(rng, colors[2], d)
+    second, ordered, two = _statement(rng, colors[2], d)
+    if told in FACTS and ordered.startswith(ORDERS):  # the other way round it would be told of the start
+        first, second, one, two = second, first, two, one
     template = rng.choice(SAID["joined"])
     used = dict.fromkeys((*colors[:3], d))
     assets = tuple(cube for color in used for cube in _cubes(color, 1))

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
+from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.tokens import Token
 
 Turn = tuple[str, str]
@@ -18,7 +19,6 @@ FEW = "one|two|three|four|five|six|seven|eight|nine|ten|twelve"
 LENGTH = f"(?:[\\d.]+|{FEW}) (?:cm|mm|(?:centi|milli)met(?:er|re)s?)"
 LINE = "(?:tower|stack|row|line|column)"
 """What rows have in common: modals, ends, ways along a line, numbers, lengths and lines."""
-_STOPS = frozenset({".", "!", "?", ";"})
 _MOST = 4
 """No sentence is turned more often by the same row."""
 
@@ -78,7 +78,7 @@ def _once(tokens: list[Token], told: Told, pattern: re.Pattern[str], said: str) 
 def _sentences(tokens: list[Token]) -> Iterable[tuple[int, int]]:
     begin = 0
     for n, token in enumerate(tokens):
-        if token.kind == "punct" and token.word in _STOPS:
+        if token.kind == "punct" and token.word in STOPS:
             yield begin, n
             begin = n + 1
     yield begin, len(tokens)

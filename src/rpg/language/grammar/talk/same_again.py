@@ -6,11 +6,11 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
 from rpg.language.grammar.rows.said_short import THINGS
 from rpg.language.grammar.rows.turned import FEW, MUST
 from rpg.language.tokens import Token
 
-_STOPS = frozenset({".", "!", "?", ";"})
 _SAME = (
     "(?:(?:please )?do (?:exactly |just )?the (?:very )?same(?: thing)?|(?:exactly )?the same(?: thing)?|same)"
     f"(?: (?:goes|holds|applies|{MUST} be done))?(?: again)?"
@@ -39,25 +39,15 @@ def same_again(tokens: list[Token]) -> list[Token]:
     if words.isdisjoint(("same", "likewise", "too", "well", "so", "also", "way")):
         return tokens
     out: list[list[Token]] = []
-    for sentence in (half for whole in _sentences(tokens) for half in _halves(whole)):
+    for sentence in (half for whole in sentences(tokens) for half in _halves(whole)):
         said = _said(out[-1], sentence) if out else None
         out.append(sentence if said is None else said)
     return [token for sentence in out for token in sentence]
 
 
-def _sentences(tokens: list[Token]) -> list[list[Token]]:
-    """The sentences, each with the stop behind it."""
-    out: list[list[Token]] = [[]]
-    for token in tokens:
-        out[-1].append(token)
-        if token.kind == "punct" and token.word in _STOPS:
-            out.append([])
-    return [sentence for sentence in out if sentence]
-
-
 def _halves(sentence: list[Token]) -> list[list[Token]]:
     """ "put A on the mat and do the same with B": what is said of the other thing is a sentence of its own."""
-    text = _text(sentence)
+    text = text_of(sentence)
     for found in _PARTED.finditer(text):
         begin, end = text[: found.start() + 1].count(" "), text[: found.end()].count(" ")
         joint = replace(sentence[begin], kind="punct", word=".", raw=".", value=None)
@@ -67,12 +57,8 @@ def _halves(sentence: list[Token]) -> list[list[Token]]:
     return [sentence]
 
 
-def _text(tokens: list[Token]) -> str:
-    return " ".join(token.word.replace(" ", "_") or "_" for token in tokens)
-
-
 def _bare(sentence: list[Token]) -> list[Token]:
-    return sentence[:-1] if sentence[-1].word in _STOPS else sentence
+    return sentence[:-1] if sentence[-1].word in STOPS else sentence
 
 
 def _part(tokens: list[Token], text: str, span: tuple[int, int]) -> list[Token]:
@@ -86,13 +72,13 @@ def _part(tokens: list[Token], text: str, span: tuple[int, int]) -> list[Token]:
 
 def _said(before: list[Token], sentence: list[Token]) -> list[Token] | None:
     """What a sentence says of another thing, in full; None where it is none of these, or not clear."""
-    text, plain = _text(_bare(sentence)), _bare(sentence)
+    text, plain = text_of(_bare(sentence)), _bare(sentence)
     again = _AGAIN.match(text)
     if again is None:
         return None
     group = 1 if again[1] else 2
     other = _part(plain, text, again.span(group))
-    was, told = _bare(before), _text(_bare(before))
+    was, told = _bare(before), text_of(_bare(before))
     stop = sentence[len(plain) :]
     later = [token for token in plain[: _LED.match(text).end()] if token.word == "then"][:1]  # type: ignore[union-attr]
     if (shown := _recolored(was, told, again[group], plain)) is not None:
@@ -101,7 +87,7 @@ def _said(before: list[Token], sentence: list[Token]) -> list[Token] | None:
     if found is None or (found[1] and not _verb(found[1])):
         return None
     lead, theme, rest = (_part(was, told, found.span(n)) for n in (1, 2, 3))
-    if (" and " in again[group]) > (" and " in _text(theme)) and not _on_patch(rest):
+    if (" and " in again[group]) > (" and " in text_of(theme)) and not _on_patch(rest):
         return None
     return [*later, *lead, *_like(other, theme), *rest, *stop]
 

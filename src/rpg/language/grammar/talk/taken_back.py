@@ -7,11 +7,11 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
 from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import FEW, WAY
 from rpg.language.tokens import Token
 
-_STOPS = frozenset({".", "!", "?", ";"})
 _APART = frozenset({",", "…"})
 _REPAIR = "(?:sorry|oops|whoops|correction|my mistake|my bad|scratch that|strike that|actually|i misspoke)"
 _MEANT = "(?:i (?:mean|meant)(?: to say)?|make that|make it|rather|wait|better|that should be|it should be)"
@@ -30,7 +30,7 @@ _MANY = re.compile(f"^(\\d+|{FEW})$")
 def taken_back(tokens: list[Token]) -> list[Token]:
     """The tokens with what is taken back left out, where it is clear what that is; else as they were."""
     out: list[list[Token]] = []
-    for sentence in (half for whole in _sentences(tokens) for half in _halves(whole)):
+    for sentence in (half for whole in sentences(tokens) for half in _halves(whole)):
         begins = _begins(sentence) if out else 0
         mended = _mended(out[-1], sentence[begins:]) if begins else None
         if mended is None:
@@ -38,16 +38,6 @@ def taken_back(tokens: list[Token]) -> list[Token]:
         else:
             out[-1] = mended
     return [token for sentence in out for token in sentence]
-
-
-def _sentences(tokens: list[Token]) -> list[list[Token]]:
-    """The sentences, each with the stop behind it."""
-    out: list[list[Token]] = [[]]
-    for token in tokens:
-        out[-1].append(token)
-        if token.kind == "punct" and token.word in _STOPS:
-            out.append([])
-    return [sentence for sentence in out if sentence]
 
 
 def _halves(sentence: list[Token]) -> list[list[Token]]:
@@ -68,10 +58,10 @@ def _begins(sentence: list[Token]) -> int:
 
 def _mended(before: list[Token], said: list[Token]) -> list[Token] | None:
     """What was said before as it was meant; None where that is not clear."""
-    stop = [token for token in (said[-1], before[-1]) if token.word in _STOPS][:1]
-    said = said[:-1] if said[-1].word in _STOPS else said
-    was = before[:-1] if before[-1].word in _STOPS else before
-    text, told = _text(said), _text(was)
+    stop = [token for token in (said[-1], before[-1]) if token.word in STOPS][:1]
+    said = said[:-1] if said[-1].word in STOPS else said
+    was = before[:-1] if before[-1].word in STOPS else before
+    text, told = text_of(said), text_of(was)
     if not text:
         return None
     if text in _AROUND:
@@ -87,10 +77,6 @@ def _mended(before: list[Token], said: list[Token]) -> list[Token] | None:
     else:
         found = said if _looks(was) == _looks(said) and (_TWO.match(text) or _clause(told, text)) else None
     return None if found is None else [*found, *stop]
-
-
-def _text(tokens: list[Token]) -> str:
-    return " ".join(token.word.replace(" ", "_") or "_" for token in tokens)
 
 
 def _clause(told: str, text: str) -> bool:
@@ -110,7 +96,7 @@ def _part(tokens: list[Token], text: str, span: tuple[int, int]) -> list[Token]:
 
 def _turned_around(was: list[Token]) -> list[Token] | None:
     """ "Put A on B": B on A; "from left to right": from right to left."""
-    text = _text(was)
+    text = text_of(was)
     if (two := _TWO.match(text)) is not None:
         lead = _part(was, text, two.span(1))[:-1] if two[1] else []
         one, place, other = (_part(was, text, two.span(n)) for n in (2, 3, 4))
@@ -127,7 +113,7 @@ def _turned_around(was: list[Token]) -> list[Token] | None:
 
 def _put_for(was: list[Token], said: list[Token], kind: str) -> list[Token] | None:
     """What is said in place of the one thing of its kind that was said before."""
-    text = _text(was)
+    text = text_of(was)
     found = list(re.finditer(f"\\b{kind}", text))
     if len(found) != 1:
         return None
@@ -137,7 +123,7 @@ def _put_for(was: list[Token], said: list[Token], kind: str) -> list[Token] | No
 
 def _moved(was: list[Token], said: list[Token]) -> list[Token] | None:
     """Another place for what was placed: "to the right of it" is beside the same block."""
-    text = _text(was)
+    text = text_of(was)
     placed = _PLACED.match(text)
     if placed is None or len(re.findall(f"\\b{PLACE} ", text)) > 1:
         return None
@@ -145,7 +131,7 @@ def _moved(was: list[Token], said: list[Token]) -> list[Token] | None:
     words = [token.word for token in said]
     if words[-1] in ("it", "that", "them"):
         return [*theme, *said[:-1], *mark]
-    if _SIDE.match(_text(said))[3] is None:  # type: ignore[index]
+    if _SIDE.match(text_of(said))[3] is None:  # type: ignore[index]
         one = said[-1].word == "one" and mark[-1].word in (lexicon.PATCH.keys() | lexicon.BLOCK.keys())
         return [*theme, *said[:-1], mark[-1]] if one else [*theme, *said]
     of = [replace(said[-1], word="of", raw="of")] if words[-1] in ("left", "right", "front") else []

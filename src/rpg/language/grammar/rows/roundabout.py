@@ -85,8 +85,7 @@ AT_ONCE: tuple[Turn, ...] = (
     ("^(on the (?:left|right) of|behind|in front of) (the [^,]+?) and (?:right |directly |immediately )next to it "
      "(?:is|lies|stands|sits) (.+)$", "directly {1} {2} is {3}"),
     ("^((?:separate|sort|split|divide|group) .+?|.+ (?:separated|sorted|split|divided|grouped) .+?)(?: ,)? so that "
-     "there "
-     "(?:is|are) (?:a|one) group of \\w+ and (?:a|one|another) group of \\w+$", "{1}"),
+     "there (?:is|are) (?:a|one) group of \\w+ and (?:a|one|another) group of \\w+$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
@@ -188,8 +187,7 @@ ROUNDABOUT: tuple[Turn, ...] = (
      "{2} starts in {3} . {1} it to {4}"),
     # what comes with it
     (f"^(?:the following |these )?(?:(?:{FEW}) )?(?:conditions|requirements|rules|constraints)(?: must hold| must be "
-     f"met"
-     "| hold| apply)? : (.+)$", "{1}"),
+     "met| hold| apply)? : (.+)$", "{1}"),
     (f"^(an? {LINE}\\b.+) (?:is|are) (?:required|needed|wanted|desired|expected)$", "{1}"),
     ("^(?:tidy|clean) up(?: the table)? so that (.+)$", "{1}"),
     ("^(?:type|print) (\\S+)(?: (?:in|with|out of) (?:letter )?(?:cubes|blocks))?$", "spell {1}"),

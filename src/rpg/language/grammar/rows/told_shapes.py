@@ -45,24 +45,19 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     (f"^rainbow ({LINE})(?: :| of| ,| with)+ (.+ (?:blocks|cubes)|.+ , (?:starting|beginning) .+)$",
      "a rainbow {1} of {2}"),
     (f"^((?:{FEW}|\\d+) [^,]*?(?:blocks|cubes|ones)) , ((?:{FEW}) (?:towers|stacks)) , (?:both|all|each|all of "
-     f"them)(?: of)? "
-     "(?:the same|equal) height$", "{1} in {2} of the same height"),
+     "them)(?: of)? (?:the same|equal) height$", "{1} in {2} of the same height"),
     (f"^({FEW}|\\d+) (?:blocks )?high , (alternating .+)$", "a tower of {1} blocks , {2}"),
-    (f"\\bthat (?:does not|must not|should not|may not) have (?:the )?({_COLOR})(?: one| block| cube)? (at the "
-     f"top|on top|"
-     "at the bottom)$", "with {1} not {2}"),
+    (f"\\bthat (?:does not|must not|should not|may not) have (?:the )?({_COLOR})(?: one| block| cube)? (at the top|on "
+     "top|at the bottom)$", "with {1} not {2}"),
     ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group "
-     "(in|on|to|behind|next|"
-     "near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
+     "(in|on|to|behind|next|near|left|right) "
+     "(.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
     (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({_COLOR})(?: block| cube| one)? , (?:then |and "
-     f"then "
-     f"|next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{_COLOR}(?: block| cube| one)? on "
-     f"(?:it|that|"
-     "top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
+     f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{_COLOR}(?: block| cube| one)? on "
+     "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
     # letters
     ("^(?:make|build) a (?:tower|stack) of (?:the |some )?letters?(?: blocks| cubes)? (?:so that|that|such that)(?: "
-     "from "
-     "top to bottom)?(?: it| they)? (?:says?|spells?|reads?) (\\S+)(?: from top to bottom)?$",
+     "from top to bottom)?(?: it| they)? (?:says?|spells?|reads?) (\\S+)(?: from top to bottom)?$",
      "stack letter blocks so that they read {1} from the top down"),
     ("\\b(?:show|have|take) the shape of (?:the |a )?(?:letter )?(\\w)\\b", "form the letter {1}"),
     ("\\b(?:so that|so) they look like (?:the |a )?(?:letter )?(\\w)\\b", "so that they form the letter {1}"),

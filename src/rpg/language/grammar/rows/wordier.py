@@ -37,8 +37,7 @@ AT_ONCE: tuple[Turn, ...] = (
      "(.+)$", "{2} must touch {1}"),
     ("^(?!no )([^,]+?) (?:is|are) touched by (?!the (?:robot|arm|gripper))([^,]+)$", "{2} must touch {1}"),
     (f"\\b({_PUSH}) ((?:the|an?) [^,]+? {_BLOCK}|the \\w+ one|\\w+|it) (?:up|over|right up|all the way) to (it|the "
-     f"[^,]+?"
-     f"|\\w)(?: ,)? (so that|until) (they|the two|both|the two {_BLOCK}s)(?: just)? touch\\b(?! the table)",
+     f"[^,]+?|\\w)(?: ,)? (so that|until) (they|the two|both|the two {_BLOCK}s)(?: just)? touch\\b(?! the table)",
      "put {2} next to {3} so that they touch"),
     # how much there is
     (f"\\b({_MANY}) {_BLOCK}s (by|x) ({_MANY}) {_BLOCK}s\\b", "{1} {2} {3} blocks"),
@@ -55,9 +54,8 @@ AT_ONCE: tuple[Turn, ...] = (
     # numbers and letters
     (f"^((?:(?!equation|sum).)+?)(?: ,)? (?:so|such) that the (?:equation|sum|calculation) (?:is|comes out|works out|"
      f"holds|becomes) ?{_TRUE}?$", "{1} so that they form a true equation"),
-    ("^((?:write|show|lay|build|make|form|spell) (?:out )?(?:the )?(?:equation|sum) .+?)(?: ,)? in (?:cubes|blocks|"
-     "number "
-     "cubes|digit cubes|number blocks)$", "{1}"),
+    ("^((?:write|show|lay|build|make|form|spell) (?:out )?(?:the )?(?:equation|sum) .+?)(?: ,)? in "
+     "(?:cubes|blocks|number cubes|digit cubes|number blocks)$", "{1}"),
     ("^of (the (?:digits|numbers|letters) [^;]+?) , (the (?:even|odd) (?:ones|digits|numbers) .+)$",
      "there are {1} . {2}"),
     ("^((?:separate|sort|split|divide) .+?)(?: ,)? so that there is (?:a|one) group (?:of|for) each(?: kind| color)?$",
@@ -74,9 +72,9 @@ AT_ONCE: tuple[Turn, ...] = (
       for more, said, n in (("", "", 3), (" , the (\\w+)(?: ,)?", " , {3}", 4),
                             (" , the (\\w+) , the (\\w+)(?: ,)?", " , {3} , {4}", 5))
       for noun, plural in (("block|cube|brick|box", "blocks"), ("patch|mat|zone|target|area|spot", "patches"))),
-    ("\\b(gradient|rainbow|rainbow order|spectrum)(?: ,)? from (\\w+) (?:on|at) the (left|right|front|back|top|"
-     "bottom) to "
-     "(\\w+) (?:on|at) the (left|right|front|back|top|bottom)$", "{1} from {2} to {4} from {3} to {5}"),
+    ("\\b(gradient|rainbow|rainbow order|spectrum)(?: ,)? from (\\w+) (?:on|at) the "
+     "(left|right|front|back|top|bottom) to (\\w+) (?:on|at) the "
+     "(left|right|front|back|top|bottom)$", "{1} from {2} to {4} from {3} to {5}"),
     (f"\\b(checkerboard|chessboard)( of [^,]+?)?(?: ,| with| of| in) ({FEW}) rows of ({FEW})(?: {_BLOCK}s)?(?: each)?$",
      "{1} {2} , {3} by {4}"),
     ("^(?:seen )?in (?:plan|plan view|top view)(?: ,)? (.+)$", "{1}"),
@@ -89,13 +87,11 @@ AT_ONCE: tuple[Turn, ...] = (
     ("\\b(left|right) hand (end|edge|position|place|one|block|half)\\b", "{1} {2}"),
     ("\\b(half|corner|middle|center|edge) of the table\\b(.+?)\\b(half|corner|middle|center|edge) of it$",
      "{1} of the table {2} {3} of the table"),
-    ("^((?:the|an?|both|block|cube) [^,]+?|\\w+) (starts|begins|stands|sits|is|lies)(?: now| initially| at first| "
-     "at the start)? ((?:on|in|next to|behind|"
-     "under) [^,]+?)(?: at the start| now| at first| initially)?(?: ,)? (?:and|but) (?:(?:i|we) (?:would like|want|"
-     "need) "
-     "it not to|it (?:should|must|may|shall) (?:not|no longer)|(?:should|must|may) (?:not|no longer)) (?:be|stay|"
-     "remain) "
-     "there(?: any more| anymore| any longer)?(?: (?:at|in) the end)?$",
+    ("^((?:the|an?|both|block|cube) [^,]+?|\\w+) (starts|begins|stands|sits|is|lies)(?: now| initially| at first| at "
+     "the start)? ((?:on|in|next to|behind|under) [^,]+?)(?: at the start| now| at first| initially)?(?: ,)? "
+     "(?:and|but) (?:(?:i|we) (?:would like|want|need) it not to|it (?:should|must|may|shall) (?:not|no "
+     "longer)|(?:should|must|may) (?:not|no longer)) (?:be|stay|remain) there(?: any more| anymore| any longer)?(?: "
+     "(?:at|in) the end)?$",
      "at the start , {1} is {3} . {1} must not be {3}"),
     (f"^on (?:either|each) side of (the [^,]+?) there (?:is|{MUST} be) one of the two (\\w+) {_BLOCK}s\\b",
      "on either side of {1} there is a {2} block"),
@@ -105,12 +101,11 @@ AT_ONCE: tuple[Turn, ...] = (
     ("^(?:stack|pile|pile up|stack up) (an? [^,]+?) , ((?:and |then )?an? [^,]+? on (?:it|top of it|that)\\b.*)$",
      "put {1} on the table , {2}"),
     (f"^(?:(?:each of |all )?the four (\\w+) {_BLOCK}s {MUST} (?:be|end up|stand|go|lie)|(?:put|place|set|move) "
-     f"(?:each of )?"
-     f"the four (\\w+) {_BLOCK}s) in (?:a different|its own|a separate|different|separate) corners?(?: of the table)?$",
+     f"(?:each of )?the four (\\w+) {_BLOCK}s) in (?:a different|its own|a separate|different|separate) corners?(?: "
+     "of the table)?$",
      "a {1} {2} block must be in each corner of the table"),
     (f"^(?:take|get|pick|pick up|grab) (the (?:{_MANY} )?(?:\\w+ )?{_BLOCK}s)(?: up)? (?:from|out of) (?:their|a) "
-     f"(heap|pile)"
-     "(?: ,)? (?:and|then|and then) (.+)$", "{1} start in a {2} . {3}"),
+     "(heap|pile)(?: ,)? (?:and|then|and then) (.+)$", "{1} start in a {2} . {3}"),
     (f"^({_MANY} \\w+ {_BLOCK}s?(?: ,| and| , and) {_MANY} \\w+ {_BLOCK}s?) , and (on (?:every|each) .+)$", "{1} . "
      "{2}"),
     (f"^visit (?:the|all|all the) (?:{_MANY} )?(?:{_PATCH}s|patches) in (?:this |that |the following )?order : (.+ "
@@ -136,23 +131,19 @@ WORDIER: tuple[Turn, ...] = (
      "odd)$",
      "into odd and even"),
     # what may be anywhere
-    (f"^(?:you (?:may|can|could|are free to) |feel free to )?(?:put|place|set|move) (.+?) (?:just )?(?:anywhere|"
-     f"wherever)"
-     f"{_LIKING}(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) (?:is|are|stays|stay|"
-     f"ends up"
-     "|end up|remains|remain) (.+)$", "{1} must be {2}"),
+    ("^(?:you (?:may|can|could|are free to) |feel free to )?(?:put|place|set|move) (.+?) (?:just "
+     f")?(?:anywhere|wherever){_LIKING}(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) "
+     "(?:is|are|stays|stay|ends up|end up|remains|remain) (.+)$", "{1} must be {2}"),
     ("\\bonly (.+?) (?:may|can) be (on .+?)(?: ,)? and (?:there it must be|it must be there|it must)$",
      "only {1} must be {2}"),
     # lines
     (f"\\b({LINE}(?: of [^,]+?)?)(?: ,)? (?:which|that)(?: ,)? (?:going |read |reading |seen )?({WAY})(?: ,)? "
      "(?:is|are|reads|goes|read) (.+)$", "{1} , {2} : {3}"),
-    (f"\\b({LINE}(?: of [^,]+?)?)(?: ,)? (?:whose gaps are|with) (?:all )?(?:the )?(?:gaps )?(?:all )?(?:equal|"
-     f"equally wide"
-     "|the same)$", "{1} with equal gaps"),
+    (f"\\b({LINE}(?: of [^,]+?)?)(?: ,)? (?:whose gaps are|with) (?:all )?(?:the )?(?:gaps )?(?:all "
+     ")?(?:equal|equally wide|the same)$", "{1} with equal gaps"),
     (f"\\bat (either|each|both|one) ends? of (?:the|that|this) {LINE}$", "at {1} end"),
     ("(?<!filled )\\b(square|rectangle|circle|triangle) whose (?:outline|perimeter) (?:is|consists of|is made of|is "
-     "formed by"
-     ") (.+)$", "{1} of {2}"),
+     "formed by) (.+)$", "{1} of {2}"),
     ("\\bflat (in (?:the (?:form|shape) of )?an? \\w+)$", "{1}"),
     (f"^(each of .+?|[^,]+? {_PATCH}s?|[^,]+? patches) receives? (.+)$", "{1} gets {2}"),
     # together and apart
@@ -160,16 +151,14 @@ WORDIER: tuple[Turn, ...] = (
      "(?:away|apart|separate|separated) from "
      "(?:the )?(?:blocks of |those of |ones of )?(?:the )?other colors$", "{1}"),
     (f"^(.+? (?:on|onto|on top of) the [^,]+?) , which (?:{MUST} be|is|comes) at the (?:very )?bottom(?: of (?:it "
-     f"all|all|"
-     f"the {LINE}|the pile|everything))?(| , .+| and .+)$", "{1} , which must be on the table {2}"),
+     f"all|all|the {LINE}|the pile|everything))?(| , .+| and .+)$", "{1} , which must be on the table {2}"),
     # one after another
     ("(?: ,)? but not until (.+)$", ", but only after {1}"),
     (f"\\b(?:has reached|have reached|reaches|reached) ((?:the|its|an?) (?:\\w+ )?{_PATCH})\\b", "is on {1}"),
     (f"\\b(?:{MUST} )?reach ((?:the|its|an?) (?:\\w+ )?{_PATCH})\\b", "must be on {1}"),
     # to and from
-    ("\\b(?:get|take|bring|move|lift) (it|them) (?:out of|off|from|away from) there and (?:put (?:it|them) )?((?:in|"
-     "into|on|"
-     "onto|to|over to) .+)$", "put {1} {2}"),
+    ("\\b(?:get|take|bring|move|lift) (it|them) (?:out of|off|from|away from) there and (?:put (?:it|them) "
+     ")?((?:in|into|on|onto|to|over to) .+)$", "put {1} {2}"),
     ("^([^,]+? and [^,]+?) , (?:please )?(?:now )?(?:change|swap|trade|exchange|switch) (?:places|positions|spots)$",
      "{1} must swap places"),
     ("\\bwhere (.+?) in turn (is|rests|stands|sits|lies|must)\\b", "where {1} {2}"),

@@ -116,7 +116,6 @@ REWORDED: tuple[Turn, ...] = (
      "(?: ,)?(?: top first)?(?: [:,])?(?: you get| it says| it reads| one reads)? (\\S+)$",
      "a {1} that reads {2} from top to bottom"),
     ("\\b(\\S+) and (\\d) with (plus|minus|times)(?: ,)? and equals\\b", "{1} , {2} , {3} and equals"),
-    (f"\\b({_COLOR}) bodied\\b", "{1}"),
     # structures
     ("\\b(tower|stack|wall) in layers (?=[:,])", "{1}"),
     (f"\\b(an?|the) {_LARGER} (tower|stack|row|line) of (?={_MANY}\\b)", "{1} {2} of"),

@@ -26,7 +26,8 @@ AT_ONCE: tuple[Turn, ...] = (
     ("^(.+?) (starts?|begins?) (in a (?:heap|pile|tower|row|stack)) and (?:is|are) to be (.+)$",
      "{1} {2} {3} and must be {4}"),
     ("\\b(?:the |a )?letter (?:- )?(\\w) shape\\b", "a {1} shape"),
-    ("\\b(equation \\S.*?)(?: ,)?(?: written| laid| spelled)?(?: out)? in (?:number |digit )?(?:cubes|blocks)$", "{1}"),
+    ("\\b((?:equation|sum) \\S.*?)(?: ,)?(?: written| laid| spelled)?(?: out)? in (?:number |digit "
+     ")?(?:cubes|blocks)$", "{1}"),
     ("(?:so|such) that (\\S+) (?:can be read|is read|reads) (downwards|upwards|from .+)$", "so that they read {1} {2}"),
     ("^remove (?:it|them|the .+?) so that (the .+?) (?:is|becomes) (?:empty|clear|free)$", "{1} must be empty"),
     (f"^(.+?) that (?:are|is) (stacked|in an? (?:heap|pile|tower|row)) at the start ({MUST} .+)$", "{1} start {2} . "

@@ -54,8 +54,6 @@ AT_ONCE: tuple[Turn, ...] = (
     # numbers and letters
     (f"^((?:(?!equation|sum).)+?)(?: ,)? (?:so|such) that the (?:equation|sum|calculation) (?:is|comes out|works out|"
      f"holds|becomes) ?{_TRUE}?$", "{1} so that they form a true equation"),
-    ("^((?:write|show|lay|build|make|form|spell) (?:out )?(?:the )?(?:equation|sum) .+?)(?: ,)? in "
-     "(?:cubes|blocks|number cubes|digit cubes|number blocks)$", "{1}"),
     ("^of (the (?:digits|numbers|letters) [^;]+?) , (the (?:even|odd) (?:ones|digits|numbers) .+)$",
      "there are {1} . {2}"),
     ("^((?:separate|sort|split|divide) .+?)(?: ,)? so that there is (?:a|one) group (?:of|for) each(?: kind| color)?$",

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 from rpg.blocks.english import describe, describe_goal
 from rpg.blocks.equivalence import equivalent
 from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.ir.goal import Goal
+from rpg.ir.relations import On
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
+from rpg.ir.structures import Stack
 from rpg.ir.walk import rename
 
 _UNORDERED = frozenset({"blocks", "assets", "groups"})
@@ -68,20 +72,50 @@ def _unpainted(schema: TaskSchema) -> str:
 
 def _bare(schema: TaskSchema) -> str:
     data = schema.model_dump(exclude={"name", "instruction", "assumptions", "paraphrases"}, mode="json")
+    data["init"]["arranged"] = _as_it_lies(schema.init.arranged)
     return repr(_unspanned(data, len(schema.blocks)))
 
 
-def _unspanned(data: object, blocks: int) -> object:
-    """Without spans, without what has no order, and without "exact" for a stack of every block there is: nothing else
-    could be in it; without what tells groups apart of which it is said who is in them."""
+def _as_it_lies(arranged: tuple[Goal, ...]) -> list[object]:
+    """What is so at the start, its stacks as which block lies on which: it is the same whatever says it."""
+    lies = sorted({pair for goal in arranged for pair in _lying(goal)})
+    others = [goal for goal in arranged if not _lying(goal) and not _said_by(goal, lies)]
+    return [*([lower, upper] for lower, upper in lies), *(goal.model_dump(mode="json") for goal in others)]
+
+
+def _lying(goal: Goal) -> list[tuple[str, str]]:
+    """Each block of a stack with the one on it, if just that is said; nothing for other goals."""
+    if isinstance(goal, On) and goal == On(a=goal.a, b=goal.b, span=goal.span):
+        return [(goal.b, goal.a)] if isinstance(goal.a, str) and isinstance(goal.b, str) else []
+    if not isinstance(goal, Stack) or goal.order.by != "given" or any(len(rank) > 1 for rank in goal.order.ranks):
+        return []
+    plain = Stack(blocks=goal.blocks, order=goal.order, exact=goal.exact, raised=goal.raised, span=goal.span)
+    up = [rank[0] for rank in goal.order.ranks]
+    up = up[::-1] if goal.order.first == "top" else up
+    return list(pairwise(up)) if goal == plain and not goal.order.descending else []
+
+
+def _said_by(goal: Goal, lies: list[tuple[str, str]]) -> bool:
+    """Whether it is a stack of no order, whose blocks are known to lie on each other."""
+    if not isinstance(goal, Stack) or goal != Stack(blocks=goal.blocks, exact=goal.exact, span=goal.span):
+        return False
+    within = [pair for pair in lies if set(pair) <= set(goal.blocks)]
+    return len(within) == len(goal.blocks) - 1
+
+
+def _unspanned(data: object, blocks: int, start: bool = False) -> object:
+    """Without spans, without what has no order, and without "exact" for a stack of every block there is and for one of
+    the start: nothing else could be in it; without what tells groups apart of which it is said who is in them."""
     if isinstance(data, dict):
-        whole = data.get("kind") == "stack" and len(data["blocks"]) == blocks
+        whole = data.get("kind") == "stack" and (start or len(data["blocks"]) == blocks)
         named = data.get("kind") == "group_by" and not data["outliers"]
         told = "exact" if whole else "by" if named else ""
-        kept = {k: _unspanned(v, blocks) for k, v in _one_way(data).items() if k not in ("span", told)}
+        kept = {
+            k: _unspanned(v, blocks, start or k == "init") for k, v in _one_way(data).items() if k not in ("span", told)
+        }
         return {k: sorted(v, key=repr) if k in _UNORDERED and isinstance(v, list) else v for k, v in kept.items()}
     if isinstance(data, list):
-        return [_unspanned(v, blocks) for v in data]
+        return [_unspanned(v, blocks, start) for v in data]
     return data
 
 
@@ -91,6 +125,8 @@ _OTHER_END = {"top": "bottom", "right": "left", "back": "front"}
 def _one_way(data: dict[str, Any]) -> dict[str, Any]:
     """Ascending from the top is descending from the bottom: orders are told from one side."""
     first = _OTHER_END.get(data.get("first") or "")
+    if first is not None and data.get("by") == "given":
+        return {**data, "first": first, "ranks": data["ranks"][::-1]}
     if first is None or data.get("by") not in ("label", "number", "size"):
         return data
     return {**data, "first": first, "descending": not data.get("descending")}

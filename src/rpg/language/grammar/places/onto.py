@@ -29,8 +29,12 @@ _OVER = (
     "sits on top of",
     "goes on top of",
     "is above",
+    *(f"{be}{held} by" for be in ("is ", "") for held in ("carried", "supported", "borne", "held up")),
 )
-_UNDER = ("under", "below", "beneath", "underneath", "is under", "is below", "is beneath", "sits under")
+_UNDER = (
+    "under", "below", "beneath", "underneath", "is under", "is below", "is beneath", "sits under",
+    *(f"is {topped} {by}" for topped in ("topped", "covered", "crowned") for by in ("by", "with")),
+)  # fmt: skip
 
 
 @rule
@@ -112,8 +116,21 @@ def _next_on_it(p: Parser, i: int, words: tuple[str, ...], had: tuple[Meaning, .
     for item, k in simple(p, lead or j):
         end = k if lead else p.any_of(p.any_of(k, _LYING) or k, words)
         if end and isinstance(item, Noun) and single(item):
-            yield (*had, item), end
+            closed = _last_of_it(p, end, words, (*had, item))
+            yield from [closed] if closed is not None else [((*had, item), end)]
             yield from _next_on_it(p, end, words, (*had, item))
+
+
+def _last_of_it(
+    p: Parser, i: int, words: tuple[str, ...], had: tuple[Meaning, ...]
+) -> tuple[tuple[Meaning, ...], int] | None:
+    """ "(red at the bottom, white above it), blue on top": the other end, with which all of the tower is told."""
+    far = next(ends for told, _, ends in _WAYS if told is not words)
+    for item, k in simple(p, j) if (j := p.any_of(i, _AND)) else ():
+        end = p.any_of(p.opt(k, "is", "goes", "sits"), far)
+        if end and not p.stands(end, ("of",)) and isinstance(item, Noun) and single(item):
+            return (*had, item), end
+    return None
 
 
 def _more(p: Parser, i: int, words: tuple[str, ...]) -> Results[tuple[Meaning, ...]]:

@@ -6,6 +6,7 @@ import re
 from functools import partial
 
 from rpg.language.meaning import (
+    Absolute,
     At,
     Chain,
     Clause,
@@ -15,13 +16,21 @@ from rpg.language.meaning import (
     Loc,
     Meaning,
     Noun,
+    OrderBy,
     Pronoun,
     Structure,
     TableTop,
+    Using,
     parts_of,
     replace,
 )
-from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, lined_up_first, named_there, wanted
+from rpg.passes.schema.resolve.clauses.begun_facts import (
+    all_begun,
+    lined_up_first,
+    named_there,
+    wanted,
+)
+from rpg.passes.schema.resolve.clauses.in_parts import told_in_parts
 from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
     added,
@@ -59,6 +68,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))
     if (picture := _pictured(chains, text)) is not None:
         return picture
+    chains = told_in_parts(chains, max((n for n, chain in enumerate(chains) if _ordered(chain)), default=0), text)
     told = [_facts(chain, bold) for chain in chains]
     final = [_of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]
     told = [fact and not end for fact, end in zip(told, final, strict=True)]
@@ -357,7 +367,8 @@ def _tally(clause: Meaning) -> bool:
 
 
 def _fact(clause: Clause, bold: bool) -> bool:
-    places = clause.adjuncts and all(isinstance(a, Loc | In | Into) for a in clause.adjuncts)
+    inner = (Absolute, OrderBy, Using, At, Coord) if isinstance(clause.theme, Structure) else ()
+    places = clause.adjuncts[:1] and all(isinstance(a, (Loc, In, Into, *inner)) for a in clause.adjuncts)
     told = clause.lemma == "fact" and clause.mode == "goal" and not clause.negated and bool(places)
     return told and (bold or _indefinite(clause.theme))
 

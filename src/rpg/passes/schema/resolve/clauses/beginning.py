@@ -30,7 +30,7 @@ from rpg.passes.schema.resolve.clauses.begun_facts import (
     named_there,
     wanted,
 )
-from rpg.passes.schema.resolve.clauses.in_parts import told_in_parts
+from rpg.passes.schema.resolve.clauses.in_parts import lie_so, told_in_parts
 from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
     added,
@@ -69,7 +69,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     if (picture := _pictured(chains, text)) is not None:
         return picture
     chains = told_in_parts(chains, max((n for n, chain in enumerate(chains) if _ordered(chain)), default=0), text)
-    told = [_facts(chain, bold) for chain in chains]
+    told = [_facts(chain, bold) or lie_so(chain, text, bold) for chain in chains]
     final = [_of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]
     told = [fact and not end for fact, end in zip(told, final, strict=True)]
     commands = [n for n, chain in enumerate(chains) if _commands(chain) or (bold and not _facts(chain))]

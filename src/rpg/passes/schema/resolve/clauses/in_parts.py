@@ -10,6 +10,8 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     Coord,
+    Into,
+    Loc,
     Meaning,
     Noun,
     OrderBy,
@@ -18,6 +20,7 @@ from rpg.language.meaning import (
     Structure,
     Toward,
     Traits,
+    Using,
     parts_of,
     replace,
 )
@@ -79,6 +82,25 @@ def told_in_parts(chains: tuple[Chain, ...], ordered: int, text: str) -> tuple[C
         for chain, told in kept
         if told
     )
+
+
+_LIES = re.compile(r"\b(?:is|are|stands?|lies?|sits?|rests?)\b", re.IGNORECASE)
+
+
+def lie_so(chain: Chain, text: str, bold: bool) -> bool:
+    """ "Four pink cubes are stacked up", "the letters A, B and C stand in a row from left to right": whether all of a
+    sentence tells, and does not ask, how blocks lie on each other or (`bold`) beside each other."""
+    told = [c for c in chain.clauses if isinstance(c, Clause)]
+    said = (text[slice(*c.span)] for c in told)
+    if any(_LIES.search(words) is None or _ASKED.search(words) for words in said):
+        return False
+    return len(told) == len(chain.clauses) and all(_lined_up(c) and (bold or c.verb == "stack") for c in told)
+
+
+def _lined_up(said: Clause) -> bool:
+    ways = all(isinstance(a, Into | Toward | OrderBy | Using | At | Coord | Absolute | Loc) for a in said.adjuncts)
+    lines = said.verb == "stack" or (said.lemma == "fact" and any(isinstance(a, Into) for a in said.adjuncts))
+    return said.mode == "goal" and not said.negated and ways and lines
 
 
 def _of_it(chain: Chain) -> bool:

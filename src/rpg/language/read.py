@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language import lexicon
+from rpg.language.colons import told_first
 from rpg.language.conditions import conditional, inverted
 from rpg.language.grammar.clauses.chains import chain
 from rpg.language.grammar.clauses.clauses import tail
@@ -141,7 +142,7 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    parts = in_one(_with_predicates(split(tokens)))
+    parts = in_one(_with_predicates(told_first(split(tokens))))
     read: Parts = []
     headed: int | None = None
     for part in [part for part in parts if not idle(part)] or parts:

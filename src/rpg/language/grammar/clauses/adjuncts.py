@@ -158,7 +158,8 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         for rest, k in adjuncts(p, posed) if posed else ():
             if rest and isinstance(rest[0], Loc) and isinstance(rest[0].landmark, Pronoun):
                 yield (first, *rest), k
-        for joined in {p.opt(j, ","), p.opt(p.opt(j, ","), "and"), p.opt(j, "and", "but")} - {j}:
+        yet = p.any_of(p.opt(j, ","), ("and yet", "but yet", "but also", "and also", "yet"))
+        for joined in {p.opt(j, ","), p.opt(p.opt(j, ","), "and"), p.opt(j, "and", "but"), yet or j} - {j}:
             for rest, k in adjuncts(p, joined):
                 framed = p.words[joined - 1] == "and" and p.words[k] == "," and _of_a_time(rest)
                 if rest and not framed and (p.words[joined - 1] != "but" or _opposed(first, rest[0])):

@@ -10,6 +10,7 @@ from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import emphasised, linked
+from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
 from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
@@ -74,10 +75,10 @@ def chain(p: Parser, i: int) -> Results[Chain]:
                 clauses = (*both[0].clauses, *both[1].clauses)
                 links = (*both[0].links, "and" if order == "and" else "then", *both[1].links[1:])
                 yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
-    for begun, j in (*begun_with(p, i), *counted_ahead(p, i)):
+    for begun, j in (*begun_with(p, i), *counted_ahead(p, i), *out_of_these(p, i)):
         for main, end in chain(p, j):
-            links = ("and", *main.links)
-            yield Chain(clauses=(begun, *main.clauses), links=links, span=p.span(i, end)), end
+            told = map(none_of_the_others, main.clauses) if begun.lemma == "stock" else main.clauses
+            yield Chain(clauses=(begun, *told), links=("and", *main.links), span=p.span(i, end)), end
     if j := p.one(i, "either"):
         if joined := list(_alternatives(p, j, ())):
             yield from joined

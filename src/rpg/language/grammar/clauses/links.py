@@ -38,10 +38,12 @@ def linked(p: Parser, i: int) -> Results[str]:
             yield "and", k
         if p.words[k : k + 1] == [","]:
             yield "and", k + 1
-    elif j > i:
+    elif j > i or p.any_of(j, RATHER):
         yield "and", j
 
 
+RATHER = ("rather than", "instead of", "as opposed to")
+"""These stand for "and not" in front of what is denied."""
 _AND_THEN = ("and then", "and", "then", "but")
 _NO_STEP = frozenset({"make", "have", "leave", "keep", "let", "check", "see", "ensure", "get", "be"})
 """Verbs that may tell of the end alone."""
@@ -78,4 +80,5 @@ _TELLING = frozenset({"see", "sees", "shows", "show", "want", "sure", "expect", 
 """What has several clauses with "that" behind it."""
 _ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also", "while", "but also", "but",
     "as well as", "also", "whereas", "&",
-         "yet", "although", "though", "except that", "only that", "with the exception that")  # fmt: skip
+         "yet", "and yet", "but yet", "although", "though", "except that", "only that",
+         "with the exception that")  # fmt: skip

@@ -8,6 +8,7 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.again import meant_again, said_too
 from rpg.language.grammar.clauses.covered import named_last
 from rpg.language.grammar.clauses.for_whom import behind_us
+from rpg.language.grammar.clauses.links import RATHER
 from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.particles import across
 from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
@@ -276,7 +277,7 @@ def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         return
     mark = place.landmark if isinstance(place, Loc) else None
     colored = isinstance(mark, Noun) and mark.head == "patch" and bool(mark.traits.colors)
-    denied = p.one(i, "not")
+    denied = p.one(i, "not") or p.any_of(i, RATHER)
     for theme, j in noun_phrase(p, denied or i):
         told = isinstance(theme, Noun | Coord) or (isinstance(theme, Pronoun) and theme.word in REST)
         ends = p.any_of(p.any_of(j, _MUST_BE) or j, _ELSEWHERE) if not denied else 0

@@ -46,12 +46,17 @@ _OR_LESS = ("or less", "or closer", "or nearer", "at most", "at the most", "maxi
 """What bounds a length in front of it."""
 
 
-def _at_most(p: Parser, i: int) -> Results[float]:
-    """ "at least 5 cm but at most 10 cm": the other end of the range."""
-    j = p.any_of(p.opt(i, ","), ("but", "and"))
+def _other_bound(p: Parser, i: int, first: str) -> Results[float]:
+    """ "at least 5 cm but at most 10 cm", "at most 10 cm and at least 5 cm": the other end of the range."""
+    j = p.any_of(p.opt(i, ","), ("but", "and", "yet"))
     for phrase, k in p.standing(j, _LIMITS) if j else ():
-        if _LIMITS[phrase] == "high":
+        if _LIMITS[phrase] != first:
             yield from length(p, k)
+
+
+def _last_figure(p: Parser, i: int, j: int) -> float | None:
+    """The last number before a place: that of a length which ends there."""
+    return next((found for n in range(j - 1, i, -1) if (found := p.figure(n)) is not None), None)
 
 
 @rule
@@ -67,8 +72,12 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
     for phrase, j in p.standing(i, _LIMITS):
         for metres, k in length(p, j):
             yield ((metres, None) if _LIMITS[phrase] == "low" else (None, metres)), k
-            for most, end in _at_most(p, k) if _LIMITS[phrase] == "low" else ():
-                yield (metres, most), end
+            for other, end in _other_bound(p, k, _LIMITS[phrase]):
+                yield ((metres, other) if _LIMITS[phrase] == "low" else (other, metres)), end
+        if (least := p.figure(j)) is not None and p.stands(j + 1, ("but", "and", ",")):  # one unit for both
+            for other, end in _other_bound(p, j + 1, _LIMITS[phrase]):
+                metres = round(least * other / (_last_figure(p, j + 1, end) or other), 6)
+                yield ((metres, other) if _LIMITS[phrase] == "low" else (other, metres)), end
     for word, j in p.standing(i, _AROUND):
         for metres, k in length(p, j):
             slack = metres * _AROUND[word] if _AROUND[word] else 0.01
@@ -157,7 +166,7 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
             for landmark, end in noun_phrase(p, k):
                 far = Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
                 yield from measured_so(p, far, i, end)
-                for most, last in _at_most(p, end) if low is not None and high is None else ():
+                for most, last in _other_bound(p, end, "low") if low is not None and high is None else ():
                     yield replace(far, high=most, span=p.span(i, last)), last
         for side, k in p.standing(p.any_of(j, ("to its", "on its")), ("left", "right")) if p.stands(j, _AT) else ():
             far = Loc(rel=side, landmark=Pronoun(word="it", span=p.span(j, k)), low=low, high=high, span=p.span(i, k))
@@ -168,7 +177,7 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
             for landmark, end in noun_phrase(p, k):
                 far = Loc(rel=name, landmark=landmark, mods=mods, low=low, high=high, span=p.span(i, end))
                 yield from measured_so(p, far, i, end)
-                for most, last in _at_most(p, end) if low is not None and high is None else ():
+                for most, last in _other_bound(p, end, "low") if low is not None and high is None else ():
                     yield replace(far, high=most, span=p.span(i, last)), last
     if j := p.any_of(i, ("with a gap of", "leaving a gap of", "a gap of")):
         for (low, high), k in bounds(p, j):

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.against import against_side
 from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
 from rpg.language.grammar.places.measures import bounds, limited, measured, measured_bare, measured_so
+from rpg.language.grammar.places.near_enough import near_enough
 from rpg.language.grammar.places.offsets import centred_on
+from rpg.language.grammar.places.other_side import other_side
 from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
@@ -20,6 +23,8 @@ _COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"}
 
 _NOWHERE = ("nowhere", "not anywhere", "not at all", "in no way", "by no means")
 """Stronger than "not"."""
+_RATHER = ("rather than", "instead of", "as opposed to", "and definitely not", "and certainly not")
+"""Behind a place these deny another one: "to the left of it rather than to its right"."""
 
 
 @rule
@@ -28,7 +33,8 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
     if k := p.one(i, "still"):
         yield from _loc(p, k)
         return
-    j = p.any_of(i, _NOWHERE) or p.one(i, "not")
+    yield from _not_but(p, i)
+    j = p.any_of(i, _NOWHERE) or p.one(i, "not") or (p.any_of(i, _RATHER) if i else 0)
     if j and p.stands(j, _COMPARED):
         j = 0
     for found, k in _loc(p, j or i):
@@ -105,6 +111,9 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     if (j := there) and (j >= p.end or p.words[j] in _AFTER_THERE):
         yield Loc(rel="on", landmark=Pronoun(word="there", span=p.span(i, j)), span=p.span(i, j)), j
     yield from _either_relation(p, i)
+    yield from against_side(p, i)
+    yield from near_enough(p, i)
+    yield from other_side(p, i)
     yield from _either_place(p, i)
     yield from _between(p, i)
     yield from _possessive(p, i)
@@ -134,7 +143,7 @@ def _by_so_much(p: Parser, i: int, j: int, placed: Loc) -> Results[Loc]:
 
 
 _BUT_NOT = (", but not", "but not", ", not", ", yet not", "yet not", "and not", ", and not", ", though not",
-            "though not", "without")  # fmt: skip
+            "though not", "without", "rather than", "instead of", "as opposed to", ", rather than")  # fmt: skip
 
 
 @choice
@@ -160,6 +169,27 @@ def _either_relation(p: Parser, i: int) -> Results[Meaning]:
                     Loc(rel=second, landmark=landmark, mods=mods, negated=denied > 0, span=span),
                 )
                 yield Coord(op=op, items=parts, span=span), end
+
+
+_BUT = ("but rather", "but instead", "but", ", but rather", ", but instead", ", but", ", rather", ", instead")
+
+
+@choice
+def _not_but(p: Parser, i: int) -> Results[Coord]:
+    """ "not to the right but to the left of the black one": the landmark behind the second of them is that of both."""
+    start = p.one(i, "not")
+    sides = [(side.rstrip("?"), j) for (side, _), j in side_relation(p, start)] if start else []
+    for side, j in [*sides, ("front", p.seq(start, "in front"))] if start and p.rarely(_CONTRASTING) else ():
+        k = p.any_of(j, _BUT) if j else 0
+        for (second, mods), m in relation(p, k) if k else ():
+            for landmark, end in noun_phrase(p, m):
+                span = p.span(i, end)
+                denied = Loc(rel=side, landmark=landmark, negated=True, span=span)
+                placed = Loc(rel=second, landmark=landmark, mods=mods, span=span)
+                yield Coord(op="and", items=(placed, denied), span=span), end
+
+
+_CONTRASTING = frozenset({"but", "rather", "instead"})
 
 
 @choice

@@ -186,14 +186,14 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
 
 
 _GROWING = Patterns(
-    "from the? smallest|lowest|least|small|low number|digit|one|block|cube? to the? "
+    "from the? smallest|lowest|least|small|low number|digit|one|block|cube? up? to the? "
     "largest|highest|biggest|greatest|large|big|high number|numbers|digit|digits|one|block|cube?",
     "so_that|so|such_that the|it|they tower|row|stack|line|column|numbers|digits|blocks|cubes? "
     "count|counts|go|goes|run|runs|increase|increases up|upward|upwards?",
     "counting|increasing up|upward|upwards",
 )
 _SHRINKING = Patterns(
-    "from the? largest|highest|biggest|greatest|large|big|high number|digit|one|block|cube? to the? "
+    "from the? largest|highest|biggest|greatest|large|big|high number|digit|one|block|cube? down? to the? "
     "smallest|lowest|least|small|low number|numbers|digit|digits|one|block|cube?",
     "so_that|so|such_that the|it|they tower|row|stack|line|column|numbers|digits|blocks|cubes? "
     "count|counts|go|goes|run|runs|decrease|decreases down|downward|downwards?",

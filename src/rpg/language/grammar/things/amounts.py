@@ -103,6 +103,11 @@ def _both_bounds(p: Parser, i: int) -> Results[Amount]:
                     yield Amount(n, m, True), closed
 
 
+_ENOUGH = ("enough", "just enough", "sufficiently many", "sufficient", "as many as needed")
+_FOR_WHAT = frozenset({"make", "form", "build", "get", "reach", "until", "create"})
+"""What there has to be enough for is told by one of these."""
+
+
 @rule
 def quantity(p: Parser, i: int) -> Results[Quantity]:
     """Everything that may stand before the adjectives of a noun phrase."""
@@ -141,6 +146,8 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
         if k := p.one(j, ("more", "other", "additional", "extra")):
             yield Quantity("other" if p.words[j] == "other" else "another", found, found.high != 1), k
     if j := p.any_of(i, _VAGUE):
+        yield Quantity("some", None, True), j
+    if (j := p.any_of(i, _ENOUGH)) and not _FOR_WHAT.isdisjoint(p.words[j:]):
         yield Quantity("some", None, True), j
     if j := p.one(i, ("its", "their")):
         yield Quantity("its"), j

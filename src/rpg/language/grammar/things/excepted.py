@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
-from rpg.language.grammar.things.retold import universal
+from rpg.language.grammar.things.retold import shares_head, universal
 from rpg.language.later import later
 from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits, replace
 
@@ -53,7 +53,10 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
                 continue
             if (op := _but(items[0])) is not None:
                 item = _all_such(item) if universal(items[0]) and op == "except" else item
-                yield from ((Coord(op=op, items=(*items, item), span=p.span(i, j)), e) for e in {j: None, closed: None})
+                parted = len(items) > 1 and isinstance(items[0], Noun) and items[0].part_of is not None
+                cost = 2 * (parted or any(map(shares_head, items, items[1:])))  # "red, green and blue cubes" are one
+                those = Coord(op=op, items=(*items, item), span=p.span(i, j), cost=cost)
+                yield from ((those, end) for end in {j: None, closed: None})
 
 
 def _all_such(item: Meaning) -> Meaning:

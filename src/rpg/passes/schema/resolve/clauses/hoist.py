@@ -24,11 +24,14 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.enough import as_many_as_it_takes
 from rpg.passes.schema.resolve.clauses.left_alone import left_alone
 from rpg.passes.schema.resolve.clauses.leftovers import all_used
 from rpg.passes.schema.resolve.clauses.one_each import plainly
+from rpg.passes.schema.resolve.clauses.there_later import standing_there
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.places.drawn import drawn, grounded
+from rpg.passes.schema.resolve.places.opposite import opposite_sides
 from rpg.passes.schema.resolve.places.overs import in_one_tower
 from rpg.passes.schema.resolve.structures.grouped import groups_joined, sorted_with_strangers, told_apart
 from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_inside
@@ -49,6 +52,7 @@ _VERBS = ("stack", "arrange")
 def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with "the top block is red" said where the tower is built; sentences that say no more are gone."""
     found: list[list[tuple[str, Meaning]]] = []
+    chains = standing_there(opposite_sides(chains))
     for chain in shapes_pictured(built_first(chains)):
         of_all_that_follows(chain)
         kept: list[tuple[str, Meaning]] = []
@@ -57,7 +61,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if not isinstance(said, Clause):
                 kept.append((link, said))
                 continue
-            said = grounded(drawn(plainly(left_alone(said))), chains)
+            said = grounded(drawn(plainly(left_alone(as_many_as_it_takes(said)))), chains)
             _below_what(_last(found), said)
             if link != "then" and other_side(found, said):
                 continue

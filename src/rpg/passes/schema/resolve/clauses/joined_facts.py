@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, TableTop, replace
 
-BESIDES = re.compile(r"\b(?:also|too|as well|still|both|in addition|additionally)\b", re.IGNORECASE)
+BESIDES = re.compile(r"\b(?:also|too|as well|both|in addition|additionally)\b", re.IGNORECASE)
 _DEMANDED = re.compile(
     r"\b(?:make|ensure|see to it|reach|achieve|get|until|goal|task|aim|want|like|wish|please|must|should|shall|has to|"
     r"have to|needs? to|ought|let|can|could)\b",

@@ -15,6 +15,7 @@ from rpg.language.meaning import (
     Noun,
     Pronoun,
     Structure,
+    TableTop,
     Traits,
     parts_of,
     replace,
@@ -40,6 +41,29 @@ def there_on_it(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
             kinds |= _asked_for(c)
         found.append(replace(chain, clauses=tuple(clauses)))
     return tuple(found)
+
+
+def standing_there(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "A tower of red on blue stands there; take it apart": as much as "there is a tower", before a command."""
+    said = [c for chain in chains for c in chain.clauses]
+    last = max((n for n, c in enumerate(said) if isinstance(c, Clause) and c.mode == "command"), default=0)
+    told = [replace(c, verb="exist", lemma="", mode="given", adjuncts=()) if n < last and _bare_there(c) else c
+            for n, c in enumerate(said)]  # fmt: skip
+    if told == said:
+        return chains
+    rest = iter(told)
+    return tuple(replace(chain, clauses=tuple(next(rest) for _ in chain.clauses)) for chain in chains)
+
+
+def _bare_there(clause: Meaning) -> TypeGuard[Clause]:
+    """ "A tower stands there", "... on the table", and no more of where it is."""
+    if not isinstance(clause, Clause) or (clause.verb, clause.lemma, clause.mode) != ("be", "fact", "goal"):
+        return False
+    place = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    if clause.negated or not isinstance(place, Loc) or place.rel != "on" or place.negated:
+        return False
+    there = isinstance(place.landmark, TableTop) or getattr(place.landmark, "word", "") == "there"
+    return there and isinstance(clause.theme, Structure) and clause.theme.det == "a"
 
 
 def _lying_on_it(clause: Meaning) -> bool:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from rpg.language.meaning import Chain, Clause, Coord, Meaning, Noun, OrderBy, Traits, parts_of, replace
+from rpg.passes.schema.resolve.clauses.first_or_begun import check_begun_or_first
 
 _AHEAD = re.compile(
     r"\b(?:in (?:this|that|the following|exactly this|this exact|the given)? ?(?:order|sequence)|step by step)"
@@ -20,6 +21,7 @@ _RANKS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 def in_told_order(links: Sequence[str], chains: tuple[Chain, ...], text: str) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with "then" between the clauses that such words put in order."""
+    check_begun_or_first(links, chains, text)
     steps = [clause for chain in chains for clause in chain.clauses]
     listed = all(map(_step, steps)) and _AHEAD.search(text[: steps[0].span[0]]) is not None
     if listed and len(steps) == 1:

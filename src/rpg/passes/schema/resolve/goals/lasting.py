@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.node import members
 from rpg.ir.walk import names, transform
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.world import Scene, refuse
@@ -16,7 +17,7 @@ def beside_what_is_done(goal: g.Goal, scene: Scene) -> g.Goal:
     ("red must stay away from blue"), and so is what is not so at the start ("neither stays on the mat where both
     start"); anything else would be so already, and is refused."""
     placed = {n for start in scene.start_goals for n in names(start)} | {n for heap in scene.heaps for n in heap}
-    goal = transform(goal, lambda node: _unstaged(node, placed))
+    goal = transform(goal, lambda node: _as_before(_unstaged(node, placed), scene.start_goals))
     parts = goal.goals if isinstance(goal, g.All) else (goal,)
     if not all(isinstance(part, g.Always | r.Stayed) for part in parts):
         return goal
@@ -49,6 +50,32 @@ def _unstaged(goal: g.Goal, placed: set[str]) -> g.Goal:
         return goal
     done = goal.model_copy(update={"stages": tuple(stages)}) if len(stages) > 1 else stages[0].goal
     return conj([done, *lasting], goal.span)
+
+
+def _as_before(goal: g.Goal, starts: list[g.Goal]) -> g.Goal:
+    """ "White is on black. Put red beside black; afterwards white should still be on black": what is so from the start
+    is no step, where nothing is done before it with what it is said of."""
+    if not isinstance(goal, g.Sequence):
+        return goal
+    begun = [_plain(start) for start in starts]
+    steps: list[g.Stage] = []
+    kept: list[g.Goal] = []
+    for stage in goal.stages:
+        before = {name for step in steps for name in names(step.goal)}
+        told = set(members(stage.goal.a)) if isinstance(stage.goal, r.On | r.OnPatch) else set(names(stage.goal))
+        if steps and not stage.undone and _plain(stage.goal) in begun and told.isdisjoint(before):
+            kept.append(stage.goal)
+        else:
+            steps.append(stage)
+    if not kept:
+        return goal
+    return conj(
+        [goal.model_copy(update={"stages": tuple(steps)}) if len(steps) > 1 else steps[0].goal, *kept], goal.span
+    )
+
+
+def _plain(goal: g.Goal) -> g.Goal:
+    return goal.model_copy(update={"span": None})
 
 
 def _ahead(goal: g.Goal, scene: Scene) -> bool:

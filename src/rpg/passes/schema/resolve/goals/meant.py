@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from rpg.ir import goal as g
+from rpg.ir.walk import transform
 from rpg.passes.schema.resolve.clauses.kept import brought_about
 from rpg.passes.schema.resolve.goals.lasting import beside_what_is_done
 from rpg.passes.schema.resolve.goals.standing import still_standing
-from rpg.passes.schema.resolve.places.bare_table import off_their_patches
+from rpg.passes.schema.resolve.places.bare_table import besides_their_patches, off_their_patches
 from rpg.passes.schema.resolve.structures.towers_apart import one_by_one
 from rpg.passes.schema.resolve.things.premises import keep_premises
 from rpg.passes.schema.resolve.things.world import Scene
@@ -15,6 +16,6 @@ from rpg.passes.schema.resolve.things.world import Scene
 def with_what_is_meant(goal: g.Goal, scene: Scene) -> g.Goal:
     """`goal` with the premises of its words: what landmarks are, what is left alone, towers that still stand,
     and what lasts beside what is done."""
-    goal = one_by_one(goal, scene)
+    goal = transform(one_by_one(goal, scene), besides_their_patches)
     goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
     return still_standing(beside_what_is_done(goal, scene), scene.start_goals)

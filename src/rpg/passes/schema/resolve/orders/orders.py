@@ -11,6 +11,7 @@ from rpg.language.meaning import OrderBy, Toward, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, agreed, one_way
 from rpg.passes.schema.resolve.orders.alternating import alternating
+from rpg.passes.schema.resolve.orders.backwards import last_first, turned_round
 from rpg.passes.schema.resolve.orders.between_ends import between_ends
 from rpg.passes.schema.resolve.orders.extremes import directed, sorted_from
 from rpg.passes.schema.resolve.orders.onward import onward
@@ -38,7 +39,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     sides = SIDES[kind]
     if any(o.by == "any" for o in spec.orders):
         spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
-    spec.orders += sorted_from(spec, names, kind, scene)
+    told_by_ends = [*sorted_from(spec, names, kind, scene), *last_first(spec, names, scene)]
+    spec.orders += told_by_ends
     pointed = [o for o in spec.orders if o.first in sides and o.by in _FROM_AN_END]
     first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides and o not in pointed), None)
     wrong: Toward | OrderBy | None = next((t for t in spec.toward if t.first and t.first not in sides), None)
@@ -60,14 +62,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         found = merged
     if found.by == "given" and len(found.ranks) == len(names) == sum(map(len, spec.in_turn)):
         found = found.model_copy(update={"ranks": spec.in_turn})
-    reverse = any(o.by == "reverse" for o in spec.orders)
-    if reverse:
-        if found.by in ("any", "given"):
-            which = "it is not said which order is to be reversed" if found.by == "any" else (
-                "it is not clear whether the order that is named is the reversed one"
-            )  # fmt: skip
-            raise refuse("ambiguous", which, span, "name the order, such as 'in reverse alphabetical order'")
-        found = found.model_copy(update={"descending": not found.descending})
+    if any(o.by == "reverse" for o in spec.orders):
+        found = turned_round(found, spec, told_by_ends, scene, names, first or _default_side(kind), span)
     looks = [(scene.things[n].color, scene.things[n].label) for n in names]
     if found.by == "mirrored" and spec.listed and looks == looks[::-1]:
         found = Order()
@@ -150,6 +146,8 @@ def _merge(
             return _given(order, names, kind, scene, scope, begin)
         case "given" | "named" | "run" if order.items:
             return _given(order, names, kind, scene, scope, first)
+        case "backwards":
+            return Order(by="given", ranks=tuple((n,) for n in reversed(names)), first=first or _default_side(kind))  # type: ignore[arg-type]
         case "given":
             begin = first or _default_side(kind)
             scene.assume(f"in the order in which the blocks are named, from {begin} to {OPPOSITE.get(begin, 'last')}")

@@ -51,7 +51,7 @@ def only_here(theme: Ref, region: In, scene: Scene) -> Ref:
 def alone_there(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -> tuple[Ref, Ref]:
     """ "only red is on the patch", "green touches only blue": so it is, and neither of other blocks nor to others."""
     if theme.op == "only":
-        return only_on(theme, mark, loc, scene), mark
+        return only_on(theme, mark, loc, scene, relate), mark
     if loc.rel in ("touching", "beside", "adjacent") and not mark.patch:
         if loc.negated or len(theme.names) > 1:
             raise refuse("misplaced", "'only' does not fit this", loc.span, "say what is not to be beside it")
@@ -61,13 +61,23 @@ def alone_there(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -
     return theme, replace(mark, op="and")
 
 
-def only_on(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
-    """ "only the red block is on the patch": it is, and no other block that the task has."""
+def only_on(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -> Ref:
+    """ "only the red block is on the patch", "... on the blue block": it is, and no other block that the task has."""
+    one = not mark.patch and len(mark.names) == 1 and mark.quant is None and not (mark.built or theme.built)
+    if one and loc.rel in _TO_A_BLOCK and not loc.negated and theme.quant is None and loc.low is loc.high is None:
+        there: Callable[[str], g.Goal] = _related(mark, loc, scene, relate)
+        if loc.rel == "on":
+            there = lambda n: r.On(a=(n,), b=mark.names, span=loc.span)  # noqa: E731
+        scene.exclusive.append(Exclusive((*theme.names, *mark.names), there, loc.span, Traits()))
+        return replace(theme, op="and")
     if not mark.patch or loc.rel not in ("on", "in") or loc.negated or theme.quant is not None:
         raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
     for patch in mark.names:
         scene.exclusive.append(Exclusive(theme.names, _on(patch, loc), loc.span, Traits()))
     return replace(theme, op="and")
+
+
+_TO_A_BLOCK = ("on", "beside", "adjacent", "touching")
 
 
 def none_beyond(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, relate: Relate) -> g.Goal:

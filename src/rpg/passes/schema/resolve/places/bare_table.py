@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
-from rpg.ir.walk import atoms, children, rebuild
+from rpg.ir.walk import atoms, children, names, rebuild
 from rpg.language.meaning import Loc
 from rpg.passes.schema.resolve.goals.conflicts import undoes
 from rpg.passes.schema.resolve.goals.logic import conj
@@ -59,6 +59,19 @@ def off_their_patches(goal: g.Goal, scene: Scene) -> g.Goal:
     before: Marks = defaultdict(dict)
     _note(scene.start_goals, before)
     return _off(goal, before, ()) if before or any(isinstance(x, g.Sequence) for x in (goal, *children(goal))) else goal
+
+
+def besides_their_patches(goal: g.Goal) -> g.Goal:
+    """ "On the mat, not on the table": the bare table, where a block on a patch is not."""
+    if not isinstance(goal, g.All):
+        return goal
+    there = {name for part in goal.goals if isinstance(part, r.OnPatch) for name in members(part.a)}
+    kept = tuple(part for part in goal.goals if not (_denies_table(part) and there.issuperset(names(part))))
+    return conj(kept, goal.span) if len(kept) < len(goal.goals) else goal
+
+
+def _denies_table(goal: g.Goal) -> bool:
+    return isinstance(goal, g.Not) and isinstance(goal.goal, r.OnTable)
 
 
 def _note(goals: Iterable[g.Goal], before: Marks) -> None:

@@ -78,6 +78,8 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
     b = crown(mark)
     if not isinstance(b, Lowest | Highest) and len(b) > 1:
+        if loc.negated and mark.quant is None and mark.op == "and" and len(theme.names) == 1:  # "not on them": on none
+            return conj([_on_operand(theme.names, (one,), scene, span) for one in b], span)
         raise refuse(
             "ambiguous",
             "one block cannot lie on several blocks; it is not clear which is meant",

@@ -1,0 +1,38 @@
+"""Colons between what is told and what is to be done: "green is on red: take it off and put it on the table"."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+_SO_IS = frozenset({"is", "are", "stands", "stand", "lies", "lie", "sits", "sit", "rests", "rest", "was", "were"})
+_WANTED = frozenset({
+    "must", "should", "shall", "will", "has", "have", "need", "needs", "end", "finally", "goal", "task", "want", "job",
+    "here", "this", "that", "it", "idea", "aim", "plan", "order", "step", "steps", "rule", "rules", "wanted", "what",
+    "to", "so", "as",
+})  # fmt: skip
+"""With these nothing is told of how it is."""
+_ASKED = frozenset({"must", "should", "shall"})
+_AHEAD = frozenset({"please", "now", "so", "just", "then"})
+_PLACES = frozenset({"on", "onto", "in", "at", "under", "behind", "next", "left", "right", "beside", "there", "stacked",
+                     "between", "above", "upon", "atop"})  # fmt: skip
+
+
+def told_first(parts: list[list[Token]]) -> list[list[Token]]:
+    """The sentences, a fact and the command behind its colon being two of them."""
+    out: list[list[Token]] = []
+    for part in parts:
+        words = [token.word for token in part]
+        colon = words.index(":") if words.count(":") == 1 else 0
+        told = {*words[:colon]}
+        fact = bool(told & _SO_IS) and bool(told & _PLACES) and not told & _WANTED
+        begun = colon + 1
+        while begun < len(words) and words[begun] in _AHEAD:
+            begun += 1
+        forms = lexicon.VERB.get(words[begun], ()) if begun < len(words) else ()
+        asked = any(tense == "base" for _, _, tense in forms) or not _ASKED.isdisjoint(words[begun:])
+        if fact and asked:
+            out += [part[:colon], part[colon + 1 :]]
+        else:
+            out.append(part)
+    return out

@@ -54,11 +54,13 @@ AMERICAN = {
     "centre": "center",
     "centres": "centers", "centred": "centered", "neighbour": "neighbor", "neighbours": "neighbors",
     "neighbouring": "neighboring",
-    "metre": "meter", "metres": "meters", "organise": "organize", "multicoloured": "multicolored", "storey": "story",
+    "metre": "meter", "metres": "meters", "organise": "organize", "multicoloured": "multicolored",
+    "storey": "story", "storeys": "stories",
     "courses": "layers",
     "merely": "only", "solely": "only", "purely": "only", "whereby": "where", "unto": "onto", "him": "it",
     "upto": "up to",
     "invert": "reverse", "inverts": "reverses", "inverted": "reversed", "inverting": "reversing",
+    "box": "block", "boxes": "blocks", "brick": "block", "bricks": "blocks",
     "policy": "agent", "controller": "agent", "planner": "agent", "learner": "agent",
 }  # fmt: skip
 """Spellings that are read as one."""

@@ -103,7 +103,9 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         if not scene.built and any(m.clause < scene.clause for m in scene.mentions):
             raise refuse("no-referent", "it is not said in which other one", shape.span, "name the place")
         shape = replace(shape, kind=scene.built[-1].kind if scene.built else "pile")
-    if shape.kind not in ("stack", "pile", "again") and any(p.unit == "stack" and p.different for p in spec.patterns):
+    counted = not shape.plural and shape.det == "a" and amount_of(shape.members) is not None  # "a tower of five blocks"
+    piles = ("stack", "pile", "again") if not counted else ()
+    if shape.kind not in piles and any(p.unit == "stack" and p.different for p in spec.patterns):
         raise refuse(
             "misplaced", f"a {shape.kind} for each colour is not understood", shape.span, f"name each {shape.kind}"
         )

@@ -14,7 +14,7 @@ from rpg.passes.schema.resolve.things.world import Built, Mention, Ref, Scene, S
 def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     """The blocks that "them" stands for: the last ones told together, else all of the last clause."""
     own = (
-        [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
+        [m for m in scene.mentions if m.clause == scene.clause and m.role in ("theme", "member")]
         if scope.role == "landmark"
         else []
     )

@@ -25,7 +25,7 @@ REGIONS = ("left_half", "right_half", "near_half", "far_half", "middle", "corner
 PAIRS = ("on", "above", "touching", "beside", "adjacent", "near", "apart")
 PLACES = ("on_table", "clear", "in_region", "on_patch", "empty")
 CHANGES = ("stayed", "moved", "swapped", "turned")
-KINDS = (*DIRECTIONS, *PAIRS, *PAIRS, *PLACES, "distance", "between", "stack", "row")
+KINDS = (*DIRECTIONS, *PAIRS, *PAIRS, *PLACES, "distance", "between", "closer", "equidistant", "stack", "row")
 
 
 def random_world(rng: Random) -> World:
@@ -92,7 +92,7 @@ def random_atom(world: World, rng: Random) -> g.Goal:
             "blocks": rng.sample(blocks, min(len(blocks), rng.choice((2, 3)))),
             "exact": rng.random() < 0.5,
         }
-    elif kind in ("between", "row"):
+    elif kind in ("between", "closer", "equidistant", "row"):
         some = rng.sample(blocks, min(3, len(blocks)))
         if len(some) < 3:
             return random_atom(world, rng)

@@ -19,7 +19,8 @@ CENTRE = (0.55, 0.0)
 MIRRORED = {"left_of": "right_of", "right_of": "left_of"}
 TURNED = {"left_of": "in_front_of", "in_front_of": "right_of", "right_of": "behind", "behind": "left_of"}
 """A quarter turn counter-clockwise from above takes what is on the left (+y) to the front (-x)."""
-INVARIANT = ("on", "above", "touching", "beside", "adjacent", "near", "apart", "on_table", "clear", "between", "stack")
+INVARIANT = ("on", "above", "touching", "beside", "adjacent", "near", "apart", "on_table", "clear", "between", "stack",
+             "closer", "equidistant")  # fmt: skip
 some = settings(max_examples=80, deadline=None, derandomize=True)
 SEEDS = st.integers(min_value=0, max_value=2**32)
 

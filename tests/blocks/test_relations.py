@@ -231,6 +231,62 @@ def test_between_in_a_tower_is_vertical() -> None:
 
 
 @pytest.mark.parametrize(
+    ("blue", "holds"),
+    [
+        (At(X, 0.05), True),
+        (At(X, 0.005), True),
+        (At(X, 0.0049), False),
+        (At(X, 0.0), False),
+        (At(X, -0.05), False),
+        (At(X, 0.2), True),
+        (At(X + 0.3, 0.01), False),
+        (At(X, 0.1, E), True),
+    ],
+)
+def test_closer(blue: At, holds: bool) -> None:
+    ends = {"red": At(X, 0.1), "green": At(X, -0.1), "blue": blue}
+    assert judge("closer", {"a": "blue", "b": "red", "c": "green"}, ends) is holds
+
+
+def test_closer_is_each_of_some_to_each_and_any_of_others() -> None:
+    blocks = {"red": At(X, 0.1), "green": At(X, -0.1), "blue": At(X, 0.04), "yellow": At(X, 0.18)}
+    assert judge("closer", {"a": ["blue", "yellow"], "b": "red", "c": "green"}, blocks)
+    assert judge("closer", {"a": "blue", "b": ["red"], "c": ["green", "yellow"]}, blocks)
+    assert not judge("closer", {"a": "blue", "b": ["red", "green"], "c": "yellow"}, blocks)
+    assert not judge("closer", {"a": "blue", "b": "red", "c": "green", "by": 0.1}, blocks)
+    assert judge("closer", {"a": "spot", "b": "red", "c": "green"}, blocks)
+    assert judge("closer", {"a": "green", "b": "mat", "c": "spot"}, blocks)
+
+
+@pytest.mark.parametrize(
+    ("blue", "holds"),
+    [
+        (At(X, 0.0), True),
+        (At(X, 0.0049), True),
+        (At(X, 0.0051), False),
+        (At(X + 0.1, 0.0), True),
+        (At(X + 0.1, 0.02), False),
+        (At(X, 0.2), False),
+    ],
+)
+def test_equidistant(blue: At, holds: bool) -> None:
+    ends = {"red": At(X, 0.1), "green": At(X, -0.1), "blue": blue}
+    for b, c in (("red", "green"), ("green", "red"), ("spot", "mat")):
+        near = ends if b != "spot" else {"blue": At(blue.x - X + 0.55, blue.y)}
+        assert judge("equidistant", {"a": "blue", "b": b, "c": c}, near) is holds
+
+
+def test_equidistant_from_three_is_from_all_of_them() -> None:
+    ends = {"red": At(X, 0.1), "green": At(X, -0.1), "blue": At(X, 0.0)}
+    node = {"a": "blue", "b": "red", "c": ["green", "yellow"]}
+    assert judge("equidistant", node, {**ends, "yellow": At(X + 0.1, 0.0)})
+    assert not judge("equidistant", node, {**ends, "yellow": At(X + 0.12, 0.0)})
+    foot = {"lowest": ["yellow", "green"]}
+    tower = {**ends, "yellow": At(X, -0.08, E)}
+    assert judge("equidistant", {"a": "blue", "b": "red", "c": foot}, tower)
+
+
+@pytest.mark.parametrize(
     ("region", "inside", "outside"),
     [
         ("left_half", At(X, 0.02), At(X, 0.0199)),

@@ -120,7 +120,17 @@ def _place(rng: Random, free: list[Block], patches: list[GoalPatch]) -> g.Goal |
 
 def _between(rng: Random, free: list[Block], patches: list[GoalPatch]) -> g.Goal | None:
     names = _take(free, 3)
-    return None if names is None else g.Between(a=names[0], b=names[1], c=names[2])
+    if names is None:
+        return None
+    a, b, c = names
+    mat = patches[0].name
+    kinds: list[Callable[[], g.Goal]] = [
+        lambda: g.Between(a=a, b=b, c=c), lambda: g.Closer(a=a, b=b, c=c), lambda: g.Equidistant(a=a, b=b, c=c),
+        lambda: g.Closer(a=mat, b=a, c=b), lambda: g.Equidistant(a=mat, b=a, c=b), lambda: g.Closer(a=a, b=mat, c=c),
+        lambda: g.Not(goal=g.Closer(a=a, b=b, c=c)), lambda: g.Not(goal=g.Equidistant(a=a, b=b, c=c)),
+        lambda: g.Closer(a=a, b=b, c=c, by=0.05), lambda: g.Equidistant(a=a, b=b, c=(c, mat)),
+    ]  # fmt: skip
+    return rng.choice(kinds)()
 
 
 def _line(rng: Random, free: list[Block], patches: list[GoalPatch]) -> g.Goal | None:

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
+from itertools import product
 from typing import Any
 
 from rpg.blocks.state import World, look_of
 from rpg.blocks.symmetry import Canonical, interchangeable, namings
 from rpg.ir import goal as g
 from rpg.ir.assets import Asset, GoalPatch
-from rpg.ir.node import Highest, Lowest
+from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.order import Order
-from rpg.ir.relations import Apart, Clear, On
+from rpg.ir.relations import Apart, Clear, Closer, On
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import instances, rename, transform
 
-EACH_FOR_ITSELF = frozenset({"on_patch", "on_table", "in_region", "clear", "stayed", "moved"})
+EACH_FOR_ITSELF = frozenset({"on_patch", "on_table", "in_region", "clear", "stayed", "moved", "equidistant"})
 """Atoms that say the same of each of their blocks."""
 
 
@@ -73,6 +74,8 @@ def _normal(node: g.Goal) -> g.Goal:
             return node.model_copy(update={"order": node.order.model_copy(update={"descending": False})})
         case Apart():
             return _pairwise_apart(node)
+        case Closer():
+            return _one_by_one(node)
     if node.kind in EACH_FOR_ITSELF:
         operand: Any = node.a  # type: ignore[union-attr]
         if not isinstance(operand, Lowest | Highest) and len(operand) > 1:
@@ -86,6 +89,15 @@ def _pairwise_apart(node: Apart) -> g.Goal:
         return node
     pairs = (node.model_copy(update={"a": (a,), "b": (b,)}) for a in node.a for b in node.b)
     return _flat(g.All(goals=tuple(pairs)))
+
+
+def _one_by_one(node: Closer) -> g.Goal:
+    """Each of some is closer to each of some others than to any of a third lot when each three of them are so."""
+    operands = (node.a, node.b, node.c)
+    if any(isinstance(operand, Lowest | Highest) for operand in operands):
+        return node
+    triples = product(*(members(operand) for operand in operands))
+    return _flat(g.All(goals=tuple(node.model_copy(update={"a": (a,), "b": (b,), "c": (c,)}) for a, b, c in triples)))
 
 
 def _denied(goal: g.Goal) -> g.Goal:

@@ -216,6 +216,10 @@ class Canonical:
             fields["order"] = rest, min(ranks, ranks[::-1])
         elif atom.kind == "between":
             fields["b"], fields["c"] = sorted((fields["b"], fields["c"]), key=repr)
+        elif atom.kind == "equidistant" and isinstance(atom.b, tuple) and isinstance(atom.c, tuple):
+            fields["b"], fields["c"] = sorted(mapping.get(n, n) for n in (*atom.b, *atom.c)), ()
+        elif atom.kind == "equidistant":
+            fields["b"], fields["c"] = sorted((fields["b"], fields["c"]), key=repr)
         elif atom.kind == "group_by":
             fields["groups"] = sorted(fields["groups"])
         elif atom.kind == "swapped":

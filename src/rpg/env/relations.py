@@ -15,8 +15,10 @@ from rpg.ir.relations import (
     Beside,
     Between,
     Clear,
+    Closer,
     Distance,
     Empty,
+    Equidistant,
     Facing,
     InFrontOf,
     InRegion,
@@ -212,6 +214,17 @@ class Relations(Atoms):
         Where the three stand in one tower, `a` is between the other two in height.
         """
         return self._atom(Between, a=a, b=b, c=c, within_edges=within_edges)
+
+    def closer(self, a: Where, b: Where, c: Where, *, by: float = 0.01) -> Verdict:
+        """Each of `a` is closer to each of `b` than to any of `c`: in the plane, between centres, by at least `by`."""
+        return self._atom(Closer, a=a, b=b, c=c, by=by)
+
+    def equidistant(self, a: Where, b: Where, c: Where, *, tolerance: float = 0.01) -> Verdict:
+        """Each of `a` is at the same distance from all of `b` and `c`.
+
+        Between centres in the plane, these differ by at most `tolerance`.
+        """
+        return self._atom(Equidistant, a=a, b=b, c=c, tolerance=tolerance)
 
     def in_region(self, a: Where, region: Region) -> Verdict:
         """Each of `a` has its centre in a region of the table, as the viewer names it."""

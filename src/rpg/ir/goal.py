@@ -19,8 +19,10 @@ from rpg.ir.relations import (
     Beside,
     Between,
     Clear,
+    Closer,
     Distance,
     Empty,
+    Equidistant,
     Facing,
     InFrontOf,
     InRegion,
@@ -94,7 +96,8 @@ class Always(Node):
 
 Atom = (
     On | Above | OnTable | Clear | OnPatch | Empty | LeftOf | RightOf | InFrontOf | Behind | Beside | Adjacent
-    | Touching | Near | Apart | Distance | Between | InRegion | Facing | Stayed | Moved | Swapped | Turned
+    | Touching | Near | Apart | Distance | Between | Closer | Equidistant | InRegion | Facing
+    | Stayed | Moved | Swapped | Turned
     | Stack | Towers | Row | Grid | Pyramid | Staircase | Figure | GroupBy | Spells | Equation
 )  # fmt: skip
 Goal = Annotated[Atom | All | Any | Not | Count | Sequence | Always, Field(discriminator="kind")]

@@ -172,6 +172,29 @@ class Between(Node):
     within_edges: Edges = 1.0
 
 
+class Closer(Node):
+    """Each of `a` is closer to each of `b` than to any of `c`: in the plane, between centres, by at least `by`."""
+
+    kind: Literal["closer"] = "closer"
+    a: Operand
+    b: Operand
+    c: Operand
+    by: Metres = 0.01
+
+
+class Equidistant(Node):
+    """Each of `a` is at the same distance from all of `b` and `c`.
+
+    Between centres in the plane, these differ by at most `tolerance`.
+    """
+
+    kind: Literal["equidistant"] = "equidistant"
+    a: Operand
+    b: Operand
+    c: Operand
+    tolerance: Metres = 0.01
+
+
 class InRegion(Node):
     """Each of `a` has its centre in a region of the table, as the viewer names it."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import combinations, islice
+from itertools import combinations, islice, product
 from typing import NamedTuple
 
 from rpg.blocks.predicates.facing import directions
@@ -17,6 +17,7 @@ from rpg.ir.relations import (
     Behind,
     Between,
     Clear,
+    Closer,
     Empty,
     Facing,
     InFrontOf,
@@ -126,6 +127,10 @@ def _parts(atom: g.Atom) -> Iterator[g.Atom]:
             if len(pairs) > 1 and not getattr(atom, "immediate", False):
                 loose = {} if isinstance(atom, Apart) else {"somewhere": True}
                 yield from (atom.model_copy(update={"a": (a,), "b": (b,), **loose}) for a, b in pairs)
+        case Closer():
+            if not any(isinstance(operand, Lowest | Highest) for operand in (atom.a, atom.b, atom.c)):
+                triples = product(members(atom.a), members(atom.b), members(atom.c))
+                yield from (atom.model_copy(update={"a": (a,), "b": (b,), "c": (c,)}) for a, b, c in triples)
         case _:
             return
 

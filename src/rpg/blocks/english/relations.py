@@ -145,6 +145,39 @@ def between(node: r.Between, say: Speaker) -> str:
     return f"{subject} between {say.the(node.b)} and {say.the(node.c)}"
 
 
+def closer(node: r.Closer, say: Speaker) -> str:
+    by = "" if node.by == 0.01 else f"at least {cm(node.by)} "
+    if _marked(node.a, say):
+        subject = f"{say.the(node.b)} {say.be(node.b)} {by}closer to {say.the(node.a)}"
+        return f"{subject} than {_any_of(node.c, say)} is"
+    subject = f"{say.the(node.a)} {say.be(node.a)} {by}closer to "
+    one = say.the(node.b) if say.single(node.b) else f"each of {say.the(node.b)}"
+    return f"{subject}{one} than to {_any_of(node.c, say)}"
+
+
+def _any_of(operand: Operand, say: Speaker) -> str:
+    return say.the(operand) if say.single(operand) else f"any of {say.the(operand)}"
+
+
+def equidistant(node: r.Equidistant, say: Speaker) -> str:
+    if _marked(node.a, say):
+        be = say.be((*members(node.b), *members(node.c)))
+        return f"{_ends(node, say)} {be} at the same distance from {say.the(node.a)}"
+    each = "" if say.single(node.a) else " each"
+    return f"{say.the(node.a)} {say.be(node.a)}{each} at the same distance from {_ends(node, say)}"
+
+
+def _ends(node: r.Equidistant, say: Speaker) -> str:
+    if isinstance(node.b, Lowest | Highest) or isinstance(node.c, Lowest | Highest):
+        return f"{say.the(node.b)} and {say.the(node.c)}"
+    return say.the((*node.b, *node.c))
+
+
+def _marked(operand: Operand, say: Speaker) -> bool:
+    """Whether this is one patch, of which nothing is said but with respect to blocks."""
+    return len(members(operand)) == 1 and members(operand)[0] in say.world.patches
+
+
 def in_region(node: r.InRegion, say: Speaker) -> str:
     return f"{say.the(node.a)} {say.be(node.a)} {REGIONS[node.region]}"
 
@@ -217,6 +250,8 @@ TABLE: dict[str, Any] = {
     "apart": apart,
     "distance": distance,
     "between": between,
+    "closer": closer,
+    "equidistant": equidistant,
     "in_region": in_region,
     "facing": facing,
     "stayed": stayed,

@@ -25,6 +25,8 @@ TEMPLATES = {
     "apart": "{a}_apart_from_{b}",
     "distance": "{a}_distance_to_{b}",
     "between": "{a}_between_{b}_and_{c}",
+    "closer": "{a}_closer_to_{b}_than_{c}",
+    "equidistant": "{a}_as_far_from_{b}_as_{c}",
     "in_region": "{a}_in_{region}",
     "facing": "{block}_facing_{toward}",
     "swapped": "{a}_and_{b}_swapped",

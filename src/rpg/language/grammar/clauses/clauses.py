@@ -7,6 +7,7 @@ from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.addressed import addressed
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.clauses.becoming import staying
+from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
@@ -22,7 +23,6 @@ from rpg.language.grammar.clauses.wheres import is_where, trading_places
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.gaps import gap
 from rpg.language.grammar.places.held import LEADS, THE_ONE, by_block, held, of_its
-from rpg.language.grammar.places.offsets import centering
 from rpg.language.grammar.places.piled import piled
 from rpg.language.grammar.structures.details import part_clause
 from rpg.language.grammar.structures.each_color import of_each_color
@@ -91,7 +91,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield from covered(p, i)
         yield from addressed(p, i)
     yield from gap(p, i)
-    yield from centering(p, i)
+    yield from measuring(p, i, when)
     yield from trading_places(p, i)
     yield from state(p, i, when)
     for there, j in exists(p, i):

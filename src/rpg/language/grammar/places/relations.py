@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.against import against_side
+from rpg.language.grammar.places.compared import compared
 from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
 from rpg.language.grammar.places.measures import bounds, limited, measured, measured_bare, measured_so
@@ -72,6 +73,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from neither(p, i)
     yield from flanking(p, i)
     yield from diagonal(p, i)
+    yield from compared(p, i)
     if p.stands(i, ("per",)) and p.peek(i + 1, lexicon.PATCH) is False:
         each = Noun(head="patch", det="each", span=p.span(i, i + 2))
         yield Loc(rel="on", landmark=each, span=each.span), p.reach(i + 2)

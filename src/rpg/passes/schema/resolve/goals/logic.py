@@ -26,6 +26,11 @@ def disj(goals: list[g.Goal], span: Span | None = None) -> g.Goal:
     return goals[0] if len(goals) == 1 else g.Any(goals=tuple(goals), span=span)
 
 
+def denied(goal: g.Goal, span: Span | None = None) -> g.Goal:
+    """That a goal does not hold; what is denied twice does."""
+    return goal.goal if isinstance(goal, g.Not) else g.Not(goal=goal, span=span)
+
+
 Wholes = Collection[frozenset[str]]
 """Structures, which are somewhere or not as a whole."""
 _OF_EACH = r.OnPatch | r.OnTable | r.InRegion | r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.Stayed | r.Moved

@@ -99,6 +99,7 @@ def of_the_other(ref: Ref, spec: Spec) -> None:
     """What is said of blocks "to each other" beside a place: of one block, it is said of what that is placed by."""
     _gapless(spec)
     _whose_side(spec)
+    _which_or_where(ref, spec)
     _alone(ref, spec)
     if len(ref.names) == 1:
         _merge_distance(spec)
@@ -112,6 +113,23 @@ def _whose_side(spec: Spec) -> None:
         if its and touched and two.span[0] - one.span[1] < 2:
             raise refuse("ambiguous", "it is not clear on whose side this is", two.span,
                          "say it of one of the two in a sentence of its own")  # fmt: skip
+
+
+COMPARED = frozenset({"closer", "farther", "as_far", "closest", "farthest"})
+"""Places that are told by two distances."""
+
+
+def _which_or_where(ref: Ref, spec: Spec) -> None:
+    """Refuse "put the block closer to red than to blue on the mat": which block (or mat) is meant, or where it goes?"""
+    told = [p for p in spec.places if isinstance(p, Loc) and p.rel in COMPARED]
+    others = [p for p in spec.places if p not in told]
+    for place in told if others else ():
+        behind = any(isinstance(p, Loc) and p.span[1] + 1 == place.span[0] and not isinstance(p.landmark, TableTop)
+                     for p in others)  # fmt: skip
+        apposed = ref.span[1] + 1 == place.span[0] and any(p.span[0] == place.span[1] + 1 for p in others)
+        if behind or apposed:
+            raise refuse("ambiguous", "does this say which one is meant, or where it goes?", place.span,
+                         "say it in a sentence of its own")  # fmt: skip
 
 
 def _alone(ref: Ref, spec: Spec) -> None:

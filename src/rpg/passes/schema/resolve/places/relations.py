@@ -15,10 +15,12 @@ from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, non
 from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.centred import centred_on
+from rpg.passes.schema.resolve.places.compared import compared as compared_far
 from rpg.passes.schema.resolve.places.corners import corners, of_something_else, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
 from rpg.passes.schema.resolve.places.moved import off_what, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
+    COMPARED,
     among_themselves,
     check_further,
     none_another,
@@ -127,6 +129,8 @@ def _region(theme: Ref, region: str, span: Span) -> g.Goal:
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if loc.landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
+    if loc.rel in COMPARED:
+        return compared_far(theme, loc, scene, scope, span)
     check_bodies(theme, loc, scene)
     check_further(theme, loc.landmark, scene)
     denied = loc.negated or scene.denying

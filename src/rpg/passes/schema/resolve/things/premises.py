@@ -9,7 +9,7 @@ from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Coord, In, Loc, Manner
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout
 from rpg.passes.schema.resolve.goals.conflicts import required
-from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.goals.logic import conj, denied
 from rpg.passes.schema.resolve.places.alone import beyond
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.things.things import Premise
@@ -30,7 +30,7 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
             scene.assume("there is no other block that could be there")
         elif not others:
             raise refuse("no-referent", "there is no other block", alone.span, "say which other blocks there are")
-        kept += [g.Not(goal=alone.there(n), span=alone.span) for n in others]
+        kept += [denied(alone.there(n), alone.span) for n in others]
     still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()
     if still:
         kept.append(r.Stayed(a=still))

@@ -88,7 +88,7 @@ VERBS = {
     "heave hoist install wedge fit slot squeeze center pack squish squash cram jam plonk toss",
     "pick": "pick grab grasp lift take find choose select",
     "stack": "stack pile heap restack",
-    "build": "build make create construct form assemble erect produce compose draw rebuild shape",
+    "build": "build make create construct form assemble erect produce compose draw rebuild shape complete",
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
     "set rearrange",
     "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch merge "

@@ -13,6 +13,7 @@ from rpg.language.grammar.places.onto import piled_up
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.structures.apposed import apposed_blocks
+from rpg.language.grammar.structures.arising import arising
 from rpg.language.grammar.structures.each import each_led
 from rpg.language.grammar.structures.each_line import each_line
 from rpg.language.grammar.structures.limbs import LIMBED, LIMBS, limb
@@ -239,6 +240,7 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
         yield Into(structure=Structure(kind="equation", span=p.span(i, j)), span=p.span(i, j)), j
     if p.follows(i, (",",)) and (j := p.any_of(i, _STACKED)) and (j >= p.end or p.words[j] in _AFTER_STACKED):
         yield Into(structure=Structure(kind="stack", det="a", span=p.span(i, j)), span=p.span(i, j)), j
+    yield from arising(p, i)
     for _, j in p.standing(i, _INTO):
         for target, k in simple(p, j):
             ordered = p.words[k] == "order" and getattr(target, "kind", "") == "gradient"  # "in rainbow order: ..."
@@ -367,11 +369,20 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
             if p.words[j - 1] in ("ever", "never"):
                 clauses = replace(clauses, clauses=tuple(map(_ever, clauses.clauses)))
             yield That(kind="without", clauses=clauses, span=p.span(i, k)), k
+    bare = p.one(comma, "without") if p.rarely(_BEING) else 0
+    for theme, k in noun_phrase(p, bare) if bare else ():
+        done = p.one(k, _BEING)
+        for sense, lemma, form in (p.lex(done, lexicon.VERB) or ()) if done else ():
+            if form == "past":  # "without the red one being moved"
+                said = Clause(verb=sense, lemma=lemma, theme=theme, span=p.span(i, done + 1))
+                yield That(kind="without", clauses=Chain(clauses=(said,), links=("and",), span=said.span),
+                           span=said.span), done + 1  # fmt: skip
     if j := p.any_of(comma, ("while keeping", "while leaving", "keeping", "leaving", "but keep", "but leave")):
         for clauses, k in gerund_clause(p, j - 1):
             yield That(kind="while", clauses=clauses, span=p.span(i, k)), k
 
 
+_BEING = frozenset({"being"})
 _WITHOUT = ("without", "without ever", "while not", "while never", "but without", "and without", "never", "but never")
 
 

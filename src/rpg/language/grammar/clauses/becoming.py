@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.made import made
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.things.lists import listed
@@ -28,7 +29,9 @@ from rpg.language.meaning import (
 
 _IS = ("is to be", "are to be", "is", "are", "be", "being", "gets", "get")
 _THERE = frozenset({"seen", "shown", "visible", "present", "needed", "required", "wanted", "desired", "expected",
-                    "observed", "displayed"})  # fmt: skip
+                    "observed", "displayed", "provided", "presented", "legible", "readable", "read"})  # fmt: skip
+_GIVEN = frozenset({"provided", "present"})
+"""Of blocks these tell that there are such."""
 _EXISTS = frozenset({"appear", "exist"})
 _CONSISTS = (
     "consists of", "consist of", "is made of", "is made from", "is made up of", "is made out of", "is composed of",
@@ -90,6 +93,9 @@ def _there(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tup
     if not j:
         return
     shaped = isinstance(theme, Structure)
+    if isinstance(theme, Noun) and theme.det in ("a", "bare") and p.words[j - 1] in _GIVEN:
+        yield Clause(verb="exist", theme=theme, mode="given", span=p.span(i, j), cost=1), j
+    yield from made(p, i, j, theme, Clause(verb="build", mode=mode, span=p.span(i, j)))
     for found, end in adjuncts(p, j):
         if found or shaped:
             verb = "build" if shaped else "be"

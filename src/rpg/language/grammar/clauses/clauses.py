@@ -6,12 +6,22 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.addressed import addressed
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
+from rpg.language.grammar.clauses.ahead import (
+    WAY,
+    at_place,
+    done_last,
+    goes_with,
+    in_each_hue,
+    of_a_place,
+    of_hues,
+)
 from rpg.language.grammar.clauses.becoming import staying
 from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
+from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.sole import just_these
 from rpg.language.grammar.clauses.states import state
@@ -40,7 +50,6 @@ from rpg.language.grammar.things.standby import leads
 from rpg.language.grammar.things.stock import stock
 from rpg.language.meaning import (
     At,
-    Chain,
     Clause,
     Coord,
     In,
@@ -49,6 +58,7 @@ from rpg.language.meaning import (
     Manner,
     Meaning,
     Noun,
+    OrderBy,
     Pronoun,
     Structure,
     That,
@@ -102,6 +112,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from having(p, i, when)
     yield from occupied(p, i, when)
     yield from on_what_is_named(p, i, when)
+    yield from told_before(p, i, when)
     if mode != "start":
         yield from part_clause(p, i)
         yield from structure_is(p, i)
@@ -140,6 +151,10 @@ def _what(p: Parser, i: int, mode: str) -> Results[Clause]:
 @rule
 def _for_each(p: Parser, i: int) -> Results[Meaning]:
     """ "for each patch, put a red block on it": said of each of them."""
+    for hues, k in in_each_hue(p, i):
+        for found, end in _plain(p, k, "any"):
+            if (each_hue := of_hues(found, hues)) is not None:
+                yield replace(each_hue, span=p.span(i, end)), end
     j = p.one(i, "for")
     for each, k in simple(p, j) if j and p.words[j] in ("each", "every") else ():
         if not isinstance(each, Noun) or each.head != "patch":
@@ -162,11 +177,11 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         for second, k in adjunct(p, j) if isinstance(first, Loc) and p.stands(j, LEADS) else ():
             if (lying := held(p, j, first, second)) is not None:
                 there = stands_there(p, i, p.opt(k, ","), first, mode)
-                told = [*there, *((_at(found, first), end) for found, end in _plain(p, p.opt(k, ","), mode))]
-                yield from ((_at(found, lying), end) for found, end in told)
+                told = [*there, *((at_place(found, first), end) for found, end in _plain(p, p.opt(k, ","), mode))]
+                yield from ((at_place(found, lying), end) for found, end in told)
         for found, k in _fronted(p, j + 1, mode) if p.stands(j, ("and",)) else ():
-            if isinstance(first, Loc) and isinstance(found, Clause) and _goes_with(first, found):
-                yield _at(found, first), k
+            if isinstance(first, Loc) and isinstance(found, Clause) and goes_with(first, found):
+                yield at_place(found, first), k
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
         where = isinstance(first, Loc | In | At) or _both_places(first)
@@ -175,16 +190,16 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         if where and p.words[i] != "separately":
             yield from stands_there(p, i, j, first, mode)
         placed = where or isinstance(first, Toward) or (isinstance(first, That) and first.kind in ("without", "while"))
-        again = placed and p.words[j - 1] == ","
+        again = (placed and p.words[j - 1] == ",") or (isinstance(first, OrderBy | Into) and p.stands(j, WAY))
         further = ((of_its(x, first), k) for x, k in _fronted(p, j, mode)) if again else ()
         wished = [start for start, kind in _frames(p, j) if start > j and kind in _SEEN] if placed else ()
         for start in wished if where else ():
             yield from stands_there(p, i, start, first, mode)
         found_all = [x for start in wished for x in _plain(p, start, mode)]
-        for found, end in [*_plain(p, j, mode), *further, *found_all]:
+        for found, end in [*_plain(p, j, mode), *further, *found_all, *done_last(p, j, mode)]:
             if isinstance(first, Into) and isinstance(found, Clause) and found.verb == "part":
                 yield replace(found, verb="build", theme=first.structure, span=p.span(i, end)), end
-            elif isinstance(first, Into) and (inside := _of_a_place(first, found)) is not None:
+            elif isinstance(first, Into) and (inside := of_a_place(first, found)) is not None:
                 so = That(kind="so", clauses=inside, span=found.span)
                 line = first.structure
                 when = "start" if mode == "start" else "goal"
@@ -202,31 +217,6 @@ _SEEN = frozenset({"state", "end", "command"})
 def _both_places(first: Meaning) -> bool:
     """ "behind and to the left of it", "to the front left of it"."""
     return isinstance(first, Coord) and all(isinstance(x, Loc | In | Coord) for x in first.items)
-
-
-_OPPOSITES = frozenset({"left", "right"}), frozenset({"front", "behind"})
-
-
-def _goes_with(first: Loc, found: Clause) -> bool:
-    """ "In front of A and to the left of B, C shall be found": a further place of it, which may well be at both."""
-    others = [a for a in found.adjuncts if isinstance(a, Loc | In)]
-    rels = {first.rel, *(a.rel for a in others if isinstance(a, Loc))}
-    return len(others) == 1 and len(rels) == 2 and rels not in _OPPOSITES and found.verb in ("be", "place")
-
-
-def _at(found: Meaning, place: Meaning) -> Meaning:
-    """A clause with a place that was said before it."""
-    return replace(found, adjuncts=(*found.adjuncts, place)) if isinstance(found, Clause) else found
-
-
-def _of_a_place(first: Into, found: Meaning) -> Chain | None:
-    """ "in a row of red, blue and green, the red one is (not) at the left end": what is where in it."""
-    inside = found if isinstance(found, Chain) else Chain(clauses=(found,), links=("and",), span=found.span)
-    for one in inside.clauses:
-        placed = one.adjuncts if isinstance(one, Clause) and one.verb == "be" else ()
-        if not placed or not all(isinstance(a, At) for a in placed):
-            return None
-    return inside if isinstance(first.structure, Structure) and first.structure.members is not None else None
 
 
 _NO_PLACE = frozenset({"there", "besides", "apart", "aside"})

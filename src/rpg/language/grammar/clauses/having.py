@@ -47,11 +47,14 @@ _HAS = (
     "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have",
     "ends up with", "gets",
     "get", "should get", "needs", "should end up with", "must end up with", "should be left with",
+    *(f"{must} {so} have" for must in ("should", "must", "shall", "has to", "is to") for so in ("finally", "also")),
+    "is to have",
 )  # fmt: skip
 _IS_FOR = ("is for", "are for", "is reserved for", "is meant for", "is the place for", "takes", "should take", "for")
 _SHARE = ("share", "shares", "should share", "must share", "have to share", "are to share", "shall share")
 _CARRIES = (
-    "holds up", "hold up", "should hold up", "must hold up", "has to carry", "has to hold", "has to support",
+    "is to hold", "are to hold", "holds up", "hold up",
+    "should hold up", "must hold up", "has to carry", "has to hold", "has to support",
     "is to carry", "is to support", "needs to carry", "shall carry", "shall hold", "shall support", "shall contain",
     "shall bear", "is carrying", "is supporting", "is holding",
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
@@ -61,7 +64,12 @@ _NONE = ("none at all", "none")
 _OF_TWO = ("the former", "the latter")
 _IS = ("is", "should be", "must be", "shall be", "has to be", "is to be", "goes", "should go", "reads", "should read",
        "will be", "needs to be", "consists of", "is made of", "is built of", "must go")  # fmt: skip
-_ARE = (*_IS, "are", "have to be", "are to be", "go", "read")
+_MADE_UP = tuple(
+    f"{must} {made}"
+    for must in ("shall", "must", "should", "has to", "is to")
+    for made in ("be made up of", "be made of", "be formed by", "be formed of", "be composed of", "consist of")
+)
+_ARE = (*_IS, *_MADE_UP, "are", "have to be", "are to be", "go", "read")
 _MEMBERS = frozenset({"blocks", "cubes", "bricks", "boxes", "colors", "letters", "digits", "numbers"})
 
 
@@ -87,7 +95,7 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                     stated = _stated(p, i, start, *lying, mode)
                     yield stated, start
                     yield from _next_owner(p, i, start, stated, mode)
-                for found, end in adjuncts(p, start):
+                for found, end in adjuncts(p, p.opt(start, "resting", "lying", "standing", "sitting", "placed")):
                     if isinstance(owner, Structure) and owner.members is not None and _parts(found):
                         detail = Absolute(theme=theme, adjuncts=found, span=p.span(k, end))
                         built = Clause(verb="build", theme=owner, adjuncts=(detail,), mode=mode, span=p.span(i, end))
@@ -175,7 +183,7 @@ def _as_many(item: Meaning) -> int:
 
 def _told_along(p: Parser, j: int) -> Results[OrderBy]:
     """ "(the tower) starting from the top is gray, brown, pink"."""
-    for way, k in toward(p, p.opt(j, ",")):
+    for way, k in toward(p, p.opt(p.opt(j, ","), "read", "seen", "counted")):
         if not isinstance(way, Toward) or way.first is None:
             continue
         start = p.any_of(p.opt(k, ","), _ARE)

@@ -5,18 +5,18 @@ from __future__ import annotations
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.regions import named_regions
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Structure
+from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, Structure, That, replace
 
-_TOLD = frozenset({"occupied", "occupies", "occupy", "occupying", "taken"})
+_TOLD = frozenset({"occupied", "occupies", "occupy", "occupying", "taken", "reserved", "filled"})
 _OCCUPIES = tuple(
     f"{must}{verb}"
     for must in ("", "should ", "must ", "shall ", "has to ", "have to ", "is to ", "are to ", "will ", "both ", "all ")
     for verb in ("occupy", "occupies")
 )
 _BY = tuple(
-    f"{be}{verb} by"
+    f"{be}{verb}"
     for be in ("", "is ", "are ", "should be ", "must be ", "shall be ", "has to be ", "is to be ", "will be ", "gets ")
-    for verb in ("occupied", "taken", "taken up")
+    for verb in ("occupied by", "taken by", "taken up by", "reserved for", "filled by", "filled with")
 )
 
 
@@ -33,7 +33,21 @@ def occupied(p: Parser, i: int, mode: str) -> Results[Meaning]:
         start = p.any_of(j, _BY)
         for theme, end in noun_phrase(p, start) if start else ():
             if isinstance(theme, Noun | Coord | Structure):
-                yield _there(p, i, end, theme, place, mode), end
+                told = _there(p, i, end, theme, place, mode)
+                yield told, end
+                yield from _and_next(p, i, end, told, p.words[start - 1])
+
+
+def _and_next(p: Parser, i: int, at: int, first: Clause, by: str) -> Results[Clause]:
+    """ "(the far half is reserved for red,) the near half for blue": a second place with what is there."""
+    joint = p.opt(p.opt(at, ",", ";"), "and", "while")
+    for place, j in _place(p, joint) if joint > at else ():
+        for theme, end in noun_phrase(p, p.one(j, by)) if p.stands(j, (by,)) else ():
+            if isinstance(theme, Noun | Coord | Structure):
+                second = replace(_there(p, joint, end, theme, place, first.mode), cost=0)
+                told = That(kind="so", clauses=Chain(clauses=(second,), links=("and",), span=second.span),
+                            span=second.span)  # fmt: skip
+                yield replace(first, adjuncts=(*first.adjuncts, told), span=p.span(i, end)), end
 
 
 def _place(p: Parser, i: int) -> Results[Meaning]:

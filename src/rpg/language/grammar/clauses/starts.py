@@ -7,7 +7,7 @@ from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.piled import piled
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, Structure, Traits, replace
+from rpg.language.meaning import Amount, Clause, Loc, Manner, Meaning, Noun, Pronoun, Structure, Traits, replace
 
 STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
           "start out", "initially is", "initially sits", "starts the episode")  # fmt: skip
@@ -89,6 +89,7 @@ _ALREADY = ("initially", "currently", "starting out", "starting", "beginning")
 
 def begun_with(p: Parser, i: int) -> Results[Clause]:
     """ "With the red block on the green one at the start, ...": how it begins. "Already" may mean the end too."""
+    yield from _begun_from(p, i)
     j = p.one(i, "with")
     for theme, k in noun_phrase(p, j) if j else ():
         told = p.any_of(k, _ALREADY)
@@ -100,3 +101,17 @@ def begun_with(p: Parser, i: int) -> Results[Clause]:
                 continue
             if comma > end and places and all(isinstance(a, Loc) for a in places) and (told or when):
                 yield Clause(verb="be", theme=theme, adjuncts=places, mode="start", span=p.span(i, end)), comma
+
+
+def _begun_from(p: Parser, i: int) -> Results[Clause]:
+    """ "From a(n initial) tower of three gray blocks, a row shall be made": how it begins."""
+    j = p.any_of(i, ("from", "out of"))
+    first = p.one(p.opt(j, "a", "an", "the"), ("initial", "existing", "given")) if j else 0
+    for theme, k in simple(p, first or j) if j else ():
+        line = isinstance(theme, Structure) and theme.kind in _LINES and theme.members is not None
+        if line and isinstance(theme, Structure) and not theme.plural and p.stands(k, (",",)):
+            told = replace(theme, det="a", amount=Amount(1, 1), span=p.span(i, k))
+            yield Clause(verb="exist", lemma="begun", theme=told, mode="given", span=p.span(i, k)), p.reach(k + 1)
+
+
+_LINES = frozenset({"stack", "row", "line", "column"})

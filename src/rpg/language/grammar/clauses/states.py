@@ -9,16 +9,18 @@ from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
 from rpg.language.grammar.clauses.denials import denied_of_all, leave, needless, stays
+from rpg.language.grammar.clauses.made import MADE, drawn, made, under
 from rpg.language.grammar.clauses.manners import direction, manner
 from rpg.language.grammar.clauses.nowhere import nowhere
+from rpg.language.grammar.clauses.reads import reads
 from rpg.language.grammar.clauses.sole import sole
 from rpg.language.grammar.clauses.starts import STARTS, perhaps_first, starts_as
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, spell, with_theme
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.structures.sizes import AS_HIGH
 from rpg.language.grammar.talk.framing import past
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import adjectives, of_quality
-from rpg.language.grammar.things.labels import digits_of, label_list, literal
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.grammar.things.printed import colored_cubes
 from rpg.language.grammar.things.retold import none_of, one_heap, some_of_which
@@ -26,14 +28,12 @@ from rpg.language.meaning import (
     At,
     Clause,
     Coord,
-    Loc,
     Manner,
     Meaning,
     Noun,
     Pronoun,
     Quality,
     Structure,
-    TableTop,
     Traits,
     Using,
     replace,
@@ -69,7 +69,7 @@ _PLACES = Classes(
     {
         "place": (
             "final|own|new|right|proper|correct|permanent|last|usual|end? "
-            "place|position|spot|location|home|seat|destination|resting_place",
+            "place|position|spot|location|home|seat|destination|resting_place|places|positions|locations",
         ),
         "its": ("its|their|a|the|his|her",),
     }
@@ -244,6 +244,8 @@ def _predicate_after_be(
         j = p.opt(told, "be") or j
         j += p.words[j] == "left" and p.words[j + 1] in ("on", "in", "there")
         readings = list(_predicate(p, i, j, theme, mode, negated))
+        if p.words[k] == "being":  # "a row of A and B, B being on the left": said of the row
+            readings = [(replace(c, cost=c.cost + int(_in_it(c))), e) for c, e in readings]
         return [(ever(c, lasting) if isinstance(c, Clause) else c, e) for c, e in readings]
     if k < p.end and p.words[k] in lexicon.POSTURE:
         if p.words[k] in ("stay", "stays", "remain", "remains") and (
@@ -270,6 +272,11 @@ def _predicate_after_be(
     return []
 
 
+def _in_it(found: Meaning) -> bool:
+    """Whether a clause tells of a place inside a structure."""
+    return isinstance(found, Clause) and bool(found.adjuncts) and isinstance(found.adjuncts[0], At)
+
+
 def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
     j = past(p, j)
     senses = p.lex(j, lexicon.VERB)
@@ -280,20 +287,31 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
             continue
         if lemma in ("take", "pull") and p.stands(j + 1, ("apart", "down")):
             sense = lemma = "unstack"
+        if isinstance(theme, Structure) and lemma in ("put", "set") and p.stands(j + 1, ("up",)):
+            sense = "build"
         if form == "past" or (form == "base" and lemma in ("put", "set", "spread", "split")):
-            end_particle = p.opt(j + 1, *PARTICLES) if p.words[j] not in ("put", "placed") else j + 1
+            away = sense == "build" or p.words[j] not in ("put", "placed")
+            end_particle = p.opt(j + 1, *PARTICLES) if away else j + 1
             for at_ in dict.fromkeys((j + 1, end_particle)):
-                for found, k in adjuncts(p, at_):
+                apart = [x for x in adjuncts(p, at_ + 1) if x[0]] if p.stands(at_, (",",)) else []
+                high = [((), k) for k in AS_HIGH.matches(p, at_)] if sense == "stack" else []
+                for found, k in [*adjuncts(p, at_), *apart, *high]:
                     if (
                         found
                         or sense in ("swap", "stack", "keep", "unstack")
                         or (sense in ("build", "arrange", "spell") and isinstance(theme, Structure))
                         or (lemma == "line" and p.words[at_ - 1] == "up")
+                        or lemma == "alphabetize"
                         or (negated and lemma in ("move", "touch", "disturb", "shift", "turn", "rotate", "spin"))
                     ):
                         done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, negated=negated, mode=mode,
                                       span=p.span(i, k))  # fmt: skip
                         yield replace(done, word=p.span(j, j + 1)), k
+                if sense in MADE:
+                    built = Clause(verb="build", lemma=lemma, negated=negated, mode=mode, span=p.span(i, at_))
+                    yield from made(p, i, at_, theme, replace(built, word=p.span(j, j + 1)))
+    yield from under(p, i, j, theme, Clause(verb="be", negated=negated, mode=mode, span=p.span(i, j)))
+    yield from drawn(p, i, j, theme, Clause(verb="build", negated=negated, mode=mode, span=p.span(i, j)))
     start = p.reach(j + 1) if j < p.end and p.words[j] in lexicon.POSTURE else j
     for found, k in adjuncts(p, start):
         if any(not isinstance(a, Manner) or a.kind != "respectively" for a in found):
@@ -348,37 +366,13 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
             faced, span = Manner(kind="facing", value=side, span=p.span(k, end)), p.span(i, end)
             yield Clause(verb="be", theme=theme, adjuncts=(faced,), negated=negated, mode=mode, span=span), end
     if j := p.one(k, ("read", "reads", "show", "shows", "say", "says", "spell", "spells")):
-        for told, end in _reads(p, i, j, theme, mode):
+        for told, end in reads(p, i, j, theme, mode):
             yield (replace(told, negated=negated) if isinstance(told, Clause) else told), end
     if j := p.one(k, _HAVE) or (k if p.words[k - 1] in _HAVE else 0):
         for traits, end in ((m, e) for m, e in of_quality(p, j - 1, "block")):
             quality = Quality(traits=Traits(**traits), span=p.span(k, end))
             said = Clause(verb="be", theme=theme, adjuncts=(quality,), mode=mode, span=p.span(i, end))
             yield replace(said, negated=negated), end
-
-
-def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
-    """ "The cubes read CAT": of them; "the mat should read CAT": on it; "the table reads CAT": wherever."""
-    using: tuple[Meaning, ...] = (Using(members=theme, span=theme.span),)
-    if isinstance(theme, Noun) and theme.head == "patch" and not theme.plural:
-        using = (Loc(rel="on", landmark=theme, span=theme.span),)
-    using = () if isinstance(theme, TableTop) else using
-    text = literal(p, j) or digits_of(p, j)
-    if text is not None and len(text) > 1:
-        word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
-        apart = [x for x in adjuncts(p, j + 2) if x[0]] if p.one(j + 1, ",") else []
-        for found, end in [*adjuncts(p, j + 1), *apart]:
-            yield Clause(verb="spell", theme=word, adjuncts=(*using, *found), mode=mode, span=p.span(i, end)), end
-    for (labels, more), k in label_list(p, j, True):
-        named = Noun(
-            head="block", plural=len(labels) > 1, traits=Traits(labels=labels, open_ended=more), span=p.span(j, k)
-        )
-        for found, end in adjuncts(p, k):
-            yield Clause(verb="read", theme=named, adjuncts=(*using, *found), mode=mode, span=p.span(i, end)), end
-    for other, k in noun_phrase(p, j):
-        if isinstance(other, Structure) and other.kind in ("word", "equation"):
-            for found, end in adjuncts(p, k):
-                yield Clause(verb="spell", theme=other, adjuncts=(*using, *found), mode=mode, span=p.span(i, end)), end
 
 
 @rule

@@ -54,6 +54,7 @@ def bearing(p: Parser, i: int, k: int, owner: Meaning) -> Results[Absolute]:
         yield Absolute(theme=theme, adjuncts=(on,), span=p.span(i, end)), end
 
 
+_AND_HAS = ("has", *(f"{must} have" for must in ("must", "should", "shall", "has to", "is to")))
 _AND_BEARS = (*_BEARS, *_BEAR, *(f"{must} {bear}" for must in ("must", "should", "has to", "is to") for bear in _BEAR))
 
 
@@ -62,6 +63,10 @@ def and_bears(p: Parser, i: int, before: Clause) -> Results[Clause]:
     if before.verb != "be" or not before.adjuncts or not isinstance(before.theme, Noun) or before.theme.plural:
         return
     same = Pronoun(word="same", span=before.theme.span)
+    for theme, k in simple(p, had) if (had := p.any_of(i, _AND_HAS)) else ():
+        if end := p.any_of(k, _ON_TOP):
+            on = Loc(rel="on", landmark=same, mods=("directly",), span=p.span(k, end))
+            yield Clause(verb="be", theme=theme, adjuncts=(on,), mode=before.mode, span=p.span(i, end)), end
     for on, theme, end in _carried(p, i, p.any_of(i, _AND_BEARS), same):
         yield Clause(verb="be", theme=theme, adjuncts=(on,), mode=before.mode, span=p.span(i, end), cost=1), end
 

@@ -8,6 +8,7 @@ from typing import Any, cast
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.measures import AMONG, NEXT, bounds, measured_so, room, their_ends
 from rpg.language.grammar.places.sides import at
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Spacing, That, Traits, replace
@@ -102,6 +103,9 @@ def _between_first(p: Parser, i: int) -> Results[Clause]:
         measures = {"": "", **_CENTERS}[" ".join(p.words[m:ends])]
         for (low, high), end, measure in _wide(p, j) if there else ():
             yield _far_apart(p, i, end, theme, low, high, measures or measure), end
+        for (low, high), end, measure in _wide(p, j) if j > k and not there else ():
+            for last in _REMAINS.matches(p, end):  # "between A and B, a gap of 5 cm shall be left"
+                yield _far_apart(p, i, last, theme, low, high, measures or measure), last
         for noun, measure, _, _ in _GAPS if not there else ():
             measure = measures or measure
             named = p.one(j, noun)
@@ -140,7 +144,12 @@ def _end_of(p: Parser, i: int) -> Iterator[tuple[Noun, str, int]]:
                 yield block, _ENDS_OF[phrase], k
 
 
-_REMAINS = ("remains", "is left", "is kept", "must remain", "should remain", "remain", "stays", "is", "should be")
+_REMAINS = Patterns(
+    "remains|remain|stays|is",
+    "is|are|must_be|should_be|shall_be|has_to_be|is_to_be|will_be left|kept|maintained|observed|provided|required?",
+    "must|should|shall remain|stay",
+)
+"""What may stand between how far things are apart and what these are."""
 
 
 def _left_between(p: Parser, i: int) -> Results[Clause]:
@@ -174,11 +183,15 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                     both = Coord(op="and", items=(one, two), span=p.span(k, end))
                     yield _far_apart(p, i, end, both, low, high, measure), end
     for (low, high), k, measure in spans:
-        if m := p.one(p.any_of(k, _REMAINS) or k, "between"):
+        if m := p.one(max(_REMAINS.matches(p, k), default=k), "between"):
             if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):
                 m, measure = centres, "centres"
             if faces := p.any_of(m, ("the faces of", "faces of", "the sides of")):
                 m, measure = faces, "faces"
+            for one, same, of in _end_of(p, m):
+                for two, other, end in _end_of(p, of + 1) if p.one(of, "and") else ():
+                    both = Coord(op="and", items=(one, two), span=p.span(m, end))
+                    yield from [(_far_apart(p, i, end, both, low, high, same), end)] if same == other else ()
             for ends, end in their_ends(p, m):
                 yield _far_apart(p, i, end, Pronoun(word="them", span=p.span(m, end)), low, high, ends), end
             for told, end in _parted(p, m):

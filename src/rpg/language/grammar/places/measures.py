@@ -358,7 +358,7 @@ def _spaced(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _GAPS_OF):
         measure = "centres" if _BY_FACES.isdisjoint(p.words[i:j]) else "faces"
         for (low, high), k in [*bounds(p, j), *(room(p, j) if measure == "faces" else ())]:
-            end = p.any_of(k, _BETWEEN_FACES) or k
+            end = p.any_of(k, _BETWEEN_FACES) or (p.any_of(k, _OF_CENTERS) if measure == "centres" else 0) or k
             yield from measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
     if j := p.any_of(i, _ROOM_FOR):
         for (low, high), k in room(p, j):

@@ -10,8 +10,13 @@ _SIMPLE = {
     "on to": "on", "upon": "on",
     "on": "on", "onto the top of": "on", "to the top of": "on", "over": "above", "above": "above",
     "over the top of": "above",
-    "on to the top of": "on", "at the top of": "on", "on the surface of": "on", "supported by": "on",
-    "carried by": "on", "to rest on": "on", "held up by": "on", "to the above of": "on", "on the upper face of": "on",
+    "on to the top of": "on", "at the top of": "on", "on the surface of": "on",
+    "to rest on": "on", "to the above of": "on", "on the upper face of": "on",
+    **{
+        f"{held}{close} by": "on"
+        for held in ("supported", "carried", "borne", "held up", "upheld")
+        for close in ("", " directly", " immediately")
+    },
     "on the top face of": "on", "on the upper side of": "on", "onto the upper face of": "on",
     "onto the top face of": "on", "higher than": "above", "higher up than": "above",
     "in": "in", "inside": "in", "inside of": "in", "into": "in", "within": "in", "at": "in", "to": "in",

@@ -78,7 +78,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
         each = Noun(head="patch", det="each", span=p.span(i, i + 2))
         yield Loc(rel="on", landmark=each, span=each.span), p.reach(i + 2)
     for (name, mods), j in relation(p, i):
-        if p.words[j - 1] == "by" and (p.figure(j) is not None or p.words[j] in _SORTED_BY):
+        if name == "beside" and p.words[j - 1] == "by" and (p.figure(j) is not None or p.words[j] in _SORTED_BY):
             continue
         ends = p.words[i + 1 : j] == ["the", "top", "of"] and p.words[i] == "at"
         for landmark, k in noun_phrase(p, j):

@@ -227,7 +227,7 @@ def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
             return
         if p.words[i] == "in" and k == j + 1 and p.stands(k, ("tower", "stack")):  # "in the left tower"
             return
-        of_it = p.seq(k, "of it") if side in ("top", "bottom", "middle") else 0
+        of_it = p.any_of(k, ("of it", "of which")) if side in ("top", "bottom", "middle") else 0
         yield At(side=side, span=p.span(i, k)), of_it or k
     counted = word in ("first", "last", *lexicon.ORDINAL)
     if counted and (k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))):

@@ -60,8 +60,10 @@ else:
 _IN_A_ROW = ("in a row", "in a line", "in one row", "standing in a row", "lined up", "in one line")
 
 
-def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
-    """A structure with what is said of its size, of its blocks, and of single ones among them."""
+def sized_members(p: Parser, i: int, j: int, base: Structure, by: bool = False) -> Results[Meaning]:
+    """A structure with what is said of its size, of its blocks, and of single ones among them.
+
+    `by`: "by" is what leads to its blocks, as behind "a tower shall be formed"."""
     many = base.amount.low if base.amount is not None else 0
     if base.plural and base.kind == "stack" and not base.details and (row := p.any_of(j, _IN_A_ROW)):
         into = Into(structure=Structure(kind="row", span=p.span(j, row)), span=p.span(j, row))
@@ -81,7 +83,7 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
         yield sized, k
         yield from gradient(p, i, k, sized) if base.kind == "gradient" and not sized.members else ()
         yield from _one_each(p, i, k, sized)
-        for whole, end in _members(p, i, k, sized):
+        for whole, end in _members(p, i, k, sized, by):
             yield whole, end
             yield from ((whole, tall) for tall in (AS_HIGH.matches(p, end) if base.kind == "stack" else ()))
             yield from counted_pile(p, i, end, whole)
@@ -96,7 +98,7 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
         yield from _sided(p, i, k, sized)
         for lot, end in each_of(p, k) if base.plural else ():
             yield replace(sized, details=(*sized.details, lot), span=p.span(i, end)), end
-        yield from _piled(p, i, k, sized)
+        yield from _piled(p, i, k, sized, by)
         yield from in_colors(p, i, k, sized)
         if base.kind in ("stack", "row", "line", "column"):
             for along, end in [*listed_in_turn(p, k), *listed_along(p, k)]:
@@ -109,10 +111,10 @@ def _of_so_many(base: Structure) -> int:
     return base.size.low if line and base.size is not None else 0
 
 
-def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+def _piled(p: Parser, i: int, k: int, base: Structure, by: bool) -> Results[Structure]:
     """ "a tower of red on green on blue"."""
     lead = p.any_of(k, (",", ":", "in which", "where", ", with", "that is", "which is", "that has", "having"))
-    lead = p.any_of(p.opt(k, ","), _PILED) or lead or p.any_of(k, _OF)
+    lead = p.any_of(p.opt(k, ","), _PILED) or lead or p.any_of(k, _OF) or (p.one(k, "by") if by else 0)
     lead = lead or (k if base.det in ("the", "a") and k < p.end and p.words[k] in lexicon.COLOR else 0)
     if not lead or base.kind != "stack" or base.plural or base.sizes or base.traits.colors:
         return
@@ -294,7 +296,7 @@ _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", 
        "containing", "using", "constructed from", "out of", "built with", "which consists of", "that consists of",
        "which is made of",
        "that is made of", "that consist of", "which consist of", "that are made of", "that contains",
-       "which contains", "made with", "with only", "from",
+       "which contains", "that uses", "which uses", "made with", "with only", "from",
        "built out of", "formed from", "constructed of", "for", "with",
        "full of", "filled with", "filled by")  # fmt: skip
 
@@ -315,10 +317,11 @@ _OF_EACH = (
 )  # fmt: skip
 
 
-def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
+def _members(p: Parser, i: int, j: int, base: Structure, by: bool) -> Results[Structure]:
     if base.filled is None and base.kind in ("square", "rectangle", "triangle") and p.stands(j, ("filled", "full")):
         base = replace(base, filled=True)
-    k = p.any_of(j, _OF) or p.any_of(p.opt(j, ","), _BUILT) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
+    by = by or (p.stands(j, ("by",)) and p.number(j + 1) is not None)
+    k = p.any_of(j, _OF) or p.any_of(p.opt(j, ","), _BUILT) or (p.one(j, "by") if by else 0)
     k = k or (p.any_of(p.opt(j, ","), _OF_EACH) if base.plural else 0)
     for members, end in noun_phrase(p, j + 1) if base.plural and not base.sizes and p.stands(j, (",", ":")) else ():
         last = p.any_of(end, _EACH) if isinstance(members, Noun) and members.det == "bare" and members.amount else 0

@@ -144,6 +144,7 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("with blocks of equal color next to each other", "by_color", {}),
     ("so that blocks of the same color are adjacent", "by_color", {}),
     ("so that no two neighbors have the same color", "alternating", {}),
+    ("in two alternating colors", "alternating", {}), ("of two alternating colors", "alternating", {}),
     ("so that no two neighboring blocks have the same color", "alternating", {}),
     ("with no two neighbors of the same color", "alternating", {}),
     ("so that neighbors have different colors", "alternating", {}),

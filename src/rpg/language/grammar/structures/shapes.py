@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.talk.slots import Patterns
 
 _LETTER_SHAPES = frozenset("LTVUX")
 
@@ -75,6 +76,11 @@ _FORMING = frozenset(
 )
 
 
+_TO_BE = Patterns("shall|must|should|has_to|is_to|will be", "is")
+_DRAWN = frozenset({"formed", "drawn", "shaped", "outlined"})
+"""What is done with a shape, and with no letter block: "the letter L shall be formed by four cubes"."""
+
+
 @choice
 def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
     """ "L shape", "shape of a T", "an L"."""
@@ -102,6 +108,7 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
             or p.words[i - 1] == "like"
             or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
             or _made_of(p, j + 1)
+            or any(p.stands(k, _DRAWN) for k in _TO_BE.matches(p, j + 1))
         ):
             yield (letter, False), p.opt(p.reach(j + 1), "shape", "formation")
         elif not letter and lead not in ("capital", "letter"):

@@ -35,6 +35,7 @@ _PHRASES = {
                                             "a safe distance", "at a safe distance")},
     "far enough apart": "far apart", "a safe distance apart": "far apart", "not too close together": "far apart",
     "not too close to": "away from", "not too near": "away from",
+    "with the exception of": "except for", "with exception of": "except for",
     "prior to": "before", "not a single": "no", "not even one": "no", "not even a single": "no",
     **{f"{one} and {the}{two} {what}": f"{one} {what} and {the}{two} {what}" for the in ("", "the ")
        for one, two in (("odd", "even"), ("even", "odd")) for what in ("digits", "numbers")},

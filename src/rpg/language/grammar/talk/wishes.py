@@ -99,6 +99,8 @@ STATES = Patterns(
     "please? ensure that?",
     "see to it that",
     "check|verify|confirm|guarantee that",
+    "it shall|must|should|will|has_to|needs_to|is_to be "
+    "verified|ensured|checked|confirmed|guaranteed|demonstrated|shown|noted|observed that",
     "the goal is that|to_have|for?",
     "the target is",
     "it should be that",

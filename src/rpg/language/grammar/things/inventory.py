@@ -26,6 +26,7 @@ _LEADS = (
     "cubes :", "inventory :", "material :", "materials :", "have", "we work with", "from", "out of", "made of",
     "we start with", "you start with", "start with", "begin with", "starting with", "it starts with", "the blocks are",
     "the cubes are", "all blocks are",
+    *(f"the {things} used {are}" for things in ("letters", "digits", "blocks", "cubes") for are in ("being", "are")),
 )  # fmt: skip
 _EACH = (
     "of each color", "of each kind", "of each type", "of each sort", "of each", "of every color", "of every kind",
@@ -166,10 +167,10 @@ _AT_HAND = (
       for there in ("we have", "i have", "you have", "there is", "there are", "we have got", "you get", "we need")),
     *(
         f"{are} {also}{there}"
-        for are in ("is", "are")
+        for are in ("is", "are", "being")
         for also in ("", "also ", "already ")
         for there in ("given", "available", "provided", "present", "at hand", "at your disposal", "to hand",
-                      "in the scene", "supplied", "at our disposal", "there", "in play")
+                      "in the scene", "supplied", "at our disposal", "there", "in play", "used", "employed")
     ),
 )  # fmt: skip
 

@@ -19,6 +19,7 @@ from rpg.language.grammar.things.of_listed import listed
 from rpg.language.grammar.things.printed import printed, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
+from rpg.language.grammar.things.so_many import so_many
 from rpg.language.grammar.things.standby import further_extras
 from rpg.language.grammar.things.strangers import STRANGERS
 from rpg.language.grammar.things.theirs import as_many_colors, of_patch
@@ -347,6 +348,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         tried.append((told, k))
     yield from of_edges(p, i, j, noun)
     yield from in_line(p, i, j, noun)
+    yield from so_many(p, i, j, noun)
     yield from with_symbols(p, i, j, noun)
     yield from bracketed(p, i, j, noun)
     for update, k in of_patch(p, j) if noun.head == "patch" and not noun.traits.colors else ():

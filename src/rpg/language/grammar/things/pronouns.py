@@ -15,6 +15,8 @@ _PRONOUNS = frozenset({"it", "them", "they", "itself", "themselves"})
 _FINITE = frozenset({"should", "must", "may", "can", "is", "are", "shall", "touches", "lies", "stands", "has", "ought",
                      "will", "rests", "sits", "goes", "needs", "touch", "be"})  # fmt: skip
 """What follows "neither" where that is the subject by itself."""
+_BEFORE_WHICH = frozenset({"on", "onto", "above", "below", "under", "behind", "beside", "to", "beneath"})
+"""Prepositions, or what ends one, behind which "which" is what was spoken of last."""
 _ON = frozenset({"on", "onto"})
 _CLOSED = frozenset({".", ",", ";"})
 _NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next", "stacked"}
@@ -34,6 +36,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
     """ "it", "the others", "each of them", "the latter"."""
     if j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
+    if p.follows(i, _BEFORE_WHICH) and (j := p.one(i, "which")):  # "..., on which the green one is to be put"
+        yield Pronoun(word="which", span=p.span(i, j), cost=1), j
     if j := p.one(i, ("all", "these", "those")):
         yield from _all_three(p, i, j)
     if (j := p.any_of(i, ("neither", "neither one", "neither of the two"))) and p.stands(j, _FINITE):
@@ -57,6 +61,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Pronoun(word="them", span=p.span(i, j), cost=int(p.words[j - 1] == "faces")), j
     if j := p.any_of(i, ("the rest of them", "the rest of these", "the rest of those")):
         yield Pronoun(word="the rest", span=p.span(i, j)), j
+    if p.follows(i, _BEFORE_WHICH) and (j := p.any_of(i, ("each of which", "both of which"))):
+        yield Pronoun(word="each of them" if p.words[i] == "each" else "them", span=p.span(i, j)), j
     for phrase, j in p.standing(i, ("each other", "one another", "the other ones", "the other one", "the others",
                    "the rest", "others",
                    "the other two",

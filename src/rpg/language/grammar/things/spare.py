@@ -29,9 +29,9 @@ _AS = Patterns(
     "as|for a|an|some|pure|mere? distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys",
 )
 _DOING_NOTHING = Patterns(
-    "are|is|be|should_be|must_be|will_be? also|too|just|only|merely|simply|all? lying|standing|sitting|there|around|"
-    "lying_around|on_the_table? ,? merely|just|only|purely? as|for|to a|an|some|pure|mere? "
-    "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys|distract|confuse",
+    "are|is|be|being|should_be|must_be|will_be? also|too|just|only|merely|simply|all? lying|standing|sitting|there|"
+    "around|present|lying_around|on_the_table? ,? merely|just|only|purely? as|for|to a|an|some|pure|mere? "
+    "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys|distract|confuse only?",
     "lie|lies|stand|stands|sit|sits also|too|just|only? around|there|about also|too|somewhere|on_the_table? ,? "
     "as|for a? distractor|distractors|distraction",
     "serve|serves|act|acts|function|functions also|just|only|merely|simply? as|for a|an|mere|pure? "

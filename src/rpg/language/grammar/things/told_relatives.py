@@ -21,14 +21,20 @@ else:
     (simple,) = later(__name__, "rpg.language.grammar.things.nouns", "simple")
 
 _WORDS = Classes({
-    "must": ("should|must|shall|will|ought_to|has_to|have_to|needs_to|need_to|is_to|are_to",),
+    "must": (
+        "should|must|shall|will|ought_to|has_to|have_to|needs_to|need_to|is_to|are_to",
+        "is|are itself|themselves|in_turn|also to",
+    ),
     "there": (
         "be|stand|lie|rest|sit|end_up|come_to_rest|come_to_lie|come_to_stand|be_found|be_standing|be_lying|be_resting|"
         "be_sitting|be_placed|be_put|be_positioned|be_located|be_set|be_laid|be_stacked|finish|go|be_moved|end|"
         "finally_be|finally_stand|finally_lie|remain_standing",
     ),
     "is": ("is|are|stands|stand|lies|lie|sits|sit|rests|rest|goes|belongs|is_standing|is_placed|is_put|is_stacked",),
-    "starts": ("starts|start|begins|begin|started|began|was|were|has_started|has_begun|used_to_be|initially",),
+    "starts": (
+        "starts|start|begins|begin|started|began|was|were|has_started|has_begun|used_to_be|initially",
+        "shall|must|should|will|is_to|are_to initially|originally be|lie|stand|rest|sit",
+    ),
     "out": ("out|off|standing|lying|sitting|resting|placed|located|stands|is|lies|sits|rests",),
     "touched": ("moved|touched|displaced|disturbed|shifted|lifted|picked_up|displaced_at_all|moved_at_all",),
     "still": ("where_it_is|in_place|in_its_place|untouched|unmoved|put|still|where_it_stands|at_its_place|as_it_is",),
@@ -51,6 +57,8 @@ _LEFT_ALONE = Patterns(
 )
 _SUBJECT_FIRST = Patterns("<is>", "<must> <there>", classes=_WORDS)
 _SUBJECT_LAST = Patterns("<is>", "<must> <there>", "there <must> be", "there <is>", classes=_WORDS)
+_BORNE = Patterns("is|are carried|supported|borne|held|held_up", "<must> be "
+                  "carried|supported|borne|held|held_up", classes=_WORDS)
 _BACK = {"on": "under", "left": "right", "right": "left", "front": "behind", "behind": "front", "beside": "beside",
          "adjacent": "adjacent", "near": "near", "touching": "touching"}  # fmt: skip
 """How what a relative clause speaks of lies to the block that stands there."""
@@ -74,6 +82,12 @@ def told_relative(p: Parser, i: int, that: int, head: str, many: bool) -> Result
 
 def _carried(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]:
     """ "on which the green block stands", "to the left of which there shall be a red block"."""
+    if by := p.seq(i, "by which"):
+        for block, j in simple(p, by):
+            for k in _BORNE.matches(p, j) if isinstance(block, Noun) and block.head != "patch" else ():
+                wanted = asserted or not _WANTED_WORDS.isdisjoint(p.words[by:k])
+                place = Loc(rel="under", landmark=block, mods=("directly",), span=p.span(i, k))
+                yield (_asserted(place) if wanted else place,), k
     for (name, mods), j in relation(p, i):
         if name not in _BACK or not (which := p.one(j, ("which", "whom"))):
             continue

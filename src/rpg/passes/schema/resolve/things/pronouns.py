@@ -9,6 +9,7 @@ from rpg.language.meaning import TOLD_HERE, Amount, Noun, Pronoun, Traits, repla
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.them import them
+from rpg.passes.schema.resolve.things.which import which
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
 
 if TYPE_CHECKING:
@@ -60,6 +61,8 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return found
     if word.word in ("the latter", "the former"):
         return _one_of_two(word, scene)
+    if word.word == "which":
+        return which(word, scene)
     if word.word == "there":
         return _there(word, scene, scope)
     if word.word in ("it", "that", "this", "the first one"):

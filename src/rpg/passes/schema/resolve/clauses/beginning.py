@@ -6,7 +6,6 @@ import re
 from functools import partial
 
 from rpg.language.meaning import (
-    Absolute,
     At,
     Chain,
     Clause,
@@ -16,11 +15,9 @@ from rpg.language.meaning import (
     Loc,
     Meaning,
     Noun,
-    OrderBy,
     Pronoun,
     Structure,
     TableTop,
-    Using,
     parts_of,
     replace,
 )
@@ -30,7 +27,7 @@ from rpg.passes.schema.resolve.clauses.begun_facts import (
     named_there,
     wanted,
 )
-from rpg.passes.schema.resolve.clauses.in_parts import lie_so, told_in_parts
+from rpg.passes.schema.resolve.clauses.in_parts import lie_so, says_where, told_in_parts
 from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
     added,
@@ -367,9 +364,7 @@ def _tally(clause: Meaning) -> bool:
 
 
 def _fact(clause: Clause, bold: bool) -> bool:
-    inner = (Absolute, OrderBy, Using, At, Coord) if isinstance(clause.theme, Structure) else ()
-    places = clause.adjuncts[:1] and all(isinstance(a, (Loc, In, Into, *inner)) for a in clause.adjuncts)
-    told = clause.lemma == "fact" and clause.mode == "goal" and not clause.negated and bool(places)
+    told = clause.lemma == "fact" and clause.mode == "goal" and not clause.negated and says_where(clause)
     return told and (bold or _indefinite(clause.theme))
 
 

@@ -10,11 +10,13 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     Coord,
+    In,
     Into,
     Loc,
     Meaning,
     Noun,
     OrderBy,
+    Places,
     Pronoun,
     Quality,
     Structure,
@@ -26,10 +28,11 @@ from rpg.language.meaning import (
 )
 
 _SEE = re.compile(
-    r"(?:now |here |first |currently |right now )?(?:i|you|we|the robot|the camera)(?: can| now)? sees?,?:?",
+    r"(?:now |here |first |currently |right now )?(?:i|you|we|the robot|the camera)(?: can| now)? sees?,?:?"
+    r"|here (?:is|are):?",
     re.IGNORECASE,
 )
-_DOING = ("place", "pick", "unstack", "reverse", "swap", "turn", "use")
+_DOING = ("place", "pick", "stack", "unstack", "reverse", "swap", "turn", "use")
 
 
 def _seen_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
@@ -40,7 +43,8 @@ def _seen_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     done = (c for chain in chains[1:] for c in chain.clauses if isinstance(c, Clause) and c.mode == "command")
     acts = [c for c in done if not c.negated]
     shown = isinstance(first, Clause) and (first.verb, first.mode) == ("build", "goal") and not first.negated
-    if not seen or not shown or len(chains[0].clauses) > 1 or not acts or acts[0].verb not in _DOING:
+    them = acts and any(isinstance(part, Pronoun) for part in parts_of(acts[0]))  # "make a tower of them"
+    if not seen or not shown or len(chains[0].clauses) > 1 or not (acts and (acts[0].verb in _DOING or them)):
         return chains
     assert isinstance(first, Clause)
     there = replace(first, verb="exist", mode="given", cost=0)
@@ -51,6 +55,7 @@ _ASKED = re.compile(
     r"\b(?:must|should|shall|has to|have to|needs? to|ought|will|may|can|let|want|wish|make|put|end|finally|final)\b",
     re.IGNORECASE,
 )
+_RANKS = ("left", "right", "middle", "top", "bottom", "front", "back")
 _ENDS_OF = {"stack": ("bottom", "top", "middle", "next"), "row": ("left", "right", "middle", "next", "ends"),
             "column": ("front", "back", "middle", "next", "ends")}  # fmt: skip
 """Where a part of a line is, so that it is told of the line and not of a place on the table."""
@@ -65,12 +70,13 @@ def told_in_parts(chains: tuple[Chain, ...], ordered: int, text: str) -> tuple[C
     at = (0, 0)
     for n, chain in enumerate(chains):
         found.append([])
+        gapped = False
         for link, said in zip(chain.links, chain.clauses, strict=True):
             told = isinstance(said, Clause) and whole is not None and link == "and" and n < ordered
             alone = n > at[0] and len(chain.clauses) == 1 and isinstance(said, Clause) and isinstance(said.theme, Noun)
             told = told and not (alone and _of_it(chains[n + 1]))
-            if told and isinstance(said, Clause) and whole is not None and _of_a_part(said, whole, text):
-                whole = _with_part(whole, said)
+            if told and isinstance(said, Clause) and whole is not None and _of_a_part(said, whole, text, gapped):
+                whole, gapped = _with_part(whole, said), True
                 found[at[0]][at[1]] = (found[at[0]][at[1]][0], whole)
                 continue
             whole = said if isinstance(said, Clause) and _there(said) else None
@@ -82,6 +88,13 @@ def told_in_parts(chains: tuple[Chain, ...], ordered: int, text: str) -> tuple[C
         for chain, told in kept
         if told
     )
+
+
+def says_where(said: Clause) -> bool:
+    """Whether a clause says nothing but where something is, or of a line how it is made up as well."""
+    line = isinstance(said.theme, Structure) or any(isinstance(a, Into) for a in said.adjuncts)
+    inner = (Absolute, OrderBy, Toward, Using, At, Coord) if line else ()
+    return bool(said.adjuncts) and all(isinstance(a, (Loc, In, Into, *inner)) for a in said.adjuncts)
 
 
 _LIES = re.compile(r"\b(?:is|are|stands?|lies?|sits?|rests?)\b", re.IGNORECASE)
@@ -109,15 +122,43 @@ def _of_it(chain: Chain) -> bool:
 
 
 def _with_part(whole: Clause, said: Clause) -> Clause:
+    new: tuple[Meaning, ...] = said.adjuncts
     if (order := _read_along(said)) is not None:
-        return replace(whole, adjuncts=(*whole.adjuncts, order))
-    if said.verb != "be" or said.theme is None:
-        return replace(whole, adjuncts=(*whole.adjuncts, *said.adjuncts))
-    part = Absolute(theme=said.theme, adjuncts=said.adjuncts, span=said.span)
-    had = [a for a in whole.adjuncts if isinstance(a, Absolute) or (isinstance(a, Coord) and a.op == "absolutes")]
-    told = [item for a in had for item in (a.items if isinstance(a, Coord) else (a,))]
-    rest = tuple(a for a in whole.adjuncts if a not in had)
-    return replace(whole, adjuncts=(*rest, Coord(op="absolutes", items=(*told, part), span=said.span)))
+        new = (order,)
+    elif said.verb == "be" and said.theme is not None:
+        new = (_looked_up(said) or Absolute(theme=said.theme, adjuncts=_beside_it(said), span=said.span),)
+    every = (*whole.adjuncts, *new)
+    told = [a for a in every if isinstance(a, Absolute) or (isinstance(a, Coord) and a.op == "absolutes")]
+    items = tuple(_in_it(item) for a in told for item in (a.items if isinstance(a, Coord) else (a,)))
+    rest = tuple(a for a in every if a not in told)
+    parts = (Coord(op="absolutes", items=items, span=said.span),) if items else ()
+    return replace(whole, adjuncts=(*rest, *parts))
+
+
+def _in_it(part: Meaning) -> Meaning:
+    """A part of the one line there is: "in the middle" is a place in it, and not which of several lines it is."""
+    where = part.adjuncts[0] if isinstance(part, Absolute) and len(part.adjuncts) == 1 else None
+    if not isinstance(part, Absolute) or not isinstance(where, Places) or where.unit != "whole" or where.several:
+        return part
+    return replace(part, adjuncts=(At(side=where.side, index=where.index, span=where.span),))
+
+
+def _looked_up(said: Clause) -> Absolute | None:
+    """ "The leftmost one is red"."""
+    look = said.adjuncts[0] if len(said.adjuncts) == 1 else None
+    side = said.theme.traits.rank if isinstance(said.theme, Noun) else None
+    if side not in _RANKS or not isinstance(look, Quality) or look.negated:
+        return None
+    block = Noun(head="any", det="bare", traits=look.traits, span=look.span)
+    return Absolute(theme=block, adjuncts=(At(side=side, span=said.span),), span=said.span)
+
+
+def _beside_it(said: Clause) -> tuple[Meaning, ...]:
+    """Where a part is: "(red on the left,) white next to it" is the next place."""
+    loc = said.adjuncts[0]
+    mark = loc.landmark if isinstance(loc, Loc) and loc.rel == "beside" else None
+    it = isinstance(mark, Pronoun) and mark.word == "it"
+    return (At(side="next", span=loc.span),) if it and len(said.adjuncts) == 1 else said.adjuncts
 
 
 def _read_along(said: Clause) -> OrderBy | None:
@@ -134,15 +175,23 @@ def _read_along(said: Clause) -> OrderBy | None:
 
 
 def _there(said: Clause) -> bool:
-    """Whether a clause says that a line is there."""
-    shape = said.theme
+    """Whether a clause says that a line is there, or that blocks are in one."""
+    shape = _line_of(said)
     begun_ = (said.verb == "exist" or said.mode == "start" or said.lemma == "fact") and not said.negated
     line = isinstance(shape, Structure) and shape.kind in _ENDS_OF and not shape.plural and shape.det in ("a", "bare")
     return begun_ and line and said.lemma in ("", "fact", "begun")
 
 
-def _of_a_part(said: Clause, whole: Clause, text: str) -> bool:
-    """Whether a clause tells, and does not ask, where a part of the line is."""
+def _line_of(said: Clause) -> Meaning | None:
+    """The line that is there: "a row ..." or "three blocks are in a row"."""
+    if isinstance(said.theme, Noun):
+        return next((a.structure for a in said.adjuncts if isinstance(a, Into)), None)
+    return said.theme
+
+
+def _of_a_part(said: Clause, whole: Clause, text: str, gapped: bool) -> bool:
+    """Whether a clause tells, and does not ask, where a part of the line is. `gapped`: it goes on with what is told in
+    the same sentence, "(on the left is red,) on the right blue"."""
     if said.mode not in ("goal", "start") or said.negated or _ASKED.search(text[slice(*said.span)]) is not None:
         return False
     if said.verb == "part" or (said.verb == "build" and getattr(said.theme, "det", "") == "the"):
@@ -151,9 +200,8 @@ def _of_a_part(said: Clause, whole: Clause, text: str) -> bool:
         return all(isinstance(a, Toward | OrderBy) for a in said.adjuncts)
     if said.lemma == "fact" and _read_along(said) is not None:
         return True
-    sides = _ENDS_OF[whole.theme.kind] if isinstance(whole.theme, Structure) else ()
-    return (
-        said.lemma == "fact"
-        and bool(said.adjuncts)
-        and all(isinstance(a, At) and a.side in sides for a in said.adjuncts)
-    )
+    line = _line_of(whole)
+    sides = _ENDS_OF[line.kind] if isinstance(line, Structure) else ()
+    where = _beside_it(said) if said.adjuncts and (said.lemma == "fact" or gapped) else ()
+    placed = bool(where) and all(isinstance(a, At) and a.side in sides for a in where)
+    return placed or (said.lemma == "fact" and _looked_up(said) is not None)

@@ -8,6 +8,7 @@ from random import Random
 from typing import Any
 
 import pytest
+
 from tests.corpus.entries import Entry, entry
 from tests.corpus.judge import judge
 from tests.corpus.run import read

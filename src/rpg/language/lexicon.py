@@ -85,10 +85,12 @@ VERBS = {
     "place": "put place add move set position lay bring transfer relocate drop push slide shift carry get deliver "
     "locate seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich "
     "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
-    "heave hoist install wedge fit slot squeeze center pack squish squash cram jam plonk toss",
+    "heave hoist install wedge fit slot squeeze center pack squish squash cram jam plonk toss plunk land lodge situate "
+    "station nestle dock ferry haul lug guide send ship convey reposition store assign allocate serve",
     "pick": "pick grab grasp lift take find choose select",
     "stack": "stack pile heap restack",
-    "build": "build make create construct form assemble erect produce compose draw rebuild shape complete",
+    "build": "build make create construct form assemble erect produce compose draw rebuild shape craft fabricate "
+    "complete",
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
     "set rearrange",
     "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch merge "
@@ -112,14 +114,14 @@ PAST = {
     "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
     "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",
     "transfer": "transferred", "drag": "dragged", "hide": "hidden hid", "stick": "stuck", "drop": "dropped",
-    "grab": "grabbed", "cram": "crammed", "jam": "jammed", "choose": "chosen",
+    "send": "sent", "ship": "shipped", "lug": "lugged", "grab": "grabbed", "cram": "crammed", "jam": "jammed", "choose": "chosen",
     "fit": "fitted", "slot": "slotted", "carry": "carried",
     "classify": "classified", "empty": "emptied", "sit": "sat", "slide": "slid", "stand": "stood",
 }  # fmt: skip
 DOUBLED = {
     "put": "putting", "set": "setting", "get": "getting", "split": "splitting", "swap": "swapping", "flip": "flipping",
     "spin": "spinning", "tip": "tipping", "transfer": "transferring", "drag": "dragging", "drop": "dropping",
-    "grab": "grabbing", "cram": "cramming", "jam": "jamming", "sit": "sitting", "fit": "fitting", "slot": "slotting",
+    "ship": "shipping", "lug": "lugging", "grab": "grabbing", "cram": "cramming", "jam": "jamming", "sit": "sitting", "fit": "fitting", "slot": "slotting",
 }  # fmt: skip
 POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "

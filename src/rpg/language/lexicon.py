@@ -114,14 +114,16 @@ PAST = {
     "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
     "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",
     "transfer": "transferred", "drag": "dragged", "hide": "hidden hid", "stick": "stuck", "drop": "dropped",
-    "send": "sent", "ship": "shipped", "lug": "lugged", "grab": "grabbed", "cram": "crammed", "jam": "jammed", "choose": "chosen",
+    "send": "sent", "ship": "shipped", "lug": "lugged",
+    "grab": "grabbed", "cram": "crammed", "jam": "jammed", "choose": "chosen",
     "fit": "fitted", "slot": "slotted", "carry": "carried",
     "classify": "classified", "empty": "emptied", "sit": "sat", "slide": "slid", "stand": "stood",
 }  # fmt: skip
 DOUBLED = {
     "put": "putting", "set": "setting", "get": "getting", "split": "splitting", "swap": "swapping", "flip": "flipping",
     "spin": "spinning", "tip": "tipping", "transfer": "transferring", "drag": "dragging", "drop": "dropping",
-    "ship": "shipping", "lug": "lugging", "grab": "grabbing", "cram": "cramming", "jam": "jamming", "sit": "sitting", "fit": "fitting", "slot": "slotting",
+    "ship": "shipping", "lug": "lugging",
+    "grab": "grabbing", "cram": "cramming", "jam": "jamming", "sit": "sitting", "fit": "fitting", "slot": "slotting",
 }  # fmt: skip
 POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "

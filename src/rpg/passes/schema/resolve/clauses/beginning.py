@@ -38,6 +38,7 @@ from rpg.passes.schema.resolve.clauses.joined_facts import (
     facts_joined,
     instead_of,
     same_one,
+    staying,
 )
 from rpg.passes.schema.resolve.clauses.lifted import lifted
 from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it, they_begin_as
@@ -65,6 +66,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))
     if (picture := _pictured(chains, text)) is not None:
         return picture
+    chains = staying(chains, text)
     chains = told_in_parts(chains, max((n for n, chain in enumerate(chains) if _ordered(chain)), default=0), text)
     told = [_facts(chain, bold) or lie_so(chain, text, bold) for chain in chains]
     final = [_of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]

@@ -32,23 +32,32 @@ _SEE = re.compile(
     r"|here (?:is|are):?",
     re.IGNORECASE,
 )
-_DOING = ("place", "pick", "stack", "unstack", "reverse", "swap", "turn", "use")
+_DOING = ("place", "pick", "stack", "unstack", "reverse", "swap", "turn", "use", "remove")
 
 
 def _seen_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """ "You see a tower of two red blocks. Put a blue block on it.": what is seen before something is done to what is
-    there, is there."""
-    first = chains[0].clauses[0]
-    seen = _SEE.fullmatch(text[: first.span[0]].strip()) is not None
+    there, or before what is said of the end, is there."""
+    first, seen = chains[0].clauses[0], chains[0].clauses
     done = (c for chain in chains[1:] for c in chain.clauses if isinstance(c, Clause) and c.mode == "command")
-    acts = [c for c in done if not c.negated]
-    shown = isinstance(first, Clause) and (first.verb, first.mode) == ("build", "goal") and not first.negated
-    them = acts and any(isinstance(part, Pronoun) for part in parts_of(acts[0]))  # "make a tower of them"
-    if not seen or not shown or len(chains[0].clauses) > 1 or not (acts and (acts[0].verb in _DOING or them)):
+    act = next((c for c in done if not c.negated), None)
+    them = act is not None and any(isinstance(part, Pronoun) for part in parts_of(act))  # "make a tower of them"
+    later = (act is not None and (act.verb in _DOING or them)) or _LATER.search(text[chains[0].span[1] :]) is not None
+    if _SEE.fullmatch(text[: first.span[0]].strip()) is None or not later or not all(map(_shown, seen)):
         return chains
-    assert isinstance(first, Clause)
-    there = replace(first, verb="exist", mode="given", cost=0)
-    return (replace(chains[0], clauses=(there,)), *chains[1:])
+    there = (_as_there(c) for c in seen if isinstance(c, Clause))
+    return (replace(chains[0], clauses=tuple(there)), *chains[1:])
+
+
+_LATER = re.compile(r"\b(?:afterwards?|at the end|in the end|finally)\b", re.IGNORECASE)
+
+
+def _shown(said: Meaning) -> bool:
+    return isinstance(said, Clause) and said.verb in ("build", "be") and said.mode == "goal" and not said.negated
+
+
+def _as_there(said: Clause) -> Clause:
+    return replace(said, mode="start") if said.verb == "be" else replace(said, verb="exist", mode="given", cost=0)
 
 
 _ASKED = re.compile(

@@ -19,10 +19,49 @@ _KNOWN = re.compile(r"\b(?:sees?|look|imagine|know|note|assume|suppose|say|given
 def added(before: Chain, after: Chain, text: str) -> bool:
     """ "... Also put green on the mat", "Put green there as well": of other blocks than were spoken of before."""
     fact, order = before.clauses[-1], after.clauses[0]
-    if not isinstance(fact, Clause) or not isinstance(order, Clause) or same_one(fact, order):
+    told = [c for c in before.clauses if isinstance(c, Clause)]
+    if not isinstance(fact, Clause) or not isinstance(order, Clause) or any(same_one(c, order) for c in told):
         return False
     said = text[before.span[1] : order.span[1]] + re.split(r"[,.;!?]", text[order.span[1] :])[0]
     return BESIDES.search(said.replace("both", "")) is not None
+
+
+def staying(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
+    """ "(Red is on the green mat, blue on the white one.) Move the red block onto the white mat as well.": what is said
+    to be there stays there."""
+    found = list(chains)
+    for n, chain in enumerate(chains[1:], 1):
+        order = chain.clauses[-1]
+        said = text[chain.span[0] : chain.span[1]] + re.split(r"[,.;!?]", text[chain.span[1] :])[0]
+        too = isinstance(order, Clause) and order.mode == "command" and BESIDES.search(said.replace("both", ""))
+        told = [c for before in chains[:n] for c in before.clauses if isinstance(c, Clause)]
+        if not too or not isinstance(order, Clause) or not any(same_one(c, order) for c in told):
+            continue
+        stay = [c for c in told if not c.negated and not same_one(c, order) and _same_place(c, order)]
+        kept = tuple(_as_it_is(c) for c in stay if isinstance(c.theme, Noun))
+        found[n] = replace(chain, clauses=(*chain.clauses, *kept), links=(*chain.links, *("and" for _ in kept)))
+    return tuple(found)
+
+
+def _same_place(fact: Clause, order: Clause) -> bool:
+    marks = [
+        (a.rel, a.landmark.head, a.landmark.traits)
+        for clause in (fact, order)
+        for a in clause.adjuncts
+        if isinstance(a, Loc) and isinstance(a.landmark, Noun)
+    ]
+    return len(marks) == 2 and marks[0] == marks[1]
+
+
+def _as_it_is(fact: Clause) -> Clause:
+    assert isinstance(fact.theme, Noun)
+    places = tuple(
+        replace(a, landmark=replace(a.landmark, det="the"))
+        if isinstance(a, Loc) and isinstance(a.landmark, Noun)
+        else a
+        for a in fact.adjuncts
+    )
+    return replace(fact, verb="be", lemma="", mode="goal", theme=replace(fact.theme, det="the"), adjuncts=places)
 
 
 def demanded(chains: tuple[Chain, ...], n: int, text: str) -> bool:

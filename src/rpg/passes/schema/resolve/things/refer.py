@@ -18,7 +18,7 @@ from rpg.passes.schema.resolve.things.pronouns import PAIR, others, pronoun
 from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
-from rpg.passes.schema.resolve.things.theirs import THEIRS, in_their_colors, its_own
+from rpg.passes.schema.resolve.things.theirs import THEIRS, begun_on, in_their_colors, its_own
 from rpg.passes.schema.resolve.things.them import of_whom, sorted_out
 from rpg.passes.schema.resolve.things.things import alike, compared, create, looks_said, matching, note_premises
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -229,6 +229,8 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return in_their_colors(noun, scene, scope)
     if patch and (noun.traits.matching or its_own(noun, scene)):
         return Ref(patch=True, matching=True, plural=noun.plural, det=noun.det)
+    if patch and (there := begun_on(noun, scene, scope)) is not None:
+        return there
     if noun.det in ("other", "another"):
         return _besides(noun, scene, scope, patch)
     return _plain(noun, scene, scope, patch)

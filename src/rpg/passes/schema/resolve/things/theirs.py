@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.ir import relations as r
+from rpg.ir.walk import names as names_in
 from rpg.language.grammar.things.theirs import THEIRS
 from rpg.language.meaning import Noun, Traits
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -33,4 +34,14 @@ def its_own(noun: Noun, scene: Scene) -> bool:
     return noun.det == "its" and noun.traits == Traits() and noun.amount is None and not begun
 
 
-__all__ = ["THEIRS", "in_their_colors", "its_own"]
+def begun_on(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
+    """ "Take the red block off its mat": the one that it begins on."""
+    theme = [m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
+    if noun.det != "its" or noun.traits != Traits() or noun.amount is not None or scope.role != "landmark" or not theme:
+        return None
+    starts = [goal for goal in scene.start_goals if isinstance(goal, r.OnPatch)]
+    patches = {goal.patch for name in theme[-1].names for goal in starts if name in names_in(goal)}
+    return Ref(names=tuple(patches), patch=True, det="the") if len(patches) == 1 else None
+
+
+__all__ = ["THEIRS", "begun_on", "in_their_colors", "its_own"]

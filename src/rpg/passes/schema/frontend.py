@@ -11,6 +11,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
+from rpg.language.grammar.talk.stock_ahead import stock_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.spelling import read_words
 from rpg.language.titles import title, untitled
@@ -75,11 +76,10 @@ class BuiltinFrontEnd:
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
         except Refusal:
-            if (ahead := shape_ahead(words)) is None:
-                raise
-            with suppress(Refusal):
-                found = build(ahead, text, notes, name=name, seed=seed, author=author)
-                return found.task, found.notes
+            for ahead in filter(None, (shape_ahead(words), stock_ahead(words))):
+                with suppress(Refusal):
+                    found = build(ahead, text, notes, name=name, seed=seed, author=author)
+                    return found.task, found.notes
             raise
         return found.task, found.notes
 

@@ -47,6 +47,7 @@ from rpg.language.meaning import (
 )
 
 (chain,) = later(__name__, "rpg.language.grammar.clauses.chains", "chain")
+(without_it,) = later(__name__, "rpg.language.grammar.clauses.without_it", "without_it")
 (gerund_clause,) = later(__name__, "rpg.language.grammar.clauses.verbs", "gerund_clause")
 
 _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "forming", "making", "creating", "like",
@@ -119,6 +120,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
         yield from ((replace(piled, cost=1), k) for piled, k in piled_up(p, i + 1))
         for blocks, k in apposed_blocks(p, i):
             yield Using(members=blocks, lead=",", span=p.span(i, k), cost=1), k
+    yield from without_it(p, i)
     yield from _that(p, i)
     yield from not_there(p, i)
     yield from ((how, k) for how, k in manner(p, i) if not _bare_distractors(p, i, how))

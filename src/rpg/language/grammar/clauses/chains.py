@@ -15,6 +15,7 @@ from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
 from rpg.language.grammar.clauses.there import there_too
+from rpg.language.grammar.clauses.unless import unless
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import STARTING
@@ -26,6 +27,7 @@ from rpg.language.grammar.things.inventory import inventory
 from rpg.language.grammar.things.listing import looks_told
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.grammar.things.retold import restates
+from rpg.language.grammar.things.spare import spare
 from rpg.language.grammar.things.stock import stock
 from rpg.language.meaning import (
     Absolute,
@@ -187,11 +189,18 @@ def _told_of_it(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, .
         for looks, k in looks_told(p, comma):  # "the two cubes touch, blue and yellow"
             if isinstance(looks.theme, Coord) and len(looks.theme.items) == many and not looks.adjuncts:
                 yield Chain(clauses=(*had, looks), links=(*links, "and"), span=p.span(i, k)), k
+    for those, k in unless(p, at, had[-1]) if p.rarely(_UNLESS) else ():
+        yield Chain(clauses=(*had[:-1], those), links=links, span=p.span(i, k)), k
+    for passed, k in spare(p, p.opt(at, ",")) if p.stands(p.opt(at, ","), ("without",)) else ():
+        yield Chain(clauses=(*had, passed), links=(*links, "and"), span=p.span(i, k)), k
     yield from _not_until(p, i, had, links, at) if isinstance(had[-1], Clause) and had[-1].negated else ()
     for told, k in bodies(p, at, had[-1]):
         whole, joined = (*had, *told), (*links, *("and" for _ in told))
         yield Chain(clauses=whole, links=joined, span=p.span(i, k)), k
         yield from _more(p, i, whole, joined, k)
+
+
+_UNLESS = frozenset({"unless", "except"})
 
 
 def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], colon: int) -> Results[Chain]:

@@ -57,6 +57,10 @@ _PHRASES = {
        for top, bottom, downs in (("top", "bottom", ("down", "downwards")), ("bottom", "top", ("up", "upwards")))
        for down in downs},
     **{f"{take} {it} off again": f"{take} {it} off" for take in ("take", "lift", "pick") for it in ("it", "them")},
+    **{f"{keep} {its} {place}": f"{stay} where {are}"
+       for keep, stay, its, are in (("keep", "stay", "its", "it is"), ("keeps", "stays", "its", "it is"),
+                                    ("keep", "stay", "their", "they are"))
+       for place in ("place", "places", "position", "positions", "spot", "spots")},
     "somewhere in between there": "in between there", "something that is true": "a true equation",
     "something that is correct": "a true equation",
     "something which is true": "a true equation", "something true": "a true equation",

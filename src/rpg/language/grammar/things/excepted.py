@@ -42,7 +42,8 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
         for item, j in noun_phrase(p, p.reach(comma + 1)):
             if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in ("the", "all")):
                 yield Coord(op=str(op), items=(*items, item), span=p.span(i, j)), j
-    if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding")):
+    if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding",
+                          *_WITHOUT)):  # fmt: skip
         for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
             closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
             if p.words[comma] == "apart" and _of_another_kind(items[0], item):
@@ -51,12 +52,25 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
                 continue  # "except that yellow is not on top": that is a clause
             if p.words[k - 1] == "not" and _one(items[0]):
                 continue
+            if p.words[comma] == "without" and not _among(item, items):
+                continue
             if (op := _but(items[0])) is not None:
                 item = _all_such(item) if universal(items[0]) and op == "except" else item
                 parted = len(items) > 1 and isinstance(items[0], Noun) and items[0].part_of is not None
                 cost = 2 * (parted or any(map(shares_head, items, items[1:])))  # "red, green and blue cubes" are one
                 those = Coord(op=op, items=(*items, item), span=p.span(i, j), cost=cost)
                 yield from ((those, end) for end in {j: None, closed: None})
+
+
+_WITHOUT = ("without using", "without")
+
+
+def _among(item: Meaning, items: tuple[Meaning, ...]) -> bool:
+    """ "the red, green and yellow cubes without the yellow one": one of those that are named."""
+    named = [x.traits for x in items if isinstance(x, Noun) and x.head != "patch"]
+    looks = {look for traits in named for look in (*traits.colors, *traits.labels)}
+    own = (*item.traits.colors, *item.traits.labels) if isinstance(item, Noun) and item.det != "no" else ()
+    return len(looks) > 1 and bool(own) and looks.issuperset(own)
 
 
 def _all_such(item: Meaning) -> Meaning:

@@ -80,6 +80,7 @@ def spare(p: Parser, i: int) -> Results[Clause]:
     over = p.any_of(i, _PASS_OVER)
     for theme, j in noun_phrase(p, over) if over else ():
         bare = p.words[over - 1] in ("not", "without")
+        j = (p.any_of(j, _IN_IT) or j) if p.words[over - 1] == "without" else j
         elliptic = isinstance(theme, Noun) and theme.head == "any" and theme.det == "the"
         elliptic = elliptic or (isinstance(theme, Pronoun) and theme.word in _OTHERS)
         if p.words[over - 1] == "not" and elliptic and not _PLACED.isdisjoint(p.words[:i]):
@@ -126,6 +127,7 @@ def _doing_nothing(p: Parser, j: int) -> Iterator[int]:
         yield from told.matches(p, j)
 
 
+_IN_IT = ("in it", "inside it", "among them", "in there", "in the tower", "in the row", "in the word")
 _ON_TABLE = ("on the table", "on the desk", "lying on the table", "over there", "there")
 _ELSEWHERE = frozenset({"else", "elsewhere", "away"})
 _NAMING = frozenset({"distractor", "decoy", "decoration", "distraction", "ignored", "disregarded", "used", "needed",

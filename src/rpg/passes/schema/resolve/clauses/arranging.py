@@ -344,7 +344,7 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
                 "name every block from the bottom up",
             )
         order = Order(by="given", ranks=(*((b,) for b in base), *ranks), first="bottom")
-    exact = theme.op == "except"  # "all but the gray one": nor is that on top
+    exact = theme.op in ("except", "only")  # "all but the gray one": nor is that on top
     nodes = [
         s.Stack(blocks=names, order=o, readable=legible(o, names, spec, scene), exact=exact, span=span)
         for o in alternatives(order, scene)

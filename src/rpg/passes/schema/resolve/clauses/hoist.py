@@ -29,7 +29,9 @@ from rpg.passes.schema.resolve.clauses.left_alone import left_alone
 from rpg.passes.schema.resolve.clauses.leftovers import all_used
 from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.clauses.there_later import standing_there
+from rpg.passes.schema.resolve.orders.above_it import others_beyond
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
+from rpg.passes.schema.resolve.orders.nothing_beyond import at_that_end
 from rpg.passes.schema.resolve.places.drawn import drawn, grounded
 from rpg.passes.schema.resolve.places.opposite import opposite_sides
 from rpg.passes.schema.resolve.places.overs import in_one_tower
@@ -49,6 +51,10 @@ from rpg.passes.schema.resolve.things.world import refuse
 _VERBS = ("stack", "arrange")
 
 
+_IN_OTHER_WORDS = (at_that_end, others_beyond, as_many_as_it_takes, left_alone, plainly, drawn)
+"""What a clause says for all of its blocks, as it is said elsewhere."""
+
+
 def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with "the top block is red" said where the tower is built; sentences that say no more are gone."""
     found: list[list[tuple[str, Meaning]]] = []
@@ -61,7 +67,9 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if not isinstance(said, Clause):
                 kept.append((link, said))
                 continue
-            said = grounded(drawn(plainly(left_alone(as_many_as_it_takes(said)))), chains)
+            for told in _IN_OTHER_WORDS:
+                said = told(said)
+            said = grounded(said, chains)
             _below_what(_last(found), said)
             if link != "then" and other_side(found, said):
                 continue

@@ -6,7 +6,7 @@ from rpg.ir import goal as g
 from rpg.ir.walk import transform
 from rpg.passes.schema.resolve.clauses.kept import brought_about
 from rpg.passes.schema.resolve.goals.lasting import beside_what_is_done
-from rpg.passes.schema.resolve.goals.standing import still_standing
+from rpg.passes.schema.resolve.goals.standing import none_left_out_on_top, still_standing
 from rpg.passes.schema.resolve.places.bare_table import besides_their_patches, off_their_patches
 from rpg.passes.schema.resolve.structures.towers_apart import one_by_one
 from rpg.passes.schema.resolve.things.premises import keep_premises
@@ -18,4 +18,5 @@ def with_what_is_meant(goal: g.Goal, scene: Scene) -> g.Goal:
     and what lasts beside what is done."""
     goal = transform(one_by_one(goal, scene), besides_their_patches)
     goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
-    return still_standing(beside_what_is_done(goal, scene), scene.start_goals)
+    goal = still_standing(beside_what_is_done(goal, scene), scene.start_goals)
+    return none_left_out_on_top(goal, scene.left_out)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest, members
-from rpg.ir.walk import atoms, names
+from rpg.ir.walk import atoms, children, names, rebuild
 from rpg.passes.schema.resolve.goals.logic import conj
 
 
@@ -29,6 +29,16 @@ def still_standing(goal: g.Goal, starts: Iterable[g.Goal]) -> g.Goal:
                 covered = any(isinstance(end, Highest) for end in ends)
                 found.append(start.model_copy(update={"exact": start.exact and not covered}))
     return conj([*found, goal]) if found else goal
+
+
+def none_left_out_on_top(goal: g.Goal, left_out: set[str]) -> g.Goal:
+    """ "Stack A, B and C without using D": nor is D on top of them."""
+    if not left_out or isinstance(goal, g.Not):
+        return goal
+    if isinstance(goal, s.Stack):
+        return goal if goal.exact or goal.raised else goal.model_copy(update={"exact": True})
+    inner = children(goal)
+    return rebuild(goal, tuple(none_left_out_on_top(x, left_out) for x in inner)) if inner else goal
 
 
 def _operands(atom: g.Atom) -> Iterator[Lowest | Highest]:

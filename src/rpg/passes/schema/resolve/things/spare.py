@@ -54,7 +54,10 @@ def ignore(clause: Clause, scene: Scene, scope: Scope) -> list[g.Goal]:
     mixed = {isinstance(x, Noun) and x.head == "patch" for x in items} == {True, False}
     for theme in items if mixed else (clause.theme,):  # "a white patch and a red block serve as distractors"
         if theme is not None and not left_open:
-            pass_over(refer(_so_many_more(theme, scene), scene, scope), scene)
+            passed = refer(_so_many_more(theme, scene), scene, scope)
+            pass_over(passed, scene)
+            if not first:  # "do not use D": nor is it on top of what is built
+                scene.left_out |= {n for n in passed.names if not scene.things[n].patch}
     return []
 
 

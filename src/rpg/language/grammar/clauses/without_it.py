@@ -1,0 +1,38 @@
+""" "... without them touching", "without red at the bottom", "without green between them": what is not so."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.places.relations import loc
+from rpg.language.grammar.places.sides import at
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.meaning import At, Chain, Clause, Coord, In, Loc, Meaning, Noun, Pronoun, That
+
+_WITHOUT = ("without", "but without", "and without")
+_BEING = ("being", "standing", "lying", "sitting", "ending up", "resting")
+_THEY = frozenset({"them", "it", "they", "both", "either", "these", "those"})
+
+
+@choice
+def without_it(p: Parser, i: int) -> Results[That]:
+    j = p.any_of(p.opt(i, ","), _WITHOUT)
+    for theme, k in noun_phrase(p, j) if j else ():
+        if not _known(theme):
+            continue
+        start = p.any_of(k, _BEING) or k
+        for place, end in (*loc(p, start), *at(p, start)):
+            if isinstance(place, Loc | In | At) and not getattr(place, "negated", False):
+                span = p.span(i, end)
+                said = Clause(verb="be", theme=theme, adjuncts=(place,), negated=True, mode="goal", span=span)
+                yield That(kind="so", clauses=Chain(clauses=(said,), links=("and",), span=span), span=span), end
+
+
+def _known(theme: Meaning) -> bool:
+    """What was spoken of, or is named."""
+    if isinstance(theme, Coord):
+        return theme.op == "and" and all(map(_known, theme.items))
+    if isinstance(theme, Pronoun):
+        return theme.word in _THEY
+    named = isinstance(theme, Noun) and theme.head != "patch" and bool(theme.traits.colors or theme.traits.labels)
+    two = isinstance(theme, Noun) and theme.det == "the" and theme.head in ("any", "block") and theme.amount is not None
+    return (named and isinstance(theme, Noun) and theme.det in ("the", "bare")) or two

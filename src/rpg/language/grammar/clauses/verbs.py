@@ -284,6 +284,7 @@ def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         flat = isinstance(place, In) or (isinstance(mark, Noun) and mark.head == "patch")
         one = flat and isinstance(theme, Noun) and bool(theme.traits.colors)  # "on the mat, but not the white one"
         block = isinstance(theme, Noun) and (theme.head == "block" or ((theme.det == "bare" or one) and not colored))
+        block = block or (one and _several(before.theme))  # "(A, B and C on the white mat), but not the red one"
         block = block or (flat and isinstance(theme, Pronoun) and theme.word in REST)
         ended = j >= p.end or p.words[j] in (",", ";")
         none = getattr(theme, "det", "") == "no" or (getattr(theme, "op", "") == "nor" and not colored)
@@ -310,6 +311,11 @@ def _untouching(p: Parser, i: int, before: Clause) -> Results[Clause]:
         place = Loc(rel="touching", landmark=mark, span=p.span(i, j))
         told = replace(before, theme=_same(before), adjuncts=(place,), negated=True, lemma="")
         yield replace(told, span=p.span(i, j), cost=0), j
+
+
+def _several(theme: Meaning | None) -> bool:
+    """Blocks that are named one by one."""
+    return isinstance(theme, Coord) or (isinstance(theme, Noun) and len(theme.traits.colors) > 1)
 
 
 def _blocks(mark: Meaning | None) -> bool:

@@ -44,6 +44,8 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
                 parts = tuple(replace(x, negated=True) for x in found.items if isinstance(x, Loc))
                 yield Coord(op="and" if found.op == "or" else "or", items=parts, span=p.span(i, k)), k
                 continue
+            if found.rel == "beside" and p.words[i] in _INSTEAD and not _SIDED.isdisjoint(p.words[:i]):
+                continue  # "in front of it rather than next to it": not at its side, or not so near?
             yield replace(found, negated=True, span=p.span(i, k)), k
         elif not j:
             yield found, k
@@ -52,6 +54,8 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
             yield replace(found, negated=True), k
 
 
+_SIDED = frozenset({"left", "right", "front", "behind"})
+_INSTEAD = frozenset({"rather", "instead", "as"})
 _SPOTS = ("to a spot", "to a place", "to a position", "in a spot", "in a place", "at a spot", "in a position",
     "to the spot", "at a point", "to a point", "at the spot", "to the place", "to a location", "at a location",
           "in the spot", "to the position", "in the position")  # fmt: skip

@@ -148,6 +148,10 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("so that no two neighboring blocks have the same color", "alternating", {}),
     ("with no two neighbors of the same color", "alternating", {}),
     ("so that neighbors have different colors", "alternating", {}),
+    *((f"{so} {neighbors} {differ}", "alternating", {}) for so in ("so that", "in which", "where", "such that")
+      for neighbors in ("neighbors", "neighboring blocks", "neighboring cubes", "adjacent blocks", "adjacent cubes")
+      for differ in ("never have the same color", "do not have the same color", "never share a color",
+                     "always have different colors", "differ in color", "are never of the same color")),
     ("that is the same read from either end", "mirrored", {}), ("that reads the same from both ends", "mirrored", {}),
     ("so that it reads the same from both ends", "mirrored", {}),
     ("that is mirrored", "mirrored", {}), ("which is mirrored", "mirrored", {}),

@@ -61,6 +61,7 @@ _PHRASES = {
        for keep, stay, its, are in (("keep", "stay", "its", "it is"), ("keeps", "stays", "its", "it is"),
                                     ("keep", "stay", "their", "they are"))
        for place in ("place", "places", "position", "positions", "spot", "spots")},
+    "around by half": "by half", "around by 90": "by 90", "around by 180": "by 180", "around by a": "by a",
     "somewhere in between there": "in between there", "something that is true": "a true equation",
     "something that is correct": "a true equation",
     "something which is true": "a true equation", "something true": "a true equation",

@@ -375,7 +375,8 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
     for theme, k in noun_phrase(p, bare) if bare else ():
         done = p.one(k, _BEING)
         for sense, lemma, form in (p.lex(done, lexicon.VERB) or ()) if done else ():
-            if form == "past":  # "without the red one being moved"
+            if form == "past":  # "without the red one being moved", "... being touched": it stays where it is
+                sense, lemma = ("place", "move") if sense == "touch" else (sense, lemma)
                 said = Clause(verb=sense, lemma=lemma, theme=theme, span=p.span(i, done + 1))
                 yield That(kind="without", clauses=Chain(clauses=(said,), links=("and",), span=said.span),
                            span=said.span), done + 1  # fmt: skip

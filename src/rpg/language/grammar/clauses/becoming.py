@@ -29,7 +29,8 @@ from rpg.language.meaning import (
 
 _IS = ("is to be", "are to be", "is", "are", "be", "being", "gets", "get")
 _THERE = frozenset({"seen", "shown", "visible", "present", "needed", "required", "wanted", "desired", "expected",
-                    "observed", "displayed", "provided", "presented", "legible", "readable", "read"})  # fmt: skip
+                    "observed", "displayed", "provided", "presented", "requested",
+                    "prescribed", "legible", "readable", "read"})  # fmt: skip
 _GIVEN = frozenset({"provided", "present"})
 """Of blocks these tell that there are such."""
 _EXISTS = frozenset({"appear", "exist"})

@@ -88,7 +88,7 @@ def _built(p: Parser, i: int, j: int, theme: Structure, before: tuple[Meaning, .
         return
     cost = 2 * (not p.stands(j, (",",)) and p.stands(j, _SAID) and not p.stands(j + 1, ("which",)))
     for whole, k in sized_members(p, i, j, theme, p.stands(j, _BY)):
-        if theme.members is not None and whole.members != theme.members:
+        if not isinstance(whole, Structure) or (theme.members is not None and whole.members != theme.members):
             continue
         several = theme.plural and not whole.each_size and len(whole.sizes) == len(theme.sizes)
         for more, end in adjuncts(p, k) if k > j and not several else ():  # "two towers built of six blocks": in all?

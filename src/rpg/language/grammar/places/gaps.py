@@ -146,7 +146,8 @@ def _end_of(p: Parser, i: int) -> Iterator[tuple[Noun, str, int]]:
 
 _REMAINS = Patterns(
     "remains|remain|stays|is",
-    "is|are|must_be|should_be|shall_be|has_to_be|is_to_be|will_be left|kept|maintained|observed|provided|required?",
+    "is|are|must_be|should_be|shall_be|has_to_be|is_to_be|will_be "
+    "left|kept|maintained|observed|provided|required|needed|wanted|prescribed|requested?",
     "must|should|shall remain|stay",
 )
 """What may stand between how far things are apart and what these are."""

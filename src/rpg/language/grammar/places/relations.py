@@ -82,7 +82,8 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
         each = Noun(head="patch", det="each", span=p.span(i, i + 2))
         yield Loc(rel="on", landmark=each, span=each.span), p.reach(i + 2)
     for (name, mods), j in relation(p, i):
-        if name == "beside" and p.words[j - 1] == "by" and (p.figure(j) is not None or p.words[j] in _SORTED_BY):
+        beside = name == "beside" and p.words[j - 1] == "by"
+        if beside and (p.figure(j) is not None or p.words[j] in _SORTED_BY or not _HELD.isdisjoint(p.words[:i])):
             continue
         ends = p.words[i + 1 : j] == ["the", "top", "of"] and p.words[i] == "at"
         for landmark, k in noun_phrase(p, j):
@@ -136,6 +137,8 @@ _SORTED_BY = frozenset(
     {"letter", "letters", "number", "numbers", "digit", "digits", "label", "symbol", "kind", "type", "size", "value"}
 )
 """Behind "by" these are no landmarks: "groups by letter"."""
+_HELD = frozenset({"carried", "supported", "borne", "topped", "covered", "crowned"})
+"""Behind these a further "by" tells once more by what: "carried by the red one first, and then by the blue one"."""
 _SIDES = ("left", "right", "front", "behind")
 
 

@@ -66,8 +66,6 @@ _ALWAYS: tuple[Turn, ...] = (
     ("\\b(be (?:formed|made|built|laid)) (?:of|from|out of) (.+ in the center and .+ around it)$", "{1} with {2}"),
     ("\\ban? (row|line|column) (?:that|which) (?:decreases|descends|falls)\\b", "a descending {1}"),
     ("\\ban? (row|line|column) (?:that|which) (?:increases|ascends)\\b", "an ascending {1}"),
-    (f"^(in (?:an?|one|{_MANY}) (?:\\w+ ){{0,2}}(?:{_LINE}|square|triangle)s?\\b[^,]*) , "
-     f"(.+ {MUST} be (?:arranged|placed|put|laid|set|aligned|ordered|sorted|stacked))$", "{2} {1}"),
     (f"^({_MANY} [^,]+?) ({MUST}) be (?:divided|distributed|split|placed|arranged) so that (?:exactly )?(one|{_MANY}) "
      f"(?:is|are|lie) (on .+?) and (?:exactly )?(one|{_MANY}) (?:is|are|lie)? ?(on .+)$",
      "{3} of {1} {2} be {4} and the other {5} {6}"),
@@ -101,7 +99,6 @@ _PLAINLY: tuple[Turn, ...] = (
     ("^(.+?) having been (.+?) , (.+)$", "after {1} has been {2} , {3}"),
     # what there is besides
     ("^(.+?)(?: ,)? there being (.+?)(?: in all| in total| altogether)?$", "{1} . there are {2}"),
-    (f"^(.+) , ({_MANY} [^,]+?) being (?:present|there|available)( as distractors)?$", "{1} . there are {2} {3}"),
     (f"^there being ({_MANY} [^,]+) , (.+)$", "there are {1} . {2}"),
     ("^(.+?)(?: ,)? in the presence of (.+)$", "{1} . there are {2}"),
     (f"^no (?:other )?{_BLOCK} (?:other than|except|except for|but|apart from|besides) (the .+?) {MUST} be "
@@ -118,7 +115,6 @@ _PLAINLY: tuple[Turn, ...] = (
      "one {2} per {1} {3}"),
     ("\\bin such a (?:manner|fashion) that\\b", "so that"),
     # relative clauses
-    (f", the (center|middle|base|top|bottom) of which {_IS} ([^,]+) , ({MUST} .+)$", "whose {1} is {2} {3}"),
     (f", (whose (?:center|middle|base|top|bottom) is [^,]+) , ({MUST} .+)$", "{1} {2}"),
     (f"(?:, )?the (center|middle|base|top|bottom) of which {_IS}\\b", "whose {1} is"),
     (f"(?:, )?the (base|top|bottom) of which (?:consists|consist|{MUST} consist) of\\b", "whose {1} consists of"),
@@ -166,8 +162,6 @@ _PLAINLY: tuple[Turn, ...] = (
      "the {2} {3} consist of {4} {1}"),
     (f"^the grid ({MUST}) (?:consist of|comprise|have) ({_MANY} rows) of ({_MANY}) {_BLOCK}s(?: each)?$",
      "a grid of {2} and {3} columns {1} be built"),
-    (f"^((?:an?|one|{_MANY}) .+?) ({MUST}) be (?:standing|present|found|seen)( on the table)?$",
-     "there {2} be {1} {3}"),
     (f"^((?:an?|one|{_MANY}) [^,]+ , each [^,]+) , ({MUST}) be (?:standing|present|found|seen)( .+)?$",
      "there {2} be {1} {3}"),
     (f"^(.+) , ({_MANY} of each) being (?:used|present|available)$", "{1} . there are {2}"),
@@ -191,7 +185,6 @@ _PLAINLY: tuple[Turn, ...] = (
      f"(?:the|an?|both|all|one|{_MANY}|\\w) .+)$", "{1} {2}"),
     (f"(?:, )?(?:so|such) that the distance between (them|their centers) (?:is|amounts to|{MUST} be) ({_CM})",
      "with a distance of {2} between {1}"),
-    (f"^(.*?)the (?:positions|places|locations) of (.+? {MUST} be (?:swapped|exchanged|interchanged))$", "{1} {2}"),
     ("\\bcentrally (between)\\b", "midway {1}"),
     ("\\b(rotated|turned) through (\\d+ degrees)\\b", "{1} by {2}"),
     ("\\bbetween (?:neighboring|adjacent) faces\\b", "between neighboring blocks"),

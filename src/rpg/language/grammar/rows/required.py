@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.turned import LENGTH, LINE, MUST, Turn
+from rpg.language.grammar.rows.turned import LINE, MUST, Turn
 
 _WANTED = "(?:required|needed|wanted|desired|prescribed|requested|asked for)"
 _BLOCK = "(?:block|cube|brick)"
@@ -10,14 +10,9 @@ _SYMBOL = "(?:letter|digit|symbol|number)"
 
 REQUIRED: tuple[Turn, ...] = (
     # what is required
-    (f"^(an? [^,]+?) is {_WANTED}(?: ,)? (that|in which|where|with|which|on which) (.+)$", "{1} {2} {3}"),
     (f"^(an? {LINE}\\b.+|an? \\w+ {LINE}\\b.+?) (?:is|are) (?:both )?{_WANTED}(?:$| , (.+)$)", "{1} , {2}"),
     (f"^(.+?) (?:is|are) (?:both |all )?{_WANTED} (on|in|behind|next to|under|in front of|to the) (.+)$",
      "{1} must be {2} {3}"),
-    (f"^an? (distance|gap) of ({LENGTH}) (?:is|{MUST} be) (?:{_WANTED}|kept|left) between (.+)$",
-     "the {1} between {3} must be {2}"),
-    (f"^between (the faces of )?(.+? and .+?) , an? (distance|gap) of ({LENGTH}) is {_WANTED}$",
-     "the {3} between {1} {2} must be {4}"),
     ("\\b(?:is|are) (?:required|supposed|expected|meant|obliged) to (be|sit|stand|lie|rest|go|touch|form|end)\\b",
      "must {1}"),
     (f"\\b({MUST}) make (an?|one|two|three) ((?:\\w+ )?{LINE}s?)\\b", "{1} form {2} {3}"),
@@ -40,7 +35,6 @@ REQUIRED: tuple[Turn, ...] = (
     ("\\bmarks? (the outline of)\\b", "form {1}"),
     # what is done
     ("\\b(?:have|has) exchanged (?:their )?(?:places|positions)\\b", "must swap places"),
-    ("^without (the .+?) being (?:moved|touched) , (.+)$", "{2} without moving {1}"),
     # symbols
     (f"^the (equation .+?) (?:is|{MUST} be) (?:shown|formed|written|displayed) (?:by|with|in|as) an? {LINE} of "
      f"{_BLOCK}s$",

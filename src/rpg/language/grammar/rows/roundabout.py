@@ -165,7 +165,6 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"^contact (?:is|{MUST} be) made between (.+?) and (.+?)(?: so that they touch)?$", "{1} must touch {2}"),
     (f"^(.+?) (?:{MUST} )?(?:make|makes|come into|be in) contact with (.+)$", "{1} must touch {2}"),
     (f"^(.+? and .+?) (?:{MUST} )?(?:make|be in) contact(?: with each other)?$", "{1} must touch each other"),
-    (f"^(?:the )?(?:positions|places) of (.+? and .+?) (?:are|{MUST} be) (?:swapped|exchanged|switched)$", "swap {1}"),
     ("^will (the .+? and .+?) (?:please )?(?:swap|change|trade|exchange|switch) (?:places|positions)$", "swap {1}"),
     ("^(an? .+?) tops (an? [^,]+)$", "{1} must be on {2}"),
     ("^(.+?) anywhere (?:except|but) on (.+)$", "{1} must not be on {2}"),
@@ -189,7 +188,6 @@ ROUNDABOUT: tuple[Turn, ...] = (
     # what comes with it
     (f"^(?:the following |these )?(?:(?:{FEW}) )?(?:conditions|requirements|rules|constraints)(?: must hold| must be "
      "met| hold| apply)? : (.+)$", "{1}"),
-    (f"^(an? {LINE}\\b.+) (?:is|are) (?:required|needed|wanted|desired|expected)$", "{1}"),
     ("^(?:tidy|clean) up(?: the table)? so that (.+)$", "{1}"),
     ("^(?:type|print) (\\S+)(?: (?:in|with|out of) (?:letter )?(?:cubes|blocks))?$", "spell {1}"),
     ("^([^,]+?) (?:form|make up|make|build) (?:one|a) (tower|stack|row|column|group|pile)(?: ,)? (?:and|while) (.+?) "

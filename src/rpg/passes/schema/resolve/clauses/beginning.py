@@ -27,7 +27,7 @@ from rpg.passes.schema.resolve.clauses.begun_facts import (
     named_there,
     wanted,
 )
-from rpg.passes.schema.resolve.clauses.in_parts import lie_so, says_where, told_in_parts
+from rpg.passes.schema.resolve.clauses.in_parts import before_orders, lie_so, says_where
 from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
     added,
@@ -37,6 +37,7 @@ from rpg.passes.schema.resolve.clauses.joined_facts import (
     ends_elsewhere,
     facts_joined,
     instead_of,
+    orders_something,
     same_one,
     staying,
 )
@@ -66,8 +67,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))
     if (picture := _pictured(chains, text)) is not None:
         return picture
-    chains = staying(chains, text)
-    chains = told_in_parts(chains, max((n for n, chain in enumerate(chains) if _ordered(chain)), default=0), text)
+    chains = before_orders(staying(chains, text), text)
     told = [_facts(chain, bold) or lie_so(chain, text, bold) for chain in chains]
     final = [_of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]
     told = [fact and not end for fact, end in zip(told, final, strict=True)]
@@ -78,7 +78,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
         for n, x in enumerate(told)
     ]
     chains = tuple(_heap_first(chain, chains[n + 1 : n + 2]) for n, chain in enumerate(chains))
-    ordered = [n for n, chain in enumerate(chains) if _ordered(chain)]
+    ordered = [n for n, chain in enumerate(chains) if orders_something(chain)]
     heaped = [
         n
         for n, chain in enumerate(chains)
@@ -143,7 +143,7 @@ def _of_its_end(chains: tuple[Chain, ...], n: int, text: str) -> bool:
     """Whether a sentence has words of the end, the frames around its clauses included; what is ordered "also" comes
     on top of what the sentence in front of it asks for."""
     begun, ended = chains[n].span
-    if n + 1 < len(chains) and _ordered(chains[n + 1]) and added(chains[n], chains[n + 1], text):
+    if n + 1 < len(chains) and orders_something(chains[n + 1]) and added(chains[n], chains[n + 1], text):
         return True
     if _END.search(text) is None:
         return False
@@ -159,7 +159,7 @@ def _going_on(chains: tuple[Chain, ...], final: list[bool]) -> list[int]:
     found: list[int] = []
     started = False
     for n, chain in enumerate(chains):
-        asked = any(final[m] or _ordered(chains[m]) for m in range(n + 1, len(chains)))
+        asked = any(final[m] or orders_something(chains[m]) for m in range(n + 1, len(chains)))
         if started and asked and not final[n] and _facts(chain):
             found.append(n)
         else:
@@ -258,14 +258,18 @@ def _undoes(chain: Chain) -> bool:
 def _moved_next(before: Chain, after: Chain, text: str) -> bool:
     """ "the red block is on the green block. Move it next to the blue block": what is told of a block that the very
     next sentence moves, or says to belong elsewhere ("It has to go to the left half"), or what is told before another
-    block is put somewhere ("Put the white block on top").
+    block is put somewhere ("Put the white block on top") or something is built.
     """
     fact, order = before.clauses[-1], asked_of(after)
     if not _facts(before) or not isinstance(fact, Clause) or not isinstance(order, Clause) or order.negated:
         return False
     if isinstance(fact.theme, Noun) and fact.theme.head == "patch":
         return False
-    if not any(isinstance(a, Loc | In | At) for a in order.adjuncts) or BESIDES.search(text[slice(*order.span)]):
+    if BESIDES.search(text[slice(*order.span)]):
+        return False
+    if order.verb == "build" and order.mode == "command":
+        return True
+    if not any(isinstance(a, Loc | In | At) for a in order.adjuncts):
         return False
     if order.verb in ("place", "stack") and order.mode == "command":
         return True
@@ -302,12 +306,6 @@ _PLAINLY = re.compile(r"\W*(?:(?:ok|okay|so|now|well|hi|hello|hey|listen|robot|l
 def _unframed(chains: tuple[Chain, ...], n: int, text: str) -> bool:
     before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
     return _PLAINLY.fullmatch(re.split(r"[.;!?]", before)[-1]) is not None
-
-
-def _ordered(chain: Chain) -> bool:
-    """Whether a sentence orders something to be done."""
-    said = [c for c in chain.clauses if isinstance(c, Clause) and not c.negated]
-    return any(c.mode == "command" or (c.mode, c.verb) == ("goal", "exist") for c in said)
 
 
 def _heaped(chain: Chain) -> bool:

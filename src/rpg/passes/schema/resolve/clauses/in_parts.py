@@ -26,13 +26,14 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.joined_facts import by_itself, orders_something
 
 _SEE = re.compile(
     r"(?:now |here |first |currently |right now )?(?:i|you|we|the robot|the camera)(?: can| now)? sees?,?:?"
     r"|here (?:is|are):?",
     re.IGNORECASE,
 )
-_DOING = ("place", "pick", "stack", "unstack", "reverse", "swap", "turn", "use", "remove")
+_DOING = ("place", "pick", "build", "stack", "unstack", "reverse", "swap", "turn", "use", "remove")
 
 
 def _seen_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
@@ -70,7 +71,13 @@ _ENDS_OF = {"stack": ("bottom", "top", "middle", "next"), "row": ("left", "right
 """Where a part of a line is, so that it is told of the line and not of a place on the table."""
 
 
-def told_in_parts(chains: tuple[Chain, ...], ordered: int, text: str) -> tuple[Chain, ...]:
+def before_orders(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
+    """What is told before the last sentence that orders something."""
+    last = max((n for n, chain in enumerate(chains) if orders_something(chain)), default=0)
+    return _told_in_parts(by_itself(chains, last), last, text)
+
+
+def _told_in_parts(chains: tuple[Chain, ...], ordered: int, text: str) -> tuple[Chain, ...]:
     """ "There is a tower, red at the bottom, white above it, blue on top. Put the blue block on the table.": the parts
     of what is there before the last order (the sentence `ordered`) are told with it, of how it is then."""
     chains = _seen_there(chains, text)

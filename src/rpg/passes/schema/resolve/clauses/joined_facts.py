@@ -5,7 +5,20 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
-from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, TableTop, replace
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    In,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Quality,
+    TableTop,
+    Traits,
+    replace,
+)
 
 BESIDES = re.compile(r"\b(?:also|too|as well|both|in addition|additionally)\b", re.IGNORECASE)
 _DEMANDED = re.compile(
@@ -26,6 +39,12 @@ def added(before: Chain, after: Chain, text: str) -> bool:
     return BESIDES.search(said.replace("both", "")) is not None
 
 
+def orders_something(chain: Chain) -> bool:
+    """Whether a sentence orders something to be done."""
+    said = [c for c in chain.clauses if isinstance(c, Clause) and not c.negated]
+    return any(c.mode == "command" or (c.mode, c.verb) == ("goal", "exist") for c in said)
+
+
 def staying(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """ "(Red is on the green mat, blue on the white one.) Move the red block onto the white mat as well.": what is said
     to be there stays there."""
@@ -41,6 +60,42 @@ def staying(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
         kept = tuple(_as_it_is(c) for c in stay if isinstance(c.theme, Noun))
         found[n] = replace(chain, clauses=(*chain.clauses, *kept), links=(*chain.links, *("and" for _ in kept)))
     return tuple(found)
+
+
+def by_itself(chains: tuple[Chain, ...], ordered: int) -> tuple[Chain, ...]:
+    """ "(The red block is on the blue one.) The green block stands alone. Put ...": on the table, where such a thing is
+    told beside others before an order (the sentence `ordered`)."""
+    had: list[Clause] = []
+    found = list(chains)
+    for n, chain in enumerate(chains[:ordered]):
+        clauses: list[Meaning] = []
+        for said in chain.clauses:
+            alone = isinstance(said, Clause) and had and _alone(said) and not any(same_one(c, said) for c in had)
+            clauses.append(_on_table(said) if alone and isinstance(said, Clause) else said)
+            had += [said] if isinstance(said, Clause) and not said.negated else []
+        found[n] = replace(chain, clauses=tuple(clauses))
+    return tuple(found)
+
+
+def _on_table(said: Clause) -> Clause:
+    place = Loc(rel="on", landmark=TableTop(span=said.span), span=said.span)
+    return replace(said, lemma="fact", adjuncts=(place,))
+
+
+def _alone(said: Clause) -> bool:
+    """ "is alone", "is free", "is by itself", "is somewhere else on the table"."""
+    block = isinstance(said.theme, Noun) and said.theme.head != "patch"
+    places = [a for a in said.adjuncts if not (isinstance(a, Loc) and isinstance(a.landmark, TableTop))]
+    if said.lemma not in ("fact", "") or said.mode != "goal" or said.negated or not block or len(places) != 1:
+        return False
+    match places[0]:
+        case Manner(kind="alone") | Loc(rel="moved", mods=("else",)):
+            return said.verb == "be"
+        case Loc(rel="beside", landmark=Pronoun(word="itself")):
+            return said.verb == "be"
+        case Quality(traits=traits, negated=False):
+            return traits == Traits(empty=True)
+    return False
 
 
 def _same_place(fact: Clause, order: Clause) -> bool:

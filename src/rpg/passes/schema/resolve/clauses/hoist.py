@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import reduce
+
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -67,9 +69,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if not isinstance(said, Clause):
                 kept.append((link, said))
                 continue
-            for told in _IN_OTHER_WORDS:
-                said = told(said)
-            said = grounded(said, chains)
+            said = grounded(reduce(lambda one, told: told(one), _IN_OTHER_WORDS, said), chains)
             _below_what(_last(found), said)
             if link != "then" and other_side(found, said):
                 continue

@@ -23,6 +23,7 @@ MAX_DIGITS = 10
 COLORS_UNSAID = "the colours of the blocks are not said"
 SYMBOLS_UNSAID = "the symbols are not said"
 """How assumptions begin that chose the looks of blocks."""
+EXCHANGED = "the two are exchanged when what is told of the start is so the other way round"
 
 
 def slug(text: str) -> str:

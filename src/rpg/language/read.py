@@ -14,6 +14,7 @@ from rpg.language.grammar.clauses.links import emphasised, next_step
 from rpg.language.grammar.core import Parser, TooMuchWork
 from rpg.language.grammar.rows.formal import plainly
 from rpg.language.grammar.structures.levels import in_one
+from rpg.language.grammar.talk.answered import with_answers
 from rpg.language.grammar.talk.asides import SOFT
 from rpg.language.grammar.talk.chatter import announces, idle
 from rpg.language.grammar.talk.commands import AFTER_THAT, WHEN_OVER
@@ -60,6 +61,7 @@ _THEN = (
     "finally",
     "next",
     "lastly",
+    "last of all",
     "subsequently",
     "thereafter",
     "second of all",
@@ -96,15 +98,8 @@ _LEADING_WORDS = (
 )
 _LEADING = frozenset(_LEADING_WORDS.split())
 """What stands before a verb, or a noun that looks like one, in the middle of a sentence."""
-_EARLIER = (
-    "before that",
-    "but before that",
-    "beforehand",
-    "but first",
-    "before this",
-    "before doing so",
-    "before you do that",
-)
+_EARLIER = ("before that", "but before that", "beforehand", "but first", "before this", "before doing so",
+            "before you do that")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -142,7 +137,7 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    parts = in_one(_with_predicates(told_first(split(tokens))))
+    parts = in_one(_with_predicates(told_first(with_answers(split(tokens)))))
     read: Parts = []
     headed: int | None = None
     for part in [part for part in parts if not idle(part)] or parts:

@@ -55,6 +55,7 @@ from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
+from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.structures.unbuilt import check_known
@@ -164,7 +165,7 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    chains = tuple(shared_sides(recounted(chain), text) for chain in chains)
+    chains = tuple(shared_sides(recounted(chain), text) for chain in groups_listed(chains))
     links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, from_heaps(chains), text))))
     facts = cleared_of(begun(chains, text), links)
     if (last := heaps_last(*told_later(links, facts))) is not None:

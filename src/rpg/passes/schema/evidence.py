@@ -15,7 +15,7 @@ from pydantic import BaseModel
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch
-from rpg.ir.schema import COLORS_UNSAID, TaskSchema
+from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
@@ -86,6 +86,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
     numbers: Numbers | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
     terms = {term for part in parts for term in _terms(part)} | _shown_orders(task) | {"heaps" for _ in task.init.heaps}
+    terms |= {"swapped"} if task.assumed(EXCHANGED) else set()
     for index, token in enumerate(words):
         if token.word not in _TELLING and token.kind not in ("number", "sign") and len(token.raw) != 1:
             continue

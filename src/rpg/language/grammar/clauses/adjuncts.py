@@ -14,6 +14,7 @@ from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.structures.apposed import apposed_blocks
 from rpg.language.grammar.structures.arising import arising
+from rpg.language.grammar.structures.at_corners import at_corners
 from rpg.language.grammar.structures.each import each_led
 from rpg.language.grammar.structures.each_line import each_line
 from rpg.language.grammar.structures.limbs import LIMBED, LIMBS, limb
@@ -242,7 +243,7 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
         yield Into(structure=Structure(kind="equation", span=p.span(i, j)), span=p.span(i, j)), j
     if p.follows(i, (",",)) and (j := p.any_of(i, _STACKED)) and (j >= p.end or p.words[j] in _AFTER_STACKED):
         yield Into(structure=Structure(kind="stack", det="a", span=p.span(i, j)), span=p.span(i, j)), j
-    yield from arising(p, i)
+    yield from (*arising(p, i), *at_corners(p, i))
     for _, j in p.standing(i, _INTO):
         for target, k in simple(p, j):
             ordered = p.words[k] == "order" and getattr(target, "kind", "") == "gradient"  # "in rainbow order: ..."

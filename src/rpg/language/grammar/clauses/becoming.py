@@ -9,6 +9,7 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.made import made
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.sides import toward
+from rpg.language.grammar.structures.rising import they_rise
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import (
@@ -34,6 +35,8 @@ _THERE = frozenset({"seen", "shown", "visible", "present", "needed", "required",
 _GIVEN = frozenset({"provided", "present"})
 """Of blocks these tell that there are such."""
 _EXISTS = frozenset({"appear", "exist"})
+_RISES = frozenset({"rise", "rises"})
+"""What only towers do where they stand."""
 _CONSISTS = (
     "consists of", "consist of", "is made of", "is made from", "is made up of", "is made out of", "is composed of",
     "comprises", "is built from", "is built of", "be made of", "be made from", "consist only of", "be built from",
@@ -83,6 +86,8 @@ def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
                 if isinstance(found, Clause):
                     yield replace(found, adjuncts=(*found.adjuncts, way)), last
     elif isinstance(theme, Noun | Coord | Pronoun):
+        yield from they_rise(p, i, k, theme, mode)
+        yield from _visits(p, i, k, theme, mode) if p.rarely(_VISIT) else ()
         yield from _becomes(p, i, k, theme, mode)
         yield from _gathers(p, i, k, theme, mode)
 
@@ -90,7 +95,8 @@ def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
 def _there(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
     """ "a row of blocks is seen: cyan, white", "a yellow block should be visible in front of it"."""
     be = p.any_of(k, _IS)
-    j = p.one(be, _THERE) if be else p.one(k, _EXISTS)
+    rises = p.one(k, _RISES) if isinstance(theme, Structure) and theme.kind == "stack" else 0
+    j = p.one(be, _THERE) if be else p.one(k, _EXISTS) or rises
     if not j:
         return
     shaped = isinstance(theme, Structure)
@@ -167,6 +173,23 @@ def _becomes(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
             lemma = "turn into" if shaped else ""
             adj, span = (into, *found), p.span(i, last)
             yield Clause(verb="arrange", lemma=lemma, theme=theme, adjuncts=adj, mode=mode, cost=1, span=span), last
+
+
+_VISIT = frozenset({"visit", "visits"})
+_STEPS = frozenset({"first", "then", "before", "afterwards"})
+"""Beside these something is visited on the way, and is where it is then for a while."""
+
+
+def _visits(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
+    """ "the red block visits the blue mat first (and then ends up on the green one)"."""
+    j = p.one(k, _VISIT)
+    for mark, at in simple(p, j) if j and not p.all.isdisjoint(_STEPS) else ():
+        if not isinstance(mark, Noun) or mark.head != "patch":
+            continue
+        there = Loc(rel="on", landmark=mark, span=p.span(k, at))
+        for found, end in adjuncts(p, at):
+            if all(isinstance(a, Manner) for a in found):
+                yield Clause(verb="be", theme=theme, adjuncts=(there, *found), mode=mode, span=p.span(i, end)), end
 
 
 def _gathers(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:

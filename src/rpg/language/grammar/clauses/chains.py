@@ -9,7 +9,7 @@ from rpg.language.grammar.clauses.becoming import and_touches
 from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
-from rpg.language.grammar.clauses.links import emphasised, linked
+from rpg.language.grammar.clauses.links import all_in_one, emphasised, linked
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
 from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
@@ -161,7 +161,9 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 item = same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
                 same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
-                if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
+                if p.words[j - 1] == "," and (_apposed(previous, item) or (len(had) == 1 and all_in_one(item))):
+                    continue
+                if _told_again(previous, item) is not None:
                     continue
                 item = item if denied else _contrasted(previous, item, link)
                 whole = (*_shared(had, item, link), item)
@@ -219,7 +221,7 @@ def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str,
         if isinstance(item, Clause) and told and item.verb != "exist":
             whole = (*had, replace(item, cost=item.cost + 3))
             yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
-            if item.mode == "start":
+            if item.mode == "start" or getattr(had[-1], "mode", "") == "start":
                 yield from _more(p, i, whole, (*links, "and"), k)
     if isinstance(had[-1], Clause) and had[-1].adjuncts and had[-1].verb != "exist":
         for item, k in looks_told(p, colon):

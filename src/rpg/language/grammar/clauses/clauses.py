@@ -20,7 +20,7 @@ from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
-from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
+from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there, what_carries
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.sole import just_these
@@ -61,6 +61,7 @@ from rpg.language.meaning import (
     OrderBy,
     Pronoun,
     Structure,
+    TableTop,
     That,
     Toward,
     replace,
@@ -97,9 +98,7 @@ def _unwanted(p: Parser, i: int) -> Results[Meaning]:
 def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     when = "start" if mode == "start" else "goal"
     if mode in ("command", "any", "end"):
-        yield from _command(p, i)
-        yield from covered(p, i)
-        yield from addressed(p, i)
+        yield from (*_command(p, i), *covered(p, i), *addressed(p, i))
     yield from gap(p, i)
     yield from measuring(p, i, when)
     yield from trading_places(p, i)
@@ -146,6 +145,7 @@ def _what(p: Parser, i: int, mode: str) -> Results[Clause]:
         for theme, last in simple(p, end) if end else ():
             if isinstance(theme, Noun) and theme.head != "patch" and isinstance(spot, Loc | In):
                 yield Clause(verb="be", theme=theme, adjuncts=(spot,), mode=mode, span=p.span(i, last), cost=1), last
+    yield from what_carries(p, i, mode)
 
 
 @rule
@@ -171,7 +171,7 @@ def _for_each(p: Parser, i: int) -> Results[Meaning]:
 @rule
 def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
-    for first, j in adjunct(p, i):
+    for first, j in _leading(p, i):
         if not leads(p, j, first) or p.words[i] in _NO_PLACE:
             continue
         for second, k in adjunct(p, j) if isinstance(first, Loc) and p.stands(j, LEADS) else ():
@@ -193,8 +193,7 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         again = (placed and p.words[j - 1] == ",") or (isinstance(first, OrderBy | Into) and p.stands(j, WAY))
         further = ((of_its(x, first), k) for x, k in _fronted(p, j, mode)) if again else ()
         wished = [start for start, kind in _frames(p, j) if start > j and kind in _SEEN] if placed else ()
-        for start in wished if where else ():
-            yield from stands_there(p, i, start, first, mode)
+        yield from (x for start in wished if where for x in stands_there(p, i, start, first, mode))
         found_all = [x for start in wished for x in _plain(p, start, mode)]
         for found, end in [*_plain(p, j, mode), *further, *found_all, *done_last(p, j, mode)]:
             if isinstance(first, Into) and isinstance(found, Clause) and found.verb == "part":
@@ -208,6 +207,14 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
         if isinstance(first, Toward | Into):
             yield from (found for start in (j, *wished) for found in listed_there(p, i, start, first, mode))
+
+
+def _leading(p: Parser, i: int) -> Results[Meaning]:
+    """What stands in front of its clause; "in a row on the table, put ..." says no more than "in a row"."""
+    for first, j in adjunct(p, i):
+        yield first, j
+        on = adjunct(p, j) if isinstance(first, Into) and p.stands(j, ("on",)) else ()
+        yield from ((first, k) for top, k in on if isinstance(top, Loc) and isinstance(top.landmark, TableTop))
 
 
 _SEEN = frozenset({"state", "end", "command"})
@@ -253,7 +260,8 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
             kind = told or mode
             for j in table.matches(p, start):
                 numbered = start > 0 and p.tokens[start].kind == "number" and p.words[start - 1] != ";"
-                if numbered or just_these(p, j) or (p.words[j] == "to" and p.words[j - 1] in ("next", "addition")):
+                begun = (p.words[j - 1], p.words[j]) in (("next", "to"), ("addition", "to"), ("so", "that"))
+                if numbered or begun or just_these(p, j):
                     continue
                 if table is CHATTER and not (j := p.one(j, _SET_OFF)):
                     continue
@@ -338,17 +346,8 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
             if found or shaped:
                 found = topped(theme, found)
                 cost = 2 if found and isinstance(found[0], At) else 1
-                yield (
-                    Clause(
-                        verb="build" if shaped else "be",
-                        theme=theme,
-                        adjuncts=found,
-                        mode=mode,
-                        span=p.span(i, k),
-                        cost=cost,
-                    ),
-                    k,
-                )
+                verb = "build" if shaped else "be"
+                yield Clause(verb=verb, theme=theme, adjuncts=found, mode=mode, span=p.span(i, k), cost=cost), k
         colon = p.opt(p.opt(j, ",", ":"), "all")
         close = isinstance(theme, Noun) and len(theme.traits.labels) > 1 and p.stands(j, _SORTED)  # "A B C sorted row"
         for apposed, k in noun_phrase(p, colon) if colon > j or close else ():

@@ -18,6 +18,7 @@ from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.meaning import (
+    OWNER,
     Absolute,
     Amount,
     At,
@@ -77,6 +78,7 @@ _MEMBERS = frozenset({"blocks", "cubes", "bricks", "boxes", "colors", "letters",
 def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block should have the blue one on it", "the patch must contain two blocks", "A has B to its left"."""
     for owner, j in noun_phrase(p, i):
+        yield from _it_has(p, i, j, owner, mode) if isinstance(owner, Pronoun) and owner.word == "it" else ()
         if isinstance(owner, TableTop) or (isinstance(owner, Pronoun) and owner.word not in _OF_TWO):
             continue
         yield from _made_up(p, i, j, owner, mode)
@@ -103,7 +105,7 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                         continue
                     places = _owned(found, owner)
                     if places is not None:
-                        stated = _stated(p, i, end, theme, places, mode)
+                        stated = _as_told(p, j, k, _stated(p, i, end, theme, places, mode))
                         yield stated, end
                         yield from _another(p, i, end, owner, stated, mode)
         if i and patch and (k := p.any_of(j, _CARRIES) or p.any_of(j, _HAS)) and (end := p.any_of(k, _NONE)):
@@ -117,10 +119,38 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                         yield _stated(p, i, end, theme, (place,), mode), end
 
 
+def _it_has(p: Parser, i: int, j: int, it: Pronoun, mode: str) -> Results[Clause]:
+    """ "(a white block is on the mat,) and it has a gray one on top": what stands on it, or beside it."""
+    k = p.any_of(j, _HAS)
+    it = replace(it, word=OWNER)
+    for theme, start in simple(p, k) if k else ():
+        block = isinstance(theme, Noun) and theme.head != "patch" and theme.det in ("a", "the", "bare")
+        for found, end in adjuncts(p, start) if block else ():
+            if (places := _owned(found, it)) is not None:
+                yield _as_told(p, j, k, _stated(p, i, end, theme, places, mode)), end
+
+
+def _as_told(p: Parser, j: int, k: int, stated: Clause) -> Clause:
+    """ "It has a gray block on it": a fact, which may be so at the start; "should have" is none."""
+    return replace(stated, lemma="fact") if p.words[j:k] == ["has"] and stated.mode == "goal" else stated
+
+
 def _symbols(p: Parser, i: int) -> bool:
     """ "five cubes carry the letters A to E": what they show, not what lies on them."""
     word = p.words[p.opt(i, "the")]
     return any(word in table for table in (lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL)) and word.endswith("s")
+
+
+def what_carries(p: Parser, i: int, mode: str) -> Results[Clause]:
+    """ "what supports the red block is the blue one": that is on the blue one."""
+    led = p.any_of(i, ("what", "the block that", "the one that", "the cube that"))
+    k = p.any_of(led, _CARRIES) if led else 0
+    for theme, j in simple(p, k) if k else ():
+        j = p.any_of(j, ("at the end", "in the end", "finally")) or j
+        end = p.any_of(j, ("is", "should be", "must be", "has to be", "shall be"))
+        for owner, last in simple(p, end) if end else ():
+            if isinstance(owner, Noun) and owner.head != "patch" and isinstance(theme, Noun):
+                yield _stated(p, i, last, theme, (Loc(rel="on", landmark=owner, span=p.span(i, k)),), mode), last
 
 
 def _made_up(p: Parser, i: int, j: int, owner: Meaning, mode: str) -> Results[Clause]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.commands import AFTER_THAT, THEN, WHEN_OVER
+from rpg.language.meaning import Clause, Into, Meaning, Pronoun, Size
 
 _EARLIER = (
     "but first", "but before that", "and before that", "but only after", "only after", "only once", "but only once",
@@ -82,3 +83,9 @@ _ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also
     "as well as", "also", "whereas", "&",
          "yet", "and yet", "but yet", "although", "though", "except that", "only that",
          "with the exception that")  # fmt: skip
+
+
+def all_in_one(item: Meaning) -> bool:
+    """ "(put A, B and C in order,) all in one row": said of the same blocks, as it stands."""
+    all_ = isinstance(item, Clause) and isinstance(item.theme, Pronoun) and item.theme.word == "all"
+    return all_ and all(isinstance(a, Into | Size) for a in getattr(item, "adjuncts", ()))

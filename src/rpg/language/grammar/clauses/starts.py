@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.piled import piled
@@ -75,8 +76,18 @@ def begun_of(before: Meaning | None, item: Meaning) -> Meaning:
 _MOVING = frozenset({"go", "goes", "comes", "come"})
 
 
+def first_of_all(p: Parser, j: int) -> bool:
+    """ "The red block first goes to the mat, ...", "it must first be on the mat and then ...": before anything else."""
+    if p.stands(j + 1, ("been",)) or p.follows(j, ("the", "a", "an")):  # "it has first been put there", "the first is"
+        return False
+    return p.stands(j, ("first",)) and (p.stands(j + 1, lexicon.POSTURE) or p.stands(j + 1, ("visits", "moves")))
+
+
 def perhaps_first(p: Parser, k: int, item: Meaning, mode: str) -> Meaning:
     """ "At the start red goes on blue", with its verb at `k`: so it is then, or a command to do it first."""
+    if p.follows(k, ("first",)) and first_of_all(p, k - 1) and isinstance(item, Clause):
+        now = Manner(kind="time", value=1.0, span=p.span(k - 1, k))
+        return replace(item, adjuncts=(now, *item.adjuncts))
     if p.words[k] not in _MOVING or not isinstance(item, Clause):
         return item
     said = any(isinstance(a, Manner) and a.kind == "start" for a in item.adjuncts)

@@ -14,7 +14,7 @@ from rpg.language.grammar.clauses.manners import direction, manner
 from rpg.language.grammar.clauses.nowhere import nowhere
 from rpg.language.grammar.clauses.reads import reads
 from rpg.language.grammar.clauses.sole import sole
-from rpg.language.grammar.clauses.starts import STARTS, perhaps_first, starts_as
+from rpg.language.grammar.clauses.starts import STARTS, first_of_all, perhaps_first, starts_as
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, spell, with_theme
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.sizes import AS_HIGH
@@ -206,7 +206,7 @@ _ORDERED = frozenset({"first", "then", "before", "after", "next", "second", "fir
 def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     words: set[str] = set()
     last = _LASTLY if p.all.isdisjoint(_ORDERED) else frozenset[str]()
-    while j < p.end and (p.words[j] in _AUXILIARY or p.words[j] in last or _passive(p, j)):
+    while j < p.end and (p.words[j] in _AUXILIARY or p.words[j] in last or _passive(p, j) or first_of_all(p, j)):
         if p.words[j] in words & _NOT:
             break
         if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ended", "ending", "winds"):
@@ -383,7 +383,8 @@ def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         return
     k, words = _auxiliaries(p, i)
     later = before.mode == "start" and p.words[k] in _BOUND | _LASTING
-    if k == i and not later and p.words[i : i + 1] not in (["is"], ["are"]):
+    onward = p.stands(i, ("goes", "go")) and p.follows(i, ("then",))  # "goes to A and then goes to B"
+    if k == i and not later and not onward and p.words[i : i + 1] not in (["is"], ["are"]):
         return
     both = "both" in words or p.words[i - 1] == "both"
     same = Pronoun(word="both the same" if both else "same", span=before.theme.span)

@@ -120,7 +120,7 @@ def listed_there(p: Parser, i: int, j: int, first: Toward | Into, mode: str) -> 
         if not there or not isinstance(way, Toward) or not isinstance(shape, Into):
             continue
         for items, end in listed(p, p.opt(there, ":")):
-            given = OrderBy(by="given", items=items, span=p.span(there, end))
+            given = OrderBy(by="given", items=_one_for_each(items), span=p.span(there, end))
             said = Clause(verb="arrange", adjuncts=(way, given, shape), mode=when, span=p.span(i, end))
             yield said, end
     if isinstance(first, Toward):
@@ -142,13 +142,23 @@ def _standing(p: Parser, i: int) -> int:
 _THERE_ARE = ("there are", "there should be", "there must be", "there shall be", "there have to be", "come")
 
 
+def _one_for_each(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
+    """ "there are gray, white and pink blocks" along a line: one of each colour, in the order of the colours."""
+    plain = [x for x in items if isinstance(x, Noun) and x.det == "bare" and x.amount is None and x.part_of is None]
+    if len(plain) < len(items) or any(x.traits != Traits(colors=x.traits.colors) or x.traits.either for x in plain):
+        return items
+    if len({c for x in plain for c in x.traits.colors}) < sum(len(x.traits.colors) for x in plain):
+        return items
+    return tuple(replace(x, plural=False, traits=Traits(colors=(c,))) for x in plain for c in x.traits.colors)
+
+
 def _along(p: Parser, i: int, j: int, first: Toward, when: str) -> Results[Meaning]:
     there = p.opt(max(_SEEN.matches(p, j), default=j), ":", ",")
     for theme, end in noun_phrase(p, there) if there > j else ():
         if isinstance(theme, Coord) and any(isinstance(x, Structure) for x in theme.items):
             yield Clause(verb="build", theme=theme, adjuncts=(first,), mode=when, span=p.span(i, end), cost=1), end
     for items, end in listed(p, there):
-        given = OrderBy(by="given", items=items, span=p.span(there, end))
+        given = OrderBy(by="given", items=_one_for_each(items), span=p.span(there, end))
         for more, last in adjuncts(p, end):
             span = p.span(i, last)
             yield Clause(verb="arrange", adjuncts=(first, given, *more), mode=when, span=span, cost=1), last

@@ -10,7 +10,7 @@ from rpg.language.grammar.clauses.covered import named_last
 from rpg.language.grammar.clauses.for_whom import behind_us
 from rpg.language.grammar.clauses.links import RATHER
 from rpg.language.grammar.clauses.manners import degrees_of, direction
-from rpg.language.grammar.clauses.particles import across
+from rpg.language.grammar.clauses.particles import WHITHER, across
 from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.clauses.turned import REST, not_turned
@@ -83,7 +83,7 @@ def verb_phrase(p: Parser, i: int, forms: tuple[str, ...] = ("base",)) -> Result
         return
     for sense, lemma, form in senses:
         if form in forms:
-            after = _PARTICLES.get(sense, PARTICLES)
+            after = _PARTICLES.get(sense, PARTICLES) if lemma != "drop" else (*_PARTICLES[sense], "off")
             for particle in dict.fromkeys((p.opt(i + 1, *after), i + 1)):
                 yield from with_theme(p, i, behind_us(p, particle, sense), sense, lemma)
 
@@ -126,6 +126,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
         yield from taken_off(p, i, k, theme) if sense in ("pick", "use") or lemma in _TAKING else ()
         k = p.opt(k, *_BEHIND.get(sense, ()))
+        k = k + 1 if lemma == "drop" and p.stands(k, ("off",)) and p.stands(k + 1, WHITHER) else k
         k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k
         if sense == "place" and "down" in (p.words[k - 1], p.words[j - 1]):
             yield put_down(theme, lemma, p.span(i, k), word), k

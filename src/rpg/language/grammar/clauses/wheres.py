@@ -4,6 +4,7 @@ is"."""
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import Clause, Coord, Meaning, Noun, Structure
 
@@ -21,9 +22,25 @@ _GOES = ("goes", "should go", "should be", "must be", "must go", "belongs", "is"
 _TOLD = frozenset({"where"})
 
 
+_FINDS = Patterns(
+    "should|must|shall|will|is_to|has_to? find|have|take|get|finds|has|takes|gets its|their "
+    "place|home|spot|position|seat|places|homes|spots|positions"
+)
+_OWN_PLACE = frozenset({"place", "home", "spot", "position", "seat", "places", "homes", "spots", "positions"})
+
+
+def finds_its_place(p: Parser, i: int, j: int, place: Meaning, mode: str) -> Results[Clause]:
+    """ "(On the green mat,) the red block finds its place": the place, and behind it what has it."""
+    for theme, k in simple(p, j) if p.rarely(_OWN_PLACE) else ():
+        end = max(_FINDS.matches(p, k), default=0)
+        if end and isinstance(theme, Noun) and theme.head != "patch":
+            yield Clause(verb="be", theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, end), cost=1), end
+
+
 @choice
 def is_where(p: Parser, i: int, j: int, place: Meaning, mode: str) -> Results[Clause]:
     """A place, and behind it what goes there."""
+    yield from finds_its_place(p, i, j, place, mode)
     start = p.any_of(j, _IS_WHERE)
     wanted = p.any_of(start, _WANTED) if start else 0
     for theme, k in simple(p, wanted or start) if start else ():

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.borne import bearing, borne
+from rpg.language.grammar.places.flanked import flanked
 from rpg.language.grammar.places.formed import formed
 from rpg.language.grammar.places.in_turn import in_turn, one_by_one
 from rpg.language.grammar.places.relations import loc
@@ -33,8 +34,10 @@ from rpg.language.meaning import (
 
 _LEADS = (
     "with", "having", "where", "keeping", "whose", "and with", "but with", "crowned by", "crowned with", "topped by",
-    "topped with", "that has", "which has", "and has", "that have", "which have",
+    "topped with", "that has", "which has", "and has", "that have", "which have", "using",
 )  # fmt: skip
+_INITIALLY = ("that initially has", "which initially has", "that currently has", "which currently has", "that now has")
+"""What is reversed is told as it begins anyway."""
 _PART_LEADS = (
     "in which", "of which", "so that", "such that", "except that", "except", "except for", "apart from",
     "save for", "but", "but where", "but whose", "only",
@@ -81,8 +84,11 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
     comma = p.opt(i, ",", ":")
     yield from starting(p, i)
     yield from borne(p, i)
+    yield from flanked(p, i)
     yield from _of_parts(p, i, comma)
     j = p.any_of(comma, _LEADS) or (comma if comma > i else 0)
+    if not j and (begun := p.any_of(i, _INITIALLY)) and "reverse" in p.all:
+        j = begun
     if not j or (p.words[j - 1] == "keeping" and p.follows(i, ("always", "constantly", "permanently"))):
         return
     if p.words[j - 1] in ("by", "with") and p.words[j - 2] in ("crowned", "topped"):

@@ -6,12 +6,27 @@ from collections.abc import Iterator
 from typing import Any, cast
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.places.measures import AMONG, NEXT, bounds, measured_so, room, their_ends
+from rpg.language.grammar.places.absolutes import absolute
+from rpg.language.grammar.places.measures import AMONG, MEASURED_BETWEEN, NEXT, bounds, measured_so, room, their_ends
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Spacing, That, Traits, replace
+from rpg.language.meaning import (
+    Amount,
+    At,
+    Chain,
+    Clause,
+    Coord,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Spacing,
+    That,
+    Traits,
+    replace,
+)
 
 _GAPS = tuple(
     (noun, measure, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}"),
@@ -60,9 +75,24 @@ def gap(p: Parser, i: int) -> Results[Clause]:
                 both = Coord(op="and", items=(one, two), span=p.span(i, end))
                 if same == measure:
                     yield _far_apart(p, i, end, both, low, high, measure), end
-    yield from _left_between(p, i)
-    yield from _between_first(p, i)
-    yield from _limited(p, i)
+    for found, j in (*_left_between(p, i), *_between_first(p, i), *_limited(p, i)):
+        yield found, j
+        for far, end in measured_so(p, cast(Loc, found.adjuncts[0]), i, j) if p.rarely(_MEASURED) else ():
+            if end > j:
+                yield replace(found, adjuncts=(far,), span=p.span(i, end)), end
+    for how, j in _measured_ahead(p, i) if p.rarely(_MEASURED) else ():
+        for found, end in gap(p, j):
+            far = replace(cast(Loc, found.adjuncts[0]), measure=how)
+            yield replace(found, adjuncts=(far, *found.adjuncts[1:]), span=p.span(i, end)), end
+
+
+_MEASURED = frozenset({"measured"})
+
+
+def _measured_ahead(p: Parser, i: int) -> Results[str]:
+    """ "Measured from centre to centre, (the distance is 8 cm)": between what of the blocks."""
+    if p.stands(i, ("measured",)):
+        yield from ((MEASURED_BETWEEN[phrase], p.opt(k, ",")) for phrase, k in p.standing(i, MEASURED_BETWEEN))
 
 
 def _parted(p: Parser, i: int) -> Results[Meaning]:
@@ -196,11 +226,15 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
             for ends, end in their_ends(p, m):
                 yield _far_apart(p, i, end, Pronoun(word="them", span=p.span(m, end)), low, high, ends), end
             for told, end in _parted(p, m):
+                if _alone(told) and p.stands(end, ("and",)):
+                    continue  # "between red and green, with blue on it": not "between red"
                 theme = _its_own(told) if p.words[i] == "leaving" else told
                 apart = _far_apart(p, i, end, theme, low, high, measure)
                 for far, last in measured_so(p, cast(Loc, apart.adjuncts[0]), i, end):
                     yield replace(apart, adjuncts=(far,), span=p.span(i, last)), last
                 yield from _with_side(p, i, end, apart)
+                for beside, last in absolute(p, p.opt(end, ",")) if p.stands(p.opt(end, ","), ("with",)) else ():
+                    yield replace(apart, adjuncts=(*apart.adjuncts, beside), span=p.span(i, last)), last
 
 
 def _wide(p: Parser, j: int) -> Iterator[tuple[Any, int, str]]:
@@ -256,6 +290,13 @@ def _with_side(p: Parser, i: int, at_: int, apart: Clause) -> Results[Clause]:
                 told = Clause(verb="be", theme=one, adjuncts=(place,), mode="goal", span=span)
                 that = That(kind="so", clauses=Chain(clauses=(told,), links=("and",), span=span), span=span)
                 yield replace(apart, adjuncts=(*apart.adjuncts, that), span=p.span(i, end)), end
+
+
+def _alone(told: Meaning) -> bool:
+    """A single block, which has nothing between it."""
+    if not isinstance(told, Noun) or told.plural or told.amount not in (None, Amount(1, 1)):
+        return False
+    return told.det in ("the", "a", "bare") and len(told.traits.colors + told.traits.labels) == 1
 
 
 def _same_look(one: Noun, two: Noun) -> bool:

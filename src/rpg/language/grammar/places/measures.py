@@ -116,7 +116,7 @@ def _tolerance(p: Parser, i: int) -> Results[float]:
         yield from length(p, j)
 
 
-_ENDS = {"center to center": "centres", "from center to center": "centres", "between centers": "centres",
+MEASURED_BETWEEN = {"center to center": "centres", "from center to center": "centres", "between centers": "centres",
          "measured center to center": "centres", "measured between centers": "centres", "face to face": "faces",
          "from face to face": "faces", "between faces": "faces", "between the centers": "centres",
          "measured from center to center": "centres", "measured face to face": "faces",
@@ -134,7 +134,10 @@ _ENDS = {"center to center": "centres", "from center to center": "centres", "bet
 def measured_so(p: Parser, far: Loc, i: int, j: int) -> Results[Loc]:
     """The distance, with what is said behind it of how it is measured: ", centre to centre, tolerance 5 mm"."""
     yield far, j
-    ways = [(replace(far, measure=_ENDS[phrase]), k) for phrase, k in p.standing(p.opt(j, ",", "("), _ENDS)]
+    ways = [
+        (replace(far, measure=MEASURED_BETWEEN[phrase]), k)
+        for phrase, k in p.standing(p.opt(j, ",", "("), MEASURED_BETWEEN)
+    ]
     for said, k in [*ways, (far, j)]:
         k = p.opt(k, ")") if k > j else k
         if k > j:

@@ -332,6 +332,7 @@ _UNSAID = {
     "each on top of the other": "heaped", "on top of each": "heaped",
     "one by one on top of each other": "heaped",
     "all on top of each other": "heaped", "upon each other": "heaped",
+    "one upon the other": "heaped",
     "directly on top of each other": "heaped",
     "one next to the other": "side_by_side", "one beside the other": "side_by_side",
     "each next to the other": "side_by_side",

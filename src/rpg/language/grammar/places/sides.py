@@ -80,6 +80,9 @@ _READ_OFF = _VIEWED | {
 """How a line is told in a direction. "Seen from the left" is no direction, "seen from left to right" is one."""
 _ONWARD = frozenset({"to", "towards", "up", "down", "upwards", "downwards", "upward", "downward"})
 _FROM = frozenset({"from", "bottom", "top", "left", "right"})
+_THE_LINE = tuple(f"{the} {line}" for the in ("the", "this", "that", "along the")
+                  for line in ("tower", "stack", "row", "line", "column", "pile"))  # fmt: skip
+"""What is read, or gone along, from one end to the other."""
 _COUNTED = frozenset({"block", "cube", "brick", "one", "layer", "row", "blocks", "cubes", *lexicon.ORDINAL})
 """What is counted "from the bottom", so that this is no direction."""
 
@@ -114,9 +117,11 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
             yield Toward(first="top", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
     lead = p.one(i, _READ_OFF)
     lead = p.opt(lead, "at", "off") if lead else 0
+    named = p.any_of(lead, _THE_LINE) if lead else 0
+    lead = named or lead
     for way, k in toward(p, lead) if lead else ():
         onward = not _ONWARD.isdisjoint(p.words[lead:k]) or p.words[i] not in _VIEWED
-        if isinstance(way, Toward) and way.first is not None and onward and p.words[lead] in _FROM:
+        if isinstance(way, Toward) and way.first is not None and onward and (named or p.words[lead] in _FROM):
             yield replace(way, span=p.span(i, k)), k
     for phrase, k in p.standing(i, _BEGINNING):
         side, axis = _BEGINNING[phrase]
@@ -231,4 +236,8 @@ def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
         yield At(side=side, span=p.span(i, k)), of_it or k
     counted = word in ("first", "last", *lexicon.ORDINAL)
     if counted and (k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))):
-        yield At(side="first", index=lexicon.ORDINAL.get(word, -1), span=p.span(i, k)), k
+        index = lexicon.ORDINAL.get(word, -1)
+        yield At(side="first", index=index, span=p.span(i, k)), k
+        for side, phrases in _FROM_SIDES.items():
+            if index > 0 and (end := p.any_of(k, phrases)):
+                yield At(side=side, index=index, span=p.span(i, end)), end

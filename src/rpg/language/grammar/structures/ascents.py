@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import OPPOSITE, SIDES
+from rpg.language.grammar.structures.rising import rising, whither
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.labels import run, span_of, symbol
 from rpg.language.meaning import Meaning, Noun, OrderBy, Traits, replace
@@ -55,6 +56,7 @@ _PAGED = Patterns(
     "like a page|book of_a_book?",
     "row by|after row from? left_to_right?",
     "as|like on a page",
+    ",? the_way|just_as|as you|we|one|i read|reads a|the page|book|text",
 )
 """As a page is read: the far row first, each from left to right."""
 _READING = frozenset({"left", "read", "page", "row", "book"})
@@ -104,7 +106,12 @@ def ascent(p: Parser, i: int) -> Results[Meaning]:
     if p.anywhere(_READING):
         yield from ((OrderBy(by="paged", span=p.span(i, j)), j) for j in _PAGED.matches(p, i))
     for by, descending, names in _NAMES if p.anywhere(_TELLING) else ():
-        yield from ((OrderBy(by=by, descending=descending, span=p.span(i, j)), j) for j in names.matches(p, i))
+        for j in names.matches(p, i):
+            order = OrderBy(by=by, descending=descending, span=p.span(i, j))
+            ways = [] if by == "label" or p.words[j - 1] == "order" else [*whither(p, j)]
+            yield from ((replace(order, first=first, span=p.span(i, end)), end) for first, end in ways)
+            yield from () if ways else ((order, j),)
+    yield from rising(p, i)
     yield from _extreme(p, i)
 
 

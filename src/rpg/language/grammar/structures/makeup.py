@@ -24,6 +24,7 @@ from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
 from rpg.language.grammar.structures.sizes import AS_HIGH, IN_TOTAL, each_told, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.structures.steps import steps_told
+from rpg.language.grammar.structures.told_by_one import told_by_one
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
@@ -368,7 +369,7 @@ def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, e
     """Whether a phrase behind the noun can be what the structure is made of."""
     lone = isinstance(members, Noun) and members.det in ("the", "a") and not members.plural and not members.amount
     upon = base.plural and isinstance(members, Noun) and not members.plural and p.stands(end, ("on", "over", "above"))
-    if upon or (lone and p.words[k - 1] == "with"):
+    if upon or (lone and p.words[k - 1] == "with" and not told_by_one(p, base, members, end)):
         return False
     # "Two towers of three blocks, each on a mat": of the towers.
     each = isinstance(members, Noun) and members.det == "each" and members.part_of is not None

@@ -15,6 +15,7 @@ from rpg.language.grammar.structures.order_phrases import NAMED
 from rpg.language.grammar.structures.parted import parted
 from rpg.language.grammar.structures.patterns import pattern, spacing
 from rpg.language.grammar.structures.reading import read_out
+from rpg.language.grammar.structures.rising import whither
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import makes_number
 from rpg.language.grammar.things.classes import classes
@@ -209,6 +210,8 @@ def _grown(p: Parser, i: int) -> Results[Meaning]:
             counted = p.words[j - 1].startswith(("up", "down"))
             if counted and p.stands(j, ("from",)) and p.tokens[j + 1 : j + 2] and p.tokens[j + 1].kind == "number":
                 continue  # "counting down from 5 to 1" tells them all
+            if counted and any(whither(p, j)):
+                continue  # "the numbers go up to the right": no tower, and no half of the table
             number = counted or p.words[j - 1] in ("number", "numbers", "digit", "digits")
             by = "number" if number else "ascending"
             if counted and descending:

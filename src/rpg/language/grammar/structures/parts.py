@@ -64,7 +64,7 @@ _PAIRS = tuple(
         ("nearest", "farthest"),
     )
     for one, other in (pair, pair[::-1])
-    for the in ("", "the ")
+    for the in ("", "the ", "its ")
 )
 """Both ends of a line, named one by one."""
 _REST = (
@@ -176,9 +176,11 @@ def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool
     count = p.number(j)
     if count is not None and several is None and p.words[j] not in ("one", "ones"):
         several, j = count, j + 1
-    if side.isdigit() and (k := p.any_of(p.opt(j, "one", "block", "cube"), _FROM)):
+    if side.isdigit() and (k := p.any_of(p.opt(j, "one", "block", "cube", "position", "place", "spot"), _FROM)):
         where = p.words[k - 1]
         yield At(side=where, index=int(side), span=p.span(i, k)), k
+        if p.words[j] in ("position", "place", "spot"):
+            return
     found = _UNITS.get(p.words[j]) if j < p.end else None
     if found and unit and p.words[j] in ("one", "ones"):
         found = unit

@@ -153,7 +153,7 @@ _GAPLESS = Patterns(
     "tightly|closely|densely packed|pressed together?",
     "touching each_other",
     "side_by_side and touching",
-    "so_that|such_that|so|with|and? each|every one|block|cube? touching|touches <next>",
+    "so_that|such_that|so|with|and? each|every one|block|cube|box|brick? touching|touches <next>",
     classes=Classes(
         {
             "between": (
@@ -164,15 +164,18 @@ _GAPLESS = Patterns(
                 "between|among all? the|any|any_two|neighboring|its|their? blocks|cubes|bricks|ones|members|letters",
             ),
             "gap": ("gap|gaps|space|spaces|spacing|holes|hole|empty_space|free_space|air|free_room",),
-            "next": ("the|its|their? next|neighbor|neighbors|neighboring|adjacent|following|other? one|block|cube?",),
+            "next": (
+                "the|its|their? next|neighbor|neighbors|neighboring|adjacent|following|other? "
+                "one|block|cube|box|brick?",
+            ),
         }
     ),
 )
 """No gaps along a line."""
 _TOUCH = Patterns(
     "where|so|so_that|such_that|with|in_which|and|while|, all|each|every|their|both? of_them? the? "
-    "block|blocks|cube|cubes|they|one|faces? all|each|both|must|should|just|directly? touch|touches|touching both|all? "
-    "their|its|the|each|a? direct|immediate|respective? both? "
+    "block|blocks|cube|cubes|box|boxes|brick|bricks|they|one|faces? all|each|both|must|should|just|directly? "
+    "touch|touches|touching both|all? their|its|the|each|a? direct|immediate|respective? both? "
     "next|neighbor|neighbors|other_one|next_one|next_block|neighboring_block|neighboring_blocks|adjacent_block|"
     "adjacent_blocks|neighboring_cube|neighboring_cubes|next_cube|one_beside_it|one_next_to_it|ones_beside_it",
     "so|so_that|such_that|with|where|and|, the|all? neighbors|neighboring_blocks|neighboring_cubes|adjacent_blocks|"

@@ -178,6 +178,7 @@ HANDS_OFF = ("keep your hands off", "hands off", "keep your fingers off", "stay 
 """What is said behind these must not be touched."""
 THEN = (
     "continue with", "continue by", "second of all",
+    "and last of all", "last of all", "and last but not least",
     "and only then", "only then", "and only afterwards", "only afterwards", "but only then", "and only later",
     "and not before that", "and only after that", "only after that", "and at last", "at last",
     "and at the very end",

@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import Marks, colors
-from rpg.language.meaning import Absolute, Chain, Clause, Coord, Meaning, Noun, Size, That, Using
+from rpg.language.meaning import Absolute, At, Chain, Clause, Coord, Meaning, Noun, Size, That, Using
 from rpg.language.phrases import Classes
 
 _ROLES = "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys"
@@ -135,11 +135,21 @@ def leads(p: Parser, j: int, first: Meaning) -> bool:
     if isinstance(first, Using) or p.words[j - 1] in lexicon.COLOR:
         return not p.stands(j, lexicon.BLOCK)
     if isinstance(first, Absolute):
-        return all_extra(first.theme)
+        return all_extra(first.theme) or (_at_an_end(first) and p.stands(p.opt(j, ","), _MAKING))
     told = first.clauses if isinstance(first, That) else None
     if isinstance(told, Chain) and any(isinstance(x, Clause) and x.verb == "exist" for x in told.clauses):
         return False  # "so I have a red cube ..." tells what there is
-    return not isinstance(first, Size) and not (isinstance(first, Coord) and first.op == "absolutes")
+    if isinstance(first, Coord) and first.op == "absolutes":
+        return all(map(_at_an_end, first.items)) and p.stands(p.opt(j, ","), _MAKING)
+    return not isinstance(first, Size)
+
+
+_MAKING = frozenset({"build", "make", "stack", "create", "form", "construct", "assemble", "erect"})
+
+
+def _at_an_end(part: Meaning) -> bool:
+    """ "With red at the bottom, build a tower of ...": where a block is in what is made."""
+    return isinstance(part, Absolute) and all(isinstance(x, At) and x.side in ("top", "bottom") for x in part.adjuncts)
 
 
 @choice

@@ -38,7 +38,7 @@ from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sor
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
 from rpg.passes.schema.resolve.clauses.started import laid_down, partly, was_so
-from rpg.passes.schema.resolve.clauses.swapped import swap
+from rpg.passes.schema.resolve.clauses.swapped import mere_result, swap
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
@@ -93,6 +93,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if not clause.negated:
         built, goals = [], [*built, *goals]
     later = _thats(clause, spec, scene, start)
+    goals = mere_result(goals, later, scene)
     if spec.manner("xor") is not None:
         goals = not_both(goals, clause.span)
     leave = spec.manner("allowed") is not None and not clause.negated
@@ -103,8 +104,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
         scene.held.pop(name, None)
     always = spec.manner("always") is not None
     if spec.manner("only") is not None:
-        moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]
-        scene.only += [n for names in moved for n in names]
+        scene.only += [n for m in scene.mentions if m.clause == number and m.role == "theme" for n in m.ref.names]
     together = spec.manner("not all")
     none_further(spec, scene)
     nothing_left(spec, clause)

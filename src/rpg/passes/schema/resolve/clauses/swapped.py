@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.schema import EXCHANGED
 from rpg.language.meaning import Clause, Loc, Meaning, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.goals.conflicts import OPPOSITE
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import Premise
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -33,6 +35,34 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
     if any(p.patch for p in parts):
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
     return [r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)]
+
+
+def mere_result(goals: list[g.Goal], results: list[g.Goal], scene: Scene) -> list[g.Goal]:
+    """ "A starts on B. Exchange them, so that B is on A": the start the other way round is all that is meant by the
+    exchange, and nothing of where on the table it is to be."""
+    if len(goals) != 1 or len(results) != 1 or not isinstance(swapped := goals[0], r.Swapped):
+        return goals
+    other = {swapped.a: swapped.b, swapped.b: swapped.a}
+    result = results[0]
+    if not any(_the_same(result, _exchanged(goal, other)) for goal in scene.start_goals):
+        return goals
+    scene.assume(EXCHANGED)
+    return [result.model_copy(update={"span": swapped.span})]
+
+
+def _exchanged(goal: g.Goal, other: dict[tuple[str, ...], tuple[str, ...]]) -> g.Goal | None:
+    """A relation between the two that are swapped with each in the place of the other; None for what is no such."""
+    a, b = getattr(goal, "a", None), getattr(goal, "b", None)
+    return goal.model_copy(update={"a": other[a], "b": other[b]}) if a in other and b in other and a != b else None
+
+
+def _the_same(one: g.Goal, other: g.Goal | None) -> bool:
+    """ "red is right of blue" says what "blue is left of red" says."""
+    if other is None:
+        return False
+    told, meant = one.model_dump(exclude={"span"}), other.model_dump(exclude={"span"})
+    turned = {**meant, "kind": OPPOSITE.get(other.kind), "a": meant["b"], "b": meant["a"]}
+    return told in (meant, turned)
 
 
 def _as_it_begins(premise: Meaning) -> Meaning:

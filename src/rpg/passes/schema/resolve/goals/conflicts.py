@@ -38,7 +38,7 @@ def required(goal: g.Goal) -> Iterator[g.Goal]:
             yield goal
 
 
-_OPPOSITE = {"left_of": "right_of", "right_of": "left_of", "in_front_of": "behind", "behind": "in_front_of"}
+OPPOSITE = {"left_of": "right_of", "right_of": "left_of", "in_front_of": "behind", "behind": "in_front_of"}
 
 
 def clash(a: g.Goal, b: g.Goal) -> bool:
@@ -94,7 +94,7 @@ def _opposite(a: r.Directional, b: r.Directional) -> bool:
     one, two = getattr(a, "kind", ""), getattr(b, "kind", "")
     if one == two:
         return a.a == b.b and a.b == b.a
-    return _OPPOSITE.get(one) == two and a.a == b.a and a.b == b.b
+    return OPPOSITE.get(one) == two and a.a == b.a and a.b == b.b
 
 
 def _of_other_shape(spread: g.Goal, line: g.Goal) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -23,6 +25,9 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     if meaning.region.startswith("opposite"):
         return _opposite_corners(theme, meaning, scene, span)
     names = theme.names
+    one_of_four = theme.quant is not None and (theme.quant.low, theme.quant.high) == (1, 1) and not theme.parts
+    if one_of_four and len(names) == len(CORNERS):
+        theme = replace(theme, quant=None)  # "one of them in each corner": of four, so that each has a corner
     if theme.quant is not None or theme.op != "and" or theme.built or theme.patch or meaning.negated or not names:
         raise refuse("ambiguous", "it is not clear which blocks go into the corners", span, "say what each corner gets")
     if meaning.region.endswith("?") and (scene.built or any(t.patch for t in scene.things.values())):

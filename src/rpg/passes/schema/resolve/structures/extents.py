@@ -58,4 +58,4 @@ def said_count(shape: Structure, theme: Ref | None, scene: Scene) -> int | None:
     named = _tally(shape.members)
     if named is None and theme is not None and not all(scene.things[n].elastic for n in theme.names):
         named = len(theme.names)
-    return named or shape.extent("size")
+    return named or shape.extent("size", "corners")

@@ -79,6 +79,8 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
             f"use {FEWEST[shape.kind]}",
             blocks=len(names),
         )
+    if (corners := shape.extent("corners")) is not None and corners != len(names):
+        raise refuse("count-mismatch", f"{len(names)} blocks, and {corners} corners", shape.span, f"use {corners}")
     pattern, readable = pattern_of(shape, spec, names, None, scene, scope, form)
     node = s.Figure(
         blocks=names, filled=filled, sides=sides, pattern=pattern, readable=readable, span=shape.span, **said

@@ -23,7 +23,7 @@ from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, s
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
 from rpg.passes.schema.resolve.things.from_stock import from_stock
 from rpg.passes.schema.resolve.things.members import members_of
-from rpg.passes.schema.resolve.things.spoken import SPOKEN_OF, exact_size, known_ones
+from rpg.passes.schema.resolve.things.spoken import SPOKEN_OF, exact_size, known_ones, other_of_two
 from rpg.passes.schema.resolve.things.things import amount_of
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
@@ -33,7 +33,7 @@ Maker = Callable[[Structure, Spec, Ref | None, Scene, Scope], Made]
 
 def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
     """A structure as a noun phrase: one spoken of before, or a new one (whose making joins the goal)."""
-    known = known_ones(shape, scene, scope.role) if shape.det in SPOKEN_OF else []
+    known = known_ones(shape, scene, scope.role) if shape.det in SPOKEN_OF else other_of_two(shape, scene, scope.role)
     if known:
         if shape.amount is not None and shape.amount.low > len(known):
             raise refuse(
@@ -155,9 +155,10 @@ _SIZES = {
     "wall": {"size", "wide", "long", "columns", "high", "layers", "rows", "dims"},
     "pyramid": {"size", "base", "wide", "layers", "high", "dims"}, "staircase": {"size", "steps", "high", "layers"},
     "cube": {"dims", "side", "size", "wide", "deep", "high", "long", "layers"},
-    "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep", "layers", "high"},
-    "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep"},
-    "triangle": {"size", "side"}, "circle": {"size"}, "checkerboard": {"dims", "rows", "columns", "size", "side"},
+    "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep", "layers", "high", "corners"},
+    "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep", "corners"},
+    "triangle": {"size", "side", "corners"}, "circle": {"size"},
+    "checkerboard": {"dims", "rows", "columns", "size", "side"},
     "gradient": {"size", "long"}, "word": {"size"}, "T": {"size", "bar", "stem", "high", "wide"},
     "L": {"size", "long arm", "short arm", "equal arms", "each arm", "shared", "high", "long", "wide"},
     "U": {"size", "wide", "high", "deep"},

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rpg.language.later import later
-from rpg.language.meaning import TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
+from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.them import them
@@ -65,6 +65,8 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return which(word, scene)
     if word.word == "there":
         return _there(word, scene, scope)
+    if word.word == OWNER:
+        return _owner(scene)
     if word.word in ("it", "that", "this", "the first one"):
         return _it(word, scene, scope)
     if word.word == "neither of them" and scope.role == "theme":
@@ -109,6 +111,14 @@ def _last_theme(scene: Scene, word: Pronoun) -> Ref:
     if themes:
         return next((ref for ref in reversed(themes) if ref.span == word.span), themes[-1])
     raise refuse("no-referent", "nothing was mentioned before that this could refer to", word.span)
+
+
+def _owner(scene: Scene) -> Ref:
+    """What "it" is where it has something on it: as the subject of other verbs, what was spoken of last."""
+    told = [m.ref for m in scene.mentions if m.role in ("theme", "given") and m.clause < scene.clause and m.ref.names]
+    if not told or (len(told[-1].names) > 1 and not told[-1].built):
+        raise refuse("ambiguous", "it is not clear what has this", scene.mentions[-1].ref.span, "name it")
+    return told[-1]
 
 
 def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:

@@ -38,6 +38,15 @@ def known_ones(shape: Structure, scene: Scene, role: str = "") -> list[Built]:
     return found
 
 
+def other_of_two(shape: Structure, scene: Scene, role: str) -> list[Built]:
+    """ "the red tower is left of the other tower": of the two there are, the one that is not spoken of here."""
+    if shape.det != "other" or shape.plural or shape.members is not None or role != "landmark":
+        return []
+    now = {b for m in scene.mentions if m.clause == scene.clause and m.role == "theme" for b in m.ref.built}
+    left = known_ones(replace(shape, det="the"), scene, role)
+    return left if len(now) == len(left) == 1 and not now & {*left} else []
+
+
 def _fitting(shape: Structure, scene: Scene) -> list[Built]:
     found = []
     for built in scene.built:
@@ -57,6 +66,7 @@ def _fitting(shape: Structure, scene: Scene) -> list[Built]:
         if (
             isinstance(shape.members, Noun)
             and shape.members.traits.colors
+            and not _one_of_it(shape.members)
             and any(t.color not in shape.members.traits.colors for t in things)
         ):
             continue
@@ -81,9 +91,15 @@ def _holding(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
     whole = shape.members
     if len(found) < 2 or not isinstance(whole, Noun) or whole.plural or whole.amount not in (None, Amount(1, 1)):
         return found
-    held = [thing.name for thing in matching(whole.traits, scene, False)] if whole.traits.labels else []
+    named = whole.traits.labels or _one_of_it(whole)
+    held = [thing.name for thing in matching(whole.traits, scene, False)] if named else []
     having = [built for built in found if {*held} & {*built.members}]
     return having if len(having) == 1 else found
+
+
+def _one_of_it(whole: Noun) -> bool:
+    """ "the tower with the red block": it has that block in it, and others."""
+    return whole.det == "the" and not whole.plural and whole.amount is None
 
 
 def _with_its_color(shape: Structure, scene: Scene) -> list[Built]:

@@ -1,0 +1,20 @@
+"""Which of several structures is meant, told by one of its blocks: "the stack with the red block is on the left"."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser
+from rpg.language.meaning import Meaning, Noun, Structure
+
+_FINITE = frozenset({*lexicon.POSTURE, "must", "should", "shall", "has", "may", "can", "will", "needs"})
+_BEFORE = frozenset({"of", "to", "than", "behind", "beside", "by", "from", "near", "beyond", "above", "opposite"})
+"""Behind these words of place a structure is a landmark, and what follows it says which one it is."""
+
+
+def told_by_one(p: Parser, base: Structure, block: Meaning, end: int) -> bool:
+    """Whether "with the red block" tells which structure is meant, and not what is to be used, or where it is."""
+    if base.det != "the" or base.plural or base.sizes or not isinstance(block, Noun) or block.det != "the":
+        return False
+    begin = next(n for n, token in enumerate(p.tokens) if token.span[0] == base.span[0])
+    closed = end >= p.end or p.stands(end, (",", "and"))
+    return p.stands(end, _FINITE) or (closed and p.follows(begin, _BEFORE))

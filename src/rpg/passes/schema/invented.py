@@ -32,6 +32,8 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _one_word(task)
     _counts_with_a_slash(words, task)
     _ones_beside_patches(words, task)
+    if task.assumed(_NUMBER_UNSAID):
+        _lines_of_the_counted(words)
     if task.assumed(COLORS_UNSAID):
         _spoken_of(words, task)
         _set_off(words)
@@ -171,7 +173,8 @@ def _ones_beside_patches(words: Sequence[Token], task: TaskSchema) -> None:
             raise refuse("ambiguous", "is this a block or a patch?", color.span, f"say 'a {color.word} patch'")
 
 
-_MADE_UP = ("the colours are not said", "the number of blocks is not said")
+_NUMBER_UNSAID = "the number of blocks is not said"
+_MADE_UP = ("the colours are not said", _NUMBER_UNSAID)
 """What is noted of blocks that the words leave open."""
 
 
@@ -231,6 +234,22 @@ def _as_many_named(words: Sequence[Token], task: TaskSchema) -> None:
                 raise refuse("ambiguous", "are these the blocks that were counted, or further ones?", run[0].span,
                              "list them where they are counted: 'a row of three: red, white and blue'")  # fmt: skip
             run = []
+
+
+def _lines_of_the_counted(words: Sequence[Token]) -> None:
+    """Refuse "two rows of three, a red row in front and a blue row at the back" as two rows of three and others."""
+    counted = ""
+    one = False
+    for token in words:
+        kind, several = lexicon.STRUCTURE.get(token.word, ("", False))
+        if token.word in (".", ";"):
+            counted = ""
+        elif kind == counted != "" and not several and one:
+            raise refuse("ambiguous", "is this one of those that were counted, or a further one?", token.span,
+                         "say of each of them how it is: 'the front row is red'")  # fmt: skip
+        elif kind and several:
+            counted = kind
+        one = token.word in ("a", "one") or (one and token.word in lexicon.COLOR)
 
 
 def _of_those_left(words: Sequence[Token], task: TaskSchema) -> None:

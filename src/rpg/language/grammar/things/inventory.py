@@ -10,9 +10,8 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.structures.sizes import IN_TOTAL
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import color
-from rpg.language.grammar.things.joined import all_colored
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.grammar.things.retold import retelling
+from rpg.language.grammar.things.retold import all_colored, retelling
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits, replace
 
 _LEADS = (

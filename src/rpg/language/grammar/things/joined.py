@@ -11,7 +11,9 @@ from rpg.language.grammar.things.adjectives import adjectives, color
 from rpg.language.grammar.things.brackets import counted_aside
 from rpg.language.grammar.things.excepted import and_no_other, exceptions
 from rpg.language.grammar.things.labels import label_list
+from rpg.language.grammar.things.of_both import of_both
 from rpg.language.grammar.things.retold import (
+    all_colored,
     bare_color,
     extra_alike,
     mere_size,
@@ -303,21 +305,6 @@ def _definite(item: Meaning) -> bool:
     return bool(looks) and isinstance(item, Noun) and item.amount is None and item.det in ("the", "bare")
 
 
-def all_colored(p: Parser, items: tuple[Meaning, ...], j: int) -> tuple[Meaning, ...]:
-    """ "one 5 cm cube and two 3 cm cubes, all white": what ends the list is said of everything in it."""
-    last = items[-1]
-    if not isinstance(last, Noun) or len(last.traits.colors) != 1:
-        return items
-    those = last.det in ("both", "all") and last.head == "any" and last.traits == Traits(colors=last.traits.colors)
-    every = p.words[j - 3 : j - 1] in ([",", "all"], [",", "both"], [",", "each"])
-    told = [x for item in items[:-1] for x in (item.items if isinstance(item, Coord) else (item,))]
-    open_ = all(isinstance(x, Noun) and not x.traits.colors and x.traits != Traits() for x in told)
-    if not every or not open_ or any(isinstance(item, Coord) and item.op != "and" for item in items):
-        return items
-    named = [replace(x, traits=replace(x.traits, colors=last.traits.colors)) for x in told if isinstance(x, Noun)]
-    return (*named,) if those and len(named) > 1 else (*named, last)
-
-
 _AT_LAST = ("and finally", "and lastly", "and last", "and at last", "and last of all")
 """Before the last thing of a list with commas: "red, green, blue and finally yellow"."""
 
@@ -338,7 +325,8 @@ def _like(before: Meaning, one: Meaning) -> Meaning:
 def _no_item(p: Parser, before: Meaning, item: Meaning, joined: bool, at: int) -> bool:
     """Whether something is no further item of a list: a colour or a size of what came before it, or some of that."""
     if joined:
-        return isinstance(before, Structure) and isinstance(item, Structure) and _amid_colors(p, at)
+        both = isinstance(before, Structure) and isinstance(item, Structure)
+        return (both and _amid_colors(p, at)) or of_both(before, item)
     told = isinstance(item, Noun) and bare_color(item) and (isinstance(before, Structure) or _of_sizes(before))
     return told or (isinstance(item, Noun) and (mere_size(item) or _of_them(before, item)))
 

@@ -15,6 +15,7 @@ from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
 from rpg.language.grammar.things.in_line import in_line
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
 from rpg.language.grammar.things.labels import label_list, literal, once_more
+from rpg.language.grammar.things.of_both import counted_kinds
 from rpg.language.grammar.things.of_listed import listed
 from rpg.language.grammar.things.printed import printed, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
@@ -190,19 +191,20 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
             whole = replace(whole, plural=whole.plural or bool(whole.traits.colors))
         if isinstance(whole, Noun) and found.det == "not all" and whole.det == "bare":
             whole = replace(whole, det="the", plural=True)  # "not all red blocks", "not every red block"
-        if (
-            isinstance(whole, Noun)
-            and whole.det in ("the", "bare", "its", "other", "all")
-            and (whole.plural or whole.amount)
-        ):
+        known = isinstance(whole, Noun) and whole.det in ("the", "bare", "its", "other", "all")
+        if isinstance(whole, Noun) and known and (whole.plural or whole.amount):
             plain = whole.det == "bare" and whole.amount is None
             if plain and found.det != "some":
                 continue
             if found.det == "all" and whole.det == "the" and whole.amount is not None and whole.part_of is None:
                 yield replace(whole, det="all", span=p.span(i, end)), end
                 continue
-            head, span = whole.head, p.span(i, end)
-            yield Noun(head=head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=span), end
+            span = p.span(i, end)
+            part = Noun(head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=span)
+            yield part, end
+            for both, k in more(p, j, (whole,), end, None) if whole.det == "the" else ():
+                if counted_kinds(both, found.det):
+                    yield replace(part, part_of=both, span=p.span(i, k)), k
         elif isinstance(whole, Pronoun) and whole.word in _THESE:
             span = p.span(i, end)
             yield Noun(head="any", det=found.det, amount=found.amount, plural=True, part_of=whole, span=span), end

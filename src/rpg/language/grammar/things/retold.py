@@ -280,3 +280,18 @@ def begins_anew(theme: Meaning) -> bool:
     elif isinstance(theme, Coord) and all(isinstance(x, Noun) and x.amount is None for x in theme.items):
         looks = tuple(look for x in theme.items if isinstance(x, Noun) for look in x.traits.colors + x.traits.labels)
     return len(looks) > 3 and looks[-1] in looks[:-1] and len(set(looks)) == len(looks) - 1
+
+
+def all_colored(p: Parser, items: tuple[Meaning, ...], j: int) -> tuple[Meaning, ...]:
+    """ "one 5 cm cube and two 3 cm cubes, all white": what ends the list is said of everything in it."""
+    last = items[-1]
+    if not isinstance(last, Noun) or len(last.traits.colors) != 1:
+        return items
+    those = last.det in ("both", "all") and last.head == "any" and last.traits == Traits(colors=last.traits.colors)
+    every = p.words[j - 3 : j - 1] in ([",", "all"], [",", "both"], [",", "each"])
+    told = [x for item in items[:-1] for x in (item.items if isinstance(item, Coord) else (item,))]
+    open_ = all(isinstance(x, Noun) and not x.traits.colors and x.traits != Traits() for x in told)
+    if not every or not open_ or any(isinstance(item, Coord) and item.op != "and" for item in items):
+        return items
+    named = [replace(x, traits=replace(x.traits, colors=last.traits.colors)) for x in told if isinstance(x, Noun)]
+    return (*named,) if those and len(named) > 1 else (*named, last)

@@ -60,6 +60,10 @@ def topped(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
         together = [b for b in latest if b.span == latest[-1].span]
         if len(together) > 1:
             raise refuse("ambiguous", "it is not clear on which of these", at_.span, "name the one you mean")
+        here = any(latest[-1] in m.ref.built for m in scene.mentions if m.sentence == scene.sentence)
+        if latest[-1].kind == "pyramid" and here:
+            told = "this could be the top of the pyramid, or one more block on it"
+            raise refuse("ambiguous", told, at_.span, "say which, in a sentence of its own")
         base = crown(Ref(names=latest[-1].members, built=(latest[-1],)))
     else:
         said = [m for m in scene.mentions if m.role == "theme" and m.clause < scene.clause and len(m.ref.names) == 1]

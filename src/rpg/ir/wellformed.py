@@ -10,8 +10,20 @@ from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.walk import atoms, children, instances
 
 PLACES = frozenset(
-    {"left_of", "right_of", "in_front_of", "behind", "near", "apart", "distance", "beside", "adjacent", "between",
-     "closer", "equidistant"}
+    {
+        "left_of",
+        "right_of",
+        "in_front_of",
+        "behind",
+        "near",
+        "apart",
+        "distance",
+        "beside",
+        "adjacent",
+        "between",
+        "closer",
+        "equidistant",
+    }
 )
 """Relations that patches may stand in; of all others, only the fields `patch` and `matching` name patches."""
 LEVEL = frozenset({"beside", "adjacent"})

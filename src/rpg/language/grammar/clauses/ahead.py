@@ -24,8 +24,10 @@ from rpg.language.meaning import (
 
 WAY = frozenset({"from", "in", "into"})
 """What the way along a line begins with, behind its order or its name and before the clause."""
-_TO_BE = Patterns("should|must|shall|will|has_to|have_to|needs_to|need_to|ought_to|is_to|are_to all|each? be|have_been",
-                  "is|are|has_been|have_been")
+_TO_BE = Patterns(
+    "should|must|shall|will|has_to|have_to|needs_to|need_to|ought_to|is_to|are_to all|each? be|have_been",
+    "is|are|has_been|have_been",
+)
 _SENSES = frozenset({"place", "arrange", "stack", "sort", "build"})
 _CLOSED = frozenset({"", ",", ";", ":", "and", "but", "so", "with"})
 

@@ -221,8 +221,19 @@ def _rising(p: Parser, i: int, j: int) -> Results[Meaning]:
         yield Manner(kind="rising", value=p.words[j], span=p.span(i, j + 1)), p.reach(j + 1)
 
 
-_EVENTS = ("episode", "task", "run", "game", "process", "procedure", "exercise", "operation", "trial", "simulation",
-           "test")
+_EVENTS = (
+    "episode",
+    "task",
+    "run",
+    "game",
+    "process",
+    "procedure",
+    "exercise",
+    "operation",
+    "trial",
+    "simulation",
+    "test",
+)
 _LITTLE: dict[str, tuple[str, float | str | None]] = {
     **{f"{lead} {whole} {event}": ("always", None)
        for lead in ("during", "throughout", "for", "over")

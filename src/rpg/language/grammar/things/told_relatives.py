@@ -57,8 +57,9 @@ _LEFT_ALONE = Patterns(
 )
 _SUBJECT_FIRST = Patterns("<is>", "<must> <there>", classes=_WORDS)
 _SUBJECT_LAST = Patterns("<is>", "<must> <there>", "there <must> be", "there <is>", classes=_WORDS)
-_BORNE = Patterns("is|are carried|supported|borne|held|held_up", "<must> be "
-                  "carried|supported|borne|held|held_up", classes=_WORDS)
+_BORNE = Patterns(
+    "is|are carried|supported|borne|held|held_up", "<must> be carried|supported|borne|held|held_up", classes=_WORDS
+)
 _BACK = {"on": "under", "left": "right", "right": "left", "front": "behind", "behind": "front", "beside": "beside",
          "adjacent": "adjacent", "near": "near", "touching": "touching"}  # fmt: skip
 """How what a relative clause speaks of lies to the block that stands there."""

@@ -229,6 +229,7 @@ def _taken_up(clause: Clause) -> Meaning | None:
     heap = clause.theme
     ordered = bool(clause.adjuncts) and all(isinstance(a, OrderBy) for a in clause.adjuncts)
     made = clause.verb == "sort" or (clause.verb == "be" and ordered)
+    made = made or (clause.verb in ("pick", "use") and not clause.adjuncts)  # "take the heap and make a row of it"
     made = made or (clause.verb in ("arrange", "stack") and clause.lemma not in ("", "turn into"))
     if not made or clause.mode not in ("goal", "command") or clause.negated:
         return None

@@ -216,6 +216,9 @@ def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=next(iter(below)), span=word.span)
     if len(patches) != 1 or len(patches) < len({m.ref.names for m in last}) or any(len(x) > 1 for x in patches):
         raise refuse("no-referent", "it is not clear where 'there' is", word.span, "name the place")
+    several = any(m.clause == scene.clause and m.role == "theme" and len(m.ref.names) > 1 for m in scene.mentions)
+    if several and len({m.ref.names for m in scene.mentions if m.ref.patch and m.sentence == scene.sentence}) > 1:
+        raise refuse("ambiguous", "each on its own place, or all of them on the last one?", word.span, "name the place")
     return Ref(names=next(iter(patches)), patch=True, span=word.span)
 
 

@@ -85,8 +85,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
     shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
     numbers: Numbers | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
-    terms = {term for part in parts for term in _terms(part)} | _shown_orders(task) | {"heaps" for _ in task.init.heaps}
-    terms |= {"swapped"} if task.assumed(EXCHANGED) else set()
+    terms = {term for part in parts for term in _terms(part)} | _shown_orders(task) | _beside_goals(task)
     for index, token in enumerate(words):
         if token.word not in _TELLING and token.kind not in ("number", "sign") and len(token.raw) != 1:
             continue
@@ -129,7 +128,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         said, after = _number(token), words[index + 1].word if index + 1 < len(words) else ""
         if said is not None and said > 4 and after == "corners":
             return token
-        said = said if after not in ALWAYS_FOUR else None
+        said = None if after in ALWAYS_FOUR else said
         if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
             return token
         passing = _numbered(words, index, task) or (said == 2 and _in_passing(words, index))
@@ -139,6 +138,11 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             if not told:
                 return token
     return None
+
+
+def _beside_goals(task: TaskSchema) -> set[str]:
+    """What a task has that stands in no condition: heaps, and a swap that is told by its result."""
+    return {"heaps" for _ in task.init.heaps} | ({"swapped"} if task.assumed(EXCHANGED) else set())
 
 
 def _in_passing(words: Sequence[Token], index: int) -> bool:

@@ -144,9 +144,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             item = _less_likely(previous, item)
             item = same_letters(previous, item) if link in ("or", "then") and previous is not None else item
             item = begun_of(previous, still_begun(p, j, k, previous, item)) if link == "and" else item
-            whole = (*had, item)
-            yield from ((found, k) for found in _so_far(p, (i, j, k), whole, (*links, link)))
-            yield from _more(p, i, whole, (*links, link), k)
+            yield from ((found, k) for found in _so_far(p, (i, j, k), (*had, item), (*links, link)))
+            yield from _more(p, i, (*had, item), (*links, link), k)
         if previous is not None:
             denied = p.stands(p.opt(at, ","), ("but",))
             if link in ("before", "after"):
@@ -161,9 +160,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 item = same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
                 same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
-                if p.words[j - 1] == "," and (_apposed(previous, item) or (len(had) == 1 and all_in_one(item))):
-                    continue
-                if _told_again(previous, item) is not None:
+                apart = p.words[j - 1] == "," and (_apposed(previous, item) or (len(had) == 1 and all_in_one(item)))
+                if apart or _told_again(previous, item) is not None:
                     continue
                 item = item if denied else _contrasted(previous, item, link)
                 whole = (*_shared(had, item, link), item)

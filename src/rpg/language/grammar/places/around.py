@@ -211,11 +211,13 @@ def _one_by_one(p: Parser, i: int) -> int:
 def around_told(p: Parser, i: int) -> Results[Clause]:
     """ "around the white block: red on its left, blue on its right": which block stands on which side of it."""
     start = p.any_of(i, ("put", "place", "arrange", "there are")) or i
-    mark = p.any_of(start, _ROUND) or next((p.any_of(j, _ROUND) for _, j in _bare_blocks(p, start)), 0)
+    mark, many = p.any_of(start, _ROUND), None
+    if not mark:
+        mark, many = next(((p.any_of(j, _ROUND), blocks.amount) for blocks, j in _bare_blocks(p, start)), (0, None))
     for hub, j in _hubs(p, mark) if mark else ():
         colon = p.one(j, (":", ","))
         for told, k in _on_sides(p, colon, hub, ()) if colon else ():
-            if len(told) > 1:
+            if len(told) > 1 and (many is None or many.low == many.high == len(told)):
                 rest = Chain(clauses=told[1:], links=("and",) * (len(told) - 1), span=p.span(colon, k))
                 so = That(kind="so", clauses=rest, span=rest.span)
                 yield replace(told[0], adjuncts=(*told[0].adjuncts, so), span=p.span(i, k)), k

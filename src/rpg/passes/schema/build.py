@@ -43,6 +43,7 @@ from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_firs
 from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
 from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
+from rpg.passes.schema.resolve.clauses.in_parts import links_left
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
@@ -129,12 +130,7 @@ def build(
 
 
 def _lost(token: Token) -> Refusal:
-    return refuse(
-        "misplaced",
-        f"{LOST} of {token.raw!r}",
-        token.span,
-        "say this part in a sentence of its own",
-    )
+    return refuse("misplaced", f"{LOST} of {token.raw!r}", token.span, "say this part in a sentence of its own")
 
 
 def _one_order(resolved: Callable[[], Feasibility]) -> Iterator[Repair]:
@@ -167,7 +163,9 @@ def resolve(
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     chains = tuple(shared_sides(recounted(chain), text) for chain in groups_listed(chains))
     links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, from_heaps(chains), text))))
-    facts = cleared_of(begun(chains, text), links)
+    told = begun(chains, text)
+    links, every = links_left(links, chains, told), links
+    facts = cleared_of(told, links)
     if (last := heaps_last(*told_later(links, facts))) is not None:
         with suppress(Refusal):
             return _resolved(*last, text, notes, name, seed, author, lenient)
@@ -180,10 +178,11 @@ def resolve(
         return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)
     except Refusal as refusal:
         unmeant = refusal.diagnostics[0].code in UNMEANT
-        for other in (begun(chains, text, bold=True), cleared_of(facts)) if unmeant else ():
+        bold = begun(chains, text, bold=True) if unmeant else facts
+        for left, other in ((links_left(every, chains, bold), bold), (links, cleared_of(facts))) if unmeant else ():
             with suppress(Refusal):
                 if other != facts:
-                    return _resolved(*told_later(links, other), text, notes, name, seed, author, lenient)
+                    return _resolved(*told_later(left, other), text, notes, name, seed, author, lenient)
         if (named := told_one_by_one(links, facts, refusal, text)) is not None:
             with suppress(Refusal):
                 return _resolved(*told_later(*named), text, notes, name, seed, author, lenient)

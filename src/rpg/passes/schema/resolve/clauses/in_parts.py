@@ -106,6 +106,17 @@ def _told_in_parts(chains: tuple[Chain, ...], ordered: int, text: str) -> tuple[
     )
 
 
+def links_left(links: list[str], chains: tuple[Chain, ...], told: tuple[Chain, ...]) -> list[str]:
+    """The links of the sentences that are left in `told`, where those of `chains` that tell parts are told with others.
+
+    Raises AssertionError if a sentence is in neither.
+    """
+    spans = {chain.span for chain in told}
+    left = [link for link, chain in zip(links, chains, strict=True) if len(told) == len(chains) or chain.span in spans]
+    assert len(left) == len(told)
+    return left
+
+
 def says_where(said: Clause) -> bool:
     """Whether a clause says nothing but where something is, or of a line how it is made up as well."""
     line = isinstance(said.theme, Structure) or any(isinstance(a, Into) for a in said.adjuncts)

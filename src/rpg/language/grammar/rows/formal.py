@@ -20,8 +20,8 @@ from rpg.language.tokens import Token
 
 _MANY = "(?:\\d+|two|three|four|five|six|seven|eight|nine|ten|twelve)"
 _LINE = "(?:tower|stack|row|line|column|heap|pile|circle|ring|pyramid|grid|wall|staircase)"
-_BLOCK = "(?:block|cube|brick)"
-_THING = "(?:block|cube|brick|patch|mat|target|tile|zone)"
+_BLOCK = "(?:block|cube)"
+_THING = "(?:block|cube|patch|mat|target|tile|zone)"
 _THINGS = f"(?:{_THING}s?|patches)"
 _CM = "[\\d.]+ (?:cm|mm|(?:centi|milli)met(?:er|re)s?)"
 _BESIDE = "(?:on|on top of|to the left of|to the right of|behind|in front of|next to|beside)"

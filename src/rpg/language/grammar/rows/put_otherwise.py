@@ -8,8 +8,8 @@ from rpg.language.grammar.rows.turned import FEW, LINE, MUST, WAY, Turn
 
 _COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _MANY = f"(?:\\d+|{FEW})"
-_BLOCKS = "(?:blocks|cubes|bricks|boxes|letters|digits)"
-_BLOCK = "(?:block|cube|brick|box)"
+_BLOCKS = "(?:blocks|cubes|letters|digits)"
+_BLOCK = "(?:block|cube)"
 _THING = f"(?:{_BLOCK}|patch|mat|zone|target|area|spot)"
 _ROW = "(?:far|near|front|back|first|second)"
 _LIES = "(?:lies?|is|are|stands?|sits?|rests?)"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language.grammar.rows.turned import LINE, MUST, Turn
 
 _WANTED = "(?:required|needed|wanted|desired|prescribed|requested|asked for)"
-_BLOCK = "(?:block|cube|brick)"
+_BLOCK = "(?:block|cube)"
 _SYMBOL = "(?:letter|digit|symbol|number)"
 
 REQUIRED: tuple[Turn, ...] = (

@@ -8,7 +8,7 @@ from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, WAY, Turn
 
 _A = "(?:an?|one|the)"
-_BLOCK = "(?:block|cube|brick|box)"
+_BLOCK = "(?:block|cube)"
 _PATCH = "(?:patch|mat|zone|target|area|spot)"
 _COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _PUT = "(?:put|place|set|lay|move)"
@@ -36,9 +36,9 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "{1}"),
     (f"\\bmirrored [:,] ({_COLOR} outside ,? ?(?:and )?{_COLOR} inside)$", "{1}"),
     # so many, and how many of them are where
-    (f"^({_MANY} (?:\\w+ )?(?:blocks|cubes|bricks|boxes|letters|digits)) , ({_SO_MANY}) {_ON_IT} ?"
+    (f"^({_MANY} (?:\\w+ )?(?:blocks|cubes|letters|digits)) , ({_SO_MANY}) {_ON_IT} ?"
      "((?:(?! and )[^,])+)$", "{1} , {2} of them {3} {4}"),
-    (f"^({_MANY}) ((?:\\w+ )?(?:blocks|cubes|bricks|boxes)) , ({_SO_MANY}) (on [^,]+?)(?: , and | , | and )"
+    (f"^({_MANY}) ((?:\\w+ )?(?:blocks|cubes)) , ({_SO_MANY}) (on [^,]+?)(?: , and | , | and )"
      f"({_SO_MANY}) (on [^,]+)$", "{3} of the {1} {2} {4} and {5} of the {1} {2} {6}"),
     # orders
     ("(?: ,)? (?:in which|so that|such that|where) (?:the )?blocks of the same color (?:never|do not|must not|may not) "

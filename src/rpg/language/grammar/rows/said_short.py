@@ -7,9 +7,9 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.turned import FEW, LINE, MUST, WAY, Turn
 
 COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
-BLOCK = "(?:block|cube|brick|box|letter|digit|number)"
+BLOCK = "(?:block|cube|letter|digit|number)"
 PATCH = "(?:patch|mat|zone|target|area|spot|tile)"
-_NOUN = f"(?:{BLOCK}s?|boxes|{PATCH}s?|patches|ones?)"
+_NOUN = f"(?:{BLOCK}s?|{PATCH}s?|patches|ones?)"
 _BEHIND = ("and|or|on|onto|in|to|left|right|behind|above|below|next|beside|not|must|should|is|goes|belongs|has|gets|"
            "each|instead|rather")  # fmt: skip
 LABEL = f"(?:[b-z0-9](?= |$)|a(?! \\w)|a(?= (?:{_BEHIND}) ))"
@@ -46,7 +46,7 @@ _TO = "(?:to|towards|toward) the"
 _ELLIPTIC = "to the left|to the right|on the left|on the right|left|right|in front|behind|above|below|under"
 _HALF = "(left|right|near|far|front|back)"
 _PAIRS = (
-    (f"the ({COLOR}) and (?:the )?({COLOR}) (?:block|cube|brick|box)(?:s|es)?", "the {1} one", "the {2} one"),
+    (f"the ({COLOR}) and (?:the )?({COLOR}) (?:block|cube)s?", "the {1} one", "the {2} one"),
     (f"(?:the (?:two )?(?:letters|cubes|blocks|digits|numbers) )?({_KNOWN}) and ({_KNOWN})", "{1}", "{2}"),
 )
 """Two things: how they are told, and each of them."""

@@ -6,7 +6,7 @@ from __future__ import annotations
 from rpg.language.grammar.rows.turned import FEW, LENGTH, LINE, MUST, WAY, Turn
 
 _MANY = f"(?:\\d+|{FEW})"
-_BLOCK = "(?:block|cube|brick)"
+_BLOCK = "(?:block|cube)"
 _PATCH = "(?:patch|mat|zone|target|area|spot|pad|goal)"
 _COUNTED = f"(?:{_MANY}|an?) [^,]+?"
 _TRUE = "(?:true|correct|right|valid)"
@@ -69,7 +69,7 @@ AT_ONCE: tuple[Turn, ...] = (
        f"{{1}} of the {{2}}{said} and {{{n}}} {plural}")
       for more, said, n in (("", "", 3), (" , the (\\w+)(?: ,)?", " , {3}", 4),
                             (" , the (\\w+) , the (\\w+)(?: ,)?", " , {3} , {4}", 5))
-      for noun, plural in (("block|cube|brick|box", "blocks"), ("patch|mat|zone|target|area|spot", "patches"))),
+      for noun, plural in (("block|cube", "blocks"), ("patch|mat|zone|target|area|spot", "patches"))),
     ("\\b(gradient|rainbow|rainbow order|spectrum)(?: ,)? from (\\w+) (?:on|at) the "
      "(left|right|front|back|top|bottom) to (\\w+) (?:on|at) the "
      "(left|right|front|back|top|bottom)$", "{1} from {2} to {4} from {3} to {5}"),

@@ -13,7 +13,7 @@ _PLACES = frozenset({"on", "onto", "in", "into", "at", "to", "next", "beside", "
                      "right", "near", "atop", "directly", "somewhere"})  # fmt: skip
 _SHOWS = frozenset({"show", "spell", "read", "say", "form"})
 _ASKED = frozenset({"goes", "belongs", "is", "comes", "stands", "lies", "sits", "should", "must", "shall"})
-_NOUNS = frozenset({"block", "cube", "brick", "box", "one"})
+_NOUNS = frozenset({"block", "cube", "one"})
 _BACK = frozenset({"it", "they"})
 _AT_LAST = (("at", "the", "end"), ("in", "the", "end"), ("finally",), ())
 _DOES_TOO = frozenset({"does", "is", "should", "must"})

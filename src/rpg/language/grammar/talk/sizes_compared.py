@@ -17,7 +17,7 @@ _FEW = "|".join(sorted((w for w in lexicon.NUMBER if w.isalpha()), key=len, reve
 _N = f"(?:\\d+|{_FEW})"
 _C = "(?:" + "|".join(sorted(lexicon.COLOR, key=len, reverse=True)) + ")"
 _K = "(?:tower|stack|row|line)"
-_B = "(?:blocks?|cubes?|bricks?)"
+_B = "(?:blocks?|cubes?)"
 _MORE = {"taller": 1, "higher": 1, "longer": 1, "bigger": 1, "shorter": -1, "lower": -1, "smaller": -1}
 _THAN = f"(?:{'|'.join(_MORE)})"
 _TIMES = {"twice": 2.0, "double": 2.0, "two times": 2.0, "three times": 3.0, "four times": 4.0, "half": 0.5}

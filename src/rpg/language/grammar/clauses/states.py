@@ -22,6 +22,7 @@ from rpg.language.grammar.talk.framing import past
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import adjectives, of_quality
 from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.grammar.things.of_listed import one_of_more
 from rpg.language.grammar.things.printed import colored_cubes
 from rpg.language.grammar.things.retold import none_of, one_heap, some_of_which
 from rpg.language.meaning import (
@@ -98,6 +99,8 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
         j = p.opt(j, ",") if _told_apart(p, i, j, theme) else j
         k, words = _auxiliaries(p, j)
         if not _floats(theme, {*p.words[j - 1 : k]}) or one_heap(theme, p.words[j]) or _begun_anew(p, i, j, theme):
+            continue
+        if one_of_more(p, j, theme):
             continue
         negated = bool(words & _NOT) or bool(barred)
         if inverted:

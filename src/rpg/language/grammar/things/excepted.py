@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
-from rpg.language.grammar.things.retold import shares_head, universal
+from rpg.language.grammar.things.retold import none_of, shares_head, universal
 from rpg.language.later import later
 from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits, replace
 
@@ -37,10 +37,12 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
     alone = p.any_of(comma, NO_MORE) if isinstance(shape, Structure) else 0
     if isinstance(shape, Structure) and alone and (alone >= p.end or p.words[alone] in (",", ";", ":")):
         yield shape, alone
+    yield from _but_none_of(p, i, items, comma)
     whole = len(items) == 1 and universal(items[0]) and (op := _but(items[0])) is not None
     if whole and p.words[comma : comma + 1] == ["but"] and p.words[comma + 1] not in ("not", "only", "first"):
         for item, j in noun_phrase(p, p.reach(comma + 1)):
-            if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in ("the", "all")):
+            named = ("the", "all", "bare") if op == "none but" and not _so_many(item) else ("the", "all")
+            if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in named):
                 yield Coord(op=str(op), items=(*items, item), span=p.span(i, j)), j
     if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding",
                           *_WITHOUT)):  # fmt: skip
@@ -54,7 +56,7 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
                 continue
             if p.words[comma] == "without" and not _among(item, items):
                 continue
-            if (op := _but(items[0])) is not None:
+            if (op := _but(items[0])) is not None and not (universal(items[0]) and _so_many(item)):
                 item = _all_such(item) if universal(items[0]) and op == "except" else item
                 parted = len(items) > 1 and isinstance(items[0], Noun) and items[0].part_of is not None
                 cost = 2 * (parted or any(map(shares_head, items, items[1:])))  # "red, green and blue cubes" are one
@@ -87,13 +89,33 @@ def _one(whole: Meaning) -> bool:
 
 
 def _but(whole: Meaning) -> str | None:
-    """ "All but red" are the others; "nothing but red", "no block except red" is red alone. None: "no A except B"."""
-    if isinstance(whole, Pronoun) and whole.word == "nothing":
-        return "only"
+    """ "All but red" are the others; "nothing but red", "no block except red" is red alone; "no A except B", "none of
+    them except B" are none of these but it."""
+    if isinstance(whole, Pronoun):
+        return "only" if whole.word == "nothing" else "none but" if none_of(whole) else "except"
     if not isinstance(whole, Noun) or whole.det != "no":
         return "except"
-    plain = whole.traits == Traits() and whole.head == "block" and whole.part_of is None
-    return "only" if plain else None
+    plain = whole.traits == Traits() and whole.head == "block" and whole.part_of is None and whole.amount is None
+    return "only" if plain else "none but"
+
+
+def _so_many(item: Meaning) -> bool:
+    """ "all the blocks except one": so many of them, whichever these are, as in "all but one of the blocks"."""
+    if isinstance(item, Pronoun):
+        return item.word == "one"
+    mere = isinstance(item, Noun) and item.head == "any" and item.traits == Traits() and item.part_of is None
+    return mere and isinstance(item, Noun) and item.det == "bare"
+
+
+def _but_none_of(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord]:
+    """ "A but neither of the red blocks", "both letters but no red block": the ones, and not the others."""
+    but = p.one(comma, "but") if isinstance(items[0], Noun) and items[0].det not in ("no", "all", "each") else 0
+    for item, j in simple(p, but) if p.stands(but, ("none", "neither", "no", "not")) and but else ():
+        if not isinstance(item, Noun) or item.det != "no" or item.head == "patch" or item.conditions:
+            continue
+        those = item.part_of if isinstance(item.part_of, Noun) else replace(item, det="the", amount=None, plural=True)
+        for end in {j: None, p.opt(j, ","): None} if p.words[comma - 1] == "," else {j: None}:
+            yield Coord(op="except", items=(*items, those), span=p.span(i, j)), end
 
 
 _NO_OTHER = tuple(

@@ -11,6 +11,7 @@ from rpg.language.grammar.things.adjectives import adjectives, color
 from rpg.language.grammar.things.brackets import counted_aside
 from rpg.language.grammar.things.excepted import and_no_other, exceptions
 from rpg.language.grammar.things.labels import label_list
+from rpg.language.grammar.things.not_so import not_so
 from rpg.language.grammar.things.of_both import of_both
 from rpg.language.grammar.things.retold import (
     all_colored,
@@ -48,13 +49,8 @@ def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     yield from and_no_other(p, i, whole, j)
     if isinstance(whole, Pronoun) and whole.word in ("everything", "all"):
         whole = Noun(head="block", det="all", plural=True, span=whole.span)
-    k = p.any_of(j, ("that are not", "which are not", "that is not", "which is not")) if isinstance(whole, Noun) else 0
-    if not k or not isinstance(whole, Noun) or whole.det not in ("all", "each", "the") or whole.head == "patch":
-        return
-    for named, end in color(p, k):
-        out = Noun(head="block", det="all", plural=True, traits=Traits(colors=(named,)), span=p.span(k, end))
-        whole = replace(whole, det="all", plural=True)
-        yield Coord(op="besides", items=(whole, out), span=p.span(i, end)), end
+    if isinstance(whole, Noun) and whole.det in ("all", "each", "the", "no") and whole.head != "patch":
+        yield from not_so(p, i, whole, j)
 
 
 def _but_so_many(p: Parser, i: int, whole: Meaning, j: int) -> Results[Noun]:

@@ -16,7 +16,7 @@ from rpg.language.grammar.things.in_line import in_line
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
 from rpg.language.grammar.things.labels import label_list, literal, once_more
 from rpg.language.grammar.things.of_both import counted_kinds
-from rpg.language.grammar.things.of_listed import listed
+from rpg.language.grammar.things.of_listed import wholes
 from rpg.language.grammar.things.printed import printed, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
@@ -186,7 +186,7 @@ _THESE = ("them", "these", "those", "the others", "the rest", "others")
 
 def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
     """ "two of the four red blocks", "none of them"."""
-    for whole, end in (*simple(p, j), *listed(p, j, found.det)):
+    for whole, end in wholes(p, j, found.det):
         if isinstance(whole, Noun) and whole.head == "any" and whole.det == "the" and found.det in ("all", "no"):
             whole = replace(whole, plural=whole.plural or bool(whole.traits.colors))
         if isinstance(whole, Noun) and found.det == "not all" and whole.det == "bare":
@@ -205,7 +205,7 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
             for both, k in more(p, j, (whole,), end, None) if whole.det == "the" else ():
                 if counted_kinds(both, found.det):
                     yield replace(part, part_of=both, span=p.span(i, k)), k
-        elif isinstance(whole, Pronoun) and whole.word in _THESE:
+        elif isinstance(whole, Coord) or (isinstance(whole, Pronoun) and whole.word in _THESE):
             span = p.span(i, end)
             yield Noun(head="any", det=found.det, amount=found.amount, plural=True, part_of=whole, span=span), end
 

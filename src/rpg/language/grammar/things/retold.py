@@ -61,7 +61,7 @@ def universal(item: Meaning) -> bool:
     if isinstance(item, Pronoun):
         return item.word in ("everything", "all", "nothing")
     any_patch = isinstance(item, Noun) and item.head == "patch" and item.det == "any"
-    return any_patch or (isinstance(item, Noun) and item.det in ("all", "no") and item.amount is None)
+    return any_patch or (isinstance(item, Noun) and item.det in ("all", "each", "no") and item.amount is None)
 
 
 def restates(before: Meaning, item: Meaning) -> bool:
@@ -268,8 +268,9 @@ def some_of_which(p: Parser, i: int, theme: Meaning) -> bool:
 
 
 def none_of(theme: Meaning) -> bool:
-    """ "nothing", "no red block"."""
-    return getattr(theme, "det", "") == "no" or getattr(theme, "word", "") in ("nothing", "nothing else")
+    """ "nothing", "no red block", "none of them"."""
+    word = getattr(theme, "word", "")
+    return getattr(theme, "det", "") == "no" or word in ("nothing", "nothing else") or word.startswith("none of")
 
 
 def begins_anew(theme: Meaning) -> bool:

@@ -12,6 +12,7 @@ from rpg.passes.schema.resolve.clauses.alls import note_all
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.counting import check_both, counted_among, denied, elliptical, not_of_a_structure
+from rpg.passes.schema.resolve.things.excepted import excepted, none_but
 from rpg.passes.schema.resolve.things.extras import extras
 from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, one_more, quantified, repeats
 from rpg.passes.schema.resolve.things.pronouns import PAIR, others, pronoun
@@ -20,7 +21,7 @@ from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
 from rpg.passes.schema.resolve.things.theirs import THEIRS, begun_on, in_their_colors, its_own
 from rpg.passes.schema.resolve.things.them import of_whom, sorted_out
-from rpg.passes.schema.resolve.things.things import alike, compared, create, looks_said, matching, note_premises
+from rpg.passes.schema.resolve.things.things import alike, compared, looks_said, matching, note_premises
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 if TYPE_CHECKING:
@@ -29,9 +30,6 @@ if TYPE_CHECKING:
 else:
     (ranked,) = later(__name__, "rpg.passes.schema.resolve.orders.ranks", "ranked")
     (refer_structure,) = later(__name__, "rpg.passes.schema.resolve.structures.structures", "refer_structure")
-
-OTHERS = 3
-"""Blocks besides those that "all blocks except ..." names, where none were spoken of."""
 
 
 def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
@@ -54,7 +52,7 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
     found = replace(found, span=meaning.span)
     note_all(meaning, found, scene, scope)
     if not found.reciprocal:
-        scene.mention(found, scope.role, scope.rel, getattr(meaning, "word", ""))
+        scene.mention(found, scope.role, scope.rel, getattr(meaning, "word", ""), scope.start or scope.given)
     if found.names and scope.role == "landmark":
         scene.last_landmark_patch = found.patch
         scene.last_landmark_at = meaning.span[0]
@@ -63,9 +61,11 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
 
 def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "except":
-        return _except(meaning, scene, scope)
+        return excepted(meaning, scene, scope)
+    if meaning.op == "none but":
+        return none_but(meaning, scene, scope)
     if meaning.op == "besides":
-        return replace(_except(meaning, scene, scope), op="and", parts=())
+        return replace(excepted(meaning, scene, scope), op="and", parts=())
     if meaning.op == "only":
         alone = refer(meaning.items[-1], scene, scope)
         scene.mentions.pop()
@@ -129,42 +129,6 @@ def _unmixed(meaning: Coord) -> None:
 
 
 _BOTH_WAYS = ("and", "or")
-
-
-def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
-    """ "all blocks except the red one", "the red but not the blue block"."""
-    patch = scope.like_patch or getattr(meaning.items[0], "head", "") == "patch"
-    out = refer(meaning.items[-1], scene, replace(scope, like_patch=patch))
-    scene.spare.update(out.names)
-    whole = [refer(item, scene, scope) for item in meaning.items[:-1]]
-    del scene.mentions[-len(meaning.items) :]
-    if scope.role == "landmark" and not {n for part in whole for n in part.names} & set(out.names):
-        raise refuse("ambiguous", "this is an exception to something said before it", meaning.items[-1].span,
-                     "say 'all blocks except ...', or say this part in a sentence of its own")  # fmt: skip
-    if _new(meaning.items[0]) and not {n for part in whole for n in part.names} & set(out.names):
-        raise refuse("misplaced", "this is none of the blocks that it is an exception to", meaning.items[-1].span,
-                     "say how many blocks of each look there are")  # fmt: skip
-    names = tuple(dict.fromkeys(n for part in whole for n in part.names if n not in out.names))
-    if not names and _everything(meaning.items[0]) and not out.patch:
-        scene.new_batch()
-        names = tuple(create(Traits(), scene, False).name for _ in range(OTHERS))
-        scene.assume(f"how many other blocks there are is not said: {OTHERS}")
-    if not names:
-        raise refuse("no-referent", "no block is left to speak of", meaning.span)
-    both, patch = (Ref(names=names), out), whole[0].patch
-    return Ref(names=names, patch=patch, op="except", parts=both, plural=True, span=meaning.span)
-
-
-def _new(meaning: Meaning) -> bool:
-    """ "a circle of eight red blocks", "eight red blocks": what is called for in just this way."""
-    counted = isinstance(meaning, Noun) and meaning.amount is not None and meaning.det == "bare"
-    return isinstance(meaning, Structure) or (counted and isinstance(meaning, Noun) and bool(meaning.traits.colors))
-
-
-def _everything(meaning: Meaning) -> bool:
-    whole = isinstance(meaning, Noun) and meaning.det in ("all", "each") and meaning.head == "block"
-    plain = whole and isinstance(meaning, Noun) and meaning.traits == Traits()
-    return plain or (isinstance(meaning, Pronoun) and meaning.word in ("everything", "all"))
 
 
 def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:

@@ -209,6 +209,20 @@ def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
                 yield replace(done, cost=len(so)), last
 
 
+def is_there(theme: Meaning) -> bool:
+    """ "The pile of four": one that is there, where something else is made of it."""
+    return isinstance(theme, Structure) and theme.det == "the" and not theme.plural
+
+
+def of_what_is_there(theme: Meaning, made: Clause) -> Clause | None:
+    """ "Use the pile of four to build a tower": it is turned into one."""
+    shape = made.theme
+    if made.verb != "build" or not is_there(theme) or not isinstance(shape, Structure) or shape.members is not None:
+        return None
+    into = Into(structure=shape, span=shape.span)
+    return replace(made, verb="arrange", lemma="turn into", theme=theme, adjuncts=(into, *made.adjuncts))
+
+
 def put_down(theme: Meaning, lemma: str, span: Span, word: Span) -> Clause:
     """ "Put the red block down": on the table."""
     table = Loc(rel="on", landmark=TableTop(span=span), span=span)

@@ -74,6 +74,7 @@ _STANDING = Patterns("there? also|then|only? <must> also? <be>", "there? also|th
 _THERE_MUST = Patterns("there also|then? <must> also? <be>", classes=_VERBS)
 _THERE_STANDS = Patterns("there also|then? <is>", classes=_VERBS)
 _CLOSED = frozenset({"", ",", ";", "and"})
+_ORDERED = ("put", "place")
 _FACTS = frozenset({"is", "are", "sits", "stands", "lies", "rests", "lie", "stand", "sit", "rest"})
 _SEEN = Patterns(
     "there should|must|shall|has_to? be|is|are|stand|stands|lie|lies|come|comes",
@@ -102,12 +103,12 @@ def stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Result
             continue
         behind = max(_LAST.matches(p, end), default=0) if not (k or shape) else 0  # "in a circle, ... shall be placed"
         for more, last in [((), behind)] if behind and p.words[behind] in _CLOSED else adjuncts(p, end):
-            verb = "build" if isinstance(theme, Structure) else "be"
-            when = "start" if mode == "start" else "goal"
+            ordered = p.words[k - 1] if k and p.words[k - 1] in _ORDERED and mode != "start" else ""
+            verb = "build" if isinstance(theme, Structure) else "place" if ordered else "be"
+            when = "start" if mode == "start" else "command" if ordered else "goal"
             span = p.span(i, last)
-            cost = 1 if k else 2
             there = Clause(verb=verb, lemma=lemma, theme=theme, adjuncts=(first, *more), mode=when, span=span)
-            yield replace(there, cost=cost), last
+            yield replace(there, lemma=lemma or ordered, cost=1 if k else 2), last
 
 
 def listed_there(p: Parser, i: int, j: int, first: Toward | Into, mode: str) -> Results[Meaning]:

@@ -11,7 +11,7 @@ from rpg.language.grammar.clauses.for_whom import behind_us
 from rpg.language.grammar.clauses.links import RATHER
 from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.particles import WHITHER, across
-from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
+from rpg.language.grammar.clauses.remade import is_there, of_what_is_there, put_down, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.clauses.turned import REST, not_turned
 from rpg.language.grammar.core import Parser, Results, rule
@@ -149,6 +149,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         for found, end in [*adjuncts(p, k), *after]:
             if lemma in ("take", "pull") and found and isinstance(found[0], Loc) and found[0].rel == "apart":
                 continue
+            if sense == "use" and is_there(theme) and any(isinstance(x, Into) for x in found):
+                continue
             if found and isinstance(found[0], At) and begins_anew(theme):
                 continue
             if sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc):
@@ -193,8 +195,8 @@ def _use(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
                 into = Into(structure=shape, span=shape.span)
                 yield Clause(verb="arrange", theme=theme, adjuncts=(into, *found), span=p.span(i, last), cost=1), last
     for inner, end in verb_phrase(p, j, ("base", "ing")):
-        using = Using(members=theme, span=theme.span)
-        yield replace(inner, adjuncts=(using, *inner.adjuncts), span=p.span(i, end)), end
+        using = replace(inner, adjuncts=(Using(members=theme, span=theme.span), *inner.adjuncts))
+        yield replace(of_what_is_there(theme, inner) or using, span=p.span(i, end)), end
 
 
 def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:

@@ -43,6 +43,7 @@ from rpg.passes.schema.resolve.clauses.joined_facts import (
 )
 from rpg.passes.schema.resolve.clauses.lifted import lifted
 from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it, they_begin_as
+from rpg.passes.schema.resolve.clauses.worded_first import worded_first
 
 UNMEANT = frozenset({"contradiction", "support-cycle"})
 """Refusals of facts and commands that cannot both be about the end."""
@@ -62,7 +63,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     behind them of how it should be ("it should not be there at the end").
     """
     chains = lifted(instead_of(tuple(facts_joined(named_there(chain)) for chain in chains)), text)
-    chains = lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text)
+    chains = worded_first(lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
     chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))
     if (picture := _pictured(chains, text)) is not None:

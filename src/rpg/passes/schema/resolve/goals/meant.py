@@ -18,5 +18,5 @@ def with_what_is_meant(goal: g.Goal, scene: Scene) -> g.Goal:
     and what lasts beside what is done."""
     goal = transform(one_by_one(goal, scene), besides_their_patches)
     goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
-    goal = still_standing(beside_what_is_done(goal, scene), scene.start_goals)
+    goal = still_standing(beside_what_is_done(goal, scene), scene)
     return none_left_out_on_top(goal, scene.left_out)

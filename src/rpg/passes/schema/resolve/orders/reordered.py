@@ -48,6 +48,9 @@ def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
     rest = tuple(n for n in built.members if n not in theme.names)
     if at_.side not in (first, LAST[first]):
         return None
+    if scene.things[theme.names[0]].claims:  # of blocks of no told look, one is said to look so only here
+        raise refuse("ambiguous", f"this could be a block of the {built.kind} or a further one", theme.span,
+                     "say what the blocks look like that are there at the start")  # fmt: skip
     return [_again(built, (*theme.names, *rest) if at_.side == first else (*rest, *theme.names), scene, span)]
 
 
@@ -65,6 +68,7 @@ def topped(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
             told = "this could be the top of the pyramid, or one more block on it"
             raise refuse("ambiguous", told, at_.span, "say which, in a sentence of its own")
         base = crown(Ref(names=latest[-1].members, built=(latest[-1],)))
+        scene.topped.append(latest[-1])
     else:
         said = [m for m in scene.mentions if m.role == "theme" and m.clause < scene.clause and len(m.ref.names) == 1]
         if latest or scene.built or not said or said[-1].ref.patch or said[-1].ref.names == theme.names:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import string
 
+from rpg.ir import structures as s
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Noun, Traits
 from rpg.passes.schema.resolve.things.things import alike, create, elastic, further, give, is_open, matching, open_to
@@ -113,6 +114,12 @@ def _claim(noun: Noun, scene: Scene, scope: Scope, patch: bool, count: int) -> l
     return open_[:count]
 
 
+def _begun(scene: Scene) -> set[str]:
+    """The blocks of towers and rows that are there at the start: "put a blue block on top of it" is none of them."""
+    wholes = [start for start in scene.start_goals if isinstance(start, s.Stack | s.Row | s.Grid | s.Figure)]
+    return {name for whole in wholes for name in whole.blocks} if not scene.describing else set()
+
+
 def _may_show(thing: Thing, traits: Traits) -> bool:
     """Whether a block may turn out to show one of these symbols: "turn the letter block so that the A is upright"."""
     sorts = {"letter": string.ascii_uppercase, "digit": string.digits}
@@ -123,10 +130,12 @@ def _claim_declared(noun: Noun, scene: Scene, count: int) -> list[Thing]:
     """ "there are five blocks; put the red one ...", "stack five blocks so that the red one ...": one of the five."""
     if not noun.traits.colors and not noun.traits.labels:
         return []
+    begun = _begun(scene) if noun.det == "a" and noun.head != "any" and not noun.part_of else set()
     open_ = [
         t
         for t in scene.blocks()
-        if (t.name in scene.told or (t.declared and t.name not in scene.used))
+        if t.name not in begun
+        and (t.name in scene.told or (t.declared and t.name not in scene.used))
         and t.elastic is None
         and _may_show(t, noun.traits)
         and not t.extra

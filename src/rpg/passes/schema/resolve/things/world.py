@@ -101,7 +101,8 @@ class Ref:
 
 @dataclass
 class Mention:
-    """An object spoken of: where, as what. `rel`: the relation that it is the landmark of; `word`: by which pronoun."""
+    """An object spoken of: where, as what. `rel`: the relation that it is the landmark of; `word`: by which pronoun;
+    `start`: in what is said of the start."""
 
     ref: Ref
     role: str
@@ -109,6 +110,7 @@ class Mention:
     rel: str = ""
     word: str = ""
     sentence: int = 0
+    start: bool = False
 
 
 @dataclass(frozen=True)
@@ -149,6 +151,7 @@ class Scene:
     `untouched`: blocks that are left as they are, which is more than where they are.
     `sized`: the size that is said of all blocks, with its words.
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
+    `topped`: structures on top of which something goes that are not named there.
     `patch_sides`: patches by the side on which they lie, and where that was said last.
     """
 
@@ -202,6 +205,7 @@ class Scene:
     only: list[str] = field(default_factory=list)
     held: dict[str, Span] = field(default_factory=dict)
     exclusive: list[Exclusive] = field(default_factory=list)
+    topped: list[Built] = field(default_factory=list)
     returned: set[str] = field(default_factory=set)
     unstacked: set[str] = field(default_factory=set)
     excepted: set[str] = field(default_factory=set)
@@ -276,9 +280,9 @@ class Scene:
         self.heaps = [tuple(kept) if set(heap) == set(names) else heap for heap in self.heaps]
         return tuple(kept)
 
-    def mention(self, ref: Ref, role: str, rel: str = "", word: str = "") -> None:
+    def mention(self, ref: Ref, role: str, rel: str = "", word: str = "", start: bool = False) -> None:
         """Remember what was spoken of, for pronouns."""
-        self.mentions.append(Mention(ref, role, self.clause, rel, word, self.sentence))
+        self.mentions.append(Mention(ref, role, self.clause, rel, word, self.sentence, start))
 
     def stacked(self, upper: str, lower: str, span: Span) -> None:
         """One block was put on another: together, and with the stack that the lower one tops, they are a tower."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.each_has import may_have, said_of_each
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import part_list
 from rpg.language.grammar.places.gaps import apart_by
@@ -87,7 +88,7 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 on = Loc(rel="on", landmark=mark, span=p.span(j, end))
                 yield _stated(p, i, end, owner, (on,), mode), end
         patch = isinstance(owner, Noun) and owner.head == "patch"
-        if k := p.any_of(j, _HAS) or (p.any_of(j, _IS_FOR) if patch else 0):
+        if k := p.any_of(j, _HAS) or may_have(p, owner, j) or (p.any_of(j, _IS_FOR) if patch else 0):
             yield from ((replace(far, mode=mode), end) for far, end in apart_by(p, i, k, owner))
             for theme, start in noun_phrase(p, k):
                 if (told := _of_its_color(owner, theme, p.span(i, start))) is not None:
@@ -105,7 +106,8 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                         continue
                     places = _owned(found, owner)
                     if places is not None:
-                        stated = _as_told(p, j, k, _stated(p, i, end, theme, places, mode))
+                        said, places = said_of_each(theme, places, owner)
+                        stated = _as_told(p, j, k, _stated(p, i, end, said, places, mode))
                         yield stated, end
                         yield from _another(p, i, end, owner, stated, mode)
         if i and patch and (k := p.any_of(j, _CARRIES) or p.any_of(j, _HAS)) and (end := p.any_of(k, _NONE)):

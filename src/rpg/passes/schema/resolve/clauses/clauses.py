@@ -30,7 +30,7 @@ from rpg.passes.schema.resolve.clauses.appearance import appear
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.begun_facts import moved_from
 from rpg.passes.schema.resolve.clauses.company import in_company
-from rpg.passes.schema.resolve.clauses.denials import denied, denied_once
+from rpg.passes.schema.resolve.clauses.denials import denied, denied_of_any, denied_once
 from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
 from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_its_noun
 from rpg.passes.schema.resolve.clauses.shaped import all_it_has, shaped
@@ -70,7 +70,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     number = scene.clause
     scene.verbs[number] = (clause.word, clause.negated, clause.verb)
     scope = Scope(start=start, given=clause.mode == "given" or start)
-    clause = moved_from(with_its_noun(of_the_rest(in_company(denied_once(clause)))))
+    clause = moved_from(with_its_noun(of_the_rest(in_company(denied_of_any(denied_once(clause), scene)))))
     spec = sort_adjuncts(clause.adjuncts)
     if distractors(clause, spec, scene):
         nothing_left(spec, clause)
@@ -247,7 +247,7 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
         and clause.lemma in ("move", "shift", "nudge", "relocate", "push", "drag")
         and not (clause.adjuncts or clause.negated)
     ):
-        if clause.theme is not None and clause.span[1] > clause.theme.span[1]:
+        if clause.theme is not None and clause.mode == "command" and clause.span[1] > clause.theme.span[1]:
             raise refuse("no-goal", "it is not said where to", clause.span, "say where the block should be")
         theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
         return turning.moved(theme, scene, clause.span)

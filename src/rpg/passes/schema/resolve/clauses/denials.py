@@ -19,6 +19,7 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.exception_last import exception_last
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
+from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes
 
 
@@ -58,6 +59,20 @@ def _not_any(clause: Clause) -> Clause:
     if not clause.negated or clause.verb not in ("be", "place") or not isinstance(theme, Noun) or not single:
         return clause
     return replace(clause, theme=replace(theme, det="no", amount=None), negated=False) if theme.part_of else clause
+
+
+def denied_of_any(clause: Clause, scene: Scene) -> Clause:
+    """ "A red block must not touch it", "do not put a red block there": where there are several, none of them."""
+    theme = clause.theme
+    if not clause.negated or not isinstance(theme, Noun) or theme.det != "a" or theme.head == "patch":
+        return clause
+    alike = [t for t in matching(theme.traits, scene, False) if t.declared]
+    if theme.amount != Amount(1, 1) or theme.part_of is not None or theme.conditions or len(alike) < 2:
+        return clause
+    if clause.lemma == "fact":
+        raise refuse("ambiguous", "is there one of which this is not so, or is it so of none?", clause.span,
+                     "say 'no ...', or 'at least one of the ... is not'")  # fmt: skip
+    return replace(clause, theme=replace(theme, det="no", amount=None), negated=False)
 
 
 def _on_no_patch(clause: Clause) -> Clause:

@@ -84,7 +84,8 @@ def _stayed(theme: Ref, span: Span) -> g.Goal:
 
 def stay(clause: Clause, spec: Spec, scene: Scene, scope: Scope, stays: bool) -> Goals:
     """ "do not move the red block" (the negation is in the verb's meaning), "move ..." alone: moved."""
-    told = neither(clause.theme)
+    of_any = clause.negated and getattr(clause.theme, "det", "") == "any"
+    told = _moved_theme(clause) if of_any else neither(clause.theme)
     theme = refer(told, scene, scope) if told else Ref()
     if not stays and not is_none(theme):
         raise refuse(
@@ -160,7 +161,12 @@ _LANDMARKS = frozenset({"it", "them", "this", "that", "these", "those", "both", 
 
 
 def _moved_theme(clause: Clause) -> Meaning:
-    if isinstance(clause.theme, Noun) and clause.theme.det == "any" and clause.theme.amount in (None, Amount(1, 1)):
+    """ "without moving a blue block", "do not move any of them": all that there are."""
+    if (
+        isinstance(clause.theme, Noun)
+        and clause.theme.det in ("any", "a")
+        and clause.theme.amount in (None, Amount(1, 1))
+    ):
         some = clause.theme.part_of
         return some if isinstance(some, Pronoun) else replace(clause.theme, det="all", amount=None, plural=True)
     if isinstance(clause.theme, Pronoun) and clause.theme.word == "either of them":

@@ -161,18 +161,24 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     return related(theme, mark, loc, scene, span)
 
 
+_UPRIGHT = ("on", "above", "under")
+
+
 def _any_of_them(theme: Ref, loc: Loc, scene: Scene) -> tuple[str, ...] | None:
     """ "every red block is beside a blue one": any of the blue ones, for each of the red."""
     mark = loc.landmark
-    if not isinstance(mark, Noun) or mark.det != "a" or mark.head == "patch" or len(theme.names) < 2 or theme.built:
+    if not isinstance(mark, Noun) or mark.det != "a" or mark.head == "patch" or theme.built:
         return None
-    there = [t.name for t in matching(mark.traits, scene, False) if t.declared]
+    denied = loc.negated or scene.denying  # "not next to a blue one": to none of them
+    if len(theme.names) < 2 and not denied:
+        return None
+    there = [t.name for t in matching(mark.traits, scene, False) if t.declared or denied]
     plain = not mark.conditions and mark.traits.rank is None
     if theme.quant is not None and not plain:
         return None
     if not there and theme.each and theme.quant is None and plain and not compared(mark):
         there = one_for_each(theme, mark, scene)
-    return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *LEVEL, "on") else None
+    return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *LEVEL, *_UPRIGHT) else None
 
 
 def _some_on_any(theme: Ref, quant: Amount, marks: tuple[str, ...], loc: Loc, scene: Scene, span: Span) -> g.Goal:
@@ -302,7 +308,7 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         tops = [Ref(names=tower.members, built=(tower,)) for tower in mark.built]
         each = zip(lots, tops, strict=True)
         return conj([_relate(Ref(names=lot), top, loc, scene, span) for lot, top in each], span)
-    if loc.rel in ("on", "above", "under"):
+    if loc.rel in _UPRIGHT:
         return conj([vertical(theme, mark, loc, scene, span), *centred_on(theme, mark, loc, span)], span)
     if loc.rel in DIRECTIONS:
         return _directional(theme, mark, loc, scene, span)

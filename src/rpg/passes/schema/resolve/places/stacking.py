@@ -139,6 +139,10 @@ def _tower_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
 
 def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     direct = {"directly", "immediate"} & set(loc.mods)
+    if theme.quant is not None or theme.op != "and" or theme.mixed:
+        above = r.On if direct else r.Above
+        marks = [foot(mark)] if mark.built else [(b,) for b in mark.names]
+        return spread(theme, lambda a: conj([above(a=b, b=a, span=span) for b in marks], span), span)
     lower = crown(theme) if theme.built else theme.names
     upper: Operand = foot(mark) if mark.built else mark.names
     if (len(theme.names) > 1 and not theme.built) or (len(mark.names) > 1 and not mark.built):
@@ -146,7 +150,7 @@ def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
         return conj(parts, span)
     if direct:
         return _on_operand(upper, lower, scene, span)
-    if not isinstance(upper, Lowest | Highest) and not isinstance(lower, Lowest | Highest):
+    if isinstance(upper, tuple) and isinstance(lower, tuple) and EACH not in (*upper, *lower):
         scene.on_top.setdefault(upper[0], lower[0])
     return r.Above(a=upper, b=lower, span=span)
 

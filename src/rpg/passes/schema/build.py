@@ -69,7 +69,7 @@ from rpg.passes.schema.resolve.things.recounted import recounted
 from rpg.passes.schema.resolve.things.rest import listed_alone, selects, speaks_of_rest
 from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one_by_one
 from rpg.passes.schema.resolve.things.sized import sized
-from rpg.passes.schema.resolve.things.spare import definite, none_ignored
+from rpg.passes.schema.resolve.things.spare import definite, leaves_out, none_ignored
 from rpg.passes.schema.resolve.things.taken import all_plainly
 from rpg.passes.schema.resolve.things.things import fits, matching
 from rpg.passes.schema.resolve.things.world import Scene, refuse, said
@@ -329,13 +329,13 @@ def _counts_each(chain: Chain) -> bool:
 
 def _sets_scene(chain: Chain) -> bool:
     """Whether a sentence only says what there is or how it starts: it is read first."""
-    return all(isinstance(c, Clause) and (c.mode == "given" or _brings_extras(c)) for c in chain.clauses)
+    return all(leaves_out(c) or (isinstance(c, Clause) and _brings_up(c)) for c in chain.clauses)
 
 
-def _brings_extras(clause: Clause) -> bool:
-    """ "Two blue blocks lie around": blocks that come into the task by this."""
+def _brings_up(clause: Clause) -> bool:
+    """What there is; or "two blue blocks lie around": blocks that come into the task by this."""
     extra = any(isinstance(m, Manner) and m.kind == "extra" for m in clause.adjuncts)
-    return extra and clause.theme is not None and not definite(clause.theme)
+    return clause.mode == "given" or (extra and clause.theme is not None and not definite(clause.theme))
 
 
 _THEM = frozenset(

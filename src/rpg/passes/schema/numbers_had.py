@@ -11,6 +11,7 @@ from itertools import groupby
 from pydantic import BaseModel
 
 from rpg.ir.assets import FACES, Asset, SemanticCube
+from rpg.ir.goal import All, Not
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Stack, Staircase
 from rpg.ir.walk import atoms, names
@@ -67,6 +68,9 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
         yield from (float(symbol) for symbol in symbols_of(asset) if symbol.isdigit())
     for part in (task.goal, *task.init.arranged, *task.init.heaps):
         yield from _inside(part)
+    parts = task.goal.goals if isinstance(task.goal, All) else (task.goal,)
+    denied = [part.goal for part in parts if isinstance(part, Not)]
+    yield from Counter((x.kind, getattr(x, "patch", getattr(x, "b", None))) for x in denied).values()  # "three off it"
     colors = {asset.name: asset.color for asset in task.assets}
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()

@@ -16,6 +16,8 @@ _RISE = "(?:increase|rise|grow|ascend|go up|get bigger|get larger)"
 _FALL = "(?:decrease|fall|shrink|descend|go down|get smaller)"
 _SHAPE = f"(?:{LINE}|wall|pyramid|grid|circle|square|triangle|staircase|checkerboard)"
 _PUSH = "(?:move|bring|push|slide|shift|carry|nudge|drag|pull)"
+_MOST = "(largest|biggest|greatest|highest|smallest|lowest|least)"
+_SIDE = "(left|right)(?: end| side)?"
 _STARTED = "where (?:it|they) (?:starts|start|started|is now|are now|was|were|began|begins)"
 
 _NO_FAVOR = "".join(f"(?<!{word})" for word in (
@@ -109,6 +111,29 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"^visit (?:the|all|all the) (?:{_MANY} )?(?:{_PATCH}s|patches) in (?:this |that |the following )?order : (.+ "
      f"then .+)$",
      "{1}"),
+    (f"^(.+?) (?:may|can|could) (?:be|stand|lie|go) (?:placed )?(?:anywhere|wherever)(?: (?:in|on) [^,]+?)?{_LIKING}"
+     "(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) "
+     "(?:is|are|does|do|stands?|lies?) (not )?(?:stand |lie |be )?(.+)$", "{1} must {2} be {3}"),
+    # lines and figures by what they show
+    (f"(?: ,)? (?:in which|where|so that|such that|in such a way that) the {_MOST} (number|digit|letter) (?:is|stands|"
+     f"comes|lies) (?:on|at) the {_SIDE}(?: ,)? and the {_MOST}(?: one| \\2)? (?:is |stands |comes |lies )?(?:on|at) "
+     f"the {_SIDE}$", ", the {1} {2} on the {3} and the {4} on the {5}"),
+    (f"(?: ,)? (?:that|which) (?:goes|runs|leads) from the {_MOST}(?: number| digit)? (?:on|at) the {_SIDE} to the "
+     f"{_MOST}(?: number| digit)? (?:on|at) the {_SIDE}$",
+     ", the {1} number on the {2} and the {3} on the {4}"),
+    ("\\b(?:that|which) follows? the (?:colors of the )?rainbow\\b", "in rainbow order"),
+    ("(?: ,)? (?:colored|arranged|patterned|laid out) like an? (?:checkerboard|chessboard|chess board)$",
+     "in a checkerboard pattern"),
+    ("^the (?:finished|final) (?:table|scene|picture|layout|state) shows (them|these|those|the [^,]+?) (in an? .+|in "
+     "one .+)$", "{1} must be {2}"),
+    ("\\bput together (?:as|into|to form|to make) (an?) ", "arranged as {1} "),
+    ("(?: ,)? in which (the [^,]+?) (?:are|is|form|make up) the (far|near|back|front) row and (the [^,]+?) "
+     "(?:(?:are|is|form|make up) )?the (far|near|back|front) row$", "with {1} in the {2} row and {3} in the {4} row"),
+    (f"\\b(?:is|stands) (?:a )?part of (the same|one|a single) ({LINE})$", "belongs to {1} {2}"),
+    (f"\\b(?:are|be) (?:a )?part of (the same|one|a single) ({LINE})$", "belong to {1} {2}"),
+    ("(?: ,)? without (?:being|standing|lying|sitting|resting) (on .+|in .+|next to .+|beside .+)$", "but not {1}"),
+    ("\\bin that (?:corner|half|region|area|part)\\b", "there"),
+    ("^(.*\\bnever\\b.*?) (?:on|along) the way(?: there)?$", "{1}"),
     # who does what
     ("^file ((?:the|all|these|those|them) ?.*\\border\\b.*)$", "arrange {1}"),
     ("\\b(change|swap|trade|exchange|switch) (?:their )?(places|positions|spots) with (?:each other|one another)\\b",

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.lists import listed
+from rpg.language.later import later
 from rpg.language.meaning import Meaning, Noun, OrderBy, Traits, parts_of
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.things.nouns import simple
+else:
+    (simple,) = later(__name__, "rpg.language.grammar.things.nouns", "simple")
 
 _TURNS = Patterns(
     "so|so_that|such_that|where|in_which|while|and? the|their|its? color|colors|blocks|cubes "
@@ -78,7 +86,8 @@ _BETWEEN = (
 )  # fmt: skip
 """What two colours follow."""
 _AFTER = ("alternating", "in alternation", "alternately", "alternate", "taking turns", "take turns")
-_TURNING = frozenset(phrase.split()[-1] for phrase in _AFTER)
+_WITH = ("alternate with", "alternates with", "take turns with", "are alternating with")
+_TURNING = frozenset(phrase.split()[-1] for phrase in _AFTER) | {"alternates"}
 _WHERE = ("in which", "where", "with", "so that", "such that", "so", ",")
 _ONE = ("every other one", "every second one", "every other block", "every second block", "every other cube",
         "every second cube", "every other", "every second")  # fmt: skip
@@ -109,6 +118,10 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
         for items, k in listed(p, j) if p.anywhere(_TURNING) else ():
             if end := p.any_of(k, _AFTER):
                 yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end
+        for one, k in simple(p, j) if j > i and p.anywhere(_TURNING) else ():
+            m = p.any_of(k, _WITH)
+            for other, end in simple(p, m) if m else ():
+                yield OrderBy(by="alternating", items=(one, other), span=p.span(i, end)), end
         if k := p.any_of(j, _ONE):
             yield from _one_and_rest(p, i, k)
 

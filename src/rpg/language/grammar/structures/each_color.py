@@ -40,6 +40,8 @@ _HAS = (
 _GETS = Patterns(f"{_HAS} tower|stack of_its_own|of_their_own?")
 _GROUPED = Patterns(f"{_HAS} group|cluster|bunch of_its_own|of_their_own?")
 _GOES = Patterns(
+    "should|must|shall|is_to|are_to|has_to|have_to be "
+    "stacked|piled|built|put|placed|sorted|grouped|collected|gathered up?",
     "goes|should_go|must_go|is|should_be|must_be|belongs|ends_up|should_end_up|comes|is_to_go|go|are|should_all_be|"
     "have_to_be|must_all_be|should_stay|must_stay|need_to_be",
 )
@@ -61,6 +63,9 @@ _SORT = ("sort", "group", "gather", "cluster", "collect", "separate", "split up"
 _PUT = ("put", "place", "keep", "set", "lay", "bring", "move", "arrange", "gather", "collect", "sort", "stack", "group",
         "separate", "split", "assemble", "organize", "organise", "distribute")  # fmt: skip
 _FOR_EACH = Patterns("for|per|of|from|out_of|in each|every single? color", "per|a color", "each|apiece")
+_ALL_OF_IT = Patterns(
+    ",? with|containing|made_of|from|holding all the? blocks|cubes|ones of|in that|the_same|its color in_it|inside?"
+)
 _MAKE = Patterns(
     "build|make|create|form|put_up|assemble|set_up|there_should_be|there_must_be|i_want|i_would_like|we_want|we_need|"
     "i_need|there_is|give_me|have",
@@ -159,7 +164,8 @@ def _one_for_each(p: Parser, i: int) -> Results[str]:
         for k in _ONE.matches(p, start):
             for noun, verb in ((_TOWER, "stack"), (_GROUP, "sort")):
                 if j := p.any_of(k, noun):
-                    yield from ((verb, end) for end in _FOR_EACH.matches(p, j))
+                    ends = _FOR_EACH.matches(p, j)
+                    yield from ((verb, last) for end in ends for last in (end, *_ALL_OF_IT.matches(p, end)))
     if p.words[i] == "for":
         for j in _FOR_EACH.matches(p, i):
             for start in _MAKE.matches(p, p.opt(j, ",")):

@@ -378,7 +378,8 @@ def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, e
     if isinstance(members, Structure) or (isinstance(members, Pronoun) and p.words[k - 1] == "for"):
         return False
     if isinstance(members, Coord):
-        if p.one(end, ("each", "apiece")) or any(isinstance(x, Structure | Pronoun) for x in members.items):
+        again = base.kind == "pile" and "group" in p.words[k:end]  # "a group of red ones and a group of blue ones"
+        if again or p.one(end, ("each", "apiece")) or any(isinstance(x, Structure | Pronoun) for x in members.items):
             return False
         if base.plural and ("each" in p.words[j:k] or any(map(_mere_number, members.items))):
             return False

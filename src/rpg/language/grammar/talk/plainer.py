@@ -139,7 +139,9 @@ def _tidied(tokens: list[Token], words: list[str]) -> list[Token] | None:
 
 _FREELY = (("any", "way", "you", "like"), ("however", "you", "like"), ("any", "way", "you", "want"),
            ("as", "you", "like"), ("in", "any", "way", "you", "like"),
-           ("in", "whatever", "order", "you", "like"))  # fmt: skip
+           ("in", "whatever", "order", "you", "like"), ("the", "order", "does", "not", "matter"),
+           ("the", "order", "is", "up", "to", "you"), ("any", "order", "will", "do"),
+           ("any", "order", "is", "fine"))  # fmt: skip
 _FAR = frozenset({"furthest", "farthest"})
 
 
@@ -168,8 +170,9 @@ def _freely(tokens: list[Token], words: list[str]) -> list[Token] | None:
         free = next((len(x) for x in _FREELY if tuple(words[at : at + len(x)]) == x), 0)
         comma = words[at + free : at + free + 1] == [","]
         begun = at + free + comma
-        if free and any(tuple(words[begun : begun + len(x)]) == x for x in _BUT):
-            return [*tokens[:at], *tokens[begun:]]
+        lead = next((len(x) for x in _BUT if tuple(words[begun : begun + len(x)]) == x), 0) if free else 0
+        if lead:
+            return [*tokens[:at], *tokens[begun + (lead if words[at - 1] in (".", ";", ":") else 0) :]]
         if words[at : at + 2] == [",", "but"] and words[at + 2] in ("as", "in") and words[at + 3 : at + 4] == ["a"]:
             return [*tokens[:at], *tokens[at + 2 :]] if words[at + 4 : at + 5] != ["group"] else None
     return None

@@ -121,7 +121,15 @@ def says_where(said: Clause) -> bool:
     """Whether a clause says nothing but where something is, or of a line how it is made up as well."""
     line = isinstance(said.theme, Structure) or any(isinstance(a, Into) for a in said.adjuncts)
     inner = (Absolute, OrderBy, Toward, Using, At, Coord) if line else ()
-    return bool(said.adjuncts) and all(isinstance(a, (Loc, In, Into, *inner)) for a in said.adjuncts)
+    told = (isinstance(a, (Loc, In, Into, *inner)) or _with_it(a) for a in said.adjuncts)
+    return bool(said.adjuncts) and all(told)
+
+
+def _with_it(told: Meaning) -> bool:
+    """ "(a red block stands on the table) with a white block on it"."""
+    parts = told.items if isinstance(told, Coord) and told.op == "absolutes" else (told,)
+    absolutes = [part for part in parts if isinstance(part, Absolute)]
+    return len(absolutes) == len(parts) and all(isinstance(a, Loc | In) for part in absolutes for a in part.adjuncts)
 
 
 _LIES = re.compile(r"\b(?:is|are|stands?|lies?|sits?|rests?)\b", re.IGNORECASE)

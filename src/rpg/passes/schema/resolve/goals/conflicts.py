@@ -66,9 +66,9 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             there, beside = (a, b) if isinstance(a, r.OnPatch) else (b, a)
             return isinstance(beside, r.Directional | r.Beside) and isinstance(there, r.OnPatch) and _of(beside, there)
         case (r.On(), r.Clear()):
-            return a.b == b.a
+            return bool(members(a.b)) and {*members(a.b)} <= {*members(b.a)}
         case (r.Clear(), r.On()):
-            return b.b == a.a
+            return clash(b, a)
         case (r.Stayed(), r.Moved()):
             return a.a == b.a
         case (r.Moved(), r.Stayed()):

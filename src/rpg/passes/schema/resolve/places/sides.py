@@ -15,7 +15,7 @@ from rpg.language.meaning import At, Meaning, replace
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
-from rpg.passes.schema.resolve.orders.in_grids import in_grid
+from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
 from rpg.passes.schema.resolve.orders.positions import SIDES, alternatives, looks, places_of, ranks_from
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
@@ -59,8 +59,9 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     whole = max(len(ref.names) for ref, _, _ in loose) if told else 0
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks) and whole < len(n.blocks)):
         return _refine(goal, node, loose, scene)
-    for grid in (a for a in atoms(goal) if isinstance(a, s.Grid) and len(loose) == 1 and set(names) < set(a.blocks)):
-        return in_grid(goal, grid, loose[0])
+    whole_grids = (a for a in atoms(goal) if isinstance(a, s.Grid) or (isinstance(a, s.Figure) and has_centre(a)))
+    for grid in (a for a in whole_grids if len(loose) == 1 and set(names) < set(a.blocks)):
+        return in_grid(goal, grid, loose[0], scene)
     for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) <= set(a.blocks)):
         _check_word(word, loose, scene)
         return goal

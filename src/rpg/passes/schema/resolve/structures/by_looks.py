@@ -26,6 +26,7 @@ from rpg.passes.schema.resolve.things.world import Scene
 
 _VERBS = frozenset({"stack", "sort", "arrange", "place", "build"})
 _TOLD = frozenset({"exist", "be", "build"})
+_THESE = frozenset({"them", "these", "those", "everything"})
 
 
 def by_looks(chain: Chain) -> Chain:
@@ -88,6 +89,11 @@ def _told(clause: Clause) -> list[Meaning]:
     blocks = clause.theme
     named = [(part, _wholes(part)) for part in clause.adjuncts if isinstance(part, Into | That)]
     wholes = named[0][1] if len(named) == 1 else []
+    if clause.verb == "sort" and len(wholes) > 1 and isinstance(blocks, Pronoun) and blocks.word in _THESE:
+        told: list[Meaning] = [
+            Clause(verb="build", theme=x, mode="goal", span=clause.span, word=clause.word) for x in wholes
+        ]
+        return told if all(x.kind == "pile" for x in wholes) and len(clause.adjuncts) == 1 else [clause]
     more = [a for a in clause.adjuncts if not named or a is not named[0][0]]
     apart = [a.members for a in more if isinstance(a, Using) and a.lead == "from" and clause.verb == "sort"]
     if apart and blocks is not None:
@@ -119,6 +125,7 @@ def _wholes(part: Meaning) -> list[Structure]:
         plain = isinstance(one, Clause) and one.verb in _TOLD and not (one.adjuncts or one.negated)
         target = one.theme if plain and isinstance(one, Clause) else None
     items = _alike(_items(target)) if getattr(target, "op", "and") == "and" else ()
+    items = tuple(map(_by_its_blocks, items))
     found = [x for x in items if isinstance(x, Structure) and _plain(x)]
     return found if items and len(found) == len(items) and (len(found) > 1 or isinstance(part, That)) else []
 
@@ -132,11 +139,20 @@ def _alike(items: tuple[Meaning | None, ...]) -> tuple[Meaning | None, ...]:
     return (first, *(replace(first, traits=x.traits, span=x.span) for x in ones))
 
 
+def _by_its_blocks(shape: Meaning | None) -> Meaning | None:
+    """ "A group of red ones": a red group."""
+    if not isinstance(shape, Structure) or shape.kind != "pile" or not isinstance(lot := shape.members, Noun):
+        return shape
+    plain = lot.plural and lot.amount is None and lot.det == "bare" and not lot.conditions and lot.part_of is None
+    told = plain and shape.traits == Traits() and lot.traits == Traits(colors=lot.traits.colors)
+    return replace(shape, members=None, traits=lot.traits) if told else shape
+
+
 def _plain(shape: Structure) -> bool:
     colors = shape.traits.colors
     only = shape.traits == Traits(colors=colors) and len(colors) == 1
     more = shape.members or shape.details or shape.sizes or shape.dims or shape.letter or shape.plural
-    return only and not more and shape.det in ("a", "bare", "one")
+    return only and not more and shape.det in ("a", "bare", "one", "another")
 
 
 def _bare(blocks: Meaning) -> bool:

@@ -134,7 +134,7 @@ def heaps_last(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], 
 def heaps_begun(chains: tuple[Chain, ...]) -> tuple[Chain, ...] | None:
     """ "Four cubes in a heap: two red, two white. Sort by colour.": what is told of a heap, and not ordered, is of the
     start. None where nothing else is told, or no heap is."""
-    told = [[_begun_heap(clause) for clause in chain.clauses] for chain in chains]
+    told = [[None if _ordered(chain, n) else _begun_heap(c) for n, c in enumerate(chain.clauses)] for chain in chains]
     if not any(heap for heaps in told for heap in heaps) or all(heap for heaps in told for heap in heaps):
         return None
     whole = [c for chain in chains for c in chain.clauses if isinstance(c, Clause) and c.mode == "goal"]
@@ -145,6 +145,11 @@ def heaps_begun(chains: tuple[Chain, ...]) -> tuple[Chain, ...] | None:
         replace(chain, clauses=tuple(heap or c for heap, c in zip(heaps, chain.clauses, strict=True)))
         for heaps, chain in zip(told, chains, strict=True)
     )
+
+
+def _ordered(chain: Chain, n: int) -> bool:
+    """ "Sort them into a red heap and a blue heap": what is named behind an order is ordered, too."""
+    return any(isinstance(c, Clause) and c.mode == "command" for c in chain.clauses[:n])
 
 
 def _begun_heap(clause: Meaning) -> Clause | None:

@@ -164,6 +164,12 @@ def _source(
     source: Meaning | None = shape.members or (spec.usings.pop(0).members if spec.usings else None)
     if source is None:
         there = declared(shape.traits, scene)
+        if per and count and len(there) > per * count and not by_color:  # "two towers of two and one of three"
+            scene.dealt.append((there, refuse(
+                "count-mismatch", f"{count} towers take {per * count} blocks, but {len(there)} are named", shape.span,
+                f"use {per * count}, or say what becomes of the others", blocks=len(there), towers=count,
+            )))  # fmt: skip
+            there = some_of(there, per * count, shape, scene) or there
         return (Ref(names=there), per) if there else (None, per)
     if isinstance(source, Noun):
         amount = source.amount.low if source.amount and source.amount.low == source.amount.high else None

@@ -2,11 +2,55 @@
 
 from __future__ import annotations
 
+from typing import TypeGuard
+
 from rpg.ir import goal as g
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, Traits, replace
+from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, Pronoun, Structure, That, Traits, replace
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, said
+
+
+def left_out_first(chain: Chain) -> Chain:
+    """ "Build a tower of three without using the white one": what is left out is told before what is built of the
+    rest."""
+    clauses: list[Meaning] = []
+    first: list[Clause] = []
+    for clause in chain.clauses:
+        if isinstance(clause, Clause) and clause.verb == "build" and isinstance(clause.theme, Structure):
+            unused = [(part, theme) for part in clause.adjuncts if (theme := _unused(part)) is not None]
+            first += [Clause(verb="ignore", lemma="spare", theme=x, mode="goal", span=part.span) for part, x in unused]
+            clause = replace(clause, adjuncts=tuple(a for a in clause.adjuncts if _unused(a) is None))
+        if clauses and leaves_out(clause):
+            first.append(clause)
+        else:
+            clauses.append(clause)
+    built = [c.theme for c in clauses if isinstance(c, Clause) and c.verb == "build" and not c.negated]
+    if not first or not any(map(_of_any_blocks, built)) or any(link != "and" for link in chain.links):
+        return chain
+    told_first = (*first, *clauses)
+    return replace(chain, clauses=told_first, links=("and",) * len(told_first))
+
+
+def _unused(part: Meaning) -> Noun | None:
+    """ "Without using the white one"."""
+    inner = part.clauses if isinstance(part, That) and part.kind == "without" else None
+    told = inner.clauses[0] if isinstance(inner, Chain) and len(inner.clauses) == 1 else None
+    using = isinstance(told, Clause) and told.verb == "use" and not told.adjuncts
+    return told.theme if using and isinstance(told, Clause) and isinstance(told.theme, Noun) else None
+
+
+def _of_any_blocks(shape: Meaning | None) -> bool:
+    """ "A tower of three", "a row of the blocks"."""
+    blocks = shape.members if isinstance(shape, Structure) and shape.traits == Traits() else None
+    bare = isinstance(shape, Structure) and shape.traits == Traits() and blocks is None
+    return bare or (isinstance(blocks, Noun) and blocks.traits == Traits())
+
+
+def leaves_out(clause: Meaning) -> TypeGuard[Clause]:
+    """ "Do not use the white block", "without the white one"."""
+    theme = clause.theme if isinstance(clause, Clause) and clause.verb == "ignore" and not clause.adjuncts else None
+    return isinstance(theme, Noun) and theme.det == "the" and theme.traits != Traits()
 
 
 def without_spare(chain: Chain) -> Chain:
@@ -21,10 +65,20 @@ def without_spare(chain: Chain) -> Chain:
                 theme = replace(theme, members=_without(theme.members, extras))
             places = tuple(_without_place(a, extras) for a in clause.adjuncts)
             clause = replace(clause, theme=theme, adjuncts=places) if extras else clause
+        _there_without(clause, clauses[-1] if clauses else None)
         clauses.append(clause)
         clauses += [Clause(verb="ignore", lemma="spare", theme=x, mode="goal", span=x.span) for x in extras]
         links += [link, *("and" for _ in extras)]
     return replace(chain, clauses=tuple(clauses), links=tuple(links)) if len(clauses) > len(chain.clauses) else chain
+
+
+def _there_without(left: Meaning, before: Meaning | None) -> None:
+    """Refuse "red is on the mat without the blue one": it is not used, or it is not there?"""
+    out = isinstance(left, Clause) and left.verb == "ignore" and left.lemma == "without"
+    placed = isinstance(before, Clause) and before.verb in ("be", "place") and not isinstance(before.theme, Structure)
+    if out and placed and isinstance(before, Clause) and any(isinstance(a, Loc | In) for a in before.adjuncts):
+        raise refuse("ambiguous", "is this block not used at all, or is it not to be there?", left.span,
+                     "say 'but not the ...' in front of 'on', or 'do not use ...'")  # fmt: skip
 
 
 def _without_place(place: Meaning, extras: list[Noun]) -> Meaning:
@@ -109,6 +163,9 @@ def further(meaning: Meaning) -> bool:
 
 def none_ignored(goal: g.Goal, scene: Scene) -> None:
     """Refuse a distractor of which the goal says something."""
+    for dealt, refusal in scene.dealt:
+        if not {*dealt} <= {*names_in(goal)}:
+            raise refusal
     for name in names_in(goal):
         if name in scene.ignored:
             what = said(scene.things[name])

@@ -21,14 +21,14 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.structures.another_such import another_such
 from rpg.passes.schema.resolve.structures.by_looks import by_looks
-from rpg.passes.schema.resolve.things.spare import without_spare
+from rpg.passes.schema.resolve.things.spare import left_out_first, without_spare
 
 _TAKES = frozenset({"pick", "use"})
 
 
 def all_plainly(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """The sentences with such clauses, and with every structure told in full."""
-    return another_such(tuple(without_spare(plainly(chain)) for chain in chains))
+    return another_such(tuple(left_out_first(without_spare(plainly(chain))) for chain in chains))
 
 
 def plainly(chain: Chain) -> Chain:

@@ -143,7 +143,8 @@ class Scene:
     `surveyed`: all blocks of some look that there were when something was said of whichever there are.
     `describing`: whether the clause says how something is to be, and nothing of how it comes to be so.
     `excepted`: blocks that are left out of what all others form.
-    `left_out`: blocks that are not to be used at all.
+    `left_out`: blocks that are not to be used at all. `dealt`: blocks of which structures take a share each, and what
+    is wrong where some are left over.
     `gathered`: blocks that are grouped by a verb alone, which may yet be told group by group.
     `kept`: what the verb "keep" asks for, each with what it says of the start.
     `ignored`: blocks that are said to be distractors, each with the words that say so.
@@ -210,6 +211,7 @@ class Scene:
     unstacked: set[str] = field(default_factory=set)
     excepted: set[str] = field(default_factory=set)
     left_out: set[str] = field(default_factory=set)
+    dealt: list[tuple[tuple[str, ...], Refusal]] = field(default_factory=list)
     lenient: bool = False
     besides: list[tuple[Traits, Ref, Span]] = field(default_factory=list)
     surveyed: list[tuple[Traits, tuple[str, ...], Span]] = field(default_factory=list)

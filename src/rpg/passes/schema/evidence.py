@@ -59,7 +59,7 @@ _PLAIN = {
     "groups": "group_by",
     "heap": "heaps group_by",
     "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored given",
-    "neither nor": "not count stayed turned",
+    "neither nor": "not count stayed turned empty clear",
     "pyramid": "pyramid",
     "rainbow": "rainbow",
     "row": "row grid spells equation checkerboard pyramid",

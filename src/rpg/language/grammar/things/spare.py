@@ -137,7 +137,8 @@ _STOPS = frozenset({",", ":", "and", ";"})
 
 
 def _said(p: Parser, i: int, j: int, theme: Meaning) -> Clause:
-    return Clause(verb="ignore", lemma="spare", theme=theme, mode="goal", span=p.span(i, j), cost=1)
+    lemma = "without" if p.words[i] == "without" else "spare"
+    return Clause(verb="ignore", lemma=lemma, theme=theme, mode="goal", span=p.span(i, j), cost=1)
 
 
 def _blocks(theme: Meaning) -> bool:

@@ -6,6 +6,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Quality, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.goals.so_many_of import so_many_of
 from rpg.passes.schema.resolve.things.operands import crown
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import give
@@ -72,7 +73,7 @@ def _empty(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     if isinstance(clause.theme, Pronoun) and not theme.patch and any(m.ref.patch for m in scene.mentions):
         raise refuse("ambiguous", "it is not clear which is to be empty", clause.span, "name the patch or the block")
     if theme.patch:
-        return [r.Empty(patch=p, span=clause.span) for p in theme.names]
+        return [so_many_of([r.Empty(patch=p, span=clause.span) for p in theme.names], theme, clause.span)]
     if not theme.names:
         raise refuse(
             "misplaced", "patches can be empty, and blocks clear on top", clause.span, "name a patch or a block"

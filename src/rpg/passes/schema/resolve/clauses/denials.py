@@ -82,6 +82,8 @@ def _on_no_patch(clause: Clause) -> Clause:
     theme = clause.theme
     many = theme.amount if isinstance(theme, Noun) and theme.head != "patch" else None
     of_none = isinstance(mark, Noun) and mark.head == "patch" and mark.det == "no" and not clause.negated
+    if of_none and isinstance(mark, Noun) and isinstance(theme, Noun) and (theme.det, many) == ("a", Amount(1, 1)):
+        return _no_such_block(clause, theme, mark, places[0])
     if not of_none or many is None or not (many.strict or many.low > 1):
         return clause
     ahead = isinstance(mark, Noun) and isinstance(theme, Noun) and mark.span[0] < theme.span[0]
@@ -92,6 +94,15 @@ def _on_no_patch(clause: Clause) -> Clause:
     each = replace(mark, det="each") if isinstance(mark, Noun) else mark
     fewer = replace(theme, amount=Amount(0, many.low - 1, True))
     return replace(clause, theme=fewer, adjuncts=(replace(places[0], landmark=each),))
+
+
+def _no_such_block(clause: Clause, theme: Noun, mark: Noun, place: Loc) -> Clause:
+    """ "No mat has a red block on it": no red block is on any of them."""
+    if mark.span[0] > theme.span[0] or len(clause.adjuncts) > 1:
+        raise refuse("ambiguous", "is there one that is on none of them, or is this so of all?", clause.span,
+                     "say 'no ... is on any of them'")  # fmt: skip
+    there = replace(place, landmark=replace(mark, det="any", amount=None))
+    return replace(clause, theme=replace(theme, det="no", amount=None), adjuncts=(there,))
 
 
 def _all_that_are_not(clause: Clause) -> None:

@@ -24,7 +24,10 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
     if mark.op == "or" or (mark.quant is not None and mark.quant.low == 1):
-        if theme.each and not theme.built:
+        if theme.quant is not None and theme.quant.low > 1:
+            raise refuse("ambiguous", "so many on the same one, or on any of them?", span,
+                         "say 'together on one of ...', or name the patch")  # fmt: skip
+        if (theme.each and not theme.built) or theme.quant is not None:
             return _on_any(theme, patches, span)
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:

@@ -12,6 +12,7 @@ from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here
+from rpg.passes.schema.resolve.places.any_patch import on_any_patch
 from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.centred import centred_on
@@ -154,10 +155,11 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         return [
             conj([disj([_relate(one, Ref(names=(m,)), loc, scene, span) for m in found], span) for one in units], span)
         ]
+    loc = on_any_patch(loc, theme, scene, scope, denied=denied or none)
     rel = f"not {loc.rel}" if none or denied else loc.rel
     like = like and loc.rel in ("on", "in")
     there = replace(scope, role="landmark", like_patch=like, pool=(), need=None, rel=rel)
-    mark = off_what(theme, loc, scene) or refer(loc.landmark, scene, there)
+    mark = off_what(theme, loc, scene) or refer(loc.landmark, scene, there)  # type: ignore[arg-type]
     return related(theme, mark, loc, scene, span)
 
 

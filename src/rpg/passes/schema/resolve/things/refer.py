@@ -226,7 +226,8 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         return listed(noun, scene, scope, patch)
     if noun.det == "no" and noun.traits == Traits() and noun.head == "block":
         names = scope.pool or tuple(t.name for t in scene.blocks() if not t.extra)
-        det = "no" if noun.amount is None else "no two"
+        two = noun.amount is not None and not noun.amount.strict  # "neither block" is none of the two
+        det = "no two" if two else "no"
         if noun.amount is not None and noun.amount.low > PAIR:
             raise refuse("misplaced", "this is told of any two of them alone", noun.span, "say 'no two'")
         return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, det=det)

@@ -13,6 +13,7 @@ from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.stock_ahead import stock_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
+from rpg.language.inventories import told_plainly
 from rpg.language.spelling import read_words
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import tokenize
@@ -21,6 +22,7 @@ from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.respelt import Respelt
+from rpg.passes.schema.told_there import check_told
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
 
@@ -72,13 +74,18 @@ class BuiltinFrontEnd:
         if notes and mended is None:
             return self._as_meant(Respelt.of(text, words), name, seed, author, notes)
         notes = mended or notes
+        words, told = told_plainly(words)
         words = rows_in_words(without_asides(words))
+        if told is None:
+            words, told = told_plainly(words)
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
+            check_told(told, found.task)
         except Refusal:
             for ahead in filter(None, (shape_ahead(words), stock_ahead(words))):
                 with suppress(Refusal):
                     found = build(ahead, text, notes, name=name, seed=seed, author=author)
+                    check_told(told, found.task)
                     return found.task, found.notes
             raise
         return found.task, found.notes

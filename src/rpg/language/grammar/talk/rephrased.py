@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.formal import formal
+from rpg.language.grammar.talk.in_other_words import IN_OTHER_WORDS
 from rpg.language.phrases import tree_of
 from rpg.language.tokens import Token
 
@@ -42,6 +43,7 @@ _PHRASES = {
     **{f"{on} the {top} of the table": f"{on} the table" for on in ("on", "onto", "to")
        for top in ("floor", "top", "surface")},
     "seen from left to right": "from left to right", "capped by": "topped by", "capped with": "topped with",
+    **{f"{heap} made of": f"{heap} of" for heap in ("heap", "pile")}, "in such a way that": "so that",
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
     **{f"upright {to} {who}": "upright" for to in ("for", "to") for who in ("the viewer", "the camera", "me")},
@@ -390,5 +392,6 @@ _TURNS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]], ...] 
     (frozenset({"was"}), _was_so),
     (frozenset({"start", "begin"}), _they_start),
     (frozenset({"first"}), _one_by_one),
+    *IN_OTHER_WORDS,
 )
 """Turns of phrase that are told by whole sentences, with words one of which they have."""

@@ -256,6 +256,7 @@ _MATCHING = tuple(
             "that matches their color", "matching their color", "matching in color", "with its color",
             "that match its color", "that match their color", "with the matching color", "that has the same color",
             "that have the same color", "which have the same color", "which has the same color", "that has its color",
+            "that has its own color", "which has its own color", "that have their own color", "that shows its color",
             "that have their color", "in the same color", "in its own color", "of equal color",
             "in the matching color", "in matching color", "with its own color", "that matches it in color",
             "that matches in color", "that match in color", "with that color", "in that color", "in their color",

@@ -58,7 +58,7 @@ from rpg.passes.schema.resolve.structures.lined_towers import mixed_line
 from rpg.passes.schema.resolve.structures.structures import make
 from rpg.passes.schema.resolve.structures.towers import on_matching_patches
 from rpg.passes.schema.resolve.things.alike import by_likeness, counterparts
-from rpg.passes.schema.resolve.things.inventory import blocks_and_patches, tally, told_apart
+from rpg.passes.schema.resolve.things.inventory import blocks_and_patches, mark_given, tally, told_apart
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spare import ignore
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -324,9 +324,7 @@ def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         if is_shape(clause.theme) and (spec.toward or spec.orders or spec.ats or spec.absolutes or spec.sizes):
             return _there_already(clause, spec, scene, scope)
         theme = refer(clause.theme, scene, replace(scope, given=True, start=True)) if clause.theme else Ref()
-        scene.mentions[-1].role = "given"
-        for name in theme.names:
-            scene.things[name].declared = True
+        mark_given(theme, scene, clause.span)
         amount: Amount | None = getattr(clause.theme, "amount", None)
         exact = amount is not None and amount.strict and amount.low == amount.high
         if exact and amount is not None and isinstance(clause.theme, Noun) and not clause.theme.traits.extra:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.language.grammar.things.retold import tally as count
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import give
-from rpg.passes.schema.resolve.things.world import Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
 def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
@@ -40,6 +41,15 @@ def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal
         if clause.lemma == "stock":
             scene.stocked.add(name)
     return []
+
+
+def mark_given(theme: Ref, scene: Scene, span: Span) -> None:
+    """What is said to be there; the table is no such thing."""
+    if theme.table:
+        raise refuse("misplaced", "the table is always there", span, "say what is on it")
+    scene.mentions[-1].role = "given"
+    for name in theme.names:
+        scene.things[name].declared = True
 
 
 def _counts(item: Meaning, scene: Scene) -> None:
@@ -146,4 +156,4 @@ def each_agrees(scene: Scene) -> None:
         )  # fmt: skip
 
 
-__all__ = ["blocks_and_patches", "each_agrees", "tally", "told_apart"]
+__all__ = ["blocks_and_patches", "each_agrees", "mark_given", "tally", "told_apart"]

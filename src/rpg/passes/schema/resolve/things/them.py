@@ -30,6 +30,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     for mention in reversed(scene.mentions):
         if mention in own and (before or (earlier and mention.ref.span[1] >= word.span[1])):
             continue  # "to the right of them put green on yellow" is not of these two
+        if word.word in _THEY and scope.role == "theme" and _beside_blocks(mention, scene):
+            continue
         if len(mention.ref.names) > 1:
             ref = mention.ref
             if word.word in ("both", "both of them") and len(ref.names) != 2:
@@ -65,6 +67,16 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
+
+
+_THEY = frozenset({"them", "they", "all of them"})
+
+
+def _beside_blocks(patches: Mention, scene: Scene) -> bool:
+    """ "There are three green blocks and two mats. Two of them should be on the red mat": those that can be moved."""
+    verb = scene.verbs.get(scene.clause, (None, False, ""))[2]
+    told = [m for m in scene.mentions if m.clause == patches.clause and m.role == "given" and not m.ref.patch]
+    return patches.ref.patch and patches.role == "given" and bool(told) and verb in ("be", "place", "stack")
 
 
 def _patches_of_each(scene: Scene) -> tuple[str, ...]:

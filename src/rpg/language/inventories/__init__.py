@@ -1,0 +1,5 @@
+"""Inventories told first, in whole sentences: "five blocks lie on the table, three of them red and two green"."""
+
+from rpg.language.inventories.plain import Told, told_plainly
+
+__all__ = ["Told", "told_plainly"]

@@ -1,0 +1,65 @@
+"""What an inventory tells to be there, and what a task has: no fewer blocks, and others only where one says so."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from rpg.ir.assets import SemanticCube
+from rpg.ir.schema import TaskSchema
+from rpg.language import lexicon
+from rpg.language.inventories import Told
+from rpg.passes.schema.resolve.things.world import refuse
+
+_SIGNS = frozenset("+-*/=")
+"""A sum is made of digits that are listed, with signs that are not."""
+_FURTHER = frozenset({"another", "more", "further", "additional", "extra", "new", "distractor", "distractors", "add",
+                      "besides", "second", "third", "fourth"})  # fmt: skip
+"""Words of blocks that come on top of those that are there."""
+
+
+def check_told(told: Told | None, task: TaskSchema) -> None:
+    """Refuse a task with fewer blocks than are told to be there, or with others that nobody brings up."""
+    if told is None:
+        return
+    there = Counter((b.label or b.color) if isinstance(b, SemanticCube) else b.color for b in task.blocks)
+    further = any(token.word in _FURTHER for token in told.rest)
+    for look in sorted({*told.looks, *there} - _SIGNS):
+        many, had = told.looks[look], there[look]
+        if had < many:
+            raise refuse("count-mismatch", f"there are {many} of '{look}', but only {had} are spoken of",
+                         _where(told, look), "say which of them are meant")  # fmt: skip
+        if had == many or further:
+            continue
+        if not many and (told.closed or not _brought_up(told, look)):
+            raise refuse("no-referent", f"there is no '{look}' block among those that are listed", _where(told, look),
+                         "list it with the others, or name one of them")  # fmt: skip
+        if many and not _brought_up(told, look):
+            raise refuse("count-mismatch", f"there are {many} of '{look}', but {had} are spoken of",
+                         _where(told, look), "list them all, or say 'another'")  # fmt: skip
+
+
+def _brought_up(told: Told, look: str) -> bool:
+    """Whether blocks that look so are brought up: "a green block", "two green ones", "a block S"."""
+    alike = [other for other in told.looks if (other in _COLORS) == (look in _COLORS)]
+    if len(alike) < _SEVERAL:
+        return True
+    for n, token in enumerate(told.rest):
+        if (lexicon.COLOR.get(token.word) or token.word.upper()) == look:
+            before = [t.word for t in told.rest[max(0, n - 2) : n] if t.word not in _NOUNS]
+            if before[-1:] != ["the"]:
+                return True
+    return False
+
+
+_COLORS = frozenset(lexicon.COLOR.values())
+_NOUNS = frozenset({*lexicon.BLOCK, *lexicon.LETTER, *lexicon.DIGIT})
+_SEVERAL = 2
+"""With fewer kinds of blocks that are told it may be no list of all there is."""
+
+
+def _where(told: Told, look: str) -> tuple[int, int] | None:
+    """Where such a block is spoken of."""
+    return next((t.span for t in told.rest if lexicon.COLOR.get(t.word, t.word.upper()) == look), None)
+
+
+__all__ = ["check_told"]

@@ -10,7 +10,7 @@ from rpg.blocks.arrange.builds import STRUCTURES
 from rpg.blocks.arrange.explain import conditions
 from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.evaluate import perhaps, rests, satisfied
-from rpg.blocks.namings import Namings, all_namings
+from rpg.blocks.namings import MANY, Namings, all_namings
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import interchangeable
@@ -23,15 +23,21 @@ Tree = dict[int, "Tree"]
 
 class Renamed:
     """Parts of a goal under every naming that is `found` for it. `goals`: the distinct ones; `namings`: per naming, the
-    index of each part, the names as they stand first."""
+    index of each part, the names as they stand first; `many`: parts that say many different things, with their
+    indices."""
 
     def __init__(self, parts: Sequence[g.Goal], found: Namings) -> None:
         numbers: dict[g.Goal, int] = {}
         columns = []
+        self.many: list[tuple[g.Goal, list[int]]] = []
         for part in parts:
-            different, which = found.spread(transform(part, without_span))
+            plain = transform(part, without_span)
+            different, which = found.spread(plain)
+            new = len(numbers)
             known = [numbers.setdefault(one, len(numbers)) for one in different]
             columns.append([known[k] for k in which])
+            if len(different) >= MANY and len(numbers) > new:
+                self.many.append((plain, known))
         self.namings = tuple(zip(*columns, strict=True)) if columns else ((),) * len(found)
         self.goals = tuple(numbers)
 
@@ -51,7 +57,9 @@ class Judge:
 
     def __init__(self, goal: g.Goal, world: World, namings: Namings | None = None) -> None:
         cheap_first = sorted(conditions(goal), key=lambda part: part.kind not in PREDICATES or part.kind in STRUCTURES)
-        renamed = Renamed(cheap_first, all_namings(interchangeable(goal, world)) if namings is None else namings)
+        found = all_namings(interchangeable(goal, world)) if namings is None else namings
+        renamed = Renamed(cheap_first, found)
+        self._many = [(found.variants(part, world), np.array(known)) for part, known in renamed.many]
         self._goals = tuple(transform(part, _spelt_out) for part in renamed.goals)
         self._all = _unlike(renamed.namings)
         self._own, self._any = _tree(renamed.namings[:1]), _tree(self._all)
@@ -88,7 +96,16 @@ class Judge:
         return tree is not None and rests(state) and self._arranged(state, tree)
 
     def _arranged(self, state: BlockState, tree: Tree | None) -> bool:
-        return tree is not None and self._somewhere(tree, state, {})
+        if tree is None:
+            return False
+        return self._somewhere(tree, state, {} if tree is self._own else self._ruled_out(state))
+
+    def _ruled_out(self, state: BlockState) -> dict[int, bool]:
+        """The parts that cannot hold in `state`, of those that say many different things."""
+        found: dict[int, bool] = {}
+        for variants, known in self._many:
+            found.update(dict.fromkeys(known[~variants.perhaps(state)].tolist(), False))
+        return found
 
     def _somewhere(self, tree: Tree, state: BlockState, values: dict[int, bool]) -> bool:
         """Do all the parts along some way down a tree hold?"""

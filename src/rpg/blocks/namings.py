@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 
+import numpy as np
+
+from rpg.blocks.centres import Centres, Mask
+from rpg.blocks.evaluate import perhaps
+from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import Cells, namings
 from rpg.ir import goal as g
 from rpg.ir.structures import Row, Towers
@@ -11,6 +17,24 @@ from rpg.ir.walk import names, rename
 
 ANY_ORDER = frozenset({"on_table", "on_patch", "in_region", "clear", "stayed", "moved"})
 """Atoms that say the same of each of their blocks."""
+MANY = 24
+"""So many different things are first ruled out by the centres of blocks."""
+
+
+class Variants:
+    """A part of a goal under many namings: `images` of the names that they deal."""
+
+    def __init__(self, part: g.Goal, dealt: tuple[str, ...], images: Sequence[tuple[str, ...]], world: World) -> None:
+        self.part, self.world = part, world
+        number = {name: k for k, name in enumerate(world.blocks)}
+        kept = [name for name in names(part) if name in number and name not in dealt]
+        self._column = {name: k for k, name in enumerate((*dealt, *kept))}
+        self._blocks = np.array([[*map(number.__getitem__, (*image, *kept))] for image in images])
+
+    def perhaps(self, state: BlockState) -> Mask:
+        """Those that may hold in `state`, as far as the centres of its blocks tell."""
+        centres = np.array([state.position[name] for name in self.world.blocks])
+        return perhaps(self.part, Centres(self.world, centres[self._blocks].transpose(2, 0, 1), self._column))
 
 
 class Namings:
@@ -32,6 +56,14 @@ class Namings:
         dealt = tuple(sorted(dealt)) if loose else dealt
         images, numbers = self._of(dealt, loose)
         return [rename(part, dict(zip(dealt, image, strict=True))) for image in images], numbers
+
+    def variants(self, part: g.Goal, world: World) -> Variants:
+        """The different things that `spread` finds, to be ruled out all at once."""
+        dealt = tuple(name for name in names(part) if name in self._stands_for)
+        loose = len(dealt) > 1 and _in_any_order(part)
+        dealt = tuple(sorted(dealt)) if loose else dealt
+        images, _ = self._of(dealt, loose)
+        return Variants(part, dealt, images, world)
 
     def _of(self, dealt: tuple[str, ...], loose: bool) -> tuple[list[tuple[str, ...]], tuple[int, ...]]:
         """What these names stand for, each way once, in an order of their own where they are `loose`; and which of

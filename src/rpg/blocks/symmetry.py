@@ -17,7 +17,7 @@ from rpg.blocks.state import BlockState, World
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest
-from rpg.ir.order import Order
+from rpg.ir.order import Order, Pattern
 from rpg.ir.walk import atoms, names, transform
 
 Cells = tuple[tuple[tuple[str, ...], ...], ...]
@@ -126,19 +126,29 @@ def link(goal: g.Goal, world: World) -> g.Goal:
     parts = list(atoms(goal))
 
     def change(node: g.Goal) -> g.Goal:
-        order = getattr(node, "order", None)
-        if not isinstance(order, Order) or order.by != "given" or order.match == "name":
+        pattern = getattr(node, "pattern", None)
+        order = pattern.order if isinstance(pattern, Pattern) else getattr(node, "order", None)
+        if not isinstance(order, Order) or order.by != "given" or order.match != "look":
             return node
         doubled = _doubled(order, world)
-        others = g.All(goals=tuple(part for part in parts if part is not node))
-        told_apart = {
-            name for group in interchangeable(others, world, jointly=False) for cell in group for name in cell
-        }
-        if doubled & told_apart:
-            return node.model_copy(update={"order": order.model_copy(update={"match": "name"})})
-        return node
+        others = g.All(goals=tuple(part for part in parts if part is not node)) if doubled else None
+        cells = interchangeable(others, world, jointly=False) if others is not None else ()
+        if not any(doubled.intersection(cell) for group in cells for cell in group):
+            return node
+        linked = order.model_copy(update={"match": "single" if _of_singles(order, cells) else "name"})
+        if isinstance(pattern, Pattern):
+            return node.model_copy(update={"pattern": pattern.model_copy(update={"order": linked})})
+        return node.model_copy(update={"order": linked})
 
     return transform(goal, change)
+
+
+def _of_singles(order: Order, cells: Cells) -> bool:
+    """Does it tell all apart that is to be told apart if only the ranks of one block are compared by name?"""
+    several = {name for rank in order.ranks if len(rank) > 1 for name in rank}
+    if not several:
+        return False
+    return all(sum(not several.isdisjoint(cell) for cell in group) < 2 for group in cells)
 
 
 def _doubled(order: Order, world: World) -> set[str]:
@@ -253,4 +263,8 @@ class Canonical:
         if order.match == "name":
             return rest, [self._value(entry, mapping) for entry in order.ranks]
         look = self.world.look
-        return rest, [sorted(look.get(name, (name,)) for name in entry) for entry in order.ranks]
+        ranks = []
+        for entry in order.ranks:
+            by_name = order.match == "single" and len(entry) == 1
+            ranks.append([(mapping.get(n, n),) if by_name else look.get(n, (n,)) for n in entry])
+        return rest, [sorted(entry) for entry in ranks]

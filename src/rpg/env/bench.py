@@ -37,7 +37,8 @@ def judge_by(task: BlockTask, judge: Judge) -> None:
 
 def same_goal(other: BlockTask, task: BlockTask) -> None:
     """Let `task`, whose code says the same of every state as that of `other`, share what is known of its calls."""
-    task._calls, task._script, task._distinct = other._calls, other._script, other._distinct
+    task._calls, task._script = other._calls, other._script
+    task._distinct, task._variants = other._distinct, other._variants
     task._names_of_conditions, task._looks_back = other._names_of_conditions, other._looks_back
 
 

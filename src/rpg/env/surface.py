@@ -10,10 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from rpg.blocks.evaluate import evaluate
-from rpg.blocks.namings import Namings
+from rpg.blocks.namings import MANY, Namings, Variants
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
-from rpg.blocks.verdict import Verdict
+from rpg.blocks.verdict import FALSE, Verdict
 from rpg.blocks.verdicts import Verdicts
 from rpg.env.told import Asked, Told
 from rpg.ir import goal as g
@@ -36,7 +36,7 @@ class _Call(NamedTuple):
     different: list[g.Goal]
     numbers: tuple[int, ...]
     chosen: npt.NDArray[np.intp]
-    loosened: tuple[list[g.Goal], npt.NDArray[np.intp]] | None
+    loosened: tuple[Node, list[g.Goal], npt.NDArray[np.intp]] | None
 
 
 class Atoms:
@@ -56,6 +56,7 @@ class Atoms:
         self._calls: dict[Hashable, _Call] = {}
         self._script: list[_Call] = []
         self._distinct: dict[g.Goal, g.Goal] = {}
+        self._variants: dict[int, Variants] = {}
         self._verdicts: dict[int, Verdict] = {}
         self._noted: list[tuple[Node, Verdict]] = []
 
@@ -84,11 +85,22 @@ class Atoms:
     def _judged_at_all(self, call: _Call, now: BlockState) -> Verdicts:
         """The verdicts under all namings; what is the same in whatever order is judged once."""
         if call.loosened is None:
-            return Verdicts.spread([self._judged_atom(node, now) for node in call.different], call.chosen)
-        different, chosen = call.loosened
-        found = Verdicts.spread([self._judged_atom(node, now) for node in different], chosen)
+            return Verdicts.spread(self._judged_each(call.node, call.different, now), call.chosen)
+        looser, different, chosen = call.loosened
+        found = Verdicts.spread(self._judged_each(looser, different, now), chosen)
         predicate = PREDICATES[call.node.kind]  # type: ignore[attr-defined]
         return found & Verdicts.spread([predicate.in_order(node, now) for node in call.different], call.chosen)
+
+    def _judged_each(self, node: Node, different: list[g.Goal], now: BlockState) -> list[Verdict]:
+        """The verdicts of the different things that an atom says under all namings. Where they are many, and some may
+        hold, those that plainly cannot are not looked at any closer: none of them comes closest to success."""
+        if len(different) < MANY:
+            return [self._judged_atom(one, now) for one in different]
+        if id(node) not in self._variants:
+            self._variants[id(node)] = self._namings.variants(node, self.world)  # type: ignore[arg-type]
+        maybe = self._variants[id(node)].perhaps(now)
+        maybe = maybe if maybe.any() else ~maybe
+        return [self._judged_atom(one, now) if k else FALSE for one, k in zip(different, maybe.tolist(), strict=True)]
 
     def _judged_atom(self, node: g.Goal, now: BlockState) -> Verdict:
         verdict = self._verdicts.get(id(node))
@@ -117,7 +129,7 @@ class Atoms:
         looser = PREDICATES[node.kind].loosened(node) if len(different) > 1 else None  # type: ignore[attr-defined]
         loosened = None if looser is None else self._spread(looser)
         fewer = loosened is not None and len(loosened[0]) < len(different)
-        without = (loosened[0], np.array(loosened[1])) if loosened is not None and fewer else None
+        without = (cast(Node, looser), loosened[0], np.array(loosened[1])) if loosened is not None and fewer else None
         return _Call(kind, fields, node, different, numbers, np.array(numbers), without)
 
     def _spread(self, node: Node) -> tuple[list[g.Goal], tuple[int, ...]]:

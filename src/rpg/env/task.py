@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from random import Random
 from typing import cast
 
@@ -13,7 +13,7 @@ import numpy as np
 from rpg.blocks.alike import Judge
 from rpg.blocks.english import clause
 from rpg.blocks.evaluate import settled
-from rpg.blocks.judgement import Judgement
+from rpg.blocks.judgement import Conditions, Judgement
 from rpg.blocks.namings import all_namings
 from rpg.blocks.physics import Physics, left
 from rpg.blocks.state import BlockState, World
@@ -305,7 +305,7 @@ class BlockTask(Relations, Structures, Setup):
         self._begin_naming(0)
         assert best is not None
         (_, _, stage, _), success, noted = best
-        return Judgement(success, lost, stage, self._conditions(noted, at_rest))
+        return Judgement(success, lost, stage, partial(self._conditions, noted, at_rest))
 
     def _judged_at_once(self, at_rest: Verdict) -> Judgement | None:
         """The same, all namings at once; None where the goal remembers the episode, or its code looks at verdicts."""
@@ -315,8 +315,7 @@ class BlockTask(Relations, Structures, Setup):
             self._memories = [Memory() for _ in range(len(self._namings))]
             return None
         best = success.best()
-        found = [(node, cast(Verdicts, verdict).of(best)) for node, verdict in noted]
-        return Judgement(success.of(best), False, 0, self._conditions(found, at_rest))
+        return Judgement(success.of(best), False, 0, partial(self._conditions, noted, at_rest, best))
 
     def _answer(self, asked: Asked) -> tuple[object, list[tuple[Node, Verdict]]]:
         """What the code makes of being asked in another way than under one naming, and the atoms that it asked for."""
@@ -354,8 +353,9 @@ class BlockTask(Relations, Structures, Setup):
             raise Looked
         return self._memory
 
-    def _conditions(self, noted: list[tuple[Node, Verdict]], at_rest: Verdict) -> tuple[tuple[str, Verdict], ...]:
-        found = {self._condition(node): verdict for node, verdict in noted}
+    def _conditions(self, noted: list[tuple[Node, Verdict]], at_rest: Verdict, naming: int = 0) -> Conditions:
+        """`noted` in words; `naming`: the one that counts, where they are noted for all namings."""
+        found = {self._condition(n): v.of(naming) if isinstance(v, Verdicts) else v for n, v in noted}
         return (*found.items(), (AT_REST, at_rest))
 
     def _condition(self, node: Node) -> str:

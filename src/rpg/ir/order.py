@@ -20,7 +20,8 @@ class Order(Record):
     two neighbours agree in `attribute`, "mirrored" makes the line a palindrome in it, "together" keeps equals adjacent.
     `first` is the side where the sequence begins; without it either end may be the beginning. `descending` turns
     label, number, rainbow and size orders round. `match`: ranks are compared by what a block looks like, or by name
-    where other conditions of the goal tell blocks apart that look alike.
+    where other conditions of the goal tell blocks apart that look alike; or "single", ranks of one block by name and
+    the others by look.
     """
 
     by: Literal["any", "given", "label", "number", "rainbow", "size", "alternating", "mirrored", "together"] = "any"
@@ -28,7 +29,7 @@ class Order(Record):
     attribute: Attribute = "color"
     descending: bool = False
     first: Side | None = None
-    match: Literal["look", "name"] = "look"
+    match: Literal["look", "name", "single"] = "look"
 
 
 class Pattern(Record):

@@ -76,7 +76,7 @@ PLACES: dict[Side, str] = {
 def _at_the_ends(order: Order, say: Speaker) -> str:
     """An order that only says which block is at an end, or which are at both: "with the red block at the left end"."""
     free = [k for k, rank in enumerate(order.ranks) if len(rank) > 1]
-    if order.first is None or order.match == "name" or len(free) != 1 or len(order.ranks) not in (2, 3):
+    if order.first is None or order.match != "look" or len(free) != 1 or len(order.ranks) not in (2, 3):
         return ""
     if len(order.ranks) == 3 and free != [1]:
         return ""
@@ -90,7 +90,7 @@ def _at_the_ends(order: Order, say: Speaker) -> str:
 def said_in_turn(order: Order, say: Speaker) -> str:
     """ "red, blue, red", "the red block, the A block", "a red block, then two blue blocks"."""
     single = all(len(rank) == 1 for rank in order.ranks)
-    if order.match == "name":
+    if order.match != "look":
         with say.strictly():
             return (", " if single else ", then ").join(_rank(rank, True, say) for rank in order.ranks)
     if single and (short := say.short(rank[0] for rank in order.ranks)):

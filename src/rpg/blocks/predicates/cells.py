@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from functools import lru_cache
 from random import Random
 from typing import Any, NamedTuple
@@ -98,8 +98,15 @@ def outdone(ideal: Ideal, fit: Fit, places: Sequence[tuple[float, float, int]], 
     return max(-1.0, 1.0 - least / limit)
 
 
+Fitted = tuple[Fit, list[str], float]
+"""A fit, the block in each cell, and the margin so far."""
+
+
 class CellsPredicate(Predicate[Cells]):
     """The best fit of any form of the figure, each block near its cell, the pattern and the reading on top."""
+
+    def __init__(self) -> None:
+        self._last: tuple[BlockState | None, dict[Hashable, Fitted | None]] = (None, {})
 
     def evaluate(self, node: Cells, state: BlockState) -> Verdict:
         found = self.find(node, state)
@@ -131,30 +138,45 @@ class CellsPredicate(Predicate[Cells]):
         forms = ideals(node, len(names))
         if not forms:
             return None
-        edge = largest_edge(state, names)
-        levels, margin = heights(state, names, edge)
-        lying: float | None = None
-        places = [(*state.position[name][:2], level) for name, level in zip(names, levels, strict=True)]
-        tolerance = node.fit_edges * edge
         best: Found | None = None
         for ideal in forms:
-            between = pitches(node, ideal, edge)
-            fit = best_fit(ideal, places, between, tolerance)
-            if fit is None:
+            fitted = self._fitted(node, ideal, state)
+            if fitted is None:
                 continue
-            lying = flatness(state, names) if lying is None else lying
-            room = min(margin, lying, slack(fit.deviation, tolerance))
-            if max(levels) == 0 and PLAINLY * tolerance < fit.deviation <= tolerance + EPS and len(names) > 2:
-                room = min(room, -outdone(ideal, fit, places, between))
-            found = self._judge(node, ideal, fit, room, state)
+            found = self._judge(node, ideal, *fitted, state)
             if best is None or found.verdict.margin > best.verdict.margin:
                 best = found
             if best.verdict.margin > 0.5:
                 break
         return best
 
-    def _judge(self, node: Cells, ideal: Ideal, fit: Fit, margin: float, state: BlockState) -> Found:
-        blocks = [node.blocks[k] for k in fit.blocks]
+    def _fitted(self, node: Cells, ideal: Ideal, state: BlockState) -> Fitted | None:
+        """How one form fits the blocks, whichever of them is told to be in which cell: under many namings of blocks
+        that look alike it is the same, and is worked out once."""
+        if self._last[0] is not state:
+            self._last = state, {}
+        known = self._last[1]
+        key = (ideal, frozenset(node.blocks), node.fit_edges, node.pitch_edges, node.gap, node.tolerance)
+        if key not in known:
+            known[key] = self._fit(node, ideal, state)
+        return known[key]
+
+    def _fit(self, node: Cells, ideal: Ideal, state: BlockState) -> Fitted | None:
+        names = node.blocks
+        edge = largest_edge(state, names)
+        levels, margin = heights(state, names, edge)
+        places = [(*state.position[name][:2], level) for name, level in zip(names, levels, strict=True)]
+        tolerance = node.fit_edges * edge
+        between = pitches(node, ideal, edge)
+        fit = best_fit(ideal, places, between, tolerance)
+        if fit is None:
+            return None
+        room = min(margin, flatness(state, names), slack(fit.deviation, tolerance))
+        if max(levels) == 0 and PLAINLY * tolerance < fit.deviation <= tolerance + EPS and len(names) > 2:
+            room = min(room, -outdone(ideal, fit, places, between))
+        return fit, [names[k] for k in fit.blocks], room
+
+    def _judge(self, node: Cells, ideal: Ideal, fit: Fit, blocks: list[str], margin: float, state: BlockState) -> Found:
         if ideal.limit is not None:
             margin = min(margin, slack(abs(math.degrees(fit.turn)), ideal.limit))
         parts = [holds(margin)]

@@ -67,7 +67,8 @@ def _follows_ranks(order: Order, sequence: Sequence[str], world: World) -> bool:
     ranks = sorted(met)
     if met == ranks or order.match == "name":
         return met == ranks
-    look = world.look
+    alone = {rank[0] for rank in order.ranks if len(rank) == 1} if order.match == "single" else set()
+    look = {name: (name,) if name in alone else world.look[name] for name in present}
     expected: list[list[tuple[str, ...]]] = [[] for _ in order.ranks]
     found: list[list[tuple[str, ...]]] = [[] for _ in order.ranks]
     for name, rank in zip(present, ranks, strict=True):

@@ -64,7 +64,7 @@ class SmokeGate:
         bench.prints["reset 0"] = print_of(task)
         task.step(bench.measures.smoke_steps)
         state = task.state()
-        task.judge()
+        task.solved()
         bench.prints["steps"] = print_of(task)
         if not _finite(state) or any(task.data.warning[kind].number for kind in BAD_NUMBERS):
             return [*found, failure(self.name, "physics-diverges", "instability", DIVERGES)], {}

@@ -24,7 +24,7 @@ def in_grid(goal: g.Goal, node: s.Grid | s.Figure, item: tuple[Ref, Meaning, Spa
     ranks = tuple(r for r in (tuple(rest[:before]), ref.names, tuple(rest[before:])) if r)
     looks = {n: (scene.things[n].color, scene.things[n].label) for n in node.blocks}
     unlike = {looks[n] for n in rest}.isdisjoint(looks[n] for n in ref.names)
-    laid = Pattern(kind="reading", order=Order(by="given", ranks=ranks, match="look" if unlike else "name"))
+    laid = Pattern(kind="reading", order=Order(by="given", ranks=ranks, match="look" if unlike else "single"))
     return transform(goal, lambda x: node.model_copy(update={"pattern": laid}) if x == node else x)
 
 

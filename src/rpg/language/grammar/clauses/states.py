@@ -9,6 +9,7 @@ from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
 from rpg.language.grammar.clauses.denials import denied_of_all, leave, needless, stays
+from rpg.language.grammar.clauses.just_moved import just_moved
 from rpg.language.grammar.clauses.made import MADE, drawn, made, under
 from rpg.language.grammar.clauses.manners import direction, manner
 from rpg.language.grammar.clauses.nowhere import nowhere
@@ -306,6 +307,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                         or (lemma == "line" and p.words[at_ - 1] == "up")
                         or lemma == "alphabetize"
                         or (negated and lemma in ("move", "touch", "disturb", "shift", "turn", "rotate", "spin"))
+                        or just_moved(p, j, at_, lemma, theme)
                     ):
                         done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, negated=negated, mode=mode,
                                       span=p.span(i, k))  # fmt: skip

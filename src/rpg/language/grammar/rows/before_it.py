@@ -9,6 +9,7 @@ from rpg.language.grammar.rows.turned import LENGTH, LINE, MUST, Turn
 
 _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind|in|under) the [^,]+?"
 _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"
+_REGION = "(the (?:(?:left|right|near|far) half|(?:(?:near|far|front|back|left|right) ){2}corner))(?: of the table)?"
 BEFORE_IT: tuple[Turn, ...] = (
     (f"^([^,]+?) , {_NOW} ({_PLACE}) , ", "{1} , which starts {2} ,"),
     (f"^([^,]+?) , (?:which|that) (?:is|lies|stands|sits) ({_PLACE}) {_NOW} , ", "{1} , which starts {2} ,"),
@@ -22,8 +23,8 @@ BEFORE_IT: tuple[Turn, ...] = (
     (f"^the ({LINE}) (?:at the start|currently|now) reads (.+)$", "at the start , the {1} is {2}"),
     ("\\bbut only (?:when|once|if) (the .+?) (?:already )?(?:lies|is|stands|sits)(?: already)? (on .+)$",
      "but only after {1} has been put {2}"),
-    ("^(?:put|move|bring|carry|take) (.+?) from (the (?:left|right) half)(?: of the table)? to (the (?:left|right) half"
-     "(?: of the table)?)$", "at the start , {1} is in {2} of the table . put {1} in {3}"),
+    (f"^(?:put|move|bring|carry|take) (.+?) from {_REGION} (?:to|into) {_REGION}$",
+     "at the start , {1} is in {2} of the table . put {1} in {3}"),
     (f"^(an? {LINE}(?: of)? .+?) (?:(?:is )?(?:standing|lying)|stands|lies|is|has been built|was built) "
      "(?:on the table|there)$", "there is {1}"),
     (f"^an? ({LINE}) has been (?:built|made|set up)(?: on the table)? ([:,]) (.+)$", "there is a {1} {2} {3}"),

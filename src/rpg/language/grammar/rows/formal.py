@@ -8,6 +8,9 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.rows.before_it import BEFORE_IT
 from rpg.language.grammar.rows.contrasted import CONTRASTED
+from rpg.language.grammar.rows.corners import corners_again
+from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
+from rpg.language.grammar.rows.not_at_end import not_at_end
 from rpg.language.grammar.rows.required import REQUIRED
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import AT_ONCE, ROUNDABOUT
@@ -222,15 +225,15 @@ _WORDS = (
 """Words that it takes besides those that are read anyway."""
 
 
-_OF_ALL = (*SHORT_AT_ONCE, *_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
+_OF_ALL = (*GAPPED_AT_ONCE, *SHORT_AT_ONCE, *_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
 """The rows of every sentence."""
-_OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED)
+_OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED)
 """The rows of a sentence that cannot be read as it stands."""
 
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    return turned(_one_of_each(_steps_told(tokens)), _OF_ALL)
+    return turned(not_at_end(corners_again(_one_of_each(_steps_told(tokens)))), _OF_ALL)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:

@@ -56,8 +56,8 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "(?: , each row in order from left to right)?$", "front row : {1} ; middle row : {2} ; back row : {3}"),
     (f"^(?:{_PUT} )(.+?) in the front row(?: ,)? and (.+?) in the back row"
      "(?: , each row in order from left to right)?$", "front row : {1} ; back row : {2}"),
-    (f"\\b({_MANY}) (layers|rows|columns) , ({_MANY}(?: {_COLOR} {_BLOCK}s)?)(?: {_BLOCK}(?:s|es))? in each"
-     "(?: of them| one)?\\b", "{1} {2} of {3}"),
+    (f"\\b({_MANY}) (layers|rows|columns) (?:,|with) ({_MANY}(?: {_COLOR} {_BLOCK}s)?)(?: {_BLOCK}(?:s|es))? in "
+     "(?:each|every)(?: of them| one| layer| row| column)?(?=$| ,)", "{1} {2} of {3}"),
     (f"\\b(cube|cuboid|box) (?:that|which) is ({_MANY}(?: blocks| cubes)? (?:wide|long|deep|high) (?:,|and) .+)$",
      "{1} , {2}"),
     # places

@@ -7,6 +7,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.turned import FEW, LINE, Turn
 
 _LINE = "(?:columns?|rows?)"
+_BLOCK = "(?:block|cube)"
 _SIDE = "(?:left|right|middle|center|front|back|near|far)"
 _NEAR = "(?:nearer|nearest|closer|closest) to (?:me|you|us|the viewer|the robot)"
 _FAR = "(?:farther|further|farthest|furthest)(?: away)?(?: from (?:me|you|us|the viewer|the robot))?"
@@ -79,5 +80,33 @@ TOLD_SHAPES: tuple[Turn, ...] = (
      f"(?:{_BE} )?(\\w+)(?: ,)? and the (?:tip|top|topmost block) (?:{_BE} )?(\\w+)$",
      "{1} : the base {2} , the second layer {3} , the tip {4}"),
     ("\\b(pyramid\\b.* on top) (?:in|at) the (?:middle|center)$", "{1}"),
+    (f"\\b(pyramid) (?:with|of|from|:) ({FEW}) ({_COLOR}) (blocks|cubes) (?:at|in|on|as) (?:the )?(?:base|bottom)"
+     f"(?: ,| and)+ ({FEW})(?: more| others)? (?:above|over|on|on top of) (?:them|those|it|that|the base)(?: ,| and)+ "
+     "(?:a single )?one (?:more )?(?:on|at the) (?:very )?top(?: of (?:it|them|that))?$",
+     "{1} of {3} {4} : {2} at the base , {5} above them and one on top"),
+    (f"\\b(an?|one) (pyramid with (?:an? )?{_BASE} base)(?: ,| and| with)+ (?:an?|one|a single) (block|cube) (on top)"
+     f"(?: of it)?(?: ,| and)+ (?:they are )?all(?: of them)?(?: {_BLOCK}s)?(?: in)? ({_COLOR})$",
+     "{1} {6} {2} and one {4} {5}"),
+    ("\\b(pyramid with .+? base(?: ,| and)+) a single (block|cube) on top\\b", "{1} one {2} on top"),
+    # sides and outlines
+    (f"\\b((?:triangle|square|rectangle|pentagon|hexagon|outline)\\b.*?(?:{FEW}|\\d+)(?: \\w+)? (?:blocks|cubes)) "
+     "(?:along|on|in|at|to|for) (?:every|each)(?: one)?(?: of its)? (?:side|edge|sides|edges)$", "{1} per side"),
+    ("^(.*?\\b)(?:the )?outline of an? (rectangle|square)(?: ,)? "
+     "([^,]*\\b(?:wide|long|deep|high|by)\\b[^,]*?)(?: ,)? "
+     f"(?:in|from|out of|made of|using|with) ((?:{FEW}|\\d+) (?:\\w+ )?(?:blocks|cubes))$",
+     "{1} the outline of a {2} of {4} , {3}"),
+    # orders
+    ("\\b(grid) (?:that holds|holding|containing|which holds) (?=\\w)", "{1} of"),
+    ("(?<!them)(?<!it)(?: ,)?(?: (?:to be|which is|that is|and))?(?: to be)? (?:read )?"
+     "(?:like|as)(?: you read| one reads| on)? an? (?:page|page of (?:a book|text)|book page|book|printed page)$",
+     "in reading order"),
+    (f"\\ban? ({LINE})( of [^,]+?(?: , [^,]+?)*)? (?:that|which) (?:is|looks|reads|appears) the same "
+     "(?:from (?:the )?(\\w+) to (?:the )?(\\w+) (?:as|and) from (?:the )?\\4 to (?:the )?\\3|forwards? and backwards?|"
+     "backwards? and forwards?|both ways|either way|in both directions|from (?:both|either) (?:ends?|sides?))$",
+     "a mirrored {1} {2}"),
+    (f"^(.*\\b(?:{FEW}) (?:\\w+ )?(?:towers|stacks))(?: ,| that are| which are)?(?: respectively)? "
+     f"((?:(?:{FEW}) ,? ?)+and (?:{FEW})) (?:blocks|cubes) (?:high|tall)(?: ,)?(?: respectively)?$",
+     "{1} of {2} blocks"),
+    ("^(?:slip|slide|squeeze|insert|wedge|fit|tuck|push) (.+?) (?:in )?between (?=\\w)", "put {1} between"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -16,6 +16,7 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     OrderBy,
+    Pattern,
     Pronoun,
     Structure,
     parts_of,
@@ -80,7 +81,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     need = need if each < 3 or line or ordered else DEFAULT_GROUPS * each
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
     _check_repeated(theme, clause, spec, scene)
-    attribute = attribute or _by_color(theme, spec, scene)
+    attribute = attribute or _by_color(theme, spec, scene) or _of_each(spec)
     if line or ordered:
         in_sequence(clause, theme, spec, scene)
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
@@ -123,6 +124,13 @@ def _by_color(theme: Ref, spec: Spec, scene: Scene) -> str | None:
         return None
     spec.orders.append(OrderBy(by="attribute", attribute="color", span=theme.span))
     return "color"
+
+
+def _of_each(spec: Spec) -> str | None:
+    """ "(separate three red and three blue cubes) into one group per color": what tells the groups apart."""
+    shapes = [x.structure for x in spec.intos if isinstance(x.structure, Structure) and x.structure.kind == "pile"]
+    told = [d for shape in shapes for d in shape.details if isinstance(d, Pattern) and d.unit == "stack"]
+    return told[0].attribute if len(told) == 1 and told[0].different and not told[0].values else None
 
 
 def _gathered(theme: Ref, spec: Spec, scene: Scene, scope: Scope, clause: Clause) -> Goals:

@@ -102,8 +102,12 @@ def moved(theme: Ref, scene: Scene, span: Span) -> Goals:
     """ "Move the red block", of which no more is said; "move neither of them"."""
     if is_none(theme):
         return [r.Stayed(a=theme.names, span=span)]
+    others = tuple(thing.name for thing in scene.blocks() if thing.name not in theme.names)
+    if theme.op == "only" and not others:
+        raise refuse("ambiguous", "it is not said what becomes of the others", span, "say which others there are first")
     scene.assume("moved: at least 5 cm away from where it started")
-    return [spread(theme, lambda a: r.Moved(a=a, span=span), span, together=True)]
+    still = [r.Stayed(a=others, span=span)] if theme.op == "only" else []
+    return [*still, spread(theme, lambda a: r.Moved(a=a, span=span), span, together=True)]
 
 
 def without(that: That, scene: Scene) -> Goals:

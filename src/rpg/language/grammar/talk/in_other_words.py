@@ -129,11 +129,28 @@ def _one_by_one(tokens: list[Token], built: Token, lots: list[tuple[int, int, in
     return out
 
 
+def one_each(tokens: list[Token]) -> list[Token]:
+    """ "(Distribute the blocks) so that every mat gets one": one block; behind a single one, it could be like it."""
+    words = [token.word for token in tokens]
+    for at in range(3, len(words)):
+        begin = next((n for n in range(max(0, at - 4), at) if words[n] in ("every", "each")), None)
+        if words[at] != "one" or words[at - 1] not in _GET or begin is None or words[begin + 1] not in lexicon.PATCH:
+            continue
+        ended = at + 1 == len(words) or words[at + 1] in _STOPS | {","}
+        if ended and not any(lexicon.BLOCK.get(word) is False for word in words[:at]):
+            return [*tokens[: at + 1], tokens[at].saying("block"), *tokens[at + 1 :]]
+    return tokens
+
+
+_GET = frozenset({"gets", "get", "has", "have", "receives", "receive", "holds", "hold", "carries", "carry"})
+
+
 IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]], ...] = (
     (frozenset({"that"}), that_is),
     (frozenset({"each"}), of_one_color_each),
     (frozenset({"too"}), so_do_others),
     (frozenset({"sort"}), sorted_there),
     (_BUILT, unequal),
+    (_GET, one_each),
 )
 """Turns of phrase, with words one of which they have."""

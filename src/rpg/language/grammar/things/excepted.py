@@ -118,6 +118,17 @@ def _but_none_of(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> R
             yield Coord(op="except", items=(*items, those), span=p.span(i, j)), end
 
 
+_THEN = frozenset({"is", "are", "must", "should", "shall", "has", "have", "may", "can", "will"})
+
+
+def alone_in_this(p: Parser, i: int, one: Meaning, j: int) -> tuple[Meaning, int]:
+    """ "The red blocks only (are in a corner)": no others are, as with "only" in front of them."""
+    told = isinstance(one, Noun) and one.head != "patch" and one.det in ("the", "bare") and one.amount is None
+    if not told or p.words[j : j + 1] != ["only"] or not p.stands(j + 1, _THEN):
+        return one, j
+    return Coord(op="only", items=(one,), span=p.span(i, j + 1)), j + 1
+
+
 _NO_OTHER = tuple(
     f"{and_} {other}{ends}"
     for and_ in (", and", ", but", ",", "and")

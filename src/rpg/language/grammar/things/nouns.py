@@ -12,6 +12,7 @@ from rpg.language.grammar.things.adjectives import Marks, adjectives, clash, col
 from rpg.language.grammar.things.amounts import Quantity
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
+from rpg.language.grammar.things.excepted import alone_in_this
 from rpg.language.grammar.things.in_line import in_line
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
 from rpg.language.grammar.things.labels import label_list, literal, once_more
@@ -69,7 +70,7 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
         yield from (
             (replace(found, cost=0), k) for found, k in more(p, i, (item,), j, None) if isinstance(found, Coord)
         )
-    for item, j in simple(p, i):
+    for item, j in (alone_in_this(p, i, *found) for found in simple(p, i)):
         yield item, j
         for behind in (all_but, apposed, of_each) if j < p.end else ():
             yield from behind(p, i, item, j)

@@ -23,6 +23,8 @@ MAX_DIGITS = 10
 COLORS_UNSAID = "the colours of the blocks are not said"
 SYMBOLS_UNSAID = "the symbols are not said"
 """How assumptions begin that chose the looks of blocks."""
+REPLACED = "a block that is replaced goes anywhere else"
+"""How the place of a block is told that gives its own to another."""
 EXCHANGED = "the two are exchanged when what is told of the start is so the other way round"
 
 

@@ -15,7 +15,7 @@ from pydantic import BaseModel
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch
-from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, TaskSchema
+from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, REPLACED, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
@@ -142,7 +142,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
 
 def _beside_goals(task: TaskSchema) -> set[str]:
     """What a task has that stands in no condition: heaps, and a swap that is told by its result."""
-    return {"heaps" for _ in task.init.heaps} | ({"swapped"} if task.assumed(EXCHANGED) else set())
+    swapped = task.assumed(EXCHANGED) or task.assumed(REPLACED)
+    return {"heaps" for _ in task.init.heaps} | ({"swapped"} if swapped else set())
 
 
 def _in_passing(words: Sequence[Token], index: int) -> bool:

@@ -8,8 +8,9 @@ from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.grammar.things.retold import universal
+from rpg.language.grammar.things.retold import begins_anew, universal
 from rpg.language.meaning import (
+    At,
     Clause,
     Into,
     Loc,
@@ -212,6 +213,17 @@ def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
 def is_there(theme: Meaning) -> bool:
     """ "The pile of four": one that is there, where something else is made of it."""
     return isinstance(theme, Structure) and theme.det == "the" and not theme.plural
+
+
+def read_otherwise(p: Parser, end: int, sense: str, lemma: str, theme: Meaning, found: tuple[Meaning, ...]) -> bool:
+    """Whether what stands behind a verb and its theme is read in other ways: "take them apart"."""
+    if lemma in ("take", "pull") and isinstance(found[0], Loc) and found[0].rel == "apart":
+        return True
+    if sense == "use" and is_there(theme) and any(isinstance(x, Into) for x in found):
+        return True
+    if isinstance(found[0], At) and begins_anew(theme):
+        return True
+    return sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc)
 
 
 def of_what_is_there(theme: Meaning, made: Clause) -> Clause | None:

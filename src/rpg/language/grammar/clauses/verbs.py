@@ -11,11 +11,12 @@ from rpg.language.grammar.clauses.for_whom import behind_us
 from rpg.language.grammar.clauses.links import RATHER
 from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.particles import WHITHER, across
-from rpg.language.grammar.clauses.remade import is_there, of_what_is_there, put_down, remade, reverse, taken_off
+from rpg.language.grammar.clauses.remade import of_what_is_there, put_down, read_otherwise, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.clauses.turned import REST, not_turned
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.formed import beside_word
+from rpg.language.grammar.places.its_place import in_its_place
 from rpg.language.grammar.places.relations import on_its_own
 from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.structures.sizes import AS_HIGH
@@ -23,7 +24,6 @@ from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import digits_of, literal
 from rpg.language.grammar.things.likes import like_with_like
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.grammar.things.retold import begins_anew
 from rpg.language.meaning import (
     Amount,
     At,
@@ -130,6 +130,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k
         if sense == "place" and "down" in (p.words[k - 1], p.words[j - 1]):
             yield put_down(theme, lemma, p.span(i, k), word), k
+        if sense == "place" and in_its_place(p, k, theme):
+            continue
         if sense == "use":
             yield from _use(p, i, k, theme)
         if lemma == "separate":
@@ -147,13 +149,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         after += [x for x in adjuncts(p, each) if x[0] and on_its_own(x[0][0])] if each else []
         after += adjuncts(p, k - 1) if lemma in ("lift", "pick") and p.words[k - 1] == "off" else []
         for found, end in [*adjuncts(p, k), *after]:
-            if lemma in ("take", "pull") and found and isinstance(found[0], Loc) and found[0].rel == "apart":
-                continue
-            if sense == "use" and is_there(theme) and any(isinstance(x, Into) for x in found):
-                continue
-            if found and isinstance(found[0], At) and begins_anew(theme):
-                continue
-            if sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc):
+            if found and read_otherwise(p, end, sense, lemma, theme, found):
                 continue
             said = (*found, *alone)
             cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))

@@ -253,7 +253,7 @@ def _presented(chains: tuple[Chain, ...], n: int, text: str) -> bool:
 
 def _undoes(chain: Chain) -> bool:
     """Whether a sentence changes what is there, whatever it is: swaps it, takes it apart, turns it round."""
-    return any(isinstance(c, Clause) and c.verb in ("swap", "unstack", "reverse") for c in chain.clauses)
+    return any(isinstance(c, Clause) and c.verb in ("swap", "unstack", "reverse", "replace") for c in chain.clauses)
 
 
 def _moved_next(before: Chain, after: Chain, text: str) -> bool:

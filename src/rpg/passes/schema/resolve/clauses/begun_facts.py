@@ -174,7 +174,7 @@ def _listed_in(line: Clause) -> list[Traits]:
 def _moves_one(order: Clause, listed: list[Traits]) -> bool:
     """ "Move the red block to the top", "put A at the right end", "swap 1 and 3", said of those that are listed."""
     theme, at_ = order.theme, order.adjuncts
-    if order.verb in ("swap", "reverse", "unstack") and order.mode == "command" and not order.negated:
+    if order.verb in ("swap", "reverse", "unstack", "replace") and order.mode == "command" and not order.negated:
         named = [x.traits for x in parts_of(theme) if isinstance(x, Noun)]
         looks = {look for x in listed for look in (*x.colors, *x.labels)}
         return not named or not all(looks.isdisjoint((*x.colors, *x.labels)) for x in named)

@@ -184,7 +184,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return _exist(clause, spec, scene, scope)
         case "ignore":
             return ignore(clause, scene, scope)
-        case "keep" | "touch" | "pick" | "unstack" | "remove" | "swap" | "turn" | "use" | "reverse":
+        case "keep" | "touch" | "pick" | "unstack" | "remove" | "swap" | "replace" | "turn" | "use" | "reverse":
             return _special(clause, spec, scene, scope)
         case "sort":
             return sort(clause, spec, scene, scope)
@@ -365,7 +365,7 @@ def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return turning.pick(clause, spec, scene, scope)
         case "unstack" | "remove":
             return turning.remove(clause, spec, scene, scope)
-        case "swap":
+        case "swap" | "replace":
             return swap(clause, spec, scene, scope)
         case "turn":
             return turns.turn(clause, spec, scene, scope)

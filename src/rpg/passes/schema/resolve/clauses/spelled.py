@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
+from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.language.meaning import Clause, Into, Meaning, Noun, Pronoun, Structure, Toward, Traits, replace
 from rpg.passes.schema.resolve.clauses.shaped import shaped
@@ -13,7 +14,7 @@ from rpg.passes.schema.resolve.structures.structures import make, row_node
 from rpg.passes.schema.resolve.things.listing import continued
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spoken import known_ones
-from rpg.passes.schema.resolve.things.things import give, of_no_look
+from rpg.passes.schema.resolve.things.things import create, give, of_no_look
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
@@ -34,12 +35,27 @@ def spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.verb == "read" and isinstance(clause.theme, Noun):
         return _read_row(clause, clause.theme, theme, spec, scene, scope)
     if theme is not None and isinstance(clause.theme, Structure):
+        theme = _with_further_letters(clause.theme, theme, scene)
         built, goals = make(clause.theme, spec, theme, scene, scope)
         if not set(built[0].members) & set(theme.names):
             raise refuse("order-misfit", "these blocks do not show these letters", clause.span, "use letter blocks")
         ref = Ref(names=built[0].members, built=tuple(built))
         return [*goals, *places(ref, spec, scene, scope, clause.span)]
     return shaped(clause, spec, scene, scope)
+
+
+def _with_further_letters(word: Structure, theme: Ref, scene: Scene) -> Ref:
+    """ "The blocks spell CAT. Make them spell CUT": those of its letters that the other word has, and further ones."""
+    begun = any(isinstance(x, s.Spells) and {*x.blocks} == {*theme.names} for x in scene.start_goals)
+    wanted, free = Counter(word.letter or ""), list(theme.names)
+    lacking = wanted - Counter(scene.things[n].label or "" for n in free)
+    if not begun or not lacking or lacking.total() == wanted.total():
+        return theme
+    kept = [n for n in free if wanted[scene.things[n].label or ""] > 0]
+    if len(kept) + lacking.total() != wanted.total():
+        return theme  # a letter that there are several of
+    more = [create(Traits(labels=(letter,)), scene, False).name for letter in lacking.elements()]
+    return replace(theme, names=(*kept, *more), built=())
 
 
 _LINES = ("stack", "row", "line", "column")

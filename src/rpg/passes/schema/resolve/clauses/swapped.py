@@ -6,6 +6,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.schema import EXCHANGED
 from rpg.language.meaning import Clause, Loc, Meaning, Structure, replace
+from rpg.passes.schema.resolve.clauses.replacing import replace_there
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.conflicts import OPPOSITE
 from rpg.passes.schema.resolve.things.refer import refer
@@ -14,7 +15,9 @@ from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
 def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
-    """ "swap the red and the blue block", "swap A with B"."""
+    """ "swap the red and the blue block", "swap A with B"; "replace A by B"."""
+    if clause.verb == "replace":
+        return replace_there(clause, spec, scene, scope)
     told = len(scene.premises)
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     parts: tuple[Ref, ...] = theme.parts

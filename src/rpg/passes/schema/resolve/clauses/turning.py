@@ -33,6 +33,7 @@ from rpg.passes.schema.resolve.places.placing import absolutes
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.things.operands import crown, spread
 from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.theirs import off_which
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
@@ -250,6 +251,8 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         if landmark is None:
             continue
         mark = refer(landmark, scene, replace(scope, role="landmark"))
+        if mark.matching:
+            raise off_which(clause.span)
         goals += _off(theme, mark, scene, clause.span)
     if rest:
         for item in rest:

@@ -45,7 +45,7 @@ def _spelled(clause: Meaning) -> str | None:
 def _changes(order: Meaning, word: str, told: str) -> bool:
     if not isinstance(order, Clause) or order.negated:
         return False
-    if order.mode == "command" and order.verb in ("swap", "reverse", "unstack"):
+    if order.mode in ("command", "goal") and order.verb in ("swap", "reverse", "unstack", "replace"):
         return True
     made = told.lstrip(" .;").lower().startswith("make ")
     asked = made or order.mode == "command" or _WANTED.search(told) is not None

@@ -53,7 +53,7 @@ def _landmarks(goal: g.Goal, scene: Scene) -> Iterator[g.Goal]:
         there = {rel for rel, built in named if blocks <= {*built.members}}
         placed = _placed(goal, feet="under" in there)
         if there and blocks.isdisjoint(placed):
-            yield _covered(start, bool(there & {"on", "above"})) if isinstance(start, s.Stack) else start
+            yield _covered(start, True) if isinstance(start, s.Stack) else start
         elif there and isinstance(start, s.Stack) and (rest := _below(start, placed)) is not None:
             yield rest
 
@@ -78,7 +78,7 @@ def _moved(goal: g.Goal, scene: Scene) -> Iterator[g.Goal]:
         about = [atom for atom in atoms(goal) if blocks & set(names(atom))]
         whole = all(isinstance(atom, r.InRegion) and blocks <= set(names(atom)) for atom in about)
         if about and whole and any(blocks == {*built.members} for ref in themes for built in ref.built):
-            yield start
+            yield _covered(start, True) if isinstance(start, s.Stack) else start
 
 
 RELATIONS = frozenset(
@@ -100,7 +100,7 @@ def _placed(goal: g.Goal, *, feet: bool) -> set[str]:
         if not isinstance(getattr(atom, "b", None), tuple):
             found |= set(names(atom))
         elif not (feet and isinstance(atom, r.On | r.Above)):
-            found |= set(members(atom.a))
+            found |= set(members(getattr(atom, "a", ())))
     return found
 
 

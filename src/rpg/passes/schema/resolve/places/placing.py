@@ -29,7 +29,7 @@ from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.centred import centred
 from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
-from rpg.passes.schema.resolve.places.pointed import of_a_part, onto_a_list
+from rpg.passes.schema.resolve.places.pointed import of_a_part, of_its_own_corner, onto_a_list
 from rpg.passes.schema.resolve.places.relations import place, related
 from rpg.passes.schema.resolve.places.stacking import piled_on, stands_on
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
@@ -60,13 +60,9 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
             scene.mentions.pop()
             spec.absolutes.remove(item)
     for place_ in list(spec.places):
-        if (
-            isinstance(place_, Loc)
-            and place_.rel == "between"
-            and place_.landmark is not None
-            and is_extra(place_.landmark)
-        ):
-            refer(place_.landmark, scene, Scope())
+        mark = place_.landmark if isinstance(place_, Loc) and place_.rel == "between" else None
+        if mark is not None and is_extra(mark):
+            refer(mark, scene, Scope())
             scene.mentions.pop()
             spec.places.remove(place_)
     if clause.verb not in ("be", "exist") or clause.theme is None or is_shape(clause.theme):
@@ -291,6 +287,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             goals += _turned(theme, ref, inner, scene, item.span)
         for part in inner.parts:
             raise refuse("misplaced", "the structure has no such part", part.span, "name its blocks one by one")
+        of_its_own_corner(theme, ref, inner)
         _merge_sides(inner)
         goals += _at_its_ends(theme, ref, inner, scene, item.span)
         if inner.ats and ref.built and not set(theme.names) & set(ref.names):

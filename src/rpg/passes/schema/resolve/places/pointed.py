@@ -1,10 +1,11 @@
-"""What "it" is behind a part of a structure."""
+"""What "it" is behind a part of a structure, and of what a corner is."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language.meaning import Absolute, At, Coord, Loc, Noun, Pronoun
+from rpg.language.meaning import Absolute, At, Coord, In, Loc, Noun, Pronoun
+from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import Ref, refuse
 
 
@@ -14,6 +15,14 @@ def of_a_part(whole: Ref, theme: Ref, it: Pronoun, place: Loc, told: Sequence[Ab
     further = bool(whole.built) and not set(theme.names) & set(whole.names)
     if inside and further and it.word in ("it", "that") and place.rel in ("on", "above", "under"):
         raise refuse("ambiguous", f"{it.word!r} could be the block or the structure", it.span, "name what you mean")
+
+
+def of_its_own_corner(theme: Ref, whole: Ref, told: Spec) -> None:
+    """Refuse "a grid of eight red blocks and a blue one, with the blue block in the upper left corner" of the table."""
+    inside = len(whole.built) == 1 and whole.built[0].kind == "grid" and set(theme.names) < set(whole.names)
+    for spot in told.places if inside else ():
+        if isinstance(spot, In) and spot.region.endswith("_corner"):
+            raise refuse("misplaced", "what is in the grid is in a corner of it", spot.span, "say 'of the grid'")
 
 
 def onto_a_list(one: Loc, two: Loc) -> bool:

@@ -57,6 +57,7 @@ from rpg.passes.schema.resolve.things.operands import (
     spread,
 )
 from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.theirs import off_which
 from rpg.passes.schema.resolve.things.things import compared, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, wholes
 
@@ -237,6 +238,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         _begins_on(theme, mark, scene, span)
     if "only" in (theme.op, mark.op):
         theme, mark = alone_there(theme, mark, loc, scene, _relate)
+    if mark.matching and loc.rel == "off":
+        raise off_which(loc.span)
     if mark.matching:
         if loc.rel not in ("on", "in", "above"):
             raise refuse("misplaced", "blocks match the patches that they are on", loc.span, "say 'on'")

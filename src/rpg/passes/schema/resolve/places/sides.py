@@ -17,6 +17,7 @@ from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
 from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
 from rpg.passes.schema.resolve.orders.positions import SIDES, alternatives, looks, places_of, ranks_from
+from rpg.passes.schema.resolve.places.middles import of_a_line
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
@@ -216,6 +217,7 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         raise refuse(
             "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
         )
+    of_a_line(ref, at_, scene)
     line = next((b for b in scene.built if b.kind in SIDES and not set(ref.names) & set(b.members)), None)
     if line is not None and ref.built and at_.side != "middle":
         raise refuse("ambiguous", f"this could be a side of the table or of the {line.kind}", at_.span,

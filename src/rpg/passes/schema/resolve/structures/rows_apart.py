@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from math import factorial
 
 from rpg.blocks.symmetry import MAX_NAMINGS
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
+from rpg.ir.walk import names
 from rpg.language.meaning import Places, Structure
+from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
@@ -19,6 +22,20 @@ def not_one_line(rows: list[g.Goal], span: Span) -> list[g.Goal]:
         return []
     blocks = tuple(name for row in lines for name in row.blocks)
     return [g.Not(goal=s.Row(blocks=blocks, axis=lines[0].axis, span=span), span=span)]
+
+
+def no_two_in_one_line(goal: g.Goal) -> g.Goal:
+    """ "A red row and a blue row", of which nothing says where one lies as the other is seen: they are two rows, and
+    not red and blue by turns in one."""
+    parts = goal.goals if isinstance(goal, g.All) else ()
+    rows = [part for part in parts if isinstance(part, s.Row) and len(part.blocks) > 1]
+    apart: list[g.Goal] = []
+    for one, other in combinations(rows, 2):
+        blocks = {*one.blocks}, {*other.blocks}
+        related = [x for x in parts if not blocks[0].isdisjoint(names(x)) and not blocks[1].isdisjoint(names(x))]
+        if blocks[0].isdisjoint(blocks[1]) and not related:
+            apart += not_one_line([one, other], other.span or (0, 0))
+    return conj([*parts, *apart], goal.span) if apart else goal
 
 
 def too_alike(rows: list[g.Goal], scene: Scene, span: Span) -> s.Grid | None:
@@ -47,8 +64,8 @@ def close_by(atom: g.Goal, scene: Scene) -> g.Goal:
     labels = [scene.things[n].label or "" for n in atom.blocks]
     if not all(labels) or len(set(labels)) < len(labels):
         return atom
-    names = sorted(atom.blocks, key=lambda n: scene.things[n].label or "", reverse=atom.order.descending)
-    order = atom.order.model_copy(update={"by": "given", "ranks": tuple((n,) for n in names), "descending": False})
+    ranked = sorted(atom.blocks, key=lambda n: scene.things[n].label or "", reverse=atom.order.descending)
+    order = atom.order.model_copy(update={"by": "given", "ranks": tuple((n,) for n in ranked), "descending": False})
     return atom.model_copy(update={"order": order})
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from rpg.language.later import later
 from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
+from rpg.passes.schema.resolve.things.off_it import check_off_it
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.them import them
 from rpg.passes.schema.resolve.things.which import which
@@ -68,6 +69,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == OWNER:
         return _owner(scene)
     if word.word in ("it", "that", "this", "the first one"):
+        check_off_it(word, scene, scope)
         return _it(word, scene, scope)
     if word.word == "neither of them" and scope.role == "theme":
         two = them(replace(word, word="both"), scene, scope)
@@ -211,8 +213,11 @@ def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     told = [m for m in told if m.ref.patch or (m.role == "landmark" and m.word != "there")]
     last = [m for m in told if told and m.clause == told[-1].clause]
     patches = {m.ref.names for m in last if m.ref.patch and m.rel in ("", "on", "in", "off", "not on")}
-    below = {m.ref.names for m in last if m.rel == "on" and len(m.ref.names) == 1 and not m.ref.built}
-    if scope.rel == "off" and not patches and len(below) == 1 == len({m.ref.names for m in last}):
+    under = ("on", "off") if scope.rel == "on" else ("on",)
+    below = {m.ref.names for m in last if m.rel in under and len(m.ref.names) == 1 and not m.ref.built}
+    taken = any(m.rel == "off" and m.sentence == scene.sentence for m in scene.mentions)  # "... and put blue there"
+    alone = not patches and len(below) == 1 == len({m.ref.names for m in last})
+    if alone and (scope.rel == "off" or (scope.rel == "on" and taken)):
         return Ref(names=next(iter(below)), span=word.span)
     if len(patches) != 1 or len(patches) < len({m.ref.names for m in last}) or any(len(x) > 1 for x in patches):
         raise refuse("no-referent", "it is not clear where 'there' is", word.span, "name the place")

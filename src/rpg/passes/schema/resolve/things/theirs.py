@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Refusal, Span
 from rpg.ir import relations as r
 from rpg.ir.walk import names as names_in
 from rpg.language.grammar.things.theirs import THEIRS
@@ -44,4 +45,9 @@ def begun_on(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
     return Ref(names=tuple(patches), patch=True, det="the") if len(patches) == 1 else None
 
 
-__all__ = ["THEIRS", "begun_on", "in_their_colors", "its_own"]
+def off_which(span: Span) -> Refusal:
+    """ "It is on the pink mat. Take it off its mat": where that may be told of the end, nothing begins on a mat."""
+    return refuse("contradiction", "it is not said on which patch this begins", span, "say where it is at the start")
+
+
+__all__ = ["THEIRS", "begun_on", "in_their_colors", "its_own", "off_which"]

@@ -85,8 +85,17 @@ _BETWEEN = (
     "that alternates", "which alternates between", "which alternates", "alternates between", "that alternate between",
 )  # fmt: skip
 """What two colours follow."""
-_AFTER = ("alternating", "in alternation", "alternately", "alternate", "taking turns", "take turns",
-          "by turns", "in turns", "in turn")
+_AFTER = (
+    "alternating",
+    "in alternation",
+    "alternately",
+    "alternate",
+    "taking turns",
+    "take turns",
+    "by turns",
+    "in turns",
+    "in turn",
+)
 _WITH = ("alternate with", "alternates with", "take turns with", "are alternating with")
 _TURNING = frozenset(phrase.split()[-1] for phrase in _AFTER) | {"alternates"}
 _WHERE = ("in which", "where", "with", "so that", "such that", "so", ",")

@@ -10,7 +10,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.later import later
-from rpg.language.meaning import Meaning, Noun, Traits
+from rpg.language.meaning import Meaning, Noun, Traits, replace
 from rpg.language.tokens import Token
 
 if TYPE_CHECKING:
@@ -34,7 +34,20 @@ def listed(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             yield tuple(Noun(head="any", traits=Traits(labels=(a,)), span=span) for a in labels), j
     for first, j in simple(p, i):
         if isinstance(first, Noun) and not (first.plural and len(first.traits.labels) == 1):
-            yield from _more(p, (first,), j)
+            yield from ((_one_by_one(items), k) for items, k in _more(p, (first,), j))
+
+
+def _one_by_one(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
+    """ "A red block, A, B, C, a blue block": the symbols come one after the other as well."""
+    found: list[Meaning] = []
+    for item in items:
+        labels = item.traits.labels if isinstance(item, Noun) else ()
+        run = isinstance(item, Noun) and (item.det, item.amount) == ("bare", None) and len(labels) > 1
+        if run and isinstance(item, Noun) and item.traits == Traits(labels=labels):
+            found += [replace(item, plural=False, traits=Traits(labels=(label,)), cost=0) for label in labels]
+        else:
+            found.append(item)
+    return tuple(found)
 
 
 _SYMBOLS = tuple(f"{the}{noun}" for the in ("the ", "") for noun in ("blocks", "cubes", "letters", "digits", "numbers"))

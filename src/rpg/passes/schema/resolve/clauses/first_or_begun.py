@@ -5,13 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.meaning import Chain, Clause, In, Loc, Noun, TableTop, replace
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Noun, TableTop, replace
 from rpg.passes.schema.resolve.clauses.joined_facts import same_one
 from rpg.passes.schema.resolve.things.world import refuse
 
 _START_WITH = re.compile(
     r"(?:^|[.!;:,]\s*)(?:please |now |just )?(?:start|begin)(?: off| out)? with\s*$", re.IGNORECASE
 )
+
+_TO_BEGIN = re.compile(r"\b(?:to (?:begin|start) with|at first)\b", re.IGNORECASE)
+"""What may be said of a first step as well, where no verb tells."""
 
 
 def check_begun_or_first(links: Sequence[str], chains: tuple[Chain, ...], text: str) -> None:
@@ -23,19 +26,27 @@ def check_begun_or_first(links: Sequence[str], chains: tuple[Chain, ...], text: 
     ]
     for n, (_, clause) in enumerate(said[:-1]):
         link, after = said[n + 1]
-        theme = clause.theme if isinstance(clause, Clause) and clause.mode == "start" else None
+        theme = clause.theme if isinstance(clause, Clause) and (clause.mode == "start" or _to_begin(clause)) else None
         if link != "then" or not isinstance(clause, Clause) or not isinstance(theme, Noun) or not _somewhere(clause):
             continue
         put = isinstance(after, Clause) and after.verb in ("place", "stack", "be") and not after.negated
         later = [c for _, c in said[n + 1 :] if isinstance(c, Clause)]
-        if put and _START_WITH.search(text[: theme.span[0]]) and not any(_of_it(clause, c) for c in later):
+        verbless = (clause.verb, clause.lemma) == ("be", "") and _TO_BEGIN.search(text[: after.span[0]]) is not None
+        led = _START_WITH.search(text[: theme.span[0]]) and not any(_of_it(clause, c) for c in later)
+        if put and (led or verbless):
             raise refuse("ambiguous", "is this the first thing to do, or how it is at the start?", clause.span,
                          "say 'first put ...', or 'at the start it is ...'")  # fmt: skip
 
 
+def _to_begin(clause: Clause) -> bool:
+    """ "Red onto the mat to begin with"."""
+    verbless = (clause.verb, clause.lemma, clause.mode) == ("be", "", "goal")
+    return verbless and any(isinstance(a, Manner) and (a.kind, a.value) == ("start", "first") for a in clause.adjuncts)
+
+
 def _somewhere(clause: Clause) -> bool:
     """Whether it says of a block that it lies on another one or a patch: it is on the table anyway."""
-    placed = clause.adjuncts and all(isinstance(a, Loc | In) for a in clause.adjuncts)
+    placed = clause.adjuncts and all(isinstance(a, Loc | In | Manner) for a in clause.adjuncts)
     return bool(placed) and not any(isinstance(a, Loc) and isinstance(a.landmark, TableTop) for a in clause.adjuncts)
 
 

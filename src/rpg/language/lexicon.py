@@ -93,14 +93,14 @@ VERBS = {
     "complete",
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
     "set rearrange",
-    "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch merge "
+    "sort": "sort group gather herd cluster separate collect split divide partition categorize classify bunch merge "
     "combine unite segregate",
     "spell": "spell write",
     "turn": "rotate turn flip spin face orient point tip transform convert change",
     "reverse": "reverse",
     "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",
-    "unstack": "unstack dismantle disassemble topple destack",
+    "unstack": "unstack unload dismantle disassemble topple destack",
     "use": "use take",
     "touch": "touch disturb bump knock jostle",
     "ignore": "ignore",

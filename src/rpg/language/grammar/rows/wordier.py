@@ -17,6 +17,7 @@ _FALL = "(?:decrease|fall|shrink|descend|go down|get smaller)"
 _SHAPE = f"(?:{LINE}|wall|pyramid|grid|circle|square|triangle|staircase|checkerboard)"
 _PUSH = "(?:move|bring|push|slide|shift|carry|nudge|drag|pull)"
 _MOST = "(largest|biggest|greatest|highest|smallest|lowest|least)"
+_ENDWISE = "(left|right|front|back|near|far)"
 _SIDE = "(left|right)(?: end| side)?"
 _STARTED = "where (?:it|they) (?:starts|start|started|is now|are now|was|were|began|begins)"
 
@@ -115,6 +116,8 @@ AT_ONCE: tuple[Turn, ...] = (
      "(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) "
      "(?:is|are|does|do|stands?|lies?) (not )?(?:stand |lie |be )?(.+)$", "{1} must {2} be {3}"),
     # lines and figures by what they show
+    (f"^(line up|line them up|arrange) , (?:from )?{_ENDWISE} to {_ENDWISE} : (.+)$", "{1} from {2} to {3} : {4}"),
+    ("\\b(every corner|each corner)( of the table)? receives? (.+)$", "{1} {2} gets {3}"),
     (f"(?: ,)? (?:in which|where|so that|such that|in such a way that) the {_MOST} (number|digit|letter) (?:is|stands|"
      f"comes|lies) (?:on|at) the {_SIDE}(?: ,)? and the {_MOST}(?: one| \\2)? (?:is |stands |comes |lies )?(?:on|at) "
      f"the {_SIDE}$", ", the {1} {2} on the {3} and the {4} on the {5}"),

@@ -27,6 +27,7 @@ _ANYWHERE = (
     "thank you", "thank you very much", "thank you so much", "please", "pls", "plz", "please and thank you",
     "idk", "tbh", "btw", "by the way", "imo", "fyi", "i guess", "i suppose", "you know", "dunno", "i do not know",
     "basically", "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
+    "hereby", "by contrast", "in contrast",
     "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
     "kinda", "possibly", "while you are at it", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",

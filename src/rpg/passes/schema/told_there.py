@@ -60,6 +60,3 @@ _SEVERAL = 2
 def _where(told: Told, look: str) -> tuple[int, int] | None:
     """Where such a block is spoken of."""
     return next((t.span for t in told.rest if lexicon.COLOR.get(t.word, t.word.upper()) == look), None)
-
-
-__all__ = ["check_told"]

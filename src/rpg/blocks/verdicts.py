@@ -57,6 +57,10 @@ class Verdicts(Closed):
         margins = np.where(self._truths, self._margins, -np.inf) if self._truths.any() else self._margins
         return int(margins.argmax())
 
+    def any(self) -> bool:
+        """Does it hold under some naming?"""
+        return bool(self._truths.any())
+
     def of(self, naming: int) -> Verdict:
         """The verdict under one naming."""
         return Verdict(bool(self._truths[naming]), float(self._margins[naming]))

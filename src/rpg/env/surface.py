@@ -57,6 +57,7 @@ class Atoms:
         self._script: list[_Call] = []
         self._distinct: dict[g.Goal, g.Goal] = {}
         self._variants: dict[int, Variants] = {}
+        self._closely = self._passed_over = False
         self._verdicts: dict[int, Verdict] = {}
         self._noted: list[tuple[Node, Verdict]] = []
 
@@ -92,15 +93,15 @@ class Atoms:
         return found & Verdicts.spread([predicate.in_order(node, now) for node in call.different], call.chosen)
 
     def _judged_each(self, node: Node, different: list[g.Goal], now: BlockState) -> list[Verdict]:
-        """The verdicts of the different things that an atom says under all namings. Where they are many, and some may
-        hold, those that plainly cannot are not looked at any closer: none of them comes closest to success."""
-        if len(different) < MANY:
+        """The verdicts of the different things that an atom says under all namings. Where they are many, those that
+        plainly cannot hold are passed over, unless it is to be known which comes closest."""
+        if len(different) < MANY or self._closely:
             return [self._judged_atom(one, now) for one in different]
         if id(node) not in self._variants:
             self._variants[id(node)] = self._namings.variants(node, self.world)  # type: ignore[arg-type]
-        maybe = self._variants[id(node)].perhaps(now)
-        maybe = maybe if maybe.any() else ~maybe
-        return [self._judged_atom(one, now) if k else FALSE for one, k in zip(different, maybe.tolist(), strict=True)]
+        maybe = self._variants[id(node)].perhaps(now).tolist()
+        self._passed_over = self._passed_over or not all(maybe)
+        return [self._judged_atom(one, now) if k else FALSE for one, k in zip(different, maybe, strict=True)]
 
     def _judged_atom(self, node: g.Goal, now: BlockState) -> Verdict:
         verdict = self._verdicts.get(id(node))

@@ -309,7 +309,11 @@ class BlockTask(Relations, Structures, Setup):
 
     def _judged_at_once(self, at_rest: Verdict) -> Judgement | None:
         """The same, all namings at once; None where the goal remembers the episode, or its code looks at verdicts."""
+        self._closely = self._passed_over = False
         success, noted = self._answer(Asked.ALL_NAMINGS)
+        if isinstance(success, Verdicts) and self._passed_over and not success.any():
+            self._closely = True
+            success, noted = self._answer(Asked.ALL_NAMINGS)
         if not isinstance(success, Verdicts):
             self._at_once = False
             self._memories = [Memory() for _ in range(len(self._namings))]

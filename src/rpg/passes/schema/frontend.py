@@ -74,10 +74,7 @@ class BuiltinFrontEnd:
         if notes and mended is None:
             return self._as_meant(Respelt.of(text, words), name, seed, author, notes)
         notes = mended or notes
-        words, told = told_plainly(words)
-        words = rows_in_words(without_asides(words))
-        if told is None:
-            words, told = told_plainly(words)
+        words, told = told_plainly(rows_in_words(without_asides(words)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
             check_told(told, found.task)

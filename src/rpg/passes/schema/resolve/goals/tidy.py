@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import pairwise
-from math import comb
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -12,14 +10,16 @@ from rpg.ir import structures as s
 from rpg.ir.assets import EDGE
 from rpg.ir.node import members
 from rpg.ir.walk import children, rebuild, transform, without_span
+from rpg.passes.schema.resolve.goals.neighbours import in_lines
 from rpg.passes.schema.resolve.goals.spacing import spaced
-from rpg.passes.schema.resolve.things.world import Scene, refuse
+from rpg.passes.schema.resolve.things.world import Scene
 
 
 def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
     """Rewrites that keep the meaning of the whole."""
     sizes = {thing.name: thing.edge or EDGE for thing in scene.blocks()}
-    return spaced(_open_tops(_stack_patches(_group_by_group(_in_lines(_diagonals(_excused(goal))), scene))), sizes)
+    goal = in_lines(_diagonals(_excused(goal)), scene)
+    return spaced(_open_tops(_stack_patches(_group_by_group(goal, scene))), sizes)
 
 
 MANY = 3
@@ -62,36 +62,6 @@ def _diagonals(goal: g.Goal) -> g.Goal:
         return node if goals == node.goals else node.model_copy(update={"goals": goals})
 
     return transform(goal, change)
-
-
-def _in_lines(goal: g.Goal) -> g.Goal:
-    """ "A row in which red is not next to blue": another of its blocks is between them, however wide its gaps are."""
-
-    def change(node: g.Goal) -> g.Goal:
-        if not isinstance(node, g.All):
-            return node
-        goals = list(node.goals)
-        for row in (x for x in goals if isinstance(x, s.Row) and x.spacing is None and x.gap is None):
-            denied = {x: {*members(x.goal.a), *members(x.goal.b)} for x in goals if _not_beside(x)}  # type: ignore[union-attr]
-            inside = {x: pair for x, pair in denied.items() if len(pair) == 2 and pair <= {*row.blocks}}
-            told = row.order.ranks if row.order.by == "given" else ()
-            beside = [{*a, *b} for a, b in pairwise(told) if len(a) == len(b) == 1]
-            all_ = len({*map(frozenset, inside.values())}) == comb(len(row.blocks), 2)
-            if inside and (all_ or any(pair in beside for pair in inside.values())):
-                raise refuse("contradiction", "neighbours in a line are next to each other", next(iter(inside)).span,
-                             "say how wide the gaps are, as in 'with gaps of 5 cm'")  # fmt: skip
-            for x, pair in inside.items():
-                one, two = sorted(pair, key=row.blocks.index)
-                others = [n for n in row.blocks if n not in (one, two)]
-                between = tuple(r.Between(a=(n,), b=(one,), c=(two,), span=x.span) for n in others)
-                goals[goals.index(x)] = g.Any(goals=between, span=x.span) if len(between) > 1 else between[0]
-        return node if tuple(goals) == node.goals else node.model_copy(update={"goals": tuple(goals)})
-
-    return transform(goal, change)
-
-
-def _not_beside(goal: g.Goal) -> bool:
-    return isinstance(goal, g.Not) and isinstance(goal.goal, r.Beside)
 
 
 def _group_by_group(goal: g.Goal, scene: Scene) -> g.Goal:

@@ -126,7 +126,7 @@ def _listing(
 
 def _goes(p: Parser, i: int, k: int, theme: Structure, mode: str) -> Iterator[tuple[Meaning, int]]:
     """ "the tower goes brown, white, pink"."""
-    j = p.any_of(k, (*_LISTS, "be", "is", "has")) if theme.kind in _ORDERED else 0
+    j = p.any_of(k, _LISTS_OR_IS) if theme.kind in _ORDERED else 0
     lists = p.words[j - 1] in _LISTS or p.words[j : j + 1] == [":"]
     for items, end in listed(p, p.opt(j, ":")) if j else ():
         if lists or len(items) > 2:
@@ -137,6 +137,7 @@ def _goes(p: Parser, i: int, k: int, theme: Structure, mode: str) -> Iterator[tu
 
 
 _LISTS = ("goes", "go", "runs", "run", "reads", "read", "shows", "show")
+_LISTS_OR_IS = (*_LISTS, "be", "is", "has")
 _ORDERED = ("stack", "row", "line", "column")
 
 

@@ -20,6 +20,7 @@ _EQUAL = ("equal to", "the same as", "as large as", "as great as", "as long as",
           "exactly as large as")  # fmt: skip
 _CLOSER = ("closer", "nearer")
 _FARTHER = ("farther", "further", "farther away", "further away")
+_MOST = (("closest", (*NEAREST, *_CLOSER)), ("farthest", (*FARTHEST, *_FARTHER)))
 
 
 @rule
@@ -45,7 +46,7 @@ def _of_those(p: Parser, i: int, j: int, mode: str) -> Results[Clause]:
         for theme, m in simple(p, p.opt(k, ",")):
             be = p.any_of(m, _BE)
             the = p.opt(be, "the") if be else 0
-            for rel, words in (("closest", (*NEAREST, *_CLOSER)), ("farthest", (*FARTHEST, *_FARTHER))):
+            for rel, words in _MOST:
                 at = p.any_of(the, words) if the else 0
                 for mark, end in marks(p, p.opt(at, "one", "block", "cube")) if at else ():
                     place = Loc(rel=rel, landmark=mark, second=group, span=p.span(be, end))

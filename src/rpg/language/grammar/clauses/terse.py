@@ -224,7 +224,7 @@ def _patch_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
         goal = p.stands(on, _AIMS) and j == on + 1
         if not isinstance(patch, Noun) or patch.head != "patch" or patch.plural or goal:
             continue
-        if not (colon := p.any_of(j, _FOR[:2] if on > i or patch.det == "each" else _FOR[:4])):
+        if not (colon := p.any_of(j, _SIGNS if on > i or patch.det == "each" else _SIGNS_OR_FOR)):
             continue
         if (end := p.any_of(colon, _NOTHING)) and (end >= p.end or p.words[end] in (",", ";")):
             empty = Quality(traits=Traits(empty=True), span=p.span(colon, end))
@@ -237,11 +237,10 @@ def _patch_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=1), k
 
 
+_SIGNS = (":", "=")
+_SIGNS_OR_FOR = (*_SIGNS, "for", "is for")
 _FOR = (
-    ":",
-    "=",
-    "for",
-    "is for",
+    *_SIGNS_OR_FOR,
     "goes to",
     "belongs to",
     "is reserved for",

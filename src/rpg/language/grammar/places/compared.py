@@ -15,6 +15,7 @@ WORDS = frozenset({
 NEARER = ("closer", "nearer", "less far", "less far away", "at a smaller distance", "at a shorter distance")
 FARTHER = ("farther", "further", "farther away", "further away", "farther off", "further off", "less close",
             "less near", "more distant", "at a greater distance", "at a larger distance")  # fmt: skip
+_NEARER_OF_TWO, _FARTHER_OF_TWO = NEARER[:2], FARTHER[:4]
 NEAREST = ("closest", "nearest")
 FARTHEST = ("farthest", "furthest", "farthest away", "furthest away", "most distant")
 _LARGELY = ("much", "clearly", "far", "even", "strictly", "significantly", "somewhat", "a bit", "a little", "slightly",
@@ -69,7 +70,7 @@ def compared(p: Parser, i: int) -> Results[Loc]:
     for rel, k in (("closest", p.any_of(the, NEAREST)), ("farthest", p.any_of(the, FARTHEST))):
         yield from _most(p, i, k, rel) if k else ()
     if the > i:
-        for rel, k in (("closest", p.any_of(the, NEARER[:2])), ("farthest", p.any_of(the, FARTHER[:4]))):
+        for rel, k in (("closest", p.any_of(the, _NEARER_OF_TWO)), ("farthest", p.any_of(the, _FARTHER_OF_TWO))):
             yield from _most(p, i, k, rel, two=True) if k else ()
 
 

@@ -125,7 +125,7 @@ _THERE = ("there is", "there should be", "there must be", "there has to be", "th
 def _between_first(p: Parser, i: int) -> Results[Clause]:
     """ "between the red and the blue block there is a gap of 5 cm", "between A and B the distance must be 12 cm"."""
     m = p.one(i, "between")
-    ends = p.any_of(m, tuple(_CENTERS)) if m else 0
+    ends = p.any_of(m, _ENDS) if m else 0
     for theme, k in _parted(p, ends or m) if m else ():
         k = p.opt(k, ",")
         there = p.any_of(k, _THERE)
@@ -148,6 +148,7 @@ _CENTERS = {
     f"the {ends} of": measure
     for ends, measure in (("centers", "centres"), ("middles", "centres"), ("faces", "faces"), ("sides", "faces"))
 }
+_ENDS = tuple(_CENTERS)
 _LIMIT = {**dict.fromkeys(("maximum", "largest"), False), **dict.fromkeys(("minimum", "smallest"), True)}
 
 

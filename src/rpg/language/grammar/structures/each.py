@@ -40,6 +40,7 @@ _HAS = (
     "is built from", "gets", "should get", "includes", "should include", "has to have", "is to have", "has to contain",
     "is made up of", "is composed of", "uses", "should use",
 )  # fmt: skip
+_HAVE = (*_HAS, "have", "should have", "must have", "consist of", "are made of", "are")
 _EACH = ("each", "apiece", "in each", "in each of them", "in each one", "per tower", "per stack", "per row",
          "in every one")  # fmt: skip
 _TIMES = ("both times", "each time", "every time", "in each", "in both", "in each of them", "in both of them",
@@ -121,7 +122,7 @@ def _of_so_many(p: Parser, i: int) -> Results[Clause]:
     j = p.opt(both, "the") if both else of + 1
     if number is None or number < 2 or p.words[j] not in ("towers", "stacks"):
         return
-    has = p.any_of(p.reach(j + 1), (*_HAS, "have", "should have", "must have", "consist of", "are made of", "are"))
+    has = p.any_of(p.reach(j + 1), _HAVE)
     towers = Structure(kind="stack", det="bare", amount=Amount(number, number), plural=True, span=p.span(i, j + 1))
     for found, k in _made_of(p, i, has) if has else ():
         yield Clause(verb="part", theme=towers, adjuncts=(found,), mode="goal", span=p.span(i, k)), k

@@ -44,8 +44,7 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
             named = ("the", "all", "bare") if op == "none but" and not _so_many(item) else ("the", "all")
             if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in named):
                 yield Coord(op=str(op), items=(*items, item), span=p.span(i, j)), j
-    if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding",
-                          *_WITHOUT)):  # fmt: skip
+    if k := p.any_of(comma, _EXCEPT):
         for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
             closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
             if p.words[comma] == "apart" and _of_another_kind(items[0], item):
@@ -65,6 +64,7 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
 
 
 _WITHOUT = ("without using", "without")
+_EXCEPT = ("but not", "except for", "except", "other than", "apart from", "and not", "excluding", *_WITHOUT)
 
 
 def _among(item: Meaning, items: tuple[Meaning, ...]) -> bool:

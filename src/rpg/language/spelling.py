@@ -276,11 +276,30 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
         and len(word) > 1
     ):
         return word not in _NOT_LITERAL and not any(word in table for table in _THINGS)
+    if _told_by_letters(tokens, index):
+        return True
     if word in known or len(word) < 2:
         return False
     after = tokens[index + 1].word if index + 1 < len(tokens) else ""
     behind = tokens[index + 2].word if index + 2 < len(tokens) else ""
     return before in _WRITERS or after in _SPELT or (after == "," and behind in _SPELT)
+
+
+def _told_by_letters(tokens: list[Token], index: int) -> bool:
+    """ "Make drop out of the letters D, O, P and R": what these letters are of."""
+    word, told = tokens[index].word, []
+    for token in tokens[index + 1 :]:
+        if len(token.word) == 1 and token.word.isalpha():
+            told.append(token.word)
+        elif told and token.word not in (",", "and"):
+            break
+        elif not told and token.word not in _OUT_OF_LETTERS:
+            return False
+    return len(told) > 2 and sorted(word) == sorted(told)
+
+
+_OUT_OF_LETTERS = frozenset({"out", "of", "from", "with", "using", "the", "letters", "letter", "blocks", "cubes", ":"})
+"""What stands between a word and the letters that it is made of."""
 
 
 def _agreed(tokens: list[Token], index: int) -> bool:

@@ -4,7 +4,7 @@ whole and once more of its parts, how a structure reads, as rows that say it pla
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import END, FEW, LENGTH, LINE, MUST, WAY, Turn
 
 _COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _MANY = f"(?:\\d+|{FEW})"
@@ -17,6 +17,9 @@ _LEAVE = "(?:be taken (?:away|off)|be removed|be moved away|go|go away|come off|
 _SIDE = "(?:to the left of|to the right of|left of|right of|in front of|behind)"
 _AT_START = "(?:at the start|at the beginning|now|initially|at first)"
 _THE = f"(?:the )?{_COLOR}(?: {_BLOCK}| one)?"
+_TURNED = "(?:upside - down|upside down|upright)"
+_ON = "(?:next to|beside|on|between|near|under|above)"
+_FACING = "(?:in|on|at|upon|on top of|to the right of|to the left of)"
 _LETTERS = "(?:letter (?:blocks|cubes)|blocks|cubes|letter tiles)"
 
 OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
@@ -57,12 +60,73 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:(?:i|we) (?:need|want|would like) )?({_THE}) somewhere (above|below) ({_THE}) in (?:one|an?|the same) "
      f"(tower|stack) (?:together )?with ({_THE})$", "a {4} of {1} , {3} and {5} with {1} somewhere {2} {3}"),
     ("^it is like a (?:chessboard|chess board|checkerboard) : (.+)$", "{1}"),
+    ("\\bso as to (spell|read|form|write)\\b", "to {1}"),
+    (f"^the {_BLOCK} (?:on|upon) which (the .+?) {_LIES} {MUST} be ({_COLOR})$", "{1} must be on a {2} block"),
+    ("\\bin contact with the table\\b", "on the table"),
+    (f"^(?:goal : )?((?:an? |the )?{_COLOR} {_BLOCK}) (?:underneath|at the bottom|below) , ((?:an? |the )?{_COLOR} "
+     f"{_BLOCK}) "
+     "(?:directly |right )?(?:on|on top of|above) it$", "{2} on {1}"),
+    (f"^it is not (the [^,]+?) (?:that|which) ((?:goes|belongs|ends up|{MUST}) .+?)(?: ,)? but (the [^,]+)$",
+     "{3} , not {1} , {2}"),
+    (f"^it is (the [^,]+?) (?:that|which) ((?:goes|belongs|ends up|{MUST}) .+?)(?: ,)?(?: and)? not (the [^,]+)$",
+     "{1} , not {3} , {2}"),
+    (f"\\b(an?|the|one) ({LINE}|checkerboard|grid|wall|pyramid) in ({_COLOR} and {_COLOR}) (with|of)\\b",
+     "{1} {3} {2} {4}"),
+    # how a letter is turned
+    (f"\\b(an?|the) ({_TURNED}) (?:letter )?(\\w)(?= {_SIDE}| {_ON}|$)(.*)$", "{1} {3} {4} . the {3} must be {2}"),
+    (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:(?:that|which) (?:is|stands|lies) )?({_TURNED})(?= {_SIDE}| "
+     f"{_ON})(.*)$",
+     "{1} {2} {4} . the {2} must be {3}"),
+    (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:that|which) (?:is|stands|lies) ({_TURNED})$",
+     "{1} {2} . the {2} must be {3}"),
+    # one on either side
+    (f"^(.*?)(?:one|an?) ({_COLOR} {_BLOCK}) ({_SIDE}) ([^,]+?)(?: ,)?(?: and| ,) (?:another|the other|one)(?: "
+     f"one| \\2)? "
+     "(?:to|on) its (left|right)(?: side)?$", "{1} a {2} {3} {4} and a {2} to the {5} of {4}"),
+    (f"^(.*?)(?:two|2) ({_COLOR}) {_BLOCK}s (?:next to|beside|around) ([^,]+?)(?: ,| :) one (?:to|on) its (left|right)"
+     "(?: side)?(?: ,)?(?: and)? (?:one|the other)(?: one)? (?:to|on) its (left|right)(?: side)?$",
+     "{1} a {2} block to the {4} of {3} and a {2} block to the {5} of {3}"),
+    (f"^flank ([^,]+?) with (?:two|2) ({_COLOR}) (?:ones|{_BLOCK}s)(?: ,| :) one (?:to|on) its (left|right)(?: side)?"
+     "(?: ,)?(?: and)? (?:one|the other)(?: one)? (?:to|on) its (left|right)(?: side)?$",
+     "put a {2} block to the {3} of {1} and a {2} block to the {4} of {1}"),
+    # where another thing is
+    (f"\\b(?:where|at the place where) the ({_COLOR} (?:patch|mat|zone|target|area|spot)) is$", "on the {1}"),
     # a line and where it begins
+    (f"\\b(starting|beginning|start|begin) (at|on|from) the (top|bottom|left|right|far end|near end) with (?:an? "
+     f"|the )?"
+     f"({_COLOR})(?: one| block| cube)?$", "starting with {4} at the {3}"),
     (f"^(an? {LINE} of .+?) , ({WAY}) , (is standing|stands|is|starts) (on the table)$", "{1} {2} {3} {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
 OTHERWISE: tuple[Turn, ...] = (
+    # in the order of words of a specification
+    (f"^({_SIDE}|{_ON}|{_FACING}) ([^,]+?) ({MUST}) (the [^,]+?) (be "
+     f"(?:found|placed|put|located|seen)|stand|lie|rest|sit|be)$",
+     "{1} {2} {3} {5} {4}"),
+    (f"\\b({MUST}) rise(?= an? {LINE})", "{1} stand"),
+    (f", the (\\w+)(?: one)? of which ({MUST} be|is) ", ", of which the {1} {2} "),
+    (f"^the distance between (.+?)(?: ,)? measured (?:from )?(?:center to center|between (?:their|the) centers)(?: ,)? "
+     f"({MUST} be|is) (.+)$", "the centers of {1} {2} {3} apart"),
+    (f"\\ban? ({LINE}) of (.+?) whose centers are ({LENGTH}) apart$",
+     "a {1} of {2} with a distance of {3} between their centers"),
+    (f"\\bnever let (it|them|{_THE}) (?:get )?(?:onto|on to|on)\\b", "never let {1} be on"),
+    (f"\\b({_MANY} towers)(?: ,)? each ({_MANY}) ({_COLOR}) ({_BLOCK})s? (?:high|tall)$", "{1} of {2} {3} {4s} each"),
+    ("^round up\\b", "gather"),
+    (f"^(the [^,]+?) (?:{MUST} receive|receives|gets) (the [^,]+?) on (?:its )?top(?: of it)?$", "{2} must be on {1}"),
+    ("\\b(?:without|with no|with not) (?:any |a single )?(?:block|cube)s? (?:being )?(?:left over|left|remaining)$",
+     "using all of them"),
+    ("\\bthe lot$", "all of them"),
+    (f"(?: ,)? ({_MANY}) rows deep and ({_MANY}) columns wide$", " with {1} rows and {2} columns"),
+    ("^(.*\\boutline\\b.*?)(?: ,)? (?:hollow|empty|open) (?:in|at) the (?:center|middle)$", "{1}"),
+    (f"^({WAY})(?: ,)? the (numbers|digits) {MUST} get (?:smaller|lower)$",
+     "put the {2} in a row in descending order {1}"),
+    (f"^the (numbers|digits) {MUST} get (?:smaller|lower) ({WAY})$", "put the {1} in a row in descending order {2}"),
+    (f"^({WAY})(?: ,)? the (numbers|digits) {MUST} get (?:larger|bigger|higher)$",
+     "put the {2} in a row in ascending order {1}"),
+    (f"^the (numbers|digits) {MUST} get (?:larger|bigger|higher) ({WAY})$",
+     "put the {1} in a row in ascending order {2}"),
+    ("(?: ,)? kept in separate groups\\b", " into separate groups"),
     ("\\bconfigure\\b", "arrange"),
     (f"\\b({MUST}) be disposed (?:such|so) that\\b", "{1} be placed so that"),
     # said of the whole, and once more of its parts
@@ -86,6 +150,9 @@ OTHERWISE: tuple[Turn, ...] = (
     (f"^the (?:row|word|letters) (\\S+) , (?:which|that) (?:is|are) there {_AT_START} , {MUST} be (?:rearranged|"
      "changed|turned|made) (?:to|into) (?:the word )?(\\S+)$", "blocks spell {1} at the start . rearrange them to {2}"),
     (f"^(.+ {_COLOR}) , (?:thats|that is) how the ({LINE}) {MUST} look$", "a {2} : {1}"),
+    # places in a line, taken one by one
+    (f"^({_THE}) takes the ({END}) end of the ({LINE}) , ({_THE}) the middle(?: ,)?(?: and)? ({_THE}) the ({END}) end$",
+     "the {3} has {1} at the {2} end , {4} in the middle , {5} at the {6} end"),
     # what is not to be at an end of it
     ("(?: ,)? but not with (.+?) ((?:on|at) (?:the )?(?:top|bottom|left|right))(?: end)?$", "with {1} not {2}"),
     # what is all so but for a part

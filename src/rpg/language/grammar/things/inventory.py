@@ -11,6 +11,7 @@ from rpg.language.grammar.structures.sizes import IN_TOTAL
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.ones import of_their_kind
 from rpg.language.grammar.things.retold import all_colored, retelling
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits, replace
 
@@ -183,6 +184,7 @@ def _at_hand(p: Parser, i: int) -> Results[Clause]:
 
 
 def given(p: Parser, i: int, j: int, theme: Meaning | None, told: tuple[Size, ...], cost: int) -> Clause:
+    theme = None if theme is None else of_their_kind(p, theme)
     return Clause(
         verb="exist", lemma="tally", theme=theme, adjuncts=told, mode="given", span=p.span(i, j), cost=cost
     )  # fmt: skip

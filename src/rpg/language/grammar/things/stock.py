@@ -12,6 +12,7 @@ from rpg.language.grammar.things.inventory import contents, given
 from rpg.language.grammar.things.joined import ARE
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.ones import begins_with_ones
 from rpg.language.grammar.things.theirs import THEIRS
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits, replace
 
@@ -151,6 +152,8 @@ def _with_patches(p: Parser, i: int) -> Results[Clause]:
     for blocks, j in noun_phrase(p, i):
         joint = p.any_of(j, (", with", "with", "and", ", and", "plus", ","))
         for patches, k in noun_phrase(p, joint) if joint and _told(blocks, "block") else ():
+            if begins_with_ones(p, patches):
+                continue
             if _head(patches) == "patch" and _told(patches, "patch") and (k >= p.end or p.words[k] in (",", ";", ":")):
                 whole = Coord(op="and", items=(blocks, patches), span=p.span(i, k))
                 yield replace(given(p, i, k, whole, (), 1), lemma=""), k

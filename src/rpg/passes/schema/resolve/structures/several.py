@@ -116,7 +116,8 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     looks, axis = told_looks(spec, count)
     shape = as_long_as_listed(shared_out(shape, looks, spec), looks, scene)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
-    if not any(isinstance(look, Noun) and look.amount is not None for look in looks):
+    told = all(isinstance(look, Structure) for look in looks)  # words are as long as they are
+    if not told and not any(isinstance(look, Noun) and look.amount is not None for look in looks):
         shape = _fresh(shape, scene)
     lots = named_lots(theme, looks, scene) or lots_of(theme, count, shape, scene)
     built: list[Built] = []

@@ -21,9 +21,10 @@ OTHERS = 3
 def excepted(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     """ "all blocks except the red one", "the red but not the blue block"."""
     patch = scope.like_patch or getattr(meaning.items[0], "head", "") == "patch"
+    those = [refer(item, scene, scope) for item in meaning.items[:-1] if _of_those(item)]
     out = refer(meaning.items[-1], scene, replace(scope, like_patch=patch))
     scene.spare.update(out.names)
-    whole = [refer(item, scene, scope) for item in meaning.items[:-1]]
+    whole = those or [refer(item, scene, scope) for item in meaning.items[:-1]]
     del scene.mentions[-len(meaning.items) :]
     if scope.role == "landmark" and not {n for part in whole for n in part.names} & set(out.names):
         raise refuse("ambiguous", "this is an exception to something said before it", meaning.items[-1].span,
@@ -42,6 +43,11 @@ def excepted(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         return _but_some(names, out, [n for part in whole for n in part.names], meaning)
     both, patch = (Ref(names=names), out), whole[0].patch
     return Ref(names=names, patch=patch, op="except", parts=both, plural=True, span=meaning.span)
+
+
+def _of_those(meaning: Meaning) -> bool:
+    """ "All of them": what was spoken of before, and not the exception that is spoken of behind it."""
+    return isinstance(meaning, Pronoun) and meaning.word in ("all of them", "them")
 
 
 def _new(meaning: Meaning) -> bool:
@@ -74,8 +80,9 @@ def none_but(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         those = Pronoun(word="them", span=theme.span)
     elif isinstance(theme, Noun) and theme.part_of is None:
         those = replace(theme, det="all", amount=None, plural=True)
+    spoken = refer(those, scene, scope) if isinstance(those, Pronoun) else None
     only = refer(exception, scene, scope)
-    whole = refer(those, scene, scope)
+    whole = spoken or refer(those, scene, scope)
     del scene.mentions[-2:]
     if only.patch or whole.patch or only.quant is not None or only.op != "and" or whole.quant is not None:
         raise refuse("misplaced", "this exception does not fit here", meaning.span, "say it in two sentences")

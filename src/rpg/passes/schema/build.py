@@ -40,6 +40,7 @@ from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, patience
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_first
+from rpg.passes.schema.resolve.clauses.between_two import of_a_line
 from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
 from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
@@ -335,7 +336,8 @@ def _sets_scene(chain: Chain) -> bool:
 def _brings_up(clause: Clause) -> bool:
     """What there is; or "two blue blocks lie around": blocks that come into the task by this."""
     extra = any(isinstance(m, Manner) and m.kind == "extra" for m in clause.adjuncts)
-    return clause.mode == "given" or (extra and clause.theme is not None and not definite(clause.theme))
+    told = clause.mode == "given" and not of_a_line(clause)
+    return told or (extra and clause.theme is not None and not definite(clause.theme))
 
 
 _THEM = frozenset(

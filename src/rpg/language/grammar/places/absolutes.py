@@ -366,6 +366,8 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
                 if isinstance(side, At) and side.side in ("left", "right", "front", "back")
             )
     for found, k in at(p, i):
+        if isinstance(found, At) and found.side in ("end", "ends") and any(end == k for _, end in part(p, i + 1)):
+            continue
         yield (found,), k
         pyramid = p.anywhere(_PYRAMID)
         if isinstance(found, At) and found.side == "top":

@@ -169,6 +169,8 @@ def at(p: Parser, i: int) -> Results[Meaning]:
     yield from extreme(p, i)
     if j := p.any_of(i, _EITHER_END):
         yield At(side="end", span=p.span(i, j)), j
+    if j := p.any_of(i, _BOTH_ENDS):
+        yield At(side="ends", span=p.span(i, j), cost=2), j
     ordinal = p.lex(i, lexicon.ORDINAL)
     for side, phrases in _FROM_SIDES.items() if ordinal else ():
         if k := p.any_of(i + 1, phrases):
@@ -190,9 +192,15 @@ _FROM_SIDES = {side: (f"from the {side}", f"from {side}") for side in ("left", "
 _EITHER_END = tuple(
     f"{at} {end}"
     for at in ("at", "on")
-    for end in ("an end", "either end", "one end", "any end", "one of the ends", "one of its ends")
-)
-"""No certain end: it can be said that a block is at none of them."""
+    for end in ("an end", "either end", "one end", "any end", "one of the ends", "one of its ends", "the other end",
+                "the opposite end")
+)  # fmt: skip
+"""No certain end."""
+OTHER_END = ("the other end", "the other", "the opposite end")
+"""Behind "one end" these are the end that is left."""
+_BOTH_ENDS = tuple(f"{at} {the} ends" for at in ("at", "on") for the in ("the", "both", "its", "the two", "opposite",
+                                                                         "the outer", "its two"))  # fmt: skip
+"""Each of two blocks is at one of them."""
 
 
 _ALONG_X = frozenset({"column", "columns", "line", "file", "queue", "then", "lined"})
@@ -217,12 +225,7 @@ def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
     if ended or far_end(p, j):
         j, word = p.reach(j + 1), p.words[j + 1]
     side = _INSIDES.get(word) if not p.stands(j + 1, ("between",)) else None
-    ending = (
-        word in ("near", "far")
-        and p.words[j + 1] == "end"
-        and p.words[j + 2] != "of"
-        and not p.all.isdisjoint(_ALONG_X)
-    )
+    ending = word in ("near", "far") and p.words[j + 1] == "end" and p.words[j + 2] != "of"
     if side and (ending or word not in ("ground", "near", "far")):
         k = p.opt(p.opt(p.reach(j + 1), *_TAILS), "side")
         for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
@@ -233,7 +236,7 @@ def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
         if p.words[i] == "in" and k == j + 1 and p.stands(k, ("tower", "stack")):  # "in the left tower"
             return
         of_it = p.any_of(k, ("of it", "of which")) if side in ("top", "bottom", "middle") else 0
-        yield At(side=side, span=p.span(i, k)), of_it or k
+        yield At(side=side, own=ending and p.all.isdisjoint(_ALONG_X), span=p.span(i, k)), of_it or k
     counted = word in ("first", "last", *lexicon.ORDINAL)
     if counted and (k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))):
         index = lexicon.ORDINAL.get(word, -1)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.places.sides import extreme, far_end
+from rpg.language.grammar.places.sides import OTHER_END, extreme, far_end
 from rpg.language.grammar.structures.parity import every_other
 from rpg.language.grammar.structures.sizes import dimensions
 from rpg.language.grammar.things.adjectives import adjectives
@@ -42,8 +42,7 @@ _NOUNS = {
     "center": "middle", "middle": "middle", "top": "top", "peak": "top", "tip": "top", "apex": "top",
     "bottom": "bottom", "base": "bottom", "foundation": "bottom", "rest": "rest", "others": "rest",
     "remainder": "rest", "corner": "corners", "end": "ends", "inside": "inner", "interior": "inner",
-    "outside": "outer", "hole": "middle", "arms": "rest",
-    "foot": "bottom",
+    "outside": "outer", "hole": "middle", "arms": "rest", "foot": "bottom",
 }  # fmt: skip
 """Parts that are named by a noun of their own."""
 _FROM = tuple(f"from {the}{side}" for side in ("left", "right", "top", "bottom") for the in ("the ", ""))
@@ -98,6 +97,9 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
 
     A single block at a side is an `At`, everything else `Places`.
     """
+    if p.follows(i, ("at",)) and (k := p.any_of(i, OTHER_END)):
+        yield Places(side="ends", unit="block", several=1, span=p.span(i, k)), k
+        return
     if k := p.any_of(i, _REST):
         beyond = next((way for word, way in _BEYOND.items() if word in p.words[i:k]), None)
         yield Places(side="rest", unit="block", index=beyond, span=p.span(i, k)), k

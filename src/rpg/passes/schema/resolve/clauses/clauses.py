@@ -29,6 +29,7 @@ from rpg.passes.schema.resolve.clauses.ahead import ahead, by_verb
 from rpg.passes.schema.resolve.clauses.appearance import appear
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.begun_facts import moved_from
+from rpg.passes.schema.resolve.clauses.between_two import counted_between
 from rpg.passes.schema.resolve.clauses.company import in_company
 from rpg.passes.schema.resolve.clauses.denials import denied, denied_of_any, denied_once
 from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
@@ -70,7 +71,8 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     number = scene.clause
     scene.verbs[number] = (clause.word, clause.negated, clause.verb)
     scope = Scope(start=start, given=clause.mode == "given" or start)
-    clause = moved_from(with_its_noun(of_the_rest(in_company(denied_of_any(denied_once(clause), scene)))))
+    clause = counted_between(denied_of_any(denied_once(clause), scene), scene)
+    clause = moved_from(with_its_noun(of_the_rest(in_company(clause))))
     spec = sort_adjuncts(clause.adjuncts)
     if distractors(clause, spec, scene):
         nothing_left(spec, clause)

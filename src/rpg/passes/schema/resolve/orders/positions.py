@@ -11,6 +11,7 @@ from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Pla
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.left_over import all_left, one_or_all
 from rpg.passes.schema.resolve.orders.parts import Groups, chosen, counted, place_of, so_many, standing
+from rpg.passes.schema.resolve.places.either_end import at_an_end, ends_named
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of, matching, open_to
 from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse
@@ -74,6 +75,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     last: int | None = None
     way = 1
     one_or_all(spec, names, scene)
+    turned = _at_ends(spec, names, kind, scene)
     sides = [place.side for item in spec.absolutes if (place := place_of(item)) is not None]
     ends = "rest" not in sides and ("ends" in sides or "outer" in sides)
     for item in list(spec.absolutes):
@@ -98,10 +100,23 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         spec.absolutes.remove(item)
     if not held:
         return None
-    first = None if all(p.side in SYMMETRIC for p in parts) else _side_of(parts, kind)
+    first = None if turned or all(p.side in SYMMETRIC for p in parts) else _side_of(parts, kind)
     if {"odd", "even"} & {p.side for p in parts} and len(names) % 2 == 0:
         scene.assume(f"places are counted from the {first}")
     return Placed(tuple(ranks_from(held, names, scene, bunches)), first)
+
+
+def _at_ends(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> bool:
+    """Give "one end" and "the other end" their names; whether the line may as well be the other way round."""
+    told = [(item, place_of(item)) for item in spec.absolutes if belongs(item.theme, names, scene)]
+    placed = [(item, place) for item, place in told if place is not None]
+    sides, turned = ends_named([place for _, place in placed], SIDES[kind][0])
+    if turned and kind == "stack":
+        raise refuse("ambiguous", "the top, or the bottom?", placed[0][1].span, "say 'on top' or 'at the bottom'")
+    for (item, place), side in zip([(i, p) for i, p in placed if at_an_end(p)], sides, strict=True):
+        named = replace(item, adjuncts=(At(side=side, span=place.span),))
+        spec.absolutes[spec.absolutes.index(item)] = named
+    return turned
 
 
 def _side_of(parts: list[At | Places], kind: str) -> str:

@@ -59,6 +59,8 @@ def topped(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
     if at_.side != "top" or at_.index is not None or at_.whole or len(theme.names) != 1 or theme.quant is not None:
         return None
     latest = [b for b in scene.built if b.kind in UPRIGHT]
+    if any({*theme.names, *latest[-1].members} <= {*b.members} for b in latest):
+        return None  # of a tower of which two blocks were spoken of in between
     if latest and not set(theme.names) & set(latest[-1].members):
         together = [b for b in latest if b.span == latest[-1].span]
         if len(together) > 1:

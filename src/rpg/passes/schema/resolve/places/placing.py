@@ -22,6 +22,7 @@ from rpg.language.meaning import (
     TableTop,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.between_two import so_many_between
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.goals.logic import negation
@@ -239,7 +240,8 @@ def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) ->
 
 def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
     """ "on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
-    if ref.op not in ("and", "nor") or ref.quant is not None:
+    one_of_them = ref.op in ("or", "xor") and all(len(part.names) == 1 for part in ref.parts) and len(spec.ats) == 1
+    if (ref.op not in ("and", "nor") and not one_of_them) or ref.quant is not None:
         raise refuse("ambiguous", "it is not clear which block is meant", ref.span, "name one block")
     for at_ in spec.ats:
         if ref.op == "nor":
@@ -278,7 +280,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             scene.mentions.pop()
             continue
         own = ref.names if len(ref.names) > 1 and of_no_look(item.theme) else ()
-        theme = refer(item.theme, scene, replace(scope, role="theme", pool=own))
+        theme = refer(so_many_between(item, scene), scene, replace(scope, role="theme", pool=own))
         if any(scene.things[n].invented for n in ref.names) and not set(theme.names) & set(ref.names) and ref.built:
             raise refuse("ambiguous", "it is not clear which blocks the structure is made of", item.span,
                          "name its blocks")  # fmt: skip

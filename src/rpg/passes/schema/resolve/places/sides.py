@@ -17,6 +17,8 @@ from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
 from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
 from rpg.passes.schema.resolve.orders.positions import SIDES, alternatives, looks, places_of, ranks_from
+from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
+from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
@@ -43,11 +45,17 @@ def _denied(goal: g.Goal, item: Loose, scene: Scene) -> g.Goal:
         _of_what(item, goal, scene)
         return _and(goal, g.Not(goal=_region(item), span=span))
     kept = node.model_copy(update={"axis": node.axis or "y"}) if isinstance(node, s.Row) else node
+    free = kept.model_copy(update={"order": Order()})
     kind = "stack" if isinstance(node, s.Stack) else "column" if node.axis == "x" else "row"
     at_ = item[1]
-    both = SIDES[kind][:2] if isinstance(at_, At) and at_.side == "end" else ()
-    items = [(ref, replace(at_, side=side), span) for side in both] if isinstance(at_, At) and both else [item]
-    without = conj([kept, *(g.Not(goal=_refine(node, node, [one], scene), span=span) for one in items)], span)
+    items = [item]
+    if isinstance(at_, At) and at_an_end(at_):
+        each = itertools.product(ref.names, SIDES[kind][:2])
+        items = [(Ref(names=(name,)), replace(at_, side=side), span) for name, side in each]
+    nots = [g.Not(goal=_refine(free, free, [one], scene), span=span) for one in items]
+    if sum({*n.blocks} == {*node.blocks} for n in nodes) > 1:  # of each way to build the line
+        return _and(goal, conj(nots, span))
+    without = conj([kept, *nots], span)
     return transform(goal, lambda x: without if x == node else x)
 
 
@@ -55,6 +63,8 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     loose = scene.loose
     scene.loose = []
     names = [n for ref, _, _ in loose for n in ref.names]
+    if any(ref.op != "and" for ref, _, _ in loose):
+        return one_of_them(goal, loose, _lines(goal), lambda node, told: _refine(node, node, told, scene))
     told = any(isinstance(a, r.InRegion) for a in atoms(goal))
     told = told or any(ref.built and getattr(at_, "side", "") != "middle" for ref, at_, _ in loose)
     whole = max(len(ref.names) for ref, _, _ in loose) if told else 0
@@ -64,7 +74,7 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     for grid in (a for a in whole_grids if len(loose) == 1 and set(names) < set(a.blocks)):
         return in_grid(goal, grid, loose[0], scene)
     for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) <= set(a.blocks)):
-        _check_word(word, loose, scene)
+        check_word(word, loose, scene)
         return goal
     sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
     open_ = next((b for b in scene.built if any(_open(scene, name) for name in b.members)), None)
@@ -152,17 +162,6 @@ def _at_the_end(goal: g.Goal) -> list[g.Goal]:
         case g.Sequence():
             return [x for stage in goal.stages if not stage.undone for x in _at_the_end(stage.goal)]
     return [goal]
-
-
-def _check_word(word: s.Spells, loose: list[Loose], scene: Scene) -> None:
-    """ "spell TOP down a tower, so that T is on top": what is said of a letter's place has to be so already."""
-    kind = "stack" if word.along == "stack" else "row"
-    text = word.word[::-1] if word.reverse != (kind == "stack") else word.word
-    for ref, at_, span in loose:
-        labels = [scene.things[n].label for n in ref.names]
-        found = places_of(at_, len(text), len(ref.names), SIDES[kind], kind) if isinstance(at_, At) else []
-        if not found or sorted(text[k] for k in found) != sorted(x or "" for x in labels):
-            raise refuse("contradiction", f"this letter has another place in {word.word}", span, "leave it out")
 
 
 def _open(scene: Scene, name: str) -> bool:
@@ -282,9 +281,8 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     total = len(node.blocks)
     sides = SIDES[kind]
     places: dict[int, str] = {}
-    for ref, at_, span in loose:
-        if not isinstance(at_, At):
-            continue
+    ats, turned = each_at_its_end([(r, at_, span) for r, at_, span in loose if isinstance(at_, At)], sides[0])
+    for ref, at_, span in ats:
         indices = places_of(at_, total, len(ref.names), sides, kind)
         if len(indices) != len(ref.names) or len(indices) >= total:
             raise refuse("contradiction", "so many blocks have no room there", span, "name fewer blocks", blocks=total)
@@ -297,7 +295,7 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     if node.order.by != "any":
         settled = (
             None
-            if any(len(ref.names) > 1 for ref, _, _ in loose)
+            if turned or any(len(ref.names) > 1 for ref, _, _ in ats)
             else in_place(node.order, places, node.blocks, (sides[0], sides[1]), scene)
         )
         if settled is None:
@@ -305,15 +303,15 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
             raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], hint)
         along = {"axis": "y"} if isinstance(node, s.Row) and settled.first in ("left", "right") else {}
         return transform(goal, lambda x: node.model_copy(update={"order": settled, **along}) if x == node else x)
-    bunches = [ref.names for ref, _, _ in loose if len(ref.names) > 1]
+    bunches = [ref.names for ref, _, _ in ats if len(ref.names) > 1]
     told = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
     ranks = by_symbols(tuple(told), node.blocks, scene)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=ranks, first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):
-        of_no_side = all(at_.side in ("middle", "first") for _, at_, _ in loose if isinstance(at_, At))
+        of_no_side = all(at_.side in ("middle", "first") for _, at_, _ in ats)
         seen = {index: looks(scene.things[name]) for index, name in places.items()}
-        either_way = of_no_side and all(seen.get(total - 1 - index) == look for index, look in seen.items())
+        either_way = turned or (of_no_side and all(seen.get(total - 1 - index) == look for index, look in seen.items()))
         if node.axis == "x" or either_way:
             order = order.model_copy(update={"first": None if either_way else "front"})
         update = {"axis": node.axis if either_way else node.axis or "y"}
@@ -321,6 +319,8 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
             node.model_copy(update={"order": o, **update}) for o in alternatives(order, scene, line=True)
         ]
     else:
+        if turned:
+            raise refuse("ambiguous", "the top, or the bottom?", loose[0][2], "say 'on top' or 'at the bottom'")
         lines = [node.model_copy(update={"order": o}) for o in alternatives(order, scene)]
     fixed = either(lines)
     return transform(goal, lambda x: fixed if x == node else x)

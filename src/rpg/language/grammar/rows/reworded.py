@@ -4,6 +4,7 @@ asked in place of being asked for, as rows that tell it plainly."""
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, WAY, Turn
 
@@ -23,6 +24,7 @@ _STANDING = "(?:standing|lying|resting|sitting|placed|set)"
 
 REWORDED_AT_ONCE: tuple[Turn, ...] = (
     *OTHERWISE_AT_ONCE,
+    *EVERYDAY_AT_ONCE,
     # what is asked
     ("^(would|could|can|will) you ever (?=\\w)", "{1} you"),
     (f"\\b(at least {_MANY} and at most {_MANY} of .+?) (?:may|can) (be|lie|stand)\\b", "{1} must {2}"),
@@ -78,6 +80,7 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
 
 REWORDED: tuple[Turn, ...] = (
     *OTHERWISE,
+    *EVERYDAY,
     # measures
     (f"\\bgap (?:no|not) {_LARGER} than ({LENGTH})", "gap of at most {1}"),
     (f"\\b(?:no|not) {_LARGER} than ({LENGTH})", "at most {1}"),

@@ -11,6 +11,7 @@ from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
+from rpg.language.grammar.talk.left_open import FREE, LOOSE
 from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
 from rpg.language.grammar.things.all_but import exceptions_first
@@ -31,6 +32,7 @@ _ANYWHERE = (
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
     "kinda", "possibly", "while you are at it", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
     "my dear", "dear", "sweetheart", "darling", "honey", "hereby", "by contrast", "in contrast",
+    "bro", "gg", "gl", "hf", "noob", "if you would", "sorry about the mess", "easy one", "tada",
     "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
     "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",
     "as seen in the camera image", "in the camera image", "from the camera 's point of view",
@@ -43,78 +45,6 @@ _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy
              "nice and neat", "nice and tidy", "good", "proper", "dead", "smack", "bang", "slap bang",
              "smack bang", "plumb", "right smack")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""
-_FREE = (
-    *(
-        f"{lead}{which} order{free}"
-        for lead in ("", "in ")
-        for which in ("any", "whatever", "whichever")
-        for free in ("", " you like", " you want", " you please", " you prefer", " you wish", " you choose",
-                     " suits you", " at all", " is fine with me", " you fancy", " will do", " is fine", " works",
-                     " i do not mind")
-    ),
-    "the order does not matter", "order does not matter", "no matter the order",
-    *(f"the order{of} {free}" for of in ("", " of the rows", " of the columns", " of the layers", " of the colors")
-      for free in ("does not matter", "is up to you", "is free", "is your choice", "is irrelevant", "is open")),
-    "no particular order", "in no particular order", "whichever way", "whichever way you like",
-    "any way you like", "however you like", "whichever direction", "in whichever direction",
-    "direction does not matter", "the direction does not matter", "in no particular direction",
-    "regardless of the order", "regardless of order", "the exact order does not matter", "in random order",
-    "in a random order", "hello", "hi", "hello there", "hi there", "hello robot", "hi robot", "hey", "hey robot",
-    "hello everyone", "good morning", "good day", "dear robot", "ok", "okay", "alright", "great", "your choice",
-    "up to you", "as you like", "you choose", "either is fine",
-    "whichever", "whatever", "your pick", "you pick", "take your pick", "your call", "you decide", "you can decide",
-    "that will do", "that will do fine", "that will be fine", "that would do", "either will do", "either one will do",
-    "i could not care less", "i could not care less which", "either side will do", "either way will do",
-    *(f"{both} {free}"
-      for both in ("both is", "both are", "either is", "either side is", "either way is", "either one is")
-      for free in ("acceptable", "fine", "ok", "okay", "all right", "alright", "good", "possible", "allowed")),
-    *(f"{lead} {which}"
-      for lead in ("it does not matter", "does not matter", "no matter", "i do not care", "do not care",
-                   "i do not mind")
-      for which in ("which", "which one", "which ones", "where", "which side", "on which side")),
-    "distance does not matter", "the distance does not matter", "at whatever distance", "no matter how far",
-    "any color", "any colors", "of any color", "whatever color", "whatever colors", "the color does not matter",
-    "color does not matter", "colors do not matter", "the colors do not matter", "any color will do",
-    "any color is fine", "i do not care", "do not care", "i do not mind", "rather", "whichever you prefer",
-    "whatever you prefer", "whichever you like", "whatever you like",
-    "the side does not matter", "on whichever side", "whichever side", "in either order", "either order is fine",
-    "which goes where is up to you", "which one goes where is up to you", "which is which does not matter",
-    "which goes where does not matter", "it does not matter which goes where", "in both cases", "in either case",
-    "in any case", "however", "which ones does not matter", "which ones is up to you",
-    "which ones you choose is up to you", "which ones you like", "whichever one",
-    *(
-        f"{lead} {which} {hue}{have}"
-        for lead in ("it does not matter", "no matter", "i do not care", "i do not mind", "does not matter",
-                     "do not care", "do not mind", "not fussed")
-        for which in ("which", "what")
-        for hue in ("color", "colors")
-        for have in ("", " they have", " they are", " you use", " you take", " it has", " it is")
-    ),
-    "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
-    "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
-    "that is all", "that is it", "i think",
-    "all good", "otherwise it does not count", "otherwise it is not done", "otherwise you fail",
-    *(
-        f"{lead}{which} {hue}{free}"
-        for lead in ("", "in ", "of ", "with ", "using ")
-        for which in ("any", "whatever", "whichever", "arbitrary", "random")
-        for hue in ("color", "colors")
-        for free in ("", " you like", " you want", " you have", " you please", " you prefer", " is fine", " are fine",
-                     " will do", " there are", " at all", " will be fine", " is ok")
-    ),
-    *(f"{lead}{choice}" for lead in ("with the ", "with ", "the ", "") for choice in (
-        "colors however you like", "color however you like", "colors as you like", "colors of your choice",
-        "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
-)  # fmt: skip
-"""What leaves open what is open anyway, beside a comma or at an end of the sentence."""
-_LOOSE = tuple(
-    f"{lead}{what}{free}"
-    for what in ("which way round", "which way it points", "how far", "how far away", "the distance", "the exact place",
-                 "where exactly", "where on the table")
-    for lead, free in (("it does not matter ", ""), ("does not matter ", ""), ("no matter ", ""),
-                       ("", " does not matter"), ("", " is up to you"), ("i do not mind ", ""))
-)  # fmt: skip
-"""The same of places and ways round: what is told of a line or of a distance would not be so open."""
 _ANYPLACE = ("anywhere", "anywhere you like", "anywhere you want", "wherever", "wherever you like", "wherever you want",
              "no matter where", "it does not matter where", "does not matter where")  # fmt: skip
 _LINES = frozenset({"row", "line", "tower", "stack", "towers", "stacks", "column", "rows", "columns", "layers"})
@@ -382,8 +312,8 @@ _Fits = Callable[[list[str], int, int], bool]
 _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_ANYWHERE, lambda words, first, last: True),
     (_EMPHASIS, lambda words, first, last: _emphatic(words, last)),
-    (_FREE, _set_off),
-    (_LOOSE, lambda words, first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
+    (FREE, _set_off),
+    (LOOSE, lambda words, first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
     (_ANYPLACE, _anyplace),
     (_ALL_OVER, _all_over),
     (_AT_ONCE, lambda words, first, last: _DENYING.isdisjoint(words) and words[last : last + 1] != ["as"]),

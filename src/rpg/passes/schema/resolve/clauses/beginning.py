@@ -18,6 +18,7 @@ from rpg.language.meaning import (
     Pronoun,
     Structure,
     TableTop,
+    That,
     parts_of,
     replace,
 )
@@ -270,7 +271,8 @@ def _moved_next(before: Chain, after: Chain, text: str) -> bool:
         return False
     if order.verb == "build" and order.mode == "command":
         return True
-    if not any(isinstance(a, Loc | In | At) for a in order.adjuncts):
+    so = order.mode == "command" and any(isinstance(a, That) and a.kind == "so" for a in order.adjuncts)
+    if not so and not any(isinstance(a, Loc | In | At) for a in order.adjuncts):
         return False
     if order.verb in ("place", "stack") and order.mode == "command":
         return True

@@ -8,6 +8,7 @@ from math import factorial
 from rpg.blocks.symmetry import MAX_NAMINGS
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
+from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.walk import names
 from rpg.language.meaning import Places, Structure
@@ -16,12 +17,15 @@ from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
 def not_one_line(rows: list[g.Goal], span: Span) -> list[g.Goal]:
-    """ "Two rows of three": they do not form one row of six."""
+    """ "Two rows of three": they do not form one row of six, nor a wall with one row on the other."""
     lines = [row for row in rows if isinstance(row, s.Row)]
     if len(lines) < len(rows) or len({(row.axis, row.gap, row.spacing) for row in lines}) > 1:
         return []
     blocks = tuple(name for row in lines for name in row.blocks)
-    return [g.Not(goal=s.Row(blocks=blocks, axis=lines[0].axis, span=span), span=span)]
+    return [
+        g.Not(goal=s.Row(blocks=blocks, axis=lines[0].axis, span=span), span=span),
+        r.OnTable(a=blocks, span=span),
+    ]
 
 
 def no_two_in_one_line(goal: g.Goal) -> g.Goal:

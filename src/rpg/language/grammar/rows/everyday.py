@@ -1,0 +1,90 @@
+"""How people at home put it: what is added for good measure, "minimum three", "from the table up", "or more", as rows
+that say it as others do."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, Turn
+
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_MANY = f"(?:\\d+|{FEW})"
+_BLOCKS = "(?:blocks|cubes|ones)"
+_PEOPLE = "(?:everyone|everybody|we|i|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
+_ROW = "(?:far|near|front|back|first|second)"
+_PUT = "(?:put|place|set|lay|move|stack)"
+
+EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
+    # how many
+    (f"\\b(?:minimum|at minimum|at the minimum|a minimum of) ({_MANY})\\b", "at least {1}"),
+    (f"\\b(?:maximum|at maximum|at the maximum|a maximum of) ({_MANY})\\b", "at most {1}"),
+    (f"^((?:at least|at most) {_MANY} .+) , (?:more|fewer|less) (?:is|are) (?:also |just as )?(?:fine|ok|okay|good)$",
+     "{1}"),
+    (f"^(?:out of|from|of) the ({_MANY} [^,]+? {_BLOCKS})(?: ,)? ({_PUT}) ((?:exactly |at least |at most |only |just )?"
+     f"{_MANY}) (on|in|onto|into) ", "{2} {3} of the {1} {4} "),
+    (f"^(.*?)\\b({_MANY})( of them .+?) , exactly \\2 , (?:and )?(?:not|no) (?:more|fewer|less)(?: and not "
+     f"(?:more|fewer|"
+     "less))?$", "{1} exactly {2} {3}"),
+    # measures
+    (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:more|farther|further)\\b", "at least {1} {2}"),
+    (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:less|closer|nearer)\\b", "at most {1} {2}"),
+    (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
+    (f"(?: ,)? (?:with )?(?:a )?({LENGTH}) gaps? between each(?: one)? and the next(?: one)?$", " with gaps of {1}"),
+    (f" and leave(?: me| us)? (?:a )?gaps? of ({LENGTH}) (?:every time|each time|in between|between them)$",
+     " with gaps of {1}"),
+    ("(?: ,)? with (?:even|equal|the same) (?:gaps|spaces|distances|spacing) (?:between them|in between)\\b",
+     " , evenly spaced"),
+    # from which end
+    ("\\bfrom (?:the )?(?:table|ground|floor) (?:up|upwards|to the top)\\b", "from bottom to top"),
+    ("\\bfrom (?:down to up|down up|below to above|the bottom to up)\\b", "from bottom to top"),
+    ("\\bfrom (?:up to down|above to below)\\b", "from top to bottom"),
+    (f"(?: [:,])? ({_COLOR})(?: ones?)? (?:on the )?outside(?: ,)? (?:and )?(?:then )?({_COLOR})(?: ones?)? "
+     f"(?:next to (?:that|"
+     f"it|them|those)|inside (?:that|those)|next|further in)(?: ,)?(?: and)?(?: then)? ({_COLOR})(?: one)? in the "
+     "(?:middle|center)\\b", "in the order {1} , {2} , {3} , {2} , {1}"),
+    ("\\b(in (?:a|one) (?:row|line)) that looks? the same from both (?:ends|sides)(?: ,)? (in the order)\\b",
+     "{1} {2}"),
+    # what is said once more
+    (f"(?: ,)? so (?:that )?{_PEOPLE} can (?:all )?(?:see|follow|count) (?:it|them|the (?:order|word|colors|"
+     "letters|numbers))(?: well| better| properly)?$", ""),
+    ("^((?:swap|switch|exchange|trade) .+?)(?: ,)? so (?:that )?each(?: one)?(?: of them)? (?:ends up|is|stands|lands|"
+     "goes)(?: exactly)? where the other(?: one)? was$", "{1}"),
+    ("^(.+? corner of the table) , so (?:four|4)(?: of them)?(?: in all)?$", "{1}"),
+    ("^(.+) , so that there are two groups$", "{1}"),
+    # what there is besides
+    ("^(.+?)(?: ,| and)? (there (?:is|are) (?:also )?[^,]+?)(?: ,)? but (?:you can )?(?:just )?(?:ignore|forget|"
+     "disregard)(?: about)? (?:that|it|them|those)(?: ones?)?$", "{1} . {2} , ignore it"),
+    # rows and towers told in parts
+    ("(\\brow\\b.+?)(?: ,)? both(?: rows)? from left to right$", "{1}"),
+    (f"\\b(in {_MANY} (?:rows|lines)(?: of {_MANY})?) , (?!with\\b)(.+? in the {_ROW} (?:row|one)\\b)", "{1} : {2}"),
+    (f"\\b(in {_MANY} (?:rows|lines)(?: of {_MANY})?) , (?:the )?({_ROW}) row (?!of\\b)(.+?)(?: ,)? and (?:the "
+     f")?({_ROW}) "
+     "row (.+?)(?= ,|$)", "{1} : {3} in the {2} row and {5} in the {4} row"),
+    (f"^({_MANY} {_BLOCKS} (?:on top of (?:each other|one another)|on each other|stacked)) , ({_COLOR} "
+     f"(?:uppermost|on top|"
+     "at the top|topmost|at the bottom|lowest) , .+)$", "{1} : {2}"),
+    (f"^({_MANY}) (in a (?:row|line|tower|stack|column|circle))\\b", "{1} blocks {2}"),
+    ("^(sort .+? into .+?) , one (?:group|pile|bunch) (?:for|per) each(?: kind| of them)?$", "{1}"),
+    ("\\b(in|form|forms) (its|their) own little (?:bunch|pile|heap|group|cluster)\\b", "{1} {2} own group"),
+    (f"^(?:from|out of|with|using) the (?:cubes|blocks) ((?:\\w(?: ,)? )+and \\w) , ({_PUT} .+)$",
+     "there are the blocks {1} . {2}"),
+    (f"^({_MANY} {_COLOR} {_BLOCKS}) , (?:nicely |neatly |carefully )?placed (in|on|next to|around) ", "{1} {2} "),
+    # what is asked
+    ("^can (the [^,]+?) have (.+)$", "{1} should have {2}"),
+    ("^first(?: ,)? you (\\w+) (.+?) , and (?:after|then|after that|afterwards)(?: ,)? you \\1 (.+)$",
+     "first , {1} {2} , then {1} {3}"),
+    (f"\\bin (?:whatever|any|whichever) order(?: you like)?(?: ,)? (?:save|except) that (the .+) ({MUST} be|is) ",
+     "but {1} {2} "),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+_LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",
+            "or", "then", "like", "case")  # fmt: skip
+_NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
+EVERYDAY: tuple[Turn, ...] = (
+    # without a stop in between
+    (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
+     f"[^,;:]+?)"
+     f"{_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
+)  # fmt: skip
+"""What makes no sense as it stands."""
+WORDS = ("minimum maximum upwards audience pupils save ground floor",)
+"""Words that these take besides those that are read anyway."""

@@ -20,6 +20,7 @@ from rpg.language.meaning import (
     Absolute,
     At,
     Coord,
+    In,
     Loc,
     Manner,
     Meaning,
@@ -358,6 +359,8 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in loc(p, i):
         if isinstance(found, Loc) and found.rel == "in" and _no_place(found.landmark):
             continue
+        if isinstance(found, In) and "corner" in found.region and "table" not in p.words[i:k]:
+            found = replace(found, cost=1)  # that of the structure, if it has one
         yield (found,), k
         if isinstance(found, Loc) and not isinstance(found.landmark, TableTop):
             yield from (

@@ -50,6 +50,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "goes)(?: exactly)? where the other(?: one)? was$", "{1}"),
     ("^(.+? corner of the table) , so (?:four|4)(?: of them)?(?: in all)?$", "{1}"),
     ("^(.+) , so that there are two groups$", "{1}"),
+    ("(?: ,)? (?:and )?not where (?:it|he|she) is(?: right)?(?: now| at the moment| at present)?$", ""),
     # what there is besides
     ("^(.+?)(?: ,| and)? (there (?:is|are) (?:also )?[^,]+?)(?: ,)? but (?:you can )?(?:just )?(?:ignore|forget|"
      "disregard)(?: about)? (?:that|it|them|those)(?: ones?)?$", "{1} . {2} , ignore it"),

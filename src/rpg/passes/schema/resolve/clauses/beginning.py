@@ -43,6 +43,7 @@ from rpg.passes.schema.resolve.clauses.joined_facts import (
     staying,
 )
 from rpg.passes.schema.resolve.clauses.lifted import lifted
+from rpg.passes.schema.resolve.clauses.shown_first import presented, shown, wanted_elsewhere
 from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it, they_begin_as
 from rpg.passes.schema.resolve.clauses.worded_first import worded_first
 
@@ -86,11 +87,15 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
         for n, chain in enumerate(chains)
         if n < max(ordered, default=0) and (_heaped(chain) or _heap_for(chain, chains[n + 1]))
     ]
-    heaped += [n for n in range(max(ordered, default=0)) if _presented(chains, n, text)]
+    heaped += [n for n in range(max(ordered, default=0)) if presented(chains, n, text)]
     heaped += _going_on(chains, final)
-    plain = [_facts(chain) and not final[n] and _unframed(chains, n, text) for n, chain in enumerate(chains)]
+    plain = [
+        not final[n] and (shown(chain, text) or (_facts(chain) and _unframed(chains, n, text)))
+        for n, chain in enumerate(chains)
+    ]
     for n in reversed(range(len(chains) - 1)):
         later = _moved_next(chains[n], chains[n + 1], text) or _wanted_later(chains[n], chains[n + 1], text)
+        later = later or wanted_elsewhere(chains[n], chains[n + 1], final[n + 1])
         later = later or (final[n + 1] and ends_elsewhere(chains[n], chains[n + 1]))
         if plain[n] and (later or (plain[n + 1] and n + 1 in heaped)):
             heaped.append(n)
@@ -214,7 +219,7 @@ _SEEN = re.compile(
 )
 """Words of frames in front of a picture."""
 _ASKED = re.compile(
-    r"\b(?:must|should|shall|has to|have to|needs? to|ought|will|may|can|let|want|wish)\b", re.IGNORECASE
+    r"\b(?:must|should|shall|has to|have to|needs? to|ought|will|may|can|let|want|wish|belongs?)\b", re.IGNORECASE
 )
 
 
@@ -241,15 +246,6 @@ def _looked_at(chains: tuple[Chain, ...], n: int, text: str) -> bool:
     before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
     plain = _ASKED.search(before) is None and _SEEN.search(before) is not None and not _END.search(before)
     return plain and all(isinstance(c, Clause) and _describes(c, text, True) for c in chains[n].clauses)
-
-
-_HERE = re.compile(r"\W*(?:it|this|that|here)(?: is|\'s| are)\W*", re.IGNORECASE)
-
-
-def _presented(chains: tuple[Chain, ...], n: int, text: str) -> bool:
-    """ "This is a tower of three red blocks. Put a blue block on it.": it is there before anything is done."""
-    before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
-    return _HERE.fullmatch(before) is not None and not any(_tally(c) for c in chains[n].clauses)
 
 
 def _undoes(chain: Chain) -> bool:

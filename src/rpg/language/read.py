@@ -21,6 +21,7 @@ from rpg.language.grammar.talk.commands import AFTER_THAT, WHEN_OVER
 from rpg.language.grammar.talk.smalltalk import without_talk
 from rpg.language.grammar.things.lists import with_commas
 from rpg.language.meaning import Chain, Clause, cost_of
+from rpg.language.numbered import as_steps
 from rpg.language.runon import places, runs_on
 from rpg.language.tokens import Token
 from rpg.language.turns import announced, heads, in_turn
@@ -137,7 +138,7 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    parts = in_one(_with_predicates(told_first(with_answers(split(tokens)))))
+    parts = in_one(_with_predicates(told_first(with_answers(split(as_steps(tokens))))))
     read: Parts = []
     headed: int | None = None
     for part in [part for part in parts if not idle(part)] or parts:

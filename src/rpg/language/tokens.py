@@ -109,7 +109,8 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
     """Every token of `text`, and every character that belongs to none."""
     tokens: list[Token] = []
     strays: list[Stray] = []
-    text = _unnumbered(_stepped(text))
+    text, steps = _stepped(text)
+    text = _unnumbered(text)
     at = 0
     while at < len(text):
         found = _PIECES.match(text, at)
@@ -132,6 +133,7 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
         else:
             tokens += _tokens_of(str(found.lastgroup), raw, (at, end))
         at = end
+    tokens = [replace(token, raw=steps.get(token.span[0], token.raw)) for token in tokens] if steps else tokens
     return _ordinals(_inline(tokens)), strays
 
 
@@ -159,8 +161,9 @@ def _inline(tokens: list[Token]) -> list[Token]:
 _STEP = re.compile(r"(?<![\w.,])(\d{1,2})[.:](?=\s)")
 
 
-def _stepped(text: str) -> str:
-    """ "1. red on blue 2. green on red": each begins a sentence where the text begins with the first."""
+def _stepped(text: str) -> tuple[str, dict[int, str]]:
+    """ "1. red on blue 2. green on red": each begins a sentence where the text begins with the first; and the numbers
+    of the later ones by where they stand."""
     marks: list[re.Match[str]] = []
     for mark in _STEP.finditer(text):
         if int(mark.group(1)) == len(marks) + 1 and (marks or not text[: mark.start()].strip()):
@@ -168,7 +171,7 @@ def _stepped(text: str) -> str:
     for number, mark in enumerate(marks if len(marks) > 1 else ()):
         begin, end = mark.span()
         text = text[:begin] + (";" if number else " ").ljust(end - begin) + text[end:]
-    return text
+    return text, {mark.start(): mark.group() for mark in marks[1:]}
 
 
 _MARK = re.compile(r"(?:,?\s+and\s+|,\s+)?(?<![\w(])(?:\((?=\w+\)))?(\d{1,2}|[a-h]|i{1,3}|iv|v)\)(?=\s)")

@@ -10,6 +10,7 @@ _COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _MANY = f"(?:\\d+|{FEW})"
 _BLOCKS = "(?:blocks|cubes|ones)"
 _PEOPLE = "(?:everyone|everybody|we|i|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
+_PLACED = "(?:to the|next to|near|touching|behind|in front|on|under|above|left|right|beside|between|below|adjacent)"
 _ROW = "(?:far|near|front|back|first|second)"
 _PUT = "(?:put|place|set|lay|move|stack)"
 
@@ -25,6 +26,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      f"(?:more|fewer|"
      "less))?$", "{1} exactly {2} {3}"),
     # measures
+    ("(?<!from )\\b(\\d+) to (\\d+) (cm|mm|centimeters?|centimetres?)\\b", "between {1} and {2} {3}"),
     (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:more|farther|further)\\b", "at least {1} {2}"),
     (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:less|closer|nearer)\\b", "at most {1} {2}"),
     (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
@@ -81,6 +83,10 @@ _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "bec
             "or", "then", "like", "case")  # fmt: skip
 _NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
 EVERYDAY: tuple[Turn, ...] = (
+    # what is denied twice
+    (f"\\b({MUST} not be|is not|are not) ([^,]+?)(?: ,)? nor (?:be )?({_PLACED}\\b.+)$", "{1} {2} and {1} {3}"),
+    (f"^(.+?) ({MUST} not be|is not|are not) ([^,]+?) , and neither (?:is|are|{MUST}) (?:be )?(the .+)$",
+     "{1} {2} {3} and {4} {2} {3}"),
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?)"

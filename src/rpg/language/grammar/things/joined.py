@@ -280,6 +280,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
                 for end in {j: None, p.opt(j, ","): None} if same else ():
                     yield from ((replace(found, span=p.span(i, j)), end) for found in same)
                 continue
+            if len(items) == 1 and p.stands(j, _TOO):
+                continue  # "A left of B, C too": so is C
             if op != "or" and not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")

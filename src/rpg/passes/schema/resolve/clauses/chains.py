@@ -25,6 +25,7 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.again_later import comes_later
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
+from rpg.passes.schema.resolve.clauses.put_at_once import put_at_once
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
 from rpg.passes.schema.resolve.goals.conflicts import required, undoes
 from rpg.passes.schema.resolve.goals.logic import conj, disj
@@ -37,9 +38,10 @@ Goals = list[g.Goal]
 
 def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     """The goals of a chain of clauses; those about the start go to the scene instead."""
+    chain = put_at_once(chain)
     if timed(chain):
         return chain_goals(untimed(chain), scene, start)
-    chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(_put_later(chain)))))
+    chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(chain))))
     stages: list[Goals] = [[]]
     towers = Towers.of(scene)
     pairs = _given_first(chain)
@@ -179,16 +181,6 @@ def _given_first(chain: Chain) -> list[tuple[str, Meaning]]:
     pairs = list(zip(chain.links, chain.clauses, strict=True))
     given = [x for x in pairs if isinstance(x[1], Clause) and x[1].mode == "given"]
     return [*given, *(x for x in pairs if x not in given)]
-
-
-def _put_later(chain: Chain) -> Chain:
-    """ "..., then take red and put it on blue": what comes later is where it is put."""
-    links = list(chain.links)
-    for n, clause in enumerate(chain.clauses[:-1]):
-        taken = isinstance(clause, Clause) and clause.verb == "pick" and not clause.adjuncts
-        if taken and links[n] == "then" and links[n + 1] == "and":
-            links[n : n + 2] = ["and", "then"]
-    return replace(chain, links=tuple(links))
 
 
 def in_that_order(chain: Chain) -> Chain:

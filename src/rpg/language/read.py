@@ -30,6 +30,8 @@ MAX_KEPT = 24
 TANGLED = "too-complex"
 _ENDS = frozenset({".", "!", "?"})
 _STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
+_THE = frozenset({"the", "a", "an", "both", "all"})
+"""Behind these "stack" and "line" are no nouns: "second, stack the red block on the blue one"."""
 _COUNTED = frozenset({"step", "stage", "phase"})
 _LISTED = frozenset({"requirement", "condition", "rule", "constraint", "point", "criterion", "wish", "subgoal"})
 """These are counted as well, and hold all at once."""
@@ -304,7 +306,7 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
     for _, j in p.standing(start, _EARLIER)[:1]:
         link, start = "before", p.opt(j, ",", ":")
     for phrase, j in p.standing(start, _THEN):
-        part = phrase in ("second", "third") and p.words[j] in lexicon.STRUCTURE
+        part = phrase in ("second", "third") and p.words[j] in lexicon.STRUCTURE and p.words[j + 1] not in _THE
         if not (phrase == "next" and p.words[j] == "to") and not part:
             link, start = "then", emphasised(p, p.opt(j, ",", ":"))
             break

@@ -12,6 +12,8 @@ _BLOCKS = "(?:blocks|cubes|ones)"
 _PEOPLE = "(?:everyone|everybody|we|i|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
 _PLACED = "(?:to the|next to|near|touching|behind|in front|on|under|above|left|right|beside|between|below|adjacent)"
 _ROW = "(?:far|near|front|back|first|second)"
+_BLOCK = "(?:block|cube|blocks|cubes)"
+_MAT = "(?:mat|patch|zone|area|target)"
 _PUT = "(?:put|place|set|lay|move|stack)"
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
@@ -25,6 +27,24 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*?)\\b({_MANY})( of them .+?) , exactly \\2 , (?:and )?(?:not|no) (?:more|fewer|less)(?: and not "
      f"(?:more|fewer|"
      "less))?$", "{1} exactly {2} {3}"),
+    (f"^(.*?\\b{_MANY}) ({_COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and one(?: more)? on (the [^,]+? {_MAT})$",
+     "{1} {2} {3} on {4} and one {2} block on {5}"),
+    (f"^(.*?\\b{_MANY}) ({_COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and ({_MANY})(?: more)? on (the [^,]+? "
+     f"{_MAT})$",
+     "{1} {2} {3} on {4} and {5} {2} blocks on {6}"),
+    (f"^{_PUT} all ({_MANY}) ({_COLOR}) {_BLOCK} on the (?:mats|patches) , ({_MANY}) on the ({_COLOR})(?: one| "
+     f"mat)? and "
+     f"(.+?) on the ({_COLOR})(?: one| mat)?$",
+     "of the {1} {2} blocks , {3} must be on the {4} mat and {5} on the {6} mat"),
+    (f"^((?:at least |exactly |at most )?{_MANY} of (the {_MANY} [^,]+?) {MUST} be on [^,]+?) and none of "
+     f"(?:them|these) on "
+     "(the .+)$", "{1} . none of {2} must be on {3}"),
+    (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?(the [^,]+?) , which (?:{MUST} "
+     f"(?:be|go|lie)|"
+     "go|goes|belong|belongs) (on .+)$", "{1} {2} them {3} except for {4} . {4} must be {5}"),
+    (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({_MANY})(?: of them)? , which "
+     f"(?:{MUST} (?:be|go|"
+     "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
     # measures
     ("(?<!from )\\b(\\d+) to (\\d+) (cm|mm|centimeters?|centimetres?)\\b", "between {1} and {2} {3}"),
     (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:more|farther|further)\\b", "at least {1} {2}"),

@@ -105,7 +105,8 @@ OTHERWISE: tuple[Turn, ...] = (
      f"(?:found|placed|put|located|seen)|stand|lie|rest|sit|be)$",
      "{1} {2} {3} {5} {4}"),
     (f"\\b({MUST}) rise(?= an? {LINE})", "{1} stand"),
-    (f", the (\\w+)(?: one)? of which ({MUST} be|is) ", ", of which the {1} {2} "),
+    (f", the (lowest|lower|bottom|middle|upper|uppermost|top|topmost|leftmost|rightmost|first|last)(?: one)? of which "
+     f"({MUST} be|is) ", ", of which the {1} {2} "),
     (f"^the distance between (.+?)(?: ,)? measured (?:from )?(?:center to center|between (?:their|the) centers)(?: ,)? "
      f"({MUST} be|is) (.+)$", "the centers of {1} {2} {3} apart"),
     (f"\\ban? ({LINE}) of (.+?) whose centers are ({LENGTH}) apart$",

@@ -2,13 +2,58 @@
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.turned import LINE, MUST, Turn
+from rpg.language import lexicon
+from rpg.language.grammar.rows.turned import FEW, LENGTH, LINE, MUST, Turn
 
 _WANTED = "(?:required|needed|wanted|desired|prescribed|requested|asked for)"
 _BLOCK = "(?:block|cube)"
 _SYMBOL = "(?:letter|digit|symbol|number)"
 
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_MANY = f"(?:\\d+|{FEW})"
+_ROW = "(?:far|near|front|back|first|second|top|bottom)"
+_FREE = "(?:arbitrary|free|open|irrelevant|of no importance)"
+
+REQUIRED_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b(?:so|such) that the (?:word|number) (\\S+) (?:is|can be|{MUST} be) (?:shown|displayed|seen|formed)\\b",
+     "so that they read {1}"),
+    ("\\b(?:so|such) that the (?:word|number) (\\S+) (?:appears|results|is obtained)\\b", "so that they read {1}"),
+    (f"^the distance between the center of (the [^,]+?) and the center of (the [^,]+?) ({MUST} be) ",
+     "the distance between {1} and {2} {3} "),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
 REQUIRED: tuple[Turn, ...] = (
+    # parts told by "of which"
+    (f"(?: ,)? the width of which {MUST} be ({_MANY}) {_BLOCK}s? and the height of which {MUST} be ({_MANY}) "
+     f"{_BLOCK}s?$",
+     " {1} blocks wide and {2} blocks high"),
+    (f"(?: ,)? each side of which {MUST} be ({_MANY}) {_BLOCK}s long$", " with {1} blocks per side"),
+    (f"(?: ,)? the ({_ROW}) (row|layer) of which {MUST} (?:consist of|be formed of) (.+?) and the ({_ROW}) \\2 of "
+     f"which {MUST} "
+     "(?:consist of|be formed of) (.+)$", " with {3} in the {1} {2} and {5} in the {4} {2}"),
+    (f"(?: ,)? the lower {_BLOCK} of which {MUST} be ({_COLOR}) and the upper {_BLOCK} of which {MUST} be ({_COLOR})$",
+     " with {1} at the bottom and {2} on top"),
+    (f"^there {MUST} be ({_MANY}) ([^,]+?) , of which ((?:at least|at most|exactly|no more than|no fewer than) "
+     f"{_MANY}) "
+     f"({MUST} be .+)$", "{3} of the {1} {2} {4}"),
+    (f"^(.+ )(the {_COLOR} {_BLOCK}) , which ({MUST} (?:be (?:located|placed|put)|stand|lie) .+)$",
+     "{1} {2} . {2} {3}"),
+    # what is left open
+    (f"(?: ,)? the order of which (?:is|being|{MUST} be) {_FREE}$", " , in any order"),
+    ("(?: ,)? no particular order being (?:required|prescribed)$", " , in any order"),
+    (f"^the order (?:is otherwise|of the (?:others|rest|remaining blocks) is) {_FREE}$", ""),
+    (f"(?: ,)? (?:whereas|while|and) the order of the (?:remaining blocks|others|rest) is {_FREE}$", ""),
+    # with what it is done
+    ("^by means of (?:the )?(?:letter|digit|symbol) (?:cubes|blocks) , (.+)$", "{1}"),
+    ("(?: ,)? by means of (?:letter|digit|symbol) (?:cubes|blocks)$", ""),
+    (f"\\ban? ({_COLOR} {_BLOCK}) having an edge length of ({LENGTH})", "a {2} {1}"),
+    # what is exchanged and turned
+    (f"^the positions? of (the [^,]+?) and (?:the position )?of (the [^,]+?) {MUST} be "
+     f"(?:exchanged|swapped|interchanged)$",
+     "{1} and {2} must swap places"),
+    ("(?: ,)? (?:with|at) equal gaps between (?:neighboring|adjacent) blocks$", " , evenly spaced"),
+    (f"^(an? {LINE}|three .+? stacked|.+? {MUST} be stacked) such that the lowest of them rests on (the .+)$",
+     "{1} on {2}"),
     # what is required
     (f"^(an? {LINE}\\b.+|an? \\w+ {LINE}\\b.+?) (?:is|are) (?:both )?{_WANTED}(?:$| , (.+)$)", "{1} , {2}"),
     (f"^(.+?) (?:is|are) (?:both |all )?{_WANTED} (on|in|behind|next to|under|in front of|to the) (.+)$",

@@ -6,6 +6,8 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
+from rpg.language.grammar.rows.required import REQUIRED_AT_ONCE
+from rpg.language.grammar.rows.task_strings import TASK_STRINGS
 from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, WAY, Turn
 
 _A = "(?:an?|one|the)"
@@ -25,6 +27,8 @@ _STANDING = "(?:standing|lying|resting|sitting|placed|set)"
 REWORDED_AT_ONCE: tuple[Turn, ...] = (
     *OTHERWISE_AT_ONCE,
     *EVERYDAY_AT_ONCE,
+    *TASK_STRINGS,
+    *REQUIRED_AT_ONCE,
     # what is asked
     ("^(would|could|can|will) you ever (?=\\w)", "{1} you"),
     (f"\\b(at least {_MANY} and at most {_MANY} of .+?) (?:may|can) (be|lie|stand)\\b", "{1} must {2}"),

@@ -23,9 +23,9 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.again_later import comes_later
+from rpg.passes.schema.resolve.clauses.as_one import each_by_itself, put_at_once
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
-from rpg.passes.schema.resolve.clauses.put_at_once import put_at_once
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
 from rpg.passes.schema.resolve.goals.conflicts import required, undoes
 from rpg.passes.schema.resolve.goals.logic import conj, disj
@@ -38,7 +38,7 @@ Goals = list[g.Goal]
 
 def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     """The goals of a chain of clauses; those about the start go to the scene instead."""
-    chain = put_at_once(chain)
+    chain = put_at_once(each_by_itself(chain))
     if timed(chain):
         return chain_goals(untimed(chain), scene, start)
     chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(chain))))

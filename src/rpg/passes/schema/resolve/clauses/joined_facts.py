@@ -26,7 +26,7 @@ _DEMANDED = re.compile(
     r"have to|needs? to|ought|let|can|could)\b",
     re.IGNORECASE,
 )
-_KNOWN = re.compile(r"\b(?:sees?|look|imagine|know|note|assume|suppose|say|given)\b", re.IGNORECASE)
+_KNOWN = re.compile(r"\b(?:sees?(?! to it)|look|imagine|know|note|assume|suppose|say|given)\b", re.IGNORECASE)
 
 
 def added(before: Chain, after: Chain, text: str) -> bool:

@@ -7,6 +7,7 @@ from functools import partial
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.walk import atoms
 from rpg.language.meaning import (
     Amount,
     Chain,
@@ -247,6 +248,14 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     landmarks = [p.landmark for p in sources if isinstance(p, Loc)] + [u.members for u in spec.usings]
     spec.places, spec.usings = rest, []
     goals: Goals = []
+    if theme.quant is not None and landmarks and not rest:  # "two of the three red ones from the mat"
+        offs = [Loc(rel="off", landmark=landmark, span=clause.span) for landmark in landmarks]
+        goals = [goal for off in offs for goal in place(theme, off, scene, scope, clause.span)]
+        patches = [atom.patch for goal in goals for atom in atoms(goal) if isinstance(atom, r.OnPatch)]
+        if not patches:
+            raise refuse("ambiguous", "it is not clear which of these lies there", clause.span, "name the block")
+        _off(Ref(names=theme.names), Ref(names=tuple(dict.fromkeys(patches)), patch=True), scene, clause.span)
+        return goals
     for landmark in landmarks:
         if landmark is None:
             continue
@@ -262,6 +271,8 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if clause.verb == "unstack" and not landmarks and not clause.negated:
         theme = pile_of(theme, clause.theme, scene)
     names = theme.names
+    if theme.quant is not None and not landmarks:
+        raise refuse("ambiguous", "it is not clear which of these are meant", clause.span, "name the blocks")
     if clause.negated:
         if not goals:
             raise refuse("misplaced", "it is not clear what must not be taken away", clause.span, "say 'do not move'")

@@ -1,0 +1,41 @@
+"""Task strings of benchmarks: "stack by size, largest at the bottom: red 5 cm, ...", "two stacks, height 2 each", a
+distance from centre to centre, as rows that say it in a sentence."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, WAY, Turn
+
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_MANY = f"(?:\\d+|{FEW})"
+_BLOCKS = "(?:blocks|cubes)"
+_PLACE = "(?:zone|patch|mat|area|target|region)"
+_ROW = "(?:far|near|front|back|first|second|middle)"
+
+TASK_STRINGS: tuple[Turn, ...] = (
+    # measures
+    (f"(?<=[:,] )({_COLOR}) ({LENGTH})(?= ,|$| and)", "a {2} {1} block"),
+    ("\\bthe (?:center|center - to - center) distance (?:of|between) ", "the distance between the centers of "),
+    (f"\\b(?:center - to - center|center) distance of ({LENGTH})", "distance of {1} between centers"),
+    ("\\bbetween the facing sides of\\b", "between"),
+    # towers and rows
+    (f"\\bin ({_MANY})(?: separate)? (stacks|towers) , (?:each (?:of|with) (?:a )?)?height(?: of)? ({_MANY})(?: "
+     f"each)?$",
+     "in {1} {2} of height {3}"),
+    (f"^stack {_MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({_MANY} {_COLOR} and {_MANY} {_COLOR})\\b",
+     "stack {2} {1} in alternating colors"),
+    (f"^(.+? in the {_ROW} row(?: and| ,) .+? in the {_ROW} row) of (an? \\d+x\\d+ grid)$", "{2} with {1}"),
+    (f"\\b(grid) that reads (.+? in the {_ROW} row .+?)(?: , {WAY})?$", "{1} with {2}"),
+    # what is sorted
+    (f"^sort by color : (.+? into the {_COLOR} {_PLACE} .+)$", "put {1}"),
+    ("^group by kind : (.+? in one (?:cluster|group|pile) , .+? in another(?: one)?)$", "put {1}"),
+    # headings that the sentence says itself
+    (f"^(?:invert|reverse|unstack|restack|swap)(?: the \\w+)? : ((?:initially|start from|start with|at "
+     f"the start) "
+     f".+? (?:finally|then|end with|at the end|{MUST}) .+)$", "{1}"),
+    ("^(an? (?:row|tower|stack|column) of [^,]+(?: , [^,]+)*? in any order) , but (the .+) (?:may|must|should|can) "
+     "not be "
+     "first or last$", "{1} . {2} must not be at either end"),
+    ("^(.+?) with (?:digit|number|letter) and (?:operator|symbol|sign) (?:blocks|cubes)$", "{1}"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""

@@ -248,14 +248,8 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     landmarks = [p.landmark for p in sources if isinstance(p, Loc)] + [u.members for u in spec.usings]
     spec.places, spec.usings = rest, []
     goals: Goals = []
-    if theme.quant is not None and landmarks and not rest:  # "two of the three red ones from the mat"
-        offs = [Loc(rel="off", landmark=landmark, span=clause.span) for landmark in landmarks]
-        goals = [goal for off in offs for goal in place(theme, off, scene, scope, clause.span)]
-        patches = [atom.patch for goal in goals for atom in atoms(goal) if isinstance(atom, r.OnPatch)]
-        if not patches:
-            raise refuse("ambiguous", "it is not clear which of these lies there", clause.span, "name the block")
-        _off(Ref(names=theme.names), Ref(names=tuple(dict.fromkeys(patches)), patch=True), scene, clause.span)
-        return goals
+    if theme.quant is not None and landmarks and not rest:
+        return _so_many_off(theme, [landmark for landmark in landmarks if landmark], scene, scope, clause.span)
     for landmark in landmarks:
         if landmark is None:
             continue
@@ -306,6 +300,17 @@ def _built_before(theme: Ref, scene: Scene) -> bool:
 
 def _stacked_at_start(names: tuple[str, ...], scene: Scene) -> bool:
     return any(getattr(goal, "kind", "") in ("stack", "on", "towers") for goal in scene.start_goals)
+
+
+def _so_many_off(theme: Ref, landmarks: list[Meaning], scene: Scene, scope: Scope, span: Span) -> Goals:
+    """ "Remove two of the three from the mat": all start there, and so many of them are not there at the end."""
+    offs = [Loc(rel="off", landmark=landmark, span=span) for landmark in landmarks]
+    goals = [goal for off in offs for goal in place(theme, off, scene, scope, span)]
+    patches = dict.fromkeys(atom.patch for goal in goals for atom in atoms(goal) if isinstance(atom, r.OnPatch))
+    if not patches:
+        raise refuse("ambiguous", "it is not clear which of these lies there", span, "name the block")
+    _off(Ref(names=theme.names), Ref(names=tuple(patches), patch=True), scene, span)
+    return goals
 
 
 def _off(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Goals:

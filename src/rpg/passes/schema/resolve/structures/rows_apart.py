@@ -16,6 +16,14 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
+def on_the_table(shape: Structure, scene: Scene) -> Span:
+    """The words for several lines, unless they are stacked."""
+    if shape.kind in ("row", "line") and scene.verbs[scene.clause][2] == "stack":
+        raise refuse("ambiguous", "one row on the other, or each of them on the table?", shape.span,
+                     "say 'a wall of two layers', or 'put' the blocks in rows")  # fmt: skip
+    return shape.span
+
+
 def not_one_line(rows: list[g.Goal], span: Span) -> list[g.Goal]:
     """ "Two rows of three": they do not form one row of six, nor a wall with one row on the other."""
     lines = [row for row in rows if isinstance(row, s.Row)]

@@ -25,7 +25,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line, own_unit, too_alike
+from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line, on_the_table, own_unit, too_alike
 from rpg.passes.schema.resolve.structures.sharing import (
     Look,
     as_long_as_listed,
@@ -154,10 +154,9 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     spec.absolutes, spec.manners = own.absolutes, own.manners
     if axis is None and (grid := too_alike(goals, scene, shape.span)) is not None:
         return built, [grid]
-    if axis is None and shape.kind in ("row", "line") and scene.verbs[scene.clause][2] == "stack":
-        raise refuse("ambiguous", "one row on the other, or each of them on the table?", shape.span,
-                     "say 'a wall of two layers', or 'put' the blocks in rows")  # fmt: skip
-    goals += not_one_line(goals, shape.span) if axis is None else _side_by_side(built, axis, shape, scene)
+    goals += (
+        not_one_line(goals, on_the_table(shape, scene)) if axis is None else _side_by_side(built, axis, shape, scene)
+    )
     return built, goals
 
 

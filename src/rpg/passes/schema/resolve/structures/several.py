@@ -154,10 +154,9 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     spec.absolutes, spec.manners = own.absolutes, own.manners
     if axis is None and (grid := too_alike(goals, scene, shape.span)) is not None:
         return built, [grid]
-    goals += (
-        not_one_line(goals, on_the_table(shape, scene)) if axis is None else _side_by_side(built, axis, shape, scene)
-    )
-    return built, goals
+    if axis is not None:
+        return built, goals + _side_by_side(built, axis, shape, scene)
+    return built, goals + not_one_line(goals, on_the_table(shape, scene))
 
 
 def _side_by_side(built: list[Built], axis: str, shape: Structure, scene: Scene) -> list[g.Goal]:

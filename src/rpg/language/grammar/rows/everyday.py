@@ -13,11 +13,15 @@ _PEOPLE = "(?:everyone|everybody|we|i|they|the (?:class|kids|children|pupils|stu
 _PLACED = "(?:to the|next to|near|touching|behind|in front|on|under|above|left|right|beside|between|below|adjacent)"
 _ROW = "(?:far|near|front|back|first|second)"
 _BLOCK = "(?:block|cube|blocks|cubes)"
+_SIZE = "(?:big|large|small|little)"
 _MAT = "(?:mat|patch|zone|area|target)"
 _PUT = "(?:put|place|set|lay|move|stack)"
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
-    # how many
+    # how many, and of which size
+    (f"\\b(?:two|2) ({_COLOR}) {_BLOCK} [,(:] (?:one|an?) ({_SIZE})(?: one)?(?: , and| ,| and) (?:one|an?) "
+     f"({_SIZE})(?: one)?"
+     "(?: \\))?(?= ,| and|$)", "a {2} {1} block and a {3} {1} block"),
     (f"\\b(?:minimum|at minimum|at the minimum|a minimum of) ({_MANY})\\b", "at least {1}"),
     (f"\\b(?:maximum|at maximum|at the maximum|a maximum of) ({_MANY})\\b", "at most {1}"),
     (f"^((?:at least|at most) {_MANY} .+) , (?:more|fewer|less) (?:is|are) (?:also |just as )?(?:fine|ok|okay|good)$",

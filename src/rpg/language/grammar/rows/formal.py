@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.before_it import BEFORE_IT
+from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
@@ -15,6 +16,7 @@ from rpg.language.grammar.rows.required import REQUIRED
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import AT_ONCE, ROUNDABOUT
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
+from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned
 from rpg.language.grammar.rows.wordier import AT_ONCE as FEWER_AT_ONCE
@@ -225,9 +227,10 @@ _WORDS = (
 """Words that it takes besides those that are read anyway."""
 
 
-_OF_ALL = (*GAPPED_AT_ONCE, *SHORT_AT_ONCE, *_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
+_OF_ALL = (*SHARED_OUT, *GAPPED_AT_ONCE, *SHORT_AT_ONCE, *_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
 """The rows of every sentence."""
-_OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED)
+_OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED,
+                  *BORNE_FIRST)  # fmt: skip
 """The rows of a sentence that cannot be read as it stands."""
 
 

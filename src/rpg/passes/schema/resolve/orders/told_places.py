@@ -72,7 +72,7 @@ def places_told(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str],
 
 
 def _counted(builder: Clause) -> tuple[str, int] | None:
-    """The kind of line, and how many blocks of no look it is made of."""
+    """The kind of line, and of how many of its blocks nothing was told."""
     if builder.negated or builder.mode not in ("goal", "command") or builder.verb == "exist":
         return None
     turns = _alternates(builder)
@@ -81,7 +81,8 @@ def _counted(builder: Clause) -> tuple[str, int] | None:
     kind = "stack" if shape is None and (builder.verb == "stack" or _heaped(builder)) else getattr(shape, "kind", "")
     if kind not in _LINES or (shape is None and len(builder.adjuncts) > 1):
         return None
-    if isinstance(shape, Structure) and (shape.plural or shape.traits.colors or (shape.details and not turns)):
+    own = _own_places(shape, _LINES[kind])
+    if isinstance(shape, Structure) and (shape.plural or shape.traits.colors or (own is None and not turns)):
         return None
     if turns:
         return kind, 1
@@ -89,7 +90,15 @@ def _counted(builder: Clause) -> tuple[str, int] | None:
     size = shape.size if isinstance(shape, Structure) and blocks is None else None
     bare = isinstance(blocks, Noun) and blocks.traits == Traits(kind=blocks.traits.kind) and not blocks.part_of
     size = blocks.amount if bare and isinstance(blocks, Noun) and blocks.det == "bare" else size
-    return (kind, size.low) if size is not None and size.low == size.high and size.low > 1 else None
+    return (kind, size.low - (own or 0)) if size is not None and size.low == size.high and size.low > 1 else None
+
+
+def _own_places(shape: Meaning | None, sides: tuple[str, ...]) -> int | None:
+    """In how many places it is told already which block stands there; None where more is said of the structure."""
+    details = shape.details if isinstance(shape, Structure) else ()
+    told = [part for x in details for part in (x.items if isinstance(x, Coord) and x.op == "absolutes" else (x,))]
+    said = [Clause(verb="part", adjuncts=(part,), mode="goal", span=part.span) for part in told]
+    return len(told) if all(_told(part, sides, "and") for part in said) else None
 
 
 def _somewhere(said: Meaning, sides: tuple[str, ...]) -> bool:

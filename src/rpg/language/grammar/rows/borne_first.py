@@ -1,0 +1,21 @@
+"""What a block bears, told before what is said of the block, "the green one with a blue one on top is ...", and postures
+in one word, as rows that say it plainly."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import IS, THING
+from rpg.language.grammar.rows.turned import MUST, Turn
+
+_BEARING = "(?:carrying|bearing|supporting|holding|topped by|topped with)"
+_WITH = "(?:with|having|(?:that|which) has)"
+_ON_IT = "(?:on it|on top|on top of it)"
+_THEN = f"((?:{IS}|{MUST}) .+)"
+BORNE_FIRST: tuple[Turn, ...] = (
+    (f"^({THING}) {_WITH} ({THING}) {_ON_IT} {_THEN}$", "{1} , with {2} on top , {3}"),
+    (f"^({THING}) ((?:that|which) (?:carries|bears|supports|holds)|{_BEARING}) ({THING}) {_THEN}$",
+     "{1} , carrying {3} , {4}"),
+    # any posture, where only another is known in that place
+    ("\\b(?:sits|rests|lies)\\b", "stands"), ("\\b(?:sit|rest|lie)\\b(?!$)", "stand"),
+    ("\\b(?:sitting|resting|lying)\\b", "standing"),
+)  # fmt: skip
+"""What is looked for, and what is said instead; the last of all rows."""

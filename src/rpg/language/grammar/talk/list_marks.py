@@ -1,0 +1,104 @@
+"""Marks inside of lists: "the letters A; B and C" is one list, as is "two red, and three blue cubes"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+_LISTED = frozenset({"blocks", "cubes", "letters", "digits", "numbers", "ones", ":"})
+_STOPS = frozenset({".", ";", "!", "?"})
+_ON = frozenset({"on", "onto", "behind", "under", "beside", "below", "above", "near", "to", "than", "touches"})
+"""What stands before a place: "on two red, and three blue ones go ..."."""
+
+
+def lists_in_one(tokens: list[Token]) -> list[Token]:
+    """The tokens with a comma for each semicolon inside a list, and none before the "and" of two counted colours."""
+    out = list(tokens)
+    for n, token in enumerate(tokens):
+        if token.word == ";" and token.raw.strip() == ";" and _goes_on(tokens, n):
+            out[n] = replace(token, word=",", raw=",")
+    return _digits([token for n, token in enumerate(out) if not _before_and(out, n)])
+
+
+_DONE = frozenset({"stack", "pile", "up", "put", "place", "arrange", "sort", "order"})
+_BEYOND = frozenset({"from", "in", "so", "with", "on"})
+_FEW = 3
+
+
+def _digits(tokens: list[Token]) -> list[Token]:
+    """ "Stack one, two and three": the digits, where no word says of what so many are meant."""
+    out, at = list(tokens), 1
+    while at < len(tokens):
+        items, end = [], at
+        while end < len(tokens) and (_counts(tokens[end]) or tokens[end].word == "one"):
+            items.append(end)
+            end += 1
+            while end < len(tokens) and tokens[end].word in (",", "and"):
+                end += 1
+        closed = end >= len(tokens) or tokens[end].word in _STOPS or tokens[end].word in _BEYOND
+        if len(items) >= _FEW and closed and tokens[at - 1].word in (_DONE | _LISTED) - {":"}:
+            for n in items:
+                value = lexicon.NUMBER.get(tokens[n].word)
+                if value is not None:
+                    out[n] = replace(tokens[n], kind="number", word=str(value), raw=str(value), value=float(value))
+        at = max(end, at + 1)
+    return out
+
+
+def _goes_on(tokens: list[Token], n: int) -> bool:
+    """Whether what stands before and behind the semicolon at `n` are items of one list, such as "1; 2 and 3"."""
+    kind, begin = _ending(tokens, n)
+    while begin > 1 and tokens[begin - 1].word in (",", ";") and _ending(tokens, begin - 1)[0] == kind:
+        begin = _ending(tokens, begin - 1)[1]
+    if not kind or not (begin and tokens[begin - 1].word in _LISTED):
+        return False
+    at = n
+    while at < len(tokens) and tokens[at].word in (";", ",", "and"):
+        at += 1 + (tokens[at].word == "," and tokens[at + 1 : at + 2] != [] and tokens[at + 1].word == "and")
+        found, at = _item(tokens, at)
+        if found != kind:
+            return False
+    named = tokens[begin - 1].word != ":"
+    return at >= len(tokens) or tokens[at].word in _STOPS or (named and tokens[at].word in _BEHIND)
+
+
+_BEHIND = frozenset({":", "with", "in", "from", "so"})
+"""What may follow a list of things that were called blocks or letters before it."""
+
+
+def _ending(tokens: list[Token], end: int) -> tuple[str, int]:
+    """The kind of the item that ends at `end`, and where it begins."""
+    for begin in (end - 2, end - 1):
+        if begin >= 0 and (found := _item(tokens, begin))[1] == end and found[0]:
+            return found[0], begin
+    return "", end
+
+
+def _item(tokens: list[Token], at: int) -> tuple[str, int]:
+    """ "A", "3", "red" or "2 red": its kind, and where it ends."""
+    here, after = (tokens[k] if k < len(tokens) else None for k in (at, at + 1))
+    if here is None:
+        return "", at
+    if _counts(here) and after is not None and after.word in lexicon.COLOR:
+        return "so many of a color", at + 2
+    if here.word in lexicon.COLOR:
+        return "color", at + 1
+    if here.kind == "number" or (here.kind == "word" and len(here.raw) == 1 and here.raw.isupper()):
+        return "symbol", at + 1
+    return "", at
+
+
+def _counts(token: Token) -> bool:
+    return token.kind == "number" or (token.word in lexicon.NUMBER and token.word != "one")
+
+
+def _before_and(tokens: list[Token], n: int) -> bool:
+    """Is this the comma of "two red, and three blue cubes"? What follows has the noun of both."""
+    if tokens[n].word != "," or n < 2 or n + 3 >= len(tokens) or tokens[n + 1].word != "and":
+        return False
+    counted = _counts(tokens[n - 2]) and tokens[n - 1].word in lexicon.COLOR
+    more = n + 2 + (tokens[n + 2].word == "the")
+    kind, _ = _item(tokens, more)
+    return counted and kind == "so many of a color" and (n < 3 or tokens[n - 3].word not in _ON)

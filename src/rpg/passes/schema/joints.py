@@ -184,9 +184,11 @@ def _colors_behind(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "two towers of two, 15 cm apart, red and blue" as towers of other colours beside these two blocks."""
     if not task.assumed(COLORS_UNSAID):
         return
+    of_patches = {patch.color for patch in task.patches} - {block.color for block in task.blocks}
     for end in [n for n, t in enumerate(words) if t.word in _ENDS] + [len(words)]:
         tail = [t.word for t in words[max(end - 4, 0) : end]]
         colors = len(tail) == 4 and tail[0] == "," and tail[2] == "and" and {tail[1], tail[3]} <= lexicon.COLOR.keys()
+        colors = colors and not {lexicon.COLOR[tail[1]], lexicon.COLOR[tail[3]]} <= of_patches
         colors = colors or (tail[1:3] == [",", "both"] and tail[3] in lexicon.COLOR)
         if colors or _some_where(words, end) or _some_of_them(words, end):
             raise refuse("ambiguous", "these could be the colours of the blocks before, or further blocks",

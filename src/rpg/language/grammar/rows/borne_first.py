@@ -1,10 +1,10 @@
-"""What a block bears, told before what is said of the block, "the green one with a blue one on top is ...", and postures
-in one word, as rows that say it plainly."""
+"""What a block bears, told before what is said of the block, "the green one with a blue one on top is ...", patches
+with their colours behind them, and postures in one word, as rows that say it plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import IS, THING
-from rpg.language.grammar.rows.turned import MUST, Turn
+from rpg.language.grammar.rows.said_short import BLOCK, COLOR, IS, PATCH, THING
+from rpg.language.grammar.rows.turned import FEW, MUST, Turn
 
 _BEARING = "(?:carrying|bearing|supporting|holding|topped by|topped with)"
 _WITH = "(?:with|having|(?:that|which) has)"
@@ -14,6 +14,9 @@ BORNE_FIRST: tuple[Turn, ...] = (
     (f"^({THING}) {_WITH} ({THING}) {_ON_IT} {_THEN}$", "{1} , with {2} on top , {3}"),
     (f"^({THING}) ((?:that|which) (?:carries|bears|supports|holds)|{_BEARING}) ({THING}) {_THEN}$",
      "{1} , carrying {3} , {4}"),
+    (f"\\bthe (?:(?:{FEW}) )?({PATCH}s|patches) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})(?! (?:{BLOCK}s?|ones?)\\b)",
+     "the {2} {1}"),
+    (f"\\b(the|an?) ({PATCH}) ({COLOR})(?= [,.]| and |$)", "{1} {3} {2}"),
     # any posture, where only another is known in that place
     ("\\b(?:sits|rests|lies)\\b", "stands"), ("\\b(?:sit|rest|lie)\\b(?!$)", "stand"),
     ("\\b(?:sitting|resting|lying)\\b", "standing"),

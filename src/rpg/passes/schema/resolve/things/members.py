@@ -3,7 +3,21 @@
 from __future__ import annotations
 
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Pronoun, Size, Structure, Traits, replace
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    Coord,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Size,
+    Structure,
+    Traits,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.onward import in_between, onward
 from rpg.passes.schema.resolve.orders.orders import implied_kind
@@ -43,7 +57,7 @@ def members_of(
         named = certain(named, scene)
         _of_its_colors(shape, named, scene)
         spec.listed = spec.listed or named.listed
-        in_turn = named.op == "then" or (_named_one_by_one(source) and not spec.absolutes)
+        in_turn = named.op == "then" or (_named_one_by_one(source) and all(_of_another(x, source) for x in spec.absolutes))
         if in_turn and shape.kind in ("stack", "row", "line", "column") and not spec.orders:
             spec.orders.append(OrderBy(by="given", span=source.span))
         names = scene.fit(
@@ -196,6 +210,14 @@ def _named_one_by_one(source: Meaning) -> bool:
         bare = all(isinstance(x, Noun) and x.det == "bare" and x.amount is None and not x.plural for x in items)
         looks = [x.traits for x in items if isinstance(x, Noun)] if bare else []
     return 1 < len(set(looks)) < len(looks)
+
+
+def _of_another(told: Absolute, source: Meaning) -> bool:
+    """ "(green, green and blue) with a yellow block on the blue one": said of no block of the list."""
+    theme, where = told.theme, told.adjuncts[0] if told.adjuncts else None
+    looks = {look for x in parts_of(source) if isinstance(x, Noun) for look in (*x.traits.colors, *x.traits.labels)}
+    own = {*theme.traits.colors, *theme.traits.labels} if isinstance(theme, Noun) else looks
+    return isinstance(where, Loc) and bool(own) and not own & looks
 
 
 def _order_items(spec: Spec) -> tuple[Meaning, ...]:

@@ -20,6 +20,7 @@ from rpg.store.yamltext import dump
 MAX_BYTES = 1_000_000
 DEEPEST = 100
 """Levels that a task may be nested; libyaml falls over its own stack at some ten thousand."""
+TOO_DEEP = "nested too deeply for a task"
 _FIRST = ("format", "kind", "type")
 _LAST = ("span",)
 _RESOLVED = {
@@ -89,11 +90,14 @@ def parse_schema(text: str, origin: str = "task.yaml") -> TaskSchema:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line = f":{mark.line + 1}" if mark else ""
-        raise UsageError(f"{origin}{line}: {error.problem or error.context or 'not YAML'}") from error
+        problem = error.problem or error.context or "not YAML"
+        # Newer versions of libyaml stop at a depth of their own before ours is reached.
+        said = TOO_DEEP if "nesting depth" in problem else problem
+        raise UsageError(f"{origin}{line}: {said}") from error
     except yaml.YAMLError as error:
         raise UsageError(f"{origin}: not YAML: {' '.join(str(error).split())}") from error
     except RecursionError as error:
-        raise UsageError(f"{origin}: nested too deeply for a task") from error
+        raise UsageError(f"{origin}: {TOO_DEEP}") from error
     if not isinstance(data, dict):
         raise UsageError(f"{origin}:1: a task is a mapping that starts with `format: 1` and `name: ...`")
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import cache
 
 from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.tokens import Token
@@ -37,12 +37,12 @@ def turned(tokens: list[Token], turns: Sequence[Turn]) -> list[Token]:
     return tokens
 
 
-@lru_cache(maxsize=1024)
+@cache
 def _compiled(pattern: str) -> re.Pattern[str]:
     return re.compile(pattern)
 
 
-@lru_cache(maxsize=1024)
+@cache
 def _certain(pattern: str) -> str:
     """A part of what is looked for without which it is nowhere: the longest that stands outside of brackets."""
     plain = pattern

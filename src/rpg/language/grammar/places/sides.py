@@ -157,6 +157,7 @@ _LEADS = (
     "at the very", "on the very", "at the", "on the", "in the", "to the", "at", "on", "as the", "as", "being the", "in",
     "forming the",
 )  # fmt: skip
+_SOMEWHERE = tuple(f"{any_} {at} the" for any_ in ("somewhere", "anywhere") for at in ("on", "to"))
 _TAILS = ("end", "side", "most", "layer", "layers", "position", "level", "hand", "block", "spot", "place")
 _INSIDES = {**SIDES, "middle": "middle", "center": "middle", "hole": "middle"}
 
@@ -164,7 +165,7 @@ _INSIDES = {**SIDES, "middle": "middle", "center": "middle", "hole": "middle"}
 @rule
 def at(p: Parser, i: int) -> Results[Meaning]:
     """A place within the structure: "at the bottom", "in the middle", "on the left", "third from the left"."""
-    if j := p.any_of(i, _LEADS):
+    if j := p.any_of(i, _LEADS) or p.any_of(i, _SOMEWHERE):
         yield from inside(p, i, j)
     yield from extreme(p, i)
     if j := p.any_of(i, _EITHER_END):

@@ -10,6 +10,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.walk import atoms
+from rpg.ir.walk import names as names_in
 from rpg.passes.schema.resolve.goals.conflicts import clash, required
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
@@ -33,6 +34,32 @@ def check(goal: g.Goal, scene: Scene) -> None:
     _done_and_kept(goal)
     _inside_lines(parts)
     _next_to_the_top(parts)
+    _above_side_by_side(parts)
+    _swapped_in_what_is_built(parts, scene)
+
+
+def _swapped_in_what_is_built(parts: list[g.Goal], scene: Scene) -> None:
+    """Refuse "a row of A, B and C, but swap A and C": in the row, or with where each of them starts?"""
+    begun = {n for start in scene.start_goals for n in names_in(start)}
+    wholes = [{*x.blocks} for x in parts if isinstance(x, s.Row | s.Stack | s.Cells | s.Spells | s.Equation)]
+    for swap in (x for x in parts if isinstance(x, r.Swapped)):
+        two = {*swap.a, *swap.b}
+        if not two & begun and any(two <= whole for whole in wholes):
+            raise refuse("ambiguous", "the places that these have in what is built, or those where they start?",
+                         swap.span, "say how it should be in the end, or how the blocks start")  # fmt: skip
+
+
+def _above_side_by_side(parts: list[g.Goal]) -> None:
+    """Refuse "the word ONE, and TWO below it": of blocks that lie side by side two are not in one tower with a third."""
+    lines = [
+        {*x.blocks}
+        for x in parts
+        if isinstance(x, s.Row | s.Equation) or (isinstance(x, s.Spells) and x.along == "row")
+    ]
+    for above in (x for x in parts if isinstance(x, r.Above)) if lines else ():
+        if any(len(line & {*members(side)}) > 1 for line in lines for side in (above.a, above.b)):
+            raise refuse("ambiguous", "what lies side by side is not above a block as a whole, nor below it",
+                         above.span, "say 'behind' or 'in front of', or which block lies on which")  # fmt: skip
 
 
 def _next_to_the_top(parts: list[g.Goal]) -> None:

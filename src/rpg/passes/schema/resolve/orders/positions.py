@@ -60,10 +60,14 @@ def _share_out(pool: tuple[str, ...], sizes: list[int]) -> Iterator[tuple[tuple[
 
 @dataclass(frozen=True)
 class Placed:
-    """Ranks from places; `first`: the side that they are counted from, None where either end may be the beginning."""
+    """Ranks from places; `first`: the side that they are counted from, None where either end may be the beginning.
+
+    `paired`: places that come in twos were filled, and nobody said which block is at which of them.
+    """
 
     ranks: tuple[tuple[str, ...], ...]
     first: str | None
+    paired: bool = False
 
 
 def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Placed | None:
@@ -100,10 +104,11 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         spec.absolutes.remove(item)
     if not held:
         return None
-    first = None if turned or all(p.side in SYMMETRIC for p in parts) else _side_of(parts, kind)
+    paired = all(p.side in SYMMETRIC for p in parts)
+    first = None if turned or paired else _side_of(parts, kind)
     if {"odd", "even"} & {p.side for p in parts} and len(names) % 2 == 0:
         scene.assume(f"places are counted from the {first}")
-    return Placed(tuple(ranks_from(held, names, scene, bunches)), first)
+    return Placed(tuple(ranks_from(held, names, scene, bunches)), first, paired)
 
 
 def _at_ends(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> bool:

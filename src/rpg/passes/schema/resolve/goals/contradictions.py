@@ -115,11 +115,23 @@ def _of_those_that_stay(parts: list[g.Goal]) -> None:
 def check_all(goal: g.Goal, scene: Scene) -> None:
     """Refuse a goal that cannot hold, and a start that cannot be."""
     check(goal, scene)
+    _begun_just_so(goal, scene)
     try:
         check(g.All(goals=tuple(scene.start_goals)), scene)
     except Refusal as refusal:
         told = {"code": "contradiction", "message": "what is told of the start cannot all be so"}
         raise Refusal([refusal.diagnostics[0].model_copy(update=told)]) from None
+
+
+def _begun_just_so(goal: g.Goal, scene: Scene) -> None:
+    """Refuse "A, B and C start in a row, and end in a row as C, B and A": without an order it is so from the start."""
+    if not isinstance(goal, s.Row | s.Stack) or goal.order.by != "any":
+        return
+    told = goal.model_dump(exclude={"span", "blocks", "exact"})
+    for start in (x for x in scene.start_goals if isinstance(x, s.Row | s.Stack)):
+        if {*start.blocks} == {*goal.blocks} and start.model_dump(exclude={"span", "blocks", "exact"}) == told:
+            raise refuse("ambiguous", "they are in such a line from the beginning, in no other order", goal.span,
+                         "say the order, for example 'from left to right' or 'from bottom to top'")  # fmt: skip
 
 
 def _between_neighbours(parts: list[g.Goal]) -> None:

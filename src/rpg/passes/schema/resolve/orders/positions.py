@@ -168,6 +168,9 @@ def _put(
             raise refuse("count-mismatch", told, place.span, "name the blocks")
         indices = [k for group in groups for k in group]
         found = _refer(counted(theme, groups, place), names, held, item, scene)
+    if _in_several_lines(theme, found):
+        raise refuse("ambiguous", "several blocks are spoken of, and this structure has one of them", item.span,
+                     "say it of each structure by itself")  # fmt: skip
     if isinstance(theme, Coord) and len(theme.items) > 2 and isinstance(place, At) and place.index is None:
         told, hint = "this could be the place of all of them or of the last one", "say the order from end to end"
         raise refuse("ambiguous", told, item.span, hint)
@@ -182,6 +185,13 @@ def _put(
             raise refuse("contradiction", "one block is given two places", item.span, "give it one of them")
         held[index] = (name,)
     return found, max(indices)
+
+
+def _in_several_lines(theme: Meaning, found: tuple[str, ...]) -> bool:
+    """ "A tower of A and 1 and a tower of B and 2 with the letters on top": several are spoken of, and one is here."""
+    if not isinstance(theme, Noun) or theme.det not in ("the", "bare") or theme.amount is not None:
+        return False
+    return theme.plural and len(found) == 1
 
 
 def _whole(item: Absolute, place: At | Places) -> bool:

@@ -217,7 +217,7 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
             "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
         )
     of_a_line(ref, at_, scene)
-    line = next((b for b in scene.built if b.kind in SIDES and not set(ref.names) & set(b.members)), None)
+    line = next((b for b in scene.built if b.kind in SIDES and not {*b.members} <= {*ref.names}), None)
     if line is not None and ref.built and at_.side != "middle":
         raise refuse("ambiguous", f"this could be a side of the table or of the {line.kind}", at_.span,
                      "say 'half of the table', or of what")  # fmt: skip

@@ -50,7 +50,7 @@ def _swapped_in_what_is_built(parts: list[g.Goal], scene: Scene) -> None:
 
 
 def _above_side_by_side(parts: list[g.Goal]) -> None:
-    """Refuse "the word ONE, and TWO below it": of blocks that lie side by side two are not in one tower with a third."""
+    """Refuse "the word ONE, and TWO below it": no two side by side are in a tower with a third."""
     lines = [
         {*x.blocks}
         for x in parts
@@ -79,11 +79,14 @@ def _inside_lines(parts: list[g.Goal]) -> None:
         if any({*members(apart.a), *members(apart.b)} <= lot for lot in lots):
             raise refuse("ambiguous", "blocks of one group are to be apart, or is this said of the groups?", apart.span,
                          "say 'the groups', which are apart from each other anyway, or name single blocks")  # fmt: skip
+    told = [x.goal if isinstance(x, g.Not) else x for x in parts]
+    for lot in (x for x in told if isinstance(x, s.GroupBy)):
+        wholes = [x for x in parts if isinstance(x, s.Stack | s.Row | s.Figure) and lot.groups != (x.blocks,)]
+        lines = [{*x.blocks} for x in wholes if isinstance(x, s.Figure) or x.order.by == "any"]
+        if any({n for group in lot.groups for n in group} <= line for line in lines):
+            raise refuse("ambiguous", "how these are together in the line is not clear", lot.span,
+                         "say in which order the blocks of the line come")  # fmt: skip
     for line in (x for x in parts if isinstance(x, s.Stack | s.Row)):
-        for lot in (x for x in parts if isinstance(x, s.GroupBy) and len(x.groups) == 1):
-            if {*lot.groups[0]} < {*line.blocks}:
-                raise refuse("ambiguous", "how these are together in the line is not clear", lot.span,
-                             "say in which order the blocks of the line come")  # fmt: skip
         pairs = [x for x in parts if isinstance(x, r.On) and {*members(x.a), *members(x.b)} < {*line.blocks, ""}]
         lower = {n for x in pairs for n in members(x.b)}
         pairs = [x for x in pairs if x.span and line.order.by == "any" and not lower & {*members(x.a)}]

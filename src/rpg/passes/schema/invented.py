@@ -6,8 +6,10 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from rpg.ir.assets import FACES, SemanticCube
+from rpg.ir.node import members
+from rpg.ir.relations import Between
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import Spells
+from rpg.ir.structures import Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -41,6 +43,20 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
         _counted_bare(words, task)
         _of_the_counted(words, task)
         _of_those_left(words, task)
+        _one_in_between(words, task)
+
+
+def _one_in_between(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a row of A, B, C and D with one block between A and D" as a fifth block of any colour."""
+    said = {lexicon.COLOR.get(token.word) for token in words}
+    made_up = {block.name for block in task.blocks if block.color not in said and not isinstance(block, SemanticCube)}
+    found = [*atoms(task.goal)]
+    lines = [{*x.blocks} for x in found if isinstance(x, Row | Stack) and len(x.blocks) > 2]
+    for between in (x for x in found if isinstance(x, Between) and {*members(x.a)} <= made_up):
+        ends = {*members(between.b), *members(between.c)}
+        if any(ends <= line and line.isdisjoint(members(between.a)) for line in lines):
+            raise refuse("ambiguous", "this could be one of the blocks of the line, or a further one", between.span,
+                         "name the block")  # fmt: skip
 
 
 def _rainbow_beside(words: Sequence[Token], task: TaskSchema) -> None:

@@ -93,6 +93,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
             continue
         if phrase == "there" and p.follows(i, ("not",)):
             continue
+        if phrase == ", letters on top" and not _TOWERS.isdisjoint(p.words):
+            continue
         of_a_patch = phrase.startswith("where") and not lexicon.PATCH.keys().isdisjoint(p.words[:i])
         yield Manner(kind=kind, value=value, span=p.span(i, j), cost=2 * of_a_patch), j  # "on the patch where it is"
         if kind == "extra":  # "lying around which are not needed"
@@ -234,6 +236,8 @@ _EVENTS = (
     "simulation",
     "test",
 )
+_TOWERS = frozenset({"tower", "towers", "stack", "stacks", "stacked", "pile", "piled"})
+"""Beside these "letters on top" tells of blocks, and not of the faces that are seen."""
 _LITTLE: dict[str, tuple[str, float | str | None]] = {
     **{f"{lead} {whole} {event}": ("always", None)
        for lead in ("during", "throughout", "for", "over")

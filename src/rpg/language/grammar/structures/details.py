@@ -173,6 +173,8 @@ def _in_a_whole(p: Parser, i: int) -> Results[Clause]:
                 new = isinstance(whole, Structure) and whole.det in ("a", "bare") and not whole.plural
                 if not new or not isinstance(whole, Structure) or not (whole.sizes or whole.members):
                     continue
+                if p.words[told] == "on" and whole.kind in _BROAD and whole.members and not upon:
+                    continue  # on top of it, or one of its blocks?
                 look = replace(theme, det="bare")
                 first = Absolute(theme=look, adjuncts=(place,), span=p.span(i, k))
                 if upon and isinstance(place, At):
@@ -195,6 +197,8 @@ def _block_at(place: At) -> Noun:
     return Noun(head="any", det="the", traits=Traits(rank=rank), span=place.span)
 
 
+_BROAD = frozenset({"grid", "square", "cube", "rectangle", "checkerboard"})
+"""Figures with an upper side that something may lie on."""
 _PLACED = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "last", "middle", "center", "leftmost",
                      "rightmost", "end", "top", "bottom", "lowest", "highest", "left", "right"})  # fmt: skip
 _IS_IN = ("is", "should be", "must be", "comes", "stands", "goes", "has to be", "is to be", "sits", "should stand",

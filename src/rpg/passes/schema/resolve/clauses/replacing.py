@@ -28,8 +28,18 @@ def replace_there(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> lis
     if any(new in names_in(start) for start in there):
         raise refuse("ambiguous", "both of these blocks are there at the start", clause.span,
                      "say 'swap', or where each of them should be")  # fmt: skip
+    if any(_anywhere(start, scene) for start in there):
+        raise refuse("ambiguous", "it is not said where in the line the block that is replaced stands", clause.span,
+                     "say the order of the line, 'from left to right' or 'from bottom to top'")  # fmt: skip
     scene.assume(REPLACED)
     return [goal for start in there for goal in _in_its_place(start, old, new, scene, clause.span)]
+
+
+def _anywhere(start: g.Goal, scene: Scene) -> bool:
+    """Whether the blocks of a line look different and are in no order, so that none of them has a place."""
+    if not isinstance(start, s.Stack | s.Row) or start.order.by != "any":
+        return False
+    return len({(scene.things[n].color, scene.things[n].label) for n in start.blocks}) > 1
 
 
 def _single(ref: Ref, span: Span) -> str:

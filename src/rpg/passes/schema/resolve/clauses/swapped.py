@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.schema import EXCHANGED
-from rpg.language.meaning import Clause, Loc, Meaning, Structure, replace
+from rpg.language.meaning import Clause, Coord, Loc, Meaning, Structure, replace
 from rpg.passes.schema.resolve.clauses.replacing import replace_there
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.conflicts import OPPOSITE
@@ -18,6 +18,9 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
     """ "swap the red and the blue block", "swap A with B"; "replace A by B"."""
     if clause.verb == "replace":
         return replace_there(clause, spec, scene, scope)
+    if isinstance(clause.theme, Coord) and clause.theme.op == "then":
+        raise refuse("ambiguous", "it is not clear which of these change places with each other", clause.span,
+                     "say 'swap' of each pair")  # fmt: skip
     told = len(scene.premises)
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     parts: tuple[Ref, ...] = theme.parts

@@ -7,6 +7,7 @@ from functools import partial
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.structures import GroupBy
 from rpg.ir.walk import atoms
 from rpg.language.meaning import (
     Amount,
@@ -68,7 +69,10 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if any(m.value == "wholly" for m in stays):
         scene.untouched.update(theme.names)
     if isinstance(clause.theme, Structure) and stays:  # "leave the tower of red and blue alone": it is there
-        scene.start_goals += scene.goals.pop(scene.clause, [])
+        begun = scene.goals.pop(scene.clause, [])
+        heaps = [lot for x in begun if isinstance(x, GroupBy) for lot in x.groups]  # "take the heap apart"
+        scene.heaps += heaps
+        scene.start_goals += [] if heaps else begun
     return [g.Always(goal=stayed, span=clause.span) if ever else stayed, *more]
 
 
@@ -274,7 +278,10 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if clause.verb == "unstack":
         scene.unstacked.update(names)
     if theme.built and clause.verb == "unstack":
-        scene.start_goals += scene.goals.pop(scene.clause, [])
+        begun = scene.goals.pop(scene.clause, [])
+        heaps = [lot for x in begun if isinstance(x, GroupBy) for lot in x.groups]  # "take the heap apart"
+        scene.heaps += heaps
+        scene.start_goals += [] if heaps else begun
     if not landmarks and clause.lemma in ("remove", "clear"):
         raise refuse(
             "no-goal",
@@ -299,7 +306,8 @@ def _built_before(theme: Ref, scene: Scene) -> bool:
 
 
 def _stacked_at_start(names: tuple[str, ...], scene: Scene) -> bool:
-    return any(getattr(goal, "kind", "") in ("stack", "on", "towers") for goal in scene.start_goals)
+    piled = any(getattr(goal, "kind", "") in ("stack", "on", "towers") for goal in scene.start_goals)
+    return piled or any(set(names) <= {*heap} for heap in scene.heaps)
 
 
 def _so_many_off(theme: Ref, landmarks: list[Meaning], scene: Scene, scope: Scope, span: Span) -> Goals:

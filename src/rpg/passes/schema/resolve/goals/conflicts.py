@@ -80,9 +80,20 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
         return _orders_differ(a, b)
     if isinstance(a, s.Spells) and isinstance(b, s.Spells):
         return set(a.blocks) == set(b.blocks) and a.word != b.word
+    if _along_and_across(a, b) or _along_and_across(b, a):
+        return True
+    if isinstance(a, s.Equation) and isinstance(b, s.Equation):
+        return set(a.blocks) == set(b.blocks) and None not in (a.text, b.text) and a.text != b.text
     if _flat_and_upright(a, b) or _flat_and_upright(b, a) or _of_other_shape(a, b) or _of_other_shape(b, a):
         return True
     return _opposite(a, b) if isinstance(a, r.Directional) and isinstance(b, r.Directional) else False
+
+
+def _along_and_across(read: g.Goal, line: g.Goal) -> bool:
+    """A word or an equation, which is read from left to right, against a column of two of its blocks."""
+    if not isinstance(read, s.Spells | s.Equation) or read.along != "row":
+        return False
+    return isinstance(line, s.Row) and line.axis == "x" and len({*read.blocks} & {*line.blocks}) > 1
 
 
 def _of(beside: r.Directional | r.Beside, there: r.OnPatch) -> bool:

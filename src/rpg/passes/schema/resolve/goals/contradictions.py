@@ -10,6 +10,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.walk import atoms
+from rpg.ir.walk import names as names_in
 from rpg.passes.schema.resolve.goals.conflicts import clash, required
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
@@ -33,6 +34,32 @@ def check(goal: g.Goal, scene: Scene) -> None:
     _done_and_kept(goal)
     _inside_lines(parts)
     _next_to_the_top(parts)
+    _above_side_by_side(parts)
+    _swapped_in_what_is_built(parts, scene)
+
+
+def _swapped_in_what_is_built(parts: list[g.Goal], scene: Scene) -> None:
+    """Refuse "a row of A, B and C, but swap A and C": in the row, or with where each of them starts?"""
+    begun = {n for start in scene.start_goals for n in names_in(start)}
+    wholes = [{*x.blocks} for x in parts if isinstance(x, s.Row | s.Stack | s.Cells | s.Spells | s.Equation)]
+    for swap in (x for x in parts if isinstance(x, r.Swapped)):
+        two = {*swap.a, *swap.b}
+        if not two & begun and any(two <= whole for whole in wholes):
+            raise refuse("ambiguous", "the places that these have in what is built, or those where they start?",
+                         swap.span, "say how it should be in the end, or how the blocks start")  # fmt: skip
+
+
+def _above_side_by_side(parts: list[g.Goal]) -> None:
+    """Refuse "the word ONE, and TWO below it": no two side by side are in a tower with a third."""
+    lines = [
+        {*x.blocks}
+        for x in parts
+        if isinstance(x, s.Row | s.Equation) or (isinstance(x, s.Spells) and x.along == "row")
+    ]
+    for above in (x for x in parts if isinstance(x, r.Above)) if lines else ():
+        if any(len(line & {*members(side)}) > 1 for line in lines for side in (above.a, above.b)):
+            raise refuse("ambiguous", "what lies side by side is not above a block as a whole, nor below it",
+                         above.span, "say 'behind' or 'in front of', or which block lies on which")  # fmt: skip
 
 
 def _next_to_the_top(parts: list[g.Goal]) -> None:
@@ -52,11 +79,14 @@ def _inside_lines(parts: list[g.Goal]) -> None:
         if any({*members(apart.a), *members(apart.b)} <= lot for lot in lots):
             raise refuse("ambiguous", "blocks of one group are to be apart, or is this said of the groups?", apart.span,
                          "say 'the groups', which are apart from each other anyway, or name single blocks")  # fmt: skip
+    told = [x.goal if isinstance(x, g.Not) else x for x in parts]
+    for lot in (x for x in told if isinstance(x, s.GroupBy)):
+        wholes = [x for x in parts if isinstance(x, s.Stack | s.Row | s.Figure) and lot.groups != (x.blocks,)]
+        lines = [{*x.blocks} for x in wholes if isinstance(x, s.Figure) or x.order.by == "any"]
+        if any({n for group in lot.groups for n in group} <= line for line in lines):
+            raise refuse("ambiguous", "how these are together in the line is not clear", lot.span,
+                         "say in which order the blocks of the line come")  # fmt: skip
     for line in (x for x in parts if isinstance(x, s.Stack | s.Row)):
-        for lot in (x for x in parts if isinstance(x, s.GroupBy) and len(x.groups) == 1):
-            if {*lot.groups[0]} < {*line.blocks}:
-                raise refuse("ambiguous", "how these are together in the line is not clear", lot.span,
-                             "say in which order the blocks of the line come")  # fmt: skip
         pairs = [x for x in parts if isinstance(x, r.On) and {*members(x.a), *members(x.b)} < {*line.blocks, ""}]
         lower = {n for x in pairs for n in members(x.b)}
         pairs = [x for x in pairs if x.span and line.order.by == "any" and not lower & {*members(x.a)}]
@@ -88,11 +118,23 @@ def _of_those_that_stay(parts: list[g.Goal]) -> None:
 def check_all(goal: g.Goal, scene: Scene) -> None:
     """Refuse a goal that cannot hold, and a start that cannot be."""
     check(goal, scene)
+    _begun_just_so(goal, scene)
     try:
         check(g.All(goals=tuple(scene.start_goals)), scene)
     except Refusal as refusal:
         told = {"code": "contradiction", "message": "what is told of the start cannot all be so"}
         raise Refusal([refusal.diagnostics[0].model_copy(update=told)]) from None
+
+
+def _begun_just_so(goal: g.Goal, scene: Scene) -> None:
+    """Refuse "A, B and C start in a row, and end in a row as C, B and A": without an order it is so from the start."""
+    if not isinstance(goal, s.Row | s.Stack) or goal.order.by != "any":
+        return
+    told = goal.model_dump(exclude={"span", "blocks", "exact"})
+    for start in (x for x in scene.start_goals if isinstance(x, s.Row | s.Stack)):
+        if {*start.blocks} == {*goal.blocks} and start.model_dump(exclude={"span", "blocks", "exact"}) == told:
+            raise refuse("ambiguous", "they are in such a line from the beginning, in no other order", goal.span,
+                         "say the order, for example 'from left to right' or 'from bottom to top'")  # fmt: skip
 
 
 def _between_neighbours(parts: list[g.Goal]) -> None:

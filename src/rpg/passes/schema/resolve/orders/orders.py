@@ -83,7 +83,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
             return _two_orders(span)
         if first is not None and placed.first not in (None, first):
             raise refuse("order-conflict", "the places are counted from two sides", span, "keep one of them")
-        ranks = placed.ranks if any(o.by == "any" for o in spec.orders) else between_ends(placed.ranks, names, scene)
+        free = placed.paired or any(o.by == "any" for o in spec.orders)
+        ranks = placed.ranks if free else between_ends(placed.ranks, names, scene)
         found = Order(by="given", ranks=ranks, first=placed.first)  # type: ignore[arg-type]
     if found.by != "any" and first and found.first is None:
         found = found.model_copy(update={"first": first})

@@ -60,10 +60,14 @@ def _share_out(pool: tuple[str, ...], sizes: list[int]) -> Iterator[tuple[tuple[
 
 @dataclass(frozen=True)
 class Placed:
-    """Ranks from places; `first`: the side that they are counted from, None where either end may be the beginning."""
+    """Ranks from places; `first`: the side that they are counted from, None where either end may be the beginning.
+
+    `paired`: places that come in twos were filled, and nobody said which block is at which of them.
+    """
 
     ranks: tuple[tuple[str, ...], ...]
     first: str | None
+    paired: bool = False
 
 
 def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Placed | None:
@@ -100,10 +104,11 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         spec.absolutes.remove(item)
     if not held:
         return None
-    first = None if turned or all(p.side in SYMMETRIC for p in parts) else _side_of(parts, kind)
+    paired = all(p.side in SYMMETRIC for p in parts)
+    first = None if turned or paired else _side_of(parts, kind)
     if {"odd", "even"} & {p.side for p in parts} and len(names) % 2 == 0:
         scene.assume(f"places are counted from the {first}")
-    return Placed(tuple(ranks_from(held, names, scene, bunches)), first)
+    return Placed(tuple(ranks_from(held, names, scene, bunches)), first, paired)
 
 
 def _at_ends(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> bool:
@@ -163,6 +168,9 @@ def _put(
             raise refuse("count-mismatch", told, place.span, "name the blocks")
         indices = [k for group in groups for k in group]
         found = _refer(counted(theme, groups, place), names, held, item, scene)
+    if _in_several_lines(theme, found):
+        raise refuse("ambiguous", "several blocks are spoken of, and this structure has one of them", item.span,
+                     "say it of each structure by itself")  # fmt: skip
     if isinstance(theme, Coord) and len(theme.items) > 2 and isinstance(place, At) and place.index is None:
         told, hint = "this could be the place of all of them or of the last one", "say the order from end to end"
         raise refuse("ambiguous", told, item.span, hint)
@@ -177,6 +185,13 @@ def _put(
             raise refuse("contradiction", "one block is given two places", item.span, "give it one of them")
         held[index] = (name,)
     return found, max(indices)
+
+
+def _in_several_lines(theme: Meaning, found: tuple[str, ...]) -> bool:
+    """ "A tower of A and 1 and a tower of B and 2 with the letters on top": several are spoken of, and one is here."""
+    if not isinstance(theme, Noun) or theme.det not in ("the", "bare") or theme.amount is not None:
+        return False
+    return theme.plural and len(found) == 1
 
 
 def _whole(item: Absolute, place: At | Places) -> bool:

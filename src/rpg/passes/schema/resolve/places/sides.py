@@ -16,7 +16,7 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
 from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
-from rpg.passes.schema.resolve.orders.positions import SIDES, alternatives, looks, places_of, ranks_from
+from rpg.passes.schema.resolve.orders.positions import SIDES, SYMMETRIC, alternatives, looks, places_of, ranks_from
 from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line
@@ -217,7 +217,7 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
             "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
         )
     of_a_line(ref, at_, scene)
-    line = next((b for b in scene.built if b.kind in SIDES and not set(ref.names) & set(b.members)), None)
+    line = next((b for b in scene.built if b.kind in SIDES and not {*b.members} <= {*ref.names}), None)
     if line is not None and ref.built and at_.side != "middle":
         raise refuse("ambiguous", f"this could be a side of the table or of the {line.kind}", at_.span,
                      "say 'half of the table', or of what")  # fmt: skip
@@ -305,7 +305,8 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
         return transform(goal, lambda x: node.model_copy(update={"order": settled, **along}) if x == node else x)
     bunches = [ref.names for ref, _, _ in ats if len(ref.names) > 1]
     told = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
-    ranks = by_symbols(tuple(told), node.blocks, scene)
+    paired = all(isinstance(at_, At) and at_.side in SYMMETRIC for _, at_, _ in loose)
+    ranks = tuple(told) if paired else by_symbols(tuple(told), node.blocks, scene)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=ranks, first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):

@@ -14,11 +14,11 @@ from rpg.passes.schema.resolve.things.which import which
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
 
 if TYPE_CHECKING:
-    from rpg.passes.schema.resolve.things.things import create, further, matching
+    from rpg.passes.schema.resolve.things.things import alike, create, further, matching
     from rpg.passes.schema.resolve.things.world import said
 else:
-    create, further, matching = later(
-        __name__, "rpg.passes.schema.resolve.things.things", "create", "further", "matching"
+    alike, create, further, matching = later(
+        __name__, "rpg.passes.schema.resolve.things.things", "alike", "create", "further", "matching"
     )
     (said,) = later(__name__, "rpg.passes.schema.resolve.things.world", "said")
 
@@ -28,8 +28,6 @@ _REST = frozenset({"the other ones", "the others", "the rest", "others", "the ot
     "the remaining ones", "the remainder", "all others",
                    "all the others", "all the rest"})  # fmt: skip
 _OTHER = frozenset({"the other one", "the other", "the second one", "another"})
-
-
 PAIR = 2
 """So many are "the other two"."""
 
@@ -271,14 +269,15 @@ def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
 def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == "one":
         free = _left_over(scene)
-        if len({(t.color, t.label, t.size) for t in free}) > 1:
+        if free and not alike(free):
             raise refuse("ambiguous", "it is not said which of these blocks is meant", word.span, "name the block")
         if free:
             scene.used.add(free[0].name)
             return Ref(names=(free[0].name,))
         for mention in reversed(scene.mentions):
             if len(mention.ref.names) > 1 and not mention.ref.patch:
-                if mention.role == "theme" and mention.clause < scene.clause and not mention.ref.built:
+                lot = mention.role == "theme" and mention.clause < scene.clause and not mention.ref.built
+                if lot or not alike([scene.things[n] for n in mention.ref.names]):
                     raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", word.span,
                                  "say 'one of them', or name its colour")  # fmt: skip
                 return Ref(names=(mention.ref.names[0],))

@@ -166,6 +166,8 @@ class RowPredicate(Predicate[Row]):
         line = best_line(state, node.blocks)
         if straightness(line, state, node.line_edges) < -ROUNDING:
             return False
+        if node.order.by != "any" and not _in_order(node, line, state):
+            return False
         return self._along(line, node, state).value
 
     def perhaps(self, node: Row, many: Centres) -> Mask:

@@ -132,7 +132,10 @@ class _Table:
         """The faults of the blocks as they sit; where there are no fewer than `most`, just that many or more."""
         found = 0.0
         for atom, wanted, _ in self.asked:
-            verdict = PREDICATES[atom.kind].evaluate(atom, self.state)
+            predicate = PREDICATES[atom.kind]
+            if not wanted and predicate.plainly_not(atom, self.state):
+                continue
+            verdict = predicate.evaluate(atom, self.state)
             if verdict.value != wanted:
                 found += 1.0 + min(abs(verdict.margin), 5.0) / 10.0
             elif abs(verdict.margin) < THIN:

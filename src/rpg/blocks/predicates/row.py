@@ -152,6 +152,9 @@ class RowPredicate(Predicate[Row]):
                 parts.append(apart(state, line, node.gap_edges, node.covered, symbols=True))
         return every(parts)
 
+    def plainly_not(self, node: Row, state: BlockState) -> bool:
+        return node.order.by != "any" and not self.in_order(node, state)
+
     def loosened(self, node: Row) -> Row | None:
         if node.order.by != "given":
             return None

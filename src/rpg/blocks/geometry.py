@@ -364,8 +364,6 @@ def reach(state: BlockState, name: str) -> tuple[float, float]:
 
 def grounded(state: BlockState, name: str) -> bool:
     """Does the block rest on the table, or on blocks that do?"""
-    if abs(table_gap(state, name)) <= SUPPORT_GAP:
-        return True
     frontier, seen = [name], {name}
     while frontier:
         block = frontier.pop()

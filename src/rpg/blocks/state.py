@@ -9,7 +9,7 @@ from functools import cached_property, lru_cache
 
 from rpg.blocks.constants import TABLE_Z
 from rpg.ir.assets import Asset, Block, GoalPatch
-from rpg.ir.node import Highest, Lowest, Operand
+from rpg.ir.node import Lowest, Operand
 
 Vec3 = tuple[float, float, float]
 Quat = tuple[float, float, float, float]

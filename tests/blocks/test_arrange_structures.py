@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from rpg.blocks.arrange import Impossible, arrange
+from rpg.blocks.arrange.alternatives import alternatives, lies_flat
 from rpg.blocks.evaluate import evaluate, settled
 from rpg.blocks.state import World
 from rpg.ir.assets import ColoredCube, GoalPatch
@@ -106,3 +107,12 @@ def test_a_hopeless_goal_is_given_up_in_good_time() -> None:
     each = {"kind": "on_patch", "a": "each", "patch": "mat"}
     with pytest.raises(Impossible):
         arrange(goal("count", over=COLORS, at_least=6, goal=each), world, rng=Random(0))
+
+
+def test_no_way_to_build_a_line_has_its_blocks_on_each_other() -> None:
+    """A block between two others may stand in a tower, but not where all three are of one line."""
+    between = {"kind": "between", "a": "red", "b": "blue", "c": "green"}
+    beside_it = {"kind": "row", "blocks": ["blue", "green"]}
+    for parts, ways in (([between], 3), ([structure("row", 3), between], 1), ([beside_it, between], 3)):
+        found = [lies_flat(literals) for literals in alternatives(goal("all", goals=parts), WORLD)]
+        assert (len(found), sum(found)) == (3, ways)

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rpg.blocks.geometry import footprint, footprint_gap, polygon_gap
+from rpg.blocks.geometry import clear_of, footprint, footprint_gap, polygon_gap
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World, yaw_quat
 from rpg.blocks.verdict import Verdict
@@ -157,6 +157,7 @@ def test_gaps_between_turned_squares(seed: int) -> None:
     state = BlockState(objects, spots, turns)
     expected = polygon_gap(footprint(state, "a"), footprint(state, "b"))
     assert footprint_gap(state, "a", "b") == pytest.approx(expected, abs=1e-9)
+    assert clear_of(footprint(state, "a"), footprint(state, "b"), 0.01) == (expected >= 0.01)
 
 
 def test_margins_fall_as_a_block_leaves_its_place() -> None:

@@ -111,6 +111,13 @@ def polygon_gap(p: Polygon, q: Polygon) -> float:
     return min(_vertex_distance(p, q), _vertex_distance(q, p))
 
 
+def clear_of(p: Polygon, q: Polygon, gap: float) -> bool:
+    """Are two convex polygons at least so far apart? Most are by their least extents along the axes alone."""
+    (px, py), (qx, qy) = zip(*p, strict=True), zip(*q, strict=True)
+    beside = max(min(px) - max(qx), min(qx) - max(px), min(py) - max(qy), min(qy) - max(py))
+    return beside >= gap or polygon_gap(p, q) >= gap
+
+
 def polygon_separation(p: Polygon, q: Polygon) -> float:
     """Greatest distance between two convex polygons along the normal of an edge: at most their gap, and of its sign."""
     return max(_separation(p, q), _separation(q, p))

@@ -18,7 +18,7 @@ import numpy as np
 
 from rpg.blocks.arrange import arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
-from rpg.blocks.geometry import Polygon, footprint, patch_outline, polygon_gap, rectangle
+from rpg.blocks.geometry import Polygon, clear_of, footprint, patch_outline, polygon_gap, rectangle
 from rpg.blocks.heaps import Heap, above, dropped, in_one_piece, shaft
 from rpg.blocks.physics import Physics, leave, settled_state
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
@@ -259,7 +259,7 @@ def _put_arranged(init: InitialState, layout: _Layout, draw: str) -> bool:
     goal, world, others = _arrangement(init.arranged, layout.world)
     found = arrange(goal, world, rng=Random(f"{draw}/arranged"), natural=False)[0]
     outlines = {name: footprint(found, name) for name in found.position}
-    if any(polygon_gap(outline, other) < TIGHT for outline in outlines.values() for other in others):
+    if not all(clear_of(outline, other, TIGHT) for outline in outlines.values() for other in others):
         return False
     for name, outline in outlines.items():
         layout.put(name, found.position[name], found.orientation[name], outline)

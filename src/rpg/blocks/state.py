@@ -9,7 +9,7 @@ from functools import cached_property, lru_cache
 
 from rpg.blocks.constants import TABLE_Z
 from rpg.ir.assets import Asset, Block, GoalPatch
-from rpg.ir.node import Highest, Lowest, Operand
+from rpg.ir.node import Lowest, Operand
 
 Vec3 = tuple[float, float, float]
 Quat = tuple[float, float, float, float]
@@ -53,25 +53,26 @@ class BlockState:
     moving: frozenset[str] = frozenset()
     held: frozenset[str] = frozenset()
     start: BlockState | None = None
-    _axes: dict[str, tuple[Matrix, float]] = field(default_factory=dict, compare=False, repr=False)
+    _axes: dict[str, tuple[Matrix, float, float]] = field(default_factory=dict, compare=False, repr=False)
 
     def axes(self, name: str) -> Matrix:
         """The block's rotation matrix, row by row: column k is its k-th axis in the world."""
         return (self._axes.get(name) or self._turned(name))[0]
 
-    def _turned(self, name: str) -> tuple[Matrix, float]:
-        """The block's rotation matrix and half of its vertical extent."""
+    def _turned(self, name: str) -> tuple[Matrix, float, float]:
+        """The block's rotation matrix, half of its vertical extent, and the cosine of its tilt."""
         orientation = self.orientation.get(name, IDENTITY)
         axes = UPRIGHT if orientation is IDENTITY else matrix(orientation)
         x, y, z = axes[2]
-        found = self._axes[name] = axes, self.world.edge[name] / 2 * (abs(x) + abs(y) + abs(z))
+        x, y, z = abs(x), abs(y), abs(z)
+        found = self._axes[name] = axes, self.world.edge[name] / 2 * (x + y + z), min(1.0, max(x, y, z))
         return found
 
-    def tilt(self, name: str) -> float:
-        """Angle in degrees between the vertical and the block's axis nearest to it (0 on any face)."""
-        x, y, z = self.axes(name)[2]
-        vertical = max(abs(x), abs(y), abs(z))
-        return math.degrees(math.acos(min(1.0, vertical)))
+    def tilt(self, *names: str) -> float:
+        """Angle in degrees between the vertical and the block's axis nearest to it (0 on any face); of several blocks,
+        the largest."""
+        cosines = [(self._axes.get(name) or self._turned(name))[2] for name in names]
+        return math.degrees(math.acos(min(cosines, default=1.0)))
 
     def bottom(self, name: str) -> float:
         """Height of the block's lowest point."""
@@ -83,11 +84,11 @@ class BlockState:
 
     def resolve(self, operand: Operand) -> tuple[str, ...]:
         """The objects that an operand stands for in this state."""
+        if isinstance(operand, tuple):
+            return operand
         if isinstance(operand, Lowest):
             return (min(operand.lowest, key=lambda n: self.position[n][2]),)
-        if isinstance(operand, Highest):
-            return (max(operand.highest, key=lambda n: self.position[n][2]),)
-        return operand
+        return (max(operand.highest, key=lambda n: self.position[n][2]),)
 
     def where(self, name: str) -> Vec3:
         """Centre of a block, or of a patch on the table."""

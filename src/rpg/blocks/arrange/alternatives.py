@@ -31,6 +31,7 @@ from rpg.ir.relations import (
     Stayed,
     Touching,
 )
+from rpg.ir.structures import Row
 from rpg.ir.walk import instances
 
 
@@ -89,6 +90,14 @@ def alternatives(goal: g.Goal, world: World, wanted: bool = True) -> Iterator[Co
             yield from _spoilt(goal, world)
         case _:
             yield (Literal(goal, wanted),)
+
+
+def lies_flat(literals: Conjunction) -> bool:
+    """Does no block of a line have to be on another one of it? They are to stand on one level."""
+    wanted = [literal.atom for literal in literals if literal.holds]
+    lines = [set(atom.blocks) for atom in wanted if isinstance(atom, Row)]
+    pairs = [set(members(atom.a) + members(atom.b)) for atom in wanted if isinstance(atom, On) and lines]
+    return not any(pair <= line for pair in pairs for line in lines)
 
 
 def single(literals: Conjunction) -> Conjunction:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from itertools import combinations
 from random import Random
@@ -35,9 +36,15 @@ def alone(atom: g.Atom, seats: Seats, world: World) -> BlockState:
     """A structure by itself, its pieces and the blocks that it has no seat for far from each other."""
     pieces = 1 + max(piece for piece, _, _ in seats.values())
     spare = [name for name in names(atom) if name in world.blocks and name not in seats]
-    position = {name: (x + FAR * piece, y, z + TABLE_Z) for name, (piece, (x, y, z), _) in seats.items()}
+    poses = {name: _pose(seat) for name, seat in seats.items()}
+    position = {name: place for name, (place, _) in poses.items()}
     position |= {name: (FAR * (pieces + k), 0.0, TABLE_Z + world.edge[name] / 2) for k, name in enumerate(spare)}
-    return BlockState(world, position, {name: quat or IDENTITY for name, (_, _, quat) in seats.items()})
+    return BlockState(world, position, {name: quat for name, (_, quat) in poses.items()})
+
+
+def _pose(seat: tuple[int, Vec3, Quat | None]) -> tuple[Vec3, Quat]:
+    piece, (x, y, z), quat = seat
+    return (x + FAR * piece, y, z + TABLE_Z), quat or IDENTITY
 
 
 def reseated(
@@ -56,21 +63,22 @@ def reseated(
     if not kept or any(cluster.fixed for cluster in clusters):
         return None
     table = _Table(atom, clusters, kept, world)
-    faults = table.at_first
-    if faults == 0.0:
+    if table.faults == 0.0:
         return None
     rng = Random(len(table.seats))
     for attempt in range(RESTARTS if thorough else 1):
         if attempt:
             table.shuffle(rng)
-            faults = table.faults()
-        if table.improved(faults):
+        if table.improved():
             return table.clusters()
     return None
 
 
 class _Table:
-    """Blocks in the seats of a structure, far from everything else."""
+    """Blocks in the seats of a structure, far from everything else.
+
+    `faults`: how far the conditions are from holding: below 1 when all do, 0 when none of them barely.
+    """
 
     def __init__(self, atom: g.Atom, clusters: Sequence[Cluster], asked: list[Literal], world: World) -> None:
         self.atom, self.asked, self.world = atom, asked, world
@@ -78,27 +86,35 @@ class _Table:
         self.seats: Seats = {
             n: (k, place, quat) for k, c in enumerate(clusters) for n, (place, quat) in c.poses.items()
         }
-        state = self._state()
-        self.whole = PREDICATES[atom.kind].evaluate(atom, state).value
-        self.at_first = self._unmet(state)
+        self.state = alone(atom, self.seats, world)
+        self.whole = False
+        self.faults = self._found()
+        self.whole = self.faults > 0.0 and self._stands()
 
-    def improved(self, faults: float) -> bool:
+    def improved(self) -> bool:
         """Exchange the pair that helps most until no exchange helps; do all conditions hold then?"""
+        pairs = sorted(self.pairs())
         for _ in range(ROUNDS):
-            better, pair = min(((self.faults_after(*pair), pair) for pair in self.pairs()), default=(faults, None))
-            if pair is None or better >= faults:
+            best = None
+            for pair in pairs:
+                self.exchange(*pair)
+                found = self._found(self.faults)
+                self.exchange(*pair)
+                if found < self.faults:
+                    best, self.faults = pair, found
+            if best is None:
                 break
-            self.exchange(*pair)
-            faults = better
-            if faults == 0.0:
+            self.exchange(*best)
+            if self.faults == 0.0:
                 break
-        return faults < 1.0
+        return self.faults < 1.0
 
     def shuffle(self, rng: Random) -> None:
         """Exchange a few pairs by chance."""
         pairs = self.pairs()
         for pair in rng.sample(pairs, min(len(pairs), SHUFFLED)):
             self.exchange(*pair)
+        self.faults = self._found()
 
     def pairs(self) -> list[tuple[str, str]]:
         """Blocks that may change places and do not look alike."""
@@ -110,35 +126,30 @@ class _Table:
         (i, p, q), (j, r, s) = self.seats[a], self.seats[b]
         free = q is None or s is None
         self.seats[a], self.seats[b] = (j, r, q if free else s), (i, p, s if free else q)
+        self.state = self.state.moved({name: _pose(self.seats[name]) for name in (a, b)})
 
-    def faults_after(self, a: str, b: str) -> float:
-        self.exchange(a, b)
-        found = self.faults()
-        self.exchange(a, b)
-        return found
-
-    def faults(self) -> float:
-        """How far the conditions are from holding: below 1 when all do, 0 when none of them barely."""
-        state = self._state()
-        spoilt = self.whole and not PREDICATES[self.atom.kind].evaluate(self.atom, state).value
-        return self._unmet(state) + (SPOILT if spoilt else 0.0)
-
-    def _unmet(self, state: BlockState) -> float:
-        """What the conditions amount to, the structure apart."""
+    def _found(self, most: float = math.inf) -> float:
+        """The faults of the blocks as they sit; where there are no fewer than `most`, just that many or more."""
         found = 0.0
         for atom, wanted, _ in self.asked:
-            verdict = PREDICATES[atom.kind].evaluate(atom, state)
+            predicate = PREDICATES[atom.kind]
+            if not wanted and predicate.plainly_not(atom, self.state):
+                continue
+            verdict = predicate.evaluate(atom, self.state)
             if verdict.value != wanted:
                 found += 1.0 + min(abs(verdict.margin), 5.0) / 10.0
             elif abs(verdict.margin) < THIN:
                 found += 0.1
-        return found
+            if found >= most:
+                return found
+        return found + SPOILT if self.whole and not self._stands() else found
+
+    def _stands(self) -> bool:
+        """Does the structure itself hold?"""
+        return PREDICATES[self.atom.kind].holds(self.atom, self.state)
 
     def clusters(self) -> list[Cluster]:
         parts: list[dict[str, tuple[Vec3, Quat | None]]] = [{} for _ in range(self.count)]
         for name, (k, place, quat) in self.seats.items():
             parts[k][name] = (place, quat)
         return [Cluster(poses) for poses in parts]
-
-    def _state(self) -> BlockState:
-        return alone(self.atom, self.seats, self.world)

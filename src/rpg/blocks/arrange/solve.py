@@ -9,7 +9,7 @@ from random import Random
 from threading import Lock
 from typing import NamedTuple
 
-from rpg.blocks.arrange.alternatives import alternatives, single
+from rpg.blocks.arrange.alternatives import alternatives, lies_flat, single
 from rpg.blocks.arrange.bounds import Bounds, Contradiction
 from rpg.blocks.arrange.builds import layouts_of
 from rpg.blocks.arrange.fixed import Poses, fixed_poses
@@ -191,7 +191,7 @@ class _Ways:
 
     def __init__(self, goal: g.Goal, world: World) -> None:
         self._made: list[Way] = []
-        found = islice(alternatives(goal, world), MAX_ALTERNATIVES)
+        found = filter(lies_flat, islice(alternatives(goal, world), MAX_ALTERNATIVES))
         self._coming = (Way(single(literals), world) for literals in found)
         self._making = Lock()
 

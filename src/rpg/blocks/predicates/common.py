@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rpg.blocks.constants import SUPPORT_GAP, TABLE_Z, WORKSPACE_X, WORKSPACE_Y
-from rpg.blocks.geometry import carried, footprint_gap
+from rpg.blocks.geometry import carried, footprint_gap, heading, square_gap
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, product, yaw_quat
 from rpg.ir.assets import EDGE
 
@@ -52,7 +52,7 @@ def slack(value: float, limit: float) -> float:
 
 def flatness(state: BlockState, names: Iterable[str]) -> float:
     """Margin of "none of these is tilted more than 15 degrees"."""
-    return 1.0 - max([state.tilt(name) for name in names], default=0.0) / TILT
+    return 1.0 - state.tilt(*names) / TILT
 
 
 def levelness(state: BlockState, names: Sequence[str]) -> float:
@@ -186,4 +186,9 @@ def pair_edge(state: BlockState, a: str, b: str) -> float:
 
 def gaps_along(state: BlockState, sequence: Sequence[str]) -> list[float]:
     """Face gaps between neighbours of a sequence, metres."""
-    return [footprint_gap(state, a, b) for a, b in pairwise(sequence)]
+    ways = [way for name in sequence if (way := heading(state, name)) is not None]
+    if len(ways) < len(sequence):
+        return [footprint_gap(state, a, b) for a, b in pairwise(sequence)]
+    position, edge = state.position, state.world.edge
+    squares = [(*position[name][:2], way, edge[name] / 2) for name, way in zip(sequence, ways, strict=True)]
+    return [square_gap((bx - ax, by - ay), u, h, v, k) for (ax, ay, u, h), (bx, by, v, k) in pairwise(squares)]

@@ -79,8 +79,10 @@ class InRegionPredicate(Predicate[InRegion]):
     """Each centre lies in the region."""
 
     def evaluate(self, node: InRegion, state: BlockState) -> Verdict:
-        parts = [self._in(node.region, a, state) for a in state.resolve(node.a)]
-        return parts[0] if len(parts) == 1 else every(parts)
+        names = state.resolve(node.a)
+        if len(names) == 1:
+            return self._in(node.region, names[0], state)
+        return every([self._in(node.region, name, state) for name in names])
 
     def _in(self, region: Region, name: str, state: BlockState) -> Verdict:
         x, y, _ = state.where(name)

@@ -152,6 +152,9 @@ class RowPredicate(Predicate[Row]):
                 parts.append(apart(state, line, node.gap_edges, node.covered, symbols=True))
         return every(parts)
 
+    def plainly_not(self, node: Row, state: BlockState) -> bool:
+        return node.order.by != "any" and not self.in_order(node, state)
+
     def loosened(self, node: Row) -> Row | None:
         if node.order.by != "given":
             return None
@@ -165,6 +168,8 @@ class RowPredicate(Predicate[Row]):
             return False
         line = best_line(state, node.blocks)
         if straightness(line, state, node.line_edges) < -ROUNDING:
+            return False
+        if node.order.by != "any" and not _in_order(node, line, state):
             return False
         return self._along(line, node, state).value
 

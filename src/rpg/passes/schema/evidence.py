@@ -8,7 +8,7 @@ for part of something else, is caught here.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 from pydantic import BaseModel
 
@@ -294,15 +294,24 @@ def _counts(after: Sequence[Token]) -> bool:
 
 
 def _shown_orders(task: TaskSchema) -> set[str]:
-    """The orders that a list comes to which a goal gives block by block: A, B, C is the one by label."""
+    """The orders that a list comes to which a goal gives block by block: A, B, C is the one by label; and so is A, E,
+    B, C, whose groups are the vowels and the consonants."""
     symbols = {asset.name: "".join(sorted(symbols_of(asset))) for asset in task.assets}
     orders: list[list[str]] = []
     for atom in atoms(task.goal):
         order = getattr(atom, "order", None)
         if isinstance(order, Order) and order.by == "given":
             orders.append([symbols.get(rank[0], "") for rank in order.ranks])
-    rising = [one for one in orders if all(one) and one == sorted(one)]
-    return {"number" if "".join(one).isdigit() else "label" for one in rising}
+    told = [one for one in orders if all(one)]
+    kinds = [one for one in told if _kind_by_kind(one)]
+    rising = [one for one in told if one == sorted(one)]
+    return {"number" if "".join(one).isdigit() else "label" for one in (*rising, *kinds)} | {"group_by" for _ in kinds}
+
+
+def _kind_by_kind(symbols: list[str]) -> bool:
+    """Whether all of one kind, odd or even, vowel or consonant, come before the others, sorted in themselves."""
+    runs = [[*run] for _, run in groupby(symbols, "13579AEIOU".__contains__)]
+    return len(runs) == 2 and all(run in (sorted(run), sorted(run, reverse=True)) for run in runs)
 
 
 def _number(token: Token) -> float | None:

@@ -11,6 +11,7 @@ from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.alternation import alternation
 from rpg.language.grammar.structures.ascents import ascent, counted
 from rpg.language.grammar.structures.gradients import from_to
+from rpg.language.grammar.structures.kinds_first import kinds_first
 from rpg.language.grammar.structures.order_phrases import NAMED
 from rpg.language.grammar.structures.parted import parted
 from rpg.language.grammar.structures.patterns import pattern, spacing
@@ -107,6 +108,7 @@ def order(p: Parser, i: int) -> Results[Meaning]:
     yield from spacing(p, i)
     yield from alternation(p, i)
     yield from read_out(p, i)
+    yield from kinds_first(p, i)
 
 
 def _sorted_from(p: Parser, i: int, k: int, way: Toward) -> OrderBy:

@@ -12,6 +12,7 @@ from rpg.passes.schema.resolve.things.world import Scene, Thing
 
 OPPOSITE = {"left": "right", "front": "back", "bottom": "top"}
 OPPOSITE |= {two: one for one, two in OPPOSITE.items()}
+Ranks = tuple[tuple[str, ...], ...]
 _SORTED = ("label", "number", "rainbow", "size")
 
 
@@ -33,10 +34,26 @@ def agreed(one: Order, two: Order, directed: bool, scene: Scene) -> Order | None
     given, other = (one, two) if one.by == "given" else (two, one)
     if given.by != "given" or other.by == "given":
         return None
+    if (ranks := sorted_ranks(given.ranks, other, scene)) is not None:
+        return given.model_copy(update={"ranks": ranks}) if other.first in (None, given.first) else None
     found = _sorted(given, other, directed, scene) if other.by in _SORTED else _patterned(given, other, scene)
     if found is not None and found.by != "given":
         forget_side(scene)
     return found
+
+
+def sorted_ranks(ranks: Ranks, order: Order, scene: Scene) -> Ranks | None:
+    """Ranks with an order by symbols or sizes inside each; None where none of them holds blocks that it tells apart."""
+    if order.by not in ("label", "number", "size"):
+        return None
+    found: list[tuple[str, ...]] = []
+    for rank in ranks:
+        keys = {n: key(order, scene.things[n]) for n in rank}
+        if None in keys.values():
+            return None
+        values = sorted(set(keys.values()), reverse=order.descending)  # type: ignore[type-var]
+        found += [tuple(n for n in rank if keys[n] == value) for value in values]
+    return tuple(found) if len(found) > len(ranks) else None
 
 
 def _sorted(given: Order, other: Order, directed: bool, scene: Scene) -> Order | None:

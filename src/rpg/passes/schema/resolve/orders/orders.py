@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-import string
-
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import OrderBy, Toward, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, agreed, one_way
+from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, Ranks, agreed, one_way
 from rpg.passes.schema.resolve.orders.alternating import alternating
 from rpg.passes.schema.resolve.orders.backwards import last_first, turned_round
 from rpg.passes.schema.resolve.orders.between_ends import between_ends
 from rpg.passes.schema.resolve.orders.extremes import directed, sorted_from
+from rpg.passes.schema.resolve.orders.kinds_first import by_kind, check_which_sorted, each_sorted
 from rpg.passes.schema.resolve.orders.onward import onward
 from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.orders.positions import SIDES, Placed, belongs, doubled, positions
 from rpg.passes.schema.resolve.orders.reading import reading_begins
 from rpg.passes.schema.resolve.orders.runs import painted
 from rpg.passes.schema.resolve.things.items import by_look, claimed, claims
-from rpg.passes.schema.resolve.things.things import quality_fits
 from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse
 
 
@@ -39,6 +37,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     sides = SIDES[kind]
     if any(o.by == "any" for o in spec.orders):
         spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
+    check_which_sorted(spec.orders)
     told_by_ends = [*sorted_from(spec, names, kind, scene), *last_first(spec, names, scene)]
     spec.orders += told_by_ends
     pointed = [o for o in spec.orders if o.first in sides and o.by in _FROM_AN_END]
@@ -52,6 +51,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     found, told = Order(), first
     for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "paged", "reverse")):
         merged = _merge(found, order, names, kind, scene, scope, order.first if order in pointed else first)
+        if merged.by == "given" and not order.items and len(merged.ranks) == len(names) == sum(map(len, spec.in_turn)):
+            merged = merged.model_copy(update={"ranks": spec.in_turn})
         if found.by == merged.by != "any" and not scene.lenient:
             merged = one_way(found, merged, order in pointed, told) or _two_orders(order.span)
         told = told or (order.first if order in pointed else "bottom" if order.by in _FROM_BELOW else None)
@@ -60,8 +61,6 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
                 continue
             merged = agreed(found, merged, first is not None, scene) or _two_orders(order.span)
         found = merged
-    if found.by == "given" and len(found.ranks) == len(names) == sum(map(len, spec.in_turn)):
-        found = found.model_copy(update={"ranks": spec.in_turn})
     if any(o.by == "reverse" for o in spec.orders):
         found = turned_round(found, spec, told_by_ends, scene, names, first or _default_side(kind), span)
     looks = [(scene.things[n].color, scene.things[n].label) for n in names]
@@ -321,24 +320,9 @@ def _paint(things: list[Thing], scene: Scene) -> None:
 
 
 def _quality_first(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
-    letters = order.by.startswith(("vowel", "consonant"))
-    row = string.ascii_uppercase if letters else "123456789"
-    taken = {t.label for t in things}
-    for thing in things:
-        if thing.label is None:
-            thing.label = next(x for x in row if x not in taken)
-            thing.kind = "letter" if letters else "digit"
-            taken.add(thing.label)
-    head = order.by.split("_")[0]
-    one = tuple(t.name for t in things if quality_fits(t, head))
-    two = tuple(t.name for t in things if t.name not in one)
-    if not one or not two:
-        raise refuse(
-            "order-misfit",
-            "all the blocks are of one sort, so that none comes before the other",
-            order.span,
-            "use blocks of both sorts",
-        )
+    ranks: Ranks = by_kind(order, things)
+    if order.items:
+        ranks = each_sorted(ranks, order.items, things, scene)
     if first is None:
         _read_from("top" if kind == "stack" else _default_side(kind), scene)
-    return Order(by="given", ranks=(one, two), first=first or ("top" if kind == "stack" else "left"))  # type: ignore[arg-type]
+    return Order(by="given", ranks=ranks, first=first or ("top" if kind == "stack" else "left"))  # type: ignore[arg-type]

@@ -30,7 +30,7 @@ from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.centred import centred
 from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
-from rpg.passes.schema.resolve.places.pointed import of_a_part, of_its_own_corner, onto_a_list
+from rpg.passes.schema.resolve.places.pointed import of_a_part, of_its_own_corner, onto_a_list, whom
 from rpg.passes.schema.resolve.places.relations import place, related
 from rpg.passes.schema.resolve.places.stacking import piled_on, stands_on
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
@@ -307,7 +307,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 nothing = theme.everything and theme.quant is not None
                 if nothing and any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions):
                     raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")
-                that = last if mark.word == "that" and last is not None else _pointed(ref, mark, scene)
+                that = last if mark.word == "that" and last is not None else whom(ref, last, mark, adjunct, scene)
                 found = related(theme, that, adjunct, scene, item.span)
                 goals += negation(found, item.span, wholes(scene)) if adjunct.negated else found
             else:
@@ -340,16 +340,6 @@ def _at_its_ends(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) ->
 
 
 _POINTED = ("it", "them", "that", "both", "both of them")
-
-
-def _pointed(ref: Ref, word: Pronoun, scene: Scene) -> Ref:
-    """ "Place red left of blue with green behind them": behind both of these."""
-    if len(ref.names) > 1 or word.word in ("it", "that"):
-        return ref
-    marks = [m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "landmark" and not m.ref.patch]
-    if len(marks) != 1 or len(marks[0].names) != 1:
-        raise refuse("ambiguous", f"it is not clear what {word.word!r} are", word.span, "name the blocks")
-    return Ref(names=(*ref.names, *marks[0].names), plural=True, det="both" if "both" in word.word else "the")
 
 
 def _among_members(ref: Ref, theme: Ref, before: int, scene: Scene, span: Span) -> None:

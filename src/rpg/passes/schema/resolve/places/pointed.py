@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from rpg.language.meaning import Absolute, At, Coord, In, Loc, Noun, Pronoun
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.things.world import Ref, refuse
+from rpg.passes.schema.resolve.things.two_lots import two_told
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 
 def of_a_part(whole: Ref, theme: Ref, it: Pronoun, place: Loc, told: Sequence[Absolute]) -> None:
@@ -30,3 +31,15 @@ def onto_a_list(one: Loc, two: Loc) -> bool:
     items = one.landmark.items if one.rel == "on" and isinstance(one.landmark, Coord) else ()
     another = any(isinstance(x, Noun) and x.det == "another" for x in items[-1:])
     return bool(items) and (another or getattr(two.landmark, "head", "patch") != "patch")
+
+
+def whom(ref: Ref, last: Ref | None, word: Pronoun, loc: Loc, scene: Scene) -> Ref:
+    """ "Place red left of blue with green behind them": behind both of these."""
+    if (ends := two_told(ref, last, word, loc, scene)) is not None:
+        return ends
+    if len(ref.names) > 1 or word.word in ("it", "that"):
+        return ref
+    marks = [m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "landmark" and not m.ref.patch]
+    if len(marks) != 1 or len(marks[0].names) != 1:
+        raise refuse("ambiguous", f"it is not clear what {word.word!r} are", word.span, "name the blocks")
+    return Ref(names=(*ref.names, *marks[0].names), plural=True, det="both" if "both" in word.word else "the")

@@ -86,6 +86,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             return place(theme, opposite, scene, scope, span)
         case In():
             scene.region, scene.region_at = meaning.region, meaning.span[0]
+            scene.regions[scene.clause] = meaning.region
             return [negate(_region(theme, meaning.region, span), meaning.negated, span, wholes(scene))]
         case Coord():
             if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:

@@ -153,6 +153,7 @@ class Scene:
     `sized`: the size that is said of all blocks, with its words.
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
     `topped`: structures on top of which something goes that are not named there.
+    `regions`: the part of the table that a clause tells.
     `patch_sides`: patches by the side on which they lie, and where that was said last.
     """
 
@@ -176,6 +177,7 @@ class Scene:
     universals: list[tuple[int, tuple[str, ...], Span]] = field(default_factory=list)
     region: str = ""
     region_at: int = -1
+    regions: dict[int, str] = field(default_factory=dict)
     told: set[str] = field(default_factory=set)
     on_top: dict[str, str] = field(default_factory=dict)
     begun_on: set[str] = field(default_factory=set)

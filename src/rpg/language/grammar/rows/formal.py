@@ -227,7 +227,16 @@ _WORDS = (
 """Words that it takes besides those that are read anyway."""
 
 
-_OF_ALL = (*SHARED_OUT, *GAPPED_AT_ONCE, *SHORT_AT_ONCE, *_ALWAYS, *AT_ONCE, *TOLD_SHAPES, *REWORDED_AT_ONCE, *FEWER_AT_ONCE)
+_OF_ALL = (
+    *SHARED_OUT,
+    *GAPPED_AT_ONCE,
+    *SHORT_AT_ONCE,
+    *_ALWAYS,
+    *AT_ONCE,
+    *TOLD_SHAPES,
+    *REWORDED_AT_ONCE,
+    *FEWER_AT_ONCE,
+)
 """The rows of every sentence."""
 _OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED,
                   *BORNE_FIRST)  # fmt: skip

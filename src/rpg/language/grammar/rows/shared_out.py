@@ -1,5 +1,5 @@
-"""So many blocks, and where some and others of them go, "of the three red cubes, two must be on A and one on B", and the
-other of two towers, as rows that count or name them."""
+"""So many blocks, and where some and others of them go, "of the three red cubes, two must be on A and one on B", and
+the other of two towers, as rows that count or name them."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ _KINDS = {
     "consonant": "consonants|consonant_cubes|consonant_blocks",
 }
 _PAIRS = (("even", "odd"), ("odd", "even"), ("vowel", "consonant"), ("consonant", "vowel"))
-_WORDS = frozenset("evens even odds odd vowels vowel consonants consonant".split())
+_WORDS = frozenset(["evens", "even", "odds", "odd", "vowels", "vowel", "consonants", "consonant"])
 _ALL = "the|all|all_the|all_of_the?"
 _GO = "come|stand|are|go|coming|standing|being|placed|put?"
 _WITH = "with|where|so_that|such_that|having|putting|placing|in_which|so?"

@@ -12,8 +12,8 @@ from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
 from rpg.language.grammar.talk.left_open import FREE, LOOSE
-from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.list_marks import lists_in_one
+from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
 from rpg.language.grammar.things.all_but import exceptions_first
 from rpg.language.grammar.things.remainder import reckoned

@@ -57,7 +57,9 @@ def members_of(
         named = certain(named, scene)
         _of_its_colors(shape, named, scene)
         spec.listed = spec.listed or named.listed
-        in_turn = named.op == "then" or (_named_one_by_one(source) and all(_of_another(x, source) for x in spec.absolutes))
+        in_turn = named.op == "then" or (
+            _named_one_by_one(source) and all(_of_another(x, source) for x in spec.absolutes)
+        )
         if in_turn and shape.kind in ("stack", "row", "line", "column") and not spec.orders:
             spec.orders.append(OrderBy(by="given", span=source.span))
         names = scene.fit(

@@ -22,7 +22,10 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     here = [n for m in scene.mentions if m.clause == scene.clause and not m.ref.patch for n in m.ref.names]
     if scope.role == "theme" and len(dict.fromkeys(here)) == 2:  # "put G next to H, both upside down"
         return Ref(names=tuple(dict.fromkeys(here)), plural=True)
-    if scope.rel == "between" and (ends := two_lots(scene.clause - 1, scene) or _two_ends(word, own, scene)) is not None:
+    if (
+        scope.rel == "between"
+        and (ends := two_lots(scene.clause - 1, scene) or _two_ends(word, own, scene)) is not None
+    ):
         return ends
     if scope.rel in ("on", "off", "not on") and (patches := _patches_of_each(scene)):
         return Ref(names=patches, patch=True, plural=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import At, Loc, Meaning, Pronoun
+from rpg.language.meaning import At, Loc, Pronoun
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 _OPPOSITE = ({"left", "right"}, {"front", "back"})
@@ -20,7 +20,7 @@ def two_lots(last: int, scene: Scene) -> Ref | None:
     both = sorted(told)[-2:]
     if len(both) < 2 or both[1] != last:
         return None
-    sided = {ref.names: (ref, at_.side) for ref, at_, _ in scene.loose if _on_a_side(at_)}
+    sided = {ref.names: (ref, at_.side) for ref, at_, _ in scene.loose if isinstance(at_, At) and _on_a_side(at_)}
     sides = [side for _, side in sided.values()]
     if len(sided) == 2 and set(sides) in _OPPOSITE and told[last].names in sided:
         ends = tuple(ref for ref, _ in sided.values())
@@ -34,8 +34,8 @@ def two_lots(last: int, scene: Scene) -> Ref | None:
     return Ref(names=names, parts=ends, plural=True)
 
 
-def _on_a_side(at_: Meaning) -> bool:
-    return isinstance(at_, At) and at_.index is None and not at_.whole and at_.side != "middle"
+def _on_a_side(at_: At) -> bool:
+    return at_.index is None and not at_.whole and at_.side != "middle"
 
 
 def _each_in_its_place(clauses: list[int], scene: Scene) -> bool:

@@ -29,10 +29,10 @@ OTHER = {
 """Words and what would mean something else in their place."""
 PASSING = re.compile(
     r"step|stage|other two|twice|or more|\d\)|both ends|back (?:again|to)|the two|its two|symm|mirror"
-    r"|\b(?:er|um|uh|sorry)\b|except that",
+    r"|\b(?:er|um|uh|sorry)\b|except that|be left (?:on|there)",
     re.I,
 )
-"""Texts in which some of these words are said in passing."""
+"""Texts in which some of these words are said in passing, or "left" is what remains."""
 CLAUSES = (
     "put the red block on the blue block", "the pink block must be left of the white block",
     "put A on B", "build a tower of two green blocks", "put the letters C, D and E in a row in that order",

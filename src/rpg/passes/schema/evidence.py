@@ -311,7 +311,7 @@ def _shown_orders(task: TaskSchema) -> set[str]:
 def _kind_by_kind(symbols: list[str]) -> bool:
     """Whether all of one kind, odd or even, vowel or consonant, come before the others, sorted in themselves."""
     runs = [[*run] for _, run in groupby(symbols, "13579AEIOU".__contains__)]
-    return len(runs) == 2 and all(run in (sorted(run), sorted(run, reverse=True)) for run in runs)
+    return len(runs) == 2 and all(run == sorted(run) for run in runs)
 
 
 def _number(token: Token) -> float | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import cache
+from functools import lru_cache
 
 from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.tokens import Token
@@ -37,12 +37,12 @@ def turned(tokens: list[Token], turns: Sequence[Turn]) -> list[Token]:
     return tokens
 
 
-@cache
+@lru_cache(maxsize=4096)
 def _compiled(pattern: str) -> re.Pattern[str]:
     return re.compile(pattern)
 
 
-@cache
+@lru_cache(maxsize=4096)
 def _certain(pattern: str) -> str:
     """A part of what is looked for without which it is nowhere: the longest that stands outside of brackets."""
     plain = pattern

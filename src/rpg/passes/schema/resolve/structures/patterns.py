@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import Counter
-from itertools import groupby
 
 from rpg.ir.order import Pattern
 from rpg.ir.structures import Cells, Figure, Pyramid, Staircase
@@ -37,7 +36,6 @@ def pattern_of(
         if any(t.kind for t in things) and not spec.orders:
             return None, False
         if not spec.orders:
-            _as_many_as_lines(form, things, shape)
             return None, False
         alternating = next((o for o in spec.orders if o.by == "alternating"), None)
         if alternating is not None and isinstance(form, Pyramid | Staircase):
@@ -91,22 +89,6 @@ def _painted(unit: str, things: list[Thing], dims: tuple[int, int, int], scene: 
             at += length
         scene.assume("the colours are not said: one for each " + ("of the two" if unit == "checkerboard" else unit))
     return Pattern(kind=unit)  # type: ignore[arg-type]
-
-
-def _as_many_as_lines(form: Cells, things: list[Thing], shape: Structure) -> None:
-    """Refuse "a pyramid: three red, two green, one blue", which may tell its layers or merely what it is made of."""
-    if isinstance(form, Pyramid):
-        rows, columns = form.base
-        sizes = [max(1, rows - k) * max(1, columns - k) for k in range(max(rows, columns))]
-    elif isinstance(form, Staircase):
-        sizes = list(range(1, form.steps + 1))
-    else:
-        return
-    counts = [len(list(run)) for _, run in groupby(things, key=lambda t: t.color)]
-    if counts in (sizes, sizes[::-1]):
-        lines = "layer" if isinstance(form, Pyramid) else "step"
-        raise refuse("ambiguous", f"a {lines} of each colour, or as many blocks of each wherever they are?", shape.span,
-                     f"say 'each {lines} a different colour', or name the colours of the {lines}s")  # fmt: skip
 
 
 def _lines(unit: str, total: int, dims: tuple[int, int, int]) -> list[int]:

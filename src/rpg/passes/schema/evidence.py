@@ -12,6 +12,7 @@ from itertools import groupby, pairwise
 
 from pydantic import BaseModel
 
+from rpg.blocks.traits import VOWELS
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch
@@ -85,7 +86,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
     shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
     numbers: Numbers | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
-    terms = {term for part in parts for term in _terms(part)} | _shown_orders(task) | _beside_goals(task)
+    terms = {term for part in parts for term in _terms(part)} | _shown_orders(task, words) | _beside_goals(task)
     for index, token in enumerate(words):
         if token.word not in _TELLING and token.kind not in ("number", "sign") and len(token.raw) != 1:
             continue
@@ -293,9 +294,9 @@ def _counts(after: Sequence[Token]) -> bool:
     return any(token.kind == "word" and token.word.endswith("s") for token in after)
 
 
-def _shown_orders(task: TaskSchema) -> set[str]:
+def _shown_orders(task: TaskSchema, words: Sequence[Token]) -> set[str]:
     """The orders that a list comes to which a goal gives block by block: A, B, C is the one by label; and so is A, E,
-    B, C, whose groups are the vowels and the consonants."""
+    B, C, where vowels are spoken of."""
     symbols = {asset.name: "".join(sorted(symbols_of(asset))) for asset in task.assets}
     orders: list[list[str]] = []
     for atom in atoms(task.goal):
@@ -303,15 +304,20 @@ def _shown_orders(task: TaskSchema) -> set[str]:
         if isinstance(order, Order) and order.by == "given":
             orders.append([symbols.get(rank[0], "") for rank in order.ranks])
     told = [one for one in orders if all(one)]
-    kinds = [one for one in told if _kind_by_kind(one)]
+    kinds = [one for one in told if _kind_by_kind(one)] if any(token.word in _KINDS for token in words) else []
     rising = [one for one in told if one == sorted(one)]
     return {"number" if "".join(one).isdigit() else "label" for one in (*rising, *kinds)} | {"group_by" for _ in kinds}
 
 
 def _kind_by_kind(symbols: list[str]) -> bool:
     """Whether all of one kind, odd or even, vowel or consonant, come before the others, sorted in themselves."""
-    runs = [[*run] for _, run in groupby(symbols, "13579AEIOU".__contains__)]
-    return len(runs) == 2 and all(run == sorted(run) for run in runs)
+    runs = [[*run] for _, run in groupby(symbols, lambda symbol: symbol in VOWELS or symbol in _ODD)]
+    return len(runs) == 2 and all(run in (sorted(run), sorted(run, reverse=True)) for run in runs)
+
+
+_ODD = frozenset("13579")
+_KINDS = frozenset({"vowel", "vowels", "consonant", "consonants", "odd", "odds", "even", "evens"})
+"""Words that part symbols into two kinds."""
 
 
 def _number(token: Token) -> float | None:

@@ -69,11 +69,16 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if any(m.value == "wholly" for m in stays):
         scene.untouched.update(theme.names)
     if isinstance(clause.theme, Structure) and stays:  # "leave the tower of red and blue alone": it is there
-        begun = scene.goals.pop(scene.clause, [])
-        heaps = [lot for x in begun if isinstance(x, GroupBy) for lot in x.groups]  # "take the heap apart"
-        scene.heaps += heaps
-        scene.start_goals += [] if heaps else begun
+        _there_already(scene)
     return [g.Always(goal=stayed, span=clause.span) if ever else stayed, *more]
+
+
+def _there_already(scene: Scene) -> None:
+    """What the clause builds is how it starts; a group that is taken apart is a heap then."""
+    begun = scene.goals.pop(scene.clause, [])
+    heaps = [lot for x in begun if isinstance(x, GroupBy) for lot in x.groups]
+    scene.heaps += heaps
+    scene.start_goals += [] if heaps else begun
 
 
 def _stayed(theme: Ref, span: Span) -> g.Goal:
@@ -278,10 +283,7 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if clause.verb == "unstack":
         scene.unstacked.update(names)
     if theme.built and clause.verb == "unstack":
-        begun = scene.goals.pop(scene.clause, [])
-        heaps = [lot for x in begun if isinstance(x, GroupBy) for lot in x.groups]  # "take the heap apart"
-        scene.heaps += heaps
-        scene.start_goals += [] if heaps else begun
+        _there_already(scene)
     if not landmarks and clause.lemma in ("remove", "clear"):
         raise refuse(
             "no-goal",

@@ -223,15 +223,13 @@ class Toward(Meaning):
 
 @record
 class At(Meaning):
-    """A place inside the structure spoken of: "at the bottom", "in the middle", "third from the left".
-
-    `own`: that of a block of it, "the top one red", and never of a further one.
-    """
+    """A place in the structure spoken of. `own`: that of one of its blocks, "the top one red"; `utmost`: "leftmost"."""
 
     side: str
     index: int | None = None
     whole: str | None = None
     own: bool = False
+    utmost: bool = False
 
 
 @record

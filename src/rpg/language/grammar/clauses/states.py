@@ -18,6 +18,7 @@ from rpg.language.grammar.clauses.sole import sole
 from rpg.language.grammar.clauses.starts import STARTS, first_of_all, perhaps_first, starts_as
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, spell, with_theme
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.sides import UTMOST
 from rpg.language.grammar.structures.sizes import AS_HIGH
 from rpg.language.grammar.talk.framing import past
 from rpg.language.grammar.talk.slots import Patterns
@@ -328,7 +329,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
     for marks, k in adjectives(p, the):
         if set(marks) == {"rank"} and marks["rank"] in ("top", "bottom", "left", "right", "front", "back", "middle"):
             k = p.opt(k, "one", "block", "cube")
-            side = At(side=marks["rank"], span=p.span(j, k))
+            side = At(side=marks["rank"], utmost=p.words[the] in UTMOST, span=p.span(j, k))
             yield Clause(verb="be", theme=theme, adjuncts=(side,), negated=negated, mode=mode, span=p.span(i, k)), k
         elif marks and "rank" not in marks and the == j:
             k = p.opt(k, *lexicon.BLOCK) if marks.keys() <= {"edge", "size"} else k

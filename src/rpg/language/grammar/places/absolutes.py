@@ -9,7 +9,7 @@ from rpg.language.grammar.places.flanked import flanked
 from rpg.language.grammar.places.formed import formed
 from rpg.language.grammar.places.in_turn import in_turn, one_by_one
 from rpg.language.grammar.places.relations import loc
-from rpg.language.grammar.places.sides import SIDES, at
+from rpg.language.grammar.places.sides import SIDES, UTMOST, at
 from rpg.language.grammar.structures.apposed import AMID
 from rpg.language.grammar.structures.parts import part, part_statement, unit_of
 from rpg.language.grammar.things.nouns import noun_phrase, simple
@@ -216,7 +216,7 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         k = p.opt(k, "be")
         for theme, end in simple(p, k):
             if isinstance(theme, Noun):
-                place = At(side=side, own=the > j, span=p.span(j, k))
+                place = At(side=side, own=the > j, utmost=p.words[the] in UTMOST, span=p.span(j, k))
                 yield Absolute(theme=theme, adjuncts=(place,), span=p.span(j, end), cost=1), end
 
 

@@ -143,12 +143,13 @@ _WHOLES = (
 _WHOLE_OF = {noun: (f"of the {noun}", f"of this {noun}", f"of that {noun}") for noun, _ in _WHOLES}
 
 
-_EXTREMES = {
+UTMOST = {
     "leftmost": "left", "rightmost": "right", "topmost": "top", "bottommost": "bottom", "nearest": "front",
     "frontmost": "front", "farthest": "back", "closest": "front", "furthest": "back", "lowermost": "bottom",
     "lowest": "bottom", "highest": "top", "uppermost": "top",
     "up top": "top", "right up top": "top", "down below": "bottom", "at the summit": "top",
 }  # fmt: skip
+"""Words for the place beyond all others."""
 _REACH = Patterns(
     "to the? me|us|you|viewer|robot|camera|observer", "away? from the? me|us|you|viewer|robot|camera|observer", "away"
 )
@@ -180,13 +181,16 @@ def at(p: Parser, i: int) -> Results[Meaning]:
 
 def extreme(p: Parser, i: int) -> Results[Meaning]:
     """ "leftmost", "nearest to me", "farthest away"."""
-    for word, k in p.standing(p.opt(i, "the"), _EXTREMES):
-        side = _EXTREMES[word]
+    for word, k in p.standing(p.opt(i, "the"), UTMOST):
+        side = UTMOST[word]
         far = max(_REACH.matches(p, k), default=0) if side in ("front", "back") else 0
         if p.words[far or k] == "first":  # "leftmost first": how a line is told
             continue
         if far or p.words[k] not in ("to", "from"):
-            yield At(side=side, span=p.span(i, far or k)), far or k
+            yield At(side=side, utmost=True, span=p.span(i, far or k)), far or k
+        one = p.opt(k, "one", "block", "cube") if p.words[i] == "the" and not far else k
+        if one > k and p.words[one] in ("", ".", ",", "and"):
+            yield At(side=side, utmost=True, span=p.span(i, one)), one
 
 
 _FROM_SIDES = {side: (f"from the {side}", f"from {side}") for side in ("left", "right", "bottom", "top")}
@@ -229,15 +233,17 @@ def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
     ending = word in ("near", "far") and p.words[j + 1] == "end" and p.words[j + 2] != "of"
     if side and (ending or word not in ("ground", "near", "far")):
         k = p.opt(p.opt(p.reach(j + 1), *_TAILS), "side")
+        most = word in UTMOST
         for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
             if end := p.any_of(k, _WHOLE_OF[noun]):
-                yield At(side=side, whole=whole, span=p.span(i, end)), end
+                yield At(side=side, whole=whole, utmost=most, span=p.span(i, end)), end
         if p.words[i] == "on" and (p.words[k - 1] == "block" or side == "middle"):  # on top of what is there
             return
         if p.words[i] == "in" and k == j + 1 and p.stands(k, ("tower", "stack")):  # "in the left tower"
             return
         of_it = p.any_of(k, ("of it", "of which")) if side in ("top", "bottom", "middle") else 0
-        yield At(side=side, own=ending and p.all.isdisjoint(_ALONG_X), span=p.span(i, k)), of_it or k
+        own = ending and p.all.isdisjoint(_ALONG_X)
+        yield At(side=side, own=own, utmost=most, span=p.span(i, k)), of_it or k
     counted = word in ("first", "last", *lexicon.ORDINAL)
     if counted and (k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))):
         index = lexicon.ORDINAL.get(word, -1)

@@ -19,6 +19,7 @@ from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned
+from rpg.language.grammar.rows.utmost import UTMOST_TOLD
 from rpg.language.grammar.rows.wordier import AT_ONCE as FEWER_AT_ONCE
 from rpg.language.grammar.rows.wordier import WORDIER
 from rpg.language.tokens import Token
@@ -239,7 +240,7 @@ _OF_ALL = (
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED,
-                  *BORNE_FIRST)  # fmt: skip
+                  *BORNE_FIRST, *UTMOST_TOLD)  # fmt: skip
 """The rows of a sentence that cannot be read as it stands."""
 
 

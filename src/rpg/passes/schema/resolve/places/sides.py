@@ -17,15 +17,16 @@ from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
 from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
 from rpg.passes.schema.resolve.orders.positions import SIDES, SYMMETRIC, alternatives, looks, places_of, ranks_from
+from rpg.passes.schema.resolve.places.across_the_table import REGION, across_the_table
 from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line
+from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 Loose = tuple[Ref, Meaning, tuple[int, int]]
-_REGION = {"left": "left_half", "right": "right_half", "front": "near_half", "back": "far_half", "middle": "middle"}
 
 
 def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
@@ -76,9 +77,14 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) <= set(a.blocks)):
         check_word(word, loose, scene)
         return goal
+    rows = any(isinstance(a, s.Row) for a in atoms(goal))
+    if (placed := None if rows else beyond_others(loose, scene)) is not None:
+        return _and(goal, placed)
     sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
+    if across_the_table(loose, goal):
+        return _and(goal, conj([_region(item) for item in loose]))
     open_ = next((b for b in scene.built if any(_open(scene, name) for name in b.members)), None)
-    if open_ is not None:
+    if open_ is not None and not all(ref.built for ref, _, _ in loose):
         raise refuse("ambiguous", f"these could be blocks of the {open_.kind} or further ones", loose[0][2],
                      "name the blocks in the sentence that builds it")  # fmt: skip
     if "next" in sides:
@@ -135,7 +141,7 @@ def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     """ "Red and blue side by side, red on the left", "both on the mat, ...": of two blocks close to each other, it is
     left of the other."""
     (ref, at_, span), *more = loose
-    node = _TOWARDS.get(at_.side) if isinstance(at_, At) and at_.index is None and not at_.whole else None
+    node = BEYOND.get(at_.side) if isinstance(at_, At) and at_.index is None and not at_.whole else None
     close = r.Beside | r.Adjacent | r.Touching | r.Near | r.Distance | r.Swapped
     mats = [a for a in atoms(goal) if isinstance(a, r.OnPatch) and {*ref.names} < {*members(a.a)}]
     pairs = [a for a in atoms(goal) if isinstance(a, close) and _about(a, ref)] or mats
@@ -170,11 +176,6 @@ def _open(scene: Scene, name: str) -> bool:
     return thing.color is None and thing.label is None
 
 
-_TOWARDS: dict[str, type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]] = {
-    "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "back": r.Behind,
-}  # fmt: skip
-
-
 def _one_after_another(loose: list[Loose], sides: list[str], scene: Scene) -> g.Goal:
     """ "A leftmost, then B, C rightmost": from one side to the other, one block after another."""
     first, others, span = sides[0], sides[1:], (loose[0][2][0], loose[-1][2][1])
@@ -190,7 +191,7 @@ def _one_after_another(loose: list[Loose], sides: list[str], scene: Scene) -> g.
         tower = s.Stack(blocks=blocks, order=Order(by="given", ranks=ranks, first=first), span=span)  # type: ignore[arg-type]
         stack_built(tower, scene)
         return tower
-    node = _TOWARDS[first]
+    node = BEYOND[first]
     goals: list[g.Goal] = [node(a=(a,), b=(b,), span=span) for a, b in itertools.pairwise(blocks)]
     return conj(goals, span)
 
@@ -390,8 +391,8 @@ def _region(item: Loose) -> g.Goal:
     side = at_.side if isinstance(at_, At) else ""
     if isinstance(at_, At) and at_.own:
         raise refuse("no-referent", "it is not said of which blocks this is one", at_.span, "name the others")
-    if side not in _REGION or (isinstance(at_, At) and at_.index) or ref.quant is not None:
+    if side not in REGION or (isinstance(at_, At) and at_.index) or ref.quant is not None:
         raise refuse(
             "no-referent", f"it is not clear of what this is the {side}", at_.span, "name the tower or the row"
         )
-    return r.InRegion(a=ref.names, region=_REGION[side], span=span)  # type: ignore[arg-type]
+    return r.InRegion(a=ref.names, region=REGION[side], span=span)  # type: ignore[arg-type]

@@ -1,0 +1,31 @@
+""" "Red is leftmost", "A must be nearest to me": beyond all other blocks that there are, where nothing is built."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import At, Meaning
+from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.things.operands import foot
+from rpg.passes.schema.resolve.things.world import Ref, Scene
+
+BEYOND: dict[str, type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]] = {
+    "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "back": r.Behind,
+}  # fmt: skip
+
+
+def beyond_others(loose: Sequence[tuple[Ref, Meaning, Span]], scene: Scene) -> g.Goal | None:
+    """Each at its side of all others; None where one is not told so, or where there are no others."""
+    own = {name for ref, _, _ in loose for name in ref.names}
+    others = [t.name for t in scene.blocks() if not t.extra and t.name not in scene.ignored and t.name not in own]
+    goals: list[g.Goal] = []
+    before: list[str] = []
+    for ref, at_, span in loose:
+        if not isinstance(at_, At) or not at_.utmost or at_.side not in BEYOND or ref.quant is not None:
+            return None
+        goals.append(BEYOND[at_.side](a=foot(ref), b=(*before, *others), somewhere=True, span=span))
+        before += ref.names
+    return conj(goals) if others else None

@@ -166,18 +166,28 @@ def _parted_lists(words: Sequence[Token], task: TaskSchema) -> None:
                          (lot[0].span[0], lot[-1].span[1]), "say 'one tower of A and B, one of C and D'")  # fmt: skip
 
 
+_OF_A_BLOCK = frozenset({"the", "block", "cube", "brick", "also", "letter", "number"})
+"""What a block in a list is told with, besides what it is called."""
+
+
 def _two_pairs(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "stack red and blue, and green and yellow" as one tower of four."""
-    said = "".join("x" if _named(t) else {"and": "&", ",": ","}.get(t.word, ".") for t in words)
-    lists = re.search(r"x(?:,x)+&x(?:,x)+", said)  # "A, B, C and 1, 2, 3"
-    long = lists.group().count("x") if lists else 0
-    if lists and any(isinstance(x, Stack | Row) and len(x.blocks) >= long for x in atoms(task.goal)):
-        span = (words[lists.start()].span[0], words[lists.end() - 1].span[1])
-        raise refuse("ambiguous", "it is not clear whether this is one structure or two", span, "use two sentences")
-    at = said.find("x&x,&x&x")
-    if at >= 0 and any(isinstance(x, Stack | Row) and len(x.blocks) > 3 for x in atoms(task.goal)):
-        raise refuse("ambiguous", "it is not clear whether this is one structure or two",
-                     (words[at].span[0], words[at + 7].span[1]), "say it in two sentences")  # fmt: skip
+    """Refuse "stack red and blue, and green and yellow", "line up A, B and C, D and E" as one of all of them."""
+    plain = [t for t in words if t.word not in _OF_A_BLOCK]
+    said = "".join("x" if _named(t) else {"and": "&", ",": ","}.get(t.word, ".") for t in plain)
+    for run in re.finditer("x(?:(?:,&|,|&)x)+", said):
+        rest = run.group().partition("&x")[2]
+        alike = len(set(re.findall(",?&|,", run.group()))) == 1
+        if alike or "," not in rest or rest.count("x") < 2:
+            continue
+        count = run.group().count("x")
+        if any(len(blocks) >= count for x in atoms(task.goal) for blocks in _together(x)):
+            raise refuse("ambiguous", "it is not clear whether this is one structure or two",
+                         (plain[run.start()].span[0], plain[run.end() - 1].span[1]), "say it in two sentences")  # fmt: skip
+
+
+def _together(goal: g.Goal) -> tuple[tuple[str, ...], ...]:
+    """The blocks of a line, or of each group."""
+    return goal.groups if isinstance(goal, GroupBy) else (goal.blocks,) if isinstance(goal, Stack | Row) else ()
 
 
 def _colors_behind(words: Sequence[Token], task: TaskSchema) -> None:

@@ -100,7 +100,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         listed = index > 0 and words[index - 1].word in (",", "and")
         if token.kind == "sign" and listed and token.word in SIGNS and token.word not in shown:
             return token
-        if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms) and not _spelt(token, task):
+        lost = token.word in PLAIN and PLAIN[token.word].isdisjoint(terms)
+        if lost and not _spelt(token, task) and not _upright(words, index, terms):
             return token
         if token.word in SYMBOLS and not any(map(SYMBOLS[token.word], shown)):
             return token
@@ -139,6 +140,15 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             if not told:
                 return token
     return None
+
+
+def _upright(words: Sequence[Token], index: int, terms: Collection[str]) -> bool:
+    """ "A column three blocks high": a tower."""
+    near = {t.word for t in words[max(index - 6, 0) : index + 7]}
+    return words[index].word == "column" and not near.isdisjoint(_HIGH) and "stack" in terms
+
+
+_HIGH = frozenset({"high", "tall", "height"})
 
 
 def _beside_goals(task: TaskSchema) -> set[str]:

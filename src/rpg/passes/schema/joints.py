@@ -181,8 +181,8 @@ def _two_pairs(words: Sequence[Token], task: TaskSchema) -> None:
             continue
         count = run.group().count("x")
         if any(len(blocks) >= count for x in atoms(task.goal) for blocks in _together(x)):
-            raise refuse("ambiguous", "it is not clear whether this is one structure or two",
-                         (plain[run.start()].span[0], plain[run.end() - 1].span[1]), "say it in two sentences")  # fmt: skip
+            span = (plain[run.start()].span[0], plain[run.end() - 1].span[1])
+            raise refuse("ambiguous", "it is not clear whether this is one structure or two", span, "use two sentences")
 
 
 def _together(goal: g.Goal) -> tuple[tuple[str, ...], ...]:

@@ -17,7 +17,8 @@ UTMOST_TOLD: tuple[Turn, ...] = (
     *((f"\\b(?:the )?{_FAR}{_ONE} (?:(?:out )?(?:to|towards|on|at) the )?{side}(?= ,| and| of| among|$)", f"{side}most")
       for side in ("left", "right")),
     (f"^(.+?) ({_IS}) (?:the )?({_MOST}){_ONE} (?:of|among|out of|from) {_ALL}$", "{1} {2} {3}"),
-    (f"^(.+?) ({_IS}) (?:the )?({_MOST}){_ONE} (?:of|among|out of|from) (?!an? \\w)(.+)$", "there are {4} . {1} {2} {3}"),
+    (f"^(.+?) ({_IS}) (?:the )?({_MOST}){_ONE} (?:of|among|out of|from) (?!an? \\w)(.+)$",
+     "there are {4} . {1} {2} {3}"),
     (f"^the ({_MOST}){_ONE} of (.+?) ({_IS}) (.+)$", "there are {2} . {4} {3} {1}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -84,6 +84,8 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     )
     spec.sizes = []
     shape = replace(shape, sizes=_totals(shape))
+    if shape.kind == "column" and any(z.what == "high" for z in shape.sizes):  # what has a height stands upright
+        shape = replace(shape, kind="stack")
     if shape.details:
         inner = sort_adjuncts(shape.details)
         spec.orders, spec.spacings, spec.patterns = (

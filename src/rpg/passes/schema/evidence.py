@@ -100,8 +100,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         listed = index > 0 and words[index - 1].word in (",", "and")
         if token.kind == "sign" and listed and token.word in SIGNS and token.word not in shown:
             return token
-        lost = token.word in PLAIN and PLAIN[token.word].isdisjoint(terms)
-        if lost and not _spelt(token, task) and not _upright(words, index, terms):
+        if _nowhere(words, index, terms) and not _spelt(token, task):
             return token
         if token.word in SYMBOLS and not any(map(SYMBOLS[token.word], shown)):
             return token
@@ -142,10 +141,11 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
     return None
 
 
-def _upright(words: Sequence[Token], index: int, terms: Collection[str]) -> bool:
-    """ "A column three blocks high": a tower."""
-    near = {t.word for t in words[max(index - 6, 0) : index + 7]}
-    return words[index].word == "column" and not near.isdisjoint(_HIGH) and "stack" in terms
+def _nowhere(words: Sequence[Token], index: int, terms: Collection[str]) -> bool:
+    """Whether a word that means one thing alone comes to nothing; "a column three blocks high" is a tower."""
+    word = words[index].word
+    high = word == "column" and not _HIGH.isdisjoint(t.word for t in words[max(index - 6, 0) : index + 7])
+    return word in PLAIN and PLAIN[word].isdisjoint(terms) and not (high and "stack" in terms)
 
 
 _HIGH = frozenset({"high", "tall", "height"})

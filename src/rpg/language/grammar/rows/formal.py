@@ -11,10 +11,14 @@ from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
+from rpg.language.grammar.rows.lined import LINED_AT_ONCE
+from rpg.language.grammar.rows.mirrors import MIRRORS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import not_at_end
+from rpg.language.grammar.rows.rainbows import RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.required import REQUIRED
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import AT_ONCE, ROUNDABOUT
+from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
@@ -229,6 +233,9 @@ _WORDS = (
 
 
 _OF_ALL = (
+    *LINED_AT_ONCE,
+    *MIRRORS_AT_ONCE,
+    *RAINBOWS_AT_ONCE,
     *SHARED_OUT,
     *GAPPED_AT_ONCE,
     *SHORT_AT_ONCE,
@@ -246,7 +253,7 @@ _OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *W
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    return turned(not_at_end(corners_again(_one_of_each(_steps_told(tokens)))), _OF_ALL)
+    return turned(not_at_end(corners_again(_one_of_each(_steps_told(told_by_places(tokens))))), _OF_ALL)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:

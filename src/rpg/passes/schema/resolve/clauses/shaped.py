@@ -26,6 +26,7 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
 from rpg.passes.schema.resolve.clauses.fitting import uses_orders
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.said_later import said_later
 from rpg.passes.schema.resolve.places.placing import Goals, absolutes, is_extra, loose_ats, places
 from rpg.passes.schema.resolve.places.relations import related
 from rpg.passes.schema.resolve.structures.boards import by_corners, by_layers
@@ -199,6 +200,8 @@ def _of_them_all(clause: Clause, spec: Spec) -> None:
 def _remade(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
     """ "the blocks: a circle", "turn the row into a tower", "alphabetize the row D, B, A": of blocks that are there."""
     theme = clause.theme
+    if theme is not None and said_later(clause, spec, scene):
+        return arrange_blocks(refer(theme, scene, scope), clause.verb, spec, scene, scope, clause.span)
     if isinstance(theme, Coord) and len(theme.items) == 2 and isinstance(theme.items[0], Noun):
         last = theme.items[1]
         if isinstance(last, Structure) and last.members is None and theme.cost:

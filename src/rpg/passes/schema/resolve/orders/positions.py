@@ -86,7 +86,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         place = place_of(item)
         if place is None or not belongs(item.theme, names, scene):
             continue
-        if place.side == "rest" or (place.side == "middle" and ends and _whole(item, place)):
+        if place.side == "rest" or (place.side == "middle" and ends and _whole(item, place, names, scene)):
             rest.append(item)
             continue
         groups = _following(item, last, way, scene) if place.side == "next" and last is not None else None
@@ -194,14 +194,13 @@ def _in_several_lines(theme: Meaning, found: tuple[str, ...]) -> bool:
     return theme.plural and len(found) == 1
 
 
-def _whole(item: Absolute, place: At | Places) -> bool:
-    """ "white in the middle": all of it, however many."""
-    return (
-        getattr(place, "several", None) is None
-        and isinstance(item.theme, Noun)
-        and item.theme.det == "bare"
-        and item.theme.amount is None
-    )
+def _whole(item: Absolute, place: At | Places, names: tuple[str, ...], scene: Scene) -> bool:
+    """ "white in the middle": all of it, however many; a single white one of more blocks is in the very middle."""
+    theme = item.theme
+    if getattr(place, "several", None) is not None or not isinstance(theme, Noun) or theme.det != "bare":
+        return False
+    such = [t for t in matching(theme.traits, scene, False) if t.name in names]
+    return theme.amount is None and len(such) != 1
 
 
 def looks(thing: Thing) -> tuple[object, ...]:

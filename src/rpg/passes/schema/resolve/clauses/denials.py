@@ -20,7 +20,7 @@ from rpg.passes.schema.resolve.clauses.exception_last import exception_last
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.things import matching
-from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes
+from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
 def denied_once(clause: Clause) -> Clause:
@@ -171,7 +171,7 @@ def denied(goals: Atoms, clause: Clause, scene: Scene, together: Manner | None) 
     if len(places) > 1 and not open_:
         raise refuse("ambiguous", "it is not clear whether each of these is denied, or both together", places[1].span,
                      "say 'neither ... nor', or 'not both'")  # fmt: skip
-    return negation(goals, clause.span, wholes(scene))
+    return negation(goals, clause.span)
 
 
 def _of_so_many(goal: g.Goal, clause: Clause) -> g.Goal:

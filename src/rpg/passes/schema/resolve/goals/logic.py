@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from itertools import product
 
 from rpg.core.diagnostics import Span
@@ -31,32 +31,31 @@ def denied(goal: g.Goal, span: Span | None = None) -> g.Goal:
     return goal.goal if isinstance(goal, g.Not) else g.Not(goal=goal, span=span)
 
 
-Wholes = Collection[frozenset[str]]
-"""Structures, which are somewhere or not as a whole."""
 _OF_EACH = r.OnPatch | r.OnTable | r.InRegion | r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.Stayed | r.Moved
 """Relations that hold of several blocks where they hold of each."""
 
 
-def negate(goal: g.Goal, negated: bool, span: Span, wholes: Wholes = ()) -> g.Goal:
-    return conj(negation([goal], span, wholes), span) if negated else goal
+def negate(goal: g.Goal, negated: bool, span: Span) -> g.Goal:
+    return conj(negation([goal], span), span) if negated else goal
 
 
-def negation(goals: Atoms, span: Span, wholes: Wholes = ()) -> Atoms:
-    """None of `goals`: each is denied of each block, those inside a conjunction or an alternative too."""
-    flat = [y for goal in goals for x in _flat(goal) for y in _of_each(x, wholes)]
+def negation(goals: Atoms, span: Span) -> Atoms:
+    """None of `goals`: each is denied of each block, those inside a conjunction or an alternative too. A structure that
+    is "not there" is there with none of its blocks: it could be there in part."""
+    flat = [y for goal in goals for x in _flat(goal) for y in _of_each(x)]
     return [x.goal if isinstance(x, g.Not) else g.Not(goal=x, span=span) for x in flat]
 
 
-def _of_each(goal: g.Goal, wholes: Wholes) -> list[g.Goal]:
+def _of_each(goal: g.Goal) -> list[g.Goal]:
     """ "Red and blue are not on the mat": neither of them is."""
     if not isinstance(goal, _OF_EACH):
         return [goal]
-    sides = {key: _apart(value, wholes) for key in ("a", "b") if (value := getattr(goal, key, None)) is not None}
+    sides = {key: _apart(value) for key in ("a", "b") if (value := getattr(goal, key, None)) is not None}
     return [goal.model_copy(update=dict(zip(sides, each, strict=True))) for each in product(*sides.values())]
 
 
-def _apart(operand: object, wholes: Wholes) -> list[object]:
-    several = isinstance(operand, tuple) and len(operand) > 1 and frozenset(operand) not in wholes
+def _apart(operand: object) -> list[object]:
+    several = isinstance(operand, tuple) and len(operand) > 1
     return [(name,) for name in operand] if several and isinstance(operand, tuple) else [operand]
 
 

@@ -38,7 +38,7 @@ from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spare import definite, further, pass_over
 from rpg.passes.schema.resolve.things.spoken import as_it_stands
 from rpg.passes.schema.resolve.things.things import alike, of_no_look
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, wholes
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
 CHAINED = ("left", "right", "front", "behind", "above", "under", "beside", "adjacent", "touching", "near")
@@ -309,7 +309,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                     raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")
                 that = last if mark.word == "that" and last is not None else whom(ref, last, mark, adjunct, scene)
                 found = related(theme, that, adjunct, scene, item.span)
-                goals += negation(found, item.span, wholes(scene)) if adjunct.negated else found
+                goals += negation(found, item.span) if adjunct.negated else found
             else:
                 before = len(scene.things)
                 scene.named_again(item.theme, theme)

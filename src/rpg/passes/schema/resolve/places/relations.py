@@ -59,7 +59,7 @@ from rpg.passes.schema.resolve.things.operands import (
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.theirs import off_which
 from rpg.passes.schema.resolve.things.things import compared, matching
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, wholes
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 PATCH_MIDDLE = 0.02
 """How far from a patch's centre a block in its middle may be, in metres."""
@@ -87,7 +87,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
         case In():
             scene.region, scene.region_at = meaning.region, meaning.span[0]
             scene.regions[scene.clause] = meaning.region
-            return [negate(_region(theme, meaning.region, span), meaning.negated, span, wholes(scene))]
+            return [negate(_region(theme, meaning.region, span), meaning.negated, span)]
         case Coord():
             if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:
                 apart = [Ref(names=(n,)) for n in theme.names]
@@ -109,7 +109,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
                 towers.after(scene, start=False, denied=True)
             if meaning.negated and getattr(getattr(meaning.landmark, "traits", None), "scheme", "") == "same":
                 return [g.Not(goal=conj(goals, span), span=span)]
-            return negation(goals, span, wholes(scene)) if meaning.negated else goals
+            return negation(goals, span) if meaning.negated else goals
         case _:
             raise refuse("misplaced", "this does not say where something is", meaning.span)
 

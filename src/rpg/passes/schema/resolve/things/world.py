@@ -310,11 +310,6 @@ class Scene:
         return built
 
 
-def wholes(scene: Scene) -> list[frozenset[str]]:
-    """The blocks of each structure, which is somewhere or not as a whole."""
-    return [frozenset(built.members) for built in scene.built]
-
-
 def refuse(code: str, message: str, span: Span | None = None, hint: str | None = None, **more: Any) -> Refusal:
     """A refusal with one diagnostic. `labels`: further places as (span, text)."""
     labels = tuple(Label(span=s, text=t) for s, t in more.pop("labels", ()))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import Amount, Noun, OrderBy, Structure, Traits, replace
+from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Structure, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import on_their_sides, tell_apart
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
@@ -79,11 +79,19 @@ def _fitting(shape: Structure, scene: Scene) -> list[Built]:
 
 
 def _of_these(shape: Structure, things: list[Thing]) -> bool:
-    """Whether "the tower of green on pink" can be one of these blocks."""
-    items = [x for order in shape.details if isinstance(order, OrderBy) for x in order.items if isinstance(x, Noun)]
-    told = [x.traits for x in items if x.traits == Traits(colors=x.traits.colors, labels=x.traits.labels)]
+    """Whether "the tower of green on pink", "the row with A and B", "the row of three reds" can be these blocks."""
+    whole = shape.members.items if isinstance(shape.members, Coord) else (shape.members,)
+    items = [*whole, *(x for order in shape.details if isinstance(order, OrderBy) for x in order.items)]
+    told = [x for x in items if isinstance(x, Noun) and _mere_look(x.traits)]
     looks = {look for thing in things for look in (thing.color, thing.label)}
-    return all({*traits.colors, *traits.labels} <= looks for traits in told)
+    if not all({*noun.traits.colors, *noun.traits.labels} <= looks for noun in told):
+        return False
+    counts = [(x.amount, sum(t.color in x.traits.colors for t in things)) for x in told if x.plural and x.traits.colors]
+    return all(amount is None or amount.low != amount.high or amount.low == there for amount, there in counts)
+
+
+def _mere_look(traits: Traits) -> bool:
+    return traits == Traits(colors=traits.colors, labels=traits.labels, kind=traits.kind)
 
 
 def _holding(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:

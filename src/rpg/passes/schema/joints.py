@@ -10,9 +10,9 @@ from itertools import combinations, pairwise
 from rpg.ir import goal as g
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
-from rpg.ir.relations import On, Stayed, Turned
+from rpg.ir.relations import InRegion, On, OnPatch, Stayed, Turned
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import GroupBy, Row, Spells, Stack, Towers
+from rpg.ir.structures import Equation, GroupBy, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -94,6 +94,24 @@ def _letters_of_words(words: Sequence[Token], task: TaskSchema) -> None:
     if below is not None and any(b.word in lexicon.COLOR for _, b in pairs):
         raise refuse("ambiguous", "is this the colour of the letter's own cube, or of one below it?", below.span,
                      "say 'a blue A'")  # fmt: skip
+
+
+def _bodies_of_words(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "spell CAT with blue cubes on the mat" as a word, and so many blue cubes on the mat: it could be written
+    with them."""
+    read = [x for x in atoms(task.goal) if isinstance(x, Spells | Equation)]
+    for index, (lead, look, noun) in enumerate(zip(words, words[1:], words[2:], strict=False) if read else ()):
+        number = lexicon.NUMBER.get(look.word) if look.kind == "word" else look.value
+        if isinstance(number, int | float) and number in {len(x.blocks) for x in read}:
+            look, noun = noun, words[min(index + 3, len(words) - 1)]
+        color = lexicon.COLOR.get(look.word) if lead.word in _WRITTEN_WITH and noun.word in lexicon.BLOCK else None
+        plain = {x.name for x in task.blocks if color and x.color == color and not isinstance(x, SemanticCube)}
+        if plain and all(isinstance(x, OnPatch | InRegion) for x in atoms(task.goal) if plain & {*names(x)}):
+            raise refuse("ambiguous", "these could be the cubes of the word, or further ones", look.span,
+                         f"say 'in {look.word} letters' right behind the word, or say how many there are")  # fmt: skip
+
+
+_WRITTEN_WITH = frozenset({"with", "using", "from"})
 
 
 def _beside_a_chain(words: Sequence[Token], task: TaskSchema) -> None:
@@ -309,6 +327,7 @@ _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchem
     (frozenset({"and"}), _two_pairs),
     (None, _colors_behind),
     (None, _letters_of_words),
+    (_WRITTEN_WITH, _bodies_of_words),
     (None, _counts_or_cubes),
     (frozenset({"stacked"}), _stacked_at_last),
     (None, _beside_a_chain),

@@ -16,6 +16,7 @@ from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begu
 from rpg.language.grammar.clauses.states import carried_on
 from rpg.language.grammar.clauses.there import there_too
 from rpg.language.grammar.clauses.unless import unless
+from rpg.language.grammar.clauses.verb_again import verb_again
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import STARTING
@@ -134,6 +135,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         for item, k in items:
             if previous is not None and _no_clause(p, j, k, previous, item):
                 continue
+            item = verb_again(p, j, previous, item)
             if denies and isinstance(item, Clause) and item.mode == "command" and not item.negated:
                 continue
             if previous is not None and (more := _told_again(previous, item)) is not None:

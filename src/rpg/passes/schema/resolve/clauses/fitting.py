@@ -30,6 +30,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.order_again import check_order_again
 from rpg.passes.schema.resolve.things.things import matching, quality_fits
 from rpg.passes.schema.resolve.things.world import Built, Scene, Thing, refuse
 
@@ -53,6 +54,7 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
     told = any(len(chain.clauses) > 1 for chain in chains)
     _contrast(chains)
     for chain in chains:
+        check_order_again(chain)
         for part in parts_of(chain):
             match part:
                 case Noun():

@@ -12,6 +12,7 @@ from types import CodeType, ModuleType
 from rpg.core.diagnostics import Diagnostic
 from rpg.language import grammar, lexicon
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.other_words import OTHER_WORDS
 from rpg.language.roles import as_anyone
 from rpg.language.tokens import Token
 
@@ -240,7 +241,7 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
             out.append(replace(token, raw=token.raw.lower()) if quiet else token)
         elif token.raw.isupper() and not shouting:
             out.append(replace(token, kind="literal", value=token.raw))
-        elif token.word not in _OTHER_THINGS and (match := _one_match(token.word)):
+        elif token.word not in _OTHER_THINGS | OTHER_WORDS and (match := _one_match(token.word)):
             notes.append(f"read {token.raw!r} as {match!r}")
             out.append(replace(token, word=match, raw=match))
         else:

@@ -9,7 +9,7 @@ from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.relations import Between
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import Row, Spells, Stack
+from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -30,8 +30,8 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _so_many_of_them(words, task)
     _one_of_those(words, task)
     _rainbow_beside(words, task)
+    _rainbow_between(words, task)
     _made_up_beside(words, task)
-    _one_word(task)
     _counts_with_a_slash(words, task)
     _ones_beside_patches(words, task)
     if task.assumed(_NUMBER_UNSAID):
@@ -68,6 +68,24 @@ def _rainbow_beside(words: Sequence[Token], task: TaskSchema) -> None:
     if run and len(named & colors) > 1 and colors - named:
         raise refuse("ambiguous", "are these the blocks that were counted, or further ones?", said[0].span,
                      "list them where they are counted: 'a row of three: red, white and blue'")  # fmt: skip
+
+
+def _rainbow_between(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a rainbow with red at the front and purple at the back" as these two, and "in rainbow order with purple
+    at the bottom" as others on a purple one."""
+    ends = [
+        one for one, at in pairwise(words) if one.word in lexicon.COLOR and at.word in ("at", "on", "first", "last")
+    ]
+    named = [lexicon.COLOR[token.word] for token in words if token.word in lexicon.COLOR]
+    told = {lexicon.COLOR[one.word] for one in ends if named.count(lexicon.COLOR[one.word]) == 1}
+    open_ = any("a run of the rainbow" in note for note in task.assumptions)
+    led = any(token.word in ("with", "starting") for token in words)
+    for line in (x for x in atoms(task.goal) if isinstance(x, Row | Stack) and x.order.by == "rainbow"):
+        inside = {block.color for block in task.blocks if block.name in line.blocks}
+        beyond = any(block.color in told and block.name not in line.blocks for block in task.blocks)
+        if led and (inside <= told or (open_ and beyond)):
+            raise refuse("ambiguous", "it is not said which colours the rainbow has", ends[0].span,
+                         "list its blocks: 'a rainbow of red, yellow and blue'")  # fmt: skip
 
 
 def _one_of_its_look(words: Sequence[Token], task: TaskSchema) -> None:
@@ -153,13 +171,6 @@ def _of_the_counted(words: Sequence[Token], task: TaskSchema) -> None:
         if made_up < many < len(plain) and made_up and len({token.word for token in named}) > 1:
             raise refuse("ambiguous", "are these of the blocks that were counted, or further ones?", named[0].span,
                          "say how all of those look that are counted")  # fmt: skip
-
-
-def _one_word(task: TaskSchema) -> None:
-    """Refuse "a word down a stack: SUN" as some word and the word SUN."""
-    spelt = [atom for atom in atoms(task.goal) if isinstance(atom, Spells)] if task.assumptions else []
-    if len(spelt) > 1 and task.assumed("the word is not said"):
-        raise refuse("ambiguous", "is this the word, or one more?", spelt[-1].span, "say 'the word' in front of it")
 
 
 def _counts_with_a_slash(words: Sequence[Token], task: TaskSchema) -> None:

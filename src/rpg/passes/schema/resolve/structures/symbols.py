@@ -18,7 +18,6 @@ from rpg.passes.schema.resolve.things.things import create
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
 
 MAX_SEARCHED = 8
-DEFAULT_WORD = "CAT"
 DEFAULT_EQUATION = "2+3=5"
 Made = tuple[list[Built], list[g.Goal]]
 
@@ -27,10 +26,7 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     """ "the word CAT", in a row or down a tower."""
     text = shape.letter
     if text is None:
-        if shape.det in ("the", "bare"):
-            raise refuse("ambiguous", "it is not said which word this is", shape.span, "name it: the word CAT")
-        text = DEFAULT_WORD
-        scene.assume(f"the word is not said: {DEFAULT_WORD}")
+        raise refuse("ambiguous", "it is not said which word this is", shape.span, "name it: the word CAT")
     text = text.replace(" ", "").replace("-", "")
     bad = [c for c in text if c not in string.ascii_uppercase + string.digits + "+-*/="]
     if bad or len(text) < 2:

@@ -63,7 +63,7 @@ _TEXT = """
     superb superior supervision supportive surf surge surgery surveys survive swamp sweat sweater sweeping swinging
     tablet tablets tag tags tangent tapered tapping tech teen tempted tens tent terrace terraces testify theater theatre
     thereby thirds thirteenth thorough threaded threat threw tiger tigers tile tin tint tissues toes tolerate toll
-    tories tory tough tracking tragedy trained trainer trans transport transported transverse treated treaty tree tribal
+    tories tory tough tracking tragedy trained trainer trans transverse treated treaty tree tribal
     tribes trips trough trucks tuned turrets twitter unclear undergo unicorn unified unity unlocked unstable unusually
     uploaded useless variant vent vicious victoria violent viral virtual visa voice volumes waist walks wandering war
     warming warn wars wash washing weather wedding weddings wet wheat whoa william windows wing wings wise witch

@@ -124,7 +124,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word in STAY and _where_it_is(words, index) and terms.isdisjoint({"stayed", "always"}):
             return token
-        if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
+        if token.word in ONLY and (more := _more_than(words, index, task, terms)) is not None:
             return more
         said, after = _number(token), words[index + 1].word if index + 1 < len(words) else ""
         if said is not None and said > 4 and after == "corners":
@@ -193,14 +193,23 @@ def _as_listed(task: TaskSchema) -> bool:
     return told or (len(orders) == 1 and len(orders[0]) > 2 and all(len(rank) == 1 for rank in orders[0]))
 
 
-def _more_than(words: Sequence[Token], only: int, task: TaskSchema) -> Token | None:
-    """The number in "there are only two blocks", where there are more or fewer."""
+def _more_than(words: Sequence[Token], only: int, task: TaskSchema, terms: Collection[str]) -> Token | None:
+    """The number in "there are only two blocks", where there are more or fewer; the word in "exactly two of the five
+    are in a row", where more may join them."""
+    if _of_more(words, only) and {"count", "not", "exact"}.isdisjoint(terms):
+        return words[only]
     there, after = words[only - 1 : only], words[only + 1 : only + 4]
     if len(after) < 2 or not there or there[0].word not in THERE or after[1].word not in lexicon.BLOCK:
         return None
     plain = len(after) == 2 or after[2].kind == "punct"
     said = _number(after[0]) if plain else None
     return after[0] if said is not None and said != len(task.blocks) else None
+
+
+def _of_more(words: Sequence[Token], index: int) -> bool:
+    """ "exactly two of the five red ones": no more of them may join these."""
+    number = _number(words[index + 1]) if index + 2 < len(words) and words[index + 2].word == "of" else None
+    return number is not None and number > 1
 
 
 def _listed(words: Sequence[Token], index: int) -> bool:

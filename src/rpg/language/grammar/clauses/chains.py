@@ -135,7 +135,6 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         for item, k in items:
             if previous is not None and _no_clause(p, j, k, previous, item):
                 continue
-            item = verb_again(p, j, previous, item)
             if denies and isinstance(item, Clause) and item.mode == "command" and not item.negated:
                 continue
             if previous is not None and (more := _told_again(previous, item)) is not None:
@@ -143,7 +142,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 continue
             if bare and isinstance(item, Clause) and item.cost and _adds(p, j, previous, item):
                 item = replace(item, cost=item.cost + 2)
-            item = _less_likely(previous, item)
+            item = _less_likely(previous, verb_again(p, j, previous, item))
             item = same_letters(previous, item) if link in ("or", "then") and previous is not None else item
             item = begun_of(previous, still_begun(p, j, k, previous, item)) if link == "and" else item
             yield from ((found, k) for found in _so_far(p, (i, j, k), (*had, item), (*links, link)))

@@ -9,6 +9,7 @@ from rpg.language.grammar.places.flanked import flanked
 from rpg.language.grammar.places.formed import formed
 from rpg.language.grammar.places.in_turn import in_turn, one_by_one
 from rpg.language.grammar.places.relations import loc
+from rpg.language.grammar.places.said_inside import said_inside
 from rpg.language.grammar.places.sides import SIDES, UTMOST, at
 from rpg.language.grammar.structures.apposed import AMID
 from rpg.language.grammar.structures.parts import part, part_statement, unit_of
@@ -98,10 +99,8 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
         return
     if p.words[comma] in ("that", "which") and "with" in p.words[:comma]:
         return  # "red with a blue block to its right that has a white one on it": of the blue one
-    for first, end in _one_absolute(p, j):
+    for first, end in said_inside(p, j, _one_absolute(p, j)):
         first_place = first.adjuncts[0]
-        if isinstance(first_place, Loc) and _said_of_the_whole(p, j, end):
-            continue
         if j == comma and isinstance(first_place, At) and _several(first.theme) and _has_comma(p, first.theme):
             continue  # "red, blue, red leftmost": told of the last one alone
         cost = 2 if _on_the_table(first_place) or (j == comma and isinstance(first_place, Loc)) else 0
@@ -110,13 +109,6 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
         first = replace(first, cost=cost)
         yield first, end
         yield from _absolute_more(p, i, end, (first,))
-
-
-def _said_of_the_whole(p: Parser, j: int, end: int) -> bool:
-    """ "The row with A and B is behind it": the row is, and nothing is built in which A and B are."""
-    told = p.words[j:end]
-    stated = p.words[j - 1] == "with" and p.stands(0, ("the",)) and not {"is", "are", "stands"}.isdisjoint(told)
-    return stated and {"that", "which", "where"}.isdisjoint(told)
 
 
 def _on_the_table(place: Meaning) -> bool:

@@ -30,7 +30,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
-from rpg.passes.schema.resolve.clauses.order_again import check_order_again
+from rpg.passes.schema.resolve.clauses.order_again import check_borne_again, check_order_again
 from rpg.passes.schema.resolve.things.things import matching, quality_fits
 from rpg.passes.schema.resolve.things.world import Built, Scene, Thing, refuse
 
@@ -55,6 +55,7 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
     _contrast(chains)
     for chain in chains:
         check_order_again(chain)
+        check_borne_again(chain)
         for part in parts_of(chain):
             match part:
                 case Noun():

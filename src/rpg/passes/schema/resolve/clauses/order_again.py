@@ -1,11 +1,11 @@
-"""Blocks that stand behind others which are put in an order."""
+"""Clauses without a verb, of which the one before may tell more than they say."""
 
 from __future__ import annotations
 
 from itertools import pairwise
 
 from rpg.language.grammar.clauses.verb_again import alike, in_an_order, merely_placed, several
-from rpg.language.meaning import Chain, Clause, replace
+from rpg.language.meaning import At, Chain, Clause, Loc, Meaning, Noun, Traits, parts_of, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
 
@@ -18,3 +18,20 @@ def check_order_again(chain: Chain) -> None:
         if ordered and merely_placed(again) and several(item.theme) and not alike(item.theme):
             raise refuse("ambiguous", "are these in an order as well, or merely there?", item.span,
                          "say 'put ... there', or in which order they are")  # fmt: skip
+
+
+def check_borne_again(chain: Chain) -> None:
+    """Refuse "the leftmost has a blue one on it and the rightmost a green one": this is on it, or is the rightmost?"""
+    told = [x for x in parts_of(chain) if isinstance(x, Clause) and x.verb == "be" and len(x.adjuncts) == 1]
+    borne = any(_on_an_end(x.adjuncts[0]) for x in told)
+    for item in told if borne else ():
+        side, theme = item.adjuncts[0], item.theme
+        bare = item.word is None and isinstance(theme, Noun) and theme.det == "a"
+        if bare and theme is not None and isinstance(side, At) and side.utmost and side.span < theme.span:
+            raise refuse("ambiguous", "is it there, or does the block there have it?", item.span,
+                         "say 'has ... on it' once more")  # fmt: skip
+
+
+def _on_an_end(place: Meaning) -> bool:
+    mark = place.landmark if isinstance(place, Loc) else None
+    return isinstance(mark, Noun) and mark.traits.rank is not None and mark.traits == Traits(rank=mark.traits.rank)

@@ -56,6 +56,7 @@ def members_of(
         _fix_parts(named)
         named = certain(named, scene)
         _of_its_colors(shape, named, scene)
+        _of_one_color(source, named, scene)
         spec.listed = spec.listed or named.listed
         in_turn = named.op == "then" or (
             _named_one_by_one(source) and all(_of_another(x, source) for x in spec.absolutes)
@@ -105,6 +106,14 @@ def _by_its_parts(
         raise refuse("ambiguous", "of these blocks alone, or of all the blocks there are?", shape.span,
                      "say 'of all blocks', or name all its blocks")  # fmt: skip
     return () if fewer and looks else absolute
+
+
+def _of_one_color(source: Meaning, named: Ref, scene: Scene) -> None:
+    """Refuse "a row of four with equal colours side by side: two red, two blue": of all, or of neighbours?"""
+    same = isinstance(source, Noun) and source.traits.scheme == "same"
+    if same and len({scene.things[n].color for n in named.names} - {None}) > 1:
+        raise refuse("ambiguous", "it is not clear which blocks are of the same colour", source.span,
+                     "say 'with blocks of the same colour together'")  # fmt: skip
 
 
 def _agrees(shape: Structure, names: tuple[str, ...], scene: Scene) -> None:

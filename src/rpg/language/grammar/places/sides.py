@@ -237,7 +237,8 @@ def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
         for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
             if end := p.any_of(k, _WHOLE_OF[noun]):
                 yield At(side=side, whole=whole, utmost=most, span=p.span(i, end)), end
-        if p.words[i] == "on" and (p.words[k - 1] == "block" or side == "middle"):  # on top of what is there
+        one_there = p.words[k - 1] in ("block", "leftmost", "rightmost") or side == "middle"
+        if p.words[i] == "on" and one_there:  # on top of what is there
             return
         if p.words[i] == "in" and k == j + 1 and p.stands(k, ("tower", "stack")):  # "in the left tower"
             return

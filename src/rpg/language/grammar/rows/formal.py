@@ -22,7 +22,10 @@ from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
+from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned
+from rpg.language.grammar.rows.upright import UPRIGHT_AT_ONCE
+from rpg.language.grammar.rows.upward import UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.utmost import UTMOST_TOLD
 from rpg.language.grammar.rows.wordier import AT_ONCE as FEWER_AT_ONCE
 from rpg.language.grammar.rows.wordier import WORDIER
@@ -242,12 +245,15 @@ _OF_ALL = (
     *_ALWAYS,
     *AT_ONCE,
     *TOLD_SHAPES,
+    *TOWERS_AT_ONCE,
+    *UPWARD_AT_ONCE,
+    *UPRIGHT_AT_ONCE,
     *REWORDED_AT_ONCE,
     *FEWER_AT_ONCE,
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED,
-                  *BORNE_FIRST, *UTMOST_TOLD)  # fmt: skip
+                  *BORNE_FIRST, *UTMOST_TOLD, *TOWERS, *UPWARD)  # fmt: skip
 """The rows of a sentence that cannot be read as it stands."""
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from operator import itemgetter
+
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
@@ -10,9 +12,11 @@ from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Size, Structure, replace
 
 _LEADS = (
-    "each of", "each made of", "each consisting of", "each built of", "each made from", "each built from", "each with",
-    "each containing", "each having", "each made up of", "each composed of", "each comprising", "every one of",
-    "each one with", "each one of", "in each of which there is", "in each of which there are", "each being",
+    *(f"{each} {made}"
+      for each in ("each", "each one", "each of them", "every one of them", "both of them", "every one")
+      for made in ("of", "made of", "consisting of", "built of", "made from", "built from", "with", "containing",
+                   "having", "made up of", "composed of", "comprising")),
+    "in each of which there is", "in each of which there are", "each being",
     "in each of which", "all of", "both with", "both of", "where each has", "where each one has", "and each has",
     "so that each has", "so that each one has", "such that each has", "of which each has",
 )  # fmt: skip
@@ -32,7 +36,11 @@ _ALIKE = tuple(
     for end in (" :", " ,")
 )
 """Behind several towers: what is told next is told of each."""
-_NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "of them", "of the towers",
+_EVERY = (
+    *(f"{each}{one}" for each in ("both", "each") for one in ("", " one", " tower", " stack", " of them")),
+    "both towers", "both stacks", "every one of them", "each one of them", "every one", "every tower", "every stack",
+)  # fmt: skip
+_NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "of them", "one of them", "of the towers",
           "of the stacks", "of the rows", "of these", "of the columns", "of the lines")  # fmt: skip
 _HAS = (
     "has", "should have", "must have", "contains", "should contain", "must contain", "consists of",
@@ -75,8 +83,8 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
     comma = p.opt(i, ",", ":")
     if j := p.any_of(comma, _LEADS):
         yield from _made_of(p, i, j)
-    if j := p.one(comma, ("both", "each")):
-        named = p.opt(p.any_of(p.opt(j, "one", "tower", "stack"), _COLON) or p.opt(j, "one", "tower", "stack"), ":")
+    if j := p.any_of(comma, _EVERY):
+        named = p.opt(p.any_of(j, _COLON) or j, ":")
         every = p.stands(named, lexicon.COLOR) and not p.anywhere(_STACKS)  # "each red on a blue": every red one
         yield from (x for x in _made_of(p, i, named) if x[0].first and not every)
     if j := p.any_of(comma, _ALIKE):
@@ -93,6 +101,8 @@ def each_clause(p: Parser, i: int) -> Results[Clause]:
     yield from _of_so_many(p, i)
     each = p.one(inside or i, ("each", "every"))
     j = (p.any_of(each, _NOUNS) or (each if not inside else 0)) if each else 0
+    if both := p.any_of(inside, ("both", "both of them", "both towers", "both stacks")) if inside else 0:
+        j = both
     if not j:
         return
     start = p.any_of(p.opt(j, ","), ("there is", "there are", "there should be", "there must be")) or p.opt(j, ",")
@@ -104,15 +114,26 @@ def _made_of(p: Parser, i: int, j: int) -> Results[OrderBy]:
     """What each of several structures has: so many blocks, or one on another, or blocks at its places."""
     yield from _lot(p, i, j)
     yield from _layered(p, i, j)
+    yield from _by_layers(p, i, j)
     for below, k in simple(p, j):
-        with_ = p.any_of(k, ("with", "and on it", "topped with", "topped by", ", with"))
-        for above, end in simple(p, with_) if with_ and len(_items(below, below.span)) == 1 else ():
-            last = p.any_of(end, ("on top", "on it", "on top of it", "above it", "above")) or (
-                end if p.words[with_ - 2] in ("topped", "on") or p.words[with_ - 1] == "it" else 0
+        with_ = p.any_of(k, _TOPPED)
+        for above, end in simple(p, with_) if with_ and _of_one_look(below) else ():
+            last = p.any_of(end, _ABOVE) or (
+                end if p.words[with_ - 2] in ("topped", "on") or p.words[with_ - 1] in ("it", "them") else 0
             )
-            if last and len(_items(above, above.span)) == 1:
+            if last and _of_one_look(above):
                 pair = (*_items(below, below.span), *_items(above, above.span))
                 yield OrderBy(by="each", items=pair, first="bottom", span=p.span(i, last)), last
+
+
+_TOPPED = ("with", "and on it", "and on them", "topped with", "topped by", ", with", "and", "and then", ", then",
+           ", and then")  # fmt: skip
+_ABOVE = ("on top", "on it", "on top of it", "above it", "above", "on them", "on top of them", "above them")
+
+
+def _of_one_look(meaning: Meaning) -> bool:
+    """ "a red block", "two red blocks"."""
+    return len(set(map(_look, _items(meaning, meaning.span)))) == 1
 
 
 def _of_so_many(p: Parser, i: int) -> Results[Clause]:
@@ -174,24 +195,86 @@ def _lot(p: Parser, i: int, j: int) -> Results[OrderBy]:
 
 
 _AT = {
-    **dict.fromkeys(("at the bottom", "below", "underneath", "at the base", "lowest", "at the very bottom"), "bottom"),
-    **dict.fromkeys(("on top", "at the top", "above", "on the top", "highest", "at the very top"), "top"),
+    **dict.fromkeys(
+        (
+            "at the bottom",
+            "below",
+            "underneath",
+            "at the base",
+            "lowest",
+            "at the very bottom",
+            "as its base",
+            "as the base",
+            "as a base",
+        ),
+        "bottom",
+    ),
+    **dict.fromkeys(
+        (
+            "on top",
+            "at the top",
+            "above",
+            "on the top",
+            "highest",
+            "at the very top",
+            "above it",
+            "on top of it",
+            "on it",
+            "above that",
+            "on top of that",
+            "on that",
+            "above them",
+            "on them",
+            "on top of them",
+        ),
+        "top",
+    ),
     **dict.fromkeys(("in the middle", "in between", "between them", "in the center"), "middle"),
 }
 
 
 def _layered(p: Parser, i: int, j: int) -> Results[OrderBy]:
     """ "(both with) red at the bottom and white on top"."""
-    held: dict[str, Noun] = {}
+    held: dict[str, tuple[Noun, ...]] = {}
     while len(held) < 3:
         for theme, k in simple(p, j):
             one = _items(theme, theme.span)
-            at, end = next(((_AT[phrase], end) for phrase, end in p.standing(k, _AT)), ("", 0))
-            if len(one) == 1 and end and at not in held:
-                held[at] = one[0]
+            k = p.opt(k, "is", "are", "being", "lies", "sits", "goes", "comes")
+            at, end = max(
+                ((_AT[phrase], end) for phrase, end in p.standing(k, _AT)), key=itemgetter(1), default=("", 0)
+            )
+            if len(set(map(_look, one))) == 1 and end and at not in held:
+                held[at] = one
                 break
         else:
             return
+        if {"bottom", "top"} <= held.keys():
+            items = tuple(x for at in ("bottom", "middle", "top") for x in held.get(at, ()))
+            yield OrderBy(by="each", items=items, first="bottom", span=p.span(i, end)), end
+        j = p.any_of(end, (", and", ",", "and"))
+        if not j:
+            return
+
+
+_LEVELS = {"lower": "bottom", "bottom": "bottom", "lowest": "bottom", "bottommost": "bottom", "upper": "top",
+           "top": "top", "topmost": "top", "uppermost": "top", "highest": "top", "middle": "middle"}  # fmt: skip
+
+
+def _by_layers(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """ "(in each of them) the lower block is brown and the upper one white"."""
+    held: dict[str, Noun] = {}
+    while len(held) < 3:
+        level = p.lex(p.opt(j, "the", "its", "a"), _LEVELS)
+        k = p.opt(p.opt(j, "the", "its", "a") + 1, "block", "cube", "one") if level else 0
+        k = p.any_of(k, ("is", "being", "must be", "should be")) or k
+        look = (
+            next(((_items(x, x.span), end) for x, end in simple(p, k) if p.peek(k, lexicon.COLOR)), ((), 0))
+            if k
+            else ((), 0)
+        )
+        if level is None or level in held or len(look[0]) != 1:
+            return
+        held[level], end = look[0][0], look[1]
         if {"bottom", "top"} <= held.keys():
             items = tuple(held[at] for at in ("bottom", "middle", "top") if at in held)
             yield OrderBy(by="each", items=items, first="bottom", span=p.span(i, end)), end

@@ -75,6 +75,30 @@ def wholes(p: Parser, i: int) -> Results[Coord]:
         for found, j in _wholes(p, i, start, ()):
             if len(found.items) > 1 and _heights_fit(p, found):
                 yield _all_in_color(p, found, j), j
+                yield from _taller_there(p, found, j)
+
+
+def _taller_there(p: Parser, found: Coord, j: int) -> Results[Coord]:
+    """ "(one three high and one two high), the taller one on the left": where each of two stands."""
+    told = [x for x in found.items if isinstance(x, Absolute)]
+    heights = [x.theme.amount.low if isinstance(x.theme, Noun) and x.theme.amount is not None else 0 for x in told]
+    places = [x.adjuncts[0] for x in told]
+    open_ = len(told) == _TWO and all(isinstance(x, Places) and x.side == "one" for x in places)
+    start = p.any_of(j, ("with", ", with", ",", "and", ", and", ", so that", "so that"))
+    if not open_ or not start or 0 in heights or heights[0] == heights[1]:
+        return
+    for phrase, k in p.standing(start, _BY_HEIGHT):
+        k = p.any_of(k, IS) or p.any_of(k, ("standing", "stands", "being")) or k
+        for side, end in p.standing(k, _WHERE):
+            here, there = _WHERE[side], _OPPOSITE[_WHERE[side]]
+            sides = (here, there) if (heights[0] > heights[1]) is _BY_HEIGHT[phrase] else (there, here)
+            placed = [replace(at, side=s) for at, s in zip(places, sides, strict=True) if isinstance(at, Places)]
+            items = tuple(replace(x, adjuncts=(at,)) for x, at in zip(told, placed, strict=True))
+            yield replace(found, items=items, span=(found.span[0], p.char(end - 1, 1))), end
+
+
+_TWO = 2
+_OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 
 def _all_in_color(p: Parser, found: Coord, j: int) -> Coord:

@@ -66,7 +66,7 @@ def denied_of_any(clause: Clause, scene: Scene) -> Clause:
     theme = clause.theme
     if not clause.negated or not isinstance(theme, Noun) or theme.det != "a" or theme.head == "patch":
         return clause
-    alike = [t for t in matching(theme.traits, scene, False) if t.declared]
+    alike = matching(theme.traits, scene, False)
     if theme.amount != Amount(1, 1) or theme.part_of is not None or theme.conditions or len(alike) < 2:
         return clause
     if clause.lemma == "fact":

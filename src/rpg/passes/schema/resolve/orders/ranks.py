@@ -71,16 +71,19 @@ _BOARDS = ("grid", "square", "rectangle")
 _LINES = ("row", "line", "column", "word")
 
 
-def _all_alike(built: Built, scene: Scene) -> bool:
-    """Whether the blocks of a structure look alike, and nothing is said to be on one of them yet."""
+def _all_alike(built: Built, scene: Scene, *told: str) -> bool:
+    """Whether the blocks of a structure look alike, and nothing is said to be on them yet but on those `told`."""
     things = [scene.things[n] for n in built.members]
     looks = {(t.color, t.label, t.kind, t.size) for t in things}
-    return len(looks) == 1 and bool(things[0].color) and not any(n in scene.on_top for n in built.members)
+    return (
+        len(looks) == 1 and bool(things[0].color) and not any(n in scene.on_top for n in built.members if n not in told)
+    )
 
 
 def _of_the_line(noun: Noun, side: str, scene: Scene) -> Ref | None:
     """ "the left one": of the blocks of the one line that was built, where there are no patches."""
-    line = scene.built[0] if len(scene.built) == 1 and scene.built[0].kind in _LINES else None
+    wholes = _wholes(scene)
+    line = wholes[0] if len(wholes) == 1 and wholes[0].kind in _LINES else None
     if line is None or noun.head != "any" or any(t.patch for t in scene.things.values()):
         return None
     name = _in(line, side) if line.ordered else None
@@ -167,20 +170,22 @@ def _numbered(noun: Noun, number: str, scene: Scene) -> Ref:
 
 def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     """ "the middle one" of a row of blocks that look alike: any of them, which is then said to stand there."""
-    built = scene.built[-1] if scene.built else None
-    if len(scene.built) > 1 and noun.head == "any" and rank.isdigit():
+    wholes = _wholes(scene)
+    built = wholes[-1] if wholes else None
+    there: dict[str, str] = {}
+    if len(wholes) > 1 and noun.head == "any" and rank.isdigit():
         return _of_structures(noun, int(rank), scene)
     if (
         built is None
         or built.ordered
-        or len(scene.built) > 1
+        or len(wholes) > 1
         or built.kind not in (*SIDES, *_BOARDS)
         or noun.head == "patch"
-        or scene.loose
+        or (scene.loose and not (there := _ends_told(built, scene)))
     ):
         return None
     colors = noun.traits.colors
-    if not _all_alike(built, scene) or (colors and scene.things[built.members[0]].color not in colors):
+    if not _all_alike(built, scene, *there.values()) or (colors and scene.things[built.members[0]].color not in colors):
         return None
     count, _, told = rank.partition(" ")
     if built.kind in _BOARDS:
@@ -196,10 +201,30 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
         raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start",
                      noun.span, "give them colours, or say what is where at the end")  # fmt: skip
-    name = built.members[0]
+    if there and (index is not None or side not in _ENDS):
+        return None
+    if side in there:
+        return Ref(names=(there[side],))
+    name = next(name for name in built.members if name not in there.values())
     place = At(side=side, index=index, span=noun.span)
     scene.loose.append((Ref(names=(name,), span=noun.span), place, noun.span))
     return Ref(names=(name,))
+
+
+def _wholes(scene: Scene) -> list[Built]:
+    """What is built, without the piles that arise where a block is put on one of a line."""
+    lines = [set(b.members) for b in scene.built if b.kind in _LINES]
+    return [b for b in scene.built if b.kind != "stack" or not any(line & set(b.members) for line in lines)]
+
+
+_ENDS = ("left", "right", "front", "back", "top", "bottom")
+
+
+def _ends_told(built: Built, scene: Scene) -> dict[str, str]:
+    """The blocks of a line that are said to be at its ends already, where nothing else is said of its blocks."""
+    ends = {at.side: ref.names[0] for ref, at, _ in scene.loose if isinstance(at, At) and at.side in _ENDS
+            and at.index is None and len(ref.names) == 1 and ref.names[0] in built.members}  # fmt: skip
+    return ends if len(ends) == len(scene.loose) < len(built.members) else {}
 
 
 def _in_the_grid(noun: Noun, rank: str, built: Built, scene: Scene) -> Ref:

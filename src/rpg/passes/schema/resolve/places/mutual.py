@@ -218,17 +218,24 @@ def _that_other(mark: Noun) -> bool:
     return mark.det == "other" and mark.head == "any" and not mark.plural
 
 
+def _any_such(mark: Noun) -> bool:
+    """ "no odd number is on an even one": on any of those there are."""
+    plain = mark.traits.rank is None and mark.traits.scheme is None and not mark.traits.matching
+    return mark.det == "a" and mark.part_of is None and not mark.conditions and plain
+
+
 def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate) -> Atoms | None:
     """ "no blue block touches another block", "red is not on another one": nor any block besides it that there is."""
     if (alone := _touching_none(theme, loc, scene, span, relate)) is not None:
         return alone
     mark, none = loc.landmark, theme.quant is not None and theme.quant.high == 0
     denied = none or ((loc.negated or scene.denying) and theme.quant is None)
-    if not denied or not isinstance(mark, Noun) or mark.det not in ("another", "other"):
-        return None
-    if mark.head == "patch" or _that_other(mark):
+    if not denied or not isinstance(mark, Noun) or mark.head == "patch" or _that_other(mark):
         return None
     there = [thing.name for thing in matching(mark.traits, scene, False) if not thing.extra]
+    any_such = none and bool(there) and not theme.built and _any_such(mark)
+    if mark.det not in ("another", "other") and not any_such:
+        return None
     scene.surveyed.append((mark.traits, (*theme.names, *there), mark.span))
     pairs = dict.fromkeys((a, b) for a in theme.names for b in there if a != b)
     both_ways = loc.rel in ("on", "above", "under", *DIRECTIONS)

@@ -8,7 +8,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Lowest
-from rpg.language.meaning import Size, Structure
+from rpg.language.meaning import Noun, Places, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.members import certain, declared, new_members
 from rpg.passes.schema.resolve.things.refer import refer
@@ -38,6 +38,22 @@ def of_heights(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
     node = s.Towers(blocks=names, count=count, heights=heights, span=shape.span)
     scene.heights[names] = heights
     return [scene.add_built("towers", names, False, node.span or (0, 0))], [node]
+
+
+def as_heights(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
+    """ "(stack these blocks into) two towers, one three high and one two high": of whichever of the blocks each is."""
+    looks = [x.theme for x in spec.absolutes]
+    places = [x.adjuncts[0] for x in spec.absolutes if len(x.adjuncts) == 1]
+    told = tuple(x.amount.low for x in looks if isinstance(x, Noun) and x.amount and x.amount.low == x.amount.high)
+    mere = all(isinstance(x, Noun) and x.traits == Traits() and x.part_of is None for x in looks)
+    one_each = all(isinstance(x, Places) and x.side == "one" and x.unit.startswith("whole") for x in places)
+    many = shape.amount.low if shape.amount is not None else 0
+    if shape.kind != "stack" or theme is None or not mere or not one_each or shape.sizes or shape.members is not None:
+        return shape
+    if len(told) < 2 or not len(told) == len(looks) == len(places) == many:
+        return shape
+    spec.absolutes = []
+    return replace(shape, sizes=(Size(what="heights", dims=told, span=shape.span),))
 
 
 def _blocks(shape: Structure, spec: Spec, theme: Ref | None, total: int, scene: Scene) -> tuple[str, ...]:

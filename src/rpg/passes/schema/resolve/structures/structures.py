@@ -20,6 +20,7 @@ from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.orders.runs import rainbow_of
 from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, stepped, symbols, towers
+from rpg.passes.schema.resolve.structures.heights import as_heights
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
 from rpg.passes.schema.resolve.things.from_stock import from_stock
 from rpg.passes.schema.resolve.things.members import members_of
@@ -116,6 +117,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         raise refuse("unsupported-structure", f"a {shape.kind} cannot be built from blocks here", shape.span)
     if any(o.by == "each" for o in spec.orders):
         return lots.each_made_of(shape, spec, theme, maker, scene, scope)
+    shape = as_heights(shape, spec, theme)
     if one_by_one(shape, spec):
         return each_of(shape, spec, theme, maker, scene, scope)
     built, goals = maker(shape, spec, theme, scene, scope)

@@ -1,0 +1,127 @@
+"""Several towers told in roundabout ways: "both equally high", "one of height three and one of height two", "all red
+ones in one tower, all blue ones in another", as rows that tell each of them plainly."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_MANY = f"(?:\\d+|{FEW})"
+_BLOCKS = "(?:blocks|cubes|ones)"
+_TOWERS = "(?:towers|stacks)"
+_TOWER = "(?:tower|stack)"
+_EACH = "(?:both|all|each|every one)(?: of (?:them|these|those|which))?"
+_EQUAL = (
+    "(?:equally (?:high|tall)|(?:of |have |having )?(?:the same|equal|an equal) height|as (?:high|tall) as each other)"
+)
+_ARE = f"(?:(?:being|are|is|{MUST} be) )?"
+_TALL = f"(?:with |of |having |has |that is |which is |is )?(?:a )?(?:height )?(?:of )?({_MANY})(?: blocks| cubes)?"
+_HIGH = "(?: high| tall| in height)?"
+_OTHER = "(?:one|another|the other|a second|the second|a third|the third)(?: one| tower| stack)?"
+_FIRST = "(?:one|the first)(?: one| tower| stack| of them)?"
+_AND = "(?:, and|, while|and|,|while)"
+_ASIDE = "(?:(?:to|on|at) )?(?:(?:the|its) )?(left|right)(?: side)?(?: of (?:it|that|this|that one))?"
+_BEFORE = "(behind|in front of) (?:it|that|this)"
+_THING = f"(?:(?:an?|the|one) )?(?:{_COLOR}|[b-z0-9])(?: (?:block|cube|one))?"
+_PILE = f"{_THING}(?: (?:on top of|on|over|above|atop) {_THING})+"
+_STACKED = f"({_MANY} {_COLOR}s?(?: {_BLOCKS})?)(?: stacked(?: up)?)?"
+_INTO = "(?:go |goes |belong |are |is |form |make |must be |should be |must form |should form |should go |must go )?"
+_GROUND = "(?:in|into|to)"
+_FOOT = ("(?:below|lowest|first|down below|touching the table|on the table|at the (?:very )?bottom|at the base|at the "
+         "foot|as the base|as its base)")  # fmt: skip
+_ONE = f"(?:an? |the )?({_COLOR})(?: block| cube| one)?"
+_BEGINS = (f"(?: ,)? (?:(?:and )?(?:starting|beginning) with|and begins with|and starts with|that (?:starts|begins) "
+           f"with|with|and|,) {_ONE} (?:being |is )?{_FOOT}$")  # fmt: skip
+_LOT = f"({_MANY} {_COLOR})(?: {_BLOCKS})?"
+_TURNS = f"{_ONE}s? and {_ONE}s?"
+_CHANGING = (
+    "(?:with|in|of) (?:the |its )?(?:alternating|alternate) colors|(?:with |so that |and )?(?:the |their |its )?"
+    "colors (?:alternate|alternating|take turns|taking turns|changing alternately|alternating each time)"
+)
+
+TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # how high they are
+    (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out "
+     f")?(?:of|from) "
+     f"(?={_MANY}\\b)", "{1} {2} from"),
+    (f"\\b({_TOWERS}\\b.*?)(?: ,)? (?:and |with )?{_EACH} {_ARE}{_EQUAL}$", "{1} of equal height"),
+    (f"\\b({_TOWERS}\\b.*?) (?:that|which) are {_EQUAL}$", "{1} of equal height"),
+    (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH}$",
+     "{1} , one {2} blocks high and one {3} blocks high"),
+    (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH} {_AND} {_OTHER} "
+     f"{_TALL}{_HIGH}$", "{1} , one {2} blocks high , one {3} blocks high and one {4} blocks high"),
+    # of so many colours
+    (f"\\b({_TOWERS}\\b[^:]*?)(?: ,)? (?:each|every one)(?: one| tower| stack)?(?: of (?:them|these))? in (?:an?|its "
+     f"own) "
+     "(?:(?:different|separate) )?color(?: of its own)?$", "{1} , each tower in its own color"),
+    (f"\\b({_TOWERS}\\b[^:]*?)(?: ,)? (?:each|every)(?: one)?(?: tower| stack)?(?: of them)? (?:in|of) (?:just|only) "
+     f"one "
+     "color(?= :|$)", "{1} , each of one color"),
+    (f"^(?:given |with |from |use )?{_MANY} {_BLOCKS} (?:in|of) ({FEW}) (?:different )?colors(?: ,)? ({_MANY})"
+     f"(?: {_BLOCKS})? (?:of each|per color|in each|each|for each)(?: color| of them)?(?: ,| :)? (?:make |build )?"
+     f"(?:one|a) ({_TOWER}) (?:per|for each|for every|of each) color$", "{1} {3s} of {2} , each {3} in its own color"),
+    # colours that alternate
+    (f"^(stack|pile up) {_LOT} and {_LOT}(?: ,)? (?:{_CHANGING}){_BEGINS}",
+     "{1} {2} and {3} blocks alternately , {4} at the bottom"),
+    (f"^(.*?\\b{_TOWER} of {_MANY})(?: blocks)? (?:{_CHANGING}) , {_LOT} and {_LOT}(?: ,)?{_BEGINS}",
+     "{1} blocks , {2} and {3} , alternating , starting with {4} at the bottom"),
+    (f"\\b({_TOWER}\\b.*?)(?: ,)? with (?:the |its )?colors (?:changing|taking turns) (?:alternately|each time|every "
+     f"time)$",
+     "{1} with alternating colors"),
+    (f"\\b(make|build|form) of them (an? {_TOWER}|one {_TOWER})\\b", "{1} {2} of them"),
+    (f"^(.*?\\b{_TOWER}\\b[^,]*?) (?:is|are) (?:wanted|needed|required|desired) , (alternating .+)$", "{1} , {2}"),
+    (f"\\b({_TOWER} of {_MANY}(?: blocks| cubes)?)(?: ,)? (?:that|which) (?:alternates|changes) between {_TURNS}",
+     "{1} , alternating {2} and {3}"),
+    (f"\\b({_TOWER}\\b.*) alternating between {_TURNS}", "{1} alternating {2} and {3}"),
+    (f"\\b({_TOWER}\\b.*\\balternating .*?) with {_ONE} both at the (?:bottom|base|foot) and (?:at the top|on top)$",
+     "{1} with {2} at the bottom and {2} at the top"),
+    (f"\\b({_TOWER}\\b[^,]*?)(?: ,)? (?:with|in|of) alternating colors , {_TURNS} , ({_MANY})(?: blocks| cubes)?"
+     "(?: high| tall)?(?= ,|$)", "{1} of {4} blocks , alternating {2} and {3}"),
+    (f"^(?:an? )?({_TOWER}) (?:of|with) ({_MANY})(?: blocks| cubes) [:,] (?:the )?colors alternate between {_TURNS}",
+     "a {1} of {2} blocks , alternating {3} and {4}"),
+    (f"\\b({_TOWER})(?: ,)? (?:where|in which) {_TURNS} alternate ,? ?({_MANY})(?: blocks| cubes)? (?:high|tall)",
+     "{1} of {4} blocks , alternating {2} and {3}"),
+    (f"^(?:an? |the )?({_TOWER}) , (?:alternate|alternating) {_TURNS} , ({_MANY})(?: blocks| cubes)(?: high| tall)?",
+     "a {1} of {4} blocks , alternating {2} and {3}"),
+    (f"^alternate {_TURNS} in (?:an?|one) ({_TOWER}) of ({_MANY})(?: blocks| cubes)? that (?:starts|begins) with "
+     f"{_ONE} "
+     f"{_FOOT}$", "a {3} of {4} blocks , alternating {1} and {2} , with {5} at the bottom"),
+    (f"\\b({_TOWER} of {_MANY})(?: blocks| cubes)?(?: ,)? (?:in which|where) every (?:second|other) "
+     f"(?:block|cube|one) ,? ?"
+     "(?:starting|beginning) (?:with the (?:bottom|lowest|bottommost)(?: one| block| cube)?|at the bottom|from the "
+     f"bottom) ,? ?is {_ONE} and the (?:rest|others|other blocks|other cubes) (?:is |are )?({_COLOR})$",
+     "{1} blocks , alternating {2} and {3} , with {2} at the bottom"),
+    (f"\\b((?:tower|(?:an?|one|the) stack)\\b[^:]*\\b(?:alternating|alternate|alternately)\\b[^:]*?){_BEGINS}",
+     "{1} , with {2} at the bottom"),
+    # what stands beside it
+    (f"\\b(two) (columns|rows|towers|stacks) of ({_MANY})(?: {_BLOCKS})?(?: ,| :)? an? ({_COLOR}) "
+     f"(?:one|column|row|tower|"
+     f"stack) (?:on|to) the (left|right)(?: side)?(?: ,)? (?:and )?an? ({_COLOR}) (?:one|column|row|tower|stack) "
+     f"(?:on|to) "
+     "the (left|right)(?: side)?$", "{1} {2} of {3} , the {5} one {4} and the {7} one {6}"),
+    (f"\\b(?:two|2) {_TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_ASIDE}(?: ,)? (?:there is |stands )?({_PILE})$",
+     "a tower of {1} , and to the {2} of it a tower of {3}"),
+    (f"\\b(?:two|2) {_TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_BEFORE}(?: ,)? (?:there is |stands )?({_PILE})$",
+     "a tower of {1} , and {2} it a tower of {3}"),
+    (f"\\b(?:two|2) {_TOWER}s [:,] (?:on|to) the left {_STACKED}(?: ,)? (?:and )?(?:to|on) the right(?: of it)? "
+     f"{_STACKED}$", "two towers , the left one of {1} and the right one of {2}"),
+    (f"\\b(?:two|2) {_TOWER}s [:,] on the left ({_PILE})(?: ,)? (?:and )?(?:to|on) the right(?: of it)? ({_PILE})$",
+     "two towers : {1} on the left and {2} on the right"),
+    (f"(?:^|(?<=: ))(?:(?:stack|sort)(?: them| the blocks)? by color [:,] )?(?:all )?(?:the )?({_COLOR})(?: "
+     f"{_BLOCKS})? "
+     f"{_INTO}{_GROUND} (?:one|a) {_TOWER} of ({_MANY})(?: ,| and|, and) "
+     f"(?:all )?(?:the )?({_COLOR})(?: {_BLOCKS})? {_INTO}{_GROUND} another(?: one| {_TOWER})? of ({_MANY})$",
+     "one {1} tower of {2} and one {3} tower of {4}"),
+    (f"(?:^|(?<=: ))(?:put |stack |build )?(?:all )?(?:of )?(the |my )?({_COLOR}) ({_BLOCKS}) {_INTO}(?:{_GROUND} "
+     f")?(?:one|a) "
+     f"({_TOWER}) (?:and|,|, and) (?:all )?(?:of )?(?:the )?({_COLOR})(?: {_BLOCKS})? {_INTO}(?:{_GROUND} )?another"
+     f"(?: one| {_TOWER})?$", "the {2} {3} form a {4} . the {5} {3} form another {4}"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+
+TOWERS: tuple[Turn, ...] = (
+)  # fmt: skip
+"""What makes no sense as it stands, in words that do."""
+WORDS = ("equal height",)
+"""Words that these take besides those that are read anyway."""

@@ -8,6 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.becoming import and_touches
 from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
+from rpg.language.grammar.clauses.denials import denies_places, nor_there, of_none
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import all_in_one, emphasised, linked
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
@@ -27,7 +28,7 @@ from rpg.language.grammar.things.bodies import bodies
 from rpg.language.grammar.things.inventory import inventory
 from rpg.language.grammar.things.listing import looks_told
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.grammar.things.retold import restates
+from rpg.language.grammar.things.retold import apposed
 from rpg.language.grammar.things.spare import spare
 from rpg.language.grammar.things.stock import stock
 from rpg.language.meaning import (
@@ -153,15 +154,18 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 for theme, k in noun_phrase(p, j):
                     whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
                     yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
-            nor = isinstance(previous.theme, Coord) and previous.theme.op == "nor"
-            neither = link == "or" and (previous.negated or nor)
+            neither = link == "or" and (previous.negated or of_none(previous.theme))
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
                 if link == "or" and [",", "and"] in (p.words[n : n + 2] for n in range(j, k - 1)):
                     continue  # "put A on B or C, and D on the mat": a comma parts more than "or" does
                 item = same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
-                same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
+                same = isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
+                if link == "or" and isinstance(item, Clause) and denies_places(p, previous):
+                    if not same or p.words[at] == ",":
+                        continue  # "on the mat but not on B, or on C": is it denied, or the other possibility?
+                    item, link = nor_there(item), "and"
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
-                apart = p.words[j - 1] == "," and (_apposed(previous, item) or (len(had) == 1 and all_in_one(item)))
+                apart = p.words[j - 1] == "," and (apposed(previous, item) or (len(had) == 1 and all_in_one(item)))
                 if apart or _told_again(previous, item) is not None:
                     continue
                 item = item if denied else _contrasted(previous, item, link)
@@ -252,7 +256,7 @@ def _set_apart(before: Meaning, item: Meaning) -> Clause | None:
 
 def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bool:
     """Whether what looks like a clause belongs to the one before it."""
-    if p.words[j - 1] == "," and (_apposed(previous, item) or _mere_time(item)):
+    if p.words[j - 1] == "," and (apposed(previous, item) or _mere_time(item)):
         return True
     listed = p.words[j - 1] == "and" and p.tokens[j - 2].word in lexicon.COLOR and _in_list(p, j - 2)
     shape = item.theme if isinstance(item, Clause) else None
@@ -384,13 +388,6 @@ def _told_again(before: Clause, item: Meaning) -> Clause | None:
     plain = Structure(kind=built.kind, det="bare", span=theme.span)
     same = replace(theme, cost=0) == plain and before.verb == item.verb
     return replace(before, adjuncts=(*before.adjuncts, *item.adjuncts)) if same else None
-
-
-def _apposed(before: Clause, item: Meaning) -> bool:
-    """ "a square of red blocks, three rows of three": a comma alone brings no structure without blocks of its own."""
-    told = isinstance(item, Clause) and not item.adjuncts and item.mode != "command"
-    theme = item.theme if told and isinstance(item, Clause) else None
-    return isinstance(before.theme, Structure) and isinstance(theme, Structure) and restates(before.theme, theme)
 
 
 def _mere_time(item: Meaning) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Amount, Clause, In, Loc, Manner, Meaning, Noun, replace
+from rpg.language.meaning import Amount, Clause, Coord, In, Loc, Manner, Meaning, Noun, replace
 
 _NOT = frozenset({"not", "never"})
 _ALL = (["both"], ["all"])
@@ -27,6 +27,27 @@ def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
     if p.words[at : at + 1] not in _ALL and not _of_both(p, at, found):
         return found
     return replace(found, adjuncts=(*found.adjuncts, Manner(kind="not all", span=found.span)))
+
+
+def of_none(theme: Meaning | None) -> bool:
+    """ "No red block", "neither red nor blue": what is said of these with "or" is denied altogether."""
+    return (isinstance(theme, Coord) and theme.op == "nor") or (isinstance(theme, Noun) and theme.det == "no")
+
+
+def denies_places(p: Parser, before: Clause) -> bool:
+    """ "Put red on the mat but not on blue (or next to green)", "anywhere but on the mat (or next to green)": what is
+    denied reaches over the "or" that follows."""
+    last = before.adjuncts[-1] if before.adjuncts and not before.negated else None
+    if not isinstance(last, Loc | In):
+        return False
+    anywhere = any(token.word == "anywhere" and token.span[0] == last.span[0] for token in p.tokens)
+    return last.negated or (anywhere and isinstance(last, Loc) and last.rel == "off")
+
+
+def nor_there(item: Clause) -> Clause:
+    """The same block as before, denied of a further place."""
+    denied = (replace(a, negated=True) if isinstance(a, Loc | In) else a for a in item.adjuncts)
+    return replace(item, adjuncts=tuple(denied))
 
 
 def _so_many(theme: Meaning | None) -> bool:

@@ -4,7 +4,7 @@ each began, sides told beside one thing, "two and no more", as rows that say all
 from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import ASIDE, BLOCK, COLOR, IS, LABEL, PATCH, PLACE, PUT, THING, THINGS
-from rpg.language.grammar.rows.turned import FEW, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import FEW, LENGTH, LINE, MUST, WAY, Turn
 
 _MARK = f"(?:(?:on|onto|in|into|inside) (?:the|an?|my|that|this) (?:\\w+ ){{0,2}}(?:{PATCH}|table|half|corner))"
 _AFTER = "(?:only then|only after that|only afterwards|after (?:it|that|this)|only after it)"
@@ -41,6 +41,9 @@ _SYMBOLS = "(?:\\w(?: , \\w)*(?: ,)? and \\w|\\d (?:to|through) \\d)"
 _ONTO = "(?:go |must go |must be |are )?(?:onto|on|into|in|to)"
 _HERE = f"(?:the|my) (?:\\w+ ){{0,2}}{PATCH}"
 
+_GAP = "gap|distance|space|spacing|separation"
+_ABOUT = "(?:about|around|roughly|exactly|precisely|at least|at most|no more than|no less than|more than|less than)"
+
 
 def _parted() -> tuple[Turn, ...]:
     """ "The vowels from the consonants among A, E and T", "odd ones onto the green mat, even ones onto the red one":
@@ -76,6 +79,9 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
      f"((?:{FEW}) {COLOR}(?:(?: ,| and)+ (?:{FEW}) {COLOR})+)$", "a {1} {2} : {3}"),
     (f"^(?:going |reading |counting |counted |read |looking )?({WAY})(?: ,)? ((?:\\d+ , )+(?:\\d+ ,? ?)?and \\d+) "
      f"((?:{MUST} )?(?:stand|be|lie|are|go)) in (\\w+ order)$", "{2} {3} in {4} {1}"),
+    # one gap and another
+    (f"\\b({_GAP}) (.+? between .+?)( ,| and| , and) (?:another(?: one| \\1)?|one|a second(?: one| \\1)?) of "
+     f"((?:{_ABOUT} )?{LENGTH}) between\\b", "{1} {2} {3} a {1} of {4} between"),
     # a block that is lifted off what it lies on
     (f"^(?:carefully |gently |slowly |please )*(?:lift|pick|take|remove)(?: up)? ({THING})(?: up)? off ({THING})"
      f"(?: (?:that |which )?it {_LIES_ON})?(?: ,)? and (?:then )?((?:set|put|place|lay) it (?:down )?"
@@ -156,6 +162,8 @@ GAPPED: tuple[Turn, ...] = (
      "first {1} must be {2} , then {3} must be {2}"),
     (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK})(?: first)?{_AND}? ?{_LATER} ({_NAMED}){_TOO}?$",
      "first {1} must be {2} , then {3} must be {2}"),
+    (f"^(.*\\b({_GAP}) between .+?)( ,| and| , and) (?:that|the one) between (.+?) (?:(?:is|{MUST} be) )?"
+     f"((?:{_ABOUT} )?{LENGTH})$", "{1} {3} the {2} between {4} is {5}"),
     # so many
     (f"^((?:of|out of) .+?) ,? ?({FEW}) (?:,|and|but|, and|, but)? ?{_MORE}(?: than that)?(?: ,)? (?=\\w)",
      "{1} , exactly {2}"),

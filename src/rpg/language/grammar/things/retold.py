@@ -5,7 +5,19 @@ from __future__ import annotations
 import string
 
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Pattern, Pronoun, Structure, Traits, replace
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    Clause,
+    Coord,
+    Meaning,
+    Noun,
+    Pattern,
+    Pronoun,
+    Structure,
+    Traits,
+    replace,
+)
 
 
 def tally(items: tuple[Meaning, ...]) -> int:
@@ -72,6 +84,13 @@ def restates(before: Meaning, item: Meaning) -> bool:
     if before.traits.colors and item.traits.colors and not {*before.traits.colors} & {*item.traits.colors}:
         return False
     return item.members is None or (isinstance(item.members, Noun) and item.members.head == "any")
+
+
+def apposed(before: Clause, item: Meaning) -> bool:
+    """ "a square of red blocks, three rows of three": a comma alone brings no structure without blocks of its own."""
+    told = isinstance(item, Clause) and not item.adjuncts and item.mode != "command"
+    theme = item.theme if told and isinstance(item, Clause) else None
+    return isinstance(before.theme, Structure) and isinstance(theme, Structure) and restates(before.theme, theme)
 
 
 def told_anew(before: Meaning, item: Meaning) -> bool:

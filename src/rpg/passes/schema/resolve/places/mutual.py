@@ -115,6 +115,12 @@ def _whose_side(spec: Spec) -> None:
                          "say it of one of the two in a sentence of its own")  # fmt: skip
 
 
+ALL_OTHERS = {
+    **dict.fromkeys(("the others", "all the others", "all others", "the other ones", "all the rest", "the rest"), None),
+    **dict.fromkeys(("the other", "the other one"), 1),
+    "the other two": 2,
+}
+"""What stands for all others of the blocks that something is said of, and how many that are if it is said."""
 COMPARED = frozenset({"closer", "farther", "as_far", "closest", "farthest"})
 """Places that are told by two distances."""
 
@@ -189,6 +195,9 @@ def _gapless(spec: Spec) -> None:
 def among_themselves(theme: Ref, mark: Meaning, scene: Scene, denied: bool) -> bool:
     """ "any of the others", and "another block" behind all of the blocks, or "another red one" behind all red ones."""
     if isinstance(mark, Pronoun):
+        alone = all(t.name in theme.names or t.extra for t in scene.blocks())
+        if mark.word in ALL_OTHERS and (theme.each or denied) and alone:
+            return ALL_OTHERS[mark.word] in (None, len(theme.names) - 1)
         return mark.word in ("another", "any other", "any other one", "any of the others")
     if not isinstance(mark, Noun) or mark.det not in ("another", "any", "other"):
         return False
@@ -243,7 +252,7 @@ def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate)
     if not kept:
         raise refuse("no-referent", "there is no other block", loc.span, "say which blocks there are")
     related = [relate(Ref(names=(a,)), Ref(names=(b,)), loc, scene, span) for a, b in kept]
-    return [g.Not(goal=goal, span=span) for goal in related]
+    return [g.Not(goal=goal, span=span) for goal in related] if none else related  # what denies the clause denies these
 
 
 _NOTHING = ("nothing", "nothing else", "no other")

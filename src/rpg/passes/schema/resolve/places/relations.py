@@ -27,7 +27,6 @@ from rpg.passes.schema.resolve.places.mutual import (
     none_another,
     of_the_towers,
     one_for_each,
-    some_other,
 )
 from rpg.passes.schema.resolve.places.patches import (
     any_of_the_rest,
@@ -39,7 +38,7 @@ from rpg.passes.schema.resolve.places.patches import (
     on_separate_patches,
     one_lot_each,
 )
-from rpg.passes.schema.resolve.places.some_of_them import to_each_other
+from rpg.passes.schema.resolve.places.some_of_them import to_each_other, to_others
 from rpg.passes.schema.resolve.places.stacking import Towers, check_bodies, vertical
 from rpg.passes.schema.resolve.things.none_of import one_and_all
 from rpg.passes.schema.resolve.things.operands import (
@@ -140,7 +139,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     none = theme.quant is not None and theme.quant.high == 0
     if len(theme.names) > 1 and among_themselves(theme, loc.landmark, scene, denied or none):
         mutual = denied or theme.quant is not None
-        return to_each_other(theme, loc, scene, span) if mutual else some_other(theme, loc, span)
+        return to_each_other(theme, loc, scene, span) if mutual else to_others(theme, loc, span)
     if (apart_from := none_another(theme, loc, scene, span, _relate)) is not None:
         return apart_from
     like = scope.like_patch or (loc.rel in ("on", "in") and like_the_last(loc, scene))

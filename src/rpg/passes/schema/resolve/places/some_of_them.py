@@ -6,10 +6,13 @@ from itertools import combinations
 from math import comb
 
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Loc
+from rpg.ir import goal as g
+from rpg.ir.node import EACH
+from rpg.language.meaning import Amount, Loc, Noun
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.orders.positions import looks
-from rpg.passes.schema.resolve.places.mutual import reciprocal
+from rpg.passes.schema.resolve.places.mutual import ALL_OTHERS, of_every_two, reciprocal, some_other
+from rpg.passes.schema.resolve.things.operands import LEVEL
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
 
 
@@ -53,3 +56,27 @@ def _just_these(chosen: tuple[str, ...], names: tuple[str, ...], loc: Loc, span:
     others = (two for two in combinations(names, 2) if not set(two) <= set(chosen))
     apart = negation([conj(reciprocal(Ref(names=two), loc, span), span) for two in others], span)
     return [*reciprocal(Ref(names=chosen), loc, span), *apart]
+
+
+def to_others(theme: Ref, loc: Loc, span: Span) -> Atoms:
+    """What a relation of each of several blocks to others of them says: "(each touches) another", "the other two",
+    "exactly one other block"."""
+    mark, others = loc.landmark, len(theme.names) - 1
+    many = mark.amount if isinstance(mark, Noun) else None
+    if getattr(mark, "word", "") in ALL_OTHERS or (many is not None and many[:2] == (others, others) and others > 1):
+        return of_every_two(theme.names, loc, span)
+    if many is not None and many.strict:
+        return [_to_so_many(name, theme, loc, many, span) for name in theme.names]
+    if isinstance(mark, Noun) and mark.plural:
+        raise refuse("ambiguous", "is this said of all others, or of some of them?", mark.span,
+                     "say how many others, such as 'at least two other blocks' or 'the other two'")  # fmt: skip
+    return some_other(theme, loc, span)
+
+
+def _to_so_many(name: str, theme: Ref, loc: Loc, many: Amount, span: Span) -> g.Goal:
+    """The relation of one of the blocks to so many others of them."""
+    if many.low > len(theme.names) - 1 or theme.built or theme.patch or loc.rel not in LEVEL:
+        raise refuse("misplaced", "this is not understood of so many others", loc.span, "name the blocks")
+    others = tuple(other for other in theme.names if other != name)
+    one = conj(reciprocal(Ref(names=(name, EACH)), loc, span), span)
+    return g.Count(over=others, at_least=many.low, at_most=many.high, goal=one, span=span)

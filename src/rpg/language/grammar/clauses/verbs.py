@@ -289,7 +289,9 @@ def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         none = getattr(theme, "det", "") == "no" or (getattr(theme, "op", "") == "nor" and not colored)
         if not denied and ended and flat and none and getattr(theme, "head", "") != "patch":
             yield replace(before, theme=theme, span=p.span(i, j), cost=0), j
-        if denied and block and ended and isinstance(place, Loc) and _blocks(mark):
+        only = getattr(before.theme, "op", "") == "only" and isinstance(theme, Noun)
+        block = block or only or (getattr(place, "rel", "") == "touching" and isinstance(theme, Noun))
+        if denied and block and ended and isinstance(place, Loc) and _blocks(mark) and not only:
             yield replace(before, theme=_same(before), adjuncts=(replace(place, landmark=theme),), negated=True,
                           span=p.span(i, j), cost=0), j  # fmt: skip
             continue

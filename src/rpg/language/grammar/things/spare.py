@@ -71,7 +71,8 @@ _THERE = ("present", "also present", "in the scene", "around", "lying around", "
 
 
 _TURNED = frozenset({"turn", "turned", "rotate", "rotated", "flip", "flipped", "spin", "spun", "facing", "faces"})
-_PLACED = frozenset({"on", "onto", "in", "into", "to", "behind", "under", "beside", "near", "next", "of", "above"})
+_PLACED = frozenset({"on", "onto", "in", "into", "to", "behind", "under", "beside", "near", "next", "of", "above",
+                     "touch", "touches", "touching", "together", "adjacent", "against"})  # fmt: skip
 
 
 @rule

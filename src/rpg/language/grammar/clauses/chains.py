@@ -10,7 +10,7 @@ from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.denials import denies_places, nor_there, of_none
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
-from rpg.language.grammar.clauses.links import all_in_one, emphasised, linked
+from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_the_order, linked, other_side
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
 from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
@@ -262,21 +262,11 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
     shape = item.theme if isinstance(item, Clause) else None
     if listed and isinstance(shape, Structure) and shape.det == "bare":  # "a staircase of red, blue and green steps"
         return True
-    if _other_side(p, k, previous, item):
+    if other_side(p, k, previous, item) or last_of_the_order(p, j, previous, item):
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
     return previous.lemma == "tally" and _of_the_list(p, j, k, item)
-
-
-def _other_side(p: Parser, k: int, previous: Clause, item: Meaning) -> bool:
-    """ "red is left of blue and green right": right of it, or on the right of the table?"""
-    sides = [a for a in previous.adjuncts if isinstance(a, Loc) and a.rel in _SIDES and a.landmark is not None]
-    bare = isinstance(item, Clause) and item.cost == 3 and len(item.adjuncts) == 1 and isinstance(item.adjuncts[0], In)
-    return bool(sides) and bare and p.words[k - 1] in _SIDES
-
-
-_SIDES = frozenset({"left", "right", "front", "behind", "back"})
 
 
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:

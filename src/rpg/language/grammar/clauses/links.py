@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.commands import AFTER_THAT, THEN, WHEN_OVER
-from rpg.language.meaning import Clause, Into, Meaning, Pronoun, Size
+from rpg.language.meaning import Absolute, Clause, In, Into, Loc, Meaning, OrderBy, Pronoun, Size
 
 _EARLIER = (
     "but first", "but before that", "and before that", "but only after", "only after", "only once", "but only once",
@@ -89,3 +89,20 @@ def all_in_one(item: Meaning) -> bool:
     """ "(put A, B and C in order,) all in one row": said of the same blocks, as it stands."""
     all_ = isinstance(item, Clause) and isinstance(item.theme, Pronoun) and item.theme.word == "all"
     return all_ and all(isinstance(a, Into | Size) for a in getattr(item, "adjuncts", ()))
+
+
+def other_side(p: Parser, k: int, previous: Clause, item: Meaning) -> bool:
+    """ "red is left of blue and green right": right of it, or on the right of the table?"""
+    sides = [a for a in previous.adjuncts if isinstance(a, Loc) and a.rel in _SIDES and a.landmark is not None]
+    bare = isinstance(item, Clause) and item.cost == 3 and len(item.adjuncts) == 1 and isinstance(item.adjuncts[0], In)
+    return bool(sides) and bare and p.words[k - 1] in _SIDES
+
+
+_SIDES = frozenset({"left", "right", "front", "behind", "back"})
+
+
+def last_of_the_order(p: Parser, j: int, previous: Clause, item: Meaning) -> bool:
+    """ "From left to right: A, B, C, with D on C": C is the last of the order, and not all of a clause."""
+    ordered = any(isinstance(a, OrderBy) and a.items and a.span[1] == previous.span[1] for a in previous.adjuncts)
+    told = getattr(item, "adjuncts", ()) if ordered and p.words[j - 1] == "," else ()
+    return bool(told) and all(isinstance(a, Absolute) for a in told)

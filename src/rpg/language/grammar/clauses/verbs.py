@@ -291,6 +291,7 @@ def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
             yield replace(before, theme=theme, span=p.span(i, j), cost=0), j
         only = getattr(before.theme, "op", "") == "only" and isinstance(theme, Noun)
         block = block or only or (getattr(place, "rel", "") == "touching" and isinstance(theme, Noun))
+        block = block or getattr(theme, "word", "") == "each other"
         if denied and block and ended and isinstance(place, Loc) and _blocks(mark) and not only:
             yield replace(before, theme=_same(before), adjuncts=(replace(place, landmark=theme),), negated=True,
                           span=p.span(i, j), cost=0), j  # fmt: skip

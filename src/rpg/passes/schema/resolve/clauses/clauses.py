@@ -50,7 +50,7 @@ from rpg.passes.schema.resolve.places.corners import one_for_each_corner
 from rpg.passes.schema.resolve.places.moved import is_moved
 from rpg.passes.schema.resolve.places.moved import moved as far_moved
 from rpg.passes.schema.resolve.places.patches import one_for_each_patch
-from rpg.passes.schema.resolve.places.placing import Goals, distractors, is_shape, parts_alone, places
+from rpg.passes.schema.resolve.places.placing import Goals, absolutes, distractors, is_shape, parts_alone, places
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.places.stacking import Towers
 from rpg.passes.schema.resolve.structures.by_looks import as_results
@@ -297,10 +297,10 @@ def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     unnamed = any(t.color is None and t.label is None for t in scene.blocks())
     if listed is not None and not spec.usings and not unnamed:
         upright = clause.verb == "stack" or listed.first in ("top", "bottom") or any(t.axis == "z" for t in spec.toward)
-        kind = "stack" if upright else "line"
-        built, goals = make(Structure(kind=kind, span=clause.span), spec, None, scene, scope)
+        built, goals = make(Structure(kind="stack" if upright else "line", span=clause.span), spec, None, scene, scope)
         spec.orders = []
-        return [*goals, *places(Ref(names=built[0].members, built=tuple(built)), spec, scene, scope, clause.span)]
+        ref = Ref(names=built[0].members, built=tuple(built))
+        return [*goals, *places(ref, spec, scene, scope, clause.span), *absolutes(ref, spec, scene, scope)]
     if not any(True for _ in scene.blocks()) and not spec.usings:
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
     source = spec.usings.pop(0).members if spec.usings else Pronoun(word="everything", span=clause.span)

@@ -74,7 +74,7 @@ def region(p: Parser, i: int) -> Results[In]:
     exact = p.opt(i, "exactly", "right", "precisely", "just", "directly", "somewhere", "anywhere")
     if k := p.any_of(exact, EACH_CORNER) if p.stands(i, (",", "one", "per")) else 0:
         end = of_table(p, k)
-        yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k
+        yield In(region=_of_corners(p, i, k, end), span=p.span(i, end or k)), end or k
     j = _lead(p, exact)
     if j == exact:
         return
@@ -86,12 +86,21 @@ def region(p: Parser, i: int) -> Results[In]:
             yield In(region=name, vague=name in ("corner", "edge") or name.endswith("half"), span=p.span(i, k)), k
     if k := p.any_of(exact, EACH_CORNER):
         end = of_table(p, k)  # else they may as well be those of a board that was built
-        yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k), cost=int(not end)), end or k
+        yield In(region=_of_corners(p, i, k, end), span=p.span(i, end or k), cost=int(not end)), end or k
     if j := p.any_of(i, ("on the table's", "to the table's", "in the table's", "at the table's")):
         pass
     if (k := p.any_of(i, ("on the table", "in the table"))) and p.one(k, "'s"):
         for name, end, _ in _names(p, k + 1):
             yield In(region=name, span=p.span(i, end)), end
+
+
+def _of_corners(p: Parser, i: int, k: int, table: int) -> str:
+    """ "In each corner" deals out as many to every one, "in the four corners" all of them to the corners."""
+    one_by_one = not _ONE_BY_ONE.isdisjoint(p.words[i:k])
+    return f"each_corner{'' if one_by_one else 's'}{'' if table else '?'}"
+
+
+_ONE_BY_ONE = frozenset({"each", "every", "per", "one"})
 
 
 def named_regions(p: Parser, i: int) -> list[tuple[str, int]]:

@@ -24,6 +24,8 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     """ "a red block in each corner": as many again for every corner; "four blocks in the four corners": one in each."""
     if meaning.region.startswith("opposite"):
         return _opposite_corners(theme, meaning, scene, span)
+    if indefinite(theme) and not theme.quant:  # "red blocks in the corners": one in each
+        theme = replace(theme, names=scene.fit(theme.names, len(CORNERS)))
     names = theme.names
     one_of_four = theme.quant is not None and (theme.quant.low, theme.quant.high) == (1, 1) and not theme.parts
     if one_of_four and len(names) == len(CORNERS):
@@ -45,6 +47,8 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     elif 1 < len(names) < len(CORNERS) and not alike([scene.things[n] for n in names]):
         raise refuse("ambiguous", "one of these blocks in each corner, or all of them in every one?", span,
                      "say which block is in which corner")  # fmt: skip
+    elif indefinite(theme) and len(names) > 1 and meaning.region.startswith("each_corners"):
+        raise refuse("ambiguous", "it is not clear how many are in which corner", span, "say what each corner gets")
     elif indefinite(theme):
         lots = one_lot_each(theme, len(CORNERS), scene)
         for thing in (scene.things[n] for lot in lots for n in lot):

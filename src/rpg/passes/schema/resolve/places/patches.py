@@ -34,6 +34,8 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         return _on_patch(theme, patches[0], span)
     if mark.quant is not None and mark.quant.low > 1 and not mark.each:
         raise refuse("ambiguous", "one on each of them, or anywhere on them?", span, "say what each patch gets")
+    if indefinite(theme) and theme.quant is None and not (mark.each or theme.built or scene.denying):
+        theme = replace(theme, names=scene.fit(theme.names, len(patches)))  # "red blocks on all three mats"
     if scene.denying and mark.det == "both":
         return conj([_on_patch(theme, p, span) for p in patches], span)
     one = len(theme.names) == 1 or (theme.each and not theme.built and len(mark.parts) > 1)

@@ -82,6 +82,8 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
     # one gap and another
     (f"\\b({_GAP}) (.+? between .+?)( ,| and| , and) (?:another(?: one| \\1)?|one|a second(?: one| \\1)?) of "
      f"((?:{_ABOUT} )?{LENGTH}) between\\b", "{1} {2} {3} a {1} of {4} between"),
+    # one of two
+    (f"\\beither (?:({COLOR}) )?{PATCH}\\b(?!.* or )", "either of the two {1} patches"),
     # a block that is lifted off what it lies on
     (f"^(?:carefully |gently |slowly |please )*(?:lift|pick|take|remove)(?: up)? ({THING})(?: up)? off ({THING})"
      f"(?: (?:that |which )?it {_LIES_ON})?(?: ,)? and (?:then )?((?:set|put|place|lay) it (?:down )?"

@@ -38,6 +38,7 @@ from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.orders.reordered import within
 from rpg.passes.schema.resolve.places.mutual import of_every_two
+from rpg.passes.schema.resolve.places.patches import like_the_last
 from rpg.passes.schema.resolve.places.placing import Goals, absolutes, loose_ats, places
 from rpg.passes.schema.resolve.places.relations import related
 from rpg.passes.schema.resolve.places.stacking import separately
@@ -366,7 +367,7 @@ def _base(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[str, ...]
             and not item.negated
             and item.landmark.head != "patch"
         ):
-            if item.landmark.traits.matching:
+            if item.landmark.traits.matching or (item.landmark.det == "the" and like_the_last(item, scene)):
                 continue
             mark = refer(item.landmark, scene, replace(scope, role="landmark"))
             if mark.patch or len(mark.names) != 1:

@@ -107,7 +107,9 @@ def _other_patch(noun: Noun, last: list[Mention], scene: Scene) -> bool:
     colors = noun.traits.colors
     plain = bool(colors) and noun.traits == Traits(colors=colors)
     verbs = [scene.verbs[n][2] for n in (scene.clause, *(m.clause for m in last)) if n in scene.verbs]
-    if verbs[:1] == ["stack"] and set(verbs) != {"stack"}:
+    several = any(m.clause == scene.clause and m.role == "theme" and len(m.ref.names) > 1 for m in scene.mentions)
+    together = several and any(m.sentence == scene.sentence for m in last)
+    if verbs[:1] == ["stack"] and set(verbs) != {"stack"} and not together:
         return False  # "Put A on the white patch. Stack C on the black one": blocks are stacked on blocks
     there = any(thing.color in colors and not thing.patch for thing in scene.things.values())
     return plain and not there and any(m.ref.patch and m.role == "landmark" and m.rel == "on" for m in last)

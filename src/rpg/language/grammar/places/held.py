@@ -33,7 +33,9 @@ def held(p: Parser, j: int, first: Meaning, second: Meaning) -> Absolute | None:
     Behind "on the blue block", "with a white one on it" may be said of what lies there; "that has ..." is not.
     """
     mark = first.landmark if isinstance(first, Loc) and not first.negated else None
-    if not isinstance(first, Loc) or not isinstance(mark, Noun) or mark.head == "patch" or mark.plural:
+    if not isinstance(first, Loc) or not isinstance(mark, Noun) or mark.plural:
+        return None
+    if mark.head == "patch" and first.rel not in SIDES:
         return None
     if not p.stands(j, LEADS) or not (first.rel in SIDES or p.stands(j, _THAT)):
         return None

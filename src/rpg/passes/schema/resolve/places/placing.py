@@ -30,7 +30,7 @@ from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.centred import centred
 from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
-from rpg.passes.schema.resolve.places.pointed import of_a_part, of_its_own_corner, onto_a_list, whom
+from rpg.passes.schema.resolve.places.pointed import of_a_part, of_its_own_corner, of_the_nearest, onto_a_list, whom
 from rpg.passes.schema.resolve.places.relations import place, related
 from rpg.passes.schema.resolve.places.stacking import piled_on, stands_on
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
@@ -304,6 +304,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             pointed = isinstance(adjunct, Loc) and not _off_it(adjunct, scene)
             if isinstance(mark, Pronoun) and mark.word in _POINTED and pointed and isinstance(adjunct, Loc):
                 of_a_part(ref, theme, mark, adjunct, spec.absolutes)
+                of_the_nearest(item, mark, adjunct, scene)
                 nothing = theme.everything and theme.quant is not None
                 if nothing and any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions):
                     raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")

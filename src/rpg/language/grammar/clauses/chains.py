@@ -166,7 +166,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                     item, link = nor_there(item), "and"
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
                 apart = p.words[j - 1] == "," and (apposed(previous, item) or (len(had) == 1 and all_in_one(item)))
-                if apart or _told_again(previous, item) is not None:
+                if apart or other_side(p, j, k, previous, item) or _told_again(previous, item) is not None:
                     continue
                 item = item if denied else _contrasted(previous, item, link)
                 whole = (*_shared(had, item, link), item)
@@ -262,7 +262,7 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
     shape = item.theme if isinstance(item, Clause) else None
     if listed and isinstance(shape, Structure) and shape.det == "bare":  # "a staircase of red, blue and green steps"
         return True
-    if other_side(p, k, previous, item) or last_of_the_order(p, j, previous, item):
+    if other_side(p, j, k, previous, item) or last_of_the_order(p, j, previous, item):
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.commands import AFTER_THAT, THEN, WHEN_OVER
-from rpg.language.meaning import Absolute, Clause, In, Into, Loc, Meaning, OrderBy, Pronoun, Size
+from rpg.language.meaning import Absolute, At, Clause, In, Into, Loc, Meaning, OrderBy, Pronoun, Size, parts_of
 
 _EARLIER = (
     "but first", "but before that", "and before that", "but only after", "only after", "only once", "but only once",
@@ -91,13 +91,28 @@ def all_in_one(item: Meaning) -> bool:
     return all_ and all(isinstance(a, Into | Size) for a in getattr(item, "adjuncts", ()))
 
 
-def other_side(p: Parser, k: int, previous: Clause, item: Meaning) -> bool:
-    """ "red is left of blue and green right": right of it, or on the right of the table?"""
-    sides = [a for a in previous.adjuncts if isinstance(a, Loc) and a.rel in _SIDES and a.landmark is not None]
-    bare = isinstance(item, Clause) and item.cost == 3 and len(item.adjuncts) == 1 and isinstance(item.adjuncts[0], In)
-    return bool(sides) and bare and p.words[k - 1] in _SIDES
+def other_side(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bool:
+    """ "Red is left of blue and green right", "blue left, green right of red", "red left, blue behind": is what has no
+    landmark beside that of the other, or is it a side of the table?"""
+    one, two = (_bare_side(p, end, clause) for end, clause in ((j - 1, previous), (k, item)))
+    return (one and _beside_something(item)) or (two and _beside_something(previous))
 
 
+def _bare_side(p: Parser, end: int, clause: Meaning) -> bool:
+    """ "Green right": with no word before the side that would tell whose it is."""
+    bare = isinstance(clause, Clause) and clause.cost == _ELLIPTIC and len(clause.adjuncts) == 1
+    return bare and isinstance(getattr(clause, "adjuncts", ((),))[0], In) and p.words[end - 1] in _SIDES
+
+
+def _beside_something(clause: Meaning) -> bool:
+    """ "Left of blue"; and "behind" and "in front" by themselves, which are told of blocks."""
+    told = [x for a in getattr(clause, "adjuncts", ()) for x in parts_of(a)]
+    landmarks = any(isinstance(x, Loc) and x.rel in _SIDES and x.landmark is not None for x in told)
+    return landmarks or any(isinstance(x, At) and x.side in ("front", "back") for x in told)
+
+
+_ELLIPTIC = 3
+"""What a side of the table costs that is told by its name alone."""
 _SIDES = frozenset({"left", "right", "front", "behind", "back"})
 
 

@@ -77,6 +77,14 @@ def _on_any(theme: Ref, patches: tuple[str, ...], span: Span) -> g.Goal:
     return spread(theme, lambda a: disj([r.OnPatch(a=a, patch=p, span=span) for p in patches], span), span)
 
 
+def check_same(theme: Ref, loc: Loc, scene: Scene) -> None:
+    """Refuse "red is next to blue and on the same mat", where no mat is spoken of: it is said of both."""
+    same = isinstance(loc.landmark, Noun) and loc.landmark.head == "patch" and loc.landmark.traits.scheme == "same"
+    if same and len(theme.names) == 1 and not any(m.ref.patch for m in scene.mentions):
+        raise refuse("ambiguous", "it is not clear which blocks these are the same for", loc.span,
+                     "name all of them: 'red and blue are on the same patch'")  # fmt: skip
+
+
 def like_the_last(loc: Loc, scene: Scene) -> bool:
     """Whether a landmark without a noun is a patch like the last one: "red on the green patch, blue on (the) yellow".
 

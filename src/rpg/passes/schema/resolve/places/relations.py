@@ -30,6 +30,7 @@ from rpg.passes.schema.resolve.places.mutual import (
 )
 from rpg.passes.schema.resolve.places.patches import (
     any_of_the_rest,
+    check_same,
     each_its_own,
     indefinite,
     like_the_last,
@@ -134,6 +135,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if loc.rel in COMPARED:
         return compared_far(theme, loc, scene, scope, span)
     check_bodies(theme, loc, scene)
+    check_same(theme, loc, scene)
     check_further(theme, loc.landmark, scene)
     denied = loc.negated or scene.denying
     none = theme.quant is not None and theme.quant.high == 0

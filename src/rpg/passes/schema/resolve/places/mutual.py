@@ -196,7 +196,7 @@ def among_themselves(theme: Ref, mark: Meaning, scene: Scene, denied: bool) -> b
     """ "any of the others", and "another block" behind all of the blocks, or "another red one" behind all red ones."""
     if isinstance(mark, Pronoun):
         alone = all(t.name in theme.names or t.extra for t in scene.blocks())
-        if mark.word in ALL_OTHERS and (theme.each or denied) and alone:
+        if mark.word in ALL_OTHERS and (theme.each or denied) and alone and not theme.everything:
             return ALL_OTHERS[mark.word] in (None, len(theme.names) - 1)
         return mark.word in ("another", "any other", "any other one", "any of the others")
     if not isinstance(mark, Noun) or mark.det not in ("another", "any", "other"):

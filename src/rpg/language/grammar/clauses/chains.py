@@ -154,24 +154,35 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 for theme, k in noun_phrase(p, j):
                     whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
                     yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
-            neither = link == "or" and (previous.negated or of_none(previous.theme))
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
-                if link == "or" and [",", "and"] in (p.words[n : n + 2] for n in range(j, k - 1)):
-                    continue  # "put A on B or C, and D on the mat": a comma parts more than "or" does
-                item = same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
-                same = isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
-                if link == "or" and isinstance(item, Clause) and denies_places(p, previous):
-                    if not same or p.words[at] == ",":
-                        continue  # "on the mat but not on B, or on C": is it denied, or the other possibility?
-                    item, link = nor_there(item), "and"
-                link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
-                apart = p.words[j - 1] == "," and (apposed(previous, item) or (len(had) == 1 and all_in_one(item)))
-                if apart or other_side(p, j, k, previous, item) or _told_again(previous, item) is not None:
-                    continue
-                item = item if denied else _contrasted(previous, item, link)
-                whole = (*_shared(had, item, link), item)
-                yield from ((found, k) for found in _so_far(p, (i, j, k), whole, (*links, link)))
-                yield from _more(p, i, whole, (*links, link), k)
+                if (told := _meant_again(p, (at, j, k), had, item, link)) is not None:
+                    whole, joint = (*_shared(had, told[0], told[1]), told[0]), told[1]
+                    yield from ((found, k) for found in _so_far(p, (i, j, k), whole, (*links, joint)))
+                    yield from _more(p, i, whole, (*links, joint), k)
+
+
+def _meant_again(
+    p: Parser, places: tuple[int, int, int], had: tuple[Meaning, ...], item: Meaning, link: str
+) -> tuple[Meaning, str] | None:
+    """A clause whose verb is that of the one before, and how it is joined to that; None where it is no clause."""
+    at, j, k = places
+    previous = had[-1]
+    if not isinstance(previous, Clause) or (
+        link == "or" and [",", "and"] in (p.words[n : n + 2] for n in range(j, k - 1))
+    ):
+        return None  # "put A on B or C, and D on the mat": a comma parts more than "or" does
+    item = same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
+    same = isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
+    if link == "or" and isinstance(item, Clause) and denies_places(p, previous):
+        if not same or p.words[at] == ",":
+            return None  # "on the mat but not on B, or on C": is it denied, or the other possibility?
+        item, link = nor_there(item), "and"
+    neither = link == "or" and (previous.negated or of_none(previous.theme))
+    link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
+    apart = p.words[j - 1] == "," and (apposed(previous, item) or (len(had) == 1 and all_in_one(item)))
+    if apart or other_side(p, j, k, previous, item) or _told_again(previous, item) is not None:
+        return None
+    return item if p.stands(p.opt(at, ","), ("but",)) else _contrasted(previous, item, link), link
 
 
 def _so_far(p: Parser, at: tuple[int, int, int], told: tuple[Meaning, ...], links: tuple[str, ...]) -> Iterator[Chain]:

@@ -70,6 +70,8 @@ def _respectively() -> tuple[Turn, ...]:
 
 
 SHORT_AT_ONCE: tuple[Turn, ...] = (
+    ("\\bin front and (to the (?:left|right)) of\\b", "in front of and {1} of"),
+    ("^(start with .+?)(?: ,)? and (?:then )?((?:end|finish)(?: up)? with .+)$", "{1} . {2}"),
     *_respectively(),
     # "each get a white cube on top"
     (f"^(?:each of )?({LABEL}(?: , {LABEL})*(?: ,)? and {LABEL}) {_EACH_GETS}$", "put {2} on each of the cubes {1}"),
@@ -119,6 +121,12 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 SHORT: tuple[Turn, ...] = (
+    # "a red cube to the left of, and a blue cube to the right of, the white cube"
+    (f"^(?:{PUT} )?({THING})(?: {IS})? ({PLACE})(?: ,)? and ({THING})(?: {IS})? ({PLACE})(?: ,)? ({_KNOWN})$",
+     "{1} must be {2} {5} and {3} must be {4} {5}"),
+    (f"^(nothing|no block|no blocks) (?:but|other than|except) ({COLOR}) ((?:block|cube)s) ", "{1} but the {2} {3} "),
+    # "start with ...; end with ..."
+    ("^(?:end|finish)(?: up)? with (.+?) ((?:in|on|at|next to|stacked) .+)$", "at the end {1} must be {2}"),
     # "the red cube, not the blue one, goes on the green cube"
     (f"^((?:please )?{PUT} {_JOINED})(?: ,| \\()? {_NOT} ({THINGS})(?: ,| \\))? (?={PLACE}\\b)", "{1} and not {2}"),
     (f"^({_JOINED})(?: ,| \\()? {_NOT} ({THINGS})(?: ,| \\))? (?={_THAT}\\b)", "{1} and not {2}"),

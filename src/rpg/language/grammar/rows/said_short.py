@@ -70,6 +70,14 @@ def _respectively() -> tuple[Turn, ...]:
 
 
 SHORT_AT_ONCE: tuple[Turn, ...] = (
+    # "the block with a 5 goes on the one with a 3"
+    (f"\\bthe one (?:with|showing|bearing|carrying|that (?:has|shows|says|reads)) (?:an? |the )?"
+     f"(?:letter |number |digit )?({LABEL})(?= ,| and| {MUST}| is|$)", "the {1} block"),
+    # "like this: A B C in the back row, ..."
+    (f"^(?:{PUT}|arrange|lay|order) (?:them|it|everything|(?:all )?(?:the |these )?(?:blocks|cubes|letters|numbers))"
+     "(?: out)? (?:like this|as follows|this way)(?: [:,])? (?=.+ (?:row|column|left|right|middle|top|bottom)\\b)",
+     ""),
+    ("\\b(together) in (?:one|the same|a single) (?:spot|place|area)\\b", "{1}"),
     ("\\bin front and (to the (?:left|right)) of\\b", "in front of and {1} of"),
     ("^(start with .+?)(?: ,)? and (?:then )?((?:end|finish)(?: up)? with .+)$", "{1} . {2}"),
     *_respectively(),

@@ -19,6 +19,7 @@ from rpg.language.grammar.rows.required import REQUIRED
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import AT_ONCE, ROUNDABOUT
 from rpg.language.grammar.rows.row_places import told_by_places
+from rpg.language.grammar.rows.rows_placed import ROWS_PLACED, rows_by_number
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
@@ -250,6 +251,7 @@ _OF_ALL = (
     *UPRIGHT_AT_ONCE,
     *REWORDED_AT_ONCE,
     *FEWER_AT_ONCE,
+    *ROWS_PLACED,
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED,
@@ -259,7 +261,7 @@ _OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *W
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    return turned(not_at_end(corners_again(_one_of_each(_steps_told(told_by_places(tokens))))), _OF_ALL)
+    return turned(not_at_end(corners_again(_one_of_each(_steps_told(told_by_places(rows_by_number(tokens)))))), _OF_ALL)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:

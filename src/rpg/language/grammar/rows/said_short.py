@@ -73,6 +73,7 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
     # "the block with a 5 goes on the one with a 3"
     (f"\\bthe one (?:with|showing|bearing|carrying|that (?:has|shows|says|reads)) (?:an? |the )?"
      f"(?:letter |number |digit )?({LABEL})(?= ,| and| {MUST}| is|$)", "the {1} block"),
+    ("^(?:the )?(?:first|second|third|another|one|next|other|a) (group|pile|bunch|cluster) : ([^:]+)$", "a {1} of {2}"),
     # "like this: A B C in the back row, ..."
     (f"^(?:{PUT}|arrange|lay|order) (?:them|it|everything|(?:all )?(?:the |these )?(?:blocks|cubes|letters|numbers))"
      "(?: out)? (?:like this|as follows|this way)(?: [:,])? (?=.+ (?:row|column|left|right|middle|top|bottom)\\b)",

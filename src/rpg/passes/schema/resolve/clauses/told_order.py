@@ -16,6 +16,8 @@ _AHEAD = re.compile(
 """What stands before steps that are done one after the other."""
 _LAST = re.compile(r"\b(?:at|in) the (?:very )?end\W*$", re.IGNORECASE)
 """What stands before a step that comes after the others: where something is at the end is no step."""
+_COUNTED = "(?:row|line|column|tower|stack|pile|group|word)"
+"""These are counted, and are no steps: "first tower: ..., second tower: ..."."""
 _RANKS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 
@@ -80,7 +82,7 @@ def _rank(clause: Meaning, said: str) -> int | None:
     bare = isinstance(theme, Noun) and theme.det == "bare" and not theme.plural
     if isinstance(theme, Noun) and bare and theme.traits.rank is not None and theme.traits.rank.isdigit():
         return int(theme.traits.rank) - 1
-    begun = re.match(r"\W*(?:and )?(\w+?)(?:ly)?\b", said)
+    begun = re.match(rf"\W*(?:and )?(\w+?)(?:ly)?\b(?!\s+{_COUNTED}\b)", said)
     word = begun.group(1).lower() if begun and _step(clause) else ""
     return _RANKS.index(word) if word in _RANKS else None
 

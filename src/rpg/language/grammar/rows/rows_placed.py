@@ -10,7 +10,8 @@ from rpg.language.grammar.rows.turned import MUST, Turn
 from rpg.language.tokens import Token
 
 _ROW = "(?:back|far|rear|front|near)"
-_HEADLESS = "^(?!.*\\b(?:grid|square|rectangle|pyramid|wall|checkerboard|\\d+x\\d+|column|columns)\\b)"
+_HEADLESS = ("^(?!.*\\b(?:grid|square|rectangle|pyramid|wall|checkerboard|\\d+x\\d+|column|columns|rows|lines|words?|"
+             "spell|write|read|reads)\\b)")  # fmt: skip
 _DONE = "(?:(?:put|place|set|arrange|lay|make|build|form|line up) )?"
 _AND = "(?: ,| and| , and)?"
 _OF = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUST} (?:be|have|contain|consist of))"

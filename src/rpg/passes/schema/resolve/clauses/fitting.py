@@ -181,12 +181,22 @@ def _clause(clause: Clause) -> None:
         _numbers_below(theme, clause)
     if _open(theme):
         _alternatives(clause)
+    _by_color(clause)
     if isinstance(theme, Noun):
         _tallied(theme, clause.adjuncts)
     if isinstance(theme, Noun) and theme.traits.extra and theme.head == "block" and not clause.negated:
         placed = any(isinstance(a, Loc) and not a.negated for a in clause.adjuncts)
         if placed and clause.verb in ("place", "stack") and clause.mode == "command":
             raise _unfit("a distractor has no place in the goal", theme.span, "leave out the word, or its place")
+
+
+def _by_color(clause: Clause) -> None:
+    """Refuse "put them on two mats by colour", "put them together by colour": that is no line of them."""
+    shaped = any(isinstance(a, Into | At | Toward) for a in clause.adjuncts)
+    for order in clause.adjuncts if clause.verb == "place" and not shaped else ():
+        if isinstance(order, OrderBy) and (order.by, order.attribute) == ("attribute", "color"):
+            raise refuse("ambiguous", "in a line, in groups, or each on the patch of its colour?", order.span,
+                         "say 'sort by color', 'in a row', or 'on the patch of its color'")  # fmt: skip
 
 
 _UNDONE = frozenset({"unstack", "remove", "reverse"})

@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, takewhile
 
 from rpg.ir import goal as g
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.relations import InRegion, On, OnPatch, Stayed, Turned
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import Equation, GroupBy, Row, Spells, Stack, Towers
+from rpg.ir.structures import Equation, Figure, Grid, GroupBy, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -112,6 +112,38 @@ def _bodies_of_words(words: Sequence[Token], task: TaskSchema) -> None:
 
 
 _WRITTEN_WITH = frozenset({"with", "using", "from"})
+
+
+def _one_like_it(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "build a red tower of two next to a green one" as a tower beside a block: it could be a green tower."""
+    said = Counter(lexicon.COLOR.get(token.word) for token in words)
+    for index, (look, noun) in enumerate(pairwise(words)):
+        if look.word not in lexicon.COLOR or noun.word not in lexicon.STRUCTURE or noun.word in lexicon.PATCH:
+            continue
+        after = [*takewhile(lambda token: token.word not in _ENDS, words[index + 2 :])]
+        at = next((n for n, token in enumerate(after) if token.word == "one"), 0)
+        color = lexicon.COLOR.get(after[at - 1].word) if at else None
+        blocks = any(
+            token.word in lexicon.BLOCK and (before.word in lexicon.COLOR or not lexicon.BLOCK[token.word])
+            for before, token in pairwise(after[:at])
+        )
+        alone = color is not None and said[color] == 1 and sum(block.color == color for block in task.blocks) == 1
+        if alone and not blocks and at > 1 and {x.word for x in after[max(at - 3, 0) : at]} & {"a", "the"}:
+            raise refuse("ambiguous", f"a block, or a {noun.word} like it?", (after[at - 1].span[0], after[at].span[1]),
+                         "say which blocks it is of, or 'block' for 'one'")  # fmt: skip
+
+
+def _blocks_or_marks(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a red square next to a blue circle" as one of blocks beside a mark on the table."""
+    shapes = [token for look, token in pairwise(words) if look.word in lexicon.COLOR and token.word in _DRAWN]
+    told = any(x.word in lexicon.BLOCK or (x.word in lexicon.PATCH and x.word not in _DRAWN) for x in words)
+    built = any(isinstance(x, Figure | Grid) for x in atoms(task.goal))
+    if len(shapes) > 1 and not told and task.patches and built:
+        raise refuse("ambiguous", "are these shapes of blocks, or marks on the table?", shapes[-1].span,
+                     "say of which blocks they are, or 'patch'")  # fmt: skip
+
+
+_DRAWN = frozenset({"square", "circle", "rectangle", "triangle"})
 
 
 def _beside_a_chain(words: Sequence[Token], task: TaskSchema) -> None:
@@ -328,6 +360,8 @@ _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchem
     (None, _colors_behind),
     (None, _letters_of_words),
     (_WRITTEN_WITH, _bodies_of_words),
+    (frozenset({"one"}), _one_like_it),
+    (_DRAWN, _blocks_or_marks),
     (None, _counts_or_cubes),
     (frozenset({"stacked"}), _stacked_at_last),
     (None, _beside_a_chain),

@@ -22,6 +22,7 @@ from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.rows_placed import ROWS_PLACED, rows_by_number
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.shared_out import SHARED_OUT
+from rpg.language.grammar.rows.sided import SIDED_AT_ONCE
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned
@@ -240,6 +241,7 @@ _OF_ALL = (
     *LINED_AT_ONCE,
     *MIRRORS_AT_ONCE,
     *RAINBOWS_AT_ONCE,
+    *SIDED_AT_ONCE,
     *SHARED_OUT,
     *GAPPED_AT_ONCE,
     *SHORT_AT_ONCE,

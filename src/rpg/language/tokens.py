@@ -85,6 +85,7 @@ _PIECES = re.compile(
   | (?P<ellipsis>…|\.\.\.+)
   | (?P<arrow>[-–—=]+>|[→⇒➔➜]|>)
   | (?P<sign>[-+*/×÷=−–—])
+  | (?P<spread>±)
   | (?P<punct>[.,;:!?()\[\]&°%~])
     """,
     re.VERBOSE,
@@ -206,6 +207,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return _word(raw, span)
         case "short":
             return [Token("word", _SHORT[raw.rstrip(".")], raw, span)]
+        case "spread":
+            return [Token("word", word, raw, span) for word in ("plus", "or", "minus")]
         case "bullet":
             return [Token("punct", ";", raw, span)]
         case "aside":

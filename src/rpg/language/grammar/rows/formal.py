@@ -23,6 +23,8 @@ from rpg.language.grammar.rows.rows_placed import ROWS_PLACED, rows_by_number
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE
+from rpg.language.grammar.rows.spaced import SPACED_AT_ONCE
+from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned
@@ -242,6 +244,8 @@ _OF_ALL = (
     *MIRRORS_AT_ONCE,
     *RAINBOWS_AT_ONCE,
     *SIDED_AT_ONCE,
+    *SPACED_AT_ONCE,
+    *SUMS_AT_ONCE,
     *SHARED_OUT,
     *GAPPED_AT_ONCE,
     *SHORT_AT_ONCE,

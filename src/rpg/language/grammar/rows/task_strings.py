@@ -16,7 +16,7 @@ TASK_STRINGS: tuple[Turn, ...] = (
     # measures
     (f"(?<=[:,] )({_COLOR}) ({LENGTH})(?= ,|$| and)", "a {2} {1} block"),
     ("\\bthe (?:center|center - to - center) distance (?:of|between) ", "the distance between the centers of "),
-    (f"\\b(?:center - to - center|center) distance of ({LENGTH})", "distance of {1} between centers"),
+    (f"\\b(?:center (?:- )?to (?:- )?center|center) distance of ({LENGTH})", "distance of {1} between centers"),
     ("\\bbetween the facing sides of\\b", "between"),
     # towers and rows
     (f"\\bin ({_MANY})(?: separate)? (stacks|towers) , (?:each (?:of|with) (?:a )?)?height(?: of)? ({_MANY})(?: "

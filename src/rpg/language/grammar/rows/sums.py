@@ -52,8 +52,8 @@ SUMS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:so|such) that (?:they|it|the (?:digits|cubes|blocks)|you|one) can be read(?: as)?( {WAY})?(?: as)? "
      f"(\\d+)$",
      "so that they read {2} {1}"),
-    (f"\\b(?:so|such) that(?: ,)? ({WAY})(?: ,)? (\\d+) (?:can be read|is read|is shown)$", "so that they read "
-     f"{2} {1}"),
+    (f"\\b(?:so|such) that(?: ,)? ({WAY})(?: ,)? (\\d+) (?:can be read|is read|is shown)$",
+     "so that they read {2} {1}"),
     ("^can be read as (\\d+) : ((?:put|place|lay) .+)$", "{2} so that they read {1}"),
     (f"\\b(?:so|such) that the number (\\d+) (?:appears|results|is shown)(?: when| if)?(?: you)? "
      f"read(?:ing)?(?: it)? ({WAY})$",

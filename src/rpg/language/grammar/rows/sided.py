@@ -14,7 +14,6 @@ _NO = (
 _T = f"{_NO}[^ ,:;]+(?: {_NO}[^ ,:;]+){{0,3}}"
 _IS = f"(?: (?:{MUST} )?(?:is|are|be|stands?|sits?|lies?|goes|go|comes?|belongs?))?"
 _PUT = "(?:put|place|set|move|have|get|bring|i want|i would like)"
-_AT = "(?:on |to |at )?(?:the )?"
 _R = "(?:immediately |directly )?(?:behind|in front of|(?:to the )?left of|(?:to the )?right of)"
 _ONE = f"((?:the )?(?:{_COLOR}|\\S+ (?:block|cube|one)|\\w))"
 _AND = "(?: ,)?(?: and)?"
@@ -31,18 +30,18 @@ _ALL_SIDES = (
 )
 
 
-def _across(one: str, other: str) -> Turn:
-    """ "Red on the left and blue on the right of green"."""
+def _across(one: str, other: str, at: str) -> Turn:
+    """ "Red on the left and blue on the right of green": said in the same way of both, they share the block."""
     return (
-        f"^(?:{_PUT} )?({_T}){_IS} {_AT}{one}(?: ,)?(?: and)? ({_T}){_IS} {_AT}{other} of ({_T})$",
+        f"^(?:{_PUT} )?({_T}){_IS} {at}{one}(?: ,)?(?: and)? ({_T}){_IS} {at}{other} of ({_T})$",
         f"{{1}} must be to the {one} of {{3}} and {{2}} to the {other} of {{3}}",
     )
 
 
 SIDED_AT_ONCE: tuple[Turn, ...] = (
     # at the sides of the same block
-    _across("left", "right"),
-    _across("right", "left"),
+    *(_across(one, other, at) for one, other in (("left", "right"), ("right", "left"))
+      for at in ("on the ", "to the ", "at the ", "")),
     (f"^((?:.+? )?{_R} {_ONE}{_AND} {_T}{_IS}) (?:to|on) its (left|right)(?: side)?{_GOES_ON}",
      "{1} to the {3} of {2}"),
     (f"^((?:.+? )?{_R} {_ONE}{_AND} {_T}{_IS} {_R}) it{_GOES_ON}", "{1} {2}"),

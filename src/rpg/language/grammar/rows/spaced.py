@@ -40,7 +40,8 @@ SPACED_AT_ONCE: tuple[Turn, ...] = (
      f"(?: of {_SPACE})?$", "{1} with gaps of {2}"),
     (f"^between {_NEIGHBORS} (?:of|in) the (row|line|column) , which {MUST} (?:consist of|have|be made of) (.+?) ,"
      f" (?:a )?gap of {_LONG} {MUST} be (?:provided|left|kept)$", "a {1} of {2} with gaps of {3}"),
-    (f"(?: ,)? (?:with )?{_LONG} (?:of )?{_SPACE} (?:in )?between {_NEIGHBORS}$", " with gaps of {1}"),
+    (f"(?: ,)? (?:(?:with|leaving) )?(?:a )?{_LONG} (?:of )?{_SPACE} (?:in )?between {_NEIGHBORS}$",
+     " with gaps of {1}"),
     (f"(?: ,)? with gaps of {_LONG} between (?:every|any|each) two (?:of them|neighbors|{_NEXT_TO_EACH} {_BLOCKS})$",
      " with gaps of {1}"),
     (f"(?: ,)? each(?: one)?(?: with)? {_LONG} of {_SPACE} (?:from|to|before) the next(?: one)?$", " with gaps of {1}"),

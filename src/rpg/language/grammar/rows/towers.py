@@ -94,6 +94,45 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "{1} blocks , alternating {2} and {3} , with {2} at the bottom"),
     (f"\\b((?:tower|(?:an?|one|the) stack)\\b[^:]*\\b(?:alternating|alternate|alternately)\\b[^:]*?){_BEGINS}",
      "{1} , with {2} at the bottom"),
+    # what becomes of one of them
+    (f"^(?:split|divide|break|take|part) (?:the|an?|one) (tower|stack|row) of ({_MANY}(?: {_COLOR})?(?: {_BLOCKS})?)"
+     f"(?: apart| up)? (?:in|into) (?:halves ,? so that )?({_MANY}) ({_TOWERS}) of ({_MANY})(?: {_BLOCKS})?(?: each)?"
+     "(?: remain| result)?$", "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
+    (f"^(?:the|an?|one) (tower|stack|row) of ({_MANY}(?: {_COLOR})?(?: {_BLOCKS})?) {MUST} be (?:split|divided|parted|"
+     f"broken|taken apart)(?: up)? (?:in|into) ({_MANY}) ({_TOWERS}) of ({_MANY})(?: {_BLOCKS})?(?: each)?$",
+     "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
+    (f"^(?:make|build) ({_MANY}) ({_TOWERS}) of ({_MANY})(?: {_BLOCKS})?(?: each)? (?:out of|from) (?:the|an?|one) "
+     f"(tower|stack|row) of ({_MANY}(?: {_COLOR})?(?: {_BLOCKS})?)$",
+     "at the start there is a {4} of {5} . at the end there are {1} {2} of {3}"),
+    (f"^(?:make |build )?(?:for (?:every|each) color)(?: ,)? (?:one|an?|its)(?: own| separate)? ({_TOWER})$",
+     "one {1} per color"),
+    (f"^({_MANY} {_COLOR} {_BLOCKS})(?: ,)? and an? ({_COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| "
+     f"one)?$",
+     "put a {2} block on each of {1}"),
+    (f"^({_MANY} {_COLOR} {_BLOCKS}) {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({_COLOR}) "
+     "(?:one|block|cube)(?: on top| on it)?", "put a {2} block on each of {1}"),
+    (f"\\b(?:a|one) ({_TOWER}) (?:with|of) ({_MANY})(?: {_BLOCKS})? and (?:a|one|another)(?: one| {_TOWER})? "
+     f"(?:with|of) "
+     f"({_MANY})(?: {_BLOCKS})?(?: ,)? (?:everything|all|all of it|all of them|both)(?: in)? ({_COLOR})$",
+     "one {4} {1} of {2} and one {4} {1} of {3}"),
+    (f"\\b(?:a|one) ({_TOWER}) of ({_MANY})(?: {_BLOCKS})? and (?:one|another)(?: one)? of ({_MANY})(?: {_BLOCKS})? "
+     "(?=from|out of)", "one {1} of {2} and one {1} of {3}"),
+    (f"^(?:with|from|out of) (.+? {_BLOCKS})(?: ,)? (?:i|we) (?:want|need|would like) ((?:one|an?|{_MANY}) "
+     f".*{_TOWER}.*)$",
+     "with {1} build {2}"),
+    (f"\\b({_TOWERS} .+?) , (?:everything|all of it|all of them) (?:is )?(?:made )?(?:from|of|out of) ({_COLOR} "
+     f"{_BLOCKS})$",
+     "{1} from {2}"),
+    (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({_TOWER}) : (.+)$", "a {1} of {2}"),
+    ("(?: ,)? the (?:rest|others|order of the (?:rest|others)) (?:is |are )?(?:as you like|up to you|free)$",
+     ", the others in any order"),
+    (f"^the (?:bottom|lowest) (?:block|cube|one) (?:is|{MUST} be) {_ONE} , the (?:block|cube|one|next one|one in the "
+     f"middle|middle one|second one)(?: on it| above it| on top of it)? (?:is )?{_ONE} (?:,|and|, and) the (?:one on "
+     f"top|top "
+     f"one|top block|topmost one|highest one|block on top|third one) (?:is )?{_ONE}$",
+     "a tower with {1} at the bottom , {2} in the middle and {3} on top"),
+    (f"\\b({_TOWER}) (of|out of|from|made of) ({_COLOR}) ({_COLOR}) and ({_COLOR})(?= with| so| in|$)",
+     "{1} {2} {3} , {4} and {5}"),
     # what stands beside it
     (f"\\b(two) (columns|rows|towers|stacks) of ({_MANY})(?: {_BLOCKS})?(?: ,| :)? an? ({_COLOR}) "
      f"(?:one|column|row|tower|"

@@ -24,8 +24,8 @@ else:
     (one_on_another,) = later(__name__, "rpg.language.grammar.places.onto", "one_on_another")
 
 _HAVING = (
-    "with", "having", "should have", "has to have", "must have", "made from", "out of", "made out of", "has", "of",
-    "consists of", "consisting of", "contains", "gets", "built from", "built of", "which has", "made up of",
+    "from", "with", "having", "should have", "has to have", "must have", "made from", "out of", "made out of", "has",
+    "of", "consists of", "consisting of", "contains", "gets", "built from", "built of", "which has", "made up of",
     "holds", "should hold", "must hold", "shall hold", "should contain", "must contain", "shall have", "is made of",
 )  # fmt: skip
 _UNITS = ("row", "tower", "stack", "column", "line", "group", "pile", "heap", "bunch", "cluster")

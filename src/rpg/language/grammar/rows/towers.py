@@ -113,7 +113,7 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "(?:one|block|cube)(?: on top| on it)?", "put a {2} block on each of {1}"),
     (f"\\b(?:a|one) ({_TOWER}) (?:with|of) ({_MANY})(?: {_BLOCKS})? and (?:a|one|another)(?: one| {_TOWER})? "
      f"(?:with|of) "
-     f"({_MANY})(?: {_BLOCKS})?(?: ,)? (?:everything|all|all of it|all of them|both)(?: in)? ({_COLOR})$",
+     f"({_MANY})(?: {_BLOCKS})?(?: ,)? (?:everything|all of it)(?: in)? ({_COLOR})$",
      "one {4} {1} of {2} and one {4} {1} of {3}"),
     (f"\\b(?:a|one) ({_TOWER}) of ({_MANY})(?: {_BLOCKS})? and (?:one|another)(?: one)? of ({_MANY})(?: {_BLOCKS})? "
      "(?=from|out of)", "one {1} of {2} and one {1} of {3}"),
@@ -124,7 +124,7 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      f"{_BLOCKS})$",
      "{1} from {2}"),
     (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({_TOWER}) : (.+)$", "a {1} of {2}"),
-    ("(?: ,)? the (?:rest|others|order of the (?:rest|others)) (?:is |are )?(?:as you like|up to you|free)$",
+    ("(?<! of)(?: ,)? the (?:rest|others|order of the (?:rest|others)) (?:is |are )?(?:as you like|up to you|free)$",
      ", the others in any order"),
     (f"^the (?:bottom|lowest) (?:block|cube|one) (?:is|{MUST} be) {_ONE} , the (?:block|cube|one|next one|one in the "
      f"middle|middle one|second one)(?: on it| above it| on top of it)? (?:is )?{_ONE} (?:,|and|, and) the (?:one on "

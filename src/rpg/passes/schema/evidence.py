@@ -15,7 +15,7 @@ from pydantic import BaseModel
 from rpg.blocks.traits import VOWELS
 from rpg.ir.node import members
 from rpg.ir.order import Order
-from rpg.ir.relations import OnPatch
+from rpg.ir.relations import On, OnPatch
 from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, REPLACED, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
@@ -259,7 +259,16 @@ def _in_one(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
     """Whether "three red on the left and two blue on the right, each in a row" came to one row."""
     here = [t.word for t in words[index + 1 : index + 4]]
     lines = sum(isinstance(x, Row | Stack | GroupBy | Towers) for x in atoms(task.goal))
+    if here[:1] in (["tower"], ["stack"], ["row"]):
+        return lines == 1 and _alone(task)
     return here[:2] == ["in", "a"] and here[2:] in (["row"], ["line"], ["tower"], ["stack"]) and lines < 2
+
+
+def _alone(task: TaskSchema) -> bool:
+    """Whether a line is all there is, where "on each tower" speaks of several."""
+    built = [x for x in atoms(task.goal) if isinstance(x, GroupBy | Towers | On) or hasattr(x, "blocks")]
+    line = next((x for x in built if isinstance(x, Row | Stack)), None)
+    return line is not None and not task.init.arranged and all({*names(x)} & {*line.blocks} for x in built)
 
 
 def _deep_pyramid(task: TaskSchema) -> bool:

@@ -134,6 +134,9 @@ def figure(node: s.Figure, say: Speaker) -> str:
         what = f"a {name}" if node.shape == "circle" and not node.filled else what
     else:
         what = f"{'an' if name in 'LX' else 'a'} {name}" + (" shape" if len(name) == 1 else "")
+    if node.shape == "plus" and node.sides is not None and node.sides[0] == node.sides[1]:
+        arm = node.sides[0] // 2
+        what += f" with each arm of {number(arm)} block{'s' * (arm > 1)}"
     way = f" with its {POINTER.get(node.shape, 'tip')} {WAY[node.pointing]}" if node.pointing else ""
     return _cells(node, say, what + way, patterned(node.pattern, say))
 

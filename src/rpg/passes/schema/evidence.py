@@ -17,7 +17,7 @@ from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import On, OnPatch
 from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, REPLACED, TaskSchema
-from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Towers
+from rpg.ir.structures import Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -87,6 +87,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
     numbers: Numbers | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
     terms = {term for part in parts for term in _terms(part)} | _shown_orders(task, words) | _beside_goals(task)
+    terms |= {"checkerboard" for atom in atoms(task.goal) if isinstance(atom, Grid) and _takes_turns(atom, task)}
     for index, token in enumerate(words):
         if token.word not in _TELLING and token.kind not in ("number", "sign") and len(token.raw) != 1:
             continue
@@ -335,6 +336,16 @@ def _shown_orders(task: TaskSchema, words: Sequence[Token]) -> set[str]:
     kinds = [one for one in told if _kind_by_kind(one)] if any(token.word in _KINDS for token in words) else []
     rising = [one for one in told if one == sorted(one)]
     return {"number" if "".join(one).isdigit() else "label" for one in (*rising, *kinds)} | {"group_by" for _ in kinds}
+
+
+def _takes_turns(grid: Grid, task: TaskSchema) -> bool:
+    """Whether a grid whose cells are given one by one has two colours that alternate along its rows and columns."""
+    order = grid.pattern.order if grid.pattern is not None else Order()
+    colors = {asset.name: asset.color for asset in task.assets}
+    told = [colors[rank[0]] for rank in order.ranks if len(rank) == 1]
+    across = grid.columns
+    turns = [(n // across + n % across) % 2 for n in range(len(told))]
+    return len(told) == len(grid.blocks) and len({*told}) == len({*zip(told, turns, strict=True)}) == 2
 
 
 def _kind_by_kind(symbols: list[str]) -> bool:

@@ -7,13 +7,16 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.before_it import BEFORE_IT
+from rpg.language.grammar.rows.boards import BOARDS
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
+from rpg.language.grammar.rows.figures import FIGURES
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.lined import LINED_AT_ONCE
 from rpg.language.grammar.rows.mirrors import MIRRORS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import not_at_end
+from rpg.language.grammar.rows.pyramids import PYRAMIDS
 from rpg.language.grammar.rows.rainbows import RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.required import REQUIRED
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
@@ -25,6 +28,7 @@ from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE
 from rpg.language.grammar.rows.spaced import SPACED_AT_ONCE
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
+from rpg.language.grammar.rows.stairs import STAIRS, of_the_stairs
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned
@@ -251,6 +255,10 @@ _OF_ALL = (
     *SHORT_AT_ONCE,
     *_ALWAYS,
     *AT_ONCE,
+    *FIGURES,
+    *BOARDS,
+    *PYRAMIDS,
+    *STAIRS,
     *TOLD_SHAPES,
     *TOWERS_AT_ONCE,
     *UPWARD_AT_ONCE,
@@ -267,7 +275,8 @@ _OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *W
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    return turned(not_at_end(corners_again(_one_of_each(_steps_told(told_by_places(rows_by_number(tokens)))))), _OF_ALL)
+    told = _one_of_each(_steps_told(told_by_places(rows_by_number(tokens))))
+    return turned(of_the_stairs(not_at_end(corners_again(told))), _OF_ALL)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:

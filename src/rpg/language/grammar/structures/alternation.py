@@ -126,7 +126,7 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
                 yield found, k
     for j in dict.fromkeys((i, p.any_of(i, _WHERE) or i)):
         for items, k in listed(p, j) if p.anywhere(_TURNING) else ():
-            if end := p.any_of(k, _AFTER):
+            if end := p.any_of(k, _AFTER) or p.any_of(p.opt(k, "blocks", "cubes", "bricks", "ones"), _AFTER):
                 yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end
         for one, k in simple(p, j) if j > i and p.anywhere(_TURNING) else ():
             m = p.any_of(k, _WITH)

@@ -20,8 +20,9 @@ _ACROSS = {
     **dict.fromkeys(("down", "down the middle", "for the stem", "for the leg", "below", "downwards"), "stem"),
 }
 """How many blocks of a T lie which way."""
-LIMBED = {"T": _OF_T, "L": _OF_L}
-"""The parts of letters that have lengths of their own."""
+LIMBED: dict[str, dict[str, str]] = {"T": _OF_T, "L": _OF_L, "plus": {}}
+"""The parts of letters that have lengths of their own; those of a plus are alike."""
+_ARMED = ("L", "plus")
 LIMBS = frozenset({"across", "bar", "crossbar", "stem", "leg", "trunk", "foot", "arm", "arms", "legs"})
 _EQUAL = (
     *(f"{both}{arms} {same}" for both in ("", "both ", "with ", "with both ", "with its ", "whose ", "the ")
@@ -53,16 +54,16 @@ def limb(p: Parser, i: int, kind: str) -> Results[Size]:
         yield Size(what="equal arms", span=p.span(i, j)), j
     if kind == "L" and (j := p.any_of(start, _SHARED)):
         yield Size(what="shared", span=p.span(i, j)), j
-    both = p.any_of(start, _BOTH_ARE) if kind == "L" else 0
+    both = p.any_of(start, _BOTH_ARE) if kind in _ARMED else 0
     for found, j in amounts.amount(p, p.any_of(both, ("of", "are", "each")) or both) if both else ():
         end = p.any_of(p.any_of(j, _LONG) or j, ("each",)) or p.any_of(j, _LONG) or j
         yield Size(what="each arm", amount=found, span=p.span(i, end)), end
-    for found, j in amounts.amount(p, p.opt(start, "with")) if kind == "L" and p.rarely(_ARMS) else ():
+    for found, j in amounts.amount(p, p.opt(start, "with")) if kind in _ARMED and p.rarely(_ARMS) else ():
         if end := p.any_of(p.any_of(j, _LONG) or j, _PER_ARM):
             yield Size(what="each arm", amount=found, span=p.span(i, end)), end
     named = LIMBED[kind]
     lead = p.any_of(start, _LEADS) or start
-    for phrase, j in p.standing(lead, named) if lead > i else ():
+    for phrase, j in p.standing(lead, named) if lead > i and named else ():
         k = p.any_of(j, ("is", "of", "being", ":", "has", "made of", "should be", "consisting of")) or j
         for found, end in amounts.amount(p, k):
             yield Size(what=named[phrase], amount=found, span=p.span(i, end)), p.any_of(end, _LONG) or end

@@ -101,8 +101,16 @@ _CHECKERED = (
                       "such that it looks like a", "so that they look like a", "resembling a")
         for board in ("checkerboard", "chessboard", "chess board")
     ),
-    "like a checkerboard", "like a chessboard", "like a chess board", "checkerboard style", "checkered",
-    "as a checkerboard", "as a chessboard",
+    *(
+        f"{like} {board}"
+        for board in ("checkerboard", "chessboard", "chess board", "checker board")
+        for like in ("like a", "as a", "as on a", "like on a", "as in a", "like in a", "just like on a",
+                     "the way they do on a", "as they do on a", "after the manner of a", "in the manner of a",
+                     "in the style of a", "like the squares of a", "like the squares on a", "like the fields of a",
+                     "like the cells of a", "so that you get a", "so that it makes a", "so that they make a",
+                     "so that they form a", "so that it becomes a")
+    ),
+    "checkerboard style", "checkered",
     *(f", {board}{tail}" for board in ("checkerboard", "chessboard") for tail in ("", " pattern", " style")),
 )  # fmt: skip
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from rpg.blocks.figures import Cell
 from rpg.language.meaning import Absolute, Amount, At, Noun, Places, replace
@@ -55,3 +55,19 @@ def one_or_all(spec: Spec, names: tuple[str, ...], scene: Scene) -> None:
                          f"say 'a {theme.traits.colors[0]} one', or 'the {theme.traits.colors[0]} ones'")  # fmt: skip
         all_ = replace(theme, det="the", plural=True, amount=Amount(len(lot), len(lot)))
         spec.absolutes[spec.absolutes.index(item)] = replace(item, theme=all_)
+
+
+def all_like_base(
+    item: Absolute, place: At | Places, base: Collection[str], names: Collection[str], scene: Scene
+) -> None:
+    """ "A pyramid with a base of three blue blocks": nobody who wants other blocks above them leaves these out."""
+    below = [scene.things[n] for n in base]
+    others = [scene.things[n] for n in names if n not in base]
+    plain = all((t.color, t.label, t.kind, t.size) == (None, None, None, None) for t in others)
+    whole = place.side == "bottom" and isinstance(item.theme, Noun) and item.theme.head == "block"
+    if not whole or not plain or any(t.label or not t.color for t in below):
+        raise refuse("ambiguous", "the base alone or the whole pyramid could look like this", item.span,
+                     "say how the other blocks look")  # fmt: skip
+    for thing in others:
+        thing.color = below[0].color
+    scene.assume("the whole pyramid looks like its base")

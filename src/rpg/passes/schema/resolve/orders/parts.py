@@ -12,7 +12,7 @@ from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Pla
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.columns import columns_of
-from rpg.passes.schema.resolve.orders.left_over import all_left, lines_left
+from rpg.passes.schema.resolve.orders.left_over import all_left, all_like_base, lines_left
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -321,8 +321,8 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
     if not held:
         return None
     if isinstance(node, s.Pyramid) and len(found) == 1 and len(held) > 1 and _counted(found[0][0]):
-        raise refuse("ambiguous", "the base alone or the whole pyramid could look like this", found[0][0].span,
-                     "say how the other blocks look")  # fmt: skip
+        all_like_base(found[0][0], found[0][1], held.values(), names, scene)
+        return None
     if len(held) == len(names):
         spec.patterns = [p for p in spec.patterns if not _said_twice(p, found, held, scene)]
     if spec.orders or spec.patterns:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Span
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, At, Noun, Traits, replace
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
@@ -53,6 +54,14 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     )
 
 
+def middle_of(whole: Ref, span: Span, scene: Scene, scope: Scope) -> Ref | None:
+    """ "Its center", of a grid or a plus that was built last: the block that is there."""
+    built = next((b for b in scene.built if {*b.members} == {*whole.names}), None)
+    if built is None or built.kind not in _WITH_MIDDLES:
+        return None
+    return ranked(Noun(head="any", det="the", traits=Traits(rank="middle"), span=span), scene, scope)
+
+
 def _outer(noun: Noun, scene: Scene) -> Ref:
     """ "the outer ones": both ends of the line that was built, which any two of blocks that look alike may be."""
     line = scene.built[0] if len(scene.built) == 1 else None
@@ -68,6 +77,9 @@ def _outer(noun: Noun, scene: Scene) -> Ref:
 
 
 _BOARDS = ("grid", "square", "rectangle")
+_CROSSES = ("plus", "X", "cross")
+_WITH_MIDDLES = (*_BOARDS, *_CROSSES)
+"""Figures that may have one block in their middle."""
 _LINES = ("row", "line", "column", "word")
 
 
@@ -179,7 +191,7 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
         built is None
         or built.ordered
         or len(wholes) > 1
-        or built.kind not in (*SIDES, *_BOARDS)
+        or built.kind not in (*SIDES, *_WITH_MIDDLES)
         or noun.head == "patch"
         or (scene.loose and not (there := _ends_told(built, scene)))
     ):
@@ -188,6 +200,8 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     if not _all_alike(built, scene, *there.values()) or (colors and scene.things[built.members[0]].color not in colors):
         return None
     count, _, told = rank.partition(" ")
+    if built.kind in _CROSSES:
+        return _in_the_grid(noun, rank, built, scene) if rank == "middle" and len(built.members) % 2 else None
     if built.kind in _BOARDS:
         return _in_the_grid(noun, rank, built, scene) if rank == "middle" or rank in CELLS else None
     side = told or {"last": "first"}.get(rank, "first" if rank.isdigit() else rank)

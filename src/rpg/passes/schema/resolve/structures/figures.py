@@ -53,7 +53,7 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         )
         if shape.dims or shape.filled or square or shape.extent("rows", "columns", "wide", "long", "deep"):
             return grid(shape, spec, theme, scene, scope)
-    if count is None and spec.usings and shape.kind in ("T", "L"):
+    if count is None and spec.usings and shape.kind in ("T", "L", "plus"):
         count = amount_of(spec.usings[0].members)
     sides, need = _outline(shape, count)
     pointing = _pointing(shape, spec)
@@ -125,7 +125,7 @@ def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sc
 
 def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | None, int | None]:
     """The sides of an outline and the number of blocks on it, where they were said."""
-    if shape.kind in ("T", "L", "U"):
+    if shape.kind in ("T", "L", "U", "plus"):
         return limbs_of(shape, count)
     side = shape.extent("side")
     deep, wide, long = (shape.extent(*said) for said in (("rows", "deep"), ("wide", "columns"), ("long",)))

@@ -8,6 +8,7 @@ from rpg.ir import structures as s
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Places, Size, Structure, Traits, replace
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.checkered import taking_turns
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
 from rpg.passes.schema.resolve.structures.boards import one_more
 from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
@@ -28,10 +29,12 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             raise refuse("misplaced", "which cells are diagonal to each other is told of a 2x2 grid alone", said.span,
                          "say 'a checkerboard', or name the rows")  # fmt: skip
         spec.patterns[spec.patterns.index(said)] = replace(said, unit="checkerboard")
+    taking_turns(spec)
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
     if any(p.unit == "checkerboard" for p in spec.patterns):
-        shape = _cornered(_colors_told(shape, spec), spec, rows * columns if rows % 2 and columns % 2 else 0)
+        shape = _colors_told(shape, spec) if theme is None and not spec.usings else shape
+        shape = _cornered(shape, spec, rows * columns if rows % 2 and columns % 2 else 0)
     elif any(p.values for p in spec.patterns) and theme is None:
         shape = _colors_told(shape, spec)
     form = s.Grid(blocks=("",), rows=rows, columns=columns, layers=layers)
@@ -89,11 +92,15 @@ def _colors_told(shape: Structure, spec: Spec) -> Structure:
     if said and shape.members is None:
         items = tuple(Noun(head="any", traits=Traits(colors=(color,)), span=shape.span) for color in said)
         return replace(shape, members=Coord(op="and", items=items, span=shape.span))
-    for order in [o for o in spec.orders if len(o.items) == 2 and o.by in ("named", "given") and not o.first]:
+    for order in [o for o in spec.orders if len(o.items) == 2 and o.by in _PAIRED and not o.first]:
         if shape.members is None and all(len(plain_colors(item)) == 1 for item in order.items):
             spec.orders.remove(order)
             return replace(shape, members=Coord(op="and", items=order.items, span=order.span))
     return shape
+
+
+_PAIRED = ("named", "given", "alternating")
+"""How two colours may be told of a board."""
 
 
 def _cornered(shape: Structure, spec: Spec, odd: int) -> Structure:

@@ -1,4 +1,4 @@
-"""The arms of letters by their lengths: which T, L or U they make."""
+"""The arms of letters by their lengths: which T, L, U or plus they make."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ Sides = tuple[int, int]
 
 
 def limbs_of(shape: Structure, count: int | None) -> tuple[Sides | None, int | None]:
-    """The two lengths of a T, an L or a U, both with the block where they meet, and its number of blocks."""
+    """The two lengths of a T, an L, a U or a plus, both with the block where they meet, and its number of blocks."""
     told = {size.what for size in shape.sizes} - {"size"}
     if not told:
         return None, count
-    options = {"T": _of_t, "L": _of_l, "U": _of_u}[shape.kind](shape, count)
+    options = {"T": _of_t, "L": _of_l, "U": _of_u, "plus": _of_plus}[shape.kind](shape, count)
     if len(options) != 1:
         raise refuse(
             "ambiguous" if len(options) > 1 else "count-mismatch",
@@ -34,6 +34,13 @@ def _of_u(shape: Structure, count: int | None) -> list[Sides]:
     if deep is None or wide is None or deep < 2 or wide < 3:
         return []
     return [(deep, wide)] if count in (None, wide + 2 * (deep - 1)) else []
+
+
+def _of_plus(shape: Structure, count: int | None) -> list[Sides]:
+    """Four arms around the block in the middle, which only a number of blocks tells whether it is counted."""
+    arm = shape.extent("each arm") or 0
+    options = [n for n in (arm, arm - 1) if n > 0 and count in (None, 4 * n + 1)]
+    return [(2 * n + 1, 2 * n + 1) for n in options]
 
 
 def _of_t(shape: Structure, count: int | None) -> list[Sides]:

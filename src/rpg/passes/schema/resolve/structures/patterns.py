@@ -9,6 +9,7 @@ from rpg.ir.structures import Cells, Figure, Pyramid, Staircase
 from rpg.language.lexicon import COLORS
 from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.checkered import checkered, taking_turns
 from rpg.passes.schema.resolve.orders.orders import order_of
 from rpg.passes.schema.resolve.orders.parts import parted
 from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse
@@ -26,7 +27,9 @@ def pattern_of(
     form: Cells,
 ) -> tuple[Pattern | None, bool]:
     """How the cells of `form` are coloured or labelled; colours and labels left open are chosen to fit."""
-    by_parts = parted(spec, form, names, scene, scope)
+    if dims is not None and not isinstance(form, Pyramid | Staircase):
+        taking_turns(spec)
+    by_parts = checkered(spec, form, names, scene) or parted(spec, form, names, scene, scope)
     if by_parts is not None:
         return by_parts, False
     things = [scene.things[n] for n in names]
@@ -42,8 +45,8 @@ def pattern_of(
             raise refuse("ambiguous", "how colours alternate where layers differ in length is not clear",
                          alternating.span, "say 'each layer a different colour'")  # fmt: skip
         if alternating is not None and dims is not None:
-            spec.orders.remove(alternating)
-            return _painted("checkerboard", things, dims, scene), False
+            raise refuse("misplaced", "in a grid colours alternate, two of them", alternating.span,
+                         "say 'in a checkerboard pattern'")  # fmt: skip
         upward = spec.first("bottom") is not None
         if getattr(form, "layers", 2) > 1 and not isinstance(form, Figure):
             spec.toward = [t for t in spec.toward if t.first not in ("top", "bottom")]

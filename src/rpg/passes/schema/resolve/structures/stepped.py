@@ -24,6 +24,7 @@ def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     spec.absolutes = [part for item in spec.absolutes for part in _topped(item)]
     plain(shape)
     told = [x for x in spec.absolutes if _level(x) is not None]
+    _looks_of_each(shape, told)
     base = _base(shape, spec, theme, scene)
     layers = min(base) if base[1] > 1 else base[0]
     if any(shape.extent(what) not in (None, layers) for what in ("layers", "high")):
@@ -37,6 +38,16 @@ def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     pattern, readable = pattern_of(shape, spec, names, (base[1], base[0], layers), scene, scope, form)
     node = s.Pyramid(blocks=names, base=base, pattern=pattern, readable=readable, span=shape.span)
     return made("pyramid", node, names, shape.span, scene)
+
+
+def _looks_of_each(shape: Structure, told: list[Absolute]) -> None:
+    """Refuse "two red blocks at the bottom and a block on top": is that one red as well?"""
+    themes = [x.theme for x in told if isinstance(x.theme, Noun)]
+    bare = [x for x in themes if x.head == "block" and x.traits == Traits()]
+    if bare and any(x.traits.colors for x in themes) and shape.members is None and not shape.traits.colors:
+        raise refuse(
+            "ambiguous", "it is not said how these blocks look", bare[0].span, "say of all layers how they look"
+        )
 
 
 def _topped(item: Absolute) -> list[Absolute]:

@@ -165,7 +165,7 @@ _SIZES = {
     "checkerboard": {"dims", "rows", "columns", "size", "side"},
     "gradient": {"size", "long"}, "word": {"size"}, "T": {"size", "bar", "stem", "high", "wide"},
     "L": {"size", "long arm", "short arm", "equal arms", "each arm", "shared", "high", "long", "wide"},
-    "U": {"size", "wide", "high", "deep"},
+    "U": {"size", "wide", "high", "deep"}, "plus": {"size", "each arm"},
 }  # fmt: skip
 
 

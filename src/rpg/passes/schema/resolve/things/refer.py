@@ -25,10 +25,10 @@ from rpg.passes.schema.resolve.things.things import alike, compared, looks_said,
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 if TYPE_CHECKING:
-    from rpg.passes.schema.resolve.orders.ranks import ranked
+    from rpg.passes.schema.resolve.orders.ranks import middle_of, ranked
     from rpg.passes.schema.resolve.structures.structures import refer_structure
 else:
-    (ranked,) = later(__name__, "rpg.passes.schema.resolve.orders.ranks", "ranked")
+    middle_of, ranked = later(__name__, "rpg.passes.schema.resolve.orders.ranks", "middle_of", "ranked")
     (refer_structure,) = later(__name__, "rpg.passes.schema.resolve.structures.structures", "refer_structure")
 
 
@@ -146,6 +146,8 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=(built.members[0],))
     if built is not None and (built.side, meaning.part) in (("left", "right"), ("front", "back")):
         return Ref(names=(built.members[-1],))
+    if meaning.part == "middle" and (middle := middle_of(whole, meaning.span, scene, scope)) is not None:
+        return middle
     raise refuse(
         "ambiguous", f"it is not clear which block the {meaning.part} of it is", meaning.span, "name the block"
     )

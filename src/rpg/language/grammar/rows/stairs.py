@@ -1,0 +1,92 @@
+"""Stairs as people tell of them: "stairs that climb to the left", "the lowest step on the right", "one red block, then
+two white ones, then three blue ones", also in a sentence of its own behind the one that builds them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import STOPS
+from rpg.language.grammar.rows.turned import MUST, Turn
+from rpg.language.tokens import Token
+
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_STAIRS = "(?:staircase|stairs|stairway)"
+_UP = ("(?:rises?|climbs?|climbing|ascends?|ascending|goes up|go up|leads? up|leading up|runs? up|running up|is "
+       "going up|"
+       "are going up|steps? up|be rising|be climbing|be ascending)")  # fmt: skip
+_DOWN = "(?:descends?|descending|goes down|go down|going down|leads? down|steps? down|falls?|falling)"
+_LINK = f"(?: ,)?(?: and| so that| such that)?(?: which| that| it| they)?(?: {MUST})?"
+_TO = "(?:to|towards?) the"
+_ON = "(?:(?: is| being|is to be| stands| standing)? (?:on|at) the)"
+_STEP = "(?: step| column| one| stair| tower)?"
+_HIGH = "(?:highest|tallest|largest|biggest)"
+_LOW = "(?:lowest|shortest|smallest)"
+_THEN = "(?: ,)?(?: and)?(?: then)?"
+_N = "(?: (?:blocks?|cubes?|bricks?|ones?))?"
+_NEXT = f"(?:the )?(?:next|second|middle){_STEP}"
+_HAS = "(?: is| has| are| being| of| :)?"
+_SIDES = (("left", "right"), ("right", "left"), ("front", "back"), ("back", "front"))
+_BEFORE = f"\\b((?:{_STAIRS})\\b(?:(?! going up ).)*?)"
+_CLIMBING = f"({_STAIRS}\\b.*? going up to the (?:left|right|front|back))(?: ,| :)*"
+
+STAIRS: tuple[Turn, ...] = (
+    *((f"{_BEFORE}{_LINK} {_UP} from (?:the )?{low} to (?:the )?{high}\\b", f"{{1}} going up to the {high}")
+      for low, high in _SIDES),
+    *((f"{_BEFORE}{_LINK} {_UP} {_TO} {high}\\b(?! of\\b)", f"{{1}} going up to the {high}") for _, high in _SIDES),
+    *((f"{_BEFORE}{_LINK} {_DOWN} {_TO} {low}\\b(?! of\\b)", f"{{1}} going up to the {high}") for low, high in _SIDES),
+    # which end is high
+    *((f"{_BEFORE}(?: ,| with| where| whose)*(?: that| which)?(?: is| are)?(?: the| its)? {_LOW}{_STEP}{_ON} {low}"
+       f"(?:(?: ,| and)+(?: the| its)? {_HIGH}{_STEP}{_ON} {high})?$", f"{{1}} going up to the {high}")
+      for low, high in _SIDES),
+    *((f"{_BEFORE}(?: ,| with| where| whose)*(?: that| which)?(?: is| are)?(?: the| its)? {_HIGH}{_STEP}{_ON} {high}"
+       f"(?:(?: ,| and)+(?: the| its)? {_LOW}{_STEP}{_ON} {low})?(?= ,|$)", f"{{1}} going up to the {high}")
+      for low, high in _SIDES),
+    *((f"{_BEFORE}(?: ,| with| where)* one (?:block|cube) (?:high|tall) (?:on|at) the {low}(?: ,| and)+ "
+       f"three (?:blocks|cubes) (?:high|tall) (?:on|at) the {high}$", f"{{1}} going up to the {high}")
+      for low, high in _SIDES),
+    # step by step
+    (f"{_CLIMBING} (?:(?:the )?{_LOW}{_STEP}{_HAS} )?one ({_COLOR}){_N}{_THEN}(?: {_NEXT}{_HAS})? two ({_COLOR}){_N}"
+     f"{_THEN}(?: the (?:{_HIGH}|last|third){_STEP}{_HAS})? three ({_COLOR}){_N}$",
+     "{1} , the lowest column one {2} block , the middle column two {3} blocks and the highest column three {4} "
+     "blocks"),
+    (f"\\b({_STAIRS}\\b.*?)(?: ,| :)* (?:with )?one(?: step)?{_N}(?: high)?{_THEN} two(?: steps)?{_N}(?: high)?{_THEN} "
+     f"three(?: steps)?{_N} high$", "{1} with heights one , two and three"),
+    (f"({_STAIRS}\\b.*?)(?: ,| :)+ one{_N}{_THEN} two{_N}{_THEN} three{_N}$", "{1} with one , two and three blocks"),
+    (f"\\b({_STAIRS}\\b.*?) in steps of (one|1) , (two|2) and (three|3)\\b", "{1} with steps of {2} , {3} and {4}"),
+    # what it is
+    (f"^(?:the |this )({_STAIRS} going up )", "a {1}"),
+    (f"\\b({_STAIRS}\\b.*?)(?: ,| and)* {MUST} be (?:built|made|formed|constructed) going up {_TO} (left|right|"
+     f"front|back)$",
+     "{1} going up to the {2}"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+
+_OF_IT = re.compile(
+    f"(?:(it|they|the {_STAIRS}|these|this) (?:{MUST} )?(?:{_UP}|{_DOWN}) (?:{_TO}|from)|(?:its|the) (?:{_HIGH}|{_LOW})"
+    f"{_STEP}(?:{_ON}| is)|one{_N} ?,? (?:and )?then two|one {_COLOR}{_N} ,)"
+)
+"""How a sentence begins that tells of the stairs of the one before."""
+
+
+def of_the_stairs(tokens: list[Token]) -> list[Token]:
+    """ "Build a staircase of three steps. It goes up to the left.": one sentence, of the stairs that are built."""
+    out: list[Token] = []
+    begin = 0
+    for n, token in enumerate(tokens):
+        out.append(token)
+        stops = token.kind == "punct" and token.word in STOPS
+        before = [x.word for x in tokens[begin:n]]
+        if not stops or not {*before} & _NAMES or "up" in before:
+            begin = n + 1 if stops else begin
+            continue
+        told = _OF_IT.match(" ".join(x.word for x in tokens[n + 1 : n + 12]))
+        if told is not None:
+            out[-1] = replace(token, word=",", raw=",")
+        else:
+            begin = n + 1
+    return out
+
+
+_NAMES = frozenset({"staircase", "stairs", "stairway"})

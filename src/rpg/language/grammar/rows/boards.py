@@ -18,8 +18,8 @@ _BUT = "(?:except|but|apart from|save)(?: for)?"
 _LOW, _HIGH = "(?:lower|bottom|lowest)", "(?:upper|top|topmost)"
 _DIMS = "(\\d+x\\d+|(?:\\d+|two|three|four) by (?:\\d+|two|three|four))"
 _LETTER = "((?:\\b(?:shape|form) of (?:a|an|the letter) |\\b(?:a|an|the letter) |^)[uvUV](?: shape)?\\b.*?)"
-_OPEN = (f"(?: ,| and| so that it)*(?: that| which| thats)?(?: is| {MUST} be| {MUST})? (?:opens?|opened|"
-         "opening(?= away| at| on))(?: up)?(?: is)?")  # fmt: skip
+_OPEN = (f"(?: ,| and| so that it)*(?: that| which| thats)?(?: is| {MUST} be| {MUST})?(?<! the)(?<! its)"
+         "(?<! an) (?:opens?|opened|opening(?= away| at| on))(?: up)?(?: is)?")  # fmt: skip
 _ME = "(?:the )?(?:robot|me|viewer|camera|us|you)"
 _TOWARD = {
     "back": f"(?:away from {_ME}|(?:at|to|towards?|on) the (?:back|far side|far end|far edge)|backwards?)",

@@ -27,8 +27,8 @@ from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE
 from rpg.language.grammar.rows.spaced import SPACED_AT_ONCE
-from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_stairs
+from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned

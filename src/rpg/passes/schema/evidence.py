@@ -87,7 +87,6 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
     numbers: Numbers | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
     terms = {term for part in parts for term in _terms(part)} | _shown_orders(task, words) | _beside_goals(task)
-    terms |= {"checkerboard" for atom in atoms(task.goal) if isinstance(atom, Grid) and _takes_turns(atom, task)}
     for index, token in enumerate(words):
         if token.word not in _TELLING and token.kind not in ("number", "sign") and len(token.raw) != 1:
             continue
@@ -335,7 +334,9 @@ def _shown_orders(task: TaskSchema, words: Sequence[Token]) -> set[str]:
     told = [one for one in orders if all(one)]
     kinds = [one for one in told if _kind_by_kind(one)] if any(token.word in _KINDS for token in words) else []
     rising = [one for one in told if one == sorted(one)]
-    return {"number" if "".join(one).isdigit() else "label" for one in (*rising, *kinds)} | {"group_by" for _ in kinds}
+    boards = {"checkerboard" for atom in atoms(task.goal) if isinstance(atom, Grid) and _takes_turns(atom, task)}
+    shown = {"number" if "".join(one).isdigit() else "label" for one in (*rising, *kinds)}
+    return shown | {"group_by" for _ in kinds} | boards
 
 
 def _takes_turns(grid: Grid, task: TaskSchema) -> bool:

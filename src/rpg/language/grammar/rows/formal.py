@@ -32,6 +32,7 @@ from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned
+from rpg.language.grammar.rows.two_rows import TWO_ROWS_AT_ONCE
 from rpg.language.grammar.rows.upright import UPRIGHT_AT_ONCE
 from rpg.language.grammar.rows.upward import UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.utmost import UTMOST_TOLD
@@ -250,6 +251,7 @@ _OF_ALL = (
     *SIDED_AT_ONCE,
     *SPACED_AT_ONCE,
     *SUMS_AT_ONCE,
+    *TWO_ROWS_AT_ONCE,
     *SHARED_OUT,
     *GAPPED_AT_ONCE,
     *SHORT_AT_ONCE,

@@ -1,0 +1,63 @@
+"""Two rows or two words, one behind the other, in other words: "the far row spells CAT and the near row DOG", "CAT and,
+in front of it, DOG", as rows that name both and how they lie to each other."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.rows.turned import FEW, Turn
+
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_WORD = f"((?!(?:the|an?|them|it|{FEW})\\b)[a-z]{{2,}})"
+_LINE = "(?:row|line|tower|stack)"
+_END = "(far|back|near|front)"
+_AND = "(?: ,)?(?: and| ;)? ?"
+_SHOWS = "(?:reads|spells|says|shows)"
+_WRITE = "(?:write|spell|put|lay out|lay|make)"
+_BESIDE = "(?:behind|in front of|to the left of|to the right of)"
+_NEAR = "(?:nearer|nearest|closer|closest)(?: to (?:me|us|you|the viewer|the robot))?"
+_TWO = f"(?:{_WRITE} )?(?:the words )?{_WORD} and {_WORD}"
+_OF = "(?: of (?:digits|numbers|letters|words|blocks|cubes))?"
+_ROWS = f"(?:two rows{_OF}(?: ,| :) )?"
+_SAME = f"(an? {_LINE} of (?:{FEW}) ({_COLOR}) (?:blocks|cubes|ones))"
+_MADE = "(?:blocks|cubes)"
+_LOOK = "^(?:it should look like this : )?"
+_LISTED = "((?:\\S+ , )+(?:and )?\\S+|(?:\\S+ , )*\\S+ and \\S+)"
+
+TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
+    # words
+    ("^two words(?: today| please)?$", ""),
+    (f"^(?:two (?:rows|words){_OF}(?: ,| :) )?the {_END} row {_SHOWS}(?: the word)? {_WORD}{_AND}the {_END} "
+     f"(?:row|one)(?: {_SHOWS})?(?: the word)? {_WORD}$", "write {2} in the {1} row and {4} in the {3} row"),
+    (f"^{_TWO} in two rows{_AND}\\1 in the {_END} (?:one|row){_AND}\\2 in the "
+     f"{_END} (?:one|row)$", "write {1} in the {3} row and {2} in the {4} row"),
+    (f"^{_TWO}(?: ,)? one (?:word )?behind the other(?: ,)?(?: with)? \\1 (?:is |"
+     f"being )?{_NEAR}$", "the word {2} behind the word {1}"),
+    (f"^{_TWO}(?: ,)? one (?:word )?behind the other(?: ,)?(?: with)? \\2 (?:is |"
+     f"being )?{_NEAR}$", "the word {1} behind the word {2}"),
+    (f"^(?:write|spell)(?: the word)? {_WORD} and(?: ,)? ({_BESIDE}) it(?: ,)?(?: the word)? {_WORD}$",
+     "the word {3} {2} the word {1}"),
+    (f"^((?:write|spell) {_WORD} {_BESIDE} {_WORD}) , each(?: word)? from left to right$", "{1}"),
+    (f"^two words ,? ?(?:namely )?{_WORD} and {_WORD} ,(?: with)? {_WORD} ({_BESIDE}) {_WORD}$",
+     "the word {3} {4} the word {5}"),
+    # rows
+    (f"^{_ROWS}the {_END} row {_SHOWS} {_LISTED}{_AND}the {_END} (?:row|one) {_SHOWS} {_LISTED}$",
+     "{1} row : {2} ; {3} row : {4}"),
+    (f"^(an? (?:\\w+ )?{_LINE} of) ((?!(?:{FEW})\\b)(?:\\w+ )?{_MADE}) and (an? (?:\\w+ )?{_LINE} of) "
+     f"((?:\\w+ )?{_MADE}) , ({FEW}) (?:each|in each|blocks each|of each)$", "{1} {5} {2} and {3} {5} {4}"),
+    (f"{_LOOK}(?:in|at) the (?:back|rear) (an? {_LINE} of .+?){_AND}in front of it (an? {_LINE} "
+     "of .+)$", "{2} in front of {1}"),
+    (f"{_LOOK}(?:in|at) the front (an? {_LINE} of .+?){_AND}behind it (an? {_LINE} of .+)$",
+     "{2} behind {1}"),
+    (f"\\b(an? (?:front |back )?{_LINE} of [^,]+) and , (?:parallel to it and )?({_BESIDE}) it , (an? {_LINE} of .+)$",
+     "{1} and {2} it {3}"),
+    (f"\\b(an? {_LINE} of [^,]+) and , (?:parallel to it and )?nearer to me , (an? {_LINE} of .+)$",
+     "{1} and in front of it {2}"),
+    (f"^{_SAME} parallel to (an? {_LINE} of .+?) ,(?: the)? \\2 (?:row|"
+     "one) behind$", "{1} behind {3}"),
+    (f"^{_SAME} parallel to (an? {_LINE} of .+?) ,(?: the)? \\2 (?:row|"
+     "one) in front$", "{1} in front of {3}"),
+    (f"^two rows of ({FEW})(?: blocks)? ,(?: the)? first row ({_COLOR}){_AND}(?:the )?second row ({_COLOR}) ,? ?the "
+     "first (?:one |row )?(?:being|is) the (?:far|back) (?:one|row)$",
+     "{1} {2} blocks in the far row and {1} {3} blocks in the near row"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""

@@ -22,6 +22,9 @@ _OTHER = "(?:one|another|the other|a second|the second|a third|the third)(?: one
 _FIRST = "(?:one|the first)(?: one| tower| stack| of them)?"
 _AND = "(?:, and|, while|and|,|while)"
 _ASIDE = "(?:(?:to|on|at) )?(?:(?:the|its) )?(left|right)(?: side)?(?: of (?:it|that|this|that one))?"
+_BESIDE = ("(?:(?:directly |right |immediately )?(?:to the left of|to the right of|left of|right of|behind|in front "
+             "of|next to|"
+           "beside))")  # fmt: skip
 _BEFORE = "(behind|in front of) (?:it|that|this)"
 _THING = f"(?:(?:an?|the|one) )?(?:{_COLOR}|[b-z0-9])(?: (?:block|cube|one))?"
 _PILE = f"{_THING}(?: (?:on top of|on|over|above|atop) {_THING})+"
@@ -133,7 +136,21 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "a tower with {1} at the bottom , {2} in the middle and {3} on top"),
     (f"\\b({_TOWER}) (of|out of|from|made of) ({_COLOR}) ({_COLOR}) and ({_COLOR})(?= with| so| in|$)",
      "{1} {2} {3} , {4} and {5}"),
+    (f"^(?:make |build )?({_MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})(?: ,)? (?:with )?(?:the "
+     f")?"
+     "(?:colors )?in any order$", "stack {2} into {1} of equal height , in any order"),
+    (f"^use (.+ {_BLOCKS}) to (?:make|build) ({_MANY} {_TOWERS}) of (?:the same|equal) height(?: ,)? (?:with )?(?:the "
+     f")?"
+     "(?:colors )?in any order$", "stack {1} into {2} of equal height , in any order"),
     # what stands beside it
+    (f"\\b(two|2) ({_TOWERS}) of ({_MANY})(?: {_BLOCKS})?(?: each)? , the ({_COLOR}) (?:one|{_TOWER}) (?:is |being "
+     f"|stands "
+     f"|standing )?({_BESIDE}) the ({_COLOR}) (?:one|{_TOWER})$",
+     "{1} {2} of {3} , one {4} and one {6} . the {4} tower must be {5} the {6} tower"),
+    (f"\\b((?:an?|one) ({_TOWER}) of {_MANY}\\b.*? on .*?) and one of (?={_MANY}(?: {_COLOR})?(?: {_BLOCKS})? on )",
+     "{1} and a {2} of"),
+    (f"\\b((?:an?|one) ({_TOWER}) of {_MANY}\\b.*?(?: and|,) (?:{_BESIDE}) it(?: ,)?) one of (?={_MANY}\\b)",
+     "{1} a {2} of"),
     (f"\\b(two) (columns|rows|towers|stacks) of ({_MANY})(?: {_BLOCKS})?(?: ,| :)? an? ({_COLOR}) "
      f"(?:one|column|row|tower|"
      f"stack) (?:on|to) the (left|right)(?: side)?(?: ,)? (?:and )?an? ({_COLOR}) (?:one|column|row|tower|stack) "

@@ -25,7 +25,28 @@ _DOWN = "(?:from the top down|from (?:the )?top to (?:the )?bottom|downwards|goi
 _UP = "(?:from the bottom up|from (?:the )?bottom to (?:the )?top|upwards|going up|from the bottom)"
 _LIST = f"{_ONE[:-1]}(?:(?: , and| ,| and) {_ONE[1:-1]})+)"
 
+_WORD = f"(?!(?:{_COLOR}|{_BLOCKS})\\b)(\\S{{2,}})"
+_WHEN_READ = f"(?:(?:when|if) )?(?:it is |you |one )?reads? (?:it )?{_DOWN}"
+_SPELT: tuple[Turn, ...] = (
+    (f"^spell (?!(?:{_COLOR}|{_BLOCKS})\\b)((\\S)\\S+) (?:going down|down|downwards) (?:in )?an? ({_TOWER})"
+     "(?: , \\2 on top)?$", "a {3} that spells {1} from top to bottom"),
+    (f"^an? ({_TOWER}) (?:is (?:needed|wanted) )?(?:which|that)(?: ,)? {_WHEN_READ}(?: ,)? (?:spells|reads|says|shows) "
+     f"(?:the word )?{_WORD}$", "a {1} that spells {2} from top to bottom"),
+    (f"^an? ({_TOWER}) (?:is (?:needed|wanted) )?(?:which|that)(?: ,)? (?:spells|reads|says|shows) (?:the word "
+     f")?{_WORD} "
+     f"{_WHEN_READ}$", "a {1} that spells {2} from top to bottom"),
+    (f"^{_WORD}(?: ,)? stacked(?: up)?(?: ,)? (?:read|reading|to be read) {_DOWN}$",
+     "a tower that spells {1} from top to bottom"),
+)  # fmt: skip
+"""Words that are read down a tower."""
+
 UPWARD_AT_ONCE: tuple[Turn, ...] = (
+    (f"^spell {_WORD} in an? ({_TOWER})(?: ,)? (?:downwards|down) from the (?:uppermost|top|topmost|highest) "
+     "(?:block|cube|letter|one)$", "a {2} that spells {1} from top to bottom"),
+    (f"\\b({_TOWER}) (?:in|on) which (?:you|one|we|i) can read (?:the word )?{_WORD} {_DOWN}$",
+     "{1} that spells {2} from top to bottom"),
+    (f"^(?:on|in) an? ({_TOWER})(?: ,)? the word {_WORD} {MUST} be (?:legible|readable|read|seen) {_DOWN}$",
+     "a {1} that spells {2} from top to bottom"),
     (f"\\b({_LINE}) (?:with|of|from|out of) the following {_BLOCKS}(?: ,)? ({WAY}) :", "{1} {2} :"),
     (f"\\b({_TOWER}) with {_ONE} in the middle {_AND} {_ONE} {_BELOW}(?: it)? {_AND} {_ONE} (?:on top|{_ABOVE} "
      f"it|above)"
@@ -95,6 +116,7 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 UPWARD: tuple[Turn, ...] = (
+    *_SPELT,
     ("^((?:the|an?) (?:\\w+ )+?(?:block|cube)) (?:forms|makes|is) the (?:base|bottom)(?: of (?:the|an?) "
      "(?:tower|stack))?"
      "(?: ,)? and ((?:the|an?) (?:\\w+ )+?(?:block|cube|one)) (?:is placed|is put|is "

@@ -98,6 +98,7 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b((?:tower|(?:an?|one|the) stack)\\b[^:]*\\b(?:alternating|alternate|alternately)\\b[^:]*?){_BEGINS}",
      "{1} , with {2} at the bottom"),
     # what becomes of one of them
+    (f"^given ({_MANY} {_COLOR} {_BLOCKS}) , (make|build) (an? {_TOWER}\\b.*)$", "from {1} {2} {3}"),
     (f"^(?:split|divide|break|take|part) (?:the|an?|one) (tower|stack|row) of ({_MANY}(?: {_COLOR})?(?: {_BLOCKS})?)"
      f"(?: apart| up)? (?:in|into) (?:halves ,? so that )?({_MANY}) ({_TOWERS}) of ({_MANY})(?: {_BLOCKS})?(?: each)?"
      "(?: remain| result)?$", "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
@@ -177,6 +178,9 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 TOWERS: tuple[Turn, ...] = (
+    (f"\\bthe remaining ({_MANY})(?: {_BLOCKS})? (?:each )?(sit|lie|stand|rest|stay|are)\\b", "the other {1} {2}"),
+    ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
+    ("(?: ,)? so that no two touch$", ". no two of them touch"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
 WORDS = ("equal height",)

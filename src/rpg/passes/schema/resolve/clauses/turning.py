@@ -31,6 +31,7 @@ from rpg.passes.schema.resolve.clauses.taken_apart import pile_of
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout
 from rpg.passes.schema.resolve.clauses.whose_turn import is_none, neither, turned_of, unturned
 from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.places.moved import put_there
 from rpg.passes.schema.resolve.places.placing import absolutes
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.things.operands import crown, spread
@@ -331,7 +332,7 @@ def _off(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Goals:
     for a in theme.names:
         for b in mark.names:
             there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
-            if there not in scene.start_goals:
+            if there not in scene.start_goals and not put_there(a, b, scene):
                 scene.start_goals.append(there)
             loc_goals.append(g.Not(goal=there, span=span))
     return loc_goals

@@ -58,6 +58,13 @@ def off_what(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
     return Ref(names=tuple(under), plural=len(under) > 1, span=loc.span) if under else None
 
 
+def put_there(upper: str, below: str, scene: Scene) -> bool:
+    """ "Put it on the mat, then take it off again": it lies there by then, and not at the start."""
+    earlier = [m for m in scene.mentions if m.clause < scene.clause]
+    on_it = {m.clause for m in earlier if m.role == "landmark" and m.rel in ("on", "in") and below in m.ref.names}
+    return any(m.clause in on_it and m.role == "theme" and upper in m.ref.names for m in earlier)
+
+
 def taken_off(theme: Ref, below: str, span: Span) -> g.Goal:
     """Nothing of it is above this block any more."""
     return spread(theme, lambda a: g.Not(goal=r.Above(a=a, b=(below,), span=span), span=span), span)

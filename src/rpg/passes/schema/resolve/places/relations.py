@@ -19,7 +19,7 @@ from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.compared import compared as compared_far
 from rpg.passes.schema.resolve.places.corners import corners, of_something_else, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
-from rpg.passes.schema.resolve.places.moved import off_what, taken_off
+from rpg.passes.schema.resolve.places.moved import off_what, put_there, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
     COMPARED,
     among_themselves,
@@ -264,7 +264,7 @@ def _begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
     """ "get the red block off the blue one": it starts there."""
     for a, b in ((a, b) for a in theme.names for b in mark.names):
         there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
-        if len(mark.names) == 1 and there not in scene.start_goals:
+        if len(mark.names) == 1 and there not in scene.start_goals and not put_there(a, b, scene):
             scene.start_goals.append(there)
 
 

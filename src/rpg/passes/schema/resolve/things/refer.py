@@ -122,8 +122,10 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
 def _unmixed(meaning: Coord) -> None:
     """Refuse "red and blue or green", where nothing says which belong together."""
     for item in meaning.items:
-        bare = isinstance(item, Noun) and item.det == "bare" and len(item.traits.colors) > 1
-        if bare and isinstance(item, Noun) and item.traits.either is (meaning.op == "and") and meaning.op in _BOTH_WAYS:
+        looks = item.traits if isinstance(item, Noun) and item.det == "bare" else Traits()
+        other_way = len(looks.colors) > 1 and looks.either is (meaning.op == "and") and meaning.op in _BOTH_WAYS
+        at_once = meaning.span[0] == meaning.items[0].span[0]  # with no "either" in front
+        if other_way or (len(looks.labels) > 1 and meaning.op == "or" and at_once):
             raise refuse("ambiguous", "it is not clear what 'and' joins here, and what 'or'", meaning.span,
                          "say 'either ... or ...', or use two sentences")  # fmt: skip
 

@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.becoming import and_touches
 from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
-from rpg.language.grammar.clauses.denials import denies_places, nor_there, of_none
+from rpg.language.grammar.clauses.denials import denies_places, nor_does, nor_there, of_none
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_the_order, linked, other_side
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
@@ -172,6 +172,8 @@ def _meant_again(
     ):
         return None  # "put A on B or C, and D on the mat": a comma parts more than "or" does
     item = same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
+    if nor_does(p, j, k, previous, item):
+        return None
     same = isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
     if link == "or" and isinstance(item, Clause) and denies_places(p, previous):
         if not same or p.words[at] == ",":
@@ -277,7 +279,7 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
-    return previous.lemma == "tally" and _of_the_list(p, j, k, item)
+    return nor_does(p, j, k, previous, item) or (previous.lemma == "tally" and _of_the_list(p, j, k, item))
 
 
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:

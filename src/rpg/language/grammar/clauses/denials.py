@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Amount, Clause, Coord, In, Loc, Manner, Meaning, Noun, replace
+from rpg.language.meaning import Amount, Clause, Coord, In, Loc, Manner, Meaning, Noun, Pronoun, replace
 
 _NOT = frozenset({"not", "never"})
 _ALL = (["both"], ["all"])
@@ -32,6 +32,22 @@ def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
 def of_none(theme: Meaning | None) -> bool:
     """ "No red block", "neither red nor blue": what is said of these with "or" is denied altogether."""
     return (isinstance(theme, Coord) and theme.op == "nor") or (isinstance(theme, Noun) and theme.det == "no")
+
+
+def nor_does(p: Parser, j: int, k: int, before: Clause, item: Meaning) -> bool:
+    """ "Do not let red touch blue or green touch yellow", "no mat has A or B on it": denied as well, and not the other
+    possibility."""
+    if p.words[j - 1] != "or" or not isinstance(item, Clause) or item.negated or isinstance(item.theme, Pronoun):
+        return False
+    marks = (a.landmark for a in before.adjuncts if isinstance(a, Loc))
+    told = p.words[j:k]
+    if any(isinstance(mark, Noun) and mark.det == "no" for mark in marks):
+        return told[-1:] == ["it"]
+    return before.negated and bool(_BARE_VERBS & {*told}) and not _MODALS & {*told}
+
+
+_BARE_VERBS = frozenset({"touch", "be", "lie", "stand", "sit", "rest", "go", "stay", "end"})
+_MODALS = frozenset({"must", "should", "shall", "may", "has", "have", "will", "can"})
 
 
 def denies_places(p: Parser, before: Clause) -> bool:

@@ -84,6 +84,7 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
      f"((?:{_ABOUT} )?{LENGTH}) between\\b", "{1} {2} {3} a {1} of {4} between"),
     # one of two
     (f"\\beither (?:({COLOR}) )?{PATCH}\\b(?!.* or )", "either of the two {1} patches"),
+    (f"\\bneither (?:({COLOR}) )?{PATCH}\\b(?!.* n?or )", "neither of the two {1} patches"),
     # a block that is lifted off what it lies on
     (f"^(?:carefully |gently |slowly |please )*(?:lift|pick|take|remove)(?: up)? ({THING})(?: up)? off ({THING})"
      f"(?: (?:that |which )?it {_LIES_ON})?(?: ,)? and (?:then )?((?:set|put|place|lay) it (?:down )?"

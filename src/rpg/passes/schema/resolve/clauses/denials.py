@@ -82,6 +82,11 @@ def _on_no_patch(clause: Clause) -> Clause:
     theme = clause.theme
     many = theme.amount if isinstance(theme, Noun) and theme.head != "patch" else None
     of_none = isinstance(mark, Noun) and mark.head == "patch" and mark.det == "no" and not clause.negated
+    if of_none and (
+        getattr(theme, "op", "") == "and" or len(getattr(getattr(theme, "traits", None), "labels", ())) > 1
+    ):
+        raise refuse("ambiguous", "it is not clear whether each of these is denied, or both together", clause.span,
+                     "say 'neither ... nor', or 'not both'")  # fmt: skip
     if of_none and isinstance(mark, Noun) and isinstance(theme, Noun) and (theme.det, many) == ("a", Amount(1, 1)):
         return _no_such_block(clause, theme, mark, places[0])
     if not of_none or many is None or not (many.strict or many.low > 1):

@@ -67,7 +67,7 @@ def to_others(theme: Ref, loc: Loc, span: Span) -> Atoms:
         return of_every_two(theme.names, loc, span)
     if many is not None and many.strict:
         return [_to_so_many(name, theme, loc, many, span) for name in theme.names]
-    if isinstance(mark, Noun) and mark.plural:
+    if isinstance(mark, Noun) and mark.plural and mark.det != "any":
         raise refuse("ambiguous", "is this said of all others, or of some of them?", mark.span,
                      "say how many others, such as 'at least two other blocks' or 'the other two'")  # fmt: skip
     return some_other(theme, loc, span)

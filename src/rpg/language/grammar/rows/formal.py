@@ -31,7 +31,7 @@ from rpg.language.grammar.rows.stairs import STAIRS, of_the_stairs
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
-from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, turned
+from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, Turns, turned
 from rpg.language.grammar.rows.two_rows import TWO_ROWS_AT_ONCE
 from rpg.language.grammar.rows.upright import UPRIGHT_AT_ONCE
 from rpg.language.grammar.rows.upward import UPWARD, UPWARD_AT_ONCE
@@ -273,12 +273,13 @@ _OF_ALL = (
 _OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED,
                   *BORNE_FIRST, *UTMOST_TOLD, *TOWERS, *UPWARD)  # fmt: skip
 """The rows of a sentence that cannot be read as it stands."""
+_AT_ONCE, _UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
 
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
     told = _one_of_each(_steps_told(told_by_places(rows_by_number(tokens))))
-    return turned(of_the_stairs(not_at_end(corners_again(told))), _OF_ALL)
+    return turned(of_the_stairs(not_at_end(corners_again(told))), _AT_ONCE)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:
@@ -316,7 +317,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 def plainly(tokens: list[Token]) -> list[list[Token]]:
     """The sentences that one is in plain words; none where it is as plain already."""
-    plain = turned(tokens, _OF_THE_UNREAD)
+    plain = turned(tokens, _UNREAD)
     if plain == tokens:
         return []
     out: list[list[Token]] = [[]]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from functools import lru_cache
 
 from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import MUST, Turn, turned
+from rpg.language.grammar.rows.turned import MUST, Turn, Turns, turned
 from rpg.language.tokens import Token
 
 _ENDS = (
@@ -22,10 +22,11 @@ def not_at_end(tokens: list[Token]) -> list[Token]:
     named before, for of no other it says anything."""
     words = [token.word for token in tokens]
     named = sorted({word for word in words if word in lexicon.COLOR and words.count(word) > 1})
-    return turned(tokens, _turns(named)) if named and "not" in words else tokens
+    return turned(tokens, _turns(tuple(named))) if named and "not" in words else tokens
 
 
-def _turns(colors: Collection[str]) -> list[Turn]:
+@lru_cache(maxsize=256)
+def _turns(colors: tuple[str, ...]) -> Turns:
     color = f"({'|'.join(colors)})"
     rows: list[Turn] = []
     for end, where in _ENDS:
@@ -36,4 +37,4 @@ def _turns(colors: Collection[str]) -> list[Turn]:
              f"(?:(?:is|{MUST} be|being) )?(?:not|{MUST} not be|may not be|cannot be) {color}$",
              f"with {{1}} not {where}"),
         ]  # fmt: skip
-    return rows
+    return Turns(rows)

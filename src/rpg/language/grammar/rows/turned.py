@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.tokens import Token
@@ -23,17 +23,46 @@ _MOST = 4
 """No sentence is turned more often by the same row."""
 
 
-def turned(tokens: list[Token], turns: Sequence[Turn]) -> list[Token]:
+class Turns:
+    """Rows in their order, found by words that a text has where they fit."""
+
+    def __init__(self, rows: Sequence[Turn]) -> None:
+        self.rows = tuple(rows)
+
+    @cached_property
+    def _certain(self) -> list[str]:
+        """What a text has where each of the rows fits."""
+        return [_certain(row) for row, _ in self.rows]
+
+    @cached_property
+    def _by_word(self) -> dict[str, list[int]]:
+        """The rows by the longest word of that; those of which no word is known to be whole under ""."""
+        found: dict[str, list[int]] = {}
+        for number, certain in enumerate(self._certain):
+            word = max(re.findall(r"(?<= )\w+(?= )", certain), key=len, default="")
+            found.setdefault(word, []).append(number)
+        return found
+
+    def fitting(self, told: Told, behind: int = -1) -> list[int]:
+        """The rows behind a certain one that may fit somewhere in a text."""
+        text = "\n".join([text for _, _, _, text in told])
+        found = [number for word in {"", *text.split()} for number in self._by_word.get(word, ())]
+        return sorted(number for number in found if number > behind and self._certain[number] in text)
+
+
+def turned(tokens: list[Token], turns: Turns) -> list[Token]:
     """The tokens, every sentence of them turned by whichever rows fit it."""
     told = _told(tokens)
-    whole = "\n".join([text for _, _, _, text in told])
-    for row, said in turns:
-        for _ in range(_MOST if _certain(row) in whole else 0):
+    waiting = turns.fitting(told)
+    while waiting:
+        number = waiting.pop(0)
+        row, said = turns.rows[number]
+        for _ in range(_MOST):
             changed = _once(tokens, told, _compiled(row), said)
             if changed is None:
                 break
             tokens, told = changed, _told(changed)
-            whole = "\n".join([text for _, _, _, text in told])
+            waiting = turns.fitting(told, number)
     return tokens
 
 
@@ -42,7 +71,6 @@ def _compiled(pattern: str) -> re.Pattern[str]:
     return re.compile(pattern)
 
 
-@lru_cache(maxsize=4096)
 def _certain(pattern: str) -> str:
     """A part of what is looked for without which it is nowhere: the longest that stands outside of brackets."""
     plain = pattern

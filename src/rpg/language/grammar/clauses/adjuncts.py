@@ -265,7 +265,8 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if not any(isinstance(part, Structure) for part in parts_of(members)):
                 yield Using(members=members, lead=lead, span=p.span(i, k), cost=1), k
-    formed = p.one(i, "of") if p.follows(i, _FORMED) and p.words[i - 2] in ("be", "is", "are", "up") else 0
+    shaped = p.follows(i, _FORMED) and p.stands(i, ("of",)) and p.words[i - 2] in ("be", "is", "are", "up")
+    formed = p.one(i, "of") if shaped else 0
     for members, k in noun_phrase(p, formed) if formed else ():
         if not any(isinstance(part, Structure) for part in parts_of(members)):
             yield Using(members=members, lead="made of", span=p.span(i, k), cost=1), k

@@ -63,7 +63,7 @@ def pattern(p: Parser, i: int) -> Results[Meaning]:
     """ "where each row is a different colour", "one colour per layer", "in a checkerboard pattern"."""
     j = p.any_of(i, ("where", "with", "such that", "so that", "in which", ", where", ", with", "so", "whose")) or i
     j2 = p.any_of(j, ("each", "every", "all", "each of the", "all the")) or (j if p.follows(j, ("whose",)) else 0)
-    if j2 and j2 < p.end and p.words[j2] in _UNITS:
+    if j2 and p.stands(j2, _UNITS):
         k = p.reach(j2 + 1)
         unit = _UNITS[p.words[j2]]
         k = p.any_of(k, ("of blocks", "of cubes")) or k

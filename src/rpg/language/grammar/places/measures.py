@@ -102,9 +102,9 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
 
 
 _GIVE = (
-    "plus or minus", "plus minus", "+ / -", "+ -", "give or take", "with a tolerance of", "tolerance", "tolerance of",
-    "to within", "with tolerance", "tolerance :", "with an accuracy of", "with a precision of", "to an accuracy of",
-    "with an error of at most", "accurate to", "accurate to within", "with a tolerance of at most",
+    "plus or minus", "plus minus", "+ / -", "+ -", "give or take", "with a tolerance of", "tolerance",
+    "tolerance of", "to within", "with tolerance", "tolerance :", "with an accuracy of", "with a precision of",
+    "to an accuracy of", "with an error of at most", "accurate to", "accurate to within", "with a tolerance of at most",
     "with a margin of", "within a tolerance of", "to a tolerance of", "+ or -",
 )  # fmt: skip
 
@@ -186,12 +186,8 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
         for (low, high), k in bounds(p, j):
             if k := p.any_of(k, ("from", "to")):
                 for landmark, end in noun_phrase(p, k):
-                    yield (
-                        Loc(
-                            rel="distance", landmark=landmark, low=low, high=high, measure="faces", span=p.span(i, end)
-                        ),
-                        end,
-                    )
+                    span = p.span(i, end)
+                    yield Loc(rel="distance", landmark=landmark, low=low, high=high, measure="faces", span=span), end
 
 
 _AT = frozenset({"to", "on"})
@@ -293,7 +289,7 @@ _APART = ("apart", "apart from each other", "away from each other", "from each o
 @choice
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
-    start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
+    start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed", "pairwise")) or i
     start = _as_far(p, i) if start == i else start
     for measure, k in their_ends(p, p.opt(i, "with", ",")):
         for (low, high), j in bounds(p, p.opt(k, "being")):
@@ -370,10 +366,14 @@ def _spaced(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _each_other(p: Parser, i: int, end: int, low: float | None, high: float | None, measure: str) -> Loc:
-    """A distance of the blocks spoken of to each other."""
+    """A distance of the blocks spoken of to each other; "mutual" where it says so, and is not one of neighbours."""
     span = p.span(i, end)
     each = Pronoun(word="each other", span=span)
-    return Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=span)
+    mods = ("mutual",) if p.stands(end - 1, _MUTUAL) or p.words[i] == "pairwise" else ()
+    return Loc(rel="distance", landmark=each, mods=mods, low=low, high=high, measure=measure, span=span)
+
+
+_MUTUAL = frozenset({"other", "another"})
 
 
 @choice

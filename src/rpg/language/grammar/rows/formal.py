@@ -7,15 +7,20 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.before_it import BEFORE_IT
+from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.boards import BOARDS
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
+from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE
 from rpg.language.grammar.rows.figures import FIGURES
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
+from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.lined import LINED_AT_ONCE
+from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.mirrors import MIRRORS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import not_at_end
+from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
 from rpg.language.grammar.rows.rainbows import RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.required import REQUIRED
@@ -26,6 +31,7 @@ from rpg.language.grammar.rows.rows_placed import ROWS_PLACED, rows_by_number
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE
+from rpg.language.grammar.rows.so_many_told import SO_MANY_TOLD
 from rpg.language.grammar.rows.spaced import SPACED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_stairs
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
@@ -252,6 +258,12 @@ _OF_ALL = (
     *SPACED_AT_ONCE,
     *SUMS_AT_ONCE,
     *TWO_ROWS_AT_ONCE,
+    *DISTANCES_AT_ONCE,
+    *LOTS_AT_ONCE,
+    *BESIDES_AT_ONCE,
+    *PATCHES_AT_ONCE,
+    *IN_STEPS,
+    *SO_MANY_TOLD,
     *SHARED_OUT,
     *GAPPED_AT_ONCE,
     *SHORT_AT_ONCE,
@@ -270,8 +282,9 @@ _OF_ALL = (
     *ROWS_PLACED,
 )
 """The rows of every sentence."""
-_OF_THE_UNREAD = (*_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT, *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED,
-                  *BORNE_FIRST, *UTMOST_TOLD, *TOWERS, *UPWARD)  # fmt: skip
+_OF_THE_UNREAD = (*DISTANCES, *LOTS, *BESIDES, *PATCHES_UNREAD, *_PLAINLY, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT,
+                  *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED, *BORNE_FIRST, *UTMOST_TOLD, *TOWERS,
+                  *UPWARD)  # fmt: skip
 """The rows of a sentence that cannot be read as it stands."""
 _AT_ONCE, _UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
 

@@ -21,6 +21,8 @@ from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 Relate = Callable[[Ref, Ref, Loc, Scene, Span], g.Goal]
 
+MOST_EQUALLY_FAR = 3
+"""Blocks on a table of which every two can be equally far from each other."""
 MOST_CHAINED = 4
 """Structures that may stand side by side in any order."""
 
@@ -326,8 +328,13 @@ def _of_groups(theme: Ref) -> None:
 
 
 def _distances(theme: Ref, units: list[Operand], loc: Loc, span: Span) -> Atoms:
-    """Distances of every two; of more than two blocks "5 cm apart" is the spacing of a row."""
-    if len(units) == 2 or loc.low is None or loc.high is None:
+    """Distances of every two; of more than two blocks "5 cm apart" is the spacing of a row, but three may as well be
+    so far "from each other"."""
+    mutual = "mutual" in loc.mods
+    if mutual and len(units) > MOST_EQUALLY_FAR and loc.low is not None and loc.high is not None:
+        raise refuse("ambiguous", "so many blocks cannot all be as far from each other: of neighbours in a row, or at "
+                     "least so far?", loc.span, "say 'in a row', or 'at least ...'")  # fmt: skip
+    if len(units) == 2 or loc.low is None or loc.high is None or mutual:
         if len(units) > 2 and loc.high is not None and any(b.kind in ("row", "line", "column") for b in theme.built):
             raise refuse("ambiguous", "of neighbours, or of every two of the line?", loc.span, "say 'with gaps of ...'")
         options: dict[str, Any] = {"minimum": loc.low, "maximum": loc.high, "measure": loc.measure}

@@ -127,9 +127,10 @@ def told_lots(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> 
 
 
 def _of_a_class(look: Look, pool: list[Thing] | None, taken: set[str], scene: Scene) -> tuple[str, ...]:
-    """ "one has the vowels": those of the blocks that were spoken of."""
+    """ "one has the vowels", "one with the red ones": those of the blocks that were spoken of."""
     marks = look.traits if isinstance(look, Noun) and look.amount is None else Traits()
-    if pool is None or not (marks.kind or marks.quality) or marks.labels or marks.colors:
+    told = isinstance(look, Noun) and look.det == "the" and look.plural and len(marks.colors) == 1
+    if pool is None or not (marks.kind or marks.quality or told) or marks.labels or (marks.colors and not told):
         return ()
     fits = {t.name for t in matching(marks, scene, False)}
     found = tuple(t.name for t in pool if t.name in fits and t.name not in taken)

@@ -57,7 +57,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                 built=ref.built if len(ref.built) > 1 or _told_together(ref) else _one_tower(ref, scene, scope),
             )
     last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
-    if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):
+    if len(set(last)) == 1 and word.word in (*_SEVERAL, *_EACH):
         told = [m for m in scene.mentions if not scope.rel or m not in own]
         last = list(dict.fromkeys(n for m in told for n in m.ref.names if not scene.things[n].patch))
     if word.word in ("both", "both of them") and len(set(last)) > 2:
@@ -68,11 +68,20 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if len(set(last)) == 2:
         _no_pairs(word, set(last), scene)
     if last:
+        _not_alone(word, last)
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
 
 
+def _not_alone(word: Pronoun, names: list[str]) -> None:
+    """Refuse "each" of one block."""
+    if word.word in _EACH and len(set(names)) == 1:
+        raise refuse("no-referent", "one block alone is not each of several", word.span, "name the blocks")
+
+
+_SEVERAL = ("them", "they", "both", "both of them")
+_EACH = ("each", "each one", "each of them", "either of them")
 _THEY = frozenset({"them", "they", "all of them"})
 
 

@@ -1,0 +1,96 @@
+"""Groups of which each is told, corners that each get one, and numbers that are exact, "not more, not less", as rows
+that say it in one way."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.rows.said_short import COLOR, LABEL
+from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.talk.people import PEOPLE
+
+_MANY = f"(?:\\d+|{FEW})"
+_BLOCK = "(?:blocks?|cubes?|bricks?|ones?)"
+_GROUP = "(?:group|bunch|pile|heap|cluster|lot|set)"
+_GROUPS = "(?:groups|bunches|piles|heaps|clusters|lots|sets)"
+_MAKE = "(?:make|form|build|create|lay out|arrange|put together)"
+_PART = "(?:split|divide|separate|sort|part|arrange|put|group)"
+_COUNTED = f"{_MANY} (?:{COLOR}|{COLOR} {_BLOCK}|{COLOR}s)"
+_LOTS = f"{_COUNTED}(?:(?: ,| and| , and)+ {_COUNTED})*(?: {_BLOCK})?"
+_SYMBOL = f"(?:\\d|{LABEL})"
+_SYMBOLS = (f"(?:the )?(?:digits|numbers|letters|symbols|blocks|cubes)(?: from)? (?:{_SYMBOL} to {_SYMBOL}|"
+            f"{_SYMBOL}(?:(?: ,| and| , and)+ {_SYMBOL})+)")  # fmt: skip
+_STOCK = f"(?:(?:the )?{_LOTS}|{_SYMBOLS})"
+_EACH = "(?:(?:,|:) (one (?:with|of|for|has|having|made of|containing|consisting of) .+))"
+_MIXED = "(?:all )?(?:(?:mixed|jumbled|muddled)(?: up| together)?|thrown together)"
+_TOLD = "(?:there (?:are|is)|(?:we|i|you) (?:have|have got|got)|here are)"
+_ALIKE = "(?:(?:the )?(?:blocks|cubes|ones|bricks) (?:of|with|in) (?:the|one) same color|(?:the )?same colors?)"
+_JUST = "(?:not|no) more(?: ,| and| or| , and| , or)* (?:not|no) (?:less|fewer)"
+_PER_CORNER = ("(?:with )?(?:exactly )?(?:a different )?one(?: block| cube| of them)? (?:in|per|at|for|to) each"
+               "(?: corner| one| of them)?")  # fmt: skip
+_OWN = "(?:a different|its own|their own|another|a separate|different|separate|four different)"
+_FOUR = f"(?=.*\\bfour\\b|(?:.*?\\b(?:{'|'.join(sorted(lexicon.COLOR))})\\b){{4}})"
+
+_WHO = (f"(?:(?:my|our|the|a|some) (?:little |young )?(?:{PEOPLE}|toddler)|"
+        "somebody|someone|people|they|we|i)")  # fmt: skip
+_NUMBERED = "(?: ones| numbers| digits)"
+
+
+def _of_their_kind() -> tuple[Turn, ...]:
+    """ "With the vowels A, E and I": those blocks, which are vowels."""
+    kinds = (("vowels", "[aeiou]"), ("consonants", "[b-df-hj-np-tv-z]"), ("letters", "[a-z]"),
+             ("(?:digits|numbers)", "\\d"), ("odd (?:digits|numbers|ones)", "[13579]"),
+             ("even (?:digits|numbers|ones)", "[02468]"))  # fmt: skip
+    rest = "(?=$| ,? ?(?:and |but )?(?:one|the other|another)\\b)"
+    return tuple((f"\\b(with|of|for|has|contains) the {kind} ({one}(?:(?: ,| and| , and) {one})*){rest}", "{1} {2}")
+                 for kind, one in kinds)  # fmt: skip
+
+
+LOTS_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(.*\\b{_GROUPS}\\b.* (?:and|,)) 1 (with|of|for|has) ", "{1} one {2} "),
+    *_of_their_kind(),
+    (f"\\bone (?:with|of|for|has|having) (?:the )?(odd|even){_NUMBERED}?(?: ,| and| , and)+ (?:one|the other|another)"
+     f"(?: one| {_GROUP})? (?:with|of|for|has|having) (?:the )?(odd|even){_NUMBERED}?$",
+     "one with the {1} numbers and one with the {2} numbers"),
+    # of what there is, what each group has
+    (f"^(?:please )?{_MAKE} ({_MANY} {_GROUPS}) (?:from|out of|of|with|using) ({_STOCK}) ?{_EACH}$",
+     "there are {2} . make {1} , {3}"),
+    (f"^(?:please )?{_PART} ({_STOCK}) (?:in|into) ({_MANY} {_GROUPS}) ?{_EACH}$", "there are {1} . make {2} , {3}"),
+    (f"^({_MANY} {_GROUPS}) (?:from|out of|using) ({_STOCK}) ?{_EACH}$", "there are {2} . make {1} , {3}"),
+    (f"\\b({_GROUPS}) of (?:blocks|cubes|bricks)(?= ?(?:,|:) one\\b)", "{1}"),
+    (f"^((?:{_MAKE} )?{_MANY} {_GROUPS}) , (one (?:with|of|has|having|containing) .+)$", "{1} : {2}"),
+    # one colour in each group
+    (f"\\b({_ALIKE}|color) together(?: again)? (?:in|into) (?:separate|different|their own|{_MANY}) {_GROUPS}\\b",
+     "{1} together"),
+    (f"^({_LOTS}) , (?:kept |put |all )?in separate {_GROUPS} by color$", "sort {1} by color"),
+    (f"^{_MAKE} ({_MANY}) {_GROUPS} , one ({COLOR}) and one ({COLOR})(?: ,| :)? (?:of|with) ({_MANY})"
+     f"(?: {_BLOCK})?(?: each| in each)$", "make a group of {4} {2} blocks and a group of {4} {3} blocks"),
+    (f"^(?:{_MAKE} )?an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:of|with)? ?({_MANY}) {_BLOCK}(?: in)? "
+     "each$", "make a group of {3} {1} blocks and a group of {3} {2} blocks"),
+    (f"^{_MAKE} an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:from|with|out of) ({_MANY}) {_BLOCK} of "
+     f"each(?: color)?(?: ,)? (with .+ in each.*)$", "group {3} {1} and {3} {2} blocks by color {4}"),
+    (f"^(?:{_MAKE} )?({_MANY} {_GROUPS} by color) , ({_MANY} {COLOR} and {_MANY} {COLOR} blocks)(?: in all| in total|"
+     f" altogether)? ?(?:, )?(with .+ in each.*)$", "{2} : {1} {3}"),
+    # how they lie at the start, which is anywhere
+    (f"^({_TOLD} .+?) {_MIXED}(?: on the table)?$", "{1}"),
+    (f"^((?:the )?{_LOTS}) (?:are|lie|were|got|have been|got all) {_MIXED}(?: on the table)?$", "there are {1}"),
+    (f"^(?:{_WHO}) (?:has |have )?(?:mixed|jumbled|muddled) up ((?:my |the )?{_LOTS})$", "there are {1}"),
+    # so many, and no other number
+    (f"\\b(?:exactly |only )?({_MANY})( of (?:them|these|those)| of (?:the|my) [^,]+?) ((?:{MUST} be |"
+     f"go |are |is )?(?:on|in|onto|into) [^,]+?)(?: ,)? (?:and )?{_JUST}$", "exactly {1} {2} {3}"),
+    # one in each corner
+    (f"^{_FOUR}(.*?)(?: ,)?(?: each| every one| each one| one each| each of them| all)? (?:in|into|at|to) {_OWN} "
+     "corners?( of the table)?$", "{1} in the four corners of the table"),
+    (f"^{_FOUR}(.*\\bcorners)( of the table)?(?: ,| ;| :)? {_PER_CORNER}$", "{1} of the table"),
+    (f"^{_FOUR}(.*?)(?: ,)? a different one (in|into|at|to) (each corner|every corner|each of the (?:four )?corners|"
+     "each)( of the table)?$", "{1} , one {2} {3} {4}"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+LOTS: tuple[Turn, ...] = (
+    (f"^(?:i|we) (?:only|just) (?:want|need|would like) (?:exactly )?({_MANY}) of (them|these|those) (on|in) (.+)$",
+     "exactly {1} of {2} must be {3} {4}"),
+    (f"^(?:i|we) (?:want|need|would like) ((?:exactly )?{_MANY}) of (them|these|those) (on|in) (.+)$",
+     "{1} of {2} must be {3} {4}"),
+)  # fmt: skip
+"""What makes no sense as it stands."""
+WORDS = ("mixed jumbled muddled toddler contains",)
+"""Words that these take besides those that are read anyway."""

@@ -22,7 +22,19 @@ _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|n
 _BASE = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
 _TOP = "(an?|one) (\\w+)(?: block| cube| one)? on (?:the )?top(?: (?:in|at) the (?:middle|center))?$"
 
+_OTHER = {"left": "right", "right": "left", "back": "front", "front": "back"}
+_STAIRS = "(?:staircase|stairs|stairway|steps)"
+_RISING = "(?:ascending|rising|climbing|going up|going upwards|that (?:ascends?|rises?|climbs?|goes up|go up))"
+_ME = "(?:me|us|you|the (?:viewer|robot|camera|observer))"
+
 TOLD_SHAPES: tuple[Turn, ...] = (
+    # which way stairs go up
+    (f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} away(?: from {_ME})?\\b", "{1} going up to the back"),
+    (f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} (?:to|towards?) {_ME}\\b", "{1} going up to the front"),
+    *((f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} (?:from (?:the )?{_OTHER[end]} to (?:the )?{end}|to the {end})\\b",
+       f"{{1}} going up to the {end}") for end in _OTHER),
+    *((f"\\b({_STAIRS}\\b.*?)(?: ,)? (?:descending|falling|going down|that (?:descends|goes down)) to the {end}\\b",
+       f"{{1}} going up to the {_OTHER[end]}") for end in _OTHER),
     (f"\\b(grid(?: has| with| having| must have| should have| :).*?) an? ({_COLOR}) (row|column) (?:on|at|in|to) the "
      f"({_SIDE})(?: side| end)?\\b", "{1} the {4} {3} {2}"),
     (f"^(.*\\bgrid\\b[^,]*?) (?:has|must have|should have) (the {_SIDE} (?:row|column) \\w+)\\b", "{1} with {2}"),

@@ -17,7 +17,9 @@ def _whole(meaning: Meaning) -> bool:
     if isinstance(meaning, Coord):
         return meaning.op == "except" and _whole(meaning.items[0])
     plain = isinstance(meaning, Noun) and meaning.head == "block" and meaning.traits == Traits()
-    each = plain and isinstance(meaning, Noun) and meaning.det in ("all", "each") and meaning.part_of is None
+    of = meaning.part_of if isinstance(meaning, Noun) else None
+    of_all = of is None or (isinstance(of, Noun) and of.det == "the" and of.amount is None and of.traits == Traits())
+    each = plain and isinstance(meaning, Noun) and meaning.det in ("all", "each") and of_all
     return (each and getattr(meaning, "amount", None) is None) or (
         isinstance(meaning, Pronoun) and meaning.word == "everything"
     )

@@ -35,12 +35,22 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
                      "say from which side on, and of the start 'there is a row of A, B and C'")  # fmt: skip
     if theme.part is not None:
         raise refuse("no-referent", f"it is not clear which block the {theme.part} is", theme.span, "name the block")
+    _one_of_several(clause.theme, theme, spec, scene)
     if isinstance(clause.theme, Pronoun) and theme.plural and any(q.traits.colors for q in spec.qualities):
         theme = _all_open(theme, scene)
     for quality in spec.qualities:
         _give(theme, quality, clause, scene)
     spec.qualities = []
     return []
+
+
+def _one_of_several(said_of: Meaning | None, theme: Ref, spec: Spec, scene: Scene) -> None:
+    """Refuse "exactly one block is on the patch, and it is red" as said of the patch, where blocks may be red."""
+    chosen = [m.ref for m in scene.mentions if m.ref.quant is not None and m.clause >= scene.clause - 1]
+    looks = {scene.things[n].color for ref in chosen if not ref.patch for n in ref.names}
+    given = {color for q in spec.qualities for color in (None, *q.traits.colors)}
+    if isinstance(said_of, Pronoun) and theme.patch and len(given) > 1 and looks & given:
+        raise refuse("ambiguous", "this could be said of the block or of the patch", said_of.span, "name it")
 
 
 _COMPARED = {"larger": "big", "smaller": "small"}

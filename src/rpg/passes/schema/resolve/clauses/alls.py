@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Traits
+from rpg.language.meaning import Coord, Loc, Meaning, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
@@ -33,3 +33,12 @@ def none_after_all(scene: Scene) -> None:
         if any(n in scene.things and not scene.things[n].extra and not scene.things[n].patch for n in new):
             told = "other blocks are named later, and it is not clear whether these are meant too"
             raise refuse("ambiguous", told, span, "say which blocks there are first")
+
+
+def all_others(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
+    """ "All blocks must be within 15 cm of the red one": all others."""
+    everything = any(clause == scene.clause and names == theme.names for clause, names, _ in scene.universals)
+    alone = len(mark.names) == 1 and not (mark.patch or mark.built or mark.quant or theme.quant or loc.negated)
+    if not everything or not alone or loc.rel in ("on", "above", "under", "below") or len(theme.names) < 3:
+        return theme
+    return replace(theme, names=tuple(n for n in theme.names if n not in mark.names))

@@ -10,6 +10,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun, replace
+from rpg.passes.schema.resolve.clauses.alls import all_others
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here
 from rpg.passes.schema.resolve.places.any_patch import on_any_patch
@@ -233,7 +234,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [r.Empty(patch=p, span=span) for p in mark.names]
     if mark.op == "except":
         mark = any_of_the_rest(mark, loc)
-    theme = _all_others(theme, mark, loc, scene)
+    theme = all_others(theme, mark, loc, scene)
     _check_self(theme, mark, loc)
     if "outside" in loc.mods and not mark.patch and not any(b.kind == "stack" for b in mark.built):
         raise refuse("misplaced", "this is no patch that something could be out of", loc.span, "say 'not next to ...'")
@@ -267,15 +268,6 @@ def _begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
         there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
         if len(mark.names) == 1 and there not in scene.start_goals and not put_there(a, b, scene):
             scene.start_goals.append(there)
-
-
-def _all_others(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
-    """ "All blocks must be within 15 cm of the red one": all others."""
-    everything = any(clause == scene.clause and names == theme.names for clause, names, _ in scene.universals)
-    alone = len(mark.names) == 1 and not (mark.patch or mark.built or mark.quant or theme.quant or loc.negated)
-    if not everything or not alone or loc.rel in ("on", "above", "under", "below") or len(theme.names) < 3:
-        return theme
-    return replace(theme, names=tuple(n for n in theme.names if n not in mark.names))
 
 
 def _check_self(theme: Ref, mark: Ref, loc: Loc) -> None:

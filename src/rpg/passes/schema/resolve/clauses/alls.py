@@ -39,6 +39,6 @@ def all_others(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
     """ "All blocks must be within 15 cm of the red one": all others."""
     everything = any(clause == scene.clause and names == theme.names for clause, names, _ in scene.universals)
     alone = len(mark.names) == 1 and not (mark.patch or mark.built or mark.quant or theme.quant or loc.negated)
-    if not everything or not alone or loc.rel in ("on", "above", "under", "below") or len(theme.names) < 3:
+    if not everything or not alone or loc.rel not in ("near", "distance") or len(theme.names) < 3:
         return theme
     return replace(theme, names=tuple(n for n in theme.names if n not in mark.names))

@@ -31,6 +31,7 @@ def spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         theme = refer(spec.usings.pop(0).members, scene, scope)
         stands = any(b.kind == "stack" and set(theme.names) <= set(b.members) for b in scene.built)
         if stands and not (spec.toward or spec.intos):
+            _in_a_tower_still(clause, theme, scene)
             spec.toward.append(Toward(axis="z", span=clause.span))
     if clause.verb == "read" and isinstance(clause.theme, Noun):
         return _read_row(clause, clause.theme, theme, spec, scene, scope)
@@ -42,6 +43,14 @@ def spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         ref = Ref(names=built[0].members, built=tuple(built))
         return [*goals, *places(ref, spec, scene, scope, clause.span)]
     return shaped(clause, spec, scene, scope)
+
+
+def _in_a_tower_still(clause: Clause, theme: Ref, scene: Scene) -> None:
+    """Refuse "the letters are in a tower at first; afterwards they spell POT": in the tower, or in a row?"""
+    begun = {n for x in scene.start_goals if isinstance(x, s.Stack) for n in x.blocks}
+    piled = any(sense in ("stack", "build", "rebuild") for _, _, sense in scene.verbs.values())
+    if {*theme.names} <= begun and not piled and clause.verb == "spell":
+        raise refuse("ambiguous", "from top to bottom of the tower, or in a row?", clause.span, "say which")
 
 
 def _with_further_letters(word: Structure, theme: Ref, scene: Scene) -> Ref:

@@ -183,11 +183,13 @@ class Premise(Meaning):
 
 def note_premises(noun: Noun, found: Ref, scene: Scene, scope: Scope) -> None:
     """The relative clauses of a phrase: of the start, as "the block that is on the mat" is there already. A landmark
-    that they bring up, "red is to be on a blue block that is on a green one", is so at the end."""
+    that they bring up, "red is to be on a blue block that is on a green one", is so at the end; and one that a picture
+    names, "red is next to the blue block that is on the green one", is so all along."""
     if noun.conditions and (noun.det == "no" or (found.quant is not None and found.quant.high == 0)):
         raise refuse("ambiguous", "it is not clear which blocks are there at the start", noun.span, "use two sentences")
-    new = noun.det in ("a", "bare", "some") and scope.role == "landmark" and not (scope.start or scope.given)
-    when = "start" if not new else "end" if scene.describing else "both"
+    mark = scope.role == "landmark" and not (scope.start or scope.given)
+    new = mark and noun.det in ("a", "bare", "some")
+    when = "end" if new and scene.describing else "both" if new or (mark and scene.describing) else "start"
     if any(isinstance(condition, Manner) and condition.kind == "staying" for condition in noun.conditions):
         when = "always"  # "a block that stays off the mat"
     for condition in noun.conditions:

@@ -14,6 +14,7 @@ _MADE = "(?:build|make|form|lay|lay out|set out|set up|put|place|arrange|create|
 _IS = f"(?: is| are| being| {MUST} be)?(?: all)?"
 _MID = "(?:middle|center)"
 _SIDE = "(?:left|right|middle|front|back|near|far)"
+_THAT = "(?: ,| :| that is| which is| where| in which)*"
 _BUT = "(?:except|but|apart from|save)(?: for)?"
 _LOW, _HIGH = "(?:lower|bottom|lowest)", "(?:upper|top|topmost)"
 _DIMS = "(\\d+x\\d+|(?:\\d+|two|three|four) by (?:\\d+|two|three|four))"
@@ -54,10 +55,10 @@ BOARDS: tuple[Turn, ...] = (
     ("^in reading order (?:the|a|an) ((?:\\S+ ){1,4}grid) (?:shows|has|reads|is|contains) (.+)$",
      "a {1} of {2} in reading order"),
     # one that differs
-    (f"\\b(square|grid)\\b(.*?)(?: ,| :| that is| which is)* (?:all|every{_N}{_IS}) ({_COLOR}){_N} {_BUT} (?:an?|"
+    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{_N}{_IS}) ({_COLOR}){_N} {_BUT} (?:an?|"
      f"one|the) "
      f"({_COLOR}){_N} (?:in|at) the {_MID}$", "{1} {2} with a {4} center and the rest {3}"),
-    (f"\\b(square|grid)\\b(.*?)(?: ,| :| that is| which is)* (?:all|every{_N}{_IS}) ({_COLOR}){_N} {_BUT} the "
+    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{_N}{_IS}) ({_COLOR}){_N} {_BUT} the "
      f"(?:{_MID}{_N}"
      f"|one in the {_MID})(?: ,)?(?: which is| is| being)? ({_COLOR})$", "{1} {2} with a {4} center and the rest {3}"),
     (f"\\b(grid|square) (of|from) ({_MANY} {_COLOR} {_BLOCKS}) and (?:an?|one) ({_COLOR}){_N}(?: ,)? (?:which is |"
@@ -114,7 +115,7 @@ BOARDS: tuple[Turn, ...] = (
      "(?:(?: ,)? and four)?$", "a filled {1} of {2} {3}"),
     # letters
     *((f"{_LETTER}{_OPEN} {toward}$", f"{{1}} with its opening to the {side}") for side, toward in _TOWARD.items()),
-    (f"\\b([tT]\\b.*?)(?: ,| :| with)+ (three|3){_N} across(?: the top)?(?: ,| and| then)* (two|2)(?: "
+    (f"\\b([tT]\\b.*?)(?: ,| :| with)+ (three|3){_N} across(?: ,| and| then)* (two|2)(?: "
      f"more)?{_N}(?: going| "
      "hanging| pointing)? (?:down|below|downwards?)(?: (?:from|in) the middle| for the stem)*$",
      "{1} with a bar of {2} blocks and a stem of {3}"),

@@ -26,7 +26,8 @@ FIGURES: tuple[Turn, ...] = (
      f"(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),
     (f"^(?:surround|encircle) ((?:the|an?) [^,:]+?) (?:with|by) an? ({_RING}) (?:of|made of|from) ({_MANY} [^,:]+)$",
      "a {2} of {3} around {1}"),
-    ("\\b(circle|ring|square|plus|cross|grid)\\b(.*?) (in|at) the (middle|center) of the \\1$", "{1} {2} {3} the {4}"),
+    ("\\b(circle|ring|square|plus|cross|grid)\\b((?:(?! and ).)*?) (in|at) the (middle|center) of the \\1$",
+     "{1} {2} {3} the {4}"),
     (f"^(?:{_MADE} )?({_MANY} [^,:]*?{_BLOCKS}) in an? ({_RING})(?: ,)? (?:and|with) (an? [^,:]+?) in (?:the|its) "
      f"{_MID}$",
      "a {2} of {1} with {3} in the middle"),

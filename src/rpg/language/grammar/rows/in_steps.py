@@ -65,7 +65,6 @@ IN_STEPS: tuple[Turn, ...] = (
     (f"^(?:{FEW}|\\d) (?:stage|step|phase|part|steps|stages) (?:task|job|plan|procedure) : ", ""),
     (f"^in the first (?:step|stage|phase) (.+?){_AND} in the (?:second|next) (?:step|stage|phase)? ?(.+)$",
      "first {1} , then {2}"),
-    ("^do both(?: of (?:them|these|those))?$", ""),
     # one block on its way
     *((f"^{lead}{_TO} ({_HERE}) ?(?:first ?)?(?: ,|and|, and)+ {_THEN}?(?:on )?(?:back )?{_TO} ({_HERE}) ?(?: ,|and|"
     ", and)+ "

@@ -39,7 +39,7 @@ def _listed() -> tuple[Turn, ...]:
     for told, named, many in reversed(_LISTS):
         later, last = _shifted(named, 1), f"{{{many + 1}}}"
         rows += [
-            (f"^(.+? on each)(?: of (?:these|the following|the|those)(?: {_MANY})? {_PATCHES}| {_PATCH})(?: ,| :)"
+            (f"^(.+? on each)(?: of (?:these|the following|the|those) {_PATCHES}| {_PATCH})(?: ,| :)"
              f"(?: the {_PATCHES} (?:being|are))?(?! an?\\b) {told}$", f"{{1}} of the {later} patches"),
             (f"^(?=[^:]*{_PATCH}){told} : (.+? on each)(?: of them| of these| one| {_PATCH})?$",
              f"{last} of the {named} patches"),
@@ -98,8 +98,8 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
         (f"two {_PATCHES} (?:,|:) {_THE} and {_THE} : ", f"(?:them|these|the {_PATCHES})", "", 3, 4, 1, 2))),
     # what is cleared
     (f"^{_CLEAR} ({_HERE}) of ((?:both|all|the|all of the) .+)$", "take {2} off {1}"),
-    (f"^{_CLEAR} ({_HERE}) , (?:on|in) which ([^,]+?) {_LIES}{_NOW}$", "at the start , {2} are on {1} . {1} must be "
-     "empty"),
+    (f"^{_CLEAR} ({_HERE}) , (?:on|in) which ((?:(?! at the )[^,])+?) {_LIES}{_NOW}$",
+     "at the start , {2} are on {1} . {1} must be empty"),
     (f"^{_CLEAR} ({_HERE}) , (?:that is|i e|namely)(?: ,)? ([^,]+?) (?:that|which) {_LIES} (?:there|on it){_NOW}$",
      "at the start , {2} are on {1} . {1} must be empty"),
     (f"^{_CLEAR} ({_HERE}) [:,] ({THINGS}) (?:(?:that|which) {_LIES}|sitting|lying|standing|resting) (?:there|on it)"

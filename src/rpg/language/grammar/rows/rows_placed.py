@@ -17,8 +17,8 @@ _AND = "(?: ,| and| , and)?"
 _OF = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUST} (?:be|have|contain|consist of))"
 
 ROWS_PLACED: tuple[Turn, ...] = (
-    (f"{_HEADLESS}{_DONE}(?!.* row .* row .* row)(?!all )(.+?) (?:in|as|into|on) (?:the|a) ({_ROW}) row{_AND} "
-     f"(?:{MUST} )?(.+?) (?:in|as|into|on) (?:the|a) ({_ROW}) row$", "{2} row : {1} . {4} row : {3}"),
+    (f"{_HEADLESS}{_DONE}(?!.* row .* row .* row)(?!all )(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_ROW}) row{_AND} "
+     f"(?:{MUST} )?(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_ROW}) row$", "{2} row : {1} . {4} row : {3}"),
     (f"{_HEADLESS}{_DONE}(?!.* row .* row .* row)(?:the|a) ({_ROW}) row {_OF} (.+?){_AND} (?:the|a) ({_ROW}) row "
      f"{_OF} (.+)$", "{1} row : {2} . {3} row : {4}"),
 )  # fmt: skip

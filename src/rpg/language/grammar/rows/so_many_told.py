@@ -43,8 +43,8 @@ SO_MANY_TOLD: tuple[Turn, ...] = (
      f"{_MANY}) {_GO} ((?:on|onto|in|into) .+)$", "{2} of the {1} must be {3}"),
     (f"^(.+) , with ({_LOTS}) (?:being )?(?:available|present|there|in all|in total|altogether)$", "{1} . there are "
      "{2}"),
-    ("^(.*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|remaining ones) "
-     "(?:may|can) (?:be|go|lie|stay|stand) (?:anywhere|wherever(?: you like| they like)?)$", "{1}"),
+    ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"
+     "remaining ones) (?:may|can) (?:be|go|lie|stay|stand) (?:anywhere|wherever(?: you like| they like)?)$", "{1}"),
     # on each of several
     (f"^on each of ((?:the |my )?{_MANY} [^,]+?) there (?:{MUST}|is|are) ?(?:be|stand|lie|sit)? ?(?:exactly "
      ")?((?:one|an?) "

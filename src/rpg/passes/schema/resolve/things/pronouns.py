@@ -131,7 +131,9 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         single = [m for m in single if not own & set(m.ref.names)]
     if not single:
         several = them(word, scene, scope)
-        one = word.word in ("the first one", "it")
+        none = any(m.ref.quant is not None and m.ref.quant.high == 0 for m in told if m.clause == scene.clause)
+        itself = scope.role == "theme" or none  # "none of them to the left of it"
+        one = word.word == "the first one" or (word.word == "it" and itself)
         if one and len(several.names) > 1 and not several.built:
             raise refuse("ambiguous", f"{word.word!r} could be any of several blocks", word.span,
                          "name the one you mean")  # fmt: skip

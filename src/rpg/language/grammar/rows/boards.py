@@ -36,6 +36,21 @@ _LONG_WIDE = (f"({_MANY}){_N}(?: long| along)?(?: by| and| ,)+ ({_MANY}){_N}(?: 
               "(?:(?: ,)?(?: with| and) nothing inside)?")  # fmt: skip
 
 BOARDS: tuple[Turn, ...] = (
+    # sizes, and what there is
+    (f"\\b((?:rectangle|grid|square)\\b.*?) ({_MANY}) rows by ({_MANY})(?= ,|$)", "{1} {2} rows by {3} columns"),
+    (f"\\b(checkerboard|chessboard)(?: pattern)? , ({_MANY} {_COLOR}){_N} and ({_MANY} {_COLOR}){_N} ,",
+     "{1} of {2} and {3} blocks ,"),
+    (f"^(?:goal : )?({_MANY} {_COLOR} {_BLOCKS}) in the ({_SIDE}) (row|column) and ({_MANY} {_COLOR} {_BLOCKS}) in the "
+     f"({_SIDE}) (row|column) of an? (.*grid)$", "a {7} with the {2} {3} {1} and the {5} {6} {4}"),
+    ("\\b(grid) with ((?:\\S , )*\\S(?: ,)? and \\S) in the (far|back) row and ((?:\\S , )*\\S(?: ,)? and \\S) in the "
+     "(near|front) row$", "{1} : {2} in the {3} row , {4} in the {5} row"),
+    (f"\\b(grid\\b.*?)(?: ,)+ (?:its|the) (columns|rows) ,? ?(from (?:left to right|right to left|front to back|"
+     f"back to "
+     f"front))(?: ,| :)?(?: are| {MUST} be)? ((?:{_COLOR} ,? ?)+and {_COLOR}|{_COLOR}(?: , {_COLOR})+)$",
+     "{1} , the {2} {3} : {4}"),
+    ("\\b([tT]\\b.*?) , (?:the|its) (bar|crossbar|stem|foot)(?: of (?:it|the [tT]))? (?:is|lies|points|stands) "
+     "((?:at|on|to|"
+     "towards?) .+)$", "{1} , the {2} {3}"),
     # rows and columns
     (f"\\b(grid\\b.*?) an? ({_SIDE}) (row|column) (?:of|with) ({_MANY} )?({_COLOR}) ({_BLOCKS})\\b",
      "{1} the {2} {3} {4} {5} {6}"),
@@ -54,6 +69,10 @@ BOARDS: tuple[Turn, ...] = (
      "{1} of {2} in reading order"),
     ("^in reading order (?:the|a|an) ((?:\\S+ ){1,4}grid) (?:shows|has|reads|is|contains) (.+)$",
      "a {1} of {2} in reading order"),
+    (f"\\b(square|grid)\\b(.*?)(?: ,| with| and| so that)+ the(?: two)? {_COLOR}{_N}{_IS} (?:on (?:one|a|the same) "
+     f"diagonal|diagonal(?:ly)?(?: opposite)?(?: to| from)? each other)(?:(?: ,| and)+ the(?: two)? "
+     f"{_COLOR}{_N}{_IS} on "
+     "the other(?: diagonal| one)?)?$", "{1} {2} with equal colors diagonally opposite each other"),
     # one that differs
     (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{_N}{_IS}) ({_COLOR}){_N} {_BUT} (?:an?|"
      f"one|the) "

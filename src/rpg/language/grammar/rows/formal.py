@@ -33,7 +33,7 @@ from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE
 from rpg.language.grammar.rows.so_many_told import SO_MANY_TOLD
 from rpg.language.grammar.rows.spaced import SPACED_AT_ONCE
-from rpg.language.grammar.rows.stairs import STAIRS, of_the_stairs
+from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
@@ -292,7 +292,7 @@ _AT_ONCE, _UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
     told = _one_of_each(_steps_told(told_by_places(rows_by_number(tokens))))
-    return turned(of_the_stairs(not_at_end(corners_again(told))), _AT_ONCE)
+    return turned(of_the_figure(not_at_end(corners_again(told))), _AT_ONCE)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:

@@ -1,5 +1,5 @@
 """Stairs as people tell of them: "stairs that climb to the left", "the lowest step on the right", "one red block, then
-two white ones, then three blue ones", also in a sentence of its own behind the one that builds them."""
+two white ones, then three blue ones"; and what a figure is like, said in a sentence of its own behind it."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ STAIRS: tuple[Turn, ...] = (
     *((f"{_BEFORE}{_LINK} {_DOWN} {_TO} {low}\\b(?! of\\b)", f"{{1}} going up to the {high}") for low, high in _SIDES),
     # which end is high
     *((f"{_BEFORE}(?: ,| with| where| whose)*(?: that| which)?(?: is| are)?(?: the| its)? {_LOW}{_STEP}{_ON} {low}"
-       f"(?:(?: ,| and)+(?: the| its)? {_HIGH}{_STEP}{_ON} {high})?$", f"{{1}} going up to the {high}")
+       f"(?:(?: ,| and)+(?: the| its)? {_HIGH}{_STEP}{_ON} {high})?(?= ,|$)", f"{{1}} going up to the {high}")
       for low, high in _SIDES),
     *((f"{_BEFORE}(?: ,| with| where| whose)*(?: that| which)?(?: is| are)?(?: the| its)? {_HIGH}{_STEP}{_ON} {high}"
        f"(?:(?: ,| and)+(?: the| its)? {_LOW}{_STEP}{_ON} {low})?(?= ,|$)", f"{{1}} going up to the {high}")
@@ -55,6 +55,9 @@ STAIRS: tuple[Turn, ...] = (
      f"three(?: steps)?{_N} high$", "{1} with heights one , two and three"),
     (f"({_STAIRS}\\b.*?)(?: ,| :)+ one{_N}{_THEN} two{_N}{_THEN} three{_N}$", "{1} with one , two and three blocks"),
     (f"\\b({_STAIRS}\\b.*?) in steps of (one|1) , (two|2) and (three|3)\\b", "{1} with steps of {2} , {3} and {4}"),
+    # what lies on them
+    (f"\\bon (?:top of )?the {_HIGH} (?:step|stair) of (an? (?:[^ ,]+ )*?{_STAIRS}\\b)", "on top of {1}"),
+    (f"\\b({_STAIRS}) that has ((?:\\w+) steps)(?: ,)? and (?=going up )", "{1} with {2}"),
     # what it is
     (f"^(?:the |this )({_STAIRS} going up )", "a {1}"),
     (f"\\b({_STAIRS}\\b.*?)(?: ,| and)* {MUST} be (?:built|made|formed|constructed) going up {_TO} (left|right|"
@@ -63,30 +66,29 @@ STAIRS: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 
-_OF_IT = re.compile(
+_OF_STAIRS = re.compile(
     f"(?:(it|they|the {_STAIRS}|these|this) (?:{MUST} )?(?:{_UP}|{_DOWN}) (?:{_TO}|from)|(?:its|the) (?:{_HIGH}|{_LOW})"
     f"{_STEP}(?:{_ON}| is)|one{_N} ?,? (?:and )?then two|one {_COLOR}{_N} ,)"
 )
-"""How a sentence begins that tells of the stairs of the one before."""
+_OF_LETTERS = re.compile(
+    "(?:the|its) (?:bar|crossbar|stem|foot)(?: of (?:it|the [tT]))? (?:is|lies|points|stands) (?:at|on|to)"
+)
+_OF_GRIDS = re.compile("(?:the |its )?(?:columns|rows) ,? ?from (?:left|right|front|back)")
+"""How a sentence begins that tells of what the one before it builds."""
+_TOLD = (({"staircase", "stairs", "stairway"}, _OF_STAIRS), ({"t", "T"}, _OF_LETTERS), ({"grid"}, _OF_GRIDS))
 
 
-def of_the_stairs(tokens: list[Token]) -> list[Token]:
+def of_the_figure(tokens: list[Token]) -> list[Token]:
     """ "Build a staircase of three steps. It goes up to the left.": one sentence, of the stairs that are built."""
     out: list[Token] = []
     begin = 0
     for n, token in enumerate(tokens):
         out.append(token)
         stops = token.kind == "punct" and token.word in STOPS
-        before = [x.word for x in tokens[begin:n]]
-        if not stops or not {*before} & _NAMES or "up" in before:
-            begin = n + 1 if stops else begin
-            continue
-        told = _OF_IT.match(" ".join(x.word for x in tokens[n + 1 : n + 12]))
-        if told is not None:
+        before = {x.word for x in tokens[begin:n]}
+        behind = " ".join(x.word for x in tokens[n + 1 : n + 12]) if stops and "up" not in before else ""
+        if behind and any(before & names and told.match(behind) for names, told in _TOLD):
             out[-1] = replace(token, word=",", raw=",")
-        else:
+        elif stops:
             begin = n + 1
     return out
-
-
-_NAMES = frozenset({"staircase", "stairs", "stairway"})

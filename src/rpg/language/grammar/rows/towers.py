@@ -130,11 +130,6 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({_TOWER}) : (.+)$", "a {1} of {2}"),
     ("(?<! of)(?: ,)? the (?:rest|others|order of the (?:rest|others)) (?:is |are )?(?:as you like|up to you|free)$",
      ", the others in any order"),
-    (f"^the (?:bottom|lowest) (?:block|cube|one) (?:is|{MUST} be) {_ONE} , the (?:block|cube|one|next one|one in the "
-     f"middle|middle one|second one)(?: on it| above it| on top of it)? (?:is )?{_ONE} (?:,|and|, and) the (?:one on "
-     f"top|top "
-     f"one|top block|topmost one|highest one|block on top|third one) (?:is )?{_ONE}$",
-     "a tower with {1} at the bottom , {2} in the middle and {3} on top"),
     (f"\\b({_TOWER}) (of|out of|from|made of) ({_COLOR}) ({_COLOR}) and ({_COLOR})(?= with| so| in|$)",
      "{1} {2} {3} , {4} and {5}"),
     (f"^(?:make |build )?({_MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})(?: ,)? (?:with )?(?:the "

@@ -18,15 +18,26 @@ from rpg.passes.schema.resolve.things.things import create
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
 
 MAX_SEARCHED = 8
+DEFAULT_WORD = "CAT"
 DEFAULT_EQUATION = "2+3=5"
 Made = tuple[list[Built], list[g.Goal]]
+
+
+def _letters_told(spec: Spec, theme: Ref | None, scene: Scene) -> bool:
+    """Whether letters are named of which a word is to be made."""
+    shown = any(thing.label for thing in scene.blocks())
+    given = any(isinstance(part, Noun) and part.traits.labels for use in spec.usings for part in parts_of(use))
+    return shown or given or (theme is not None and any(scene.things[n].label for n in theme.names))
 
 
 def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "the word CAT", in a row or down a tower."""
     text = shape.letter
     if text is None:
-        raise refuse("ambiguous", "it is not said which word this is", shape.span, "name it: the word CAT")
+        if shape.det != "a" or _letters_told(spec, theme, scene):
+            raise refuse("ambiguous", "it is not said which word this is", shape.span, "name it: the word CAT")
+        text = DEFAULT_WORD
+        scene.assume(f"the word is not said: {DEFAULT_WORD}")
     text = text.replace(" ", "").replace("-", "")
     bad = [c for c in text if c not in string.ascii_uppercase + string.digits + "+-*/="]
     if bad or len(text) < 2:

@@ -9,7 +9,7 @@ from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.relations import Between
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import Row, Stack
+from rpg.ir.structures import Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -32,6 +32,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _rainbow_beside(words, task)
     _rainbow_between(words, task)
     _made_up_beside(words, task)
+    _one_word(task)
     _counts_with_a_slash(words, task)
     _ones_beside_patches(words, task)
     if task.assumed(_NUMBER_UNSAID):
@@ -171,6 +172,13 @@ def _of_the_counted(words: Sequence[Token], task: TaskSchema) -> None:
         if made_up < many < len(plain) and made_up and len({token.word for token in named}) > 1:
             raise refuse("ambiguous", "are these of the blocks that were counted, or further ones?", named[0].span,
                          "say how all of those look that are counted")  # fmt: skip
+
+
+def _one_word(task: TaskSchema) -> None:
+    """Refuse "a word down a stack: SUN" as some word and the word SUN."""
+    spelt = [atom for atom in atoms(task.goal) if isinstance(atom, Spells)] if task.assumptions else []
+    if len(spelt) > 1 and task.assumed("the word is not said"):
+        raise refuse("ambiguous", "is this the word, or one more?", spelt[-1].span, "say 'the word' in front of it")
 
 
 def _counts_with_a_slash(words: Sequence[Token], task: TaskSchema) -> None:

@@ -34,8 +34,7 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     """ "the word CAT", in a row or down a tower."""
     text = shape.letter
     if text is None:
-        spelt = scene.verbs.get(scene.clause, (None, False, ""))[2] == "spell"
-        if shape.det != "a" or not spelt or _letters_told(spec, theme, scene):
+        if shape.det != "a" or _letters_told(spec, theme, scene):
             raise refuse("ambiguous", "it is not said which word this is", shape.span, "name it: the word CAT")
         text = DEFAULT_WORD
         scene.assume(f"the word is not said: {DEFAULT_WORD}")

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.turned import MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import MUST
 
 _MUST = f"(?:{MUST}|may|can|might)"
 _NEVER = "(?:at no (?:time|point|moment|stage|instant)|on no occasion|not once|never ever|not ever)"

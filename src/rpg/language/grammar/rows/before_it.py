@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.at_times import AT_TIMES
 from rpg.language.grammar.rows.traded import TRADED
-from rpg.language.grammar.rows.turned import LENGTH, LINE, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import LENGTH, LINE, MUST
 
 _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind|in|under) the [^,]+?"
 _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"

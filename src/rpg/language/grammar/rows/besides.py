@@ -3,8 +3,9 @@ that say it plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, COLOR, IS, PATCH, THING, THINGS
-from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.rows.said_short import BLOCK, IS, THING, THINGS
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MUST, PATCH
 
 _MANY = f"(?:\\d+|{FEW}|an?|some|the)"
 _COUNTED = f"{_MANY} (?:(?!with\\b|on\\b|distract)\\w+ ){{0,2}}?(?:{BLOCK}s?|{COLOR})"

@@ -3,16 +3,11 @@ block in the middle", "a V that opens away from the robot", as rows that say it 
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, MANY, MID, MUST, N
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
-_MANY = f"(?:\\d+|{FEW})"
 _BLOCKS = "(?:blocks|cubes|bricks|ones)"
-_N = "(?: (?:blocks?|cubes?|bricks?|ones?))?"
-_MADE = "(?:build|make|form|lay|lay out|set out|set up|put|place|arrange|create|construct)"
 _IS = f"(?: is| are| being| {MUST} be)?(?: all)?"
-_MID = "(?:middle|center)"
 _SIDE = "(?:left|right|middle|front|back|near|far)"
 _THAT = "(?: ,| :| that is| which is| where| in which)*"
 _BUT = "(?:except|but|apart from|save)(?: for)?"
@@ -27,41 +22,41 @@ _TOWARD = {
     "front": f"(?:towards? {_ME}|(?:at|to|towards?|on) the (?:front|near side|near end|near edge))",
     "left": "(?:at|to|towards?|on) the left(?: side)?", "right": "(?:at|to|towards?|on) the right(?: side)?",
 }  # fmt: skip
-_EACH_SIDE = (f"({_MANY})(?: blocks| cubes| bricks| of them)? (?:along|on|to|per|at) ?(?:each|every|a)?(?: one of "
+_EACH_SIDE = (f"({MANY})(?: blocks| cubes| bricks| of them)? (?:along|on|to|per|at) ?(?:each|every|a)?(?: one of "
               f"its)? ?sides?"
               "(?: ,)?(?:(?: with)?(?: the)? corners (?:counted|included)| counting the corners| including the "
               "corners)?")  # fmt: skip
 _OUTLINE = "(?:the )?outline of an? (rectangle|square)"
-_LONG_WIDE = (f"({_MANY}){_N}(?: long| along)?(?: by| and| ,)+ ({_MANY}){_N}(?: wide| across| deep)?"
+_LONG_WIDE = (f"({MANY}){N}(?: long| along)?(?: by| and| ,)+ ({MANY}){N}(?: wide| across| deep)?"
               "(?:(?: ,)?(?: with| and) nothing inside)?")  # fmt: skip
 
 BOARDS: tuple[Turn, ...] = (
     # sizes, and what there is
-    (f"\\b((?:rectangle|grid|square)\\b.*?) ({_MANY}) rows by ({_MANY})(?= ,|$)", "{1} {2} rows by {3} columns"),
-    (f"\\b(checkerboard|chessboard)(?: pattern)? , ({_MANY} {_COLOR}){_N} and ({_MANY} {_COLOR}){_N} ,",
+    (f"\\b((?:rectangle|grid|square)\\b.*?) ({MANY}) rows by ({MANY})(?= ,|$)", "{1} {2} rows by {3} columns"),
+    (f"\\b(checkerboard|chessboard)(?: pattern)? , ({MANY} {COLOR}){N} and ({MANY} {COLOR}){N} ,",
      "{1} of {2} and {3} blocks ,"),
-    (f"^(?:goal : )?({_MANY} {_COLOR} {_BLOCKS}) in the ({_SIDE}) (row|column) and ({_MANY} {_COLOR} {_BLOCKS}) in the "
+    (f"^(?:goal : )?({MANY} {COLOR} {_BLOCKS}) in the ({_SIDE}) (row|column) and ({MANY} {COLOR} {_BLOCKS}) in the "
      f"({_SIDE}) (row|column) of an? (.*grid)$", "a {7} with the {2} {3} {1} and the {5} {6} {4}"),
     ("\\b(grid) with ((?:\\S , )*\\S(?: ,)? and \\S) in the (far|back) row and ((?:\\S , )*\\S(?: ,)? and \\S) in the "
      "(near|front) row$", "{1} : {2} in the {3} row , {4} in the {5} row"),
     (f"\\b(grid\\b.*?)(?: ,)+ (?:its|the) (columns|rows) ,? ?(from (?:left to right|right to left|front to back|"
      f"back to "
-     f"front))(?: ,| :)?(?: are| {MUST} be)? ((?:{_COLOR} ,? ?)+and {_COLOR}|{_COLOR}(?: , {_COLOR})+)$",
+     f"front))(?: ,| :)?(?: are| {MUST} be)? ((?:{COLOR} ,? ?)+and {COLOR}|{COLOR}(?: , {COLOR})+)$",
      "{1} , the {2} {3} : {4}"),
     ("\\b([tT]\\b.*?) , (?:the|its) (bar|crossbar|stem|foot)(?: of (?:it|the [tT]))? (?:is|lies|points|stands) "
      "((?:at|on|to|"
      "towards?) .+)$", "{1} , the {2} {3}"),
     # rows and columns
-    (f"\\b(grid\\b.*?) an? ({_SIDE}) (row|column) (?:of|with) ({_MANY} )?({_COLOR}) ({_BLOCKS})\\b",
+    (f"\\b(grid\\b.*?) an? ({_SIDE}) (row|column) (?:of|with) ({MANY} )?({COLOR}) ({_BLOCKS})\\b",
      "{1} the {2} {3} {4} {5} {6}"),
-    (f"\\b(grid\\b.*?) an? ({_COLOR}) (row|column) (?:on|at|in) the ({_SIDE})(?: side| "
+    (f"\\b(grid\\b.*?) an? ({COLOR}) (row|column) (?:on|at|in) the ({_SIDE})(?: side| "
      f"end)?\\b", "{1} the {4} {3} {2}"),
-    (f"\\b(grid\\b.* (?:row|column) {_COLOR}.*?) an? ({_COLOR}) (row|column) (?:between them|in between(?: them)?)$",
+    (f"\\b(grid\\b.* (?:row|column) {COLOR}.*?) an? ({COLOR}) (row|column) (?:between them|in between(?: them)?)$",
      "{1} the middle {3} {2}"),
-    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:near|front|nearest) row{_IS} {_COLOR} "
+    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:near|front|nearest) row{_IS} {COLOR} "
      f",(?: and)?) the row behind (?:it|that)\\b",
      "{1} the middle row"),
-    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:far|back|farthest) row{_IS} {_COLOR} "
+    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:far|back|farthest) row{_IS} {COLOR} "
      f",(?: and)?) the row in front of (?:it|that)\\b",
      "{1} the middle row"),
     ("\\b(grid\\b.* in the (?:near|front) row) , in reading order$", "{1}"),
@@ -69,78 +64,78 @@ BOARDS: tuple[Turn, ...] = (
      "{1} of {2} in reading order"),
     ("^in reading order (?:the|a|an) ((?:\\S+ ){1,4}grid) (?:shows|has|reads|is|contains) (.+)$",
      "a {1} of {2} in reading order"),
-    (f"\\b(square|grid)\\b(.*?)(?: ,| with| and| so that)+ the(?: two)? {_COLOR}{_N}{_IS} (?:on (?:one|a|the same) "
+    (f"\\b(square|grid)\\b(.*?)(?: ,| with| and| so that)+ the(?: two)? {COLOR}{N}{_IS} (?:on (?:one|a|the same) "
      f"diagonal|diagonal(?:ly)?(?: opposite)?(?: to| from)? each other)(?:(?: ,| and)+ the(?: two)? "
-     f"{_COLOR}{_N}{_IS} on "
+     f"{COLOR}{N}{_IS} on "
      "the other(?: diagonal| one)?)?$", "{1} {2} with equal colors diagonally opposite each other"),
     # one that differs
-    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{_N}{_IS}) ({_COLOR}){_N} {_BUT} (?:an?|"
+    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} (?:an?|"
      f"one|the) "
-     f"({_COLOR}){_N} (?:in|at) the {_MID}$", "{1} {2} with a {4} center and the rest {3}"),
-    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{_N}{_IS}) ({_COLOR}){_N} {_BUT} the "
-     f"(?:{_MID}{_N}"
-     f"|one in the {_MID})(?: ,)?(?: which is| is| being)? ({_COLOR})$", "{1} {2} with a {4} center and the rest {3}"),
-    (f"\\b(grid|square) (of|from) ({_MANY} {_COLOR} {_BLOCKS}) and (?:an?|one) ({_COLOR}){_N}(?: ,)? (?:which is |"
+     f"({COLOR}){N} (?:in|at) the {MID}$", "{1} {2} with a {4} center and the rest {3}"),
+    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} the "
+     f"(?:{MID}{N}"
+     f"|one in the {MID})(?: ,)?(?: which is| is| being)? ({COLOR})$", "{1} {2} with a {4} center and the rest {3}"),
+    (f"\\b(grid|square) (of|from) ({MANY} {COLOR} {_BLOCKS}) and (?:an?|one) ({COLOR}){N}(?: ,)? (?:which is |"
      f"with it |it "
-     f"is |that is |being )?(?:in|at) the {_MID}$", "{1} of {3} with a {4} block in the center"),
+     f"is |that is |being )?(?:in|at) the {MID}$", "{1} of {3} with a {4} block in the center"),
     # layers
-    (f"\\b((?:cube|grid|wall)\\b.*?)(?: ,| with)+(?: the)? ({_COLOR}){_N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH}) layer"
-     f"(?: ,| and)+(?: the)? ({_COLOR}){_N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH})(?: layer| one)?$",
+    (f"\\b((?:cube|grid|wall)\\b.*?)(?: ,| with)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH}) layer"
+     f"(?: ,| and)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH})(?: layer| one)?$",
      "{1} , the {3} layer {2} and the {5} layer {4}"),
-    (f"^two layers : the {_LOW}(?: one| layer)?{_IS} an? {_DIMS}(?: grid| square)? (?:of )?({_COLOR}){_N}(?: ,| "
+    (f"^two layers : the {_LOW}(?: one| layer)?{_IS} an? {_DIMS}(?: grid| square)? (?:of )?({COLOR}){N}(?: ,| "
      f"and| ;)+ the "
-     f"{_HIGH}(?: one| layer)?{_IS}(?: an?)? \\1(?: grid| square)? (?:of )?({_COLOR}){_N}(?: on (?:it|top of it))?$",
+     f"{_HIGH}(?: one| layer)?{_IS}(?: an?)? \\1(?: grid| square)? (?:of )?({COLOR}){N}(?: on (?:it|top of it))?$",
      "two layers of {1} blocks , the bottom layer {2} and the top layer {3}"),
-    (f"^(?:{_MADE} |use )?({_MANY} {_COLOR} {_BLOCKS}) as (?:the )?{_LOW} layer of a wall and ({_MANY} "
-     f"{_COLOR}){_N} as (?:the )?"
+    (f"^(?:{BUILD} |use )?({MANY} {COLOR} {_BLOCKS}) as (?:the )?{_LOW} layer of a wall and ({MANY} "
+     f"{COLOR}){N} as (?:the )?"
      f"(?:{_HIGH} layer|layer on top)$", "a wall : the bottom layer {1} and the top layer {2} blocks"),
     (f"^(?:every|each) layer of (?:the|a) (wall) has (?:its own|a different) color : (the {_LOW} "
      f"layer\\b.*)$", "a {1} : {2}"),
-    (f"^(?:a )?wall :? ?(?:of )?({_MANY} {_COLOR} {_BLOCKS})(?: side by side| in a row| next to each other)? and "
+    (f"^(?:a )?wall :? ?(?:of )?({MANY} {COLOR} {_BLOCKS})(?: side by side| in a row| next to each other)? and "
      f"on (?:top of )?"
-     f"them ({_MANY} {_COLOR}){_N}(?: ,)? one on (?:each|each of them)$",
+     f"them ({MANY} {COLOR}){N}(?: ,)? one on (?:each|each of them)$",
      "a wall : the bottom layer {1} and the top layer {2} blocks"),
     # outlines
     ("\\b(?:trace|mark|draw|mark out|traces|marks) (the outline of)\\b", "form {1}"),
-    (f"^(?:{_MADE} )?({_MANY} [^,:]*?{_BLOCKS})(?: {MUST})? (?:as|in|into|form|make) {_OUTLINE}(?: ,)? {_LONG_WIDE}$",
+    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS})(?: {MUST})? (?:as|in|into|form|make) {_OUTLINE}(?: ,)? {_LONG_WIDE}$",
      "the outline of a {2} of {1} , {3} by {4}"),
-    (f"^(?:{_MADE} )?{_OUTLINE} (?:with|of|from|out of) ({_MANY} [^,:]*?{_BLOCKS})(?: ,)? {_LONG_WIDE}$",
+    (f"^(?:{BUILD} )?{_OUTLINE} (?:with|of|from|out of) ({MANY} [^,:]*?{_BLOCKS})(?: ,)? {_LONG_WIDE}$",
      "the outline of a {1} of {2} , {3} by {4}"),
-    (f"^{_OUTLINE} , {_LONG_WIDE} , (?:is|{MUST} be) (?:laid|made|built|formed) (?:with|of|from|out of) ({_MANY} "
+    (f"^{_OUTLINE} , {_LONG_WIDE} , (?:is|{MUST} be) (?:laid|made|built|formed) (?:with|of|from|out of) ({MANY} "
      f"[^,:]*?{_BLOCKS})$",
      "the outline of a {1} of {4} , {2} by {3}"),
-    (f"^(?:{_MADE} )?({_MANY} [^,:]*?{_BLOCKS}) , {_EACH_SIDE} ,(?: {MUST})? (?:form|make|are) the outline of an? "
+    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) , {_EACH_SIDE} ,(?: {MUST})? (?:form|make|are) the outline of an? "
      f"(square|triangle)$",
      "the outline of a {3} of {1} with {2} per side"),
-    (f"^(?:{_MADE} )?({_MANY} [^,:]*?{_BLOCKS}) (?:as|in|into) the outline of an? (square|triangle) ,(?: with)? "
+    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:as|in|into) the outline of an? (square|triangle) ,(?: with)? "
      f"{_EACH_SIDE}$",
      "the outline of a {2} of {1} with {3} per side"),
     (f"^the outline of an? (square|triangle) {MUST.replace('shall', 'is|shall')} (?:be )?(?:formed|made|laid) "
      f"(?:by|of|from|with) "
-     f"({_MANY} [^,:]*?{_BLOCKS}) ,(?: with)? {_EACH_SIDE}$", "the outline of a {1} of {2} with {3} per side"),
+     f"({MANY} [^,:]*?{_BLOCKS}) ,(?: with)? {_EACH_SIDE}$", "the outline of a {1} of {2} with {3} per side"),
     (f"\\b(outline of an? (?:triangle|square)\\b.*?)(?: ,)? each side of which {MUST} (?:consist of|have|be) "
-     f"({_MANY}) {_BLOCKS}"
+     f"({MANY}) {_BLOCKS}"
      "(?: long)?$", "{1} with {2} blocks per side"),
-    (f"^(?:an? )?hollow square(?: ,| :)? {_EACH_SIDE} , ({_MANY} [^,:]*?{_BLOCKS})(?: in (?:all|total))?(?:(?: ,| "
+    (f"^(?:an? )?hollow square(?: ,| :)? {_EACH_SIDE} , ({MANY} [^,:]*?{_BLOCKS})(?: in (?:all|total))?(?:(?: ,| "
      f"and| with)+ nothing "
-     f"(?:in the {_MID}|inside))?$", "a hollow square of {2} with {1} per side"),
-    (f"^(?:an? )?hollow (square|circle|rectangle)(?: ,| :)+ ({_MANY} (?:\\w+ )?{_BLOCKS}) (?:around|round|along|on|"
+     f"(?:in the {MID}|inside))?$", "a hollow square of {2} with {1} per side"),
+    (f"^(?:an? )?hollow (square|circle|rectangle)(?: ,| :)+ ({MANY} (?:\\w+ )?{_BLOCKS}) (?:around|round|along|on|"
      f"at) the (?:outside|"
-     f"edge|edges|rim)(?:(?: ,| and| with)+ nothing (?:in the {_MID}|inside))?$", "a hollow {1} of {2}"),
-    (f"\\ban? (square) (?:thats|that is|which is) hollow in the {_MID}$", "a hollow {1}"),
-    (f"^(?:with|from|out of) ({_MANY} [^,:]*?{_BLOCKS}) {_MADE} (an? hollow \\w+)$", "{2} of {1}"),
+     f"edge|edges|rim)(?:(?: ,| and| with)+ nothing (?:in the {MID}|inside))?$", "a hollow {1} of {2}"),
+    (f"\\ban? (square) (?:thats|that is|which is) hollow in the {MID}$", "a hollow {1}"),
+    (f"^(?:with|from|out of) ({MANY} [^,:]*?{_BLOCKS}) {BUILD} (an? hollow \\w+)$", "{2} of {1}"),
     (f"^fill an? (triangle) (?:on the table )?with (10|ten|6|six) ((?:\\w+ )?{_BLOCKS})(?: ,)? in rows of one , "
      f"two (?:and|,) three"
      "(?:(?: ,)? and four)?$", "a filled {1} of {2} {3}"),
     # letters
     *((f"{_LETTER}{_OPEN} {toward}$", f"{{1}} with its opening to the {side}") for side, toward in _TOWARD.items()),
-    (f"\\b([tT]\\b.*?)(?: ,| :| with)+ (three|3){_N} across(?: ,| and| then)* (two|2)(?: "
-     f"more)?{_N}(?: going| "
+    (f"\\b([tT]\\b.*?)(?: ,| :| with)+ (three|3){N} across(?: ,| and| then)* (two|2)(?: "
+     f"more)?{N}(?: going| "
      "hanging| pointing)? (?:down|below|downwards?)(?: (?:from|in) the middle| for the stem)*$",
      "{1} with a bar of {2} blocks and a stem of {3}"),
-    (f"\\b([tT]\\b.*?)(?: ,| with)+ (three|3)(?: of (?:them|these)|{_N}) in the (?:bar|"
+    (f"\\b([tT]\\b.*?)(?: ,| with)+ (three|3)(?: of (?:them|these)|{N}) in the (?:bar|"
      f"crossbar)$", "{1} with a bar of {2} blocks"),
-    (f"\\b([tT]\\b.*?)(?: ,| with)+ the (bar|crossbar) (at the (?:far|near) side) and ({_MANY}) {_BLOCKS} long$",
+    (f"\\b([tT]\\b.*?)(?: ,| with)+ the (bar|crossbar) (at the (?:far|near) side) and ({MANY}) {_BLOCKS} long$",
      "{1} with a {2} of {4} blocks , the {2} {3}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -3,8 +3,9 @@ with their colours behind them, and postures in one word, as rows that say it pl
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, COLOR, IS, PATCH, THING
-from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.rows.said_short import BLOCK, IS, THING
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MUST, PATCH
 
 _BEARING = "(?:carrying|bearing|supporting|holding|topped by|topped with)"
 _WITH = "(?:with|having|(?:that|which) has)"

@@ -3,7 +3,8 @@ rows that say it once; and what only looks denied."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.turned import FEW, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import FEW, LINE, MUST, WAY
 
 _MOST = f"(?:at most|not more than|no more than|maximally) (?:{FEW}|\\d+)"
 _LEAST = f"(?:at least|not fewer than|no fewer than|minimally) (?:{FEW}|\\d+)"

@@ -3,8 +3,9 @@ rows that say it in one way."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, COLOR, LABEL, THING, THINGS
-from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, Turn
+from rpg.language.grammar.rows.said_short import BLOCK, LABEL, THING, THINGS
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MUST
 
 _LEAST = "(?:at least|more than|no less than|not less than|at most|less than|no more than|not more than)"
 _ABOUT = "(?:about|around|roughly|approximately|exactly|precisely|just)"

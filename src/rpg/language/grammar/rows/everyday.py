@@ -3,11 +3,9 @@ that say it as others do."""
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MANY, MUST
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
-_MANY = f"(?:\\d+|{FEW})"
 _BLOCKS = "(?:blocks|cubes|ones)"
 _PEOPLE = "(?:everyone|everybody|we|i|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
 _PLACED = "(?:to the|next to|near|touching|behind|in front|on|under|above|left|right|beside|between|below|adjacent)"
@@ -19,34 +17,34 @@ _PUT = "(?:put|place|set|lay|move|stack)"
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # how many, and of which size
-    (f"\\b(?:two|2) ({_COLOR}) {_BLOCK} [,(:] (?:one|an?) ({_SIZE})(?: one)?(?: , and| ,| and) (?:one|an?) "
+    (f"\\b(?:two|2) ({COLOR}) {_BLOCK} [,(:] (?:one|an?) ({_SIZE})(?: one)?(?: , and| ,| and) (?:one|an?) "
      f"({_SIZE})(?: one)?"
      "(?: \\))?(?= ,| and|$)", "a {2} {1} block and a {3} {1} block"),
-    (f"\\b(?:minimum|at minimum|at the minimum|a minimum of) ({_MANY})\\b", "at least {1}"),
-    (f"\\b(?:maximum|at maximum|at the maximum|a maximum of) ({_MANY})\\b", "at most {1}"),
-    (f"^((?:at least|at most) {_MANY} .+) , (?:more|fewer|less) (?:is|are) (?:also |just as )?(?:fine|ok|okay|good)$",
+    (f"\\b(?:minimum|at minimum|at the minimum|a minimum of) ({MANY})\\b", "at least {1}"),
+    (f"\\b(?:maximum|at maximum|at the maximum|a maximum of) ({MANY})\\b", "at most {1}"),
+    (f"^((?:at least|at most) {MANY} .+) , (?:more|fewer|less) (?:is|are) (?:also |just as )?(?:fine|ok|okay|good)$",
      "{1}"),
-    (f"^(?:out of|from|of) the ({_MANY} [^,]+? {_BLOCKS})(?: ,)? ({_PUT}) ((?:exactly |at least |at most |only |just )?"
-     f"{_MANY}) (on|in|onto|into) ", "{2} {3} of the {1} {4} "),
-    (f"^(.*?)\\b({_MANY})( of them .+?) , exactly \\2 , (?:and )?(?:not|no) (?:more|fewer|less)(?: and not "
+    (f"^(?:out of|from|of) the ({MANY} [^,]+? {_BLOCKS})(?: ,)? ({_PUT}) ((?:exactly |at least |at most |only |just )?"
+     f"{MANY}) (on|in|onto|into) ", "{2} {3} of the {1} {4} "),
+    (f"^(.*?)\\b({MANY})( of them .+?) , exactly \\2 , (?:and )?(?:not|no) (?:more|fewer|less)(?: and not "
      f"(?:more|fewer|"
      "less))?$", "{1} exactly {2} {3}"),
-    (f"^(.*?\\b{_MANY}) ({_COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and one(?: more)? on (the [^,]+? {_MAT})$",
+    (f"^(.*?\\b{MANY}) ({COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and one(?: more)? on (the [^,]+? {_MAT})$",
      "{1} {2} {3} on {4} and one {2} block on {5}"),
-    (f"^(.*?\\b{_MANY}) ({_COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and ({_MANY})(?: more)? on (the [^,]+? "
+    (f"^(.*?\\b{MANY}) ({COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and ({MANY})(?: more)? on (the [^,]+? "
      f"{_MAT})$",
      "{1} {2} {3} on {4} and {5} {2} blocks on {6}"),
-    (f"^{_PUT} all ({_MANY}) ({_COLOR}) {_BLOCK} on the (?:mats|patches) , ({_MANY}) on the ({_COLOR})(?: one| "
+    (f"^{_PUT} all ({MANY}) ({COLOR}) {_BLOCK} on the (?:mats|patches) , ({MANY}) on the ({COLOR})(?: one| "
      f"mat)? and "
-     f"(.+?) on the ({_COLOR})(?: one| mat)?$",
+     f"(.+?) on the ({COLOR})(?: one| mat)?$",
      "of the {1} {2} blocks , {3} must be on the {4} mat and {5} on the {6} mat"),
-    (f"^((?:at least |exactly |at most )?{_MANY} of (the {_MANY} [^,]+?) {MUST} be on [^,]+?) and none of "
+    (f"^((?:at least |exactly |at most )?{MANY} of (the {MANY} [^,]+?) {MUST} be on [^,]+?) and none of "
      f"(?:them|these) on "
      "(the .+)$", "{1} . none of {2} must be on {3}"),
     (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?(the [^,]+?) , which (?:{MUST} "
      f"(?:be|go|lie)|"
      "go|goes|belong|belongs) (on .+)$", "{1} {2} them {3} except for {4} . {4} must be {5}"),
-    (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({_MANY})(?: of them)? , which "
+    (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which "
      f"(?:{MUST} (?:be|go|"
      "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
     # measures
@@ -63,9 +61,9 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("\\bfrom (?:the )?(?:table|ground|floor) (?:up|upwards|to the top)\\b", "from bottom to top"),
     ("\\bfrom (?:down to up|down up|below to above|the bottom to up)\\b", "from bottom to top"),
     ("\\bfrom (?:up to down|above to below)\\b", "from top to bottom"),
-    (f"(?: [:,])? ({_COLOR})(?: ones?)? (?:on the )?outside(?: ,)? (?:and )?(?:then )?({_COLOR})(?: ones?)? "
+    (f"(?: [:,])? ({COLOR})(?: ones?)? (?:on the )?outside(?: ,)? (?:and )?(?:then )?({COLOR})(?: ones?)? "
      f"(?:next to (?:that|"
-     f"it|them|those)|inside (?:that|those)|next|further in)(?: ,)?(?: and)?(?: then)? ({_COLOR})(?: one)? in the "
+     f"it|them|those)|inside (?:that|those)|next|further in)(?: ,)?(?: and)?(?: then)? ({COLOR})(?: one)? in the "
      "(?:middle|center)\\b", "in the order {1} , {2} , {3} , {2} , {1}"),
     ("\\b(in (?:a|one) (?:row|line)) that looks? the same from both (?:ends|sides)(?: ,)? (in the order)\\b",
      "{1} {2}"),
@@ -82,19 +80,19 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "disregard)(?: about)? (?:that|it|them|those)(?: ones?)?$", "{1} . {2} , ignore it"),
     # rows and towers told in parts
     ("(\\brow\\b.+?)(?: ,)? both(?: rows)? from left to right$", "{1}"),
-    (f"\\b(in {_MANY} (?:rows|lines)(?: of {_MANY})?) , (?!with\\b)(.+? in the {_ROW} (?:row|one)\\b)", "{1} : {2}"),
-    (f"\\b(in {_MANY} (?:rows|lines)(?: of {_MANY})?) , (?:the )?({_ROW}) row (?!of\\b)(.+?)(?: ,)? and (?:the "
+    (f"\\b(in {MANY} (?:rows|lines)(?: of {MANY})?) , (?!with\\b)(.+? in the {_ROW} (?:row|one)\\b)", "{1} : {2}"),
+    (f"\\b(in {MANY} (?:rows|lines)(?: of {MANY})?) , (?:the )?({_ROW}) row (?!of\\b)(.+?)(?: ,)? and (?:the "
      f")?({_ROW}) "
      "row (.+?)(?= ,|$)", "{1} : {3} in the {2} row and {5} in the {4} row"),
-    (f"^({_MANY} {_BLOCKS} (?:on top of (?:each other|one another)|on each other|stacked)) , ({_COLOR} "
+    (f"^({MANY} {_BLOCKS} (?:on top of (?:each other|one another)|on each other|stacked)) , ({COLOR} "
      f"(?:uppermost|on top|"
      "at the top|topmost|at the bottom|lowest) , .+)$", "{1} : {2}"),
-    (f"^({_MANY}) (in a (?:row|line|tower|stack|column|circle))\\b", "{1} blocks {2}"),
+    (f"^({MANY}) (in a (?:row|line|tower|stack|column|circle))\\b", "{1} blocks {2}"),
     ("^(sort .+? into .+?) , one (?:group|pile|bunch) (?:for|per) each(?: kind| of them)?$", "{1}"),
     ("\\b(in|form|forms) (its|their) own little (?:bunch|pile|heap|group|cluster)\\b", "{1} {2} own group"),
     (f"^(?:from|out of|with|using) the (?:cubes|blocks) ((?:\\w(?: ,)? )+and \\w) , ({_PUT} .+)$",
      "there are the blocks {1} . {2}"),
-    (f"^({_MANY} {_COLOR} {_BLOCKS}) , (?:nicely |neatly |carefully )?placed (in|on|next to|around) ", "{1} {2} "),
+    (f"^({MANY} {COLOR} {_BLOCKS}) , (?:nicely |neatly |carefully )?placed (in|on|next to|around) ", "{1} {2} "),
     # what is asked
     ("^can (the [^,]+?) have (.+)$", "{1} should have {2}"),
     ("^first(?: ,)? you (\\w+) (.+?) , and (?:after|then|after that|afterwards)(?: ,)? you \\1 (.+)$",

@@ -37,18 +37,18 @@ from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
-from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn, Turns, turned
+from rpg.language.grammar.rows.turned import Turn, Turns, turned
 from rpg.language.grammar.rows.two_rows import TWO_ROWS_AT_ONCE
 from rpg.language.grammar.rows.upright import UPRIGHT_AT_ONCE
 from rpg.language.grammar.rows.upward import UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.utmost import UTMOST_TOLD
+from rpg.language.grammar.rows.vocabulary import CUBE, END, MUST, WAY
 from rpg.language.grammar.rows.wordier import AT_ONCE as FEWER_AT_ONCE
 from rpg.language.grammar.rows.wordier import WORDIER
 from rpg.language.tokens import Token
 
 _MANY = "(?:\\d+|two|three|four|five|six|seven|eight|nine|ten|twelve)"
 _LINE = "(?:tower|stack|row|line|column|heap|pile|circle|ring|pyramid|grid|wall|staircase)"
-_BLOCK = "(?:block|cube)"
 _THING = "(?:block|cube|patch|mat|target|tile|zone)"
 _THINGS = f"(?:{_THING}s?|patches)"
 _CM = "[\\d.]+ (?:cm|mm|(?:centi|milli)met(?:er|re)s?)"
@@ -69,14 +69,14 @@ _ALWAYS: tuple[Turn, ...] = (
     ("(?:so|such) that the word (\\S+) (?:can be read|can be seen|is read|is spelled|is formed|appears)\\b",
      "so that they spell {1}"),
     (f"^((?:a|the|one) {_LINE}) , ((?:in|on) which [^,]+) , ({MUST} .+)$", "{1} {2} {3}"),
-    (f"^of the two (\\w+) {_BLOCK}s , the (?:small|smaller|little) one (.+) the (?:{_BIG}) one\\b",
+    (f"^of the two (\\w+) {CUBE}s , the (?:small|smaller|little) one (.+) the (?:{_BIG}) one\\b",
      "the small {1} block {2} the big {1} block"),
-    (f"^of the two (\\w+) {_BLOCK}s , the (?:{_BIG}) one (.+) the (?:small|smaller|little) one\\b",
+    (f"^of the two (\\w+) {CUBE}s , the (?:{_BIG}) one (.+) the (?:small|smaller|little) one\\b",
      "the big {1} block {2} the small {1} block"),
-    (f"\\b(move|touch|displace|disturb|lift) no other ({_BLOCK})\\b", "do not {1} any other {2}"),
+    (f"\\b(move|touch|displace|disturb|lift) no other ({CUBE})\\b", "do not {1} any other {2}"),
     (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({MUST} .+)$", "{1} and {2} {3}"),
     (f"^in addition to (the [^,]+?) , (the [^,]+?) ({MUST} .+)$", "{1} and {2} {3}"),
-    (f"\\b(spell(?:ed)?\\b[^,]*?)(?: ,)?(?: with)? each letter (?:being )?on (?:its own|a separate) {_BLOCK}$",
+    (f"\\b(spell(?:ed)?\\b[^,]*?)(?: ,)?(?: with)? each letter (?:being )?on (?:its own|a separate) {CUBE}$",
      "{1}"),
     (f"^(.+?) ({MUST}) not (be \\w+ .+?) until (.+? (?:has|have) been .+)$", "{1} {2} {3} , but only after {4}"),
     ("^in a first step(?: ,)? (.+?)(?: ,)? (?:and )?(?:then )?in a second step(?: ,)? (.+)$",
@@ -115,9 +115,9 @@ _PLAINLY: tuple[Turn, ...] = (
     ("^care (?:shall|must|should|is to) be taken (?:that|to ensure that) (.+)$", "{1}"),
     (f"^(.+?) ({MUST} (?!not |never ).+?) , (?:as|and so) {MUST} (the .+)$", "{1} and {3} {2}"),
     (f"^([^,]+?) ({MUST} (?!not |never ).+?) , and (the [^,]+) likewise$", "{1} and {3} {2}"),
-    (f"^(.+ {_BLOCK}) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
+    (f"^(.+ {CUBE}) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
      "{1} , which starts {2} , {3}"),
-    (f"^(.+ {_BLOCK}s) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
+    (f"^(.+ {CUBE}s) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
      "{1} , which start {2} , {3}"),
     ("^(?:it shall be the case|it shall be so|it shall hold) that (.+)$", "{1}"),
     ("^(?:all of )?the following(?: conditions| requirements)? (?:shall|must|should)(?: all)? (?:hold|apply|be met|"
@@ -129,16 +129,16 @@ _PLAINLY: tuple[Turn, ...] = (
     ("^(.+?)(?: ,)? there being (.+?)(?: in all| in total| altogether)?$", "{1} . there are {2}"),
     (f"^there being ({_MANY} [^,]+) , (.+)$", "there are {1} . {2}"),
     ("^(.+?)(?: ,)? in the presence of (.+)$", "{1} . there are {2}"),
-    (f"^no (?:other )?{_BLOCK} (?:other than|except|except for|but|apart from|besides) (the .+?) {MUST} be "
+    (f"^no (?:other )?{CUBE} (?:other than|except|except for|but|apart from|besides) (the .+?) {MUST} be "
      "(?:moved|touched|displaced)$", "all blocks except {1} shall stay where they are"),
-    (f"^(?:apart from|except for|other than) (the .+?) , no (?:other )?{_BLOCK} {MUST} be (?:moved|touched|displaced)$",
+    (f"^(?:apart from|except for|other than) (the .+?) , no (?:other )?{CUBE} {MUST} be (?:moved|touched|displaced)$",
      "all blocks except {1} shall stay where they are"),
-    (f"^(the [^,]+?) ({MUST} be .+?) ,(?: and)? no other {_BLOCK} (?:being|is|{MUST} be) (?:moved|touched|displaced)$",
+    (f"^(the [^,]+?) ({MUST} be .+?) ,(?: and)? no other {CUBE} (?:being|is|{MUST} be) (?:moved|touched|displaced)$",
      "{1} {2} . all blocks except {1} shall stay where they are"),
-    (f"^the order of (?:the {_BLOCK}s (?:in|of) )?the ({_LINE})(?: ,)? ({WAY})(?: ,)? ({MUST}) be (.+)$",
+    (f"^the order of (?:the {CUBE}s (?:in|of) )?the ({_LINE})(?: ,)? ({WAY})(?: ,)? ({MUST}) be (.+)$",
      "the {1} {3} be , {2} : {4}"),
     (f"^the stacking order(?: ,)? ({WAY})(?: ,)? ({MUST}) be (.+)$", "the tower {2} be , {1} : {3}"),
-    (f"^the word (?:formed|spelled|shown) by the ({_BLOCK}s|letters) {MUST} be (.+)$", "the {1} shall spell {2}"),
+    (f"^the word (?:formed|spelled|shown) by the ({CUBE}s|letters) {MUST} be (.+)$", "the {1} shall spell {2}"),
     (f"^for each (color|letter|kind)(?: ,)? (?:an?|one)(?: separate| own)? ({_LINE}) ({MUST} be .+)$",
      "one {2} per {1} {3}"),
     ("\\bin such a (?:manner|fashion) that\\b", "so that"),
@@ -158,7 +158,7 @@ _PLAINLY: tuple[Turn, ...] = (
     (f"(?:, )?whose (?:edge|edges|edge length|side length) (?:is|are|measures|measure) ({_CM})(?: long)?(?: ,)?",
      "with an edge of {1}"),
     (f"(?:, )?(?:which|that) (?:has|have) an (?:edge|edge length) of ({_CM})(?: ,)?", "with an edge of {1}"),
-    (f"\\b({_LINE}(?: of (?:\\w+ ){{1,3}}{_BLOCK}s)?)(?: ,)? (?:that|which) (?:runs|goes|extends|leads) ({WAY})",
+    (f"\\b({_LINE}(?: of (?:\\w+ ){{1,3}}{CUBE}s)?)(?: ,)? (?:that|which) (?:runs|goes|extends|leads) ({WAY})",
      "{1} {2}"),
     (f"^(.*?)\\b((?:(?!the |every |each )\\w+ )?)({_THINGS}) , of which there (?:are|is) ({_MANY})"
      "(?: in all| in total| altogether)?(?: ,)?( .+)?$", "{1} {2} {3} {5} . there are {4} {2} {3s}"),
@@ -168,12 +168,12 @@ _PLAINLY: tuple[Turn, ...] = (
      "{1} . {3} {4} {5} {2} it"),
     (f"^(.+ {MUST} (?:be|stand|lie)(?: \\w+ed| put)? on) the same (?:patch|mat|zone|target)(?: ,)? (?:which|that) "
      "(?:may|can|must|shall|should) be(?: either)? (.+) or (.+)$", "{1} {2} or {1} {3}"),
-    (f"(?:, )?(?:of which|whereof) the (\\w+)(?: one| {_BLOCK})? (?:{_IS}|{MUST} stand|{MUST} lie|stands|lies) "
+    (f"(?:, )?(?:of which|whereof) the (\\w+)(?: one| {CUBE})? (?:{_IS}|{MUST} stand|{MUST} lie|stands|lies) "
      "(at the (?:bottom|top|left|right|front|back)|on top|in the middle|leftmost|rightmost)$", "with the {1} one {2}"),
-    (f", the ({_SIDED}) (?:{_BLOCK}s )?of which {_IS} (\\w+) and the ({_SIDED}) (?:{_BLOCK}s )?(?:of which )?"
+    (f", the ({_SIDED}) (?:{CUBE}s )?of which {_IS} (\\w+) and the ({_SIDED}) (?:{CUBE}s )?(?:of which )?"
      f"(?:{_IS} )?(\\w+)$", ", the {1} being {2} and the {3} {4}"),
-    (f"^the {_BLOCK}s (?:of|in) the ({_LINE}) ({MUST}) be , ({WAY}) [:,] (.+)$", "the {1} {2} be , {3} : {4}"),
-    (f"(?:, )?whose {_BLOCK}s {_IS} , ({WAY}) [:,] (.+)$", "in the order {2} {1}"),
+    (f"^the {CUBE}s (?:of|in) the ({_LINE}) ({MUST}) be , ({WAY}) [:,] (.+)$", "the {1} {2} be , {3} : {4}"),
+    (f"(?:, )?whose {CUBE}s {_IS} , ({WAY}) [:,] (.+)$", "in the order {2} {1}"),
     (" , (?:originally|initially) (?:located |placed |standing |lying |situated |positioned |resting )?"
      "((?:on|next to|to the|in front|behind) [^,]+?) ,", ", which starts {1} ,"),
     (f"^(.+?) ({MUST} (?:lie|stand|be|be placed|be put)) (to the left|to the right|in front) , and (.+?) "
@@ -181,14 +181,14 @@ _PLAINLY: tuple[Turn, ...] = (
     (f"(?:, )?the (corners|edges) of which {_IS} (\\w+)(?: and the (?:other|remaining) blocks(?: of which)?"
      f"(?: {_IS})? (\\w+))$", "whose {1} are {2} and whose other blocks are {3}"),
     # what there is
-    (f"^the height of the (tower|stack|wall|pyramid) ({MUST} be .+ {_BLOCK}s)$", "the {1} {2} high"),
-    (f"^the length of the (row|line|column) ({MUST} be .+ {_BLOCK}s)$", "the {1} {2} long"),
-    (f"^the number of ((?:\\w+ )?{_BLOCK}s) (on .+?) ({MUST} be) ((?:exactly |at least |at most ){_MANY})$",
+    (f"^the height of the (tower|stack|wall|pyramid) ({MUST} be .+ {CUBE}s)$", "the {1} {2} high"),
+    (f"^the length of the (row|line|column) ({MUST} be .+ {CUBE}s)$", "the {1} {2} long"),
+    (f"^the number of ((?:\\w+ )?{CUBE}s) (on .+?) ({MUST} be) ((?:exactly |at least |at most ){_MANY})$",
      "there {3} {4} {1} {2}"),
-    (f"^the number of ((?:\\w+ )?{_BLOCK}s) (on .+?) ({MUST} be) ({_MANY})$", "there {3} exactly {4} {1} {2}"),
-    (f"^the number of ((?:\\w+ )?{_BLOCK}s) in the ({_LINE}) ({MUST}) be ((?:exactly |at least )?{_MANY})$",
+    (f"^the number of ((?:\\w+ )?{CUBE}s) (on .+?) ({MUST} be) ({_MANY})$", "there {3} exactly {4} {1} {2}"),
+    (f"^the number of ((?:\\w+ )?{CUBE}s) in the ({_LINE}) ({MUST}) be ((?:exactly |at least )?{_MANY})$",
      "the {2} {3} consist of {4} {1}"),
-    (f"^the grid ({MUST}) (?:consist of|comprise|have) ({_MANY} rows) of ({_MANY}) {_BLOCK}s(?: each)?$",
+    (f"^the grid ({MUST}) (?:consist of|comprise|have) ({_MANY} rows) of ({_MANY}) {CUBE}s(?: each)?$",
      "a grid of {2} and {3} columns {1} be built"),
     (f"^((?:an?|one|{_MANY}) [^,]+ , each [^,]+) , ({MUST}) be (?:standing|present|found|seen)( .+)?$",
      "there {2} be {1} {3}"),
@@ -233,7 +233,7 @@ _PLAINLY: tuple[Turn, ...] = (
     *((f"\\bthe (row|column|layer) {where}\\b(?! of)", f"the {side} {{1}}") for where, side in _SIDES),
     (f"\\b(a|the|one) (?:cuboid|prism)(?: grid| arrangement)? (of {_MANY} (?:rows|columns|layers))", "{1} grid {2}"),
     (f"^(in (?:an?|one|{_MANY}) .+?) , ((?:arrange|put|place|lay|stack|set|align|sort) .+)$", "{2} {1}"),
-    (f"(?:, )?so that each side (?:counts|has|consists of|contains) ({_MANY}) {_BLOCK}s"
+    (f"(?:, )?so that each side (?:counts|has|consists of|contains) ({_MANY}) {CUBE}s"
      "(?: and (?:that )?the (?:center|middle|inside|interior) is (?:left )?(?:empty|free|hollow))?",
      "with {1} blocks per side"),
     ("\\b(?:lying|standing|resting) (flat on the table)\\b", "{1}"),

@@ -3,8 +3,9 @@ each began, sides told beside one thing, "two and no more", as rows that say all
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import ASIDE, BLOCK, COLOR, IS, LABEL, PATCH, PLACE, PUT, THING, THINGS
-from rpg.language.grammar.rows.turned import FEW, LENGTH, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.said_short import ASIDE, BLOCK, IS, LABEL, PLACE, PUT, THING, THINGS
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import AND, COLOR, FEW, LENGTH, LIES, LINE, MUST, PATCH, WAY
 
 _MARK = f"(?:(?:on|onto|in|into|inside) (?:the|an?|my|that|this) (?:\\w+ ){{0,2}}(?:{PATCH}|table|half|corner))"
 _AFTER = "(?:only then|only after that|only afterwards|after (?:it|that|this)|only after it)"
@@ -13,14 +14,12 @@ _TOO = "(?: as well| too| also| there)"
 _BLOCKS = "(?:blocks?|cubes?|bricks?)"
 _NAMED = f"(?:the|an?|my|{FEW}) (?:\\w+ ){{0,2}}{_BLOCKS}"
 """A block that is called one, and is no patch."""
-_AND = "(?: ,| and| , and)"
 _BEGAN = ("(?:is|was|stands|stood|starts|started|begins|began|lies|lay|sits|sat)"
           "(?: now| at first| before| initially| originally| (?:at|in) the (?:start|beginning))?")  # fmt: skip
 _ENDS = f"(?:(?:{MUST} )?(?:end up|ends up|end|ends|finish|finishes|be|go|stand|lie|come)|goes|belongs)"
 _ONE = f"(?:{_BLOCKS}|one)"
 _OTHER = f"the other(?: one| {BLOCK})?"
 _AT_START = "(?:at|in) the (?:start|beginning)|initially|originally|at first|now|currently"
-_LIES = "(?:lies?|is|are|stands?|sits?|rests?)"
 _LIES_ON = "(?:lies|stands|sits|rests|is(?: now)?(?: lying| standing| sitting| resting)?)(?: now)? on"
 _SIDES = (("(?:(?:to|on|at) (?:the|its) )?left(?: of it)?", "to the left of"),
           ("(?:(?:to|on|at) (?:the|its) )?right(?: of it)?", "to the right of"),
@@ -94,11 +93,11 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
      "at the start , {2} is on {1} . {1} {3}"),
     (f"^({THING}) , (?:which|that) (?:is|are) (?:occupied|covered) by ({THINGS}) (?:{_AT_START}) , (.+)$",
      "at the start , {2} is on {1} . {1} {3}"),
-    (f"^({THING}) , (?:on|in) which ({THINGS}) {_LIES} (?:{_AT_START}) , (.+)$",
+    (f"^({THING}) , (?:on|in) which ({THINGS}) {LIES} (?:{_AT_START}) , (.+)$",
      "at the start , {2} is on {1} . {1} {3}"),
     (f"^({THINGS}) (?:occupy|occupies|cover|covers) ({THING}) (?:{_AT_START})$", "at the start , {1} is on {2}"),
     # each where the other was
-    (f"^(?:{PUT} )?the ({COLOR})(?: {_ONE})?(?: {_ENDS})?(?: to)? where the ({COLOR})(?: {_ONE})? {_BEGAN}{_AND}? ?"
+    (f"^(?:{PUT} )?the ({COLOR})(?: {_ONE})?(?: {_ENDS})?(?: to)? where the ({COLOR})(?: {_ONE})? {_BEGAN}{AND}? ?"
      f"(?:the \\2(?: {_ONE})?(?: {_ENDS})?(?: to)? where (?:the \\1(?: {_ONE})?|{_OTHER})(?: {_BEGAN})?|vice versa)$",
      "the {1} block and the {2} block must swap places"),
     (f"^(?:(?:at|in) the end ,? ?)?each(?: one| of (?:them|the two)| {BLOCK})? {MUST} (?:be|stand|lie|end up|end) "
@@ -116,13 +115,13 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
     *((f"(?<!either )\\b{few} or {more} (of (?:them|these|those|the))\\b", f"at least {few} and at most {more} {{1}}")
       for few, more in _UP_TO),
     # a second step that leaves out where
-    (f"^(on(?:to)? {_HERE})(?: ,)?(?: please)?(?: :| ,)? (?:first )?({THING}){_AND}? ?{_LATER} ({THING})(?: please)?$",
+    (f"^(on(?:to)? {_HERE})(?: ,)?(?: please)?(?: :| ,)? (?:first )?({THING}){AND}? ?{_LATER} ({THING})(?: please)?$",
      "first put {2} {1} , then put {3} {1}"),
-    (f"^(?:first ,? ?)?{PUT} ({THING}) ({_MARK})(?: first)?{_AND}? ?{_LATER} ({_NAMED}){_TOO}?$",
+    (f"^(?:first ,? ?)?{PUT} ({THING}) ({_MARK})(?: first)?{AND}? ?{_LATER} ({_NAMED}){_TOO}?$",
      "first put {1} {2} , then put {3} {2}"),
-    (f"^(?:first ,? ?)?{PUT} ({THING}) ({_MARK})(?: first)?{_AND}? ?{_LATER} ({THING}){_TOO}$",
+    (f"^(?:first ,? ?)?{PUT} ({THING}) ({_MARK})(?: first)?{AND}? ?{_LATER} ({THING}){_TOO}$",
      "first put {1} {2} , then put {3} {2}"),
-    (f"^(?:first ,? ?)?{PUT} ({THING}) ({_MARK})(?: first)?{_AND}? ?{_AFTER} ({THING})$",
+    (f"^(?:first ,? ?)?{PUT} ({THING}) ({_MARK})(?: first)?{AND}? ?{_AFTER} ({THING})$",
      "first put {1} {2} , then put {3} {2}"),
     # what is between the others of it
     (f"^in (an? {LINE} (?:of|made of|made from|with) .+?)(?: ,)? ((?:the )?{COLOR}(?: {_ONE})?|{LABEL}) {IS} (?:in )?"
@@ -157,13 +156,13 @@ def _relative() -> tuple[Turn, ...]:
 
 GAPPED: tuple[Turn, ...] = (
     # a second step that leaves out where
-    (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK}) first{_AND}? ?{_AFTER} ({THING}){_TOO}?$",
+    (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK}) first{AND}? ?{_AFTER} ({THING}){_TOO}?$",
      "first {1} must be {2} , then {3} must be {2}"),
-    (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK})(?: first){_AND}? ?({THING}) only after (?:it|that|this|then)$",
+    (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK})(?: first){AND}? ?({THING}) only after (?:it|that|this|then)$",
      "first {1} must be {2} , then {3} must be {2}"),
-    (f"^first ,? ?({THING}) {IS} ({_MARK}){_AND}? ?{_AFTER} ({THING}){_TOO}?$",
+    (f"^first ,? ?({THING}) {IS} ({_MARK}){AND}? ?{_AFTER} ({THING}){_TOO}?$",
      "first {1} must be {2} , then {3} must be {2}"),
-    (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK})(?: first)?{_AND}? ?{_LATER} ({_NAMED}){_TOO}?$",
+    (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK})(?: first)?{AND}? ?{_LATER} ({_NAMED}){_TOO}?$",
      "first {1} must be {2} , then {3} must be {2}"),
     (f"^(.*\\b({_GAP}) between .+?)( ,| and| , and) (?:that|the one) between (.+?) (?:(?:is|{MUST} be) )?"
      f"((?:{_ABOUT} )?{LENGTH})$", "{1} {3} the {2} between {4} is {5}"),
@@ -205,7 +204,7 @@ GAPPED: tuple[Turn, ...] = (
      "by no means|in no case) (?=the\\b|an?\\b|\\w+ (?:block|cube|one)\\b)", "{1} not"),
     (f"^({_MARK}) (?:i|we) (?:want|need|would like)(?: to see)? ({THINGS}) (?:and|but) not ({THINGS})$",
      "{2} must be {1} . {3} must not be {1}"),
-    (f"^success (?:means|requires)(?: that)? (.+?) (?:{_LIES}|being) (.+)$", "{1} must be {2}"),
+    (f"^success (?:means|requires)(?: that)? (.+?) (?:{LIES}|being) (.+)$", "{1} must be {2}"),
     ("^(?:at|on|upon|after|right after)(?: the| each| every)? reset(?: ,)? (?=\\w)", "at the start ,"),
 )  # fmt: skip
 """What makes no sense as it stands, with what it leaves out."""

@@ -3,17 +3,16 @@ places and how a letter is turned, as rows that say it plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, COLOR, LABEL, THING, THINGS
-from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.rows.said_short import BLOCK, LABEL, THING, THINGS
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import AND, COLOR, FEW, MUST, PATCH
 
-_PATCH = "(?:patch|mat|zone|target|area|spot|tile)"
 _PUT = "(?:put|place|set|move|bring|carry|lay|take|shift|push|slide)"
 _DONE = "(?:put|placed|set|moved|brought|laid|stacked)"
 _ON = "((?:on|onto|in|into|to) [^,]+?)"
-_ON_PATCH = f"((?:on|onto|in|into|to) the (?:{COLOR} )?{_PATCH})"
+_ON_PATCH = f"((?:on|onto|in|into|to) the (?:{COLOR} )?{PATCH})"
 _TOO = "(?: too| as well| also)?"
 _TO = "(?:onto|on|into|in|to)"
-_AND = "(?: ,| and| , and)"
 _THEN = "(?:then |next |after that |afterwards |from there |finally |lastly |last |at last |in the end )"
 _SHOWN = "(upside - down|upside down|upright|sideways)"
 _SELF = "(?:is|are|appears?|stands?|reads?|lies?)"
@@ -22,7 +21,7 @@ _SWAP = "(?:trade|swap|switch|change|exchange)"
 _WHOLE = "(?:thing|time|process|operation|task|episode|procedure|job)"
 _NAMED = f"(?:{THING}|{LABEL})"
 _EITHER = f"(?:{THING}|\\w)"
-_HERE = f"the (?:{COLOR} )?{_PATCH}"
+_HERE = f"the (?:{COLOR} )?{PATCH}"
 _WAYS = ((f"{_PUT} ({THING}|it) (?:first )?", _TO), (f"({THING}) (?:goes|{MUST} go) (?:first )?", _TO))
 """How it is told that a block goes somewhere, and last of all somewhere else."""
 
@@ -63,7 +62,7 @@ IN_STEPS: tuple[Turn, ...] = (
      "onto) .+)$",
      "first put {1} {2} , then put {3} {4}"),
     (f"^(?:{FEW}|\\d) (?:stage|step|phase|part|steps|stages) (?:task|job|plan|procedure) : ", ""),
-    (f"^in the first (?:step|stage|phase) (.+?){_AND} in the (?:second|next) (?:step|stage|phase)? ?(.+)$",
+    (f"^in the first (?:step|stage|phase) (.+?){AND} in the (?:second|next) (?:step|stage|phase)? ?(.+)$",
      "first {1} , then {2}"),
     # one block on its way
     *((f"^{lead}{_TO} ({_HERE}) ?(?:first ?)?(?: ,|and|, and)+ {_THEN}?(?:on )?(?:back )?{_TO} ({_HERE}) ?(?: ,|and|"

@@ -3,21 +3,20 @@ one, as rows that tell the order from one end to the other."""
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import END, FEW, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, END, FEW, MUST
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _DO = "(?:put|place|lay|arrange|line|stack|sort|order|set|pile|build|make|bring|move)"
 _LINE = "(?:row|line)"
-_ONE = f"{_DO} (?:an?|the|one) ({_COLOR})(?: block| cube| one)?"
+_ONE = f"{_DO} (?:an?|the|one) ({COLOR})(?: block| cube| one)?"
 _ROW = f"(?:an?|the) ({_LINE}) of ((?:{FEW}|\\d+) (?!{_LINE})(?:\\w+ )?(?:blocks|cubes))"
 _THEM = "(?:them|these|those|all|it|all of them)"
 
 LINED_AT_ONCE: tuple[Turn, ...] = (
     # what there is, ahead of what is done with it
-    (f"^(?:the )?({_COLOR}(?: , {_COLOR})*(?: ,)? (?:and )?{_COLOR})(?: blocks| cubes)? : ({_DO} {_THEM} .+)$",
+    (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)? : ({_DO} {_THEM} .+)$",
      "there are {1} blocks . {2}"),
-    (f"^use (?:only )?(?:the )?(?:colors )?({_COLOR}(?: , {_COLOR})*(?: ,)? (?:and )?{_COLOR})(?: blocks| cubes)?$",
+    (f"^use (?:only )?(?:the )?(?:colors )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)?$",
      "there are {1} blocks"),
     # what is at the ends
     (f"^{_ONE} (?:at|on|to) the left end of {_ROW}$", "a {2} , from left to right : {1} , then {3}"),

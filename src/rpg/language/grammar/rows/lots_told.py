@@ -4,17 +4,17 @@ that say it in one way."""
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.grammar.rows.said_short import COLOR, LABEL
-from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.rows.said_short import LABEL
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
 from rpg.language.grammar.talk.people import PEOPLE
 
-_MANY = f"(?:\\d+|{FEW})"
 _BLOCK = "(?:blocks?|cubes?|bricks?|ones?)"
 _GROUP = "(?:group|bunch|pile|heap|cluster|lot|set)"
 _GROUPS = "(?:groups|bunches|piles|heaps|clusters|lots|sets)"
 _MAKE = "(?:make|form|build|create|lay out|arrange|put together)"
 _PART = "(?:split|divide|separate|sort|part|arrange|put|group)"
-_COUNTED = f"{_MANY} (?:{COLOR}|{COLOR} {_BLOCK}|{COLOR}s)"
+_COUNTED = f"{MANY} (?:{COLOR}|{COLOR} {_BLOCK}|{COLOR}s)"
 _LOTS = f"{_COUNTED}(?:(?: ,| and| , and)+ {_COUNTED})*(?: {_BLOCK})?"
 _SYMBOL = f"(?:\\d|{LABEL})"
 _SYMBOLS = (f"(?:the )?(?:digits|numbers|letters|symbols|blocks|cubes)(?: from)? (?:{_SYMBOL} to {_SYMBOL}|"
@@ -52,30 +52,30 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
      f"(?: one| {_GROUP})? (?:with|of|for|has|having) (?:the )?(odd|even){_NUMBERED}?$",
      "one with the {1} numbers and one with the {2} numbers"),
     # of what there is, what each group has
-    (f"^(?:please )?{_MAKE} ({_MANY} {_GROUPS}) (?:from|out of|of|with|using) ({_STOCK}) ?{_EACH}$",
+    (f"^(?:please )?{_MAKE} ({MANY} {_GROUPS}) (?:from|out of|of|with|using) ({_STOCK}) ?{_EACH}$",
      "there are {2} . make {1} , {3}"),
-    (f"^(?:please )?{_PART} ({_STOCK}) (?:in|into) ({_MANY} {_GROUPS}) ?{_EACH}$", "there are {1} . make {2} , {3}"),
-    (f"^({_MANY} {_GROUPS}) (?:from|out of|using) ({_STOCK}) ?{_EACH}$", "there are {2} . make {1} , {3}"),
+    (f"^(?:please )?{_PART} ({_STOCK}) (?:in|into) ({MANY} {_GROUPS}) ?{_EACH}$", "there are {1} . make {2} , {3}"),
+    (f"^({MANY} {_GROUPS}) (?:from|out of|using) ({_STOCK}) ?{_EACH}$", "there are {2} . make {1} , {3}"),
     (f"\\b({_GROUPS}) of (?:blocks|cubes|bricks)(?= ?(?:,|:) one\\b)", "{1}"),
-    (f"^((?:{_MAKE} )?{_MANY} {_GROUPS}) , (one (?:with|of|has|having|containing) .+)$", "{1} : {2}"),
+    (f"^((?:{_MAKE} )?{MANY} {_GROUPS}) , (one (?:with|of|has|having|containing) .+)$", "{1} : {2}"),
     # one colour in each group
-    (f"\\b({_ALIKE}|color) together(?: again)? (?:in|into) (?:separate|different|their own|{_MANY}) {_GROUPS}\\b",
+    (f"\\b({_ALIKE}|color) together(?: again)? (?:in|into) (?:separate|different|their own|{MANY}) {_GROUPS}\\b",
      "{1} together"),
     (f"^({_LOTS}) , (?:kept |put |all )?in separate {_GROUPS} by color$", "sort {1} by color"),
-    (f"^{_MAKE} ({_MANY}) {_GROUPS} , one ({COLOR}) and one ({COLOR})(?: ,| :)? (?:of|with) ({_MANY})"
+    (f"^{_MAKE} ({MANY}) {_GROUPS} , one ({COLOR}) and one ({COLOR})(?: ,| :)? (?:of|with) ({MANY})"
      f"(?: {_BLOCK})?(?: each| in each)$", "make a group of {4} {2} blocks and a group of {4} {3} blocks"),
-    (f"^(?:{_MAKE} )?an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:of|with)? ?({_MANY}) {_BLOCK}(?: in)? "
+    (f"^(?:{_MAKE} )?an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:of|with)? ?({MANY}) {_BLOCK}(?: in)? "
      "each$", "make a group of {3} {1} blocks and a group of {3} {2} blocks"),
-    (f"^{_MAKE} an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:from|with|out of) ({_MANY}) {_BLOCK} of "
+    (f"^{_MAKE} an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:from|with|out of) ({MANY}) {_BLOCK} of "
      f"each(?: color)?(?: ,)? (with .+ in each.*)$", "group {3} {1} and {3} {2} blocks by color {4}"),
-    (f"^(?:{_MAKE} )?({_MANY} {_GROUPS} by color) , ({_MANY} {COLOR} and {_MANY} {COLOR} blocks)(?: in all| in total|"
+    (f"^(?:{_MAKE} )?({MANY} {_GROUPS} by color) , ({MANY} {COLOR} and {MANY} {COLOR} blocks)(?: in all| in total|"
      f" altogether)? ?(?:, )?(with .+ in each.*)$", "{2} : {1} {3}"),
     # how they lie at the start, which is anywhere
     (f"^({_TOLD} .+?) {_MIXED}(?: on the table)?$", "{1}"),
     (f"^((?:the )?{_LOTS}) (?:are|lie|were|got|have been|got all) {_MIXED}(?: on the table)?$", "there are {1}"),
     (f"^(?:{_WHO}) (?:has |have )?(?:mixed|jumbled|muddled) up ((?:my |the )?{_LOTS})$", "there are {1}"),
     # so many, and no other number
-    (f"\\b(?:exactly |only )?({_MANY})( of (?:them|these|those)| of (?:the|my) [^,]+?) ((?:{MUST} be |"
+    (f"\\b(?:exactly |only )?({MANY})( of (?:them|these|those)| of (?:the|my) [^,]+?) ((?:{MUST} be |"
      f"go |are |is )?(?:on|in|onto|into) [^,]+?)(?: ,)? (?:and )?{_JUST}$", "exactly {1} {2} {3}"),
     # one in each corner
     (f"^{_FOUR}(.*?)(?: ,)?(?: each| every one| each one| one each| each of them| all)? (?:in|into|at|to) {_OWN} "
@@ -86,9 +86,9 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 LOTS: tuple[Turn, ...] = (
-    (f"^(?:i|we) (?:only|just) (?:want|need|would like) (?:exactly )?({_MANY}) of (them|these|those) (on|in) (.+)$",
+    (f"^(?:i|we) (?:only|just) (?:want|need|would like) (?:exactly )?({MANY}) of (them|these|those) (on|in) (.+)$",
      "exactly {1} of {2} must be {3} {4}"),
-    (f"^(?:i|we) (?:want|need|would like) ((?:exactly )?{_MANY}) of (them|these|those) (on|in) (.+)$",
+    (f"^(?:i|we) (?:want|need|would like) ((?:exactly )?{MANY}) of (them|these|those) (on|in) (.+)$",
      "{1} of {2} must be {3} {4}"),
 )  # fmt: skip
 """What makes no sense as it stands."""

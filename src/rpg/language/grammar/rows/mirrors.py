@@ -3,10 +3,9 @@ ends", "whose colors form a palindrome", as rows that call them mirrored."""
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import END, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, END, MUST
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _LINE = "(?:row|line|column|tower|stack)"
 _BE = f"(?:is|are|be|{MUST} be|being)"
 _IN = "(?: in (?:its |their |the )?colors?| colors?| color - ?wise)?"
@@ -42,12 +41,12 @@ _MIRRORED = (
 _ALL = (
     f"(?:it|they|these|everything|all of it|the (?:whole )?{_LINE}|(?:the|its|their) (?:colors?|color sequence|order))"
 )
-_IN_THE_MIDDLE = f"({_COLOR})(?: one| block| cube)? (?:in|at) the (?:middle|center)$"
+_IN_THE_MIDDLE = f"({COLOR})(?: one| block| cube)? (?:in|at) the (?:middle|center)$"
 _ITS = "(?:colors|color sequence|sequence of colors|color order|order|order of colors|color pattern|pattern)"
 
 MIRRORS_AT_ONCE: tuple[Turn, ...] = (
     # what is said of a line behind it
-    (f"(?: ,)? (?:that|which) {_MIRRORED}(?! [:,] {_COLOR} outside)(?=$| ,| :| \\(|\\.| and| with| from| of| on| in"
+    (f"(?: ,)? (?:that|which) {_MIRRORED}(?! [:,] {COLOR} outside)(?=$| ,| :| \\(|\\.| and| with| from| of| on| in"
      "| out)", " that is mirrored"),
     (f"(?: ,)? (?:whose|of which the|in which the|where the) {_ITS} {_MIRRORED}", " that is mirrored"),
     (f"(?: ,)? whose {_HALVES.format(_REFLECTS)}", " that is mirrored"),
@@ -69,7 +68,7 @@ MIRRORS_AT_ONCE: tuple[Turn, ...] = (
      f"(an?|one|1) {_IN_THE_MIDDLE}", "mirrored {2} of {4} and {5} {6}"),
     (f"(that is mirrored :) (.+?) , (?:and )?(an?|one|1) {_IN_THE_MIDDLE}", "{1} {2} and {3} {4}"),
     (f"\\b(?:mirrored|symmetric|symmetrical|mirror symmetric) ({_LINE} (?:of \\S+ (?:blocks |cubes )?)?(?:,|with|:) "
-     f"{_COLOR} at (?:both|the) ends , {_COLOR} in the (?:middle|center) and {_COLOR} in between)$", "{1}"),
+     f"{COLOR} at (?:both|the) ends , {COLOR} in the (?:middle|center) and {COLOR} in between)$", "{1}"),
     (f"\\ban? palindrome(?: of colors| in color)? in an? ({_LINE}) (from|of|out of|with)\\b", "a mirrored {1} {2}"),
     # what is said of a line that stands before it
     (f"^(?:the|my) ({_LINE})((?: of| with| from| made of) .+?)? (?:(?:{MUST} )?be|{MUST}|is) an? palindrome(?: of "

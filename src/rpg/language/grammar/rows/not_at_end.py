@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import lru_cache
 
 from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import MUST, Turn, Turns, turned
+from rpg.language.grammar.rows.turned import Turn, Turns, turned
+from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.tokens import Token
 
 _ENDS = (

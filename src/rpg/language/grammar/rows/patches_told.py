@@ -3,21 +3,18 @@ and what none but one may be on, as rows that name the patches where they are me
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, COLOR, IS, THING, THINGS
-from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.rows.said_short import BLOCK, IS, THING, THINGS
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import AND, COLOR, MANY, MUST, PATCH, PATCHES
 
-_PATCH = "(?:patch|mat|zone|target|area|spot|tile)"
-_PATCHES = "(?:patches|mats|zones|targets|areas|spots|tiles)"
-_MANY = f"(?:\\d+|{FEW})"
-_THE = f"(?:(?:the|an?) )?({COLOR})(?: {_PATCH}| one)?"
-_AND = "(?: ,| and| , and)"
+_THE = f"(?:(?:the|an?) )?({COLOR})(?: {PATCH}| one)?"
 _LISTS = (
-    (f"{_THE}{_AND} {_THE}", "{1} and {2}", 2),
-    (f"{_THE}{_AND} {_THE}{_AND} {_THE}", "{1} , {2} and {3}", 3),
-    (f"{_THE}{_AND} {_THE}{_AND} {_THE}{_AND} {_THE}", "{1} , {2} , {3} and {4}", 4),
+    (f"{_THE}{AND} {_THE}", "{1} and {2}", 2),
+    (f"{_THE}{AND} {_THE}{AND} {_THE}", "{1} , {2} and {3}", 3),
+    (f"{_THE}{AND} {_THE}{AND} {_THE}{AND} {_THE}", "{1} , {2} , {3} and {4}", 4),
 )
 """Patches that are told one after the other: what is looked for, how they are named together, how many they are."""
-_HERE = f"the (?:{COLOR} )?{_PATCH}"
+_HERE = f"the (?:{COLOR} )?{PATCH}"
 _LIES = "(?:lies?|is|are|stands?|sits?|rests?|starts?|begins?)"
 _NOW = "(?: now| (?:at|in) the (?:start|beginning)| initially| at first| right now)?"
 _OWN = "(?:its own|their own|the same|the matching|its|own|the right)"
@@ -39,28 +36,28 @@ def _listed() -> tuple[Turn, ...]:
     for told, named, many in reversed(_LISTS):
         later, last = _shifted(named, 1), f"{{{many + 1}}}"
         rows += [
-            (f"^(.+? on each)(?: of (?:these|the following|the|those) {_PATCHES}| {_PATCH})(?: ,| :)"
-             f"(?: the {_PATCHES} (?:being|are))?(?! an?\\b) {told}$", f"{{1}} of the {later} patches"),
-            (f"^(?=[^:]*{_PATCH}){told} : (.+? on each)(?: of them| of these| one| {_PATCH})?$",
+            (f"^(.+? on each)(?: of (?:these|the following|the|those) {PATCHES}| {PATCH})(?: ,| :)"
+             f"(?: the {PATCHES} (?:being|are))?(?! an?\\b) {told}$", f"{{1}} of the {later} patches"),
+            (f"^(?=[^:]*{PATCH}){told} : (.+? on each)(?: of them| of these| one| {PATCH})?$",
              f"{last} of the {named} patches"),
-            (f"^({_MANY}) ({COLOR}) ((?:block|cube)s) , {_MANY} {_PATCHES}(?: ,| :) {told}(?: :| ,) one(?: {BLOCK})? "
+            (f"^({MANY}) ({COLOR}) ((?:block|cube)s) , {MANY} {PATCHES}(?: ,| :) {told}(?: :| ,) one(?: {BLOCK})? "
              "(?:on|per)"
-             f" each(?: {_PATCH})?$", f"one of the {{1}} {{2}} {{3}} on each of the {_shifted(named, 3)} patches"),
+             f" each(?: {PATCH})?$", f"one of the {{1}} {{2}} {{3}} on each of the {_shifted(named, 3)} patches"),
             (f"^{told} : (?:each|every one|each one)(?: of them)? (?:gets|has|carries|receives) (?:the|an?) {BLOCK} "
              f"of {_OWN} "
              "color$", f"the {named} blocks must each be on the patch of their own color"),
-            (f"^for (?:each|every one) of (?:the )?{told}(?: {_PATCHES}| ones)?(?: ,)? (?:put|place|set) (?:the|an?) "
+            (f"^for (?:each|every one) of (?:the )?{told}(?: {PATCHES}| ones)?(?: ,)? (?:put|place|set) (?:the|an?) "
              f"{BLOCK} of "
              f"{_OWN} color on it$", f"the {named} blocks must each be on the patch of their own color"),
-            (f"^{told}(?: {BLOCK}s?)?(?: ,)? each (?:one )?on (?:the |a )?{_PATCH} (?:of|with|in) {_OWN} color$",
+            (f"^{told}(?: {BLOCK}s?)?(?: ,)? each (?:one )?on (?:the |a )?{PATCH} (?:of|with|in) {_OWN} color$",
              f"the {named} blocks must each be on the patch of their own color"),
-            (f"^each of the (?:{_MANY} )?{BLOCK}s , (?:namely|that is|i e) {told} , (.+ color)$",
+            (f"^each of the (?:{MANY} )?{BLOCK}s , (?:namely|that is|i e) {told} , (.+ color)$",
              f"the {named} blocks , each {last}"),
-            (f"^{_MANY} {_PATCHES}(?: ,| :) {told}$", f"there are {named} patches"),
-            (f"^(?:{BLOCK}s|cubes) and {_PATCHES} : {told}$", f"there are {named} blocks"),
-            (f"^(?:for )?each of the colors {told} (?:has|there is) (?:one|an?) {BLOCK} and (?:one|an?) {_PATCH}$",
+            (f"^{MANY} {PATCHES}(?: ,| :) {told}$", f"there are {named} patches"),
+            (f"^(?:{BLOCK}s|cubes) and {PATCHES} : {told}$", f"there are {named} blocks"),
+            (f"^(?:for )?each of the colors {told} (?:has|there is) (?:one|an?) {BLOCK} and (?:one|an?) {PATCH}$",
              f"there are {named} blocks and {named} patches"),
-            (f"^there is (?:one|an?) {BLOCK} and (?:one|an?) {_PATCH} (?:for|of|in) each of the colors {told}$",
+            (f"^there is (?:one|an?) {BLOCK} and (?:one|an?) {PATCH} (?:for|of|in) each of the colors {told}$",
              f"there are {named} blocks"),
         ]  # fmt: skip
     return tuple(rows)
@@ -69,33 +66,33 @@ def _listed() -> tuple[Turn, ...]:
 PATCHES_AT_ONCE: tuple[Turn, ...] = (
     *_listed(),
     # the colours told once more
-    (f"^((?:put|place|set|move) (?:the|all|all the|each|every) {BLOCK}s? on the (?:matching {_PATCHES}?|{_PATCHES}? "
+    (f"^((?:put|place|set|move) (?:the|all|all the|each|every) {BLOCK}s? on the (?:matching {PATCHES}?|{PATCHES}? "
      "(?:that|"
-     f"which) match(?:es)?(?: it| them)?|{_PATCHES}? of (?:its|their|the same)(?: own)? color) : .*?)\\b(?<!the )"
+     f"which) match(?:es)?(?: it| them)?|{PATCHES}? of (?:its|their|the same)(?: own)? color) : .*?)\\b(?<!the )"
      f"({COLOR}) on "
      f"(?:the )?\\2(?= ,|$| and)", "{1} the {2} block on the {2} patch"),
     (f"^(?:put|place|set|move) (?:the|all|all the|each|every) {BLOCK}s? on the [^:]+ : (the {COLOR} block on the "
      f"{COLOR} "
      "patch.*)$", "put {1}"),
     # the same patch, and the one and the other
-    (f"^(?:put |place |set |bring )?(.+?)(?: go| goes| lie| are|(?: {MUST} (?:be|go|lie)))? on the same {_PATCH}(?: "
+    (f"^(?:put |place |set |bring )?(.+?)(?: go| goes| lie| are|(?: {MUST} (?:be|go|lie)))? on the same {PATCH}(?: "
      ",)? (?:(?:either|be it|whether|namely "
-     f"either) )?(?:on )?the ({COLOR})(?: {_PATCH}| one)? or (?:on )?the ({COLOR})(?: {_PATCH}| one)?$",
+     f"either) )?(?:on )?the ({COLOR})(?: {PATCH}| one)? or (?:on )?the ({COLOR})(?: {PATCH}| one)?$",
      "{1} must be on the {2} patch or {1} must be on the {3} patch"),
-    (f"^(?:put |place |set )?({THING}) (?:{IS} )?on (?:either )?the ({COLOR})(?: {_PATCH})? or the ({COLOR}) "
-     f"{_PATCH} and "
-     f"({THING}) on the same(?: one| {_PATCH})?$",
+    (f"^(?:put |place |set )?({THING}) (?:{IS} )?on (?:either )?the ({COLOR})(?: {PATCH})? or the ({COLOR}) "
+     f"{PATCH} and "
+     f"({THING}) on the same(?: one| {PATCH})?$",
      "{1} and {4} must be on the {2} patch or {1} and {4} must be on the {3} patch"),
     *((f"^{begun}(?:put |place |set )?({THING}) (?:{IS} )?on one(?: of {them})?{listed} and ({THING})(?: {IS})? on the "
-       f"other(?: one| {_PATCH})?$",
+       f"other(?: one| {PATCH})?$",
        f"exactly one of {{{one}}} and {{{two}}} must be on the {{{a}}} patch . exactly one of {{{one}}} and "
        f"{{{two}}} must be on "
        f"the {{{b}}} patch")
       for begun, them, listed, one, two, a, b in (
-        ("", f"the (?:two )?{_PATCHES}", f"(?: ,| :) (?:either )?the ({COLOR}) (?:or|and) the ({COLOR})(?: one| "
-         f"{_PATCH})? ?,?",
+        ("", f"the (?:two )?{PATCHES}", f"(?: ,| :) (?:either )?the ({COLOR}) (?:or|and) the ({COLOR})(?: one| "
+         f"{PATCH})? ?,?",
          1, 4, 2, 3),
-        (f"two {_PATCHES} (?:,|:) {_THE} and {_THE} : ", f"(?:them|these|the {_PATCHES})", "", 3, 4, 1, 2))),
+        (f"two {PATCHES} (?:,|:) {_THE} and {_THE} : ", f"(?:them|these|the {PATCHES})", "", 3, 4, 1, 2))),
     # what is cleared
     (f"^{_CLEAR} ({_HERE}) of ((?:both|all|the|all of the) .+)$", "take {2} off {1}"),
     (f"^{_CLEAR} ({_HERE}) , (?:on|in) which ((?:(?! at the )[^,])+?) {_LIES}{_NOW}$",
@@ -115,7 +112,7 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     (f"^only ({THING}) ({MUST} (?:be|go|lie|stand)|goes|belongs|is) ((?:on|in) {_HERE}) , not ({THING}) (?:and|or|"
      "and not|nor) "
      f"(?:not )?({THING})$", "only {1} must be {3} . {4} and {5} must not be {3}"),
-    (f"^(?:the )?({COLOR} {_PATCH}) gets ([^,]+?) , but (?:(?:it )?does not get|not) (the .+)$",
+    (f"^(?:the )?({COLOR} {PATCH}) gets ([^,]+?) , but (?:(?:it )?does not get|not) (the .+)$",
      "{2} must be on the {1} . {3} must not be on the {1}"),
     # all but one
     (f"^((?:all|every) {BLOCK}s? (?:except|except for|but|apart from) the ({COLOR})[^,]*?) , (?:namely|that is|i e)"
@@ -128,7 +125,7 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     ("(?: ,)? without (?:any of them )?touching (?:each other|one another)$", "so that they do not touch each other"),
     (f"\\bin contact with ({THING}) and with ({THING})", "in contact with {1} and {2}"),
     # how many that are
-    (f"^(.*)\\b(?:every|each) ({COLOR}) (block|cube)( .+?) , all ({_MANY}) of them$", "{1} the {5} {2} {3s} {4}"),
+    (f"^(.*)\\b(?:every|each) ({COLOR}) (block|cube)( .+?) , all ({MANY}) of them$", "{1} the {5} {2} {3s} {4}"),
     ("^all (?:two |three |four |five |six )?of them$", ""),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MUST
 
-COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 LINE = "(?:row|line|column)"
 LINES = frozenset({"row", "line", "column", "behind"})
 IS = (

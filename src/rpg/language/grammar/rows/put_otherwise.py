@@ -3,20 +3,16 @@ whole and once more of its parts, how a structure reads, as rows that say it pla
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import END, FEW, LENGTH, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, LENGTH, LIES, LINE, MANY, MUST, WAY
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
-_MANY = f"(?:\\d+|{FEW})"
 _BLOCKS = "(?:blocks|cubes|letters|digits)"
-_BLOCK = "(?:block|cube)"
-_THING = f"(?:{_BLOCK}|patch|mat|zone|target|area|spot)"
+_THING = f"(?:{CUBE}|patch|mat|zone|target|area|spot)"
 _ROW = "(?:far|near|front|back|first|second)"
-_LIES = "(?:lies?|is|are|stands?|sits?|rests?)"
 _LEAVE = "(?:be taken (?:away|off)|be removed|be moved away|go|go away|come off|leave)"
 _SIDE = "(?:to the left of|to the right of|left of|right of|in front of|behind)"
 _AT_START = "(?:at the start|at the beginning|now|initially|at first)"
-_THE = f"(?:the )?{_COLOR}(?: {_BLOCK}| one)?"
+_THE = f"(?:the )?{COLOR}(?: {CUBE}| one)?"
 _TURNED = "(?:upside - down|upside down|upright)"
 _ON = "(?:next to|beside|on|between|near|under|above)"
 _FACING = "(?:in|on|at|upon|on top of|to the right of|to the left of)"
@@ -26,10 +22,10 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     # what there is
     ("^(?:from|with|using|out of) (the (?:letters|letter blocks|letter cubes) [^;:]+?) , (spell|write)(?: only| just)? "
      "((?:the word )?\\S+)$", "there are {1} . {2} {3}"),
-    (f"^the number of (.+? {_BLOCKS}) (?:is|{MUST} be) ({_MANY})$", "there are {2} {1}"),
-    (f"\\bthe ({_THING}) with (?:the )?color ({_COLOR})(?= |$)", "the {2} {1}"),
-    (f"\\bthe ({_THING}) with (?:the )?({_COLOR}) color(?= |$)", "the {2} {1}"),
-    (f"\\b(?:that|the) ({_THING}) (?:which|that) is ({_COLOR})(?= (?:on|onto|in|into|next|to|behind|under)\\b|$)",
+    (f"^the number of (.+? {_BLOCKS}) (?:is|{MUST} be) ({MANY})$", "there are {2} {1}"),
+    (f"\\bthe ({_THING}) with (?:the )?color ({COLOR})(?= |$)", "the {2} {1}"),
+    (f"\\bthe ({_THING}) with (?:the )?({COLOR}) color(?= |$)", "the {2} {1}"),
+    (f"\\b(?:that|the) ({_THING}) (?:which|that) is ({COLOR})(?= (?:on|onto|in|into|next|to|behind|under)\\b|$)",
      "the {2} {1}"),
     # words
     (f"^the word (\\S+) please(?: ,)? (?:in|with|from|out of) {_LETTERS}$", "spell the word {1}"),
@@ -45,14 +41,14 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     ("(^|: )(an? [^,:]+?) (?:on|at|to) the left(?: ,| and| , and) to the right of it (?=an? )",
      "{1} {2} , to the right of it"),
     # what it is made of and from
-    (f"^(build|make|erect|construct) an? (tower|stack) with an? ({_COLOR}) (?:base|bottom)(?: ,)? and (?:put|place|"
-     f"stack|set) (?:the )?({_COLOR}) and (?:the )?({_COLOR})(?: ones| blocks?)? (?:over|above|on top of|on) it"
+    (f"^(build|make|erect|construct) an? (tower|stack) with an? ({COLOR}) (?:base|bottom)(?: ,)? and (?:put|place|"
+     f"stack|set) (?:the )?({COLOR}) and (?:the )?({COLOR})(?: ones| blocks?)? (?:over|above|on top of|on) it"
      "(?: ,)?(?: in (?:whatever|any) order)?$", "make a {2} of {3} , {4} and {5} with {3} at the bottom"),
     ("^(?:rearrange|change|turn) the (?:row|word|letters) (\\S+) (?:to|into|to spell|to form|to read) (?:the word )?"
      "(\\S+)$", "blocks spell {1} at the start . rearrange them to {2}"),
     ("\\band at same time\\b", "and also"),
-    (f"^use ({_MANY} \\w+ {_BLOCKS}) (?:for|to build) ((?:an?|one) {LINE} of {_MANY}) and (?:another|one)(?: one)? of "
-     f"({_MANY})$", "make {2} and one of {3} out of {1}"),
+    (f"^use ({MANY} \\w+ {_BLOCKS}) (?:for|to build) ((?:an?|one) {LINE} of {MANY}) and (?:another|one)(?: one)? of "
+     f"({MANY})$", "make {2} and one of {3} out of {1}"),
     (" on the table(?: ,)? (?:each (?:one |of them |block )?)?(?:by itself|by themselves)$", " on the table"),
     # what is over what in a tower
     (f"^(?:make sure (?:that )?)?({_THE}) (?:is|{MUST} be) higher(?: up)? than ({_THE}) in (?:one|an?|the same) "
@@ -61,16 +57,16 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
      f"(tower|stack) (?:together )?with ({_THE})$", "a {4} of {1} , {3} and {5} with {1} somewhere {2} {3}"),
     ("^it is like a (?:chessboard|chess board|checkerboard) : (.+)$", "{1}"),
     ("\\bso as to (spell|read|form|write)\\b", "to {1}"),
-    (f"^the {_BLOCK} (?:on|upon) which (the .+?) {_LIES} {MUST} be ({_COLOR})$", "{1} must be on a {2} block"),
+    (f"^the {CUBE} (?:on|upon) which (the .+?) {LIES} {MUST} be ({COLOR})$", "{1} must be on a {2} block"),
     ("\\bin contact with the table\\b", "on the table"),
-    (f"^(?:goal : )?((?:an? |the )?{_COLOR} {_BLOCK}) (?:underneath|at the bottom|below) , ((?:an? |the )?{_COLOR} "
-     f"{_BLOCK}) "
+    (f"^(?:goal : )?((?:an? |the )?{COLOR} {CUBE}) (?:underneath|at the bottom|below) , ((?:an? |the )?{COLOR} "
+     f"{CUBE}) "
      "(?:directly |right )?(?:on|on top of|above) it$", "{2} on {1}"),
     (f"^it is not (the [^,]+?) (?:that|which) ((?:goes|belongs|ends up|{MUST}) .+?)(?: ,)? but (the [^,]+)$",
      "{3} , not {1} , {2}"),
     (f"^it is (the [^,]+?) (?:that|which) ((?:goes|belongs|ends up|{MUST}) .+?)(?: ,)?(?: and)? not (the [^,]+)$",
      "{1} , not {3} , {2}"),
-    (f"\\b(an?|the|one) ({LINE}|checkerboard|grid|wall|pyramid) in ({_COLOR} and {_COLOR}) (with|of)\\b",
+    (f"\\b(an?|the|one) ({LINE}|checkerboard|grid|wall|pyramid) in ({COLOR} and {COLOR}) (with|of)\\b",
      "{1} {3} {2} {4}"),
     # how a letter is turned
     (f"\\b(an?|the) ({_TURNED}) (?:letter )?(\\w)(?= {_SIDE}| {_ON}|$)(.*)$", "{1} {3} {4} . the {3} must be {2}"),
@@ -80,21 +76,21 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:that|which) (?:is|stands|lies) ({_TURNED})$",
      "{1} {2} . the {2} must be {3}"),
     # one on either side
-    (f"^(.*?)(?:one|an?) ({_COLOR} {_BLOCK}) ({_SIDE}) ([^,]+?)(?: ,)?(?: and| ,) (?:another|the other|one)(?: "
+    (f"^(.*?)(?:one|an?) ({COLOR} {CUBE}) ({_SIDE}) ([^,]+?)(?: ,)?(?: and| ,) (?:another|the other|one)(?: "
      f"one| \\2)? "
      "(?:to|on) its (left|right)(?: side)?$", "{1} a {2} {3} {4} and a {2} to the {5} of {4}"),
-    (f"^(.*?)(?:two|2) ({_COLOR}) {_BLOCK}s (?:next to|beside|around) ([^,]+?)(?: ,| :) one (?:to|on) its (left|right)"
+    (f"^(.*?)(?:two|2) ({COLOR}) {CUBE}s (?:next to|beside|around) ([^,]+?)(?: ,| :) one (?:to|on) its (left|right)"
      "(?: side)?(?: ,)?(?: and)? (?:one|the other)(?: one)? (?:to|on) its (left|right)(?: side)?$",
      "{1} a {2} block to the {4} of {3} and a {2} block to the {5} of {3}"),
-    (f"^flank ([^,]+?) with (?:two|2) ({_COLOR}) (?:ones|{_BLOCK}s)(?: ,| :) one (?:to|on) its (left|right)(?: side)?"
+    (f"^flank ([^,]+?) with (?:two|2) ({COLOR}) (?:ones|{CUBE}s)(?: ,| :) one (?:to|on) its (left|right)(?: side)?"
      "(?: ,)?(?: and)? (?:one|the other)(?: one)? (?:to|on) its (left|right)(?: side)?$",
      "put a {2} block to the {3} of {1} and a {2} block to the {4} of {1}"),
     # where another thing is
-    (f"\\b(?:where|at the place where) the ({_COLOR} (?:patch|mat|zone|target|area|spot)) is$", "on the {1}"),
+    (f"\\b(?:where|at the place where) the ({COLOR} (?:patch|mat|zone|target|area|spot)) is$", "on the {1}"),
     # a line and where it begins
     (f"\\b(starting|beginning|start|begin) (at|on|from) the (top|bottom|left|right|far end|near end) with (?:an? "
      f"|the )?"
-     f"({_COLOR})(?: one| block| cube)?$", "starting with {4} at the {3}"),
+     f"({COLOR})(?: one| block| cube)?$", "starting with {4} at the {3}"),
     (f"^(an? {LINE} of .+?) , ({WAY}) , (is standing|stands|is|starts) (on the table)$", "{1} {2} {3} {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
@@ -112,14 +108,14 @@ OTHERWISE: tuple[Turn, ...] = (
     (f"\\ban? ({LINE}) of (.+?) whose centers are ({LENGTH}) apart$",
      "a {1} of {2} with a distance of {3} between their centers"),
     (f"\\bnever let (it|them|{_THE}) (?:get )?(?:onto|on to|on)\\b", "never let {1} be on"),
-    (f"\\b({_MANY} towers)(?: ,)? each ({_MANY}) ({_COLOR}) ({_BLOCK})s? (?:high|tall)$", "{1} of {2} {3} {4s} each"),
+    (f"\\b({MANY} towers)(?: ,)? each ({MANY}) ({COLOR}) ({CUBE})s? (?:high|tall)$", "{1} of {2} {3} {4s} each"),
     ("^round up\\b", "gather"),
     (f"\\b(is|are|{MUST} be|stands?|sits?) lower(?: down)? than\\b", "{1} somewhere below"),
     (f"^(the [^,]+?) (?:{MUST} receive|receives|gets) (the [^,]+?) on (?:its )?top(?: of it)?$", "{2} must be on {1}"),
     ("\\b(?:without|with no|with not) (?:any |a single )?(?:block|cube)s? (?:being )?(?:left over|left|remaining)$",
      "using all of them"),
     ("\\bthe lot$", "all of them"),
-    (f"(?: ,)? ({_MANY}) rows deep and ({_MANY}) columns wide$", " with {1} rows and {2} columns"),
+    (f"(?: ,)? ({MANY}) rows deep and ({MANY}) columns wide$", " with {1} rows and {2} columns"),
     ("^(.*\\boutline\\b.*?)(?: ,)? (?:hollow|empty|open) (?:in|at) the (?:center|middle)$", "{1}"),
     (f"^({WAY})(?: ,)? the (numbers|digits) {MUST} get (?:smaller|lower)$",
      "put the {2} in a row in descending order {1}"),
@@ -151,7 +147,7 @@ OTHERWISE: tuple[Turn, ...] = (
      "a tower that reads {1} from top to bottom"),
     (f"^the (?:row|word|letters) (\\S+) , (?:which|that) (?:is|are) there {_AT_START} , {MUST} be (?:rearranged|"
      "changed|turned|made) (?:to|into) (?:the word )?(\\S+)$", "blocks spell {1} at the start . rearrange them to {2}"),
-    (f"^(.+ {_COLOR}) , (?:thats|that is) how the ({LINE}) {MUST} look$", "a {2} : {1}"),
+    (f"^(.+ {COLOR}) , (?:thats|that is) how the ({LINE}) {MUST} look$", "a {2} : {1}"),
     # places in a line, taken one by one
     (f"^({_THE}) takes the ({END}) end of the ({LINE}) , ({_THE}) the middle(?: ,)?(?: and)? ({_THE}) the ({END}) end$",
      "the {3} has {1} at the {2} end , {4} in the middle , {5} at the {6} end"),
@@ -161,11 +157,11 @@ OTHERWISE: tuple[Turn, ...] = (
     (f"^((?:an? )?\\d+x\\d+)(?: square| grid)? of (\\w+) ({_BLOCKS})(?: ,)? except (?:for )?the (center|middle|corners)"
      f"(?: one| block| cube)?(?: ,)? which (?:is|are|{MUST} be) (\\w+)$", "{1} square of {2} {3} , but the {4} is {5}"),
     # towers told by their base or their height
-    (f"^the (\\w+) tower has ({_MANY}) \\w+ and (?:is|stands|is standing) ({_SIDE}) the (\\w+) tower , which has "
-     f"({_MANY}) \\w+$", "a {1} tower of {2} is {3} a {4} tower of {5}"),
-    (f"^(an? [^,]+? {_BLOCK}) completes the (tower|stack)$", "put {1} on top of the {2}"),
+    (f"^the (\\w+) tower has ({MANY}) \\w+ and (?:is|stands|is standing) ({_SIDE}) the (\\w+) tower , which has "
+     f"({MANY}) \\w+$", "a {1} tower of {2} is {3} a {4} tower of {5}"),
+    (f"^(an? [^,]+? {CUBE}) completes the (tower|stack)$", "put {1} on top of the {2}"),
     # what is there and has to go
-    (f"^(?:clear|empty) (the [^:,]+?) : (the [^,:]+?) {_LIES} on it(?: {_AT_START})? and {MUST} {_LEAVE}$",
+    (f"^(?:clear|empty) (the [^:,]+?) : (the [^,:]+?) {LIES} on it(?: {_AT_START})? and {MUST} {_LEAVE}$",
      "at the start , {2} is on {1} . {2} must not be on {1}"),
     ("^(?:unstack (?:everything|it|all) : )?(.+ (?:at the start|initially|at the beginning))(?: ,)? and (?:in|at) the "
      "end (.+)$", "{1} . in the end {2}"),
@@ -173,7 +169,7 @@ OTHERWISE: tuple[Turn, ...] = (
     (f"^use (?:the )?{_BLOCKS} to (?:show|write)(?: that)? (.+ equals .+)$", "write {1}"),
     (f"(?: ,)? with (?:the )?(?:digit|number) and (?:operator|symbol|sign) {_BLOCKS}$", ""),
     # one of two
-    (f"\\b((?:exactly |only |just )?one) of the (\\w+) ({_BLOCK}) and the (\\w+) {_BLOCK}\\b", "{1} of the {2} and {4} "
+    (f"\\b((?:exactly |only |just )?one) of the (\\w+) ({CUBE}) and the (\\w+) {CUBE}\\b", "{1} of the {2} and {4} "
      "{3s}"),
     # what is wanted
     (f"^({WAY})(?: ,)? (?:i|we) (?:need|want|would like) the following :", "{1} :"),

@@ -3,10 +3,9 @@ that call it rainbow order; lines that are told as a rainbow."""
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import END, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, END, MUST, WAY
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _LINE = "(?:row|line|column|tower|stack)"
 _SPECTRUM = "(?:the |a )?(?:rainbow|spectrum|color spectrum|spectrum of colors)"
 _COLORS = "(?:(?:the |its |their )?colors? )?"
@@ -37,14 +36,14 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
      "the {1} should be in rainbow order"),
     # where it begins
     (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} )?"
-     f"(?:begins|begin|starts|start) with ((?:the )?{_COLOR}\\b)", "{1} , beginning with {2}"),
-    (f"^in rainbow order(?: and| ,| ,  and)? ((?:beginning|starting) with (?:the )?{_COLOR}"
+     f"(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),
+    (f"^in rainbow order(?: and| ,| ,  and)? ((?:beginning|starting) with (?:the )?{COLOR}"
      "(?: (?:at|on|from) the \\w+(?: end| side)?)?) , (.+)$", "{2} in rainbow order , {1}"),
-    (f"^rainbow order(?: ,)?( (?:from )?{_ALONG})?(?: ,)?( (?:beginning|starting) with (?:the )?{_COLOR}"
+    (f"^rainbow order(?: ,)?( (?:from )?{_ALONG})?(?: ,)?( (?:beginning|starting) with (?:the )?{COLOR}"
      "(?: (?:at|on|from) the \\w+(?: end| side)?)?)? : (.+)$", "{3} in rainbow order {1} {2}"),
     # lines that are told as a rainbow
-    (f"\\bgradient(?: (?:running|going|that runs|that goes|which runs))? from ({_COLOR}) (?:on|at) the (left|right|"
-     f"front|back|bottom|top)(?: end| side)?( .+?)?(?: ,)? to ({_COLOR}) (?:on|at) the (left|right|front|back|bottom|"
+    (f"\\bgradient(?: (?:running|going|that runs|that goes|which runs))? from ({COLOR}) (?:on|at) the (left|right|"
+     f"front|back|bottom|top)(?: end| side)?( .+?)?(?: ,)? to ({COLOR}) (?:on|at) the (left|right|front|back|bottom|"
      "top)(?: end| side)?$", "gradient from {1} {3} to {4} from {2} to {5}"),
     (f"^(?:lay out|lay|make|build|form|put|show|create|arrange) a rainbow(?: in an? ({_LINE}))? : (.+?)"
      f"(?: in an? (?:{_LINE}))?( {WAY})?$", "put {2} in a row in rainbow order {3}"),

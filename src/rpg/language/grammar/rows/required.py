@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, LENGTH, LINE, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, LENGTH, LINE, MANY, MUST
 
 _WANTED = "(?:required|needed|wanted|desired|prescribed|requested|asked for)"
-_BLOCK = "(?:block|cube)"
 _SYMBOL = "(?:letter|digit|symbol|number)"
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
-_MANY = f"(?:\\d+|{FEW})"
 _ROW = "(?:far|near|front|back|first|second|top|bottom)"
 _FREE = "(?:arbitrary|free|open|irrelevant|of no importance)"
 
@@ -24,19 +21,19 @@ REQUIRED_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 REQUIRED: tuple[Turn, ...] = (
     # parts told by "of which"
-    (f"(?: ,)? the width of which {MUST} be ({_MANY}) {_BLOCK}s? and the height of which {MUST} be ({_MANY}) "
-     f"{_BLOCK}s?$",
+    (f"(?: ,)? the width of which {MUST} be ({MANY}) {CUBE}s? and the height of which {MUST} be ({MANY}) "
+     f"{CUBE}s?$",
      " {1} blocks wide and {2} blocks high"),
-    (f"(?: ,)? each side of which {MUST} be ({_MANY}) {_BLOCK}s long$", " with {1} blocks per side"),
+    (f"(?: ,)? each side of which {MUST} be ({MANY}) {CUBE}s long$", " with {1} blocks per side"),
     (f"(?: ,)? the ({_ROW}) (row|layer) of which {MUST} (?:consist of|be formed of) (.+?) and the ({_ROW}) \\2 of "
      f"which {MUST} "
      "(?:consist of|be formed of) (.+)$", " with {3} in the {1} {2} and {5} in the {4} {2}"),
-    (f"(?: ,)? the lower {_BLOCK} of which {MUST} be ({_COLOR}) and the upper {_BLOCK} of which {MUST} be ({_COLOR})$",
+    (f"(?: ,)? the lower {CUBE} of which {MUST} be ({COLOR}) and the upper {CUBE} of which {MUST} be ({COLOR})$",
      " with {1} at the bottom and {2} on top"),
-    (f"^there {MUST} be ({_MANY}) ([^,]+?) , of which ((?:at least|at most|exactly|no more than|no fewer than) "
-     f"{_MANY}) "
+    (f"^there {MUST} be ({MANY}) ([^,]+?) , of which ((?:at least|at most|exactly|no more than|no fewer than) "
+     f"{MANY}) "
      f"({MUST} be .+)$", "{3} of the {1} {2} {4}"),
-    (f"^(.+ )(the {_COLOR} {_BLOCK}) , which ({MUST} (?:be (?:located|placed|put)|stand|lie) .+)$",
+    (f"^(.+ )(the {COLOR} {CUBE}) , which ({MUST} (?:be (?:located|placed|put)|stand|lie) .+)$",
      "{1} {2} . {2} {3}"),
     # what is left open
     (f"(?: ,)? the order of which (?:is|being|{MUST} be) {_FREE}$", " , in any order"),
@@ -46,7 +43,7 @@ REQUIRED: tuple[Turn, ...] = (
     # with what it is done
     ("^by means of (?:the )?(?:letter|digit|symbol) (?:cubes|blocks) , (.+)$", "{1}"),
     ("(?: ,)? by means of (?:letter|digit|symbol) (?:cubes|blocks)$", ""),
-    (f"\\ban? ({_COLOR} {_BLOCK}) having an edge length of ({LENGTH})", "a {2} {1}"),
+    (f"\\ban? ({COLOR} {CUBE}) having an edge length of ({LENGTH})", "a {2} {1}"),
     # what is exchanged and turned
     (f"^the positions? of (the [^,]+?) and (?:the position )?of (the [^,]+?) {MUST} be "
      f"(?:exchanged|swapped|interchanged)$",
@@ -73,7 +70,7 @@ REQUIRED: tuple[Turn, ...] = (
      "{3} must be between {1} and {2}"),
     (f"^(?:in (?:the|a) {LINE} , )?(the .+?) (?:is|{MUST} be) sandwiched between (the .+?) below and (the .+?) above$",
      "{1} must be on {2} and {3} must be on {1}"),
-    (f"^each corner(?: of the table)? (?:is occupied by|holds|contains|gets) one of the four (\\w+) {_BLOCK}s$",
+    (f"^each corner(?: of the table)? (?:is occupied by|holds|contains|gets) one of the four (\\w+) {CUBE}s$",
      "a {1} block must be in each corner of the table"),
     (f"^(.+?) , which (?:are|is) (stacked|in an? (?:heap|tower|row)) at the start , ({MUST} .+)$",
      "{1} start {2} . they {3}"),
@@ -82,11 +79,11 @@ REQUIRED: tuple[Turn, ...] = (
     ("\\b(?:have|has) exchanged (?:their )?(?:places|positions)\\b", "must swap places"),
     # symbols
     (f"^the (equation .+?) (?:is|{MUST} be) (?:shown|formed|written|displayed) (?:by|with|in|as) an? {LINE} of "
-     f"{_BLOCK}s$",
+     f"{CUBE}s$",
      "write the {1}"),
-    (f"^the {_SYMBOL} (\\w) on (?:the )?top(?: face)? of its {_BLOCK} (.+)$", "the block {1} {2}"),
-    (f"^the {_SYMBOL} on (?:the )?top(?: face)? of the ({_BLOCK} \\w) (.+)$", "the {1} {2}"),
-    (f"^(?:seen by the camera , )?(the {_BLOCK} \\w) shows an upside - down {_SYMBOL}(?: on its top(?: face)?)?$",
+    (f"^the {_SYMBOL} (\\w) on (?:the )?top(?: face)? of its {CUBE} (.+)$", "the block {1} {2}"),
+    (f"^the {_SYMBOL} on (?:the )?top(?: face)? of the ({CUBE} \\w) (.+)$", "the {1} {2}"),
+    (f"^(?:seen by the camera , )?(the {CUBE} \\w) shows an upside - down {_SYMBOL}(?: on its top(?: face)?)?$",
      "{1} must be upside down"),
 )  # fmt: skip
 """What is looked for in a sentence that cannot be read, and what is said instead."""

@@ -3,23 +3,20 @@ asked in place of being asked for, as rows that tell it plainly."""
 
 from __future__ import annotations
 
-from rpg.language import lexicon
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.required import REQUIRED_AT_ONCE
 from rpg.language.grammar.rows.task_strings import TASK_STRINGS
-from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, LENGTH, MANY, MUST, WAY
 
 _A = "(?:an?|one|the)"
-_BLOCK = "(?:block|cube)"
 _PATCH = "(?:patch|mat|zone|target|area|spot)"
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _PUT = "(?:put|place|set|lay|move)"
 _HALF = "(?:left|right|near|far|front|back)"
 _LARGER = "(?:larger|bigger|wider|greater|longer|farther|further|higher)"
 _SMALLER = "(?:smaller|narrower|shorter|closer|nearer|lower)"
-_MANY = f"(?:\\d+|{FEW})"
-_SO_MANY = f"(?:(?:exactly|at least|at most|only|just) )?{_MANY}"
+_SO_MANY = f"(?:(?:exactly|at least|at most|only|just) )?{MANY}"
 _ON_IT = "(on (?!each|either|every|both|top|(?!a )\\S(?: |$))|in (?=the))"
 _NO_LINE = "(?:(?!\\b(?:row|line|tower|stack)s?\\b).)"
 _STANDING = "(?:standing|lying|resting|sitting|placed|set)"
@@ -31,20 +28,20 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
     *REQUIRED_AT_ONCE,
     # what is asked
     ("^(would|could|can|will) you ever (?=\\w)", "{1} you"),
-    (f"\\b(at least {_MANY} and at most {_MANY} of .+?) (?:may|can) (be|lie|stand)\\b", "{1} must {2}"),
+    (f"\\b(at least {MANY} and at most {MANY} of .+?) (?:may|can) (be|lie|stand)\\b", "{1} must {2}"),
     # a heading, and a list that tells all of it
     (f"^each color (?:goes |belongs |lies |is |comes )?on (?:its own|the matching|its) {_PATCH} : "
-     f"((?:(?:\\w+ )?({_COLOR})(?: \\w+)? on (?:the )?\\2 {_PATCH}(?: , and | , | and |$))+)$", "{1}"),
+     f"((?:(?:\\w+ )?({COLOR})(?: \\w+)? on (?:the )?\\2 {_PATCH}(?: , and | , | and |$))+)$", "{1}"),
     ("^(?:\\w+ )?\\w+ (?:separate|separated|apart|away) from (?:\\w+ )?\\w+ : (.+ one group\\b.+ group.*)$", "{1}"),
     ("^\\w+ here ,(?: and)? \\w+ there : (.+ one group\\b.+ (?:group|one).*)$", "{1}"),
     ("^(sort .*?by \\w+) : (.+?) , (into (?:\\w+ )?(?:piles|groups|heaps|bunches|clusters))$", "{1} {3} : {2}"),
     ("^((?:\\w+ )?(?:\\w+ )?groups\\b[^:]*: .+?) , each (?:color|letter|number) (?:by itself|on its own|for itself)$",
      "{1}"),
-    (f"\\bmirrored [:,] ({_COLOR} outside ,? ?(?:and )?{_COLOR} inside)$", "{1}"),
+    (f"\\bmirrored [:,] ({COLOR} outside ,? ?(?:and )?{COLOR} inside)$", "{1}"),
     # so many, and how many of them are where
-    (f"^({_MANY} (?:\\w+ )?(?:blocks|cubes|letters|digits)) , ({_SO_MANY}) {_ON_IT} ?"
+    (f"^({MANY} (?:\\w+ )?(?:blocks|cubes|letters|digits)) , ({_SO_MANY}) {_ON_IT} ?"
      "((?:(?! and )[^,])+)$", "{1} , {2} of them {3} {4}"),
-    (f"^({_MANY}) ((?:\\w+ )?(?:blocks|cubes)) , ({_SO_MANY}) (on [^,]+?)(?: , and | , | and )"
+    (f"^({MANY}) ((?:\\w+ )?(?:blocks|cubes)) , ({_SO_MANY}) (on [^,]+?)(?: , and | , | and )"
      f"({_SO_MANY}) (on [^,]+)$", "{3} of the {1} {2} {4} and {5} of the {1} {2} {6}"),
     # orders
     ("(?: ,)? (?:in which|so that|such that|where) (?:the )?blocks of the same color (?:never|do not|must not|may not) "
@@ -62,9 +59,9 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "(?: , each row in order from left to right)?$", "front row : {1} ; middle row : {2} ; back row : {3}"),
     (f"^(?:{_PUT} )(.+?) in the front row(?: ,)? and (.+?) in the back row"
      "(?: , each row in order from left to right)?$", "front row : {1} ; back row : {2}"),
-    (f"\\b({_MANY}) (layers|rows|columns) (?:,|with) ({_MANY}(?: {_COLOR} {_BLOCK}s)?)(?: {_BLOCK}(?:s|es))? in "
+    (f"\\b({MANY}) (layers|rows|columns) (?:,|with) ({MANY}(?: {COLOR} {CUBE}s)?)(?: {CUBE}(?:s|es))? in "
      "(?:each|every)(?: of them| one| layer| row| column)?(?=$| ,)", "{1} {2} of {3}"),
-    (f"\\b(cube|cuboid|box) (?:that|which) is ({_MANY}(?: blocks| cubes)? (?:wide|long|deep|high) (?:,|and) .+)$",
+    (f"\\b(cube|cuboid|box) (?:that|which) is ({MANY}(?: blocks| cubes)? (?:wide|long|deep|high) (?:,|and) .+)$",
      "{1} , {2}"),
     # places
     (f"\\bbetween {_A} ([^,]+?) (?:on|to) (?:its|the) (left|right)(?: side)? and {_A} ([^,]+?) (?:on|to) (?:its|the) "
@@ -77,8 +74,8 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "{2} is to the {3} of {1} , {4} is to the {5} of {1} and {6} is on {1}"),
     (f"^(.*?)({_PUT} [^,]+? (?:on|in) (the [^,]+?))(?: ,)? (?:and|but) none of (the [^,]+)$",
      "{1} {2} . none of {4} must be on {3}"),
-    (f"^(.*?)\\b(an?|the|one) ({_BLOCK})((?: {_COLOR} {_BLOCK}| (?!{_BLOCK}\\b|another\\b)[^, ]+)+) , "
-     f"(?:an?|the) ({_COLOR}) one$", "{1} {2} {5} {3} {4}"),
+    (f"^(.*?)\\b(an?|the|one) ({CUBE})((?: {COLOR} {CUBE}| (?!{CUBE}\\b|another\\b)[^, ]+)+) , "
+     f"(?:an?|the) ({COLOR}) one$", "{1} {2} {5} {3} {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
@@ -90,7 +87,7 @@ REWORDED: tuple[Turn, ...] = (
     (f"\\b(?:no|not) {_LARGER} than ({LENGTH})", "at most {1}"),
     (f"\\b(?:no|not) {_SMALLER} than ({LENGTH})", "at least {1}"),
     (f"(?:and )?(?:leave |with |leaving )?(?:an? )?(?:gap of )?({LENGTH})(?: of space)? (?:in )?between "
-     f"(?:each|every|one)(?: {_BLOCK})? and the next(?: {_BLOCK}| one)?$", "with gaps of {1}"),
+     f"(?:each|every|one)(?: {CUBE})? and the next(?: {CUBE}| one)?$", "with gaps of {1}"),
     (f"^(.+?) (?:moves|{MUST} move|moves away|{MUST} move away)(?: by)? (at least {LENGTH})$",
      "{1} must be moved by {2}"),
     # what is asked
@@ -114,8 +111,8 @@ REWORDED: tuple[Turn, ...] = (
     ("^([^,]+?) gets ([^,]+?) on top(?: of it)?$", "put {2} on {1}"),
     # who, which, where
     ("^all (?=(?:on|in|within|inside|at) )", "all are"),
-    (f"^(.*?\\b(?:{_BLOCK}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}corner)"
-     f"(?: of the table)? , (.+?(?:{_BLOCK}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}"
+    (f"^(.*?\\b(?:{CUBE}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}corner)"
+     f"(?: of the table)? , (.+?(?:{CUBE}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}"
      "corner)(?: of the table)?$", "{1} in {2} , {3} in {4}"),
     ("^who (?:can|could|would|wants to|is able to|knows how to) (?=\\w)", "please"),
     # words
@@ -125,15 +122,15 @@ REWORDED: tuple[Turn, ...] = (
     ("\\b(\\S+) and (\\d) with (plus|minus|times)(?: ,)? and equals\\b", "{1} , {2} , {3} and equals"),
     # structures
     ("\\b(tower|stack|wall) in layers (?=[:,])", "{1}"),
-    (f"\\b(an?|the) {_LARGER} (tower|stack|row|line) of (?={_MANY}\\b)", "{1} {2} of"),
-    (f"\\b(an?|the) taller (tower|stack) of (?={_MANY}\\b)", "{1} {2} of"),
-    (f"\\b(an?|the) {_SMALLER} (tower|stack|row|line) of (?={_MANY}\\b)", "{1} {2} of"),
-    (f"\\b(an?|the) pattern (with|of) (?={_MANY} (?:rows|columns))", "{1} grid {2}"),
+    (f"\\b(an?|the) {_LARGER} (tower|stack|row|line) of (?={MANY}\\b)", "{1} {2} of"),
+    (f"\\b(an?|the) taller (tower|stack) of (?={MANY}\\b)", "{1} {2} of"),
+    (f"\\b(an?|the) {_SMALLER} (tower|stack|row|line) of (?={MANY}\\b)", "{1} {2} of"),
+    (f"\\b(an?|the) pattern (with|of) (?={MANY} (?:rows|columns))", "{1} grid {2}"),
     (f"^(?:an?|one) ((?:\\w+ )?{_PATCH})(?: ,)? and on (?:it|top of it)(?: ,)? (an? .+)$", "on the {1} {2}"),
     ("\\b(row|column|line|tower|stack) of colors\\b", "{1}"),
     (f"^(?:the|a) (?:number )?row (?:goes|counts|runs) down : (.+?) ({WAY})$", "a row in descending order {2} : {1}"),
     (f"^(?:the|a) (?:number )?row (?:goes|counts|runs) up : (.+?) ({WAY})$", "a row in ascending order {2} : {1}"),
-    (f"^the (leftmost|rightmost) of (?:the )?({_MANY}) ({_BLOCK}s) is (.+?) , the (leftmost|rightmost) (?:one )?"
+    (f"^the (leftmost|rightmost) of (?:the )?({MANY}) ({CUBE}s) is (.+?) , the (leftmost|rightmost) (?:one )?"
      "is (.+?)(?: ,)? and (.+?) (?:is|stands|lies|sits) (?:in )?between(?: them)?(?: , all in (?:a|one) row)?$",
      "{2} {3} in a row : the {1} is {4} , the {5} is {6} and {7} is in between"),
     # what stands beside it

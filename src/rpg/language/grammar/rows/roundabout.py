@@ -3,7 +3,8 @@ a sentence cannot be read as it stands."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.turned import FEW, LENGTH, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import FEW, LENGTH, LINE, MUST, WAY
 
 _IS = f"(?:is|are|{MUST} be|stands|stand|lies|lie|sits|sit)"
 _SIDED = "(?:upper|top|lower|bottom|left|right|front|back)"

@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rpg.language.grammar.rows.turned import MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.tokens import Token
 
 _ROW = "(?:back|far|rear|front|near)"

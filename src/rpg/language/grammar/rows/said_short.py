@@ -3,12 +3,10 @@
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE, MUST, PATCH, WAY
 
-COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 BLOCK = "(?:block|cube|letter|digit|number)"
-PATCH = "(?:patch|mat|zone|target|area|spot|tile)"
 _NOUN = f"(?:{BLOCK}s?|{PATCH}s?|patches|ones?)"
 _BEHIND = ("and|or|on|onto|in|to|left|right|behind|above|below|next|beside|not|must|should|is|goes|belongs|has|gets|"
            "each|instead|rather")  # fmt: skip

@@ -3,10 +3,9 @@ cube, S in front of it, W to its left", as rows that name the block at each of i
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _NO = (
     "(?!(?:on|in|to|of|with|behind|and|or|not|at|from|by|for|that|which|if|is|are|has|left|right|between|then|must"
     "|sits?|stands?|lies?|goes|go|comes?|belongs?|be|it|its|table|row|line|column|grid|half)\\b)"
@@ -15,11 +14,10 @@ _T = f"{_NO}[^ ,:;]+(?: {_NO}[^ ,:;]+){{0,3}}"
 _IS = f"(?: (?:{MUST} )?(?:is|are|be|stands?|sits?|lies?|goes|go|comes?|belongs?))?"
 _PUT = "(?:put|place|set|move|have|get|bring|i want|i would like)"
 _R = "(?:immediately |directly )?(?:behind|in front of|(?:to the )?left of|(?:to the )?right of)"
-_ONE = f"((?:the )?(?:{_COLOR}|\\S+ (?:block|cube|one)|\\w))"
+_ONE = f"((?:the )?(?:{COLOR}|\\S+ (?:block|cube|one)|\\w))"
 _AND = "(?: ,)?(?: and)?"
 _HAS = f"(?:has|have|{MUST} have)"
 _ON_ITS = "(?:on|to) (?:its|the)"
-_MANY = f"(?:\\d+|{FEW})"
 _BLOCKS = "(?:blocks|cubes|ones)"
 _GOES_ON = f"(?={_AND} {_T}{_IS} (?:{_R} it|(?:to|on) its (?:left|right))\\b)"
 _AROUND = "(?:on|to) (?:its|the) left(?: side)? , (?:one )?(?:on |to )?(?:its|the) right(?: side)? , (?:one )?in front"
@@ -48,9 +46,9 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.* {_R} {_ONE}{_AND} {_T}{_IS} {_R} \\2{_AND} {_T}{_IS}) (?:to|on) its (left|right)(?: side)?\\b",
      "{1} to the {3} of {2}"),
     (f"^(.* {_R} {_ONE}{_AND} {_T}{_IS} {_R} \\2{_AND} {_T}{_IS} {_R}) it\\b", "{1} {2}"),
-    (f"^surround (the .+?) (?::|with|by) (?:an?|one) ({_COLOR})(?: block| cube| one)? {_AROUND}{_BEHIND}",
+    (f"^surround (the .+?) (?::|with|by) (?:an?|one) ({COLOR})(?: block| cube| one)? {_AROUND}{_BEHIND}",
      _ALL_SIDES.format("{1}", "{2}")),
-    (f"^(the .+?) {_HAS} (?:an?|one) ({_COLOR})(?: block| cube| one)? {_AROUND}{_BEHIND}",
+    (f"^(the .+?) {_HAS} (?:an?|one) ({COLOR})(?: block| cube| one)? {_AROUND}{_BEHIND}",
      _ALL_SIDES.format("{1}", "{2}")),
     (f"^with (.+? (?:to|on) its (?:left|right)) and (.+? (?:to|on) its (?:left|right)) , (the .+?) "
      f"(?:stands?|is|{MUST} be|lies|sits)(?: in the middle| in between| between them)?$", "{3} must have {1} and {2}"),
@@ -59,20 +57,20 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
     (f"\\bflanked by ({_T}) (?:on|to) (?:its|the) right(?: side)?(?: ,)? and (?:by )?({_T}) (?:on|to) (?:its|the) left"
      "(?: side)?$", "between {2} and {1} , {2} on the left"),
     (f"^(?:i (?:want|would like|need)(?: to see)? |there (?:is|{MUST} be) |put |place )?(an?|the) ({_T}) between two "
-     f"({_COLOR})s?(?: {_BLOCKS})? ,(?: with)? one {_ON_ITS} (left|right)(?: side)?{_AND} "
+     f"({COLOR})s?(?: {_BLOCKS})? ,(?: with)? one {_ON_ITS} (left|right)(?: side)?{_AND} "
      f"(?:one|the other|another)(?: one)? {_ON_ITS} (left|right)(?: side)?$",
      "{1} {2} must be between two {3} blocks . one of them must be to the {4} of the {2} and the other one to the {5} "
      "of the {2}"),
-    (f"\\b(one|an?) ({_COLOR}) (block|cube|one) ({_ON_ITS} left(?: side)?(?: of it)?)(?: ,)? and another"
+    (f"\\b(one|an?) ({COLOR}) (block|cube|one) ({_ON_ITS} left(?: side)?(?: of it)?)(?: ,)? and another"
      f"(?: one)? ({_ON_ITS} right)\\b", "{1} {2} {3} {4} and another {2} {3} {5}"),
     # all of these at the side of all of those
-    (f"^(?:each|every one|all) of the ({_MANY} \\w+ {_BLOCKS}) {_HAS} (.+?)( somewhere)? (?:to|on) "
+    (f"^(?:each|every one|all) of the ({MANY} \\w+ {_BLOCKS}) {_HAS} (.+?)( somewhere)? (?:to|on) "
      "(?:its|their) (left|right)(?: side)?$", "{2} must be {3} to the {4} of the {1}"),
     (f"^(?:move|arrange|place|sort|put|rearrange|lay out) (?:the|these) (?:cubes|blocks) so that "
      "(?!.*\\b(?:they|them|it)\\b)"
-     f"((?:every one of |each of |all |all of )?(?:the )?{_MANY} \\w+ {_BLOCKS} .+ {_MANY} \\w+(?: {_BLOCKS})?.*)$",
+     f"((?:every one of |each of |all |all of )?(?:the )?{MANY} \\w+ {_BLOCKS} .+ {MANY} \\w+(?: {_BLOCKS})?.*)$",
      "{1}"),
-    (f"^with ({_MANY} \\w+ {_BLOCKS} and {_MANY} \\w+ {_BLOCKS}) on the table , (.+)$", "there are {1} . {2}"),
+    (f"^with ({MANY} \\w+ {_BLOCKS} and {MANY} \\w+ {_BLOCKS}) on the table , (.+)$", "there are {1} . {2}"),
     # the place ahead
     (f"^((?:{_R}|on) {_ONE}) belongs ({_T})\\b", "{1} is {3}"),
     (f"^(?:right |immediately |directly )?next to {_ONE} on (?:the|its) (left|right)(?: side)?(?: ,)? "

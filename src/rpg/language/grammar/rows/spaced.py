@@ -3,10 +3,9 @@ rows that call them gaps, distances between centers, or evenly spaced."""
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import FEW, LENGTH, MUST
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _LONG = f"((?:(?:about|approximately|roughly|around|exactly|at least|at most) )?{LENGTH})"
 _SPACE = "(?:(?:free |empty )?(?:space|room|gap|air|clearance))"
 _BLOCKS = "(?:blocks|cubes|ones|of them)"

@@ -6,12 +6,11 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS
-from rpg.language.grammar.rows.turned import MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, MUST, N
 from rpg.language.tokens import Token
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _STAIRS = "(?:staircase|stairs|stairway)"
 _UP = ("(?:rises?|climbs?|climbing|ascends?|ascending|goes up|go up|leads? up|leading up|runs? up|running up|is "
        "going up|"
@@ -24,7 +23,6 @@ _STEP = "(?: step| column| one| stair| tower)?"
 _HIGH = "(?:highest|tallest|largest|biggest)"
 _LOW = "(?:lowest|shortest|smallest)"
 _THEN = "(?: ,)?(?: and)?(?: then)?"
-_N = "(?: (?:blocks?|cubes?|bricks?|ones?))?"
 _NEXT = f"(?:the )?(?:next|second|middle){_STEP}"
 _HAS = "(?: is| has| are| being| of| :)?"
 _SIDES = (("left", "right"), ("right", "left"), ("front", "back"), ("back", "front"))
@@ -47,13 +45,13 @@ STAIRS: tuple[Turn, ...] = (
        f"three (?:blocks|cubes) (?:high|tall) (?:on|at) the {high}$", f"{{1}} going up to the {high}")
       for low, high in _SIDES),
     # step by step
-    (f"{_CLIMBING} (?:(?:the )?{_LOW}{_STEP}{_HAS} )?one ({_COLOR}){_N}{_THEN}(?: {_NEXT}{_HAS})? two ({_COLOR}){_N}"
-     f"{_THEN}(?: the (?:{_HIGH}|last|third){_STEP}{_HAS})? three ({_COLOR}){_N}$",
+    (f"{_CLIMBING} (?:(?:the )?{_LOW}{_STEP}{_HAS} )?one ({COLOR}){N}{_THEN}(?: {_NEXT}{_HAS})? two ({COLOR}){N}"
+     f"{_THEN}(?: the (?:{_HIGH}|last|third){_STEP}{_HAS})? three ({COLOR}){N}$",
      "{1} , the lowest column one {2} block , the middle column two {3} blocks and the highest column three {4} "
      "blocks"),
-    (f"\\b({_STAIRS}\\b.*?)(?: ,| :)* (?:with )?one(?: step)?{_N}(?: high)?{_THEN} two(?: steps)?{_N}(?: high)?{_THEN} "
-     f"three(?: steps)?{_N} high$", "{1} with heights one , two and three"),
-    (f"({_STAIRS}\\b.*?)(?: ,| :)+ one{_N}{_THEN} two{_N}{_THEN} three{_N}$", "{1} with one , two and three blocks"),
+    (f"\\b({_STAIRS}\\b.*?)(?: ,| :)* (?:with )?one(?: step)?{N}(?: high)?{_THEN} two(?: steps)?{N}(?: high)?{_THEN} "
+     f"three(?: steps)?{N} high$", "{1} with heights one , two and three"),
+    (f"({_STAIRS}\\b.*?)(?: ,| :)+ one{N}{_THEN} two{N}{_THEN} three{N}$", "{1} with one , two and three blocks"),
     (f"\\b({_STAIRS}\\b.*?) in steps of (one|1) , (two|2) and (three|3)\\b", "{1} with steps of {2} , {3} and {4}"),
     # what lies on them
     (f"\\bon (?:top of )?the {_HIGH} (?:step|stair) of (an? (?:[^ ,]+ )*?{_STAIRS}\\b)", "on top of {1}"),
@@ -68,7 +66,7 @@ STAIRS: tuple[Turn, ...] = (
 
 _OF_STAIRS = re.compile(
     f"(?:(it|they|the {_STAIRS}|these|this) (?:{MUST} )?(?:{_UP}|{_DOWN}) (?:{_TO}|from)|(?:its|the) (?:{_HIGH}|{_LOW})"
-    f"{_STEP}(?:{_ON}| is)|one{_N} ?,? (?:and )?then two|one {_COLOR}{_N} ,)"
+    f"{_STEP}(?:{_ON}| is)|one{N} ?,? (?:and )?then two|one {COLOR}{N} ,)"
 )
 _OF_LETTERS = re.compile(
     "(?:the|its) (?:bar|crossbar|stem|foot)(?: of (?:it|the [tT]))? (?:is|lies|points|stands) (?:at|on|to)"

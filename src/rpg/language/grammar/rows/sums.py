@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.turned import FEW, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import MANY, MUST, WAY
 
-_N = f"(?:\\d+|{FEW})"
 _OP = "(?:[-+*/x]|plus|minus|times|multiplied by|divided by)"
-_SUM = f"({_N} {_OP} {_N}(?: {_OP} {_N})*)"
-_EQUATION = f"(\\S*\\d=\\S+|{_SUM[1:-1]} = {_N}|{_N} = {_SUM[1:-1]})"
+_SUM = f"({MANY} {_OP} {MANY}(?: {_OP} {MANY})*)"
+_EQUATION = f"(\\S*\\d=\\S+|{_SUM[1:-1]} = {MANY}|{MANY} = {_SUM[1:-1]})"
 _DO = "(?:write|show|make|lay out|lay|build|spell out|form|put|arrange|place|display)(?: down)?"
 _WHOLE = "(?:whole |complete |full |entire )?"
 _CALL = f"{_WHOLE}(?:equation|calculation|sum|addition|subtraction|multiplication|division|problem)"
@@ -32,10 +32,10 @@ SUMS_AT_ONCE: tuple[Turn, ...] = (
      f"{_CALL}|it|the result)$",
      "solve {1}"),
     (f"^and {_DO} the {_CALL}$", ""),
-    (f"^{_DO} the (?:sum|addition) of ({_N}) and ({_N}) {_RESULT}$", "solve {1} + {2}"),
-    (f"^{_DO} the (?:difference|subtraction) (?:of|between) ({_N}) and ({_N}) {_RESULT}$", "solve {1} - {2}"),
-    (f"^{_DO} the (?:product|multiplication) of ({_N}) and ({_N}) {_RESULT}$", "solve {1} * {2}"),
-    (f"^{_DO} the (?:quotient|division) of ({_N}) (?:and|by) ({_N}) {_RESULT}$", "solve {1} / {2}"),
+    (f"^{_DO} the (?:sum|addition) of ({MANY}) and ({MANY}) {_RESULT}$", "solve {1} + {2}"),
+    (f"^{_DO} the (?:difference|subtraction) (?:of|between) ({MANY}) and ({MANY}) {_RESULT}$", "solve {1} - {2}"),
+    (f"^{_DO} the (?:product|multiplication) of ({MANY}) and ({MANY}) {_RESULT}$", "solve {1} * {2}"),
+    (f"^{_DO} the (?:quotient|division) of ({MANY}) (?:and|by) ({MANY}) {_RESULT}$", "solve {1} / {2}"),
     # equations
     (f"^(?:(?:if|when) i look (?:down|at (?:it|them|the table))(?: ,)? )?i (?:want|would like) to (?:read|see) "
      f"{_EQUATION}"
@@ -47,7 +47,7 @@ SUMS_AT_ONCE: tuple[Turn, ...] = (
      f"(?: (?:which|that) is {_TRUE})?$", "use {1} to make a true equation"),
     (f"\\b(?:so|such) that an? {_TRUE} {_CALL} (?:comes out|come out|results|is formed|appears|arises)$",
      "so that they form a true equation"),
-    (f"\\b(equation) (?:that|which) (?:shows|says|states|tells) that (?={_N} )", "{1}"),
+    (f"\\b(equation) (?:that|which) (?:shows|says|states|tells) that (?={MANY} )", "{1}"),
     # numbers that are read
     (f"\\b(?:so|such) that (?:they|it|the (?:digits|cubes|blocks)|you|one) can be read(?: as)?( {WAY})?(?: as)? "
      f"(\\d+)$",
@@ -64,9 +64,9 @@ SUMS_AT_ONCE: tuple[Turn, ...] = (
      "read \\1$",
      "write the number {1}"),
     # numbers in order
-    (f"^count(?: up)? from ({_N}) to ({_N})(?: (?:with|in|using) {_CUBES})?(?: ,)?(?: in a row)?(?: ,)? {_ALONG}$",
+    (f"^count(?: up)? from ({MANY}) to ({MANY})(?: (?:with|in|using) {_CUBES})?(?: ,)?(?: in a row)?(?: ,)? {_ALONG}$",
      "put the digits from {1} to {2} in a row in ascending order from left to right"),
-    (f"^count down from ({_N}) to ({_N})(?: (?:with|in|using) {_CUBES})?(?: ,)?(?: in a row)?(?: ,)? {_ALONG}$",
+    (f"^count down from ({MANY}) to ({MANY})(?: (?:with|in|using) {_CUBES})?(?: ,)?(?: in a row)?(?: ,)? {_ALONG}$",
      "put the digits from {2} to {1} in a row in descending order from left to right"),
     (f"^count (?:up|down) : ((?:put|place|lay) .+ {WAY})$", "{1}"),
     ("\\b(row|line) of (?:the )?(?:digits|numbers) from (\\d+) (?:on|at) the left down to (\\d+) (?:on|at) the right$",

@@ -3,31 +3,29 @@ distance from centre to centre, as rows that say it in a sentence."""
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, LENGTH, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, MANY, MUST, WAY
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
-_MANY = f"(?:\\d+|{FEW})"
 _BLOCKS = "(?:blocks|cubes)"
 _PLACE = "(?:zone|patch|mat|area|target|region)"
 _ROW = "(?:far|near|front|back|first|second|middle)"
 
 TASK_STRINGS: tuple[Turn, ...] = (
     # measures
-    (f"(?<=[:,] )({_COLOR}) ({LENGTH})(?= ,|$| and)", "a {2} {1} block"),
+    (f"(?<=[:,] )({COLOR}) ({LENGTH})(?= ,|$| and)", "a {2} {1} block"),
     ("\\bthe (?:center|center - to - center) distance (?:of|between) ", "the distance between the centers of "),
     (f"\\b(?:center (?:- )?to (?:- )?center|center) distance of ({LENGTH})", "distance of {1} between centers"),
     ("\\bbetween the facing sides of\\b", "between"),
     # towers and rows
-    (f"\\bin ({_MANY})(?: separate)? (stacks|towers) , (?:each (?:of|with) (?:a )?)?height(?: of)? ({_MANY})(?: "
+    (f"\\bin ({MANY})(?: separate)? (stacks|towers) , (?:each (?:of|with) (?:a )?)?height(?: of)? ({MANY})(?: "
      f"each)?$",
      "in {1} {2} of height {3}"),
-    (f"^stack {_MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({_MANY} {_COLOR} and {_MANY} {_COLOR})\\b",
+    (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
      "stack {2} {1} in alternating colors"),
     (f"^(.+? in the {_ROW} row(?: and| ,) .+? in the {_ROW} row) of (an? \\d+x\\d+ grid)$", "{2} with {1}"),
     (f"\\b(grid) that reads (.+? in the {_ROW} row .+?)(?: , {WAY})?$", "{1} with {2}"),
     # what is sorted
-    (f"^sort by color : (.+? into the {_COLOR} {_PLACE} .+)$", "put {1}"),
+    (f"^sort by color : (.+? into the {COLOR} {_PLACE} .+)$", "put {1}"),
     ("^group by kind : (.+? in one (?:cluster|group|pile) , .+? in another(?: one)?)$", "put {1}"),
     # headings that the sentence says itself
     (f"^(?:invert|reverse|unstack|restack|swap)(?: the \\w+)? : ((?:initially|start from|start with|at "

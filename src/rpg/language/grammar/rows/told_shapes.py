@@ -3,11 +3,10 @@ base of 2x2 and one on top in the middle", as rows that name each part by its pl
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, LINE, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, LINE, ME
 
 _LINE = "(?:columns?|rows?)"
-_BLOCK = "(?:block|cube)"
 _SIDE = "(?:left|right|middle|center|front|back|near|far)"
 _NEAR = "(?:nearer|nearest|closer|closest) to (?:me|you|us|the viewer|the robot)"
 _FAR = "(?:farther|further|farthest|furthest)(?: away)?(?: from (?:me|you|us|the viewer|the robot))?"
@@ -17,7 +16,6 @@ _ONE_AND_OTHER = f"\\b(grid\\b.*?) one (column|row) (?:{_BE} )?(\\w+)(?: ,)? and
 _THE_FIRST = "(?: ,| with|;)+ the \\3 (?:column|row|one)"
 _ROW_AND_OTHER = f"({_BE} )?(?:all )?(\\w+)(?: ,)? and the other(?: one| row)? ({_BE} )?(?:all )?(\\w+)$"
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 _BASE = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
 _TOP = "(an?|one) (\\w+)(?: block| cube| one)? on (?:the )?top(?: (?:in|at) the (?:middle|center))?$"
@@ -25,17 +23,16 @@ _TOP = "(an?|one) (\\w+)(?: block| cube| one)? on (?:the )?top(?: (?:in|at) the 
 _OTHER = {"left": "right", "right": "left", "back": "front", "front": "back"}
 _STAIRS = "(?:staircase|stairs|stairway|steps)"
 _RISING = "(?:ascending|rising|climbing|going up|going upwards|that (?:ascends?|rises?|climbs?|goes up|go up))"
-_ME = "(?:me|us|you|the (?:viewer|robot|camera|observer))"
 
 TOLD_SHAPES: tuple[Turn, ...] = (
     # which way stairs go up
-    (f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} away(?: from {_ME})?\\b", "{1} going up to the back"),
-    (f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} (?:to|towards?) {_ME}\\b", "{1} going up to the front"),
+    (f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} away(?: from {ME})?\\b", "{1} going up to the back"),
+    (f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} (?:to|towards?) {ME}\\b", "{1} going up to the front"),
     *((f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} (?:from (?:the )?{_OTHER[end]} to (?:the )?{end}|to the {end})\\b",
        f"{{1}} going up to the {end}") for end in _OTHER),
     *((f"\\b({_STAIRS}\\b.*?)(?: ,)? (?:descending|falling|going down|that (?:descends|goes down)) to the {end}\\b",
        f"{{1}} going up to the {_OTHER[end]}") for end in _OTHER),
-    (f"\\b(grid(?: has| with| having| must have| should have| :).*?) an? ({_COLOR}) (row|column) (?:on|at|in|to) the "
+    (f"\\b(grid(?: has| with| having| must have| should have| :).*?) an? ({COLOR}) (row|column) (?:on|at|in|to) the "
      f"({_SIDE})(?: side| end)?\\b", "{1} the {4} {3} {2}"),
     (f"^(.*\\bgrid\\b[^,]*?) (?:has|must have|should have) (the {_SIDE} (?:row|column) \\w+)\\b", "{1} with {2}"),
     ("\\b(grid) with (\\w+)(?: blocks| ones)? on the left and (\\w+)(?: blocks| ones)? on the right$",
@@ -52,7 +49,7 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     ("\\b(grid with .+?) , the (\\w+) ones in the (\\w+) row and the (\\w+) ones in the (\\w+) row$",
      "{1} , {2} in the {3} row and {4} in the {5} row"),
     # towers and rows
-    (f"\\b(towers [^,]+ , one ({_COLOR})(?: ,| and)? one ({_COLOR}))(?: ,|;| with)+ (?:the )?\\2(?: one| tower)? "
+    (f"\\b(towers [^,]+ , one ({COLOR})(?: ,| and)? one ({COLOR}))(?: ,|;| with)+ (?:the )?\\2(?: one| tower)? "
      f"(?:{_BE} |stands )?({_SPOT}) (?:the )?\\3(?: one| tower)?$", "{1} . the {2} tower must be {4} the {3} tower"),
     (f"^(an? {LINE} of .+?) in front(?: ,| and)+ (an? {LINE} of .+?) behind(?: it)?$", "{1} and {2} behind it"),
     (f"^rainbow ({LINE})(?: :| of| ,| with)+ (.+ (?:blocks|cubes)|.+ , (?:starting|beginning) .+)$",
@@ -60,13 +57,13 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     (f"^((?:{FEW}|\\d+) [^,]*?(?:blocks|cubes|ones)) , ((?:{FEW}) (?:towers|stacks)) , (?:both|all|each|all of "
      "them)(?: of)? (?:the same|equal) height$", "{1} in {2} of the same height"),
     (f"^({FEW}|\\d+) (?:blocks )?high , (alternating .+)$", "a tower of {1} blocks , {2}"),
-    (f"\\bthat (?:does not|must not|should not|may not) have (?:the )?({_COLOR})(?: one| block| cube)? (at the top|on "
+    (f"\\bthat (?:does not|must not|should not|may not) have (?:the )?({COLOR})(?: one| block| cube)? (at the top|on "
      "top|at the bottom)$", "with {1} not {2}"),
     ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group "
      "(in|on|to|behind|next|near|left|right) "
      "(.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
-    (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({_COLOR})(?: block| cube| one)? , (?:then |and "
-     f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{_COLOR}(?: block| cube| one)? on "
+    (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
+     f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
      "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
     # letters
     ("^(?:make|build) a (?:tower|stack) of (?:the |some )?letters?(?: blocks| cubes)? (?:so that|that|such that)(?: "
@@ -75,7 +72,7 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     ("\\b(?:show|have|take) the shape of (?:the |a )?(?:letter )?(\\w)\\b", "form the letter {1}"),
     ("\\b(?:so that|so) they look like (?:the |a )?(?:letter )?(\\w)\\b", "so that they form the letter {1}"),
     # what there is
-    (f"^(?:the )?({_COLOR}(?: , {_COLOR})*(?: ,)? and {_COLOR} (?:blocks|cubes)) : "
+    (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : "
      f"((?:put|stack|place|build|make|arrange|line|"
      "move|set|lay) .+)$", "there are the {1} . {2}"),
     ("^the words [^:]+ : ((?:spell|put|write|place|lay|set) .+)$", "{1}"),
@@ -92,12 +89,12 @@ TOLD_SHAPES: tuple[Turn, ...] = (
      f"(?:{_BE} )?(\\w+)(?: ,)? and the (?:tip|top|topmost block) (?:{_BE} )?(\\w+)$",
      "{1} : the base {2} , the second layer {3} , the tip {4}"),
     ("\\b(pyramid\\b.* on top) (?:in|at) the (?:middle|center)$", "{1}"),
-    (f"\\b(pyramid) (?:with|of|from|:) ({FEW}) ({_COLOR}) (blocks|cubes) (?:at|in|on|as) (?:the )?(?:base|bottom)"
+    (f"\\b(pyramid) (?:with|of|from|:) ({FEW}) ({COLOR}) (blocks|cubes) (?:at|in|on|as) (?:the )?(?:base|bottom)"
      f"(?: ,| and)+ ({FEW})(?: more| others)? (?:above|over|on|on top of) (?:them|those|it|that|the base)(?: ,| and)+ "
      "(?:a single )?one (?:more )?(?:on|at the) (?:very )?top(?: of (?:it|them|that))?$",
      "{1} of {3} {4} : {2} at the base , {5} above them and one on top"),
     (f"\\b(an?|one) (pyramid with (?:an? )?{_BASE} base)(?: ,| and| with)+ (?:an?|one|a single) (block|cube) (on top)"
-     f"(?: of it)?(?: ,| and)+ (?:they are )?all(?: of them)?(?: {_BLOCK}s)?(?: in)? ({_COLOR})$",
+     f"(?: of it)?(?: ,| and)+ (?:they are )?all(?: of them)?(?: {CUBE}s)?(?: in)? ({COLOR})$",
      "{1} {6} {2} and one {4} {5}"),
     ("\\b(pyramid with .+? base(?: ,| and)+) a single (block|cube) on top\\b", "{1} one {2} on top"),
     # sides and outlines

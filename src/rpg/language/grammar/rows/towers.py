@@ -3,20 +3,17 @@ ones in one tower, all blue ones in another", as rows that tell each of them pla
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MANY, MUST, TOWER
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
-_MANY = f"(?:\\d+|{FEW})"
 _BLOCKS = "(?:blocks|cubes|ones)"
 _TOWERS = "(?:towers|stacks)"
-_TOWER = "(?:tower|stack)"
 _EACH = "(?:both|all|each|every one)(?: of (?:them|these|those|which))?"
 _EQUAL = (
     "(?:equally (?:high|tall)|(?:of |have |having )?(?:the same|equal|an equal) height|as (?:high|tall) as each other)"
 )
 _ARE = f"(?:(?:being|are|is|{MUST} be) )?"
-_TALL = f"(?:with |of |having |has |that is |which is |is )?(?:a )?(?:height )?(?:of )?({_MANY})(?: blocks| cubes)?"
+_TALL = f"(?:with |of |having |has |that is |which is |is )?(?:a )?(?:height )?(?:of )?({MANY})(?: blocks| cubes)?"
 _HIGH = "(?: high| tall| in height)?"
 _OTHER = "(?:one|another|the other|a second|the second|a third|the third)(?: one| tower| stack)?"
 _FIRST = "(?:one|the first)(?: one| tower| stack| of them)?"
@@ -26,17 +23,17 @@ _BESIDE = ("(?:(?:directly |right |immediately )?(?:to the left of|to the right 
              "of|next to|"
            "beside))")  # fmt: skip
 _BEFORE = "(behind|in front of) (?:it|that|this)"
-_THING = f"(?:(?:an?|the|one) )?(?:{_COLOR}|[b-z0-9])(?: (?:block|cube|one))?"
+_THING = f"(?:(?:an?|the|one) )?(?:{COLOR}|[b-z0-9])(?: (?:block|cube|one))?"
 _PILE = f"{_THING}(?: (?:on top of|on|over|above|atop) {_THING})+"
-_STACKED = f"({_MANY} {_COLOR}s?(?: {_BLOCKS})?)(?: stacked(?: up)?)?"
+_STACKED = f"({MANY} {COLOR}s?(?: {_BLOCKS})?)(?: stacked(?: up)?)?"
 _INTO = "(?:go |goes |belong |are |is |form |make |must be |should be |must form |should form |should go |must go )?"
 _GROUND = "(?:in|into|to)"
 _FOOT = ("(?:below|lowest|first|down below|touching the table|on the table|at the (?:very )?bottom|at the base|at the "
          "foot|as the base|as its base)")  # fmt: skip
-_ONE = f"(?:an? |the )?({_COLOR})(?: block| cube| one)?"
+_ONE = f"(?:an? |the )?({COLOR})(?: block| cube| one)?"
 _BEGINS = (f"(?: ,)? (?:(?:and )?(?:starting|beginning) with|and begins with|and starts with|that (?:starts|begins) "
            f"with|with|and|,) {_ONE} (?:being |is )?{_FOOT}$")  # fmt: skip
-_LOT = f"({_MANY} {_COLOR})(?: {_BLOCKS})?"
+_LOT = f"({MANY} {COLOR})(?: {_BLOCKS})?"
 _TURNS = f"{_ONE}s? and {_ONE}s?"
 _CHANGING = (
     "(?:with|in|of) (?:the |its )?(?:alternating|alternate) colors|(?:with |so that |and )?(?:the |their |its )?"
@@ -47,7 +44,7 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     # how high they are
     (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out "
      f")?(?:of|from) "
-     f"(?={_MANY}\\b)", "{1} {2} from"),
+     f"(?={MANY}\\b)", "{1} {2} from"),
     (f"\\b({_TOWERS}\\b.*?)(?: ,)? (?:and |with )?{_EACH} {_ARE}{_EQUAL}$", "{1} of equal height"),
     (f"\\b({_TOWERS}\\b.*?) (?:that|which) are {_EQUAL}$", "{1} of equal height"),
     (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH}$",
@@ -61,119 +58,119 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({_TOWERS}\\b[^:]*?)(?: ,)? (?:each|every)(?: one)?(?: tower| stack)?(?: of them)? (?:in|of) (?:just|only) "
      f"one "
      "color(?= :|$)", "{1} , each of one color"),
-    (f"^(?:given |with |from |use )?{_MANY} {_BLOCKS} (?:in|of) ({FEW}) (?:different )?colors(?: ,)? ({_MANY})"
+    (f"^(?:given |with |from |use )?{MANY} {_BLOCKS} (?:in|of) ({FEW}) (?:different )?colors(?: ,)? ({MANY})"
      f"(?: {_BLOCKS})? (?:of each|per color|in each|each|for each)(?: color| of them)?(?: ,| :)? (?:make |build )?"
-     f"(?:one|a) ({_TOWER}) (?:per|for each|for every|of each) color$", "{1} {3s} of {2} , each {3} in its own color"),
+     f"(?:one|a) ({TOWER}) (?:per|for each|for every|of each) color$", "{1} {3s} of {2} , each {3} in its own color"),
     # colours that alternate
     (f"^(stack|pile up) {_LOT} and {_LOT}(?: ,)? (?:{_CHANGING}){_BEGINS}",
      "{1} {2} and {3} blocks alternately , {4} at the bottom"),
-    (f"^(.*?\\b{_TOWER} of {_MANY})(?: blocks)? (?:{_CHANGING}) , {_LOT} and {_LOT}(?: ,)?{_BEGINS}",
+    (f"^(.*?\\b{TOWER} of {MANY})(?: blocks)? (?:{_CHANGING}) , {_LOT} and {_LOT}(?: ,)?{_BEGINS}",
      "{1} blocks , {2} and {3} , alternating , starting with {4} at the bottom"),
-    (f"\\b({_TOWER}\\b.*?)(?: ,)? with (?:the |its )?colors (?:changing|taking turns) (?:alternately|each time|every "
+    (f"\\b({TOWER}\\b.*?)(?: ,)? with (?:the |its )?colors (?:changing|taking turns) (?:alternately|each time|every "
      f"time)$",
      "{1} with alternating colors"),
-    (f"\\b(make|build|form) of them (an? {_TOWER}|one {_TOWER})\\b", "{1} {2} of them"),
-    (f"^(.*?\\b{_TOWER}\\b[^,]*?) (?:is|are) (?:wanted|needed|required|desired) , (alternating .+)$", "{1} , {2}"),
-    (f"\\b({_TOWER} of {_MANY}(?: blocks| cubes)?)(?: ,)? (?:that|which) (?:alternates|changes) between {_TURNS}",
+    (f"\\b(make|build|form) of them (an? {TOWER}|one {TOWER})\\b", "{1} {2} of them"),
+    (f"^(.*?\\b{TOWER}\\b[^,]*?) (?:is|are) (?:wanted|needed|required|desired) , (alternating .+)$", "{1} , {2}"),
+    (f"\\b({TOWER} of {MANY}(?: blocks| cubes)?)(?: ,)? (?:that|which) (?:alternates|changes) between {_TURNS}",
      "{1} , alternating {2} and {3}"),
-    (f"\\b({_TOWER}\\b.*) alternating between {_TURNS}", "{1} alternating {2} and {3}"),
-    (f"\\b({_TOWER}\\b.*\\balternating .*?) with {_ONE} both at the (?:bottom|base|foot) and (?:at the top|on top)$",
+    (f"\\b({TOWER}\\b.*) alternating between {_TURNS}", "{1} alternating {2} and {3}"),
+    (f"\\b({TOWER}\\b.*\\balternating .*?) with {_ONE} both at the (?:bottom|base|foot) and (?:at the top|on top)$",
      "{1} with {2} at the bottom and {2} at the top"),
-    (f"\\b({_TOWER}\\b[^,]*?)(?: ,)? (?:with|in|of) alternating colors , {_TURNS} , ({_MANY})(?: blocks| cubes)?"
+    (f"\\b({TOWER}\\b[^,]*?)(?: ,)? (?:with|in|of) alternating colors , {_TURNS} , ({MANY})(?: blocks| cubes)?"
      "(?: high| tall)?(?= ,|$)", "{1} of {4} blocks , alternating {2} and {3}"),
-    (f"^(?:an? )?({_TOWER}) (?:of|with) ({_MANY})(?: blocks| cubes) [:,] (?:the )?colors alternate between {_TURNS}",
+    (f"^(?:an? )?({TOWER}) (?:of|with) ({MANY})(?: blocks| cubes) [:,] (?:the )?colors alternate between {_TURNS}",
      "a {1} of {2} blocks , alternating {3} and {4}"),
-    (f"\\b({_TOWER})(?: ,)? (?:where|in which) {_TURNS} alternate ,? ?({_MANY})(?: blocks| cubes)? (?:high|tall)",
+    (f"\\b({TOWER})(?: ,)? (?:where|in which) {_TURNS} alternate ,? ?({MANY})(?: blocks| cubes)? (?:high|tall)",
      "{1} of {4} blocks , alternating {2} and {3}"),
-    (f"^(?:an? |the )?({_TOWER}) , (?:alternate|alternating) {_TURNS} , ({_MANY})(?: blocks| cubes)(?: high| tall)?",
+    (f"^(?:an? |the )?({TOWER}) , (?:alternate|alternating) {_TURNS} , ({MANY})(?: blocks| cubes)(?: high| tall)?",
      "a {1} of {4} blocks , alternating {2} and {3}"),
-    (f"^alternate {_TURNS} in (?:an?|one) ({_TOWER}) of ({_MANY})(?: blocks| cubes)? that (?:starts|begins) with "
+    (f"^alternate {_TURNS} in (?:an?|one) ({TOWER}) of ({MANY})(?: blocks| cubes)? that (?:starts|begins) with "
      f"{_ONE} "
      f"{_FOOT}$", "a {3} of {4} blocks , alternating {1} and {2} , with {5} at the bottom"),
-    (f"\\b({_TOWER} of {_MANY})(?: blocks| cubes)?(?: ,)? (?:in which|where) every (?:second|other) "
+    (f"\\b({TOWER} of {MANY})(?: blocks| cubes)?(?: ,)? (?:in which|where) every (?:second|other) "
      f"(?:block|cube|one) ,? ?"
      "(?:starting|beginning) (?:with the (?:bottom|lowest|bottommost)(?: one| block| cube)?|at the bottom|from the "
-     f"bottom) ,? ?is {_ONE} and the (?:rest|others|other blocks|other cubes) (?:is |are )?({_COLOR})$",
+     f"bottom) ,? ?is {_ONE} and the (?:rest|others|other blocks|other cubes) (?:is |are )?({COLOR})$",
      "{1} blocks , alternating {2} and {3} , with {2} at the bottom"),
     (f"\\b((?:tower|(?:an?|one|the) stack)\\b[^:]*\\b(?:alternating|alternate|alternately)\\b[^:]*?){_BEGINS}",
      "{1} , with {2} at the bottom"),
     # what becomes of one of them
-    (f"^given ({_MANY} {_COLOR} {_BLOCKS}) , (make|build) (an? {_TOWER}\\b.*)$", "from {1} {2} {3}"),
-    (f"^(?:split|divide|break|take|part) (?:the|an?|one) (tower|stack|row) of ({_MANY}(?: {_COLOR})?(?: {_BLOCKS})?)"
-     f"(?: apart| up)? (?:in|into) (?:halves ,? so that )?({_MANY}) ({_TOWERS}) of ({_MANY})(?: {_BLOCKS})?(?: each)?"
+    (f"^given ({MANY} {COLOR} {_BLOCKS}) , (make|build) (an? {TOWER}\\b.*)$", "from {1} {2} {3}"),
+    (f"^(?:split|divide|break|take|part) (?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?)"
+     f"(?: apart| up)? (?:in|into) (?:halves ,? so that )?({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?"
      "(?: remain| result)?$", "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
-    (f"^(?:the|an?|one) (tower|stack|row) of ({_MANY}(?: {_COLOR})?(?: {_BLOCKS})?) {MUST} be (?:split|divided|parted|"
-     f"broken|taken apart)(?: up)? (?:in|into) ({_MANY}) ({_TOWERS}) of ({_MANY})(?: {_BLOCKS})?(?: each)?$",
+    (f"^(?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?) {MUST} be (?:split|divided|parted|"
+     f"broken|taken apart)(?: up)? (?:in|into) ({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?$",
      "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
-    (f"^(?:make|build) ({_MANY}) ({_TOWERS}) of ({_MANY})(?: {_BLOCKS})?(?: each)? (?:out of|from) (?:the|an?|one) "
-     f"(tower|stack|row) of ({_MANY}(?: {_COLOR})?(?: {_BLOCKS})?)$",
+    (f"^(?:make|build) ({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)? (?:out of|from) (?:the|an?|one) "
+     f"(tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?)$",
      "at the start there is a {4} of {5} . at the end there are {1} {2} of {3}"),
-    (f"^(?:make |build )?(?:for (?:every|each) color)(?: ,)? (?:one|an?|its)(?: own| separate)? ({_TOWER})$",
+    (f"^(?:make |build )?(?:for (?:every|each) color)(?: ,)? (?:one|an?|its)(?: own| separate)? ({TOWER})$",
      "one {1} per color"),
-    (f"^({_MANY} {_COLOR} {_BLOCKS})(?: ,)? and an? ({_COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| "
+    (f"^({MANY} {COLOR} {_BLOCKS})(?: ,)? and an? ({COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| "
      f"one)?$",
      "put a {2} block on each of {1}"),
-    (f"^({_MANY} {_COLOR} {_BLOCKS}) {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({_COLOR}) "
+    (f"^({MANY} {COLOR} {_BLOCKS}) {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({COLOR}) "
      "(?:one|block|cube)(?: on top| on it)?", "put a {2} block on each of {1}"),
-    (f"\\b(?:a|one) ({_TOWER}) (?:with|of) ({_MANY})(?: {_BLOCKS})? and (?:a|one|another)(?: one| {_TOWER})? "
+    (f"\\b(?:a|one) ({TOWER}) (?:with|of) ({MANY})(?: {_BLOCKS})? and (?:a|one|another)(?: one| {TOWER})? "
      f"(?:with|of) "
-     f"({_MANY})(?: {_BLOCKS})?(?: ,)? (?:everything|all of it)(?: in)? ({_COLOR})$",
+     f"({MANY})(?: {_BLOCKS})?(?: ,)? (?:everything|all of it)(?: in)? ({COLOR})$",
      "one {4} {1} of {2} and one {4} {1} of {3}"),
-    (f"\\b(?:a|one) ({_TOWER}) of ({_MANY})(?: {_BLOCKS})? and (?:one|another)(?: one)? of ({_MANY})(?: {_BLOCKS})? "
+    (f"\\b(?:a|one) ({TOWER}) of ({MANY})(?: {_BLOCKS})? and (?:one|another)(?: one)? of ({MANY})(?: {_BLOCKS})? "
      "(?=from|out of)", "one {1} of {2} and one {1} of {3}"),
-    (f"^(?:with|from|out of) (.+? {_BLOCKS})(?: ,)? (?:i|we) (?:want|need|would like) ((?:one|an?|{_MANY}) "
-     f".*{_TOWER}.*)$",
+    (f"^(?:with|from|out of) (.+? {_BLOCKS})(?: ,)? (?:i|we) (?:want|need|would like) ((?:one|an?|{MANY}) "
+     f".*{TOWER}.*)$",
      "with {1} build {2}"),
-    (f"\\b({_TOWERS} .+?) , (?:everything|all of it|all of them) (?:is )?(?:made )?(?:from|of|out of) ({_COLOR} "
+    (f"\\b({_TOWERS} .+?) , (?:everything|all of it|all of them) (?:is )?(?:made )?(?:from|of|out of) ({COLOR} "
      f"{_BLOCKS})$",
      "{1} from {2}"),
-    (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({_TOWER}) : (.+)$", "a {1} of {2}"),
+    (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({TOWER}) : (.+)$", "a {1} of {2}"),
     ("(?<! of)(?: ,)? the (?:rest|others|order of the (?:rest|others)) (?:is |are )?(?:as you like|up to you|free)$",
      ", the others in any order"),
-    (f"\\b({_TOWER}) (of|out of|from|made of) ({_COLOR}) ({_COLOR}) and ({_COLOR})(?= with| so| in|$)",
+    (f"\\b({TOWER}) (of|out of|from|made of) ({COLOR}) ({COLOR}) and ({COLOR})(?= with| so| in|$)",
      "{1} {2} {3} , {4} and {5}"),
-    (f"^(?:make |build )?({_MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})(?: ,)? (?:with )?(?:the "
+    (f"^(?:make |build )?({MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})(?: ,)? (?:with )?(?:the "
      f")?"
      "(?:colors )?in any order$", "stack {2} into {1} of equal height , in any order"),
-    (f"^use (.+ {_BLOCKS}) to (?:make|build) ({_MANY} {_TOWERS}) of (?:the same|equal) height(?: ,)? (?:with )?(?:the "
+    (f"^use (.+ {_BLOCKS}) to (?:make|build) ({MANY} {_TOWERS}) of (?:the same|equal) height(?: ,)? (?:with )?(?:the "
      f")?"
      "(?:colors )?in any order$", "stack {1} into {2} of equal height , in any order"),
     # what stands beside it
-    (f"\\b(two|2) ({_TOWERS}) of ({_MANY})(?: {_BLOCKS})?(?: each)? , the ({_COLOR}) (?:one|{_TOWER}) (?:is |being "
+    (f"\\b(two|2) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)? , the ({COLOR}) (?:one|{TOWER}) (?:is |being "
      f"|stands "
-     f"|standing )?({_BESIDE}) the ({_COLOR}) (?:one|{_TOWER})$",
+     f"|standing )?({_BESIDE}) the ({COLOR}) (?:one|{TOWER})$",
      "{1} {2} of {3} , one {4} and one {6} . the {4} tower must be {5} the {6} tower"),
-    (f"\\b((?:an?|one) ({_TOWER}) of {_MANY}\\b.*? on .*?) and one of (?={_MANY}(?: {_COLOR})?(?: {_BLOCKS})? on )",
+    (f"\\b((?:an?|one) ({TOWER}) of {MANY}\\b.*? on .*?) and one of (?={MANY}(?: {COLOR})?(?: {_BLOCKS})? on )",
      "{1} and a {2} of"),
-    (f"\\b((?:an?|one) ({_TOWER}) of {_MANY}\\b.*?(?: and|,) (?:{_BESIDE}) it(?: ,)?) one of (?={_MANY}\\b)",
+    (f"\\b((?:an?|one) ({TOWER}) of {MANY}\\b.*?(?: and|,) (?:{_BESIDE}) it(?: ,)?) one of (?={MANY}\\b)",
      "{1} a {2} of"),
-    (f"\\b(two) (columns|rows|towers|stacks) of ({_MANY})(?: {_BLOCKS})?(?: ,| :)? an? ({_COLOR}) "
+    (f"\\b(two) (columns|rows|towers|stacks) of ({MANY})(?: {_BLOCKS})?(?: ,| :)? an? ({COLOR}) "
      f"(?:one|column|row|tower|"
-     f"stack) (?:on|to) the (left|right)(?: side)?(?: ,)? (?:and )?an? ({_COLOR}) (?:one|column|row|tower|stack) "
+     f"stack) (?:on|to) the (left|right)(?: side)?(?: ,)? (?:and )?an? ({COLOR}) (?:one|column|row|tower|stack) "
      f"(?:on|to) "
      "the (left|right)(?: side)?$", "{1} {2} of {3} , the {5} one {4} and the {7} one {6}"),
-    (f"\\b(?:two|2) {_TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_ASIDE}(?: ,)? (?:there is |stands )?({_PILE})$",
+    (f"\\b(?:two|2) {TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_ASIDE}(?: ,)? (?:there is |stands )?({_PILE})$",
      "a tower of {1} , and to the {2} of it a tower of {3}"),
-    (f"\\b(?:two|2) {_TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_BEFORE}(?: ,)? (?:there is |stands )?({_PILE})$",
+    (f"\\b(?:two|2) {TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_BEFORE}(?: ,)? (?:there is |stands )?({_PILE})$",
      "a tower of {1} , and {2} it a tower of {3}"),
-    (f"\\b(?:two|2) {_TOWER}s [:,] (?:on|to) the left {_STACKED}(?: ,)? (?:and )?(?:to|on) the right(?: of it)? "
+    (f"\\b(?:two|2) {TOWER}s [:,] (?:on|to) the left {_STACKED}(?: ,)? (?:and )?(?:to|on) the right(?: of it)? "
      f"{_STACKED}$", "two towers , the left one of {1} and the right one of {2}"),
-    (f"\\b(?:two|2) {_TOWER}s [:,] on the left ({_PILE})(?: ,)? (?:and )?(?:to|on) the right(?: of it)? ({_PILE})$",
+    (f"\\b(?:two|2) {TOWER}s [:,] on the left ({_PILE})(?: ,)? (?:and )?(?:to|on) the right(?: of it)? ({_PILE})$",
      "two towers : {1} on the left and {2} on the right"),
-    (f"(?:^|(?<=: ))(?:(?:stack|sort)(?: them| the blocks)? by color [:,] )?(?:all )?(?:the )?({_COLOR})(?: "
+    (f"(?:^|(?<=: ))(?:(?:stack|sort)(?: them| the blocks)? by color [:,] )?(?:all )?(?:the )?({COLOR})(?: "
      f"{_BLOCKS})? "
-     f"{_INTO}{_GROUND} (?:one|a) {_TOWER} of ({_MANY})(?: ,| and|, and) "
-     f"(?:all )?(?:the )?({_COLOR})(?: {_BLOCKS})? {_INTO}{_GROUND} another(?: one| {_TOWER})? of ({_MANY})$",
+     f"{_INTO}{_GROUND} (?:one|a) {TOWER} of ({MANY})(?: ,| and|, and) "
+     f"(?:all )?(?:the )?({COLOR})(?: {_BLOCKS})? {_INTO}{_GROUND} another(?: one| {TOWER})? of ({MANY})$",
      "one {1} tower of {2} and one {3} tower of {4}"),
-    (f"(?:^|(?<=: ))(?:put |stack |build )?(?:all )?(?:of )?(the |my )?({_COLOR}) ({_BLOCKS}) {_INTO}(?:{_GROUND} "
+    (f"(?:^|(?<=: ))(?:put |stack |build )?(?:all )?(?:of )?(the |my )?({COLOR}) ({_BLOCKS}) {_INTO}(?:{_GROUND} "
      f")?(?:one|a) "
-     f"({_TOWER}) (?:and|,|, and) (?:all )?(?:of )?(?:the )?({_COLOR})(?: {_BLOCKS})? {_INTO}(?:{_GROUND} )?another"
-     f"(?: one| {_TOWER})?$", "the {2} {3} form a {4} . the {5} {3} form another {4}"),
+     f"({TOWER}) (?:and|,|, and) (?:all )?(?:of )?(?:the )?({COLOR})(?: {_BLOCKS})? {_INTO}(?:{_GROUND} )?another"
+     f"(?: one| {TOWER})?$", "the {2} {3} form a {4} . the {5} {3} form another {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
 TOWERS: tuple[Turn, ...] = (
-    (f"\\bthe remaining ({_MANY})(?: {_BLOCKS})? (?:each )?(sit|lie|stand|rest|stay|are)\\b", "the other {1} {2}"),
+    (f"\\bthe remaining ({MANY})(?: {_BLOCKS})? (?:each )?(sit|lie|stand|rest|stay|are)\\b", "the other {1} {2}"),
     ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
     ("(?: ,)? so that no two touch$", ". no two of them touch"),
 )  # fmt: skip

@@ -3,7 +3,8 @@ place of", as rows that say it plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.turned import MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import MUST
 
 _END = "(?:top|bottom|middle|lowest|highest|uppermost|leftmost|rightmost|first|second|third|last|upper|lower)"
 _BLOCK = "(?:block|cube|brick|one)"

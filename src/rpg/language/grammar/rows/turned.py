@@ -12,13 +12,6 @@ from rpg.language.tokens import Token
 
 Turn = tuple[str, str]
 """What is looked for in a sentence, and what is said instead; "{1}" is the first group, "{1s}" several of it."""
-MUST = "(?:shall|must|should|will|has to|have to|needs to|need to|is to|are to|ought to)"
-END = "(?:left|right|front|back|top|bottom|near|far)"
-WAY = f"from (?:the )?{END} to (?:the )?{END}"
-FEW = "one|two|three|four|five|six|seven|eight|nine|ten|twelve"
-LENGTH = f"(?:[\\d.]+|{FEW}) (?:cm|mm|(?:centi|milli)met(?:er|re)s?)"
-LINE = "(?:tower|stack|row|line|column)"
-"""What rows have in common: modals, ends, ways along a line, numbers, lengths and lines."""
 _MOST = 4
 """No sentence is turned more often by the same row."""
 

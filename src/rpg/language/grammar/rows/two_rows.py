@@ -3,10 +3,9 @@ in front of it, DOG", as rows that name both and how they lie to each other."""
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _WORD = f"((?!(?:the|an?|them|it|{FEW})\\b)[a-z]{{2,}})"
 _LINE = "(?:row|line|tower|stack)"
 _END = "(far|back|near|front)"
@@ -18,7 +17,7 @@ _NEAR = "(?:nearer|nearest|closer|closest)(?: to (?:me|us|you|the viewer|the rob
 _TWO = f"(?:{_WRITE} )?(?:the words )?{_WORD} and {_WORD}"
 _OF = "(?: of (?:digits|numbers|letters|words|blocks|cubes))?"
 _ROWS = f"(?:two rows{_OF}(?: ,| :) )?"
-_SAME = f"(an? {_LINE} of (?:{FEW}) ({_COLOR}) (?:blocks|cubes|ones))"
+_SAME = f"(an? {_LINE} of (?:{FEW}) ({COLOR}) (?:blocks|cubes|ones))"
 _MADE = "(?:blocks|cubes)"
 _LOOK = "^(?:it should look like this : )?"
 _LISTED = "((?:\\S+ , )+(?:and )?\\S+|(?:\\S+ , )*\\S+ and \\S+)"
@@ -56,7 +55,7 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
      "one) behind$", "{1} behind {3}"),
     (f"^{_SAME} parallel to (an? {_LINE} of .+?) ,(?: the)? \\2 (?:row|"
      "one) in front$", "{1} in front of {3}"),
-    (f"^two rows of ({FEW})(?: blocks)? ,(?: the)? first row ({_COLOR}){_AND}(?:the )?second row ({_COLOR}) ,? ?the "
+    (f"^two rows of ({FEW})(?: blocks)? ,(?: the)? first row ({COLOR}){_AND}(?:the )?second row ({COLOR}) ,? ?the "
      "first (?:one |row )?(?:being|is) the (?:far|back) (?:one|row)$",
      "{1} {2} blocks in the far row and {1} {3} blocks in the near row"),
 )  # fmt: skip

@@ -3,22 +3,19 @@ from touching blue", "red above blue in one stack, with white between them", as 
 
 from __future__ import annotations
 
-from rpg.language import lexicon
-from rpg.language.grammar.rows.turned import FEW, MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, TOWER
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _LABEL = "(?:[b-z0-9](?= |$)|a(?= (?:on|at|in|is|as|must|should|goes|above|below|and|not|from|somewhere)))"
-_KNOWN = f"((?:the )?(?:{_COLOR}(?: (?:block|cube|one))?|(?:(?:block|cube|letter|number|digit) )?{_LABEL}))"
-_THING = f"((?:(?:the|an?|one) )?(?:{_COLOR}(?: (?:block|cube|one))?|(?:(?:block|cube|letter|number|digit) )?{_LABEL}))"
-_TOWER = "(?:tower|stack)"
-_MANY = f"(?:\\d+|{FEW})"
+_KNOWN = f"((?:the )?(?:{COLOR}(?: (?:block|cube|one))?|(?:(?:block|cube|letter|number|digit) )?{_LABEL}))"
+_THING = f"((?:(?:the|an?|one) )?(?:{COLOR}(?: (?:block|cube|one))?|(?:(?:block|cube|letter|number|digit) )?{_LABEL}))"
 _BLOCKS = "(?:blocks|cubes|ones)"
 _ORDER = "(?:any|whatever|whichever) order(?: (?:that )?you like)?"
 _LOW = "(?:at the (?:very )?bottom|lowest|as (?:its|the) (?:lowest block|bottom|base|bottom block|lowest))"
 _HIGH = "(?:at the (?:very )?top|on top|topmost|as (?:its|the) (?:highest block|top|top block|topmost block))"
 _BUT = "(?:but|except|except for|other than|save)"
 _IS = f"(?:is|{MUST} be|goes|{MUST} go|stands|sits|lies)"
-_IN_ONE = f"(?:in (?:one|the same|a single|this|the)(?: and the same)? {_TOWER}|in an? {_TOWER})"
+_IN_ONE = f"(?:in (?:one|the same|a single|this|the)(?: and the same)? {TOWER}|in an? {TOWER})"
 _BEGUN = "(?:^|(?<=, )|(?<=: ))"
 _INDIRECT = "(?:but )?not (?:directly|immediately|right)(?: on (?:top of )?(?:it|that)| above it)?"
 _AMID = "(?:in between|between (?:them|the two|these two|those two|the other two)|in the middle)"
@@ -48,7 +45,7 @@ UPRIGHT_AT_ONCE: tuple[Turn, ...] = (
     (f"^anything (?:on top|at the (?:very )?top) {_BUT} {_KNOWN}$", "{1} is not on top"),
     *_not_at(_LOW, "at the bottom"),
     *_not_at(_HIGH, "on top"),
-    (f"^any ({_TOWER} of .+?) (?:passes|will do|is fine|counts|is ok)(?: ,)? ((?:as long as|provided that|if) .+)$",
+    (f"^any ({TOWER} of .+?) (?:passes|will do|is fine|counts|is ok)(?: ,)? ((?:as long as|provided that|if) .+)$",
      "a {1} {2}"),
     _not_block("topmost|top|highest|uppermost", "on top"),
     _not_block("bottommost|bottom|lowest|lowermost", "at the bottom"),
@@ -57,15 +54,15 @@ UPRIGHT_AT_ONCE: tuple[Turn, ...] = (
     (f"(?: ,)? in {_ORDER}(?: that| which)? keeps {_KNOWN} from (?:touching|being on) {_KNOWN}$",
      "so that {1} does not touch {2}"),
     (f"(?: ,)? (?:in {_ORDER} )?(?:as long as|so long as|provided that|so that) {_KNOWN} is higher(?: up)?"
-     f"(?: in (?:it|the {_TOWER}))? than {_KNOWN}$", "so that {1} is somewhere above {2}"),
+     f"(?: in (?:it|the {TOWER}))? than {_KNOWN}$", "so that {1} is somewhere above {2}"),
     (f"(?: ,)? (?:in {_ORDER} )?(?:as long as|so long as|provided that|so that) {_KNOWN} is lower(?: down)?"
-     f"(?: in (?:it|the {_TOWER}))? than {_KNOWN}$", "so that {1} is somewhere below {2}"),
-    (f"^(stack|pile up) all {_MANY} of (.+?) (so that .+)$", "{1} {2} {3}"),
-    (f"^(.*\\b{_TOWER}\\b.*?)(?: ,)? (?:in which|so that|where|with) (?:neither|none of the) ({_COLOR}) "
+     f"(?: in (?:it|the {TOWER}))? than {_KNOWN}$", "so that {1} is somewhere below {2}"),
+    (f"^(stack|pile up) all {MANY} of (.+?) (so that .+)$", "{1} {2} {3}"),
+    (f"^(.*\\b{TOWER}\\b.*?)(?: ,)? (?:in which|so that|where|with) (?:neither|none of the) ({COLOR}) "
      f"(?:one|ones|block|"
      "blocks|cube|cubes) (?:is |are )?(?:touching|touches|touch) (?:the other|another|each other)(?: one| ones)?$",
      "{1} so that no two {2} blocks touch"),
-    (f"^(.*\\b(?:{_TOWER}|stack)\\b.*?)(?: ,)? (?:in which|so that|where|with) no (?:block|cube) (?:is |lies |sits "
+    (f"^(.*\\b(?:{TOWER}|stack)\\b.*?)(?: ,)? (?:in which|so that|where|with) no (?:block|cube) (?:is |lies |sits "
      f"|being )?"
      "(?:directly )?(?:on top of|on|touching) (?:one|another|another one|a block|another block) of (?:its own|the "
      "same) "
@@ -89,17 +86,17 @@ UPRIGHT_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:stack|put|place) {_KNOWN} (?:over|above|on) {_KNOWN} ,? ?{_INDIRECT} [:,] {_THING} (?:is|goes|comes|{MUST} "
      f"be|"
      f"{MUST} go) {_AMID}$", "a tower of {2} , {3} and {1} from bottom to top"),
-    (f"\\b({_TOWER}) (?:with|where|in which) {_KNOWN} (?:is |being )?(?:in )?between {_KNOWN} and {_KNOWN}$",
+    (f"\\b({TOWER}) (?:with|where|in which) {_KNOWN} (?:is |being )?(?:in )?between {_KNOWN} and {_KNOWN}$",
      "{1} of {3} , {2} and {4} with {2} in the middle"),
-    (f"^(.*\\b{_TOWER}\\b.*?)(?: ,)? with {_KNOWN} (?:somewhere )?above {_KNOWN} ,? ?{_INDIRECT}$",
+    (f"^(.*\\b{TOWER}\\b.*?)(?: ,)? with {_KNOWN} (?:somewhere )?above {_KNOWN} ,? ?{_INDIRECT}$",
      "{1} , with {2} somewhere above {3} . {2} must not be on {3}"),
-    (f"^(.*\\b{_TOWER} (?:of|out of|from) .*?)(?: ,)? with {_KNOWN} at the bottom , {_KNOWN} (?:on top|at the top) "
+    (f"^(.*\\b{TOWER} (?:of|out of|from) .*?)(?: ,)? with {_KNOWN} at the bottom , {_KNOWN} (?:on top|at the top) "
      f"and the "
      f"(?:other|third|last|remaining)(?: one| block| cube)? {_AMID}$", "{1} with {2} at the bottom and {3} on top"),
-    (f"\\b(?:put|stack|place) both (?:the )?({_COLOR}) {_BLOCKS} on {_KNOWN} so that (?:it is|there is|you get|this "
+    (f"\\b(?:put|stack|place) both (?:the )?({COLOR}) {_BLOCKS} on {_KNOWN} so that (?:it is|there is|you get|this "
      f"is|they "
-     f"form) (an? {_TOWER}) of three$", "{3} of {2} and two {1} blocks from bottom to top"),
-    (f"\\bthe ({_COLOR}) the ({_COLOR}) and the ({_COLOR}) (?=block|cube|one)", "the {1} , the {2} and the {3}"),
+     f"form) (an? {TOWER}) of three$", "{3} of {2} and two {1} blocks from bottom to top"),
+    (f"\\bthe ({COLOR}) the ({COLOR}) and the ({COLOR}) (?=block|cube|one)", "the {1} , the {2} and the {3}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 WORDS = ("passes keeps separating whichever",)

@@ -3,11 +3,11 @@ that say it as others do."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.turned import MUST, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import ME, MUST
 
-_ME = "(?:me|us|you|the (?:viewer|robot|camera|observer))"
 _FAR = "(?:farthest|furthest)"
-_MOST = (f"(?:leftmost|rightmost|frontmost|(?:nearest|closest)(?: to {_ME})?|{_FAR}(?: away)?(?: from {_ME})?|"
+_MOST = (f"(?:leftmost|rightmost|frontmost|(?:nearest|closest)(?: to {ME})?|{_FAR}(?: away)?(?: from {ME})?|"
          "topmost|uppermost|lowest|bottommost)")  # fmt: skip
 _ONE = "(?: one| block| cube)?"
 _IS = f"(?:is|{MUST} be)"

@@ -3,12 +3,11 @@ by four blocks", as rows that say it plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.turned import FEW, LENGTH, LINE, MUST, WAY, Turn
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import CUBE, FEW, LENGTH, LINE, MANY, MUST, WAY
 
-_MANY = f"(?:\\d+|{FEW})"
-_BLOCK = "(?:block|cube)"
 _PATCH = "(?:patch|mat|zone|target|area|spot|pad|goal)"
-_COUNTED = f"(?:{_MANY}|an?) [^,]+?"
+_COUNTED = f"(?:{MANY}|an?) [^,]+?"
 _TRUE = "(?:true|correct|right|valid)"
 _KINDS = "(?:letter|digit|number|vowel|consonant)"
 _LIKING = "(?: you (?:like|want|please|wish|choose|prefer))?"
@@ -39,16 +38,16 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:(?:i|we) (?:want|need|would like) )?(?!no )(.+?) (?:{MUST}|to) be touched by (?!the (?:robot|arm|gripper))"
      "(.+)$", "{2} must touch {1}"),
     ("^(?!no )([^,]+?) (?:is|are) touched by (?!the (?:robot|arm|gripper))([^,]+)$", "{2} must touch {1}"),
-    (f"\\b({_PUSH}) ((?:the|an?) [^,]+? {_BLOCK}|the \\w+ one|\\w+|it) (?:up|over|right up|all the way) to (it|the "
-     f"[^,]+?|\\w)(?: ,)? (so that|until) (they|the two|both|the two {_BLOCK}s)(?: just)? touch\\b(?! the table)",
+    (f"\\b({_PUSH}) ((?:the|an?) [^,]+? {CUBE}|the \\w+ one|\\w+|it) (?:up|over|right up|all the way) to (it|the "
+     f"[^,]+?|\\w)(?: ,)? (so that|until) (they|the two|both|the two {CUBE}s)(?: just)? touch\\b(?! the table)",
      "put {2} next to {3} so that they touch"),
     # how much there is
-    (f"\\b({_MANY}) {_BLOCK}s (by|x) ({_MANY}) {_BLOCK}s\\b", "{1} {2} {3} blocks"),
+    (f"\\b({MANY}) {CUBE}s (by|x) ({MANY}) {CUBE}s\\b", "{1} {2} {3} blocks"),
     (f"^with ({_COUNTED}) (?:standing |lying )?on the table(?: ,)? ((?:put|place|stack|build|make|arrange|set|lay|line|"
      "sort|move) .+)$", "there are {1} . {2}"),
-    (f"^((?:every|each) [^,]+? {_BLOCK}) , (?:and )?there are ({_MANY})(?: of (?:them|those|these))? , "
+    (f"^((?:every|each) [^,]+? {CUBE}) , (?:and )?there are ({MANY})(?: of (?:them|those|these))? , "
      "(.+)$", "{1} {3} . there are {2} of them"),
-    (f"\\bsome ((?:\\w+ )?{_BLOCK}) (?!of\\b|.*\\b(?:not|no|never)\\b)", "at least one {1}"),
+    (f"\\bsome ((?:\\w+ )?{CUBE}) (?!of\\b|.*\\b(?:not|no|never)\\b)", "at least one {1}"),
     *((f"\\b(?:every|any) two of {them} ((?:are|{MUST} be|stand|lie) (?:at least|more than|no less than) {LENGTH} "
        "apart)\\b(?: from each other)?", f"{they} {{{n}}} from each other")
       for them, they, n in (("them", "they", 1), ("(the [^,]+?)", "{1}", 2))),
@@ -76,7 +75,7 @@ AT_ONCE: tuple[Turn, ...] = (
     ("\\b(gradient|rainbow|rainbow order|spectrum)(?: ,)? from (\\w+) (?:on|at) the "
      "(left|right|front|back|top|bottom) to (\\w+) (?:on|at) the "
      "(left|right|front|back|top|bottom)$", "{1} from {2} to {4} from {3} to {5}"),
-    (f"\\b(checkerboard|chessboard)( of [^,]+?)?(?: ,| with| of| in) ({FEW}) rows of ({FEW})(?: {_BLOCK}s)?(?: each)?$",
+    (f"\\b(checkerboard|chessboard)( of [^,]+?)?(?: ,| with| of| in) ({FEW}) rows of ({FEW})(?: {CUBE}s)?(?: each)?$",
      "{1} {2} , {3} by {4}"),
     ("^(?:seen )?in (?:plan|plan view|top view)(?: ,)? (.+)$", "{1}"),
     (f"^((?:to|on|behind|in front of|next to|beside) .*?\\b(?:a|the) {LINE}) , ((?:in|on) which [^,]+) , (.+)$",
@@ -94,22 +93,22 @@ AT_ONCE: tuple[Turn, ...] = (
      "longer)|(?:should|must|may) (?:not|no longer)) (?:be|stay|remain) there(?: any more| anymore| any longer)?(?: "
      "(?:at|in) the end)?$",
      "at the start , {1} is {3} . {1} must not be {3}"),
-    (f"^on (?:either|each) side of (the [^,]+?) there (?:is|{MUST} be) one of the two (\\w+) {_BLOCK}s\\b",
+    (f"^on (?:either|each) side of (the [^,]+?) there (?:is|{MUST} be) one of the two (\\w+) {CUBE}s\\b",
      "on either side of {1} there is a {2} block"),
     (f"^(?:in (?:the|an?) ({LINE})|an? ({LINE}) (?:in which|where))(?: ,)? (?:both|the two|the) ends (?:are|{MUST} be) "
-     f"(\\w+) and the ({FEW}) (?:{_BLOCK}s |ones )?(?:in )?between(?: them)? (?:are |{MUST} be )?(\\w+)$",
+     f"(\\w+) and the ({FEW}) (?:{CUBE}s |ones )?(?:in )?between(?: them)? (?:are |{MUST} be )?(\\w+)$",
      "a {1} {2} of {4} {5} blocks with a {3} block at each end"),
     ("^(?:stack|pile|pile up|stack up) (an? [^,]+?) , ((?:and |then )?an? [^,]+? on (?:it|top of it|that)\\b.*)$",
      "put {1} on the table , {2}"),
-    (f"^(?:(?:each of |all )?the four (\\w+) {_BLOCK}s {MUST} (?:be|end up|stand|go|lie)|(?:put|place|set|move) "
-     f"(?:each of )?the four (\\w+) {_BLOCK}s) in (?:a different|its own|a separate|different|separate) corners?(?: "
+    (f"^(?:(?:each of |all )?the four (\\w+) {CUBE}s {MUST} (?:be|end up|stand|go|lie)|(?:put|place|set|move) "
+     f"(?:each of )?the four (\\w+) {CUBE}s) in (?:a different|its own|a separate|different|separate) corners?(?: "
      "of the table)?$",
      "a {1} {2} block must be in each corner of the table"),
-    (f"^(?:take|get|pick|pick up|grab) (the (?:{_MANY} )?(?:\\w+ )?{_BLOCK}s)(?: up)? (?:from|out of) (?:their|a) "
+    (f"^(?:take|get|pick|pick up|grab) (the (?:{MANY} )?(?:\\w+ )?{CUBE}s)(?: up)? (?:from|out of) (?:their|a) "
      "(heap|pile)(?: ,)? (?:and|then|and then) (.+)$", "{1} start in a {2} . {3}"),
-    (f"^({_MANY} \\w+ {_BLOCK}s?(?: ,| and| , and) {_MANY} \\w+ {_BLOCK}s?) , and (on (?:every|each) .+)$", "{1} . "
+    (f"^({MANY} \\w+ {CUBE}s?(?: ,| and| , and) {MANY} \\w+ {CUBE}s?) , and (on (?:every|each) .+)$", "{1} . "
      "{2}"),
-    (f"^visit (?:the|all|all the) (?:{_MANY} )?(?:{_PATCH}s|patches) in (?:this |that |the following )?order : (.+ "
+    (f"^visit (?:the|all|all the) (?:{MANY} )?(?:{_PATCH}s|patches) in (?:this |that |the following )?order : (.+ "
      f"then .+)$",
      "{1}"),
     (f"^(.+?) (?:may|can|could) (?:be|stand|lie|go) (?:placed )?(?:anywhere|wherever)(?: (?:in|on) [^,]+?)?{_LIKING}"

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
 from rpg.language.grammar.rows.said_short import THINGS
-from rpg.language.grammar.rows.turned import FEW, MUST
+from rpg.language.grammar.rows.vocabulary import FEW, MUST
 from rpg.language.tokens import Token
 
 _SAME = (

@@ -9,7 +9,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
 from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING
-from rpg.language.grammar.rows.turned import FEW, WAY
+from rpg.language.grammar.rows.vocabulary import FEW, WAY
 from rpg.language.tokens import Token
 
 _APART = frozenset({",", "…"})

@@ -27,7 +27,6 @@ from rpg.language.grammar.rows.required import REQUIRED
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import AT_ONCE, ROUNDABOUT
 from rpg.language.grammar.rows.row_places import told_by_places
-from rpg.language.grammar.rows.rows_placed import ROWS_PLACED, rows_by_number
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.shared_out import SHARED_OUT
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE
@@ -38,7 +37,7 @@ from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.told_shapes import TOLD_SHAPES
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import Turn, Turns, turned
-from rpg.language.grammar.rows.two_rows import TWO_ROWS_AT_ONCE
+from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
 from rpg.language.grammar.rows.upright import UPRIGHT_AT_ONCE
 from rpg.language.grammar.rows.upward import UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.utmost import UTMOST_TOLD

@@ -1,10 +1,14 @@
-"""Two rows or two words, one behind the other, in other words: "the far row spells CAT and the near row DOG", "CAT and,
-in front of it, DOG", as rows that name both and how they lie to each other."""
+"""Two rows or two words, one behind the other: "the far row spells CAT and the near row DOG", "CAT and, in front of it,
+DOG", "A and B in the back row and C and D in the front row", "first row: ..., second row: ..."."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
+
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MUST
+from rpg.language.tokens import Token
 
 _WORD = f"((?!(?:the|an?|them|it|{FEW})\\b)[a-z]{{2,}})"
 _LINE = "(?:row|line|tower|stack)"
@@ -21,6 +25,12 @@ _SAME = f"(an? {_LINE} of (?:{FEW}) ({COLOR}) (?:blocks|cubes|ones))"
 _MADE = "(?:blocks|cubes)"
 _LOOK = "^(?:it should look like this : )?"
 _LISTED = "((?:\\S+ , )+(?:and )?\\S+|(?:\\S+ , )*\\S+ and \\S+)"
+_AT = "(?:back|far|rear|front|near)"
+_BARE = ("^(?!.*\\b(?:grid|square|rectangle|pyramid|wall|checkerboard|\\d+x\\d+|column|columns|rows|lines|words?|"
+             "spell|write|read|reads)\\b)")  # fmt: skip
+_DONE = "(?:(?:put|place|set|arrange|lay|make|build|form|line up) )?"
+_ALSO = "(?: ,| and| , and)?"
+_HAS = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUST} (?:be|have|contain|consist of))"
 
 TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     # words
@@ -60,3 +70,28 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} blocks in the far row and {1} {3} blocks in the near row"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+ROWS_PLACED: tuple[Turn, ...] = (
+    (f"{_BARE}{_DONE}(?!.* row .* row .* row)(?!all )(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_AT}) row{_ALSO} "
+     f"(?:{MUST} )?(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_AT}) row$", "{2} row : {1} . {4} row : {3}"),
+    (f"{_BARE}{_DONE}(?!.* row .* row .* row)(?:the|a) ({_AT}) row {_HAS} (.+?){_ALSO} (?:the|a) ({_AT}) row "
+     f"{_HAS} (.+)$", "{1} row : {2} . {3} row : {4}"),
+)  # fmt: skip
+"""Those that come last: in words and on boards, rows are told by others."""
+_PAGE = {"first": "back", "second": "front"}
+_BOARDS = frozenset(
+    {"grid", "square", "rectangle", "pyramid", "wall", "checkerboard", "layer", "third", "stack", "tower"}
+)
+
+
+def rows_by_number(tokens: list[Token]) -> list[Token]:
+    """The tokens, with a first row as the one at the back and a second as the one in front, as on a page."""
+    words = [token.word for token in tokens]
+    heads = [n for n in range(len(words) - 2) if words[n + 1] == "row" and words[n + 2] == ":"]
+    if [words[n] for n in heads] != [*_PAGE] or not _BOARDS.isdisjoint(words):
+        return tokens
+    return list(_paged(tokens, heads))
+
+
+def _paged(tokens: list[Token], heads: list[int]) -> Iterator[Token]:
+    for n, token in enumerate(tokens):
+        yield replace(token, word=_PAGE[token.word]) if n in heads else token

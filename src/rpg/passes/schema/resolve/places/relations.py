@@ -51,6 +51,7 @@ from rpg.passes.schema.resolve.things.operands import (
     crown,
     far_from_any,
     first_of_all,
+    one_on_one,
     foot,
     measure,
     one_by_one,
@@ -291,7 +292,7 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
         return conj([_landmarks(Ref(names=(n,)), mark, loc, scene, span) for n in theme.names], span)
     if mark.op == "or":
         return disj([_landmarks(theme, part, loc, scene, span) for part in mark.parts], span)
-    mark = far_from_any(mark, loc)
+    mark = one_on_one(theme, far_from_any(mark, loc), loc)
     if first_of_all(theme, mark, loc):
         return spread(theme, lambda a: _landmarks(Ref(names=tuple(a)), mark, loc, scene, span), span)  # type: ignore[arg-type]
     if (quant := mark.quant) is not None:

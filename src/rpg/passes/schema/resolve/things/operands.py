@@ -93,6 +93,13 @@ def far_from_any(mark: Ref, loc: Loc) -> Ref:
 
 
 ANY = Amount(1, None, True)
+_ONE = Amount(1, 1, True)
+
+
+def one_on_one(theme: Ref, mark: Ref, loc: Loc) -> Ref:
+    """ "One of the red blocks on one of the blue ones": it is on any of them."""
+    close = loc.rel in ("on", *LEVEL) and loc.rel != "apart"
+    return replace(mark, quant=ANY) if close and theme.quant == mark.quant == _ONE else mark
 
 
 def first_of_all(theme: Ref, mark: Ref, loc: Loc) -> bool:

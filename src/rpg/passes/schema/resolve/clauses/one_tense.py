@@ -1,0 +1,43 @@
+""" "Red was placed on blue, and yellow next to green": what has no verb of its own is told in the tense of what stands
+before it, so that no sentence is half of the start and half of the end."""
+
+from __future__ import annotations
+
+import re
+
+from rpg.language.meaning import Chain, Clause, Meaning, replace
+
+_PAST = re.compile(r"\b(?:was|were|had been)\b", re.IGNORECASE)
+_OWN = re.compile(
+    r"\b(?:is|are|be|was|were|been|has|have|had|must|should|shall|will|would|can|may|might|needs?|ought|lets?|wants?|"
+    r"now|currently|finally|eventually|afterwards|later|goal|end|ends|finish|result|instead|touch(?:es)?|goes|comes|"
+    r"stays?|stands?|lies|sits|faces?)\b",
+    re.IGNORECASE,
+)
+"""Words by which a clause tells its own time."""
+_JOINED = re.compile(r"\s*[;,]\s*(?:and\s+)?", re.IGNORECASE)
+
+
+def in_one_tense(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
+    """The sentences, with what goes on from the past without a verb told of the start as well; a semicolon joins."""
+    found: list[Chain] = []
+    for chain in chains:
+        last = found[-1] if found and _JOINED.fullmatch(text[found[-1].span[1] : chain.span[0]]) else None
+        before = last.clauses[-1] if last is not None else None
+        told: list[Meaning] = []
+        for clause in chain.clauses:
+            told.append(replace(clause, mode="start") if _goes_on(before, clause, text) else clause)
+            before = told[-1]
+        found.append(replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain)
+    return tuple(found)
+
+
+def _goes_on(before: Meaning | None, clause: Meaning, text: str) -> bool:
+    """Whether a clause without a verb follows one that is past, or that goes on from one."""
+    if not isinstance(before, Clause) or not isinstance(clause, Clause) or before.mode != "start" or before.negated:
+        return False
+    told = text[before.span[0] : before.span[1]]
+    past = _PAST.search(told) is not None or _OWN.search(told) is None
+    own = clause.word is not None or clause.mode != "goal" or clause.lemma or clause.negated
+    bare = clause.verb in ("be", "build", "arrange") and not own
+    return past and bare and _OWN.search(text[before.span[1] : clause.span[1]]) is None

@@ -44,8 +44,11 @@ _OPEN = (
     "it is not clear which block is on which",
     "nothing is placed relative to itself",
     "these could be the sides of the tower",
+    "it is not clear how these alternate",
+    "in a grid colours alternate, two of them",
 )
-"""Refusals of a reading that leaves open how many blocks there are: one as natural that does not see it guesses."""
+"""Refusals of a reading that leaves open how many blocks there are, or how they lie: one as natural that does not see
+it guesses."""
 
 
 def patience(found: Diagnostic) -> int | None:
@@ -59,4 +62,5 @@ def patience(found: Diagnostic) -> int | None:
 
 def aimless(found: Refusal) -> bool:
     """Whether the cheapest reading makes sense, but asks for nothing: no costlier one tells better what is wrong."""
-    return found.diagnostics[0].code == "no-goal"
+    first = found.diagnostics[0]
+    return first.code == "no-goal" and "what should be done" in first.message

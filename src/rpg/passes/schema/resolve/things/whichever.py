@@ -59,6 +59,8 @@ def _of_any(clause: Clause, place: Loc, mark: Noun, text: str) -> Clause:
     far = place.rel == "apart" or (place.rel == "distance" and place.low is not None and place.high is None)
     if not isinstance(theme, Noun) or place.negated or place.rel not in _SIDES | _CLOSE | _FAR or theme.head == "patch":
         return clause
+    if theme.det == "no":
+        return clause
     several = theme.det in _EVERY and theme.amount is None
     if several and (far or (place.rel in _SIDES and clause.word is not None)):
         each = replace(place, landmark=replace(mark, det="each"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from rpg.language.meaning import Chain, Clause, Meaning, replace
+from rpg.language.meaning import Chain, Clause, In, Into, Loc, Meaning, replace
 
 _PAST = re.compile(r"\b(?:was|were|had been)\b", re.IGNORECASE)
 _OWN = re.compile(
@@ -22,22 +22,28 @@ def in_one_tense(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences, with what goes on from the past without a verb told of the start as well; a semicolon joins."""
     found: list[Chain] = []
     for chain in chains:
-        last = found[-1] if found and _JOINED.fullmatch(text[found[-1].span[1] : chain.span[0]]) else None
-        before = last.clauses[-1] if last is not None else None
+        joined = found and _JOINED.fullmatch(text[found[-1].span[1] : chain.span[0]]) is not None
+        before = found[-1].clauses[-1] if joined else None
+        past = False
         told: list[Meaning] = []
         for clause in chain.clauses:
-            told.append(replace(clause, mode="start") if _goes_on(before, clause, text) else clause)
+            past = (past or _past(before, text)) and _goes_on(before, clause, text)
+            told.append(replace(clause, mode="start") if past and isinstance(clause, Clause) else clause)
             before = told[-1]
         found.append(replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain)
     return tuple(found)
 
 
+def _past(before: Meaning | None, text: str) -> bool:
+    """Whether a clause has a verb in the past tense."""
+    return isinstance(before, Clause) and before.mode == "start" and bool(_PAST.search(text[slice(*before.span)]))
+
+
 def _goes_on(before: Meaning | None, clause: Meaning, text: str) -> bool:
-    """Whether a clause without a verb follows one that is past, or that goes on from one."""
-    if not isinstance(before, Clause) or not isinstance(clause, Clause) or before.mode != "start" or before.negated:
+    """Whether a clause says where something is, with no verb of its own."""
+    if not isinstance(before, Clause) or not isinstance(clause, Clause) or before.negated:
         return False
-    told = text[before.span[0] : before.span[1]]
-    past = _PAST.search(told) is not None or _OWN.search(told) is None
     own = clause.word is not None or clause.mode != "goal" or clause.lemma or clause.negated
-    bare = clause.verb in ("be", "build", "arrange") and not own
-    return past and bare and _OWN.search(text[before.span[1] : clause.span[1]]) is None
+    placed = clause.verb == "build" or any(isinstance(a, Loc | In | Into) for a in clause.adjuncts)
+    bare = clause.verb in ("be", "build", "arrange") and placed and not own
+    return bare and _OWN.search(text[before.span[1] : clause.span[1]]) is None

@@ -9,7 +9,7 @@ from rpg.passes.schema.resolve.things.world import Scene, refuse
 def in_one_run(groups: list[list[int]]) -> bool:
     """Whether a part is a single unit whose places follow each other, a row: its looks may be there in any order."""
     places = sorted(groups[0]) if len(groups) == 1 else []
-    return bool(places) and places == [*range(places[0], places[0] + len(places))]
+    return len(places) > 1 and places == [*range(places[0], places[0] + len(places))]
 
 
 def runs(

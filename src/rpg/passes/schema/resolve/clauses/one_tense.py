@@ -27,8 +27,9 @@ def in_one_tense(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
         past = False
         told: list[Meaning] = []
         for clause in chain.clauses:
-            past = (past or _past(before, text)) and _goes_on(before, clause, text)
-            told.append(replace(clause, mode="start") if past and isinstance(clause, Clause) else clause)
+            goes_on = (past or _past(before, text)) and _goes_on(before, clause, text)
+            past = goes_on or (past and getattr(clause, "mode", "") == "start") or _past(clause, text)
+            told.append(replace(clause, mode="start") if goes_on and isinstance(clause, Clause) else clause)
             before = told[-1]
         found.append(replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain)
     return tuple(found)

@@ -37,7 +37,7 @@ from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, exami
 from rpg.passes.schema.invented import check_invented
 from rpg.passes.schema.joints import check_joints
 from rpg.passes.schema.names import family_name
-from rpg.passes.schema.patience import FINAL, LOST, patience
+from rpg.passes.schema.patience import FINAL, LOST, aimless, patience
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_first
 from rpg.passes.schema.resolve.clauses.between_two import of_a_line
@@ -47,6 +47,7 @@ from rpg.passes.schema.resolve.clauses.hoist import hoisted
 from rpg.passes.schema.resolve.clauses.in_parts import links_left
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.clauses.moments import in_time
+from rpg.passes.schema.resolve.clauses.readied import readied
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
 from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
@@ -55,9 +56,7 @@ from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.goals.untouched import left_as_they_are
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
-from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
-from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.structures.unbuilt import check_known
@@ -66,7 +65,6 @@ from rpg.passes.schema.resolve.things.bare_numbers import check_bare_numbers
 from rpg.passes.schema.resolve.things.counted import counted_later
 from rpg.passes.schema.resolve.things.inventory import each_agrees
 from rpg.passes.schema.resolve.things.of_each import each_later
-from rpg.passes.schema.resolve.things.recounted import recounted
 from rpg.passes.schema.resolve.things.rest import listed_alone, selects, speaks_of_rest
 from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one_by_one
 from rpg.passes.schema.resolve.things.sized import sized
@@ -110,7 +108,7 @@ def build(
             if code in FINAL and best is None:
                 raise
             if limit is None and (more := patience(refusal.diagnostics[0])) is not None:
-                limit, first = cost + more, (refusal, chosen)
+                limit, first = cost + more, first if first and aimless(first[0]) else (refusal, chosen)
             first = first or (refusal, chosen)
             continue
         if best is not None:
@@ -162,8 +160,8 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    chains = tuple(shared_sides(recounted(chain), text) for chain in groups_listed(chains))
-    links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, from_heaps(chains), text))))
+    chains = from_heaps(readied(chains, text))
+    links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, chains, text))))
     told = begun(chains, text)
     links, every = links_left(links, chains, told), links
     facts = cleared_of(told, links)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.core.diagnostics import Diagnostic
+from rpg.core.diagnostics import Diagnostic, Refusal
 
 FINAL = frozenset({"false-equation", "bad-equation", "too-many-blocks", "too-many-labels", "too-many-colors",
     "does-not-fit", "unknown-symbol", "size-out-of-range",
@@ -43,8 +43,12 @@ _OPEN = (
     "one for all of them, or one for each?",
     "it is not clear which block is on which",
     "nothing is placed relative to itself",
+    "these could be the sides of the tower",
+    "it is not clear how these alternate",
+    "in a grid colours alternate, two of them",
 )
-"""Refusals of a reading that leaves open how many blocks there are: one as natural that does not see it guesses."""
+"""Refusals of a reading that leaves open how many blocks there are, or how they lie: one as natural that does not see
+it guesses."""
 
 
 def patience(found: Diagnostic) -> int | None:
@@ -54,3 +58,9 @@ def patience(found: Diagnostic) -> int | None:
     if found.code in _TORN or found.message.startswith(_UNFOUND):
         return _SOMEWHAT
     return 0 if found.code in SENSIBLE or found.message.startswith(LOST) else None
+
+
+def aimless(found: Refusal) -> bool:
+    """Whether the cheapest reading makes sense, but asks for nothing: no costlier one tells better what is wrong."""
+    first = found.diagnostics[0]
+    return first.code == "no-goal" and "what should be done" in first.message

@@ -17,6 +17,7 @@ from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.printed import shown
 from rpg.language.grammar.things.retold import begins_anew
 from rpg.language.grammar.things.standby import AS_EXTRAS
+from rpg.language.lexicon import COLOR
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -122,7 +123,8 @@ def _several(theme: Meaning) -> bool:
 
 def _of_parts(p: Parser, i: int, comma: int) -> Results[Meaning]:
     """ "in which the first row is red and the others blue": statements about parts alone."""
-    j = p.any_of(comma, _PART_LEADS)
+    listed = p.stands(comma, ("and",)) and p.words[comma - 2 : comma - 1] == ["with"] and p.words[comma - 1] in COLOR
+    j = p.any_of(comma, _PART_LEADS) if not listed else 0  # "with red and blue in the front row": both are there
     but = p.stands(comma, _EXCEPTING)
     for first, end in [*(part_statement(p, j) if j else ()), *(_excepted(p, comma) if but else ())]:
         first = _not_further(first) if but else first
@@ -353,6 +355,7 @@ _MARKS = frozenset({"it", "them", "that", "this", "the", "those", "both"})
 
 
 _CLOSED = ("", ",", ";", ":", "and", ".")
+_VERTICAL = (*((below, "bottom") for below in ("below", "underneath", "beneath", "under")), ("above", "top"))
 
 
 @choice
@@ -382,14 +385,8 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in manner(p, i):
         if isinstance(found, Manner) and found.kind in ("turn", "facing", "by", "by?"):
             yield (found,), k
-    for phrase, side in (
-        ("below", "bottom"),
-        ("underneath", "bottom"),
-        ("beneath", "bottom"),
-        ("above", "top"),
-        ("under", "bottom"),
-        *((("behind", "back"),) if p.stands(i, ("behind",)) and p.words[i + 1] in _CLOSED else ()),
-    ):
+    behind = (("behind", "back"),) if p.stands(i, ("behind",)) and p.words[i + 1] in _CLOSED else ()
+    for phrase, side in (*_VERTICAL, *behind):
         if k := p.one(i, phrase):
             yield (At(side=side, span=p.span(i, k)),), k
     if p.stands(i, ("left", "right")) and p.words[i + 1] in ("", ",", ";", "and", ".") and p.anywhere(_LINES):

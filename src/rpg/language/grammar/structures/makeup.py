@@ -24,7 +24,7 @@ from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
 from rpg.language.grammar.structures.sizes import AS_HIGH, IN_TOTAL, each_told, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.structures.steps import steps_told
-from rpg.language.grammar.structures.told_by_one import told_by_one
+from rpg.language.grammar.structures.told_by_one import placed_inside, told_by_one
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
@@ -297,9 +297,8 @@ _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", 
        "containing", "using", "constructed from", "out of", "built with", "which consists of", "that consists of",
        "which is made of",
        "that is made of", "that consist of", "which consist of", "that are made of", "that contains",
-       "which contains", "that uses", "which uses", "made with", "with only", "from",
-       "built out of", "formed from", "constructed of", "for", "with",
-       "full of", "filled with", "filled by")  # fmt: skip
+       "which contains", "that uses", "which uses", "made with", "with only", "from", "built out of", "formed from",
+       "constructed of", "for", "with", "full of", "filled with", "filled by")  # fmt: skip
 
 
 _MADE = ("made of", "made out of", "made from", "made up of", "built from", "built of", "composed of", "built with",
@@ -369,7 +368,8 @@ def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, e
     """Whether a phrase behind the noun can be what the structure is made of."""
     lone = isinstance(members, Noun) and members.det in ("the", "a") and not members.plural and not members.amount
     upon = base.plural and isinstance(members, Noun) and not members.plural and p.stands(end, ("on", "over", "above"))
-    if upon or (lone and p.words[k - 1] == "with" and not told_by_one(p, base, members, end)):
+    beside = lone and not told_by_one(p, base, members, end)
+    if upon or (p.words[k - 1] == "with" and (beside or placed_inside(p, members, end))):
         return False
     # "Two towers of three blocks, each on a mat": of the towers.
     each = isinstance(members, Noun) and members.det == "each" and members.part_of is not None

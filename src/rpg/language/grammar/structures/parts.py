@@ -377,9 +377,11 @@ _LAYERS = ("layer", "row", "column")
 
 
 def _so_many(p: Parser, i: int, theme: Meaning, k: int, unit: str) -> Results[Absolute]:
-    """ "two (blocks) in the second layer": a mere number, of a line of the structure."""
+    """ "two (blocks) in the second layer", "a red and a blue one in the front row": a mere number, or a list."""
     bare = isinstance(theme, Noun) and theme.traits == Traits() and theme.head != "patch" and theme.part_of is None
-    if not bare or not isinstance(theme, Noun) or theme.amount is None or theme.det != "bare" or theme.conditions:
+    told = isinstance(theme, Noun) and theme.amount is not None and theme.det == "bare" and not theme.conditions
+    listed_ = isinstance(theme, Coord) and theme.op == "and" and all(map(_plain, theme.items))
+    if not (bare and told) and not listed_:
         return
     lead = p.any_of(k, _LEADS)
     for place, end in part(p, lead, unit) if lead else ():
@@ -393,8 +395,6 @@ def unit_of(found: Absolute) -> str:
     return place.unit if isinstance(place, Places) else "block" if isinstance(place, At) else ""
 
 
-_SPELLS = (
-    "spells", "spelling", "reads", "reading", "says", "saying", "shows", "showing", "should spell", "must spell",
-    "should read", "must read", "should say", "must say", "spells the word", "reads the word", "with the word",
-    "spelling the word",
-)  # fmt: skip
+_SPELLS = ("spells", "spelling", "reads", "reading", "says", "saying", "shows", "showing", "should spell", "must spell",
+           "should read", "must read", "should say", "must say", "spells the word", "reads the word", "with the word",
+           "spelling the word")  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import Meaning, Noun, Structure
 
 _FINITE = frozenset({*lexicon.POSTURE, "must", "should", "shall", "has", "may", "can", "will", "needs"})
@@ -18,3 +19,16 @@ def told_by_one(p: Parser, base: Structure, block: Meaning, end: int) -> bool:
     begin = next(n for n, token in enumerate(p.tokens) if token.span[0] == base.span[0])
     closed = end >= p.end or p.stands(end, (",", "and"))
     return p.stands(end, _FINITE) or (closed and p.follows(begin, _BEFORE))
+
+
+def placed_inside(p: Parser, members: Meaning, end: int) -> bool:
+    """Whether "with red and blue (in the front row)" tells of a part, and not what the structure is made of: a single
+    block that goes on with "and", or several that have a place in it."""
+    single = isinstance(members, Noun) and not members.plural and members.det != "the"
+    return (single and p.stands(end, ("and",))) or any(_INSIDE.matches(p, end))
+
+
+_INSIDE = Patterns(
+    "in|on|at the front|back|top|bottom|first|second|third|last|middle|left|right|far|near|upper|lower "
+    "row|column|layer|line"
+)

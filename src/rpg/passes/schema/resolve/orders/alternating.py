@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.ir.order import Attribute
-from rpg.language.lexicon import RAINBOW
+from rpg.language.lexicon import COLORS, RAINBOW
 from rpg.language.meaning import Coord, Noun, OrderBy, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import fits
@@ -59,6 +59,9 @@ def alternating(order: OrderBy, things: list[Thing], scene: Scene) -> Attribute:
     return attribute
 
 
+_HOW = "it is not clear how these alternate: in this order again and again, or just so that no neighbours are alike?"
+
+
 def _of_both_sorts(order: OrderBy, things: list[Thing], sorts: list[Traits]) -> None:
     lots = [[thing for thing in things if fits(thing, sort)] for sort in sorts]
     if not all(lots) or sum(map(len, lots)) != len(things):
@@ -67,9 +70,18 @@ def _of_both_sorts(order: OrderBy, things: list[Thing], sorts: list[Traits]) -> 
 
 def _alternate(order: OrderBy, things: list[Thing]) -> None:
     """Two colours said with the alternation."""
-    colors = [i.traits.colors[0] for i in order.items if isinstance(i, Noun) and len(i.traits.colors) == 1]
+    looks = [i.traits.colors or i.traits.labels for i in order.items if isinstance(i, Noun)]
+    colors = [look[0] for look in looks if len(look) == 1 and look[0] in COLORS]
+    if len(set(looks)) == len(order.items) > 1 and (len(colors) > 2 or not colors) and all(map(len, looks)):
+        raise refuse("ambiguous", _HOW, order.span, "list all the blocks in their order")
     if len(colors) != 2 or len(order.items) != 2:
         raise refuse("misplaced", "an alternation is of two colours", order.span, "say 'alternating red and blue'")
+    counts = [x.amount.low for x in order.items if isinstance(x, Noun) and x.amount is not None]
+    there = sorted(sum(t.color == color for t in things) for color in colors)
+    if max(counts, default=1) > 1 and sorted(counts) != there and all(t.color for t in things):
+        raise refuse("ambiguous", _HOW, order.span, "list all the blocks in their order")
+    if max(counts, default=1) > 1 and sum(counts) != len(things):
+        raise refuse("ambiguous", _HOW, order.span, "list all the blocks in their order")
     for index, thing in enumerate(things):
         if thing.color is None and thing.kind is None:
             thing.color = colors[index % 2]

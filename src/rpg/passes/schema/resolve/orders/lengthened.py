@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from rpg.language import lexicon
+from rpg.language.grammar.things.retold import bare_color
 from rpg.language.meaning import Absolute, Amount, At, Coord, Noun, Places, Size, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.mirrored import mirrored
@@ -31,7 +32,8 @@ def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
         own = source.traits.labels or source.traits.colors
     if not own or None in own or any(thing.elastic for thing in things):
         return shape, theme
-    more = [m for item in spec.absolutes if (m := _further(item, shape.kind, own)) is not None]
+    closed = _closed(spec)
+    more = [m for item in spec.absolutes if (m := _further(item, shape.kind, own, closed)) is not None]
     if not more:
         return shape, theme
     if theme is None:
@@ -115,9 +117,17 @@ def _and_others(spec: Spec, places: list[At | Places | None]) -> int | None:
 _BOTH = ({"left", "right"}, {"top", "bottom"}, {"front", "back"})
 
 
-def _further(item: Absolute, kind: str, own: Collection[str | None]) -> Noun | None:
+def _closed(spec: Spec) -> bool:
+    """ "A row of three red blocks, blue on the left, green on the right": a colour at each end is one block there."""
+    places = [place_of(item) for item in spec.absolutes]
+    sides = [x.side if isinstance(x, At) and x.index is None and not x.own else "" for x in places]
+    single = all(isinstance(x.theme, Noun) and bare_color(x.theme) and not x.theme.plural for x in spec.absolutes)
+    return single and len(sides) == _ENDS and set(sides) in _BOTH
+
+
+def _further(item: Absolute, kind: str, own: Collection[str | None], closed: bool) -> Noun | None:
     """The blocks that a part brings into the line: those of another colour, or that show something else, where it is
-    said how many they are."""
+    said how many they are, or each is alone at its end of the line (`closed`)."""
     place, theme = place_of(item), item.theme
     if place is None or not isinstance(theme, Noun) or (theme.traits.labels and set(own) & set(lexicon.COLORS)):
         return None
@@ -127,7 +137,8 @@ def _further(item: Absolute, kind: str, own: Collection[str | None]) -> Noun | N
     if not looks or set(looks) & set(own):
         return None
     ends = isinstance(place, Places) and place.side in ("ends", "outer")
-    if theme.det not in ("a", "bare") or (not ends and (theme.amount is None or amount_of(theme) is None)):
+    counted_ = ends or closed or (theme.amount is not None and amount_of(theme) is not None)
+    if theme.det not in ("a", "bare") or not counted_:
         return None
     if ends and (theme.det, theme.head, theme.amount, theme.plural) == ("bare", "any", None, False):
         return None

@@ -11,6 +11,7 @@ from rpg.ir.order import Order, Pattern
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Structure, Traits, replace
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.cells_in_order import in_one_run, look, runs
 from rpg.passes.schema.resolve.orders.columns import columns_of
 from rpg.passes.schema.resolve.orders.left_over import all_left, all_like_base, lines_left
 from rpg.passes.schema.resolve.things.refer import refer
@@ -42,7 +43,7 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
     """The places of a figure that a part names, unit by unit; none where the figure has no such part."""
     part = place if isinstance(place, Places) else Places(side=place.side, unit="", index=place.index, span=place.span)
     height = 1 + max(cell.level for cell in cells)
-    unit, side = part.unit, part.side
+    unit, side = part.unit or _line_at(part.side, node), part.side
     if unit == "row" and upright(node):
         unit = "layer"
         if side in ("first", "last"):
@@ -89,6 +90,13 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
     if len(found) == len(cells) or part.several not in (None, len(found)):
         return []
     return [[k] for k in found]
+
+
+def _line_at(side: str, node: s.Cells) -> str:
+    """ "Red in front", "blue on the left": of a grid this is a row, or a column."""
+    if not isinstance(node, s.Grid):
+        return ""
+    return "column" if side in ("left", "right") else "row" if side in ("front", "back") and not upright(node) else ""
 
 
 def _half(side: str, cells: Sequence[Cell]) -> Groups:
@@ -213,6 +221,8 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
         groups = groups_in(place, node, cells, scene)
         single = isinstance(place, At) and isinstance(item.theme, Noun) and item.theme.det == "a"
         if isinstance(place, At) and (not groups or (single and len(groups[0]) > 1)):
+            if _line_at(place.side, node):
+                raise refuse("ambiguous", "several blocks are at this side", item.span, "say in which corner, or row")
             continue
         if not groups:
             raise refuse("misplaced", "the structure has no such part", place.span, "name one of its rows or layers")
@@ -284,7 +294,10 @@ def widened(shape: Structure, spec: Spec, theme: Ref | None, node: s.Cells, coun
         return shape
     left = count - sum(n for t, n in more if t in other)
     amount = amount_of(source)
-    if len(colors) > 1 or (amount is not None and amount != left) or left < 1:
+    if left < 1:
+        raise refuse("misplaced", f"its parts leave no place for blocks that are {colors[0]}", shape.span,
+                     "say of each part which blocks stand there")  # fmt: skip
+    if len(colors) > 1 or (amount is not None and amount != left):
         raise refuse(
             "count-mismatch", f"{count} blocks make this, of which {left} are {colors[0]}", shape.span,
             f"say {left} {colors[0]} blocks",
@@ -302,6 +315,7 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
     if not found:
         return None
     held: dict[int, str] = {}
+    mixed: dict[int, int] = {}
     spec.absolutes = [item for item in spec.absolutes if not in_turn(item)]
     for item, place, groups in found:
         if item in spec.absolutes:
@@ -318,6 +332,7 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
             raise refuse("contradiction", "two different blocks are given the same place", item.span,
                          "give each part one colour")  # fmt: skip
         held.update(zip(places, blocks, strict=True))
+        mixed.update(dict.fromkeys(places, len(held)) if len({look(n, scene) for n in blocks}) > 1 else {})
     if not held:
         return None
     if isinstance(node, s.Pyramid) and len(found) == 1 and len(held) > 1 and _counted(found[0][0]):
@@ -327,7 +342,7 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
         spec.patterns = [p for p in spec.patterns if not _said_twice(p, found, held, scene)]
     if spec.orders or spec.patterns:
         raise refuse("order-conflict", "the blocks are laid out in two ways", found[0][0].span, "keep one of them")
-    ranks = _ranks(held, names, scene, found[0][0])
+    ranks = runs(held, mixed, names, scene, found[0][0])
     if len(ranks) == 1:
         return None
     return Pattern(kind="reading", order=Order(by="given", ranks=ranks))
@@ -350,8 +365,12 @@ def standing(
         return inside
     ref = refer(theme, scene, Scope(pool=names))
     scene.mentions.pop()
-    if ref.op != "and" or ref.quant is not None or len({scene.things[n].color for n in ref.names}) > 1:
+    several = len({scene.things[n].color for n in ref.names}) > 1
+    if ref.op != "and" or ref.quant is not None or (several and not in_one_run(groups)):
         raise refuse("ambiguous", "it is not clear which block is where in this part", item.span, "use one colour")
+    if several and len(ref.names) != len(groups[0]):
+        raise refuse("count-mismatch", f"this part has {len(groups[0])} places, but {len(ref.names)} blocks are named",
+                     item.span, f"name {len(groups[0])}", places=len(groups[0]), named=len(ref.names))  # fmt: skip
     if not set(ref.names) <= set(names):
         raise refuse("misplaced", "these are none of the structure's blocks", item.span, "name them among its blocks")
     return ref.names
@@ -365,30 +384,3 @@ def so_many(theme: Meaning, names: tuple[str, ...], scene: Scene) -> tuple[str, 
     alike = {t.name for t in matching(theme.traits, scene, False)}
     inside = tuple(n for n in names if n in alike)
     return inside[:count] if len(inside) >= count and theme.traits != Traits() else ()
-
-
-def _ranks(held: dict[int, str], names: tuple[str, ...], scene: Scene, item: Absolute) -> tuple[tuple[str, ...], ...]:
-    """Runs of blocks that look alike, in the order in which the figure is read; the free ones fill what is left."""
-    free = [n for n in names if n not in held.values()]
-    looks = {_look(n, scene) for n in free}
-    runs: list[tuple[object, list[str]]] = []
-    spare = iter(free)
-    for k in range(len(names)):
-        name = held.get(k)
-        look = _look(name, scene) if name is not None else "free"
-        if not runs or runs[-1][0] != look:
-            runs.append((look, []))
-        runs[-1][1].append(name if name is not None else next(spare))
-    if sum(look == "free" for look, _ in runs) > 1:
-        if looks == {(None, None, None, None)}:
-            for name in free:
-                scene.things[name].scheme = scene.things[name].scheme or "same"
-        elif len(looks) > 1:
-            raise refuse("ambiguous", "it is not said how the other blocks are laid out", item.span,
-                         "say how they are, or use one colour for them")  # fmt: skip
-    return tuple(tuple(run) for _, run in runs)
-
-
-def _look(name: str, scene: Scene) -> tuple[object, ...]:
-    thing = scene.things[name]
-    return thing.color, thing.label, thing.size, thing.kind

@@ -55,6 +55,8 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
             return conj([_so_many(names, p, each, each, span) for p in patches], span)
         return conj([r.OnPatch(a=lot, patch=p, span=span) for lot, p in zip(lots, patches, strict=True)], span)
     units = theme.built if len(theme.built) == len(patches) else ()
+    if not _in_turn(theme, mark, scene) and (units or len(theme.names) == len(patches)):
+        return dealt([b.members for b in units] or [(name,) for name in theme.names], patches, span)
     if units:
         return conj(
             [_on_patch(Ref(names=b.members, built=(b,)), p, span) for b, p in zip(units, patches, strict=True)], span
@@ -70,6 +72,14 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse("ambiguous", "it is not said how many patches there are, and which block goes on which", span,
                      "say how many, and 'one on each', or name the patch of each")  # fmt: skip
     return _on_any(replace(theme, built=()), patches, span)
+
+
+def _in_turn(theme: Ref, mark: Ref, scene: Scene) -> bool:
+    """Whether patches are listed like the blocks, or it is all the same which block goes where: "red and blue on the
+    two patches" leaves it open."""
+    looks = {(t.color, t.label, t.kind, t.size, t.edge) for t in (scene.things[name] for name in theme.names)}
+    alike = len(looks) == 1 and looks != {(None, None, None, None, None)}
+    return len(mark.parts) > 1 or mark.listed or alike
 
 
 def _on_any(theme: Ref, patches: tuple[str, ...], span: Span) -> g.Goal:

@@ -21,6 +21,7 @@ from rpg.passes.schema.resolve.places.across_the_table import REGION, across_the
 from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line
+from rpg.passes.schema.resolve.places.of_themselves import of_themselves
 from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
@@ -98,28 +99,13 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
                          f"say it in the sentence that builds the {other.kind}")  # fmt: skip
         return _and(goal, _stack(loose, scene))
     if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
-        _of_themselves(loose, goal)
+        of_themselves(loose, goal)
         return _and(goal, _across(loose))
     if (related := _of_the_pair(loose, goal)) is not None:
         return _and(goal, related)
     for item in loose:
         _of_what(item, goal, scene)
     return _and(goal, conj([_region(item) for item in loose]))
-
-
-def _of_themselves(loose: list[Loose], goal: g.Goal) -> None:
-    """Refuse "red to the left, green to the right, and blue behind the patch": they may be beside the patch, too."""
-    own = {name for ref, _, _ in loose for name in ref.names}
-    sides = {at_.side for _, at_, _ in loose if isinstance(at_, At)}
-    if sides & {"left", "right"} and sides & {"front", "back"}:
-        raise refuse("ambiguous", "it is not clear of what these are the sides", loose[0][2], "say of what")
-    if any(isinstance(a, r.OnPatch) and own & {*members(a.a)} and own - {*members(a.a)} for a in atoms(goal)):
-        raise refuse("ambiguous", "on the same patch, or of the table?", loose[-1][2], "say of what")
-    placed = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.OnPatch
-    for beside in (a for a in atoms(goal) if isinstance(a, placed)):
-        if not own & {*members(beside.a), *(() if isinstance(beside, r.OnPatch) else members(beside.b))}:
-            raise refuse("ambiguous", "this could be a side of the table or of what is spoken of beside it",
-                         loose[0][2], "say of what")  # fmt: skip
 
 
 def _of_the_ends(

@@ -1,0 +1,17 @@
+"""What is made of the sentences before anything is looked for in them: each in plainer words of its own."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Chain
+from rpg.passes.schema.resolve.clauses.one_tense import in_one_tense
+from rpg.passes.schema.resolve.clauses.taken_off import taken_off
+from rpg.passes.schema.resolve.places.shared_sides import shared_sides
+from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
+from rpg.passes.schema.resolve.things.recounted import recounted
+from rpg.passes.schema.resolve.things.whichever import whichever
+
+
+def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
+    """The sentences with what one part of them tells of another put there."""
+    told = tuple(shared_sides(recounted(chain), text) for chain in groups_listed(chains))
+    return in_one_tense(tuple(whichever(taken_off(chain), text) for chain in told), text)

@@ -1,0 +1,36 @@
+""" "Red on the left, green on the right": sides of the two, unless they may be the sides of something else."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.node import members
+from rpg.ir.walk import atoms
+from rpg.language.meaning import At, Meaning
+from rpg.passes.schema.resolve.things.world import Ref, refuse
+
+Loose = tuple[Ref, Meaning, Span]
+
+
+def of_themselves(loose: list[Loose], goal: g.Goal) -> None:
+    """Refuse "red to the left, green to the right, and blue behind the patch": they may be beside the patch, too; and
+    so they may be beside a row, or at its ends."""
+    own = {name for ref, _, _ in loose for name in ref.names}
+    sides = {at_.side for _, at_, _ in loose if isinstance(at_, At)}
+    if sides & {"left", "right"} and sides & {"front", "back"}:
+        raise refuse("ambiguous", "it is not clear of what these are the sides", loose[0][2], "say of what")
+    if any(isinstance(a, r.OnPatch) and own & {*members(a.a)} and own - {*members(a.a)} for a in atoms(goal)):
+        raise refuse("ambiguous", "on the same patch, or of the table?", loose[-1][2], "say of what")
+    placed = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.OnPatch
+    for beside in (a for a in atoms(goal) if isinstance(a, placed)):
+        if not own & {*members(beside.a), *(() if isinstance(beside, r.OnPatch) else members(beside.b))}:
+            raise refuse("ambiguous", "this could be a side of the table or of what is spoken of beside it",
+                         loose[0][2], "say of what")  # fmt: skip
+    line = next((a for a in atoms(goal) if isinstance(a, s.Row | s.Stack) and not own & {*a.blocks}), None)
+    around = any(isinstance(a, r.Between) and own & {*members(a.b), *members(a.c)} for a in atoms(goal))
+    if line is not None and not around and not any(ref.built for ref, _, _ in loose):
+        what = "tower" if isinstance(line, s.Stack) else "line"
+        raise refuse("ambiguous", f"these could be the sides of the {what}, or of each other", loose[0][2],
+                     "say of what, such as 'to the left of the row'")  # fmt: skip

@@ -256,7 +256,7 @@ def _told_together(ref: Ref) -> bool:
 
 def whichever_there_are(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     """ "Stack everything", of which nobody spoke before: all the blocks, so many as are taken for these words."""
-    if word.word not in ("everything", "all"):
+    if word.word not in ("everything", "all") or scene.names_blocks:
         raise refuse("no-referent", f"{word.word!r} refers to blocks, but none was mentioned before", word.span,
                      "name the blocks")  # fmt: skip
     found = refer(Noun(head="block", det="all", plural=True, span=word.span), scene, scope)

@@ -48,6 +48,7 @@ from rpg.passes.schema.resolve.clauses.in_parts import links_left
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.clauses.readied import readied
+from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
 from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
@@ -70,7 +71,7 @@ from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one
 from rpg.passes.schema.resolve.things.sized import sized
 from rpg.passes.schema.resolve.things.spare import definite, leaves_out, none_ignored
 from rpg.passes.schema.resolve.things.taken import all_plainly
-from rpg.passes.schema.resolve.things.things import fits, matching
+from rpg.passes.schema.resolve.things.things import fits, matching, names_blocks
 from rpg.passes.schema.resolve.things.world import Scene, refuse, said
 from rpg.passes.schema.wordings import wording
 
@@ -85,10 +86,10 @@ def build(
     first: tuple[Refusal, tuple[Chain, ...]] | None = None
     best: tuple[int, Feasibility] | None = None
     limit: int | None = None
-    combinations = _combinations(sentences)
+    links = [s.link for s in sentences]
     said_before: set[Hashable] = set()
     known: dict[int, Hashable] = {}
-    for cost, chosen in combinations:
+    for cost, chosen in (combinations := _combinations(sentences)):
         if (best is not None and cost > best[0]) or (limit is not None and cost > limit):
             break
         if len(combinations) > 1:
@@ -96,7 +97,9 @@ def build(
                 continue
             said_before.add(told)
         try:
-            found = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
+            found = either_way(
+                lambda told, there, noted: resolve(told, there, text, noted, name, seed, author), links, chosen, notes
+            )
             if best is not None and same(best[1].task, found.task):
                 continue  # that task was looked at
             if (token := unfounded(words, found.task, found.chosen)) is not None:
@@ -104,8 +107,7 @@ def build(
             check_joints(words, found.task)
             check_invented(words, found.task)
         except Refusal as refusal:
-            code = refusal.diagnostics[0].code
-            if code in FINAL and best is None:
+            if refusal.diagnostics[0].code in FINAL and best is None:
                 raise
             if limit is None and (more := patience(refusal.diagnostics[0])) is not None:
                 limit, first = cost + more, first if first and aimless(first[0]) else (refusal, chosen)
@@ -121,11 +123,8 @@ def build(
     failure, chosen = first
     if failure.diagnostics[0].code != "order-conflict":
         raise failure
-    links = [s.link for s in sentences]
-    raise Repairable(
-        failure.diagnostics,
-        [_one_order(lambda: resolve(links, chosen, text, notes, name, seed, author, lenient=True))],
-    )
+    first_order = _one_order(lambda: resolve(links, chosen, text, notes, name, seed, author, lenient=True))
+    raise Repairable(failure.diagnostics, [first_order])
 
 
 def _lost(token: Token) -> Refusal:
@@ -219,6 +218,7 @@ def _resolved(
     links, chains = counted_later(links, each_later(chains))
     links, chains = sized(links, all_plainly(chains), scene)
     scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
+    scene.names_blocks = any(names_blocks(part) for chain in chains for part in parts_of(chain))
     check_words(chains, scene)
     pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))
     chains = chains if pointed else kinds_last(chains)

@@ -240,7 +240,9 @@ def _made_up_beside(words: Sequence[Token], task: TaskSchema) -> None:
     if not unsaid or not (task.assumed(COLORS_UNSAID) or task.assumed(SYMBOLS_UNSAID)):
         return
     shown = {getattr(block, "label", "") for block in task.blocks} - {"", "A", "I"}  # these are words as well
+    marks = {color.span for color, noun in pairwise(words) if noun.word in lexicon.PATCH}  # "on the green mat"
     said = [t for t in words if t.raw in shown or (lexicon.COLOR.get(t.word) in {b.color for b in task.blocks})]
+    said = [t for t in said if t.span not in marks]
     told = [t for t in said if t.raw in shown or not task.assumed(SYMBOLS_UNSAID)]
     if told:
         raise refuse("ambiguous", "some blocks are named, and of others neither number nor look is said",

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from rpg.core.diagnostics import Span
+from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.structures.structures import structure
+from rpg.language.grammar.things.amounts import amount
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.retold import begins_anew, universal
 from rpg.language.meaning import (
+    Amount,
     At,
     Clause,
     Into,
@@ -60,6 +64,8 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
         yield from _in_new_order(p, i, j)
     if sense in ("build", "spell") and p.stands(j, _WITH):
         yield from _of_these(p, i, j, sense)
+    if lemma in ("make", "build"):
+        yield from _heightened(p, i, j)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):
             told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
@@ -77,6 +83,27 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
             if end := k if parted else p.one(k, ("apart", "down")):
                 for found, last in adjuncts(p, end):
                     yield _clause(p, i, last, "unstack", theme, found), last
+
+
+_HIGHER = frozenset({"higher", "taller"})
+
+
+def _heightened(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "make the tower one block higher", "make it taller by two blocks": further blocks go on it."""
+    for theme, k in noun_phrase(p, j):
+        if not (is_there(theme) and getattr(theme, "kind", "") == "stack") and getattr(theme, "word", "") != "it":
+            continue
+        higher = p.one(k, _HIGHER)
+        by = p.one(higher, "by") if higher else 0
+        for many, at in amount(p, by or k) if by or not higher else ((Amount(1, 1), higher),):
+            at = p.one(at, lexicon.BLOCK) or (0 if not higher or by else at)
+            end = at if higher else p.one(at, _HIGHER) if at else 0
+            if not end:
+                continue
+            span, word = p.span(i, end), p.span(i, i + 1)
+            more = Noun(head="block", det="another", amount=many, plural=many.low > 1, span=p.span(k, end))
+            on_it = Loc(rel="on", landmark=theme, span=theme.span)
+            yield Clause(verb="place", lemma="add", theme=more, adjuncts=(on_it,), span=span, word=word), end
 
 
 _WITH = frozenset({"with", "using", "from", "out"})
@@ -144,7 +171,7 @@ def _flipped(p: Parser, i: int, j: int) -> Results[Clause]:
         if order and not end:
             end = p.any_of(k, _OVER) or (k if p.words[i] == "flip" or p.stands(j - 1, _OVER) else 0)
         elif isinstance(theme, Structure) and theme.kind == "stack" and not end:
-            end = p.one(k, "over")
+            end = p.one(k, "over") or (k if p.words[i] == "flip" and (k >= p.end or p.stands(k, _CLOSED)) else 0)
         end, lemma = (end, "reverse") if end else (p.any_of(k, _AROUND), "turn around")
         for found, last in adjuncts(p, end) if end else ():
             yield replace(_clause(p, i, last, "reverse", theme, found), lemma=lemma), last
@@ -175,6 +202,7 @@ def _clause(p: Parser, i: int, j: int, verb: str, theme: Meaning, found: tuple[M
 
 
 _OUT_OF = ("out of", "from", "from out of", "away from", "out from", "from within", "from inside")
+_OFF_IT = ("from", "off", "off of", "away from", "down from")
 _GOING_ON = frozenset({",", "and", "then"})
 """What follows where it is also said where it goes."""
 _OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there", "down",
@@ -194,6 +222,12 @@ def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
             source = Using(members=whole, lead="out of", span=p.span(k, end))
             span, word = p.span(i, end), p.span(i, i + 1)
             yield Clause(verb="pick", lemma=lemma, theme=theme, adjuncts=(source,), span=span, word=word), end
+    for whole, end in structure(p, out) if (out := p.any_of(k, _OFF_IT)) and lemma != "pick" else ():
+        whole_tower = isinstance(whole, Structure) and whole.kind == "stack" and is_there(whole)
+        if whole_tower and not universal(theme) and not (lemma == "take" and p.words[k] == "off"):
+            off = Loc(rel="off", landmark=whole, span=p.span(k, end))
+            span, word = p.span(i, end), p.span(i, i + 1)
+            yield Clause(verb="use", lemma="take", theme=theme, adjuncts=(off,), span=span, word=word), end
     start = p.any_of(k, ("from", "off", "off of", "out of")) if universal(theme) else 0
     for patch, end in simple(p, start) if start else ():
         if isinstance(patch, Noun) and patch.head == "patch":

@@ -10,7 +10,7 @@ from rpg.language.grammar.clauses.covered import named_last
 from rpg.language.grammar.clauses.for_whom import behind_us
 from rpg.language.grammar.clauses.links import RATHER
 from rpg.language.grammar.clauses.manners import degrees_of, direction
-from rpg.language.grammar.clauses.particles import WHITHER, across
+from rpg.language.grammar.clauses.particles import WHITHER, across, added
 from rpg.language.grammar.clauses.remade import of_what_is_there, put_down, read_otherwise, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.clauses.turned import REST, not_turned
@@ -151,7 +151,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         for found, end in [*adjuncts(p, k), *after]:
             if found and read_otherwise(p, end, sense, lemma, theme, found):
                 continue
-            said = (*found, *alone)
+            said = (*added(lemma, found), *alone)
             cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
             done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
             yield replace(done, cost=cost), end

@@ -66,6 +66,8 @@ _NAMES = (
     ("number", False, _NUMERICAL),
     ("number", True, _DECREASING), ("ascending", False, _UP), ("ascending", True, _DOWN),
 )  # fmt: skip
+_SIZES = frozenset({"bigger", "larger", "taller", "greater", "smaller", "size"})
+"""What blocks that show no numbers differ in."""
 _TELLING = frozenset(
     f"{_ABC} z alphabetically numerical numeric number size numbers digits values numerals ascending increasing rising "
     "growing upwards upward up descending decreasing falling shrinking downwards downward down bigger larger taller "
@@ -109,6 +111,9 @@ def ascent(p: Parser, i: int) -> Results[Meaning]:
         for j in names.matches(p, i):
             order = OrderBy(by=by, descending=descending, span=p.span(i, j))
             ways = [] if by == "label" or p.words[j - 1] == "order" else [*whither(p, j)]
+            sized = by == "ascending" and not _SIZES.isdisjoint(p.words[i:j])
+            if sized and (ways or p.all.isdisjoint(_TOWERS)):  # which way a tower grows is not clear by itself
+                order = replace(order, attribute="size")
             yield from ((replace(order, first=first, span=p.span(i, end)), end) for first, end in ways)
             yield from () if ways else ((order, j),)
     yield from rising(p, i)

@@ -78,6 +78,17 @@ _NAMED = {
 """The named orders; what is said with "in" is said with "into" as well."""
 
 
+_SIZES = frozenset({"smallest", "largest", "biggest", "small", "large", "big"})
+_NUMBERS = frozenset({"number", "numbers", "digit", "digits", "numeral", "value"})
+"""Behind "from smallest to largest" these say that it is not of the size of the blocks."""
+
+
+def _sort(p: Parser, by: str, i: int, j: int) -> str:
+    """What blocks that show nothing are told apart by, where they go "from smallest to largest"."""
+    sized = by == "ascending" and not _SIZES.isdisjoint(p.words[i:j])
+    return "size" if sized and _NUMBERS.isdisjoint(p.words[i : j + 1]) else "color"
+
+
 @rule
 def order(p: Parser, i: int) -> Results[Meaning]:
     """An order, a direction, a pattern, a spacing."""
@@ -89,7 +100,8 @@ def order(p: Parser, i: int) -> Results[Meaning]:
             for ends, end in from_to(p, k) if by == "rainbow" else ():
                 yield OrderBy(by=by, values=ends, span=p.span(i, end)), end
             for end in dict.fromkeys((paged or k, k)):
-                yield OrderBy(by=by, span=p.span(i, end), descending=descending), end
+                sort = _sort(p, by, start, k)
+                yield OrderBy(by=by, span=p.span(i, end), descending=descending, attribute=sort), end
         if (
             start > i and p.words[i] == "sorted"
         ):  # "sorted from left to right": by what they show, not as they are listed
@@ -188,7 +200,9 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
     yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in ranks(p, j))
 
 
+_FROM_TO = ("smallest", "to", "largest")
 _GROWING = Patterns(
+    "smallest to largest|biggest",
     "from the? smallest|lowest|least|small|low number|digit|one|block|cube? up? to the? "
     "largest|highest|biggest|greatest|large|big|high number|numbers|digit|digits|one|block|cube?",
     "so_that|so|such_that the|it|they tower|row|stack|line|column|numbers|digits|blocks|cubes? "
@@ -196,6 +210,7 @@ _GROWING = Patterns(
     "counting|increasing up|upward|upwards",
 )
 _SHRINKING = Patterns(
+    "largest|biggest to smallest",
     "from the? largest|highest|biggest|greatest|large|big|high number|digit|one|block|cube? down? to the? "
     "smallest|lowest|least|small|low number|numbers|digit|digits|one|block|cube?",
     "so_that|so|such_that the|it|they tower|row|stack|line|column|numbers|digits|blocks|cubes? "
@@ -220,8 +235,9 @@ def _grown(p: Parser, i: int) -> Results[Meaning]:
                 yield OrderBy(by="countdown", descending=True, span=p.span(i, j)), j
             elif counted:
                 yield OrderBy(by="count_up", span=p.span(i, j)), j
-            elif p.words[i] == "from":
-                yield OrderBy(by=by, descending=descending, span=p.span(i, j)), j
+            elif p.words[i] == "from" or (p.words[i] in _SIZES and j == i + len(_FROM_TO)):
+                sort = _sort(p, by, i, j)
+                yield OrderBy(by=by, descending=descending, attribute=sort, span=p.span(i, j)), j
 
 
 @choice

@@ -11,6 +11,7 @@ from rpg.language.grammar.places.sides import SIDES, toward
 from rpg.language.grammar.structures.equations import equation, promised, unequal
 from rpg.language.grammar.structures.makeup import per_color, sized_members
 from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
+from rpg.language.grammar.structures.ring_around import ring_around
 from rpg.language.grammar.structures.shapes import noun
 from rpg.language.grammar.structures.sizes import dimensions, layers_of, rows_and_columns
 from rpg.language.grammar.things import amounts
@@ -296,7 +297,9 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,
         )  # fmt: skip
         pointed = p.stands(i, _POINTED) and not p.stands(k, _TOLD_BY)  # "next to that tower blue on yellow"
-        yield from ([(base, k)] if pointed else _tail(p, i, k, base))
+        for found, end in [(base, k)] if pointed else _tail(p, i, k, base):
+            yield found, end
+            yield from ring_around(p, i, end, found)
     if (k := p.any_of(j, _CODES)) and (digits := digits_of(p, k)) is not None:
         yield Structure(kind="word", det="the", letter=digits, span=p.span(j, k + 1)), k + 1
     for text, k in equation(p, j):

@@ -2,8 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from rpg.language.grammar.core import Parser, Results
-from rpg.language.meaning import Noun, Traits, replace
+from rpg.language.later import later
+from rpg.language.lexicon import BLOCK
+from rpg.language.meaning import Noun, Structure, Traits, replace
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.structures.structures import structure
+else:
+    (structure,) = later(__name__, "rpg.language.grammar.structures.structures", "structure")
 
 _FROM = {f"from {the}{side}": way for way, sides in {
     "left": ("left",), "right": ("right",), "bottom": ("bottom",), "top": ("top",), "front": ("front", "near end"),
@@ -26,6 +35,11 @@ _TOLD_SIDES = frozenset({"left", "right", "front", "back", "bottom", "top", "mid
 def in_line(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     """The noun with its place in the line that was spoken of."""
     rank = noun.traits.rank
+    if rank is not None and (rank in _UPRIGHT or rank.isdigit()) and (of := p.one(j, ("of", "in"))):
+        for whole, end in structure(p, of) if noun.head != "patch" and noun.amount is None else ():
+            known = isinstance(whole, Structure) and whole.kind == "stack" and whole.det == "the" and not whole.plural
+            if known and (p.words[j] == "of" or getattr(whole, "members", None) is None):
+                yield replace(noun, part_of=whole, span=p.span(i, end)), end
     if noun.plural or noun.head == "patch" or noun.det not in ("the", "its"):
         return
     if rank is None and noun.traits == Traits() and noun.amount is None and p.stands(j - 1, _ONE):
@@ -39,6 +53,17 @@ def in_line(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
             yield replace(noun, traits=replace(noun.traits, rank=f"{rank} {_FROM[phrase]}"), span=p.span(i, end)), end
     if rank is not None and (rank in _TOLD_SIDES or rank.isdigit()) and (end := p.any_of(j, _OF_LINE)):
         yield replace(noun, span=p.span(i, end)), end
+
+
+_UPRIGHT = frozenset({"bottom", "top", "middle", "last"})
+
+
+def unnamed_ends(p: Parser, j: int) -> tuple[str, ...]:
+    """Places of a tower that say nothing without a noun, but in "the top and bottom blocks"."""
+    k = p.one(j, "and")
+    k = p.opt(k, "the") if k else 0
+    two = k and p.stands(k, _UPRIGHT) and (p.stands(k + 1, ("one", "ones")) or p.lex(k + 1, BLOCK) is not None)
+    return () if two else ("top", "bottom", "middle")
 
 
 _ONE = frozenset({"one", "block", "cube", "brick", "letter", "digit"})

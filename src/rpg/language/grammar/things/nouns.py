@@ -13,7 +13,7 @@ from rpg.language.grammar.things.amounts import Quantity
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
 from rpg.language.grammar.things.excepted import alone_in_this
-from rpg.language.grammar.things.in_line import in_line
+from rpg.language.grammar.things.in_line import in_line, unnamed_ends
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
 from rpg.language.grammar.things.labels import label_list, literal, once_more
 from rpg.language.grammar.things.of_both import counted_kinds
@@ -257,7 +257,7 @@ def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]
 
 def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: Marks) -> Results[Meaning]:
     """ "red on blue", "the other two", "A", "a red and a blue block"."""
-    ranked = quantity.det == "the" and marks.get("rank") not in (None, "top", "bottom", "middle")
+    ranked = quantity.det == "the" and marks.get("rank") not in (None, *unnamed_ends(p, j))
     named = j > start and p.words[j - 1] not in ("target", "goal", "little") and "shape" not in marks
     looked = marks.get("colors") or marks.get("size") or ranked
     if named and looked and ("edge" not in marks or p.words[j - 1] in lexicon.COLOR):

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from functools import partial
+from itertools import pairwise
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.ir.structures import GroupBy
+from rpg.ir.structures import GroupBy, Stack
 from rpg.ir.walk import atoms
 from rpg.language.meaning import (
     Amount,
@@ -285,7 +286,10 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         scene.unstacked.update(names)
     if theme.built and clause.verb == "unstack":
         _there_already(scene)
-    if not landmarks and clause.lemma in ("remove", "clear"):
+    if not landmarks and clause.lemma == "remove" and (below := _under(theme, scene)):
+        scene.assume("a block that is removed is put on the table")
+        goals.append(g.Not(goal=r.On(a=theme.names, b=below, span=clause.span), span=clause.span))
+    elif not landmarks and clause.lemma in ("remove", "clear"):
         raise refuse(
             "no-goal",
             "blocks cannot leave the table; it is not said where they should go",
@@ -299,6 +303,16 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         scene.assume("what is unstacked starts as a stack")
     goals.append(r.OnTable(a=names, span=clause.span))
     return goals
+
+
+def _under(theme: Ref, scene: Scene) -> tuple[str, ...]:
+    """The block that a single block lies on in a tower of the start."""
+    begun = {name for x in scene.start_goals if isinstance(x, Stack) for name in x.blocks}
+    if len(theme.names) != 1 or theme.quant is not None or theme.built or theme.names[0] not in begun:
+        return ()
+    towers = [built.members for built in scene.built if built.kind == "stack" and built.ordered]
+    pairs = [pair for tower in towers for pair in pairwise(tower) if pair[1] in theme.names]
+    return pairs[-1][:1] if pairs else ()
 
 
 def _built_before(theme: Ref, scene: Scene) -> bool:

@@ -270,7 +270,8 @@ def _in_order(
 
 def _symbolic(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
     kinds = {t.kind for t in things}
-    if order.by == "ascending" and None in kinds and len({t.size or t.edge for t in things}) > 1:
+    plain = order.attribute == "size" and kinds == {None}  # "from smallest to largest", of blocks that show nothing
+    if order.by == "ascending" and None in kinds and (plain or len({t.size or t.edge for t in things}) > 1):
         return _by_size(order, things, kind, scene, first)
     by = "number" if order.by == "number" or (order.by != "label" and kinds <= {"digit", None}) else "label"
     want = "digit" if by == "number" else "letter"

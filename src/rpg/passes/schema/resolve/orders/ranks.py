@@ -54,6 +54,22 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     )
 
 
+def of_the_whole(noun: Noun, whole: Ref, scene: Scene, scope: Scope) -> Ref:
+    """ "the top block of the tower": of the one that is named, whichever others there are."""
+    scene.mentions.pop()
+    plain = replace(noun, part_of=None)
+    found = ranked(plain, scene, scope) if len(scene.built) == 1 else None
+    known = whole.built[0] if len(whole.built) == 1 else None
+    if found is None and known is not None:
+        known = known if known.ordered else begun_in_order(known, scene)
+        name = _in(_such(known, plain, scene), noun.traits.rank or "") if known is not None else None
+        found = Ref(names=(name,)) if name is not None else None
+    if found is None or not {*found.names} <= {*whole.names}:
+        raise refuse("no-referent", "it is not clear which block of the tower this is", noun.span,
+                     "name its colour or its label")  # fmt: skip
+    return found
+
+
 def middle_of(whole: Ref, span: Span, scene: Scene, scope: Scope) -> Ref | None:
     """ "Its center", of a grid or a plus that was built last: the block that is there."""
     built = next((b for b in scene.built if {*b.members} == {*whole.names}), None)

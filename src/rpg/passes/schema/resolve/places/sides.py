@@ -85,7 +85,7 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     if across_the_table(loose, goal):
         return _and(goal, conj([_region(item) for item in loose]))
     open_ = next((b for b in scene.built if any(_open(scene, name) for name in b.members)), None)
-    if open_ is not None and not all(ref.built for ref, _, _ in loose):
+    if open_ is not None and not all(ref.built or {*ref.names} <= {*open_.members} for ref, _, _ in loose):
         raise refuse("ambiguous", f"these could be blocks of the {open_.kind} or further ones", loose[0][2],
                      "name the blocks in the sentence that builds it")  # fmt: skip
     if "next" in sides:

@@ -23,7 +23,7 @@ from rpg.passes.schema.resolve.orders.parts import cells_of, place_of
 from rpg.passes.schema.resolve.structures.extents import Made, made
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
 OUTLINES = ("circle", "square")
 
@@ -75,9 +75,15 @@ def hub_of(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Abs
     if theme is not None:
         own = tuple(scene.things[n].color or "" for n in theme.names)
     told = bool(middle.traits.colors or middle.traits.labels)
-    if not _single(middle) or not told or not own or "" in own or set(own) & set(middle.traits.colors):
+    if not _single(middle) or not told or set(own) & set(middle.traits.colors):
         return None
-    return found[0]
+    return found[0] if (own and "" not in own) or (_around(found[0]) and not {*own} - {""}) else None
+
+
+def _around(hub: Absolute) -> bool:
+    """ "The blocks in a circle around the red one": all of them but this one, whatever they look like."""
+    place = place_of(hub)
+    return isinstance(place, At) and place.whole in OUTLINES
 
 
 def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec, scene: Scene) -> Made:
@@ -86,6 +92,8 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
     scene.mentions.pop()
     if len(middle) != 1 or middle[0] in names:
         raise refuse("ambiguous", "it is not clear which block is in the middle", hub.span, "name one further block")
+    if _around(hub):
+        _of_one_look([scene.things[n] for n in names], scene)
     looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in names)}
     ring = shape.kind == "circle"
     if len(looks) > 1 or spec.orders or spec.patterns or (not ring and len(names) != 8):
@@ -100,6 +108,16 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
     every = (*names, *middle)
     node = form.model_copy(update={"blocks": every, "pattern": pattern, "span": shape.span})
     return made(shape.kind, node, every, shape.span, scene)
+
+
+def _of_one_look(ring: list[Thing], scene: Scene) -> None:
+    """What is left open of the blocks around another one: they look alike, and are so many."""
+    unsaid = f"the number of blocks is not said: {len(ring)}"
+    if scene.assumptions.pop(unsaid, "said") is None or any(thing.elastic and not thing.color for thing in ring):
+        scene.assume(f"how many blocks go around it is not said: {len(ring)}")
+    for thing in ring:
+        thing.elastic = None if thing.color is None else thing.elastic
+        thing.scheme = thing.scheme or ("same" if thing.color is None else None)
 
 
 def told_inside(clause: Clause) -> bool:

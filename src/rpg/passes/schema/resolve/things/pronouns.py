@@ -9,7 +9,7 @@ from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.off_it import check_off_it
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
-from rpg.passes.schema.resolve.things.them import them
+from rpg.passes.schema.resolve.things.them import them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
 
@@ -81,12 +81,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         blocks = here if word.word == TOLD_HERE else [t.name for t in scene.blocks()]
         names = tuple(dict.fromkeys(n for n in blocks if not scene.things[n].extra))
         if not names:
-            raise refuse(
-                "no-referent",
-                f"{word.word!r} refers to blocks, but none was mentioned before",
-                word.span,
-                "name the blocks",
-            )
+            return whichever_there_are(word, scene, scope)
         return Ref(names=names, plural=True, each=False)
     if word.word == "one" or word.word in ("each", "each one", "each of them", "either of them"):
         return _one(word, scene, scope)

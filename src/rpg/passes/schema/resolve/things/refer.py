@@ -25,10 +25,12 @@ from rpg.passes.schema.resolve.things.things import alike, compared, looks_said,
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 if TYPE_CHECKING:
-    from rpg.passes.schema.resolve.orders.ranks import middle_of, ranked
+    from rpg.passes.schema.resolve.orders.ranks import middle_of, of_the_whole, ranked
     from rpg.passes.schema.resolve.structures.structures import refer_structure
 else:
-    middle_of, ranked = later(__name__, "rpg.passes.schema.resolve.orders.ranks", "middle_of", "ranked")
+    middle_of, of_the_whole, ranked = later(
+        __name__, "rpg.passes.schema.resolve.orders.ranks", "middle_of", "of_the_whole", "ranked"
+    )
     (refer_structure,) = later(__name__, "rpg.passes.schema.resolve.structures.structures", "refer_structure")
 
 
@@ -172,6 +174,8 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         if noun.amount is not None and noun.amount.strict:
             return _of_them(noun, scene, scope)
         not_of_a_structure(noun, scene)
+    if noun.traits.rank and isinstance(noun.part_of, Structure):
+        return of_the_whole(noun, refer(noun.part_of, scene, replace(scope, role="landmark")), scene, scope)
     if noun.part_of is not None and noun.traits.rank not in BY_SIZE:
         return _partitive(noun, scene, scope)
     if noun.det == "no other" and noun.head != "patch":

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
+from rpg.language.later import later
 from rpg.language.meaning import Meaning, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.two_lots import two_lots
 from rpg.passes.schema.resolve.things.world import Built, Mention, Ref, Scene, Scope, refuse
+
+if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.things.refer import refer
+else:
+    (refer,) = later(__name__, "rpg.passes.schema.resolve.things.refer", "refer")
 
 
 def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
@@ -246,3 +252,13 @@ def _one_tower(ref: Ref, scene: Scene, scope: Scope) -> tuple[Built, ...]:
 def _told_together(ref: Ref) -> bool:
     """Several towers of which it is not said which block is in which."""
     return len(ref.built) == 1 and ref.built[0].kind == "towers"
+
+
+def whichever_there_are(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    """ "Stack everything", of which nobody spoke before: all the blocks, so many as are taken for these words."""
+    if word.word not in ("everything", "all") or scene.names_blocks:
+        raise refuse("no-referent", f"{word.word!r} refers to blocks, but none was mentioned before", word.span,
+                     "name the blocks")  # fmt: skip
+    found = refer(Noun(head="block", det="all", plural=True, span=word.span), scene, scope)
+    scene.mentions.pop()
+    return found

@@ -244,3 +244,10 @@ def of_no_look(meaning: Meaning) -> bool:
     told = meaning.det in ("the", "no", "all", "each", "both")
     told = told or (meaning.det == "bare" and meaning.plural and meaning.amount is None)
     return told and meaning.traits == Traits(kind=meaning.traits.kind)
+
+
+def names_blocks(said: Meaning) -> bool:
+    """Whether a phrase says how blocks look, or how many there are."""
+    if not isinstance(said, Noun) or said.head == "patch":
+        return False
+    return bool(said.traits.colors or said.traits.labels or (said.amount is not None and said.head == "block"))

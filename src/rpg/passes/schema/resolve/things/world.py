@@ -150,6 +150,7 @@ class Scene:
     `ignored`: blocks that are said to be distractors, each with the words that say so.
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
     `untouched`: blocks that are left as they are, which is more than where they are.
+    `names_blocks`: whether some sentence says how blocks look or how many there are.
     `sized`: the size that is said of all blocks, with its words.
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
     `topped`: structures on top of which something goes that are not named there.
@@ -218,6 +219,7 @@ class Scene:
     besides: list[tuple[Traits, Ref, Span]] = field(default_factory=list)
     surveyed: list[tuple[Traits, tuple[str, ...], Span]] = field(default_factory=list)
     kept: list[tuple[Goal, list[Goal]]] = field(default_factory=list)
+    names_blocks: bool = False
     sized: tuple[Traits, Span] | None = None
     ignored: dict[str, Span] = field(default_factory=dict)
     patch_sides: dict[str, str] = field(default_factory=dict)

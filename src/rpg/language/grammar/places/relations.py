@@ -292,13 +292,21 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
 def _bare(p: Parser, i: int) -> Results[Meaning]:
     """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
     yield from measured_bare(p, i)
-    for phrase, j in p.standing(i, _UNSAID):
+    for phrase, j in p.standing(i, _UNSAID) if not _on_two_patches(p, i) else ():
         landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
         yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
         if _UNSAID[phrase] == "apart" and p.stands(j, (",", ":")):
             for (low, high), k in bounds(p, j + 1):
                 far = Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, k))
                 yield from measured_so(p, far, i, k)
+
+
+def _on_two_patches(p: Parser, i: int) -> bool:
+    """ "Two on one patch and one on the other": a further block on a further patch, and no tower."""
+    joined = p.stands(i, ("one",)) and p.follows(i, ("and", ","))
+    if not joined or i <= 2 or p.words[i - 2] not in lexicon.PATCH:
+        return False
+    return p.words[i - 3] == "one" or (p.words[i - 3] == "a" and p.words[i - 1] == "and")
 
 
 _UNSAID = {

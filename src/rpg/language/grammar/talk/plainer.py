@@ -6,6 +6,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.talk.bare_sides import bare_sides
 from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.dealt_out import dealt_out
+from rpg.language.grammar.talk.halves_told import halves_told
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
 from rpg.language.tokens import Token
@@ -237,8 +238,8 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
-_CHANGES = (bare_sides, _furthest, _seen, _is, _resumed, _have_done, _hedged, _tidied, _freely, _around, _like_a_grid,
-            _finished_off, by_again, heights_told, sizes_compared, dealt_out)  # fmt: skip
+_CHANGES = (bare_sides, halves_told, _furthest, _seen, _is, _resumed, _have_done, _hedged, _tidied, _freely, _around,
+            _like_a_grid, _finished_off, by_again, heights_told, sizes_compared, dealt_out)  # fmt: skip
 _TELLING = (
     frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",
                "rows", "approximately", "or", "more", "about", "give", "ish", "like", "but", "as", "half", "each",

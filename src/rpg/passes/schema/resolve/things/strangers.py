@@ -94,7 +94,8 @@ def _span(things: list[Thing], scene: Scene) -> Span | None:
 
 def _after_the_start(scene: Scene) -> None:
     """ "Take the tower of four red blocks apart and build two towers of two": of the same blocks, or of others?"""
-    begun = {name for goal in scene.start_goals for name in names_in(goal)} | {n for heap in scene.heaps for n in heap}
+    begun = {name for goal in scene.start_goals for name in names_in(goal) if not scene.things[name].patch}
+    begun |= {n for heap in scene.heaps for n in heap}
     open_ = [t for t in scene.blocks() if not (t.color or t.label or t.kind or t.extra or t.declared)]
     open_ = [t for t in open_ if t.name not in begun]
     if begun and open_:

@@ -313,6 +313,7 @@ _UNSAID = {
     "side by side": "side_by_side", "next to each other": "side_by_side", "beside each other": "side_by_side",
     "adjacent to each other": "adjacent", "next to one another": "side_by_side",
     "beside one another": "side_by_side",
+    "by itself": "apart", "all by itself": "apart",
     "well away from each other": "apart", "well apart": "apart", "well separated": "apart", "wide apart": "apart",
     "well away from one another": "apart", "clearly apart": "apart", "clearly separated": "apart",
     "far apart": "apart", "apart": "apart", "far away from each other": "apart", "separated": "apart",

@@ -19,6 +19,7 @@ from rpg.language.meaning import (
     Using,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.among_all import among_all
 from rpg.passes.schema.resolve.structures.another_such import another_such
 from rpg.passes.schema.resolve.structures.by_looks import by_looks
 from rpg.passes.schema.resolve.things.lots_open import lots_open
@@ -30,7 +31,7 @@ _TAKES = frozenset({"pick", "use"})
 
 def all_plainly(chains: tuple[Chain, ...], scene: Scene) -> tuple[Chain, ...]:
     """The sentences with such clauses, with every structure told in full, and every lot counted."""
-    chains = lots_open(chains, scene)
+    chains = among_all(lots_open(chains, scene))
     return another_such(tuple(left_out_first(without_spare(plainly(chain))) for chain in chains))
 
 

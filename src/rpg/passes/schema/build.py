@@ -216,7 +216,7 @@ def _resolved(
     for note in notes:
         scene.assume(note)
     links, chains = counted_later(links, each_later(chains))
-    links, chains = sized(links, all_plainly(chains), scene)
+    links, chains = sized(links, all_plainly(chains, scene), scene)
     scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
     scene.names_blocks = any(names_blocks(part) for chain in chains for part in parts_of(chain))
     check_words(chains, scene)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import pairwise, zip_longest
 
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
@@ -150,7 +150,8 @@ def _one_of_those(words: Sequence[Token], task: TaskSchema) -> None:
 def _counted_bare(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "four white cubes and a black one form a tower. Exactly one cube lies above the black one" as a cube that
     nobody named."""
-    colors = {lexicon.COLOR[token.word] for token in words if token.word in lexicon.COLOR}
+    of_blocks = [t for t, after in pairwise(words) if t.word in lexicon.COLOR and after.word not in lexicon.PATCH]
+    colors = {lexicon.COLOR[token.word] for token in of_blocks}
     told = any(block.color in colors for block in task.blocks)
     made_up = any(block.color not in colors for block in task.blocks if not isinstance(block, SemanticCube))
     for exactly, number, noun in zip(words, words[1:], words[2:], strict=False):
@@ -240,9 +241,9 @@ def _made_up_beside(words: Sequence[Token], task: TaskSchema) -> None:
     if not unsaid or not (task.assumed(COLORS_UNSAID) or task.assumed(SYMBOLS_UNSAID)):
         return
     shown = {getattr(block, "label", "") for block in task.blocks} - {"", "A", "I"}  # these are words as well
-    marks = {color.span for color, noun in pairwise(words) if noun.word in lexicon.PATCH}  # "on the green mat"
-    said = [t for t in words if t.raw in shown or (lexicon.COLOR.get(t.word) in {b.color for b in task.blocks})]
-    said = [t for t in said if t.span not in marks]
+    looks = {block.color for block in task.blocks}
+    named = [t for t, after in zip_longest(words, words[1:]) if not (after and after.word in lexicon.PATCH)]
+    said = [t for t in named if t.raw in shown or lexicon.COLOR.get(t.word) in looks]
     told = [t for t in said if t.raw in shown or not task.assumed(SYMBOLS_UNSAID)]
     if told:
         raise refuse("ambiguous", "some blocks are named, and of others neither number nor look is said",

@@ -292,7 +292,7 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
 def _bare(p: Parser, i: int) -> Results[Meaning]:
     """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
     yield from measured_bare(p, i)
-    for phrase, j in p.standing(i, _UNSAID):
+    for phrase, j in p.standing(i, _UNSAID) if not _on_two_patches(p, i) else ():
         landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
         yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
         if _UNSAID[phrase] == "apart" and p.stands(j, (",", ":")):
@@ -301,10 +301,19 @@ def _bare(p: Parser, i: int) -> Results[Meaning]:
                 yield from measured_so(p, far, i, k)
 
 
+def _on_two_patches(p: Parser, i: int) -> bool:
+    """ "Two on one patch and one on the other": a further block on a further patch, and no tower."""
+    joined = p.stands(i, ("one",)) and p.follows(i, ("and", ","))
+    if not joined or i <= 2 or p.words[i - 2] not in lexicon.PATCH:
+        return False
+    return p.words[i - 3] == "one" or (p.words[i - 3] == "a" and p.words[i - 1] == "and")
+
+
 _UNSAID = {
     "side by side": "side_by_side", "next to each other": "side_by_side", "beside each other": "side_by_side",
     "adjacent to each other": "adjacent", "next to one another": "side_by_side",
     "beside one another": "side_by_side",
+    "by itself": "apart", "all by itself": "apart",
     "well away from each other": "apart", "well apart": "apart", "well separated": "apart", "wide apart": "apart",
     "well away from one another": "apart", "clearly apart": "apart", "clearly separated": "apart",
     "far apart": "apart", "apart": "apart", "far away from each other": "apart", "separated": "apart",

@@ -24,6 +24,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.shaped import shaped
+from rpg.passes.schema.resolve.clauses.sides_told import of_told_kinds
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.places.mutual import reciprocal
 from rpg.passes.schema.resolve.places.patches import matching_patches
@@ -82,6 +83,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
     _check_repeated(theme, clause, spec, scene)
     attribute = attribute or _by_color(theme, spec, scene) or _of_each(spec)
+    theme, attribute = of_told_kinds(theme, attribute, spec, scene)
     if line or ordered:
         in_sequence(clause, theme, spec, scene)
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)

@@ -42,13 +42,14 @@ def one_for_each(theme: Ref, mark: Noun, scene: Scene) -> list[str]:
 def reciprocal(theme: Ref, loc: Loc, span: Span, *, denied: bool = False) -> Atoms:
     """ "next to each other", "5 cm apart", "on top of each other". `denied`: what comes of it is denied."""
     names = theme.names
+    if isinstance(loc.landmark, Pronoun) and loc.landmark.word in ("itself", "themselves") and loc.rel != "heaped":
+        alone = "say from what it is to be apart" if loc.rel == "beside" else "name another block"
+        raise refuse("self-reference", "nothing is placed relative to itself", loc.span, alone)
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
     if theme.quant is not None and theme.quant.low == 0 and theme.quant.high in (0, 1) and len(names) > 1:
         return _none_of_them(theme, loc, span)
     if len(names) < 2:
-        if isinstance(loc.landmark, Pronoun) and loc.landmark.word == "itself":
-            raise refuse("self-reference", "nothing is placed relative to itself", loc.span, "name another block")
         raise refuse("no-referent", "one block alone has no other to relate to", loc.span, "name at least two blocks")
     if any(b.kind == "towers" for b in theme.built):
         raise refuse(

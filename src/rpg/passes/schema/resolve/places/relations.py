@@ -51,10 +51,10 @@ from rpg.passes.schema.resolve.things.operands import (
     crown,
     far_from_any,
     first_of_all,
-    one_on_one,
     foot,
     measure,
     one_by_one,
+    one_on_one,
     so_far,
     spread,
 )

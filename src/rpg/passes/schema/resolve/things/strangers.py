@@ -71,7 +71,8 @@ def _uncounted(scene: Scene) -> None:
     """ "None of the red blocks is on the mat. A red block is on the table.": one of them, or one more?"""
     further = {name for _, ref, _ in scene.besides for name in ref.names}
     for one in (t for t in scene.things.values() if t.elastic is not None and not t.extra):
-        like = [t for t in scene.things.values() if _look(t) == _look(one) and t.batch != one.batch and not t.extra]
+        others = (t for t in scene.things.values() if t.batch != one.batch and not t.extra)
+        like = [t for t in others if _look(t) == _look(one) and {t.quality, one.quality} not in _OPPOSITES]
         if any(t.name not in further for t in like):
             raise refuse(
                 "ambiguous",
@@ -79,6 +80,10 @@ def _uncounted(scene: Scene) -> None:
                 _span(like, scene),
                 "say how many there are, or 'another'",
             )
+
+
+_OPPOSITES = ({"even", "odd"}, {"vowel", "consonant"})
+"""What no block is at once: even numbers are not among the odd ones."""
 
 
 def _span(things: list[Thing], scene: Scene) -> Span | None:
@@ -89,7 +94,8 @@ def _span(things: list[Thing], scene: Scene) -> Span | None:
 
 def _after_the_start(scene: Scene) -> None:
     """ "Take the tower of four red blocks apart and build two towers of two": of the same blocks, or of others?"""
-    begun = {name for goal in scene.start_goals for name in names_in(goal)} | {n for heap in scene.heaps for n in heap}
+    begun = {name for goal in scene.start_goals for name in names_in(goal) if not scene.things[name].patch}
+    begun |= {n for heap in scene.heaps for n in heap}
     open_ = [t for t in scene.blocks() if not (t.color or t.label or t.kind or t.extra or t.declared)]
     open_ = [t for t in open_ if t.name not in begun]
     if begun and open_:

@@ -22,7 +22,7 @@ def fits(thing: Thing, traits: Traits) -> bool:
         return False
     if traits.kind and not _kind_fits(thing, traits.kind):
         return False
-    if traits.quality and not quality_fits(thing, traits.quality):
+    if traits.quality and not quality_fits(thing, traits.quality) and (thing.label or thing.quality != traits.quality):
         return False
     if traits.size and thing.size != traits.size:
         return False
@@ -158,8 +158,12 @@ def elastic(things: list[Thing], noun: Noun, patch: bool) -> list[Thing]:
     return things
 
 
+_QUALITIES = {"even": "even number", "odd": "odd number", "vowel": "vowel", "consonant": "consonant"}
+
+
 def _words(traits: Traits) -> str:
-    words = [*traits.colors, {"letter": "letter", "digit": "number"}.get(traits.kind or "", "")]
+    sort = {"letter": "letter", "digit": "number"}.get(traits.kind or "", "")
+    words = [*traits.colors, _QUALITIES.get(traits.quality or "", sort)]
     return "".join(w + " " for w in words if w)
 
 

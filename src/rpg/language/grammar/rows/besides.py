@@ -32,7 +32,6 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
      f"only| just| merely)? as distractors(?: only)? , (?:{MUST} be|are)(?: present| there| lying)?(?: on the table)?$",
      "there are {1} as distractors"),
     (f"^{_HARDER}(?: ,)? {_LIE}({_LOTS}){_THERE}$", "there are {1} as distractors"),
-    (f"^{_HARDER}(?: ,)? (?:put|place) ({_LOTS}){_THERE}$", "there are {1} as distractors"),
     (f"^(?:put|place|lay|set) ({_LOTS})(?: down)? on the table(?: too| as well| also)? {_HARDER}$",
      "there are {1} as distractors"),
     (f"^((?:the )?{_LOTS}) (?:that|which) (?:are|is|lies?|stands?) (?:also )?(?:there|around|on the table)(?: too|"
@@ -41,9 +40,6 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
      "standing)?(?: around| present| there| nearby)? on the table$", "{1} . there are {2}"),
     # when it is so
     (f"^(?:after|following|at the end of|by the end of) (?:the|an|each|every) {_RUN}(?: ,)? (?=\\w)", "at the end ,"),
-    (f"^when (?:the|an|each|every) {_RUN} (?:is over|is done|ends|is finished|has ended|finishes)(?: ,)? (?=\\w)",
-     "at the end ,"),
-    (f"^when (?:the|an|each|every) {_RUN} (?:starts|begins|is started)(?: ,)? (?=\\w)", "at the start ,"),
     # which of two
     (f"(?: ,)?(?: and| but)? {_NO_MATTER}$", ""),
     (f"^(?:one|exactly one|just one) of (?:the two|them|these)(?: {BLOCK}s)? , ({THING}) or ({THING}) , {IS} on the "

@@ -129,10 +129,6 @@ BOARDS: tuple[Turn, ...] = (
      "(?:(?: ,)? and four)?$", "a filled {1} of {2} {3}"),
     # letters
     *((f"{_LETTER}{_OPEN} {toward}$", f"{{1}} with its opening to the {side}") for side, toward in _TOWARD.items()),
-    (f"\\b([tT]\\b.*?)(?: ,| :| with)+ (three|3){N} across(?: ,| and| then)* (two|2)(?: "
-     f"more)?{N}(?: going| "
-     "hanging| pointing)? (?:down|below|downwards?)(?: (?:from|in) the middle| for the stem)*$",
-     "{1} with a bar of {2} blocks and a stem of {3}"),
     (f"\\b([tT]\\b.*?)(?: ,| with)+ (three|3)(?: of (?:them|these)|{N}) in the (?:bar|"
      f"crossbar)$", "{1} with a bar of {2} blocks"),
     (f"\\b([tT]\\b.*?)(?: ,| with)+ the (bar|crossbar) (at the (?:far|near) side) and ({MANY}) {_BLOCKS} long$",

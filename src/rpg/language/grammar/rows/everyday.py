@@ -8,7 +8,6 @@ from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MANY, MUST
 
 _BLOCKS = "(?:blocks|cubes|ones)"
 _PEOPLE = "(?:everyone|everybody|we|i|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
-_PLACED = "(?:to the|next to|near|touching|behind|in front|on|under|above|left|right|beside|between|below|adjacent)"
 _ROW = "(?:far|near|front|back|first|second)"
 _BLOCK = "(?:block|cube|blocks|cubes)"
 _SIZE = "(?:big|large|small|little)"
@@ -48,15 +47,12 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      f"(?:{MUST} (?:be|go|"
      "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
     # measures
-    ("(?<!from )\\b(\\d+) to (\\d+) (cm|mm|centimeters?|centimetres?)\\b", "between {1} and {2} {3}"),
     (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:more|farther|further)\\b", "at least {1} {2}"),
     (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:less|closer|nearer)\\b", "at most {1} {2}"),
     (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
     (f"(?: ,)? (?:with )?(?:a )?({LENGTH}) gaps? between each(?: one)? and the next(?: one)?$", " with gaps of {1}"),
     (f" and leave(?: me| us)? (?:a )?gaps? of ({LENGTH}) (?:every time|each time|in between|between them)$",
      " with gaps of {1}"),
-    ("(?: ,)? with (?:even|equal|the same) (?:gaps|spaces|distances|spacing) (?:between them|in between)\\b",
-     " , evenly spaced"),
     # from which end
     ("\\bfrom (?:the )?(?:table|ground|floor) (?:up|upwards|to the top)\\b", "from bottom to top"),
     ("\\bfrom (?:down to up|down up|below to above|the bottom to up)\\b", "from bottom to top"),
@@ -92,7 +88,6 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(in|form|forms) (its|their) own little (?:bunch|pile|heap|group|cluster)\\b", "{1} {2} own group"),
     (f"^(?:from|out of|with|using) the (?:cubes|blocks) ((?:\\w(?: ,)? )+and \\w) , ({_PUT} .+)$",
      "there are the blocks {1} . {2}"),
-    (f"^({MANY} {COLOR} {_BLOCKS}) , (?:nicely |neatly |carefully )?placed (in|on|next to|around) ", "{1} {2} "),
     # what is asked
     ("^can (the [^,]+?) have (.+)$", "{1} should have {2}"),
     ("^first(?: ,)? you (\\w+) (.+?) , and (?:after|then|after that|afterwards)(?: ,)? you \\1 (.+)$",
@@ -105,10 +100,6 @@ _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "bec
             "or", "then", "like", "case")  # fmt: skip
 _NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
 EVERYDAY: tuple[Turn, ...] = (
-    # what is denied twice
-    (f"\\b({MUST} not be|is not|are not) ([^,]+?)(?: ,)? nor (?:be )?({_PLACED}\\b.+)$", "{1} {2} and {1} {3}"),
-    (f"^(.+?) ({MUST} not be|is not|are not) ([^,]+?) , and neither (?:is|are|{MUST}) (?:be )?(the .+)$",
-     "{1} {2} {3} and {4} {2} {3}"),
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?)"

@@ -24,9 +24,6 @@ FIGURES: tuple[Turn, ...] = (
      "a {2} of {3} around {1}"),
     ("\\b(circle|ring|square|plus|cross|grid)\\b((?:(?! and ).)*?) (in|at) the (middle|center) of the \\1$",
      "{1} {2} {3} the {4}"),
-    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) in an? ({_RING})(?: ,)? (?:and|with) (an? [^,:]+?) in (?:the|its) "
-     f"{MID}$",
-     "a {2} of {1} with {3} in the middle"),
     (f"\\b((?:circle|ring|square|outline|rectangle) .*?)(?: ,)? (with|and) ((?:the|an?) {COLOR}(?: {_BLOCK})?) "
      f"(?:inside|within)(?: ,)? in the ({MID})$", "{1} {2} {3} in the {4}"),
     # crosses
@@ -50,8 +47,6 @@ FIGURES: tuple[Turn, ...] = (
      f"(?:are |of )?({COLOR})(?: {_BLOCKS})?$", "a {2} with a {1} center and {3} arms"),
     (f"\\b({_PLUS})(?: ,| :)? the {MID}(?: {_BLOCK})? {_BE} ({COLOR}) and the (?:four )?(?:{_BLOCKS}|others)"
      f"(?: all)?(?: around(?: it)?)? {_BE} ({COLOR})$", "{1} with a {2} center and {3} arms"),
-    (f"\\b({_PLUS})(?: sign| shape)? ,? ?(?:for which|out of which|from which) ({MANY} (?:\\w+ )?{_BLOCKS}) {MUST} be "
-     "used$", "{1} made of {2}"),
     (f"\\b({_PLUS})(?: of five {_BLOCKS}| of 5 {_BLOCKS})(?: ,)? all(?: of them)? ({COLOR}) (?:but|except|apart "
      f"from|save)(?: for)? the (?:one (?:in|at) the {MID}|{MID} one|{MID})(?: ,)?(?: which is| being)? ({COLOR})$",
      "{1} with a {3} center and {2} arms"),

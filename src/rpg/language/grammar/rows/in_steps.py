@@ -16,7 +16,6 @@ _TO = "(?:onto|on|into|in|to)"
 _THEN = "(?:then |next |after that |afterwards |from there |finally |lastly |last |at last |in the end )"
 _SHOWN = "(upside - down|upside down|upright|sideways)"
 _SELF = "(?:is|are|appears?|stands?|reads?|lies?)"
-_VIEWER = "(me|us|the robot|the camera|the viewer|the front)"
 _SWAP = "(?:trade|swap|switch|change|exchange)"
 _WHOLE = "(?:thing|time|process|operation|task|episode|procedure|job)"
 _NAMED = f"(?:{THING}|{LABEL})"
@@ -50,8 +49,6 @@ IN_STEPS: tuple[Turn, ...] = (
     ("^((?:after|once|as soon as|when) .+?)(?: ,)?(?: and| but)? not (?:earlier|sooner|before|any earlier|any "
      "sooner)(?: than "
      "that)?( ,.*)?$", "{1} {2}"),
-    (f"^({THING}) (?:goes|is {_DONE}|{MUST} be {_DONE}|{MUST} go|comes) before ({THING}) ((?:onto|into) "
-     "[^,:]+)$", "first put {1} {3} , then put {2} {3}"),
     (f"^(the ({COLOR}) {BLOCK}) (?:goes|is {_DONE}|{MUST} be {_DONE}|{MUST} go|comes) before (the ({COLOR}) {BLOCK}) "
      "((?:on|onto|in|into|to) [^,:]+) : first (?:the )?\\2 , then (?:the )?\\4$",
      "first put {1} {5} , then put {3} {5}"),
@@ -115,19 +112,12 @@ IN_STEPS: tuple[Turn, ...] = (
     (f"^(.+?)(?: ,| and)+ (?:keep|leave) ({_NAMED}) (?:put|in place|where it is)$", "{1} . {2} must stay where it is"),
     (f"^let ({THINGS}) ({_SWAP} (?:places|positions))(?: ,)? without moving ({THINGS})$",
      "{1} must swap places . {3} must stay where it is"),
-    (f"^({THINGS}) ({MUST} )?({_SWAP} (?:places|positions))(?: ,)? without moving ({THINGS})$",
-     "{1} must swap places . {4} must stay where it is"),
     # how a letter is turned
     (f"^(?:turn|rotate|flip|put|place|set) ((?:the )?{BLOCK} (\\w)|the (\\w)(?: {BLOCK})?)(?: around| over| down)? "
      "so that (?:the|"
      f"its) (?:letter |digit )?(?:\\2|\\3)(?: on (?:it|(?:its )?top(?: face)?))? {_SELF} {_SHOWN}$", "turn {1} {4}"),
     (f"^the (?:letter )?(\\w) on the (\\1 {BLOCK}) ", "the {2} "),
     ("\\b(?:a )?quarter turned (clockwise|counterclockwise)", "turned a quarter turn {1}"),
-    (f"\\b(?:its|the) (\\w) (?:points|looks|shows|is pointing|is facing|is turned) (?:towards|toward|at|to) {_VIEWER}$",
-     "the {1} faces {2}"),
-    (f"^(the (\\w) {BLOCK}) (on the table)(?: ,)? with (?:its|the) \\2 (?:facing|pointing towards|pointing at) "
-     f"{_VIEWER}$",
-     "{1} must be {3} with the {2} facing {4}"),
     (f"^(write|spell) (?:the word )?(\\w+)(?: ,)? but (?:with )?the (\\w)(?: is|{MUST} be)? {_SHOWN}$", "{1} {2} "
      "with the {3} {4}"),
 )  # fmt: skip

@@ -88,8 +88,6 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
 LOTS: tuple[Turn, ...] = (
     (f"^(?:i|we) (?:only|just) (?:want|need|would like) (?:exactly )?({MANY}) of (them|these|those) (on|in) (.+)$",
      "exactly {1} of {2} must be {3} {4}"),
-    (f"^(?:i|we) (?:want|need|would like) ((?:exactly )?{MANY}) of (them|these|those) (on|in) (.+)$",
-     "{1} of {2} must be {3} {4}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("mixed jumbled muddled toddler contains",)

@@ -120,7 +120,6 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      f"(?:the|an?) ({COLOR})(?: {BLOCK})? and (?:the|an?) ({COLOR})(?: one| {BLOCK})? ?,? (.+)$",
      "there are a {2} , a {3} and a {4} block . {1} {5}"),
     ("^((?:all|every|everything)\\b[^:]*?) : (there (?:is|are) [^:]+)$", "{2} . {1}"),
-    ("^(there (?:are|is) .+?) , and (all of them (?:but|except).+)$", "{1} . {2}"),
     # without what touches
     ("(?: ,)? without (?:any of them )?touching (?:each other|one another)$", "so that they do not touch each other"),
     (f"\\bin contact with ({THING}) and with ({THING})", "in contact with {1} and {2}"),
@@ -131,8 +130,6 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 PATCHES_UNREAD: tuple[Turn, ...] = (
     (f"(?<!with )\\b({_HERE}) (?:is |to be )?(?:left|kept) (?:empty|clear|free)\\b", "{1} must be empty"),
-    (f"^(?:i|we) (?:need|want|would like) ({_HERE} must be empty) and ({THINGS}) ((?:on|in) .+)$", "{1} and {2} must "
-     "be {3}"),
     ("\\b(is|are) allowed (on|in) ", "may be {2} "),
 )  # fmt: skip
 """What makes no sense as it stands."""

@@ -28,7 +28,6 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:that|the) ({_THING}) (?:which|that) is ({COLOR})(?= (?:on|onto|in|into|next|to|behind|under)\\b|$)",
      "the {2} {1}"),
     # words
-    (f"^the word (\\S+) please(?: ,)? (?:in|with|from|out of) {_LETTERS}$", "spell the word {1}"),
     (f"^the word (\\S+) , (?:in|with|from|out of) {_LETTERS}(?: please)?$", "spell the word {1}"),
     (f"^(?:(?:put|write|lay|set|spell) )?the words (\\S+) and (\\S+)(?: {MUST} be (?:written|put|laid|spelled))? in "
      f"two rows(?: ,| :) (\\1)(?: is)? in the ({_ROW}) (?:one|row)(?: ,| and)+ (\\2)(?: is)? in the ({_ROW}) "
@@ -124,7 +123,6 @@ OTHERWISE: tuple[Turn, ...] = (
      "put the {2} in a row in ascending order {1}"),
     (f"^the (numbers|digits) {MUST} get (?:larger|bigger|higher) ({WAY})$",
      "put the {1} in a row in ascending order {2}"),
-    ("(?: ,)? kept in separate groups\\b", " into separate groups"),
     ("\\bconfigure\\b", "arrange"),
     (f"\\b({MUST}) be disposed (?:such|so) that\\b", "{1} be placed so that"),
     # said of the whole, and once more of its parts
@@ -168,9 +166,6 @@ OTHERWISE: tuple[Turn, ...] = (
     # numbers
     (f"^use (?:the )?{_BLOCKS} to (?:show|write)(?: that)? (.+ equals .+)$", "write {1}"),
     (f"(?: ,)? with (?:the )?(?:digit|number) and (?:operator|symbol|sign) {_BLOCKS}$", ""),
-    # one of two
-    (f"\\b((?:exactly |only |just )?one) of the (\\w+) ({CUBE}) and the (\\w+) {CUBE}\\b", "{1} of the {2} and {4} "
-     "{3s}"),
     # what is wanted
     (f"^({WAY})(?: ,)? (?:i|we) (?:need|want|would like) the following :", "{1} :"),
 )  # fmt: skip

@@ -73,8 +73,6 @@ PYRAMIDS: tuple[Turn, ...] = (
      f"({COLOR})"
      f"{_AND} (?:1|one|an?) ({COLOR}){N}{_TOP}$",
      "{1} with a base of {2} , the bottom layer {3} , the middle layer {4} and the top {5}"),
-    (f"\\b(pyramid)(?: ,| :| of| with| that has)+ (3|three) ({COLOR}){N}{_BOTTOM}{_AND} (?:2|two){_MORE}(?:{_ABOVE})?"
-     f"{_AND} (?:1|one|an?) ({COLOR}){N}{_TOP}$", "{1} with a base of {2} with a {4} top and the rest {3}"),
     # how many there are in all
     (f"\\b(pyramid)\\b(.*\\b(?:base|bottom)\\b.*?){_TOTAL}({MANY}(?: {COLOR})? (?:blocks|cubes|bricks))(?: in "
      f"(?:total|"

@@ -11,7 +11,6 @@ _SPECTRUM = "(?:the |a )?(?:rainbow|spectrum|color spectrum|spectrum of colors)"
 _COLORS = "(?:(?:the |its |their )?colors? )?"
 _SORTED = "(?:(?:sorted|ordered|arranged|placed|laid out|lined up) )?"
 _COME = "(?:appear|come|follow each other|follow one another|follow|occur|stand|are|lie|are found|have)"
-_WITH = "(?:begin|begins|start|starts|beginning|starting) with"
 _OF_IT = f"(?:(?:the )?colors of {_SPECTRUM}|{_SPECTRUM}(?: colors)?)"
 _ALONG = f"(?:the )?{END} to (?:the )?{END}"
 _MADE = "(?:formed|made|built|laid|laid out|created|arranged)"
@@ -23,7 +22,6 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     (f"(?: ,)? {_SORTED}in the (?:same )?order (?:as|like) (?:in )?{_OF_IT}", " in rainbow order"),
     (f"(?: ,)? {_SORTED}(?:by|following|according to|in accordance with|based on|along|in keeping with) "
      f"(?:the order of )?{_OF_IT}", " in rainbow order"),
-    (f"(?: ,)? {_SORTED}in (?:the )?(?:same )?order of {_OF_IT}", " in rainbow order"),
     (f"(?: ,)? {_SORTED}{_COLORS}(?:(?:in )?order )?(?:just )?(?:like|as) (?:in )?(?:(?:the )?colors of )?{_SPECTRUM}"
      f"(?=$| ,| \\.| \\)| {WAY}| with| start| begin| on| in an? {_LINE})", " in rainbow order"),
     (f"(?: ,)? (?:so|such|so that|such that|whose|where|in which|with)(?: that)? (?:the |its |their )?"
@@ -31,7 +29,6 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
      f"(?:the order of )?{_OF_IT}", " in rainbow order"),
     ("(?: ,| and| with)+ (?:the )?colors? (?:are |is )?in (?:the )?rainbow order",
      " in rainbow order"),
-    (f"(?<=,) rainbow order(?=$| ,| {WAY}| with| start| begin)", " in rainbow order"),
     (f"^the (?:colors?|order|color order) (?:of|in) the ({_LINE}) (?:{MUST} )?(?:follow|follows) {_OF_IT}",
      "the {1} should be in rainbow order"),
     # where it begins

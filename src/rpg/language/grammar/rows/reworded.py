@@ -83,11 +83,6 @@ REWORDED: tuple[Turn, ...] = (
     *OTHERWISE,
     *EVERYDAY,
     # measures
-    (f"\\bgap (?:no|not) {_LARGER} than ({LENGTH})", "gap of at most {1}"),
-    (f"\\b(?:no|not) {_LARGER} than ({LENGTH})", "at most {1}"),
-    (f"\\b(?:no|not) {_SMALLER} than ({LENGTH})", "at least {1}"),
-    (f"(?:and )?(?:leave |with |leaving )?(?:an? )?(?:gap of )?({LENGTH})(?: of space)? (?:in )?between "
-     f"(?:each|every|one)(?: {CUBE})? and the next(?: {CUBE}| one)?$", "with gaps of {1}"),
     (f"^(.+?) (?:moves|{MUST} move|moves away|{MUST} move away)(?: by)? (at least {LENGTH})$",
      "{1} must be moved by {2}"),
     # what is asked
@@ -95,8 +90,6 @@ REWORDED: tuple[Turn, ...] = (
     ("^(all .+? must be .+?) when (?:you |we )?((?:spell|build|form|make|write) .+)$", "{2} . {1}"),
     ("^not ((?:on|in) [^,]+?) ,? ?but ((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) "
      "(?:want|need|would like)(?: to see)? (.+)$", "{3} must not be {1} but {2}"),
-    ("^((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) (?:want|need|would like)(?: to see)? (.+)$",
-     "{2} must be {1}"),
     ("^how (?:do|would|can|should) (?:you|we|i|one) (?=(?:spell|write) )", "please"),
     ("^([^:,]+) [:,] (?:that|this) is (?:how|the way) (?:i|we) (?:want|need|would like)(?: to see)? (.+)$",
      "{2} must be {1}"),
@@ -108,7 +101,6 @@ REWORDED: tuple[Turn, ...] = (
     ("^([^,]+?) gets ([^,]+?) , ([^,]+?) gets ([^,]+?)(?: ,)? and ([^,]+?) gets ([^,]+?) on top(?: of it)?$",
      "put {2} on {1} , {4} on {3} and {6} on {5}"),
     ("^([^,]+?) gets ([^,]+?)(?: ,)? and ([^,]+?) gets ([^,]+?) on top(?: of it)?$", "put {2} on {1} and {4} on {3}"),
-    ("^([^,]+?) gets ([^,]+?) on top(?: of it)?$", "put {2} on {1}"),
     # who, which, where
     ("^all (?=(?:on|in|within|inside|at) )", "all are"),
     (f"^(.*?\\b(?:{CUBE}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}corner)"
@@ -135,15 +127,12 @@ REWORDED: tuple[Turn, ...] = (
      "{2} {3} in a row : the {1} is {4} , the {5} is {6} and {7} is in between"),
     # what stands beside it
     (f"^([^,]+ (?:rotated|turned)\\b[^,]*) , {_STANDING} (on .+)$", "{1} {2}"),
-    (f"\\boff (the [^,]+?) (?:that |which )?(?:it|they) (?:is|are|stands|sits|lies|rests)(?: now| currently)?"
-     f"(?: {_STANDING})? on\\b", "off {1}"),
     ("\\bwhich (is|are) an? (\\w+) one\\b", "which {1} {2}"),
     (" (?:too|as well) , (and|but|while)\\b", " , {1}"),
     # what is said besides
     ("(?: ,)? (?:nice|neat|good) and (?:straight|even)$", ""),
     ("(?: ,)? (?:for sure|for certain|full stop|here)$", ""),
     ("^like goes with like :", ""),
-    (f"^(.+ : keep [^,]+) , and ({_PUT} .+)$", "{1} . {2}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
 WORDS = (

@@ -54,8 +54,6 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
      f"(?:stands?|is|{MUST} be|lies|sits)(?: in the middle| in between| between them)?$", "{3} must have {1} and {2}"),
     (f"\\bflanked by ({_T}) (?:on|to) (?:its|the) left(?: side)?(?: ,)? and (?:by )?({_T}) (?:on|to) (?:its|the) right"
      "(?: side)?$", "between {1} and {2} , {1} on the left"),
-    (f"\\bflanked by ({_T}) (?:on|to) (?:its|the) right(?: side)?(?: ,)? and (?:by )?({_T}) (?:on|to) (?:its|the) left"
-     "(?: side)?$", "between {2} and {1} , {2} on the left"),
     (f"^(?:i (?:want|would like|need)(?: to see)? |there (?:is|{MUST} be) |put |place )?(an?|the) ({_T}) between two "
      f"({COLOR})s?(?: {_BLOCKS})? ,(?: with)? one {_ON_ITS} (left|right)(?: side)?{_AND} "
      f"(?:one|the other|another)(?: one)? {_ON_ITS} (left|right)(?: side)?$",

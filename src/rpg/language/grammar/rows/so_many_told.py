@@ -44,8 +44,6 @@ SO_MANY_TOLD: tuple[Turn, ...] = (
     (f"^on each of ((?:the |my )?{MANY} [^,]+?) there (?:{MUST}|is|are) ?(?:be|stand|lie|sit)? ?(?:exactly "
      ")?((?:one|an?) "
      "[^,]+?)$", "put {2} on each of {1}"),
-    (f"^there (?:{MUST} be|is) ((?:one|an?) [^,]+?) on each of ((?:the |my )?{MANY} [^,]+?)$", "put {1} on each of "
-     "{2}"),
     (f"^fill ((?:the |my )(?:{COLOR} )?{PATCH}) with ((?:all|the|my|both) .+)$", "put {2} on {1}"),
     # on one patch and on another
     (f"^(?:put |place |set )?(?:the two|both) ({COLOR}) {_BLOCKS} (?:(?:{_GO} )?on different {PATCHES}|(?:{MUST}|"
@@ -72,7 +70,6 @@ SO_MANY_TOLD: tuple[Turn, ...] = (
      "the "
      "other(?: one)?$", "exactly one of the two {2} must touch {1}"),
     (f"^put ({THING}) and either ({THING}) or ({THING}) (on .+)$", "{1} must be {4} . {2} or {3} must be {4}"),
-    ("^neither(?: of them)? (?:touches|touch) the other(?: one)?$", "they must not touch each other"),
     (f"(?: ,)? without (?:either|any|one)(?: one)? of (?:them|the two) touching ({THING})$", " and they must not "
      "touch {1}"),
     ("(?: ,| ;)? and in any case (?=\\w)", " ."),

@@ -51,16 +51,9 @@ STAIRS: tuple[Turn, ...] = (
      "blocks"),
     (f"\\b({_STAIRS}\\b.*?)(?: ,| :)* (?:with )?one(?: step)?{N}(?: high)?{_THEN} two(?: steps)?{N}(?: high)?{_THEN} "
      f"three(?: steps)?{N} high$", "{1} with heights one , two and three"),
-    (f"({_STAIRS}\\b.*?)(?: ,| :)+ one{N}{_THEN} two{N}{_THEN} three{N}$", "{1} with one , two and three blocks"),
     (f"\\b({_STAIRS}\\b.*?) in steps of (one|1) , (two|2) and (three|3)\\b", "{1} with steps of {2} , {3} and {4}"),
     # what lies on them
     (f"\\bon (?:top of )?the {_HIGH} (?:step|stair) of (an? (?:[^ ,]+ )*?{_STAIRS}\\b)", "on top of {1}"),
-    (f"\\b({_STAIRS}) that has ((?:\\w+) steps)(?: ,)? and (?=going up )", "{1} with {2}"),
-    # what it is
-    (f"^(?:the |this )({_STAIRS} going up )", "a {1}"),
-    (f"\\b({_STAIRS}\\b.*?)(?: ,| and)* {MUST} be (?:built|made|formed|constructed) going up {_TO} (left|right|"
-     f"front|back)$",
-     "{1} going up to the {2}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 

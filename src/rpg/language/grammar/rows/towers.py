@@ -22,7 +22,6 @@ _ASIDE = "(?:(?:to|on|at) )?(?:(?:the|its) )?(left|right)(?: side)?(?: of (?:it|
 _BESIDE = ("(?:(?:directly |right |immediately )?(?:to the left of|to the right of|left of|right of|behind|in front "
              "of|next to|"
            "beside))")  # fmt: skip
-_BEFORE = "(behind|in front of) (?:it|that|this)"
 _THING = f"(?:(?:an?|the|one) )?(?:{COLOR}|[b-z0-9])(?: (?:block|cube|one))?"
 _PILE = f"{_THING}(?: (?:on top of|on|over|above|atop) {_THING})+"
 _STACKED = f"({MANY} {COLOR}s?(?: {_BLOCKS})?)(?: stacked(?: up)?)?"
@@ -62,8 +61,6 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      f"(?: {_BLOCKS})? (?:of each|per color|in each|each|for each)(?: color| of them)?(?: ,| :)? (?:make |build )?"
      f"(?:one|a) ({TOWER}) (?:per|for each|for every|of each) color$", "{1} {3s} of {2} , each {3} in its own color"),
     # colours that alternate
-    (f"^(stack|pile up) {_LOT} and {_LOT}(?: ,)? (?:{_CHANGING}){_BEGINS}",
-     "{1} {2} and {3} blocks alternately , {4} at the bottom"),
     (f"^(.*?\\b{TOWER} of {MANY})(?: blocks)? (?:{_CHANGING}) , {_LOT} and {_LOT}(?: ,)?{_BEGINS}",
      "{1} blocks , {2} and {3} , alternating , starting with {4} at the bottom"),
     (f"\\b({TOWER}\\b.*?)(?: ,)? with (?:the |its )?colors (?:changing|taking turns) (?:alternately|each time|every "
@@ -78,8 +75,6 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "{1} with {2} at the bottom and {2} at the top"),
     (f"\\b({TOWER}\\b[^,]*?)(?: ,)? (?:with|in|of) alternating colors , {_TURNS} , ({MANY})(?: blocks| cubes)?"
      "(?: high| tall)?(?= ,|$)", "{1} of {4} blocks , alternating {2} and {3}"),
-    (f"^(?:an? )?({TOWER}) (?:of|with) ({MANY})(?: blocks| cubes) [:,] (?:the )?colors alternate between {_TURNS}",
-     "a {1} of {2} blocks , alternating {3} and {4}"),
     (f"\\b({TOWER})(?: ,)? (?:where|in which) {_TURNS} alternate ,? ?({MANY})(?: blocks| cubes)? (?:high|tall)",
      "{1} of {4} blocks , alternating {2} and {3}"),
     (f"^(?:an? |the )?({TOWER}) , (?:alternate|alternating) {_TURNS} , ({MANY})(?: blocks| cubes)(?: high| tall)?",
@@ -125,8 +120,6 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      f"{_BLOCKS})$",
      "{1} from {2}"),
     (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({TOWER}) : (.+)$", "a {1} of {2}"),
-    ("(?<! of)(?: ,)? the (?:rest|others|order of the (?:rest|others)) (?:is |are )?(?:as you like|up to you|free)$",
-     ", the others in any order"),
     (f"\\b({TOWER}) (of|out of|from|made of) ({COLOR}) ({COLOR}) and ({COLOR})(?= with| so| in|$)",
      "{1} {2} {3} , {4} and {5}"),
     (f"^(?:make |build )?({MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})(?: ,)? (?:with )?(?:the "
@@ -144,15 +137,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "{1} and a {2} of"),
     (f"\\b((?:an?|one) ({TOWER}) of {MANY}\\b.*?(?: and|,) (?:{_BESIDE}) it(?: ,)?) one of (?={MANY}\\b)",
      "{1} a {2} of"),
-    (f"\\b(two) (columns|rows|towers|stacks) of ({MANY})(?: {_BLOCKS})?(?: ,| :)? an? ({COLOR}) "
-     f"(?:one|column|row|tower|"
-     f"stack) (?:on|to) the (left|right)(?: side)?(?: ,)? (?:and )?an? ({COLOR}) (?:one|column|row|tower|stack) "
-     f"(?:on|to) "
-     "the (left|right)(?: side)?$", "{1} {2} of {3} , the {5} one {4} and the {7} one {6}"),
     (f"\\b(?:two|2) {TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_ASIDE}(?: ,)? (?:there is |stands )?({_PILE})$",
      "a tower of {1} , and to the {2} of it a tower of {3}"),
-    (f"\\b(?:two|2) {TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_BEFORE}(?: ,)? (?:there is |stands )?({_PILE})$",
-     "a tower of {1} , and {2} it a tower of {3}"),
     (f"\\b(?:two|2) {TOWER}s [:,] (?:on|to) the left {_STACKED}(?: ,)? (?:and )?(?:to|on) the right(?: of it)? "
      f"{_STACKED}$", "two towers , the left one of {1} and the right one of {2}"),
     (f"\\b(?:two|2) {TOWER}s [:,] on the left ({_PILE})(?: ,)? (?:and )?(?:to|on) the right(?: of it)? ({_PILE})$",
@@ -170,7 +156,6 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 TOWERS: tuple[Turn, ...] = (
-    (f"\\bthe remaining ({MANY})(?: {_BLOCKS})? (?:each )?(sit|lie|stand|rest|stay|are)\\b", "the other {1} {2}"),
     ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
     ("(?: ,)? so that no two touch$", ". no two of them touch"),
 )  # fmt: skip

@@ -42,7 +42,6 @@ def _not_block(nouns: str, said: str) -> Turn:
 
 UPRIGHT_AT_ONCE: tuple[Turn, ...] = (
     (f"^anything at the (?:very )?bottom {_BUT} {_KNOWN}$", "{1} is not at the bottom"),
-    (f"^anything (?:on top|at the (?:very )?top) {_BUT} {_KNOWN}$", "{1} is not on top"),
     *_not_at(_LOW, "at the bottom"),
     *_not_at(_HIGH, "on top"),
     (f"^any ({TOWER} of .+?) (?:passes|will do|is fine|counts|is ok)(?: ,)? ((?:as long as|provided that|if) .+)$",
@@ -55,8 +54,6 @@ UPRIGHT_AT_ONCE: tuple[Turn, ...] = (
      "so that {1} does not touch {2}"),
     (f"(?: ,)? (?:in {_ORDER} )?(?:as long as|so long as|provided that|so that) {_KNOWN} is higher(?: up)?"
      f"(?: in (?:it|the {TOWER}))? than {_KNOWN}$", "so that {1} is somewhere above {2}"),
-    (f"(?: ,)? (?:in {_ORDER} )?(?:as long as|so long as|provided that|so that) {_KNOWN} is lower(?: down)?"
-     f"(?: in (?:it|the {TOWER}))? than {_KNOWN}$", "so that {1} is somewhere below {2}"),
     (f"^(stack|pile up) all {MANY} of (.+?) (so that .+)$", "{1} {2} {3}"),
     (f"^(.*\\b{TOWER}\\b.*?)(?: ,)? (?:in which|so that|where|with) (?:neither|none of the) ({COLOR}) "
      f"(?:one|ones|block|"

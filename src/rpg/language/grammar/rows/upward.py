@@ -48,21 +48,15 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({TOWER}) with {_ONE} in the middle {_AND} {_ONE} {_BELOW}(?: it)? {_AND} {_ONE} (?:on top|{_ABOVE} "
      f"it|above)"
      "(?: of it)?$", "{1} of {3} , {2} and {4} from bottom to top"),
-    (f"\\b({TOWER}) with {_ONE} in the middle {_AND} {_ONE} (?:on top|{_ABOVE} it|above)(?: of it)? {_AND} {_ONE} "
-     f"{_BELOW}(?: it)?$", "{1} of {4} , {2} and {3} from bottom to top"),
     (f"\\b({TOWER}) (?:in which|where) {_KNOWN} has {_ONE} {_BELOW} it and {_ONE} (?:directly |right )?(?:on top(?: "
      f"of "
      "it)?|above(?: it)?|on it)$", "{1} of {3} , {2} and {4} from bottom to top"),
-    (f"\\b({TOWER}) (?:in which|where) {_KNOWN} has {_ONE} (?:directly |right )?(?:on top(?: of it)?|above(?: it)?|on "
-     f"it) and {_ONE} {_BELOW} it$", "{1} of {4} , {2} and {3} from bottom to top"),
     (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} (?:directly )?(?:on top(?: of it)?|on it) and {_ONE} ({_BELOW}) it$",
      "{2} must be on {1} and {3} must be {4} {1}"),
     (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} ({_BELOW}) it and {_ONE} (?:directly )?(?:on top(?: of it)?|on it)$",
      "{2} must be {3} {1} and {4} must be on {1}"),
     (f"^{_LIST} : (?:build|make|form|stack) (an?|one) ({TOWER}) (?:that|which) (?:shows|has|with) (?:these|those) "
      f"{_BLOCKS}(?: when)?(?: read)? {_DOWN}$", "a {3} of {1} from top to bottom"),
-    (f"^{_LIST} : (?:build|make|form|stack) (an?|one) ({TOWER}) (?:that|which) (?:shows|has|with) (?:these|those) "
-     f"{_BLOCKS}(?: when)?(?: read)? {_UP}$", "a {3} of {1} from bottom to top"),
     (f"^{_LIST} : (?:that|this) is the ({_LINE}) (?:that )?(?:i|we) (?:want|need|would like)(?: to see)?(?: ,)? "
      f"({WAY})$",
      "a {2} of {1} {3}"),
@@ -70,9 +64,6 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:if|when|as) (?:you|one|we) looks? at (?:the|an?) ({TOWER}(?: of {MANY})?(?: blocks)?) {_UP} , "
      f"(?:you|one|we) "
      f"(?:meet|see|find|get)s? {_LIST}$", "a {1} , {2} from bottom to top"),
-    (f"^(?:if|when|as) (?:you|one|we) looks? at (?:the|an?) ({TOWER}(?: of {MANY})?(?: blocks)?) {_DOWN} , "
-     f"(?:you|one|we)"
-     f" (?:meet|see|find|get)s? {_LIST}$", "a {1} , {2} from top to bottom"),
     (f"^(.*?)({_ONE}(?: {_ABOVE} {_ONE[1:-1]})+) , (?:all )?(?:in )?one ({TOWER})$", "{1} a {4} of {2}"),
     (f"\\b(?:put|set|place) {_ONE} between two ({COLOR}) (?:ones|blocks|cubes) ,? ?(?:vertically ,? ?)?in (?:an?|one) "
      f"({TOWER})$", "a {3} of {2} , {1} and {2} from bottom to top"),
@@ -104,9 +95,6 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:put |have |place )?{_KNOWN} between the (?:others|other two|other ones) in an? ({TOWER}) , {_ONE} "
      f"{_ABOVE} it and "
      f"{_ONE} {_BELOW} it$", "a {2} of {4} , {1} and {3} from bottom to top"),
-    (f"^(?:put |have |place )?{_KNOWN} between the (?:others|other two|other ones) in an? ({TOWER}) , {_ONE} "
-     f"{_BELOW} it and "
-     f"{_ONE} {_ABOVE} it$", "a {2} of {3} , {1} and {4} from bottom to top"),
     (f"^use {_ONE} as (?:the|a) base and (?:stack|put|build) {_ONE} (?:and )?then {_ONE} on (?:top of )?it$",
      "a tower of {1} , {2} and {3} from bottom to top"),
 )  # fmt: skip
@@ -124,16 +112,9 @@ UPWARD: tuple[Turn, ...] = (
     (f"^in (?:the|an?|one) ({TOWER})(?: ,)? {_KNOWN} (?:is |comes |lies )?{_HIGH}(?: ,)? (?:and )?then (?:comes "
      f"|follows )?"
      f"{_KNOWN} {_AND} {_KNOWN} {_IS}{_LOW}$", "a {1} of {2} , {3} and {4} from top to bottom"),
-    (f"^in (?:the|an?|one) ({TOWER})(?: ,)? {_KNOWN} (?:is |comes |lies )?{_LOW}(?: ,)? (?:and )?then (?:comes "
-     f"|follows )?"
-     f"{_KNOWN} {_AND} {_KNOWN} {_IS}{_HIGH}$", "a {1} of {2} , {3} and {4} from bottom to top"),
     (f"^in (?:the|an?|one) ({TOWER})(?: ,)? {_KNOWN} comes first {_UP} , {_KNOWN} (?:comes )?(?:after "
      f"(?:it|that)|second|"
      f"next) {_AND} {_KNOWN} (?:comes )?(?:last|third)$", "a {1} of {2} , {3} and {4} from bottom to top"),
-    (f"^in (?:the|an?|one) ({TOWER})(?: ,)? {_KNOWN} comes first (?:{_DOWN}|from the top) , {_KNOWN} (?:comes "
-     f")?(?:after "
-     f"(?:it|that)|second|next) {_AND} {_KNOWN} (?:comes )?(?:last|third)$",
-     "a {1} of {2} , {3} and {4} from top to bottom"),
     (f"^stack (?:the |these )?(?:{MANY} )?(?:blocks|cubes)? ?(?:so|like this|like so|as follows|this way|in this "
      f"way) [:,] "
      f"{_KNOWN} {_IS}{_LOW} {_AND} {_KNOWN} {_IS}in the middle {_AND} {_KNOWN} {_IS}{_HIGH}$",
@@ -142,19 +123,11 @@ UPWARD: tuple[Turn, ...] = (
     (f"\\b({TOWER}) (?:which|that)(?: ,)? (?:starting|beginning|begun) (?:at|from) the top(?: and going "
      f"down(?:wards)?)?"
      "(?: ,)? (?:shows|has|is|reads|goes) (.+)$", "{1} of {2} from top to bottom"),
-    (f"\\b({TOWER}) (?:which|that)(?: ,)? (?:starting|beginning|begun) (?:at|from) the bottom(?: and going "
-     f"up(?:wards)?)?"
-     "(?: ,)? (?:shows|has|is|reads|goes) (.+)$", "{1} of {2} from bottom to top"),
     (f"\\b({TOWER}) (?:that|which) (?:counts|goes|runs) (?:up |down )?from (\\d) (?:at the|on) top to (\\d) at the "
      f"bottom",
      "{1} of the numbers {2} to {3} from top to bottom"),
-    (f"\\b({TOWER}) (?:that|which) (?:counts|goes|runs) (?:up |down )?from (\\d) at the bottom to (\\d) (?:at "
-     f"the|on) top",
-     "{1} of the numbers {2} to {3} from bottom to top"),
     (f"\\b({TOWER} of {MANY}(?: blocks| cubes)?|{TOWER}(?: please)? {MANY}(?: blocks| cubes)? (?:high|tall)) "
      f"(?=(?:{FEW}|the) )", "{1} ,"),
-    (f"\\bthe (upper|lower) ({MANY}) ({COLOR}) and the (upper|lower) ({MANY}) ({COLOR})$",
-     "with the {2} {1} blocks {3} and the {5} {4} blocks {6}"),
     (f"\\bthe (?:upper|top|topmost) (?:block|cube|one) (?:is )?({COLOR}) {_AND} the ({MANY}) (?:blocks |cubes |ones "
      f")?"
      f"(?:{_BELOW}) it (?:are )?({COLOR})$", "the top block {1} and the {2} lower blocks {3}"),
@@ -166,8 +139,6 @@ UPWARD: tuple[Turn, ...] = (
      "(?:in|as) (?:the|its) middle (?:and|, and) (.+?) (?:at|as) (?:its|the) top$",
      "a {1} with {2} at the bottom , {3} in the middle and {4} at the top"),
     (f"^(rainbow {TOWER})(?: ,)? {_ONE} at the bottom : (.+)$", "a {1} of {3} , with {2} at the bottom"),
-    (f"^(?:up)?on (the .+?) {MUST} (?:stand|be|lie) , ({WAY}) , {_LIST}$", "a tower of {3} {2} on {1}"),
-    (f"^(?:up)?on (the .+?) {MUST} (?:stand|be|lie)(?: ,)? ({WAY})(?: ,| :)? {_LIST}$", "a tower of {3} {2} on {1}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
 WORDS = ("sandwich sandwiched following foot vertically meet stacked",)

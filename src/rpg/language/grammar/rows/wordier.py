@@ -30,8 +30,6 @@ _OF = "(?:exactly |just |only |at least |at most )?(?:each|one|any|any one|none|
 AT_ONCE: tuple[Turn, ...] = (
     # for whom
     (f"\\b(build|make|show|give) us (?=(?:an?|the|one|some|\\d+|{FEW}) )", "{1} me "),
-    (f"\\b(create|draw|stack|spell|write|lay|arrange|construct|assemble|form) (?:me|us) "
-     f"(?=(?:an?|the|one|some|\\d+|{FEW}) |\\S+$)", "{1} "),
     (f"{_NO_FAVOR} for (?:me|us)(?=$| ,| with | on | in | and | as | from )", " "),
     (f"\\bdo (an? (?:\\w+ )?{_SHAPE})\\b", "make {1}"),
     # who touches whom
@@ -82,8 +80,6 @@ AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} {3}"),
     # what is where
     (f"^({WAY})(?: ,)? (?:we|you|i) (?:have|see|find|get) ", "{1} there are"),
-    ("\\b(stack|tower|pile)\\b((?:(?! put | place | set | lay | stands | lies ).)*(?:,|with) (?:the )?\\w+(?: one)?)"
-     " at the foot$", "{1} {2} at the bottom"),
     ("\\b(left|right) hand (end|edge|position|place|one|block|half)\\b", "{1} {2}"),
     ("\\b(half|corner|middle|center|edge) of the table\\b(.+?)\\b(half|corner|middle|center|edge) of it$",
      "{1} of the table {2} {3} of the table"),
@@ -98,12 +94,6 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:in (?:the|an?) ({LINE})|an? ({LINE}) (?:in which|where))(?: ,)? (?:both|the two|the) ends (?:are|{MUST} be) "
      f"(\\w+) and the ({FEW}) (?:{CUBE}s |ones )?(?:in )?between(?: them)? (?:are |{MUST} be )?(\\w+)$",
      "a {1} {2} of {4} {5} blocks with a {3} block at each end"),
-    ("^(?:stack|pile|pile up|stack up) (an? [^,]+?) , ((?:and |then )?an? [^,]+? on (?:it|top of it|that)\\b.*)$",
-     "put {1} on the table , {2}"),
-    (f"^(?:(?:each of |all )?the four (\\w+) {CUBE}s {MUST} (?:be|end up|stand|go|lie)|(?:put|place|set|move) "
-     f"(?:each of )?the four (\\w+) {CUBE}s) in (?:a different|its own|a separate|different|separate) corners?(?: "
-     "of the table)?$",
-     "a {1} {2} block must be in each corner of the table"),
     (f"^(?:take|get|pick|pick up|grab) (the (?:{MANY} )?(?:\\w+ )?{CUBE}s)(?: up)? (?:from|out of) (?:their|a) "
      "(heap|pile)(?: ,)? (?:and|then|and then) (.+)$", "{1} start in a {2} . {3}"),
     (f"^({MANY} \\w+ {CUBE}s?(?: ,| and| , and) {MANY} \\w+ {CUBE}s?) , and (on (?:every|each) .+)$", "{1} . "
@@ -152,9 +142,6 @@ WORDIER: tuple[Turn, ...] = (
     # what each is
     (f"\\bby whether (?:they|it|each(?: one)?|the \\w+) (?:are|is) (?:an? )?({_KINDS})s? or (?:an? )?({_KINDS})s?$",
      "into {1s} and {2s}"),
-    ("\\bby whether (?:they|it|each(?: one)?|their numbers|the numbers|the digits) (?:are|is) (odd or even|even or "
-     "odd)$",
-     "into odd and even"),
     # what may be anywhere
     ("^(?:you (?:may|can|could|are free to) |feel free to )?(?:put|place|set|move) (.+?) (?:just "
      f")?(?:anywhere|wherever){_LIKING}(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) "
@@ -178,12 +165,9 @@ WORDIER: tuple[Turn, ...] = (
     (f"^(.+? (?:on|onto|on top of) the [^,]+?) , which (?:{MUST} be|is|comes) at the (?:very )?bottom(?: of (?:it "
      f"all|all|the {LINE}|the pile|everything))?(| , .+| and .+)$", "{1} , which must be on the table {2}"),
     # one after another
-    ("(?: ,)? but not until (.+)$", ", but only after {1}"),
     (f"\\b(?:has reached|have reached|reaches|reached) ((?:the|its|an?) (?:\\w+ )?{_PATCH})\\b", "is on {1}"),
     (f"\\b(?:{MUST} )?reach ((?:the|its|an?) (?:\\w+ )?{_PATCH})\\b", "must be on {1}"),
     # to and from
-    ("\\b(?:get|take|bring|move|lift) (it|them) (?:out of|off|from|away from) there and (?:put (?:it|them) "
-     ")?((?:in|into|on|onto|to|over to) .+)$", "put {1} {2}"),
     ("^([^,]+? and [^,]+?) , (?:please )?(?:now )?(?:change|swap|trade|exchange|switch) (?:places|positions|spots)$",
      "{1} must swap places"),
     ("\\bwhere (.+?) in turn (is|rests|stands|sits|lies|must)\\b", "where {1} {2}"),

@@ -18,9 +18,10 @@ _SO = "(?:is|are|has been|have been|lies|stands|sits|rests)"
 AT_TIMES: tuple[Turn, ...] = (
     # never
     (f"\\b{_NEVER} (touch|touches|lie|lies|put|place|let|move|take|stack|leave|leaves|lift|allow)\\b", "never {1}"),
-    ("\\b(not [^,]+?)(?: ,)? not even (?:temporarily|briefly|momentarily|shortly|in passing|in between|once|"
-     "for (?:a|one|a short|a brief|a single) (?:moment|second|time|while|instant))$", "{1} at any time"),
+    ("\\b(not [^,]+?)(?: ,)? not even (?:temporarily|briefly|momentarily|shortly|in passing|in between|once|for (?:a|"
+     "one|a short|a brief|a single) (?:moment|second|time|while|instant))$", "{1} at any time"),
     ("\\b(?:is|are) (not|never) (?:allowed|permitted|supposed) to\\b", "must {1}"),
+    ("\\bwithout (.+?) ever (?:being|lying|standing) on (.+)$", "and {1} must never be on {2}"),
     ("\\bwithout (.+?) ever touching (.+)$", "and {1} must never touch {2}"),
     ("\\bwithout (.+?) ever leaving (.+)$", "and {1} must never leave {2}"),
     (f"\\b((?:the [^,]+?|\\w+)) {MUST} (?:be|stay|remain|be kept) (?:clear|free) {_EVER}$", _BARE),
@@ -35,8 +36,8 @@ AT_TIMES: tuple[Turn, ...] = (
     (f"^(.+?) ({MUST}|may) not be (?:put|placed|moved|stacked) (on .+?) (?:before|until) ([^,]+? {_SO} .+)$",
      "once {4} , put {1} {3}"),
     ("^(.+?) (first|at first) and (.+?) (?:after that|at last|last of all)$", "first {1} , then {3}"),
-    ("^(?:the )?first (?:thing (?:to do )?|step )?is to (.+?) ,(?: and)? (?:the )?(?:second|next|last)"
-     "(?: thing| step)? is to (.+)$", "first {1} , then {2}"),
+    ("^(?:the )?first (?:thing (?:to do )?|step )?is to (.+?) ,(?: and)? (?:the )?(?:second|next|last)(?: thing| "
+     "step)? is to (.+)$", "first {1} , then {2}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("temporarily", "briefly", "momentarily", "permitted", "wait", "instant", "occasion")

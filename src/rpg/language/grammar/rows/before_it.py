@@ -25,8 +25,8 @@ BEFORE_IT: tuple[Turn, ...] = (
      "but only after {1} has been put {2}"),
     (f"^(?:put|move|bring|carry|take) (.+?) from {_REGION} (?:to|into) {_REGION}$",
      "at the start , {1} is in {2} of the table . put {1} in {3}"),
-    (f"^(an? {LINE}(?: of)? .+?) (?:(?:is )?(?:standing|lying)|stands|lies|is|has been built|was built) "
-     "(?:on the table|there)$", "there is {1}"),
+    (f"^(an? {LINE}(?: of)? .+?) (?:(?:is )?(?:standing|lying)|stands|lies|is|has been built|was built) (?:on the "
+     "table|there)$", "there is {1}"),
     *AT_TIMES,
     *TRADED,
 )  # fmt: skip

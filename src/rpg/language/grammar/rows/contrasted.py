@@ -32,8 +32,8 @@ CONTRASTED: tuple[Turn, ...] = (
     ("^(.+?) (is|stands|lies) (left|right|in front|behind|to the left|to the right) of (\\S+) , (\\S+) of (\\S+) and "
      "(\\S+) of (\\S+)$", "{1} {2} {3} of {4} , {5} {2} {3} of {6} and {7} {2} {3} of {8}"),
     (f"\\b(an? )({LINE})( of [^,]+?) and another of\\b", "{1} {2} {3} and {1} {2} of"),
-    (f"^(in front of|behind|next to|to the left of|to the right of) (an? {LINE} of .+?) there (?:is|is to be|"
-     f"{MUST} be) another of (.+)$", "{1} {2} there must be a tower of {3}"),
+    (f"^(in front of|behind|next to|to the left of|to the right of) (an? {LINE} of .+?) there (?:is|is to be|{MUST} "
+     "be) another of (.+)$", "{1} {2} there must be a tower of {3}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("versa vice mixing necessarily nowhere",)

@@ -35,12 +35,11 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     # of every two
     (f"\\b({LENGTH}) or (?:more|farther|further) apart\\b", "at least {1} apart"),
     (f"\\b({LENGTH}) or (?:less|closer|nearer) apart\\b", "at most {1} apart"),
-    (f"\\b{_EVERY_TWO} of ((?:the|my) [^,]+?|{THINGS}) ({_MUST_BE}) ({_FAR}) {_APART}",
-     "{1} {2} pairwise {3} apart"),
+    (f"\\b{_EVERY_TWO} of ((?:the|my) [^,]+?|{THINGS}) ({_MUST_BE}) ({_FAR}) {_APART}", "{1} {2} pairwise {3} apart"),
     (f"\\bany two of (?:them|these|those) ({_MUST_BE}) ({_BOUND}) {_APART}", "they {1} pairwise {2} apart"),
     (f"(?: ,|,? with| :) {_EVERY_TWO} (?:of them )?(?:(?:are|being|standing|lying) )?({_FAR}) {_APART}$",
      "pairwise {1} apart"),
-    (f"(?: ,)? (?:so that|until|such that) {_EVERY_TWO} (?:of (?:blocks|cubes) )?({_MUST_BE}) ({_FAR}) {_APART}$",
+    (f"(?: ,)? (?:so that|until|such that) {_EVERY_TWO} (?:of (?:blocks|cubes|them) )?({_MUST_BE}) ({_FAR}) {_APART}$",
      "so that they {1} pairwise {2} apart"),
     (f"\\b(?:at )?(?:equal distances?|the same distance) of ({LENGTH}) (?:from|to) (?:each other|one another)",
      "pairwise {1} apart"),
@@ -50,18 +49,16 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     # of centres
     (f"^(the {_CENTER}s of .+? and )(?:that |the {_CENTER} )?of ", "{1}"),
     (f"\\bthe {_CENTER} of ({_ONE}) and the {_CENTER} of ({_ONE}) ", "the centers of {1} and {2} "),
-    (f"\\b({THING}) 's {_CENTER} ({_MUST_BE}) ({_FAR}) (?:away )?from (?:the {_CENTER} of )?({THING})"
-     f"(?: 's {_CENTER})?", "{1} {2} {3} from {4}"),
+    (f"\\b({THING}) 's {_CENTER} ({_MUST_BE}) ({_FAR}) (?:away )?from (?:the {_CENTER} of )?({THING})(?: 's "
+     f"{_CENTER})?", "{1} {2} {3} from {4}"),
     (f"\\b(?:its {_CENTER}|the {_CENTER} of it) ({_MUST_BE}) ({_FAR}) (?:away )?from (?:the {_CENTER} of )({THING})",
      "it {1} {2} from {3}"),
-    (f"^(?:the )?({COLOR}) ({COLOR}) (?:{_CENTER}|center to center) distance"
-     f"(?: ,| :| (?:of|is|{MUST} be))? ({_FAR})", "the distance between {1} and {2} must be {3}"),
+    (f"^(?:the )?({COLOR}) ({COLOR}) (?:{_CENTER}|center to center) distance(?: ,| :| (?:of|is|{MUST} be))? ({_FAR})",
+     "the distance between {1} and {2} must be {3}"),
     # three at the corners of a triangle
-    *((f"\\b(?:in|as|form|make|forming|making|so that they form) an? (?:equilateral )?triangle(?: ,)? {sided}",
-       "pairwise {1} apart") for sided in (
-        f"(?:with|of|having) (?:an? )?(?:{_SIDE}s?|{_SIDE} length)(?: of)? ({LENGTH})(?: each| long)?(?: length)?$",
-        f"(?:with|of) ({LENGTH}) (?:{_SIDE}s|{_SIDE} length)$",
-        f"(?:,|with) ({LENGTH}) (?:on|per|along) (?:a|each|every) side$")),
+    ("\\b(?:in|as|form|make|forming|making|so that they form) an? (?:equilateral )?triangle(?: ,)? (?:with|of|having) "
+     f"(?:an? )?(?:{_SIDE}s?(?: length)?(?: of)? ({LENGTH})(?: each| long)?(?: length)?|({LENGTH}) {_SIDE}(?:s| "
+     "length))$", "pairwise {1} {2} apart"),
 )  # fmt: skip
 WORDS = ("pairwise equilateral leeway",)
 """Words that these take besides those that are read anyway."""

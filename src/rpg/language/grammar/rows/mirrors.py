@@ -46,21 +46,21 @@ _ITS = "(?:colors|color sequence|sequence of colors|color order|order|order of c
 
 MIRRORS_AT_ONCE: tuple[Turn, ...] = (
     # what is said of a line behind it
-    (f"(?: ,)? (?:that|which) {_MIRRORED}(?! [:,] {COLOR} outside)(?=$| ,| :| \\(|\\.| and| with| from| of| on| in"
-     "| out)", " that is mirrored"),
+    (f"(?: ,)? (?:that|which) {_MIRRORED}(?! [:,] {COLOR} outside)(?=$| ,| :| \\(|\\.| and| with| from| of| on| in| "
+     "out)", " that is mirrored"),
     (f"(?: ,)? (?:whose|of which the|in which the|where the) {_ITS} {_MIRRORED}", " that is mirrored"),
     (f"(?: ,)? whose {_HALVES.format(_REFLECTS)}", " that is mirrored"),
     (f"(?: ,)? (?:so|such|so that|such that|in a way|arranged so)(?: that)? {_ALL} {_MIRRORED}",
      " so that it is symmetric"),
     (f"(?: ,)? (?:so|such|where|in which)(?: that)? {_HALVES.format(_REFLECTS)}", " so that it is symmetric"),
-    (f"(?: ,)? (?:so|such|where|in which)(?: that)? {_BOTH} (?:mirror (?:each other|one another)|{_BE} (?:symmetric"
-     f"|symmetrical|mirror images{_EACH_OTHER}))", " so that it is symmetric"),
+    (f"(?: ,)? (?:so|such|where|in which)(?: that)? {_BOTH} (?:mirror (?:each other|one another)|{_BE} (?:symmetric|"
+     f"symmetrical|mirror images{_EACH_OTHER}))", " so that it is symmetric"),
     ("\\b(?:with|in|of) (?:an? )?(?:mirror )?(?:symmetric|symmetrical|mirrored|mirror symmetric|palindromic) "
      "(?:colors?|color (?:order|pattern|sequence|arrangement)|arrangement|sequence)\\b", "in mirrored order"),
     (f"\\b(?:symmetric|symmetrical|mirror symmetric) \\( (?:mirrored|symmetric|symmetrical|palindromic) \\) ({_LINE})",
      "mirrored {1}"),
-    (f"\\b(mirrored|symmetric|symmetrical|mirror symmetric|mirror) ({_LINE})(?: image)? (:|from) (.+?) , (?:and )?"
-     f"(an?|one|1) {_IN_THE_MIDDLE}", "mirrored {2} of {4} and {5} {6}"),
+    (f"\\b(mirrored|symmetric|symmetrical|mirror symmetric|mirror) ({_LINE})(?: image)? (:|from) (.+?) , (?:and "
+     f")?(an?|one|1) {_IN_THE_MIDDLE}", "mirrored {2} of {4} and {5} {6}"),
     (f"(that is mirrored :) (.+?) , (?:and )?(an?|one|1) {_IN_THE_MIDDLE}", "{1} {2} and {3} {4}"),
     (f"\\b(?:mirrored|symmetric|symmetrical|mirror symmetric) ({_LINE} (?:of \\S+ (?:blocks |cubes )?)?(?:,|with|:) "
      f"{COLOR} at (?:both|the) ends , {COLOR} in the (?:middle|center) and {COLOR} in between)$", "{1}"),

@@ -19,19 +19,15 @@ REQUIRED_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 REQUIRED: tuple[Turn, ...] = (
     # parts told by "of which"
-    (f"(?: ,)? the width of which {MUST} be ({MANY}) {CUBE}s? and the height of which {MUST} be ({MANY}) "
-     f"{CUBE}s?$",
+    (f"(?: ,)? the width of which {MUST} be ({MANY}) {CUBE}s? and the height of which {MUST} be ({MANY}) {CUBE}s?$",
      " {1} blocks wide and {2} blocks high"),
     (f"(?: ,)? the ({_ROW}) (row|layer) of which {MUST} (?:consist of|be formed of) (.+?) and the ({_ROW}) \\2 of "
-     f"which {MUST} "
-     "(?:consist of|be formed of) (.+)$", " with {3} in the {1} {2} and {5} in the {4} {2}"),
+     f"which {MUST} (?:consist of|be formed of) (.+)$", " with {3} in the {1} {2} and {5} in the {4} {2}"),
     (f"(?: ,)? the lower {CUBE} of which {MUST} be ({COLOR}) and the upper {CUBE} of which {MUST} be ({COLOR})$",
      " with {1} at the bottom and {2} on top"),
-    (f"^there {MUST} be ({MANY}) ([^,]+?) , of which ((?:at least|at most|exactly|no more than|no fewer than) "
-     f"{MANY}) "
+    (f"^there {MUST} be ({MANY}) ([^,]+?) , of which ((?:at least|at most|exactly|no more than|no fewer than) {MANY}) "
      f"({MUST} be .+)$", "{3} of the {1} {2} {4}"),
-    (f"^(.+ )(the {COLOR} {CUBE}) , which ({MUST} (?:be (?:located|placed|put)|stand|lie) .+)$",
-     "{1} {2} . {2} {3}"),
+    (f"^(.+ )(the {COLOR} {CUBE}) , which ({MUST} (?:be (?:located|placed|put)|stand|lie) .+)$", "{1} {2} . {2} {3}"),
     # what is left open
     (f"(?: ,)? the order of which (?:is|being|{MUST} be) {_FREE}$", " , in any order"),
     ("(?: ,)? no particular order being (?:required|prescribed)$", " , in any order"),
@@ -41,9 +37,8 @@ REQUIRED: tuple[Turn, ...] = (
     ("(?: ,)? by means of (?:letter|digit|symbol) (?:cubes|blocks)$", ""),
     (f"\\ban? ({COLOR} {CUBE}) having an edge length of ({LENGTH})", "a {2} {1}"),
     # what is exchanged and turned
-    (f"^the positions? of (the [^,]+?) and (?:the position )?of (the [^,]+?) {MUST} be "
-     f"(?:exchanged|swapped|interchanged)$",
-     "{1} and {2} must swap places"),
+    (f"^the positions? of (the [^,]+?) and (?:the position )?of (the [^,]+?) {MUST} be (?:exchanged|swapped|"
+     "interchanged)$", "{1} and {2} must swap places"),
     (f"^(an? {LINE}|three .+? stacked|.+? {MUST} be stacked) such that the lowest of them rests on (the .+)$",
      "{1} on {2}"),
     # what is required

@@ -18,21 +18,21 @@ _STARTED = (
 
 AT_ONCE: tuple[Turn, ...] = (
     ("(?: ,)? so that there is (?:one|a) (tower|stack) (?:per|for each) color$", "in one {1} per color"),
-    (f"^in an? ({LINE}) (with|of) (.+) , ((?:swap|exchange|switch|turn|move|take) .+)$", "there is a {1} {2} {3} . "
-     "{4}"),
-    (f"(?: ,)?(?: and)? each of (?:which|them) (?:has|contains|consists of|{MUST} have|is made of) (?:exactly |just )?"
-     f"((?:{FEW}) (?:\\w+ )?{_BLOCK}s)$", " with {1} each"),
+    (f"^in an? ({LINE}) (with|of) (.+) , ((?:swap|exchange|switch|turn|move|take) .+)$",
+     "there is a {1} {2} {3} . {4}"),
+    (f"(?: ,)?(?: and)? each of (?:which|them) (?:has|contains|consists of|{MUST} have|is made of) (?:exactly |just "
+     f")?((?:{FEW}) (?:\\w+ )?{_BLOCK}s)$", " with {1} each"),
     (f"^(an? stair(?:case|s|way) .+?) {_CLIMBS} to the (left|right|back|front) and (?:is|{MUST} be) (?:made|built) "
      "(?:of|from) (.+)$", "{1} made of {3} , rising to the {2}"),
     ("^(.+?) (starts?|begins?) (in a (?:heap|pile|tower|row|stack)) and (?:is|are) to be (.+)$",
      "{1} {2} {3} and must be {4}"),
     ("\\b(?:the |a )?letter (?:- )?(\\w) shape\\b", "a {1} shape"),
-    ("\\b((?:equation|sum) \\S.*?)(?: ,)?(?: written| laid| spelled)?(?: out)? in (?:number |digit "
-     ")?(?:cubes|blocks)$", "{1}"),
+    ("\\b((?:equation|sum) \\S.*?)(?: ,)?(?: written| laid| spelled)?(?: out)? in (?:number |digit )?(?:cubes|blocks)$",
+     "{1}"),
     ("(?:so|such) that (\\S+) (?:can be read|is read|reads) (downwards|upwards|from .+)$", "so that they read {1} {2}"),
     ("^remove (?:it|them|the .+?) so that (the .+?) (?:is|becomes) (?:empty|clear|free)$", "{1} must be empty"),
-    (f"^(.+?) that (?:are|is) (stacked|in an? (?:heap|pile|tower|row)) at the start ({MUST} .+)$", "{1} start {2} . "
-     "they {3}"),
+    (f"^(.+?) that (?:are|is) (stacked|in an? (?:heap|pile|tower|row)) at the start ({MUST} .+)$",
+     "{1} start {2} . they {3}"),
     ("^do not stack (?:anything|any(?: of them| blocks| block)?)(?: ,)? (?:but |just |only |instead )+(.+ in an? "
      "(?:row|line|column)\\b.*|.+ side by side)$", "{1}"),
     ("^(.+?) touch(?: each other)? side by side( on the table)?$", "{1} are side by side and touch each other"),
@@ -41,8 +41,8 @@ AT_ONCE: tuple[Turn, ...] = (
     ("^(.+?)(?: ,)? (?:and |but )?not the other way (?:round|around)$", "{1}"),
     ("\\bnot there but (in|on|at|inside)\\b", "{1}"),
     (f"^(use|take) ([^,]+?) for ((?:an?|one) [^,]*\\b{LINE}\\b.*)$", "{1} {2} to build {3}"),
-    (f"^(?:in |create |build |make )?(an? [^,]*\\bgrid\\b[^,]*?)(?: ,| where| in which)+ the (rows|columns|layers)"
-     f"(?: ,)? ({WAY})(?: ,)? (?:are|{MUST} be) (.+)$", "{1} whose {2} are {4} {3}"),
+    ("^(?:in |create |build |make )?(an? [^,]*\\bgrid\\b[^,]*?)(?: ,| where| in which)+ the (rows|columns|layers)(?: "
+     f",)? ({WAY})(?: ,)? (?:are|{MUST} be) (.+)$", "{1} whose {2} are {4} {3}"),
     (f"^(.+?)(?: {MUST})? (?:be|end up|end|finish|come to lie) at least ({LENGTH})(?: away)? from {_STARTED}$",
      "{1} must be moved by at least {2}"),
     (f"^(.+?)(?: {MUST})? (?:be|end up|end|finish) ({LENGTH}) or more(?: away)? from {_STARTED}$",
@@ -51,13 +51,12 @@ AT_ONCE: tuple[Turn, ...] = (
      "a {2} , from left to right : {1} , then {3}"),
     (f"^([^,]+?) {_IS} at the right end of an? (row|line)(?: ,)? with (.+?) to its left$",
      "a {2} , from right to left : {1} , then {3}"),
-    ("^(?:center|put|place) (?:one|an?|the) (.+?) in (?:the middle of )?an? (row|line) with (.+?) on "
-     "(?:either|each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
-    (f"^(?:the|an?) ([^,]+?) {_IS} in the middle of an? (row|line)(?: ,)? (?:and there are|with) (.+?) on "
-     "(?:either|each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
-    ("^(?:in (?:my|the|this|a) (?:tower|stack) )?there are (.+?) between (the .+?) at the bottom and "
-     "(the .+?) at the top$",
-     "a tower , from bottom to top : {2} , then {1} , then {3}"),
+    ("^(?:center|put|place) (?:one|an?|the) (.+?) in (?:the middle of )?an? (row|line) with (.+?) on (?:either|each) "
+     "side of it$", "a {2} of {3} , then a {1} , then {3}"),
+    (f"^(?:the|an?) ([^,]+?) {_IS} in the middle of an? (row|line)(?: ,)? (?:and there are|with) (.+?) on (?:either|"
+     "each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
+    ("^(?:in (?:my|the|this|a) (?:tower|stack) )?there are (.+?) between (the .+?) at the bottom and (the .+?) at the "
+     "top$", "a tower , from bottom to top : {2} , then {1} , then {3}"),
     (f"\\ban? (\\w+) ({LINE}) of (.+?) and an? (\\w+) ({LINE}) (?:with|of) (?:just |exactly )?(?:as many(?: blocks| "
      "cubes)?(?: as .+)?|the same (?:height|length|number of blocks))$", "a {1} {2} of {3} and a {4} {5} of {3}"),
     (f"\\ba (tower|stack) of ({FEW}) (\\w+) (blocks|cubes) and an equally (?:tall|high) (?:tower|stack) of (\\w+) "
@@ -70,13 +69,13 @@ AT_ONCE: tuple[Turn, ...] = (
      "a tower that reads {1} from top to bottom"),
     (f"\\b((?:numbers|digits) .+) in order ({WAY})(?: ,)? (?:starting|beginning) with the (?:smallest|lowest)$",
      "{1} in ascending order {2}"),
-    (f"\\b((?:numbers|digits) .+) in order ({WAY})(?: ,)? (?:starting|beginning) with the "
-     "(?:largest|biggest|highest)$", "{1} in descending order {2}"),
+    (f"\\b((?:numbers|digits) .+) in order ({WAY})(?: ,)? (?:starting|beginning) with the (?:largest|biggest|highest)$",
+     "{1} in descending order {2}"),
     ("\\bno (?:fewer|less) than\\b", "at least"),
     ("^using (?:(?:just|only) )?(the .+?) , (spell \\S+)(.*)$", "{2} with {1} {3}"),
     (f"^(spell \\S+) on ((?:{FEW}) (?:letter )?(?:cubes|blocks))$", "{1} with {2}"),
-    (f"\\b(the (?:{_SIDED} (?:{FEW})|(?:{FEW}) {_SIDED})(?: {_BLOCK}s)? \\w+)(?: ,)? and the {_SIDED} "
-     f"(?:ones|{_BLOCK}s) (\\w+)$", "{1} and the others {2}"),
+    (f"\\b(the (?:{_SIDED} (?:{FEW})|(?:{FEW}) {_SIDED})(?: {_BLOCK}s)? \\w+)(?: ,)? and the {_SIDED} (?:ones|"
+     f"{_BLOCK}s) (\\w+)$", "{1} and the others {2}"),
     ("(?: ,)? (?:which|that) itself (is|sits|stands|lies|rests|must|should)\\b", ", which {1}"),
     ("\\btower made of (an? .+?) with (an? .+?) on top$", "tower of {2} on {1}"),
     ("^(on the (?:left|right) of|behind|in front of) (the [^,]+?) and (?:right |directly |immediately )next to it "
@@ -87,13 +86,13 @@ AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 ROUNDABOUT: tuple[Turn, ...] = (
-    (f"^it (?:is|must be|should be) ([^,]+?) (?:that|which|who) ({MUST} .+|"
-     "(?:is|are|goes|ends|belongs|stands|has|carries|touches|lies) .+)$", "{1} {2}"),
+    (f"^it (?:is|must be|should be) ([^,]+?) (?:that|which|who) ({MUST} .+|(?:is|are|goes|ends|belongs|stands|has|"
+     "carries|touches|lies) .+)$", "{1} {2}"),
     # ends of lines
     (f"^(an? .+?|one .+?) at (?:either|each) end of (?:the|an?) ({LINE}) and (.+?) (?:in )?between(?: them)?$",
      "a {2} of {3} with {1} at each end"),
-    (f"^(?:the|an?) (.+?) (?:{_IS} )?at one end of (?:the|an?) ({LINE})(?: ,)? and (?:the|an?) (.+?) (?:{_IS} )?"
-     "at the other(?: end)?(?: ,)? (?:with|and) (.+?) (?:in )?between(?: them)?$",
+    (f"^(?:the|an?) (.+?) (?:{_IS} )?at one end of (?:the|an?) ({LINE})(?: ,)? and (?:the|an?) (.+?) (?:{_IS} )?at "
+     "the other(?: end)?(?: ,)? (?:with|and) (.+?) (?:in )?between(?: them)?$",
      "a {2} in the order a {1} , then {4} , then a {3} in either direction"),
     (f"^(?:cap|close|finish) both ends of (an? (?:row|line) of .+?) with (?:an? )?(.+ {_BLOCK})$",
      "{1} with a {2} at each end"),
@@ -101,38 +100,37 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"^the (rows|columns|layers) of (an? [^,]*\\bgrid\\b[^,]*?) (?:are|{MUST} be) (.+)$", "{2} whose {1} are {3}"),
     (f"^(an? [^,]*\\bgrid\\b[^,]*?) (?:has|{MUST} have) ((?:an? )?\\w+ (?:blocks|cubes) in the (?:.+))$", "{1} , {2}"),
     # gaps
-    (f"\\b({LENGTH}) of (?:gap|space) (?:in )?between (?:each|every|one)(?: {_BLOCK})? and the next(?: {_BLOCK})?$",
-     "with gaps of {1}"),
+    (f"(?: ,)? (?:(?:and )?(?:leave|with|leaving) )?(?:an? )?(?:gap of )?({LENGTH})(?: of (?:gap|space))? (?:in "
+     f")?between (?:each|every|one)(?: {_BLOCK})? and the next(?: {_BLOCK})?$", "with gaps of {1}"),
     (f"^separate (.+?) from (.+?) by ({LENGTH})(?: , center to center| center to center)?$",
      "{1} and {2} must be {3} apart"),
     # numbers in order
     (f"^(.+?) count down ({WAY})( in an? (?:row|line))?$", "{1} in a row in descending order {2}"),
     (f"^(.+?) count up ({WAY})( in an? (?:row|line))?$", "{1} in a row in ascending order {2}"),
-    ("\\binto (odd and even|even and odd|vowel and consonant|letter and digit|digit and letter) "
-     "(?:groups|ones|piles|clusters|sets)\\b", "into {1}"),
+    ("\\binto (odd and even|even and odd|vowel and consonant|letter and digit|digit and letter) (?:groups|ones|piles|"
+     "clusters|sets)\\b", "into {1}"),
     # as many
     (f"^(.*?\\b({FEW}) .+? on .+?) and (?:just |exactly )?as many (.+? on .+)$", "{1} and {2} {3}"),
-    (f"^(?:share|distribute|divide|split|spread) ({FEW}) (.+?) (?:equally|evenly|fairly) "
-     f"(?:between|over|among|across) (the .+? {_PATCH}) and (the .+)$",
-     "put half of the {1} {2} on {3} and the other half on {4}"),
+    (f"^(?:share|distribute|divide|split|spread) ({FEW}) (.+?) (?:equally|evenly|fairly) (?:between|over|among|"
+     f"across) (the .+? {_PATCH}) and (the .+)$", "put half of the {1} {2} on {3} and the other half on {4}"),
     # one relation in the words of another
-    (f"^(the .+? {_PATCH}) is where (.+?) (?:needs to be|should be|must be|goes|belongs|has to be|is to be|"
-     "should go|must go)$", "{2} must be on {1}"),
+    (f"^(the .+? {_PATCH}) is where (.+?) (?:needs to be|should be|must be|goes|belongs|has to be|is to be|should go|"
+     "must go)$", "{2} must be on {1}"),
     (f"^(.+? {_PATCH}) receives (.+)$", "{2} must be on {1}"),
     ("\\btouch(?:ing|es)? (?:its|their) neighbors?\\b", "touching each other"),
     ("\\bflanked by (.+?) on one side and (.+?) on the other(?: side)?\\b", "between {1} and {2}"),
     ("\\bsandwich (.+?) between (.+?) (?:below|underneath) and (.+?) above$", "put {1} on {2} and {3} on {1}"),
-    (f"\\bthe {_BLOCK} on which (.+?) (?:rests|sits|stands|lies|is placed|is|{MUST} be) (?:{MUST} be|is) (the [^,]+?)"
-     f"(?=$| ,| and the {_BLOCK})", "{1} must be on {2}"),
+    (f"\\bthe {_BLOCK} on which (.+?) (?:rests|sits|stands|lies|is placed|is|{MUST} be) (?:{MUST} be|is) (the "
+     f"[^,]+?)(?=$| ,| and the {_BLOCK})", "{1} must be on {2}"),
     (f"\\bthe {_BLOCK} (?:(?:that|which) (?:carries|supports|holds|bears)|carrying|supporting|holding|bearing) (.+?) "
      f"(?:{MUST} be|is) (the [^,]+?)(?=$| ,| and the {_BLOCK})", "{2} must carry {1}"),
     (f"^(?:not )(the [^,]+?|\\w+) but (the [^,]+?|\\w+) ({MUST}) (.+)$", "{2} {3} {4} . {1} must not {4}"),
     (f"^(the [^,]+?|\\w+) , (?:and )?not (the [^,]+?|\\w+) , ({MUST}) ((?!not\\b).+)$",
      "{1} {3} {4} . {2} must not {4}"),
-    (f"^only (the [^,]+?)(?: ,)? and neither (the [^,]+?) nor (the [^,]+?)(?: ,)? (?:is|{MUST} be)(?: to be)?"
-     "(?: placed| put)? (.+)$", "{1} must be {4} . {2} must not be {4} . {3} must not be {4}"),
-    (f"^((?:(?:directly|right|immediately) )?(?:in front of|behind|next to|beside|on|on top of|under|to the left of|"
-     f"to the right of) [^,]+?)(?: ,)? (an? [^,]+?) (?:is|can be|{MUST} be) (?:to be )?(?:found|seen|located|placed)$",
+    (f"^only (the [^,]+?)(?: ,)? and neither (the [^,]+?) nor (the [^,]+?)(?: ,)? (?:is|{MUST} be)(?: to be)?(?: "
+     "placed| put)? (.+)$", "{1} must be {4} . {2} must not be {4} . {3} must not be {4}"),
+    ("^((?:(?:directly|right|immediately) )?(?:in front of|behind|next to|beside|on|on top of|under|to the left of|to "
+     f"the right of) [^,]+?)(?: ,)? (an? [^,]+?) (?:is|can be|{MUST} be) (?:to be )?(?:found|seen|located|placed)$",
      "{1} is {2}"),
     (f"\\bthe top of (the [^,]+?) (?:is|remains|stays|{MUST} be) (?:clear|free|empty|uncovered)\\b",
      "nothing is on {1}"),
@@ -145,8 +143,7 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"^(.+?) , (?:which|that) (?:has|carries|bears) (.+?) on (?:it|top|top of it) , ({_IS} .+)$",
      "{2} must be on {1} and {1} {3}"),
     ("^(.+ (?:under|underneath|below|beneath|above|over|on) .+?) ,? ?in direct contact$", "{1} directly"),
-    (f"^underneath (the [^,]+?) there {MUST} be ([^,]+?) , in direct contact$",
-     "{2} must be directly under {1}"),
+    (f"^underneath (the [^,]+?) there {MUST} be ([^,]+?) , in direct contact$", "{2} must be directly under {1}"),
     ("^(.+) , stacked directly$", "{1}"),
     ("\\b(gets|get|be|are) grouped into\\b", "must be sorted into"),
     # what stays
@@ -168,16 +165,16 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"^(need|want|require) ((?:the|an?|{FEW}|all|both) .+)$", "i {1} {2}"),
     # structures
     (f"(?: ,)? whose base (?:is|has)(?: a row of)? ({FEW})(?: {_BLOCK}s)?(?: long| wide)?$", " with a base of {1}"),
-    ("(?: ,)? so that (?:the|their) (?:order|colors) (?:is|are|follow|follows|match|matches) (?:that |those )?"
-     "(?:of |like )?(?:the|a) rainbow$", " in rainbow order"),
+    ("(?: ,)? so that (?:the|their) (?:order|colors) (?:is|are|follow|follows|match|matches) (?:that |those )?(?:of |"
+     "like )?(?:the|a) rainbow$", " in rainbow order"),
     (f"\\bwhose width is ({FEW})(?: {_BLOCK}s)? and (?:whose|the) height is ({FEW})(?: {_BLOCK}s)?\\b",
      ", {1} wide and {2} high"),
     (f"\\b(?:descend|decrease|fall) ({WAY})\\b", "are in descending order {1}"),
     (f"\\b(?:ascend|increase|rise) ({WAY})\\b", "are in ascending order {1}"),
     (f"^({WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) down : (.+)$", "a row in descending order {1} : {2}"),
     (f"^({WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) up : (.+)$", "a row in ascending order {1} : {2}"),
-    (f"^({FEW}) layers of (.+?) , each(?: layer)? (\\d+|{FEW}) by (\\d+|{FEW}) , one layer (?:right )?"
-     "on (?:top of )?the other$", "a grid of {1} layers of {3} by {4} {2}"),
+    (f"^({FEW}) layers of (.+?) , each(?: layer)? (\\d+|{FEW}) by (\\d+|{FEW}) , one layer (?:right )?on (?:top of "
+     ")?the other$", "a grid of {1} layers of {3} by {4} {2}"),
     (f"\\b({LINE})(?: on the table)? that (?:is|reads|goes) , ({WAY}) , (.+)$", "{1} of {3} {2}"),
     ("^(.+?) going up in (?:a tower|a stack)$", "a tower , from bottom to top : {1}"),
     ("^(.+?) going down in (?:a tower|a stack)$", "a tower , from top to bottom : {1}"),

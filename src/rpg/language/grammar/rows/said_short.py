@@ -69,13 +69,13 @@ def _respectively() -> tuple[Turn, ...]:
 
 SHORT_AT_ONCE: tuple[Turn, ...] = (
     # "the block with a 5 goes on the one with a 3"
-    (f"\\bthe one (?:with|showing|bearing|carrying|that (?:has|shows|says|reads)) (?:an? |the )?"
-     f"(?:letter |number |digit )?({LABEL})(?= ,| and| {MUST}| is|$)", "the {1} block"),
+    ("\\bthe one (?:with|showing|bearing|carrying|that (?:has|shows|says|reads)) (?:an? |the )?(?:letter |number |"
+     f"digit )?({LABEL})(?= ,| and| {MUST}| is|$)", "the {1} block"),
     ("^(?:the )?(?:first|second|third|another|one|next|other|a) (group|pile|bunch|cluster) : ([^:]+)$", "a {1} of {2}"),
     # "like this: A B C in the back row, ..."
-    (f"^(?:{PUT}|arrange|lay|order) (?:them|it|everything|(?:all )?(?:the |these )?(?:blocks|cubes|letters|numbers))"
-     "(?: out)? (?:like this|as follows|this way)(?: [:,])? (?=.+ (?:row|column|left|right|middle|top|bottom)\\b)",
-     ""),
+    (f"^(?:{PUT}|arrange|lay|order) (?:them|it|everything|(?:all )?(?:the |these )?(?:blocks|cubes|letters|"
+     "numbers))(?: out)? (?:like this|as follows|this way)(?: [:,])? (?=.+ (?:row|column|left|right|middle|top|"
+     "bottom)\\b)", ""),
     ("\\b(together) in (?:one|the same|a single) (?:spot|place|area)\\b", "{1}"),
     ("\\bin front and (to the (?:left|right)) of\\b", "in front of and {1} of"),
     ("^(start with .+?)(?: ,)? and (?:then )?((?:end|finish)(?: up)? with .+)$", "{1} . {2}"),
@@ -85,20 +85,20 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.+ in (?:an? |the )?({_FORM}))(?: ,)? (?:rather than|instead of|as opposed to) (?:in|as) an? (?!\\2$){_FORM}$",
      "{1}"),
     ("^(.*\\bat least .+?) , (?:both|all of them)$", "{1}"),
-    ("^(?:it does not matter which(?: one)?|which(?: one| of them)?(?: it is)? does not matter|no matter which"
-     "(?: one)?)$", ""),
+    ("^(?:it does not matter which(?: one)?|which(?: one| of them)?(?: it is)? does not matter|no matter which(?: "
+     "one)?)$", ""),
     # "C has A on its left and B on its right"
     (f"^({_KNOWN}) (?:gets|has|{MUST} have) ({_SINGLE}) (?:on|to) its (left|right)(?: side)?(?: ,)? and ({_SINGLE}) "
      "(?:on|to) its (left|right)(?: side)?$", "{2} must be to the {3} of {1} and {4} must be to the {5} of {1}"),
     # what is one of a kind that was named before
     (f"^(.*?\\b(?:an?|one) ({LINE}) (?:of|made of|made from) .*?)\\b(?:one|another(?: one)?) (made (?:of|from) .+)$",
      "{1} a {2} {3}"),
-    (f"^({THINGS}) (?:{MUST} )?(?:make up|form|make) (?:an?|one) ({LINE})(?: ,)?(?: and)? ({THINGS})"
-     "(?: make up| form| make)? another(?: one)?$", "{1} form a {2} and {3} form another {2}"),
+    (f"^({THINGS}) (?:{MUST} )?(?:make up|form|make) (?:an?|one) ({LINE})(?: ,)?(?: and)? ({THINGS})(?: make up| form|"
+     " make)? another(?: one)?$", "{1} form a {2} and {3} form another {2}"),
     ("^(?:separate|sort|divide|split) [^:]+ : (.+ in one (group|pile|bunch)\\b.+ in another(?: \\2| one)?)$", "{1}"),
     # what is so of all but one
-    (f"^((?:build|make|form|stack) )?(an? {LINE} of (?:\\d+|{FEW})) ({COLOR}) (\\w+)(?: ,)? except that "
-     f"the (top|bottom|leftmost|rightmost|middle)(?: one| {BLOCK})? (?:is|{MUST} be) ({COLOR})$",
+    (f"^((?:build|make|form|stack) )?(an? {LINE} of (?:\\d+|{FEW})) ({COLOR}) (\\w+)(?: ,)? except that the (top|"
+     f"bottom|leftmost|rightmost|middle)(?: one| {BLOCK})? (?:is|{MUST} be) ({COLOR})$",
      "{1} {2} {4} , the {5} one {6} and the others {3}"),
     ("^(.+ at the ends(?: ,)? and .+) inside$", "{1} in the middle"),
     # "neither may be on the other"
@@ -133,11 +133,10 @@ SHORT: tuple[Turn, ...] = (
     # "on the red patch rather than on the blue one", "to the right of B, not to the left"
     (f"^(.+ {WAY})(?: ,)? (?:and |but )?(?:not|rather than|instead of) {WAY}$", "{1}"),
     (f"^(.+ (?:{ASIDE}) ({_KNOWN}))(?: ,)? {_NOT} ((?:to|on) the (?:left|right)|in front)$", "{1} , not {3} of {2}"),
-    (f"^(.* (?:goes|going|go|rises?|rising|climbs?|climbing|up|down) {_TO} (left|right))(?: ,)? {_NOT} {_TO} (?!\\2)"
-     "(?:left|right)$", "{1}"),
-    (f"^((?:{PUT} )?{LABEL}(?: {_ARE})? ({PLACE}) the {COLOR} (\\w+))(?: ,| \\()? {_NOT} the ({COLOR})"
-     f"(?: one| {BLOCK})?(?: \\))?$",
-     "{1} , not {2} the {4} {3}"),
+    (f"^(.* (?:goes|going|go|rises?|rising|climbs?|climbing|up|down) {_TO} (left|right))(?: ,)? {_NOT} {_TO} "
+     "(?!\\2)(?:left|right)$", "{1}"),
+    (f"^((?:{PUT} )?{LABEL}(?: {_ARE})? ({PLACE}) the {COLOR} (\\w+))(?: ,| \\()? {_NOT} the ({COLOR})(?: one| "
+     f"{BLOCK})?(?: \\))?$", "{1} , not {2} the {4} {3}"),
     # "red on blue or vice versa"
     (f"^((?:please )?{PUT} )?(?:either )?({_KNOWN}) ({_ARE} )?({PLACE}) ({_KNOWN})(?: ,)? or {_AROUND}$",
      "{1} {2} {3} {4} {5} or {5} {3} {4} {2}"),

@@ -16,8 +16,7 @@ TASK_STRINGS: tuple[Turn, ...] = (
     ("\\bthe (?:center|center - to - center) distance (?:of|between) ", "the distance between the centers of "),
     ("\\bbetween the facing sides of\\b", "between"),
     # towers and rows
-    (f"\\bin ({MANY})(?: separate)? (stacks|towers) , (?:each (?:of|with) (?:a )?)?height(?: of)? ({MANY})(?: "
-     f"each)?$",
+    (f"\\bin ({MANY})(?: separate)? (stacks|towers) , (?:each (?:of|with) (?:a )?)?height(?: of)? ({MANY})(?: each)?$",
      "in {1} {2} of height {3}"),
     (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
      "stack {2} {1} in alternating colors"),
@@ -26,9 +25,8 @@ TASK_STRINGS: tuple[Turn, ...] = (
     (f"^sort by color : (.+? into the {COLOR} {_PLACE} .+)$", "put {1}"),
     ("^group by kind : (.+? in one (?:cluster|group|pile) , .+? in another(?: one)?)$", "put {1}"),
     # headings that the sentence says itself
-    (f"^(?:invert|reverse|unstack|restack|swap)(?: the \\w+)? : ((?:initially|start from|start with|at "
-     f"the start) "
-     f".+? (?:finally|then|end with|at the end|{MUST}) .+)$", "{1}"),
+    ("^(?:invert|reverse|unstack|restack|swap)(?: the \\w+)? : ((?:initially|start from|start with|at the start) .+? "
+     f"(?:finally|then|end with|at the end|{MUST}) .+)$", "{1}"),
     ("^(.+?) with (?:digit|number|letter) and (?:operator|symbol|sign) (?:blocks|cubes)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""

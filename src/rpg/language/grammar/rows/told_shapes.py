@@ -4,7 +4,7 @@ base of 2x2 and one on top in the middle", as rows that name each part by its pl
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE, ME
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE
 
 _SIDE = "(?:left|right|middle|center|front|back|near|far)"
 _NEAR = "(?:nearer|nearest|closer|closest) to (?:me|you|us|the viewer|the robot)"
@@ -18,17 +18,9 @@ _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|n
 _BASE = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
 _TOP = "(an?|one) (\\w+)(?: block| cube| one)? on (?:the )?top(?: (?:in|at) the (?:middle|center))?$"
 
-_OTHER = {"left": "right", "right": "left", "back": "front", "front": "back"}
-_STAIRS = "(?:staircase|stairs|stairway|steps)"
-_RISING = "(?:ascending|rising|climbing|going up|going upwards|that (?:ascends?|rises?|climbs?|goes up|go up))"
 
 TOLD_SHAPES: tuple[Turn, ...] = (
-    # which way stairs go up
-    (f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} away(?: from {ME})?\\b", "{1} going up to the back"),
-    *((f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} (?:from (?:the )?{_OTHER[end]} to (?:the )?{end}|to the {end})\\b",
-       f"{{1}} going up to the {end}") for end in _OTHER),
-    *((f"\\b({_STAIRS}\\b.*?)(?: ,)? (?:descending|falling|going down|that (?:descends|goes down)) to the {end}\\b",
-       f"{{1}} going up to the {_OTHER[end]}") for end in _OTHER),
+    # grids
     (f"^(.*\\bgrid\\b[^,]*?) (?:has|must have|should have) (the {_SIDE} (?:row|column) \\w+)\\b", "{1} with {2}"),
     ("\\b(grid) with (\\w+)(?: blocks| ones)? on the left and (\\w+)(?: blocks| ones)? on the right$",
      "{1} with the left column {2} and the right column {3}"),
@@ -48,9 +40,8 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     (f"^({FEW}|\\d+) (?:blocks )?high , (alternating .+)$", "a tower of {1} blocks , {2}"),
     (f"\\bthat (?:does not|must not|should not|may not) have (?:the )?({COLOR})(?: one| block| cube)? (at the top|on "
      "top|at the bottom)$", "with {1} not {2}"),
-    ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group "
-     "(in|on|to|behind|next|near|left|right) "
-     "(.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
+    ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group (in|on|to|behind|"
+     "next|near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
     (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
      f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
      "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
@@ -61,13 +52,12 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     ("\\b(?:show|have|take) the shape of (?:the |a )?(?:letter )?(\\w)\\b", "form the letter {1}"),
     ("\\b(?:so that|so) they look like (?:the |a )?(?:letter )?(\\w)\\b", "so that they form the letter {1}"),
     # what there is
-    (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : "
-     f"((?:put|stack|place|build|make|arrange|line|"
-     "move|set|lay) .+)$", "there are the {1} . {2}"),
+    (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : ((?:put|stack|place|build|make|"
+     "arrange|line|move|set|lay) .+)$", "there are the {1} . {2}"),
     ("^the words [^:]+ : ((?:spell|put|write|place|lay|set) .+)$", "{1}"),
     # pyramids
-    (f"\\b(pyramid)(?: :| of| from| with)? (?:an? )?{_BASE} (\\w+) (?:blocks|cubes) (?:at the bottom|as (?:the|a) base)"
-     f"(?: ,| and|, and)+ {_TOP}", "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
+    (f"\\b(pyramid)(?: :| of| from| with)? (?:an? )?{_BASE} (\\w+) (?:blocks|cubes) (?:at the bottom|as (?:the|a) "
+     f"base)(?: ,| and|, and)+ {_TOP}", "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
     (f"\\b(pyramid) (?:from|of|out of) an? {_BASE} base of (\\w+) (?:blocks|cubes)(?: ,| and)+ {_TOP}",
      "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
     (f"\\b(pyramid) of (?:{FEW}|\\d+) (\\w+) (?:blocks|cubes) as an? {_BASE} base(?: ,| and)+ {_TOP}",
@@ -75,18 +65,19 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     (f"\\b(pyramid of [^,:]+?) (?:in which|where) the base(?: of \\w+)? {_BE} (\\w+) , the (?:second|middle) layer "
      f"(?:{_BE} )?(\\w+)(?: ,)? and the (?:tip|top|topmost block) (?:{_BE} )?(\\w+)$",
      "{1} : the base {2} , the second layer {3} , the tip {4}"),
+    (f"\\b(an?|one) (pyramid with (?:an? )?{_BASE} base)(?: ,| and| with)+ (?:an?|one|a single) (block|cube) (on "
+     f"top)(?: of it)?(?: ,| and)+ (?:they are )?all(?: of them)?(?: (?:block|cube)s)?(?: in)? ({COLOR})$",
+     "{1} {6} {2} and one {4} {5}"),
     # sides and outlines
     (f"\\b((?:triangle|square|rectangle|pentagon|hexagon|outline)\\b.*?(?:{FEW}|\\d+)(?: \\w+)? (?:blocks|cubes)) "
      "(?:along|on|in|at|to|for) (?:every|each)(?: one)?(?: of its)? (?:side|edge|sides|edges)$", "{1} per side"),
-    ("^(.*?\\b)(?:the )?outline of an? (rectangle|square)(?: ,)? "
-     "([^,]*\\b(?:wide|long|deep|high|by)\\b[^,]*?)(?: ,)? "
+    ("^(.*?\\b)(?:the )?outline of an? (rectangle|square)(?: ,)? ([^,]*\\b(?:wide|long|deep|high|by)\\b[^,]*?)(?: ,)? "
      f"(?:in|from|out of|made of|using|with) ((?:{FEW}|\\d+) (?:\\w+ )?(?:blocks|cubes))$",
      "{1} the outline of a {2} of {4} , {3}"),
     # orders
     ("\\b(grid) (?:that holds|holding|containing|which holds) (?=\\w)", "{1} of"),
-    (f"^(.*\\b(?:{FEW}) (?:\\w+ )?(?:towers|stacks))(?: ,| that are| which are)?(?: respectively)? "
-     f"((?:(?:{FEW}) ,? ?)+and (?:{FEW})) (?:blocks|cubes) (?:high|tall)(?: ,)?(?: respectively)?$",
-     "{1} of {2} blocks"),
+    (f"^(.*\\b(?:{FEW}) (?:\\w+ )?(?:towers|stacks))(?: ,| that are| which are)?(?: respectively)? ((?:(?:{FEW}) ,? "
+     f"?)+and (?:{FEW})) (?:blocks|cubes) (?:high|tall)(?: ,)?(?: respectively)?$", "{1} of {2} blocks"),
     ("^(?:slip|slide|squeeze|insert|wedge|fit|tuck|push) (.+?) (?:in )?between (?=\\w)", "put {1} between"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -136,9 +136,14 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         if said is not None and said > 1 and not passing:
             numbers = numbers or Numbers(numbers_of(task))
             told = numbers.among(said) or (_measured(words, index + 1) and Numbers(edges_of(task)).among(said))
-            if not told:
+            if not told and not (_below(words, index) and numbers.among(said - 1)):
                 return token
     return None
+
+
+def _below(words: Sequence[Token], index: int) -> bool:
+    """ "Fewer than three": two at most."""
+    return [t.word for t in words[max(index - 2, 0) : index]] in (["fewer", "than"], ["less", "than"])
 
 
 def _nowhere(words: Sequence[Token], index: int, terms: Collection[str]) -> bool:

@@ -12,7 +12,6 @@ _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind
 _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"
 _REGION = "(the (?:(?:left|right|near|far) half|(?:(?:near|far|front|back|left|right) ){2}corner))(?: of the table)?"
 BEFORE_IT: tuple[Turn, ...] = (
-    (f"^([^,]+?) , {_NOW} ({_PLACE}) , ", "{1} , which starts {2} ,"),
     (f"^([^,]+?) , (?:which|that) (?:is|lies|stands|sits) ({_PLACE}) {_NOW} , ", "{1} , which starts {2} ,"),
     (f"^([^,]+?) (?:is|lies|stands|sits) ((?:on|next to|left of|right of|behind|in front of|in) [^,]+?) {_NOW}(?: ,)? "
      f"(?:and|but) (it {MUST} .+)$", "at the start , {1} is {2} . {3}"),
@@ -26,10 +25,8 @@ BEFORE_IT: tuple[Turn, ...] = (
      "but only after {1} has been put {2}"),
     (f"^(?:put|move|bring|carry|take) (.+?) from {_REGION} (?:to|into) {_REGION}$",
      "at the start , {1} is in {2} of the table . put {1} in {3}"),
-    (f"^(an? {LINE}(?: of)? .+?) (?:(?:is )?(?:standing|lying)|stands|lies|is|has been built|was built) "
-     "(?:on the table|there)$", "there is {1}"),
-    (f"^an? ({LINE}) has been (?:built|made|set up)(?: on the table)? ([:,]) (.+)$", "there is a {1} {2} {3}"),
-    ("^it has (.+? at the bottom(?: ,)?.+)$", "at the start , {1}"),
+    (f"^(an? {LINE}(?: of)? .+?) (?:(?:is )?(?:standing|lying)|stands|lies|is|has been built|was built) (?:on the "
+     "table|there)$", "there is {1}"),
     *AT_TIMES,
     *TRADED,
 )  # fmt: skip

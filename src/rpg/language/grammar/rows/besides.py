@@ -32,24 +32,20 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
      f"only| just| merely)? as distractors(?: only)? , (?:{MUST} be|are)(?: present| there| lying)?(?: on the table)?$",
      "there are {1} as distractors"),
     (f"^{_HARDER}(?: ,)? {_LIE}({_LOTS}){_THERE}$", "there are {1} as distractors"),
-    (f"^{_HARDER}(?: ,)? (?:put|place) ({_LOTS}){_THERE}$", "there are {1} as distractors"),
     (f"^(?:put|place|lay|set) ({_LOTS})(?: down)? on the table(?: too| as well| also)? {_HARDER}$",
      "there are {1} as distractors"),
-    (f"^((?:the )?{_LOTS}) (?:that|which) (?:are|is|lies?|stands?) (?:also )?(?:there|around|on the table)(?: too|"
-     " also| as well)? (do not|does not|are not|is not|are|is) ", "{1} {2} "),
+    (f"^((?:the )?{_LOTS}) (?:that|which) (?:are|is|lies?|stands?) (?:also )?(?:there|around|on the table)(?: too| "
+     "also| as well)? (do not|does not|are not|is not|are|is) ", "{1} {2} "),
     (f"^(.+?)(?: ,)? with ((?:{_MANY} \\w+(?: and | , ))?{_MANY} (?:\\w+ )?distractors?(?: {BLOCK}s?)?)(?: lying| "
      "standing)?(?: around| present| there| nearby)? on the table$", "{1} . there are {2}"),
     # when it is so
     (f"^(?:after|following|at the end of|by the end of) (?:the|an|each|every) {_RUN}(?: ,)? (?=\\w)", "at the end ,"),
-    (f"^when (?:the|an|each|every) {_RUN} (?:is over|is done|ends|is finished|has ended|finishes)(?: ,)? (?=\\w)",
-     "at the end ,"),
-    (f"^when (?:the|an|each|every) {_RUN} (?:starts|begins|is started)(?: ,)? (?=\\w)", "at the start ,"),
     # which of two
     (f"(?: ,)?(?: and| but)? {_NO_MATTER}$", ""),
     (f"^(?:one|exactly one|just one) of (?:the two|them|these)(?: {BLOCK}s)? , ({THING}) or ({THING}) , {IS} on the "
      "other(?: one)?$", "{1} must be on {2} or {2} must be on {1}"),
-    (f"^(?:something|one {BLOCK}|some {BLOCK}) {IS} (on|in|next to|behind|in front of|under) (.+?) [,:] ((?:either )?"
-     f"{THING} or {THING})$", "{3} must be {1} {2}"),
+    (f"^(?:something|one {BLOCK}|some {BLOCK}) {IS} (on|in|next to|behind|in front of|under) (.+?) [,:] ((?:either "
+     f")?{THING} or {THING})$", "{3} must be {1} {2}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 BESIDES: tuple[Turn, ...] = (
@@ -63,8 +59,8 @@ BESIDES: tuple[Turn, ...] = (
     (f"^(?:its|the) (?:destination|goal position|final position|target position) (?:is|{MUST} be) (the .+)$",
      "it must be on {1}"),
     # how it looks
-    ("^(?:what|how) (?:it|everything|the table|the scene|the result) (?:should|must|has to|is to) look(?: like)?"
-     "(?: (?:at|in) the end| afterwards| finally)? ?(?:is|:|is this :|is like this :) (.+)$", "{1}"),
+    ("^(?:what|how) (?:it|everything|the table|the scene|the result) (?:should|must|has to|is to) look(?: like)?(?: "
+     "(?:at|in) the end| afterwards| finally)? ?(?:is|:|is this :|is like this :) (.+)$", "{1}"),
     # which of two
     (f"^either {PATCH} , (?:the )?({COLOR}) or (?:the )?({COLOR})(?: one)? , (?:is|would be|will be) (?:fine|okay|ok|"
      f"all right|good|allowed) for ({THINGS})$", "{3} must be on the {1} or the {2} patch"),

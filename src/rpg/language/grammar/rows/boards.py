@@ -39,61 +39,49 @@ BOARDS: tuple[Turn, ...] = (
      f"({_SIDE}) (row|column) of an? (.*grid)$", "a {7} with the {2} {3} {1} and the {5} {6} {4}"),
     ("\\b(grid) with ((?:\\S , )*\\S(?: ,)? and \\S) in the (far|back) row and ((?:\\S , )*\\S(?: ,)? and \\S) in the "
      "(near|front) row$", "{1} : {2} in the {3} row , {4} in the {5} row"),
-    (f"\\b(grid\\b.*?)(?: ,)+ (?:its|the) (columns|rows) ,? ?(from (?:left to right|right to left|front to back|"
-     f"back to "
-     f"front))(?: ,| :)?(?: are| {MUST} be)? ((?:{COLOR} ,? ?)+and {COLOR}|{COLOR}(?: , {COLOR})+)$",
+    ("\\b(grid\\b.*?)(?: ,)+ (?:its|the) (columns|rows) ,? ?(from (?:left to right|right to left|front to back|back "
+     f"to front))(?: ,| :)?(?: are| {MUST} be)? ((?:{COLOR} ,? ?)+and {COLOR}|{COLOR}(?: , {COLOR})+)$",
      "{1} , the {2} {3} : {4}"),
-    ("\\b([tT]\\b.*?) , (?:the|its) (bar|crossbar|stem|foot)(?: of (?:it|the [tT]))? (?:is|lies|points|stands) "
-     "((?:at|on|to|"
-     "towards?) .+)$", "{1} , the {2} {3}"),
+    ("\\b([tT]\\b.*?) , (?:the|its) (bar|crossbar|stem|foot)(?: of (?:it|the [tT]))? (?:is|lies|points|stands) ((?:at|"
+     "on|to|towards?) .+)$", "{1} , the {2} {3}"),
     # rows and columns
     (f"\\b(grid\\b.*?) an? ({_SIDE}) (row|column) (?:of|with) ({MANY} )?({COLOR}) ({_BLOCKS})\\b",
      "{1} the {2} {3} {4} {5} {6}"),
-    (f"\\b(grid\\b.*?) an? ({COLOR}) (row|column) (?:on|at|in) the ({_SIDE})(?: side| "
-     f"end)?\\b", "{1} the {4} {3} {2}"),
+    (f"\\b(grid\\b.*?) an? ({COLOR}) (row|column) (?:on|at|in) the ({_SIDE})(?: side| end)?\\b", "{1} the {4} {3} {2}"),
     (f"\\b(grid\\b.* (?:row|column) {COLOR}.*?) an? ({COLOR}) (row|column) (?:between them|in between(?: them)?)$",
      "{1} the middle {3} {2}"),
-    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:near|front|nearest) row{_IS} {COLOR} "
-     f",(?: and)?) the row behind (?:it|that)\\b",
-     "{1} the middle row"),
-    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:far|back|farthest) row{_IS} {COLOR} "
-     f",(?: and)?) the row in front of (?:it|that)\\b",
-     "{1} the middle row"),
+    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:near|front|nearest) row{_IS} {COLOR} ,(?: "
+     "and)?) the row behind (?:it|that)\\b", "{1} the middle row"),
+    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:far|back|farthest) row{_IS} {COLOR} ,(?: "
+     "and)?) the row in front of (?:it|that)\\b", "{1} the middle row"),
     ("\\b(grid\\b.* in the (?:near|front) row) , in reading order$", "{1}"),
     ("\\b(grid) (?:that|which) reads (.+?) row by row(?: ,)?(?: (?:starting )?(?:from|at) the far left)?$",
      "{1} of {2} in reading order"),
     ("^in reading order (?:the|a|an) ((?:\\S+ ){1,4}grid) (?:shows|has|reads|is|contains) (.+)$",
      "a {1} of {2} in reading order"),
     (f"\\b(square|grid)\\b(.*?)(?: ,| with| and| so that)+ the(?: two)? {COLOR}{N}{_IS} (?:on (?:one|a|the same) "
-     f"diagonal|diagonal(?:ly)?(?: opposite)?(?: to| from)? each other)(?:(?: ,| and)+ the(?: two)? "
-     f"{COLOR}{N}{_IS} on "
-     "the other(?: diagonal| one)?)?$", "{1} {2} with equal colors diagonally opposite each other"),
+     f"diagonal|diagonal(?:ly)?(?: opposite)?(?: to| from)? each other)(?:(?: ,| and)+ the(?: two)? {COLOR}{N}{_IS} "
+     "on the other(?: diagonal| one)?)?$", "{1} {2} with equal colors diagonally opposite each other"),
     # one that differs
-    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} (?:an?|"
-     f"one|the) "
-     f"({COLOR}){N} (?:in|at) the {MID}$", "{1} {2} with a {4} center and the rest {3}"),
-    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} the "
-     f"(?:{MID}{N}"
-     f"|one in the {MID})(?: ,)?(?: which is| is| being)? ({COLOR})$", "{1} {2} with a {4} center and the rest {3}"),
-    (f"\\b(grid|square) (of|from) ({MANY} {COLOR} {_BLOCKS}) and (?:an?|one) ({COLOR}){N}(?: ,)? (?:which is |"
-     f"with it |it "
-     f"is |that is |being )?(?:in|at) the {MID}$", "{1} of {3} with a {4} block in the center"),
+    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} (?:an?|one|the) ({COLOR}){N} (?:in|"
+     f"at) the {MID}$", "{1} {2} with a {4} center and the rest {3}"),
+    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} the (?:{MID}{N}|one in the {MID})(?: "
+     f",)?(?: which is| is| being)? ({COLOR})$", "{1} {2} with a {4} center and the rest {3}"),
+    (f"\\b(grid|square) (of|from) ({MANY} {COLOR} {_BLOCKS}) and (?:an?|one) ({COLOR}){N}(?: ,)? (?:which is |with it "
+     f"|it is |that is |being )?(?:in|at) the {MID}$", "{1} of {3} with a {4} block in the center"),
     # layers
-    (f"\\b((?:cube|grid|wall)\\b.*?)(?: ,| with)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH}) layer"
-     f"(?: ,| and)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH})(?: layer| one)?$",
+    (f"\\b((?:cube|grid|wall)\\b.*?)(?: ,| with)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH}) "
+     f"layer(?: ,| and)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH})(?: layer| one)?$",
      "{1} , the {3} layer {2} and the {5} layer {4}"),
-    (f"^two layers : the {_LOW}(?: one| layer)?{_IS} an? {_DIMS}(?: grid| square)? (?:of )?({COLOR}){N}(?: ,| "
-     f"and| ;)+ the "
-     f"{_HIGH}(?: one| layer)?{_IS}(?: an?)? \\1(?: grid| square)? (?:of )?({COLOR}){N}(?: on (?:it|top of it))?$",
-     "two layers of {1} blocks , the bottom layer {2} and the top layer {3}"),
-    (f"^(?:{BUILD} |use )?({MANY} {COLOR} {_BLOCKS}) as (?:the )?{_LOW} layer of a wall and ({MANY} "
-     f"{COLOR}){N} as (?:the )?"
-     f"(?:{_HIGH} layer|layer on top)$", "a wall : the bottom layer {1} and the top layer {2} blocks"),
-    (f"^(?:every|each) layer of (?:the|a) (wall) has (?:its own|a different) color : (the {_LOW} "
-     f"layer\\b.*)$", "a {1} : {2}"),
-    (f"^(?:a )?wall :? ?(?:of )?({MANY} {COLOR} {_BLOCKS})(?: side by side| in a row| next to each other)? and "
-     f"on (?:top of )?"
-     f"them ({MANY} {COLOR}){N}(?: ,)? one on (?:each|each of them)$",
+    (f"^two layers : the {_LOW}(?: one| layer)?{_IS} an? {_DIMS}(?: grid| square)? (?:of )?({COLOR}){N}(?: ,| and| "
+     f";)+ the {_HIGH}(?: one| layer)?{_IS}(?: an?)? \\1(?: grid| square)? (?:of )?({COLOR}){N}(?: on (?:it|top of "
+     "it))?$", "two layers of {1} blocks , the bottom layer {2} and the top layer {3}"),
+    (f"^(?:{BUILD} |use )?({MANY} {COLOR} {_BLOCKS}) as (?:the )?{_LOW} layer of a wall and ({MANY} {COLOR}){N} as "
+     f"(?:the )?(?:{_HIGH} layer|layer on top)$", "a wall : the bottom layer {1} and the top layer {2} blocks"),
+    (f"^(?:every|each) layer of (?:the|a) (wall) has (?:its own|a different) color : (the {_LOW} layer\\b.*)$",
+     "a {1} : {2}"),
+    (f"^(?:a )?wall :? ?(?:of )?({MANY} {COLOR} {_BLOCKS})(?: side by side| in a row| next to each other)? and on "
+     f"(?:top of )?them ({MANY} {COLOR}){N}(?: ,)? one on (?:each|each of them)$",
      "a wall : the bottom layer {1} and the top layer {2} blocks"),
     # outlines
     ("\\b(?:trace|mark|draw|mark out|traces|marks) (the outline of)\\b", "form {1}"),
@@ -102,39 +90,28 @@ BOARDS: tuple[Turn, ...] = (
     (f"^(?:{BUILD} )?{_OUTLINE} (?:with|of|from|out of) ({MANY} [^,:]*?{_BLOCKS})(?: ,)? {_LONG_WIDE}$",
      "the outline of a {1} of {2} , {3} by {4}"),
     (f"^{_OUTLINE} , {_LONG_WIDE} , (?:is|{MUST} be) (?:laid|made|built|formed) (?:with|of|from|out of) ({MANY} "
-     f"[^,:]*?{_BLOCKS})$",
-     "the outline of a {1} of {4} , {2} by {3}"),
+     f"[^,:]*?{_BLOCKS})$", "the outline of a {1} of {4} , {2} by {3}"),
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) , {_EACH_SIDE} ,(?: {MUST})? (?:form|make|are) the outline of an? "
-     f"(square|triangle)$",
-     "the outline of a {3} of {1} with {2} per side"),
+     "(square|triangle)$", "the outline of a {3} of {1} with {2} per side"),
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:as|in|into) the outline of an? (square|triangle) ,(?: with)? "
-     f"{_EACH_SIDE}$",
-     "the outline of a {2} of {1} with {3} per side"),
-    (f"^the outline of an? (square|triangle) {MUST.replace('shall', 'is|shall')} (?:be )?(?:formed|made|laid) "
-     f"(?:by|of|from|with) "
-     f"({MANY} [^,:]*?{_BLOCKS}) ,(?: with)? {_EACH_SIDE}$", "the outline of a {1} of {2} with {3} per side"),
-    (f"\\b(outline of an? (?:triangle|square)\\b.*?)(?: ,)? each side of which {MUST} (?:consist of|have|be) "
-     f"({MANY}) {_BLOCKS}"
-     "(?: long)?$", "{1} with {2} blocks per side"),
-    (f"^(?:an? )?hollow square(?: ,| :)? {_EACH_SIDE} , ({MANY} [^,:]*?{_BLOCKS})(?: in (?:all|total))?(?:(?: ,| "
-     f"and| with)+ nothing "
-     f"(?:in the {MID}|inside))?$", "a hollow square of {2} with {1} per side"),
-    (f"^(?:an? )?hollow (square|circle|rectangle)(?: ,| :)+ ({MANY} (?:\\w+ )?{_BLOCKS}) (?:around|round|along|on|"
-     f"at) the (?:outside|"
-     f"edge|edges|rim)(?:(?: ,| and| with)+ nothing (?:in the {MID}|inside))?$", "a hollow {1} of {2}"),
+     f"{_EACH_SIDE}$", "the outline of a {2} of {1} with {3} per side"),
+    (f"^the outline of an? (square|triangle) {MUST.replace('shall', 'is|shall')} (?:be )?(?:formed|made|laid) (?:by|"
+     f"of|from|with) ({MANY} [^,:]*?{_BLOCKS}) ,(?: with)? {_EACH_SIDE}$",
+     "the outline of a {1} of {2} with {3} per side"),
+    (f"\\b(outline of an? (?:triangle|square)\\b.*?)(?: ,)? each side of which {MUST} (?:consist of|have|be) ({MANY}) "
+     f"{_BLOCKS}(?: long)?$", "{1} with {2} blocks per side"),
+    (f"^(?:an? )?hollow square(?: ,| :)? {_EACH_SIDE} , ({MANY} [^,:]*?{_BLOCKS})(?: in (?:all|total))?(?:(?: ,| and| "
+     f"with)+ nothing (?:in the {MID}|inside))?$", "a hollow square of {2} with {1} per side"),
+    (f"^(?:an? )?hollow (square|circle|rectangle)(?: ,| :)+ ({MANY} (?:\\w+ )?{_BLOCKS}) (?:around|round|along|on|at) "
+     f"the (?:outside|edge|edges|rim)(?:(?: ,| and| with)+ nothing (?:in the {MID}|inside))?$", "a hollow {1} of {2}"),
     (f"\\ban? (square) (?:thats|that is|which is) hollow in the {MID}$", "a hollow {1}"),
     (f"^(?:with|from|out of) ({MANY} [^,:]*?{_BLOCKS}) {BUILD} (an? hollow \\w+)$", "{2} of {1}"),
-    (f"^fill an? (triangle) (?:on the table )?with (10|ten|6|six) ((?:\\w+ )?{_BLOCKS})(?: ,)? in rows of one , "
-     f"two (?:and|,) three"
-     "(?:(?: ,)? and four)?$", "a filled {1} of {2} {3}"),
+    (f"^fill an? (triangle) (?:on the table )?with (10|ten|6|six) ((?:\\w+ )?{_BLOCKS})(?: ,)? in rows of one , two "
+     "(?:and|,) three(?:(?: ,)? and four)?$", "a filled {1} of {2} {3}"),
     # letters
     *((f"{_LETTER}{_OPEN} {toward}$", f"{{1}} with its opening to the {side}") for side, toward in _TOWARD.items()),
-    (f"\\b([tT]\\b.*?)(?: ,| :| with)+ (three|3){N} across(?: ,| and| then)* (two|2)(?: "
-     f"more)?{N}(?: going| "
-     "hanging| pointing)? (?:down|below|downwards?)(?: (?:from|in) the middle| for the stem)*$",
-     "{1} with a bar of {2} blocks and a stem of {3}"),
-    (f"\\b([tT]\\b.*?)(?: ,| with)+ (three|3)(?: of (?:them|these)|{N}) in the (?:bar|"
-     f"crossbar)$", "{1} with a bar of {2} blocks"),
+    (f"\\b([tT]\\b.*?)(?: ,| with)+ (three|3)(?: of (?:them|these)|{N}) in the (?:bar|crossbar)$",
+     "{1} with a bar of {2} blocks"),
     (f"\\b([tT]\\b.*?)(?: ,| with)+ the (bar|crossbar) (at the (?:far|near) side) and ({MANY}) {_BLOCKS} long$",
      "{1} with a {2} of {4} blocks , the {2} {3}"),
 )  # fmt: skip

@@ -20,6 +20,5 @@ BORNE_FIRST: tuple[Turn, ...] = (
     (f"\\b(the|an?) ({PATCH}) ({COLOR})(?= [,.]| and |$)", "{1} {3} {2}"),
     # any posture, where only another is known in that place
     ("\\b(?:sits|rests|lies)\\b", "stands"), ("\\b(?:sit|rest|lie)\\b(?!$)", "stand"),
-    ("\\b(?:sitting|resting|lying)\\b", "standing"),
 )  # fmt: skip
 """What is looked for, and what is said instead; the last of all rows."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import BLOCK, LABEL, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, MUST
 
 _LEAST = "(?:at least|more than|no less than|not less than|at most|less than|no more than|not more than)"
 _ABOUT = "(?:about|around|roughly|approximately|exactly|precisely|just)"
@@ -17,13 +17,10 @@ _APART = "(?:apart(?: from (?:each other|one another))?|(?:away )?from (?:each o
 _ONE = f"(?:{THING}|{BLOCK} {LABEL})"
 _SIDE = "(?:side|edge)"
 _CENTER = "(?:center|middle)"
-_OTHERS = "(?:away )?from (?:the other two|both others|the two others|(?:each|both) of the (?:others|other two))"
-_LOT = f"(?:the |all )?(?:{FEW}|\\d+) (?:\\w+ )?{BLOCK}s"
 DISTANCES: tuple[Turn, ...] = (
     # from one to the other
     (f"\\b(?:so(?: that)? )there (?:is|are|{MUST} be) ({_FAR}) from (?:the )?one to the other$",
      "so that they are {1} apart"),
-    (f"\\bthere (?:is|are|{MUST} be) ({_FAR}) from ({THING}) to ({THING})$", "{2} must be {1} from {3}"),
     # how exactly
     (f"\\b({LENGTH})( apart| (?:away )?from {THING})(?: ,)? (?:to )?within ({LENGTH})$",
      "{1} {2} with a tolerance of {3}"),
@@ -38,19 +35,12 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     # of every two
     (f"\\b({LENGTH}) or (?:more|farther|further) apart\\b", "at least {1} apart"),
     (f"\\b({LENGTH}) or (?:less|closer|nearer) apart\\b", "at most {1} apart"),
-    (f"\\b{_EVERY_TWO} of (?:them|these|those) ({_MUST_BE}) ({_FAR}) {_APART}", "they {1} pairwise {2} apart"),
-    (f"\\b{_EVERY_TWO} of ((?:the|my) [^,]+?|{THINGS}) ({_MUST_BE}) ({_FAR}) {_APART}",
-     "{1} {2} pairwise {3} apart"),
+    (f"\\b{_EVERY_TWO} of ((?:the|my) [^,]+?|{THINGS}) ({_MUST_BE}) ({_FAR}) {_APART}", "{1} {2} pairwise {3} apart"),
     (f"\\bany two of (?:them|these|those) ({_MUST_BE}) ({_BOUND}) {_APART}", "they {1} pairwise {2} apart"),
-    (f"\\bany two of (the [^,]+?) ({_MUST_BE}) ({_BOUND}) {_APART}", "{1} {2} pairwise {3} apart"),
     (f"(?: ,|,? with| :) {_EVERY_TWO} (?:of them )?(?:(?:are|being|standing|lying) )?({_FAR}) {_APART}$",
      "pairwise {1} apart"),
-    (f"(?: ,)? (?:so that|until|such that) {_EVERY_TWO} (?:of (?:blocks|cubes) )?({_MUST_BE}) ({_FAR}) {_APART}$",
+    (f"(?: ,)? (?:so that|until|such that) {_EVERY_TWO} (?:of (?:blocks|cubes|them) )?({_MUST_BE}) ({_FAR}) {_APART}$",
      "so that they {1} pairwise {2} apart"),
-    (f"\\b(?:the )?distance (?:between|of) {_EVERY_TWO} of (the [^,]+?|{THINGS}) (?:{MUST} be|is) ({_FAR})\\b",
-     "{1} must be pairwise {2} apart"),
-    (f"\\beach of ((?:the|my) [^,]+?|{THINGS}) ({_MUST_BE}) ({_FAR}) {_OTHERS}", "{1} {2} pairwise {3} apart"),
-    (f"^({_LOT}|{THINGS}) (?:, )?each(?: of them)? ({_FAR}) {_OTHERS}$", "{1} pairwise {2} apart"),
     (f"\\b(?:at )?(?:equal distances?|the same distance) of ({LENGTH}) (?:from|to) (?:each other|one another)",
      "pairwise {1} apart"),
     ("\\b(\\d[\\d.]*) (plus or minus|plus minus|give or take) (\\d[\\d.]*) (cm|mm|centimeters|millimeters)\\b",
@@ -59,21 +49,16 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     # of centres
     (f"^(the {_CENTER}s of .+? and )(?:that |the {_CENTER} )?of ", "{1}"),
     (f"\\bthe {_CENTER} of ({_ONE}) and the {_CENTER} of ({_ONE}) ", "the centers of {1} and {2} "),
-    (f"\\b({THING}) 's {_CENTER} ({_MUST_BE}) ({_FAR}) (?:away )?from (?:the {_CENTER} of )?({THING})"
-     f"(?: 's {_CENTER})?", "{1} {2} {3} from {4}"),
+    (f"\\b({THING}) 's {_CENTER} ({_MUST_BE}) ({_FAR}) (?:away )?from (?:the {_CENTER} of )?({THING})(?: 's "
+     f"{_CENTER})?", "{1} {2} {3} from {4}"),
     (f"\\b(?:its {_CENTER}|the {_CENTER} of it) ({_MUST_BE}) ({_FAR}) (?:away )?from (?:the {_CENTER} of )({THING})",
      "it {1} {2} from {3}"),
-    (f"^(?:the )?({COLOR}) ({COLOR}) (?:{_CENTER}|center to center) distance"
-     f"(?: ,| :| (?:of|is|{MUST} be))? ({_FAR})", "the distance between {1} and {2} must be {3}"),
-    ("\\bthe (?:center|middle) to (?:center|middle) distance (?:of|between) ", "the distance between the centers of "),
-    (f"\\b(?:center|middle) to (?:center|middle) distance of ({LENGTH})", "distance of {1} between centers"),
+    (f"^(?:the )?({COLOR}) ({COLOR}) (?:{_CENTER}|center to center) distance(?: ,| :| (?:of|is|{MUST} be))? ({_FAR})",
+     "the distance between {1} and {2} must be {3}"),
     # three at the corners of a triangle
-    ("\\b(?:equal|same) sided (?=triangle)", "equilateral"),
-    *((f"\\b(?:in|as|form|make|forming|making|so that they form) an? (?:equilateral )?triangle(?: ,)? {sided}",
-       "pairwise {1} apart") for sided in (
-        f"(?:with|of|having) (?:an? )?(?:{_SIDE}s?|{_SIDE} length)(?: of)? ({LENGTH})(?: each| long)?(?: length)?$",
-        f"(?:with|of) ({LENGTH}) (?:{_SIDE}s|{_SIDE} length)$",
-        f"(?:,|with) ({LENGTH}) (?:on|per|along) (?:a|each|every) side$")),
+    ("\\b(?:in|as|form|make|forming|making|so that they form) an? (?:equilateral )?triangle(?: ,)? (?:with|of|having) "
+     f"(?:an? )?(?:{_SIDE}s?(?: length)?(?: of)? ({LENGTH})(?: each| long)?(?: length)?|({LENGTH}) {_SIDE}(?:s| "
+     "length))$", "pairwise {1} {2} apart"),
 )  # fmt: skip
 WORDS = ("pairwise equilateral leeway",)
 """Words that these take besides those that are read anyway."""

@@ -8,7 +8,6 @@ from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MANY, MUST
 
 _BLOCKS = "(?:blocks|cubes|ones)"
 _PEOPLE = "(?:everyone|everybody|we|i|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
-_PLACED = "(?:to the|next to|near|touching|behind|in front|on|under|above|left|right|beside|between|below|adjacent)"
 _ROW = "(?:far|near|front|back|first|second)"
 _BLOCK = "(?:block|cube|blocks|cubes)"
 _SIZE = "(?:big|large|small|little)"
@@ -18,58 +17,47 @@ _PUT = "(?:put|place|set|lay|move|stack)"
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # how many, and of which size
     (f"\\b(?:two|2) ({COLOR}) {_BLOCK} [,(:] (?:one|an?) ({_SIZE})(?: one)?(?: , and| ,| and) (?:one|an?) "
-     f"({_SIZE})(?: one)?"
-     "(?: \\))?(?= ,| and|$)", "a {2} {1} block and a {3} {1} block"),
+     f"({_SIZE})(?: one)?(?: \\))?(?= ,| and|$)", "a {2} {1} block and a {3} {1} block"),
     (f"\\b(?:minimum|at minimum|at the minimum|a minimum of) ({MANY})\\b", "at least {1}"),
     (f"\\b(?:maximum|at maximum|at the maximum|a maximum of) ({MANY})\\b", "at most {1}"),
     (f"^((?:at least|at most) {MANY} .+) , (?:more|fewer|less) (?:is|are) (?:also |just as )?(?:fine|ok|okay|good)$",
      "{1}"),
-    (f"^(?:out of|from|of) the ({MANY} [^,]+? {_BLOCKS})(?: ,)? ({_PUT}) ((?:exactly |at least |at most |only |just )?"
-     f"{MANY}) (on|in|onto|into) ", "{2} {3} of the {1} {4} "),
-    (f"^(.*?)\\b({MANY})( of them .+?) , exactly \\2 , (?:and )?(?:not|no) (?:more|fewer|less)(?: and not "
-     f"(?:more|fewer|"
-     "less))?$", "{1} exactly {2} {3}"),
+    (f"^(?:out of|from|of) the ({MANY} [^,]+? {_BLOCKS})(?: ,)? ({_PUT}) ((?:exactly |at least |at most |only |just "
+     f")?{MANY}) (on|in|onto|into) ", "{2} {3} of the {1} {4} "),
+    (f"^(.*?)\\b({MANY})( of them .+?) , exactly \\2 , (?:and )?(?:not|no) (?:more|fewer|less)(?: and not (?:more|"
+     "fewer|less))?$", "{1} exactly {2} {3}"),
     (f"^(.*?\\b{MANY}) ({COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and one(?: more)? on (the [^,]+? {_MAT})$",
      "{1} {2} {3} on {4} and one {2} block on {5}"),
     (f"^(.*?\\b{MANY}) ({COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and ({MANY})(?: more)? on (the [^,]+? "
-     f"{_MAT})$",
-     "{1} {2} {3} on {4} and {5} {2} blocks on {6}"),
-    (f"^{_PUT} all ({MANY}) ({COLOR}) {_BLOCK} on the (?:mats|patches) , ({MANY}) on the ({COLOR})(?: one| "
-     f"mat)? and "
+     f"{_MAT})$", "{1} {2} {3} on {4} and {5} {2} blocks on {6}"),
+    (f"^{_PUT} all ({MANY}) ({COLOR}) {_BLOCK} on the (?:mats|patches) , ({MANY}) on the ({COLOR})(?: one| mat)? and "
      f"(.+?) on the ({COLOR})(?: one| mat)?$",
      "of the {1} {2} blocks , {3} must be on the {4} mat and {5} on the {6} mat"),
-    (f"^((?:at least |exactly |at most )?{MANY} of (the {MANY} [^,]+?) {MUST} be on [^,]+?) and none of "
-     f"(?:them|these) on "
-     "(the .+)$", "{1} . none of {2} must be on {3}"),
-    (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?(the [^,]+?) , which (?:{MUST} "
-     f"(?:be|go|lie)|"
-     "go|goes|belong|belongs) (on .+)$", "{1} {2} them {3} except for {4} . {4} must be {5}"),
-    (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which "
-     f"(?:{MUST} (?:be|go|"
-     "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
+    (f"^((?:at least |exactly |at most )?{MANY} of (the {MANY} [^,]+?) {MUST} be on [^,]+?) and none of (?:them|"
+     "these) on (the .+)$", "{1} . none of {2} must be on {3}"),
+    (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?(the [^,]+?) , which (?:{MUST} (?:be|go|"
+     "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} them {3} except for {4} . {4} must be {5}"),
+    (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which (?:{MUST} "
+     "(?:be|go|lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
     # measures
-    ("(?<!from )\\b(\\d+) to (\\d+) (cm|mm|centimeters?|centimetres?)\\b", "between {1} and {2} {3}"),
     (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:more|farther|further)\\b", "at least {1} {2}"),
     (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:less|closer|nearer)\\b", "at most {1} {2}"),
     (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
     (f"(?: ,)? (?:with )?(?:a )?({LENGTH}) gaps? between each(?: one)? and the next(?: one)?$", " with gaps of {1}"),
     (f" and leave(?: me| us)? (?:a )?gaps? of ({LENGTH}) (?:every time|each time|in between|between them)$",
      " with gaps of {1}"),
-    ("(?: ,)? with (?:even|equal|the same) (?:gaps|spaces|distances|spacing) (?:between them|in between)\\b",
-     " , evenly spaced"),
     # from which end
     ("\\bfrom (?:the )?(?:table|ground|floor) (?:up|upwards|to the top)\\b", "from bottom to top"),
     ("\\bfrom (?:down to up|down up|below to above|the bottom to up)\\b", "from bottom to top"),
     ("\\bfrom (?:up to down|above to below)\\b", "from top to bottom"),
-    (f"(?: [:,])? ({COLOR})(?: ones?)? (?:on the )?outside(?: ,)? (?:and )?(?:then )?({COLOR})(?: ones?)? "
-     f"(?:next to (?:that|"
-     f"it|them|those)|inside (?:that|those)|next|further in)(?: ,)?(?: and)?(?: then)? ({COLOR})(?: one)? in the "
-     "(?:middle|center)\\b", "in the order {1} , {2} , {3} , {2} , {1}"),
+    (f"(?: [:,])? ({COLOR})(?: ones?)? (?:on the )?outside(?: ,)? (?:and )?(?:then )?({COLOR})(?: ones?)? (?:next to "
+     f"(?:that|it|them|those)|inside (?:that|those)|next|further in)(?: ,)?(?: and)?(?: then)? ({COLOR})(?: one)? in "
+     "the (?:middle|center)\\b", "in the order {1} , {2} , {3} , {2} , {1}"),
     ("\\b(in (?:a|one) (?:row|line)) that looks? the same from both (?:ends|sides)(?: ,)? (in the order)\\b",
      "{1} {2}"),
     # what is said once more
-    (f"(?: ,)? so (?:that )?{_PEOPLE} can (?:all )?(?:see|follow|count) (?:it|them|the (?:order|word|colors|"
-     "letters|numbers))(?: well| better| properly)?$", ""),
+    (f"(?: ,)? so (?:that )?{_PEOPLE} can (?:all )?(?:see|follow|count) (?:it|them|the (?:order|word|colors|letters|"
+     "numbers))(?: well| better| properly)?$", ""),
     ("^((?:swap|switch|exchange|trade) .+?)(?: ,)? so (?:that )?each(?: one)?(?: of them)? (?:ends up|is|stands|lands|"
      "goes)(?: exactly)? where the other(?: one)? was$", "{1}"),
     ("^(.+? corner of the table) , so (?:four|4)(?: of them)?(?: in all)?$", "{1}"),
@@ -82,17 +70,14 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("(\\brow\\b.+?)(?: ,)? both(?: rows)? from left to right$", "{1}"),
     (f"\\b(in {MANY} (?:rows|lines)(?: of {MANY})?) , (?!with\\b)(.+? in the {_ROW} (?:row|one)\\b)", "{1} : {2}"),
     (f"\\b(in {MANY} (?:rows|lines)(?: of {MANY})?) , (?:the )?({_ROW}) row (?!of\\b)(.+?)(?: ,)? and (?:the "
-     f")?({_ROW}) "
-     "row (.+?)(?= ,|$)", "{1} : {3} in the {2} row and {5} in the {4} row"),
-    (f"^({MANY} {_BLOCKS} (?:on top of (?:each other|one another)|on each other|stacked)) , ({COLOR} "
-     f"(?:uppermost|on top|"
-     "at the top|topmost|at the bottom|lowest) , .+)$", "{1} : {2}"),
+     f")?({_ROW}) row (.+?)(?= ,|$)", "{1} : {3} in the {2} row and {5} in the {4} row"),
+    (f"^({MANY} {_BLOCKS} (?:on top of (?:each other|one another)|on each other|stacked)) , ({COLOR} (?:uppermost|on "
+     "top|at the top|topmost|at the bottom|lowest) , .+)$", "{1} : {2}"),
     (f"^({MANY}) (in a (?:row|line|tower|stack|column|circle))\\b", "{1} blocks {2}"),
     ("^(sort .+? into .+?) , one (?:group|pile|bunch) (?:for|per) each(?: kind| of them)?$", "{1}"),
     ("\\b(in|form|forms) (its|their) own little (?:bunch|pile|heap|group|cluster)\\b", "{1} {2} own group"),
     (f"^(?:from|out of|with|using) the (?:cubes|blocks) ((?:\\w(?: ,)? )+and \\w) , ({_PUT} .+)$",
      "there are the blocks {1} . {2}"),
-    (f"^({MANY} {COLOR} {_BLOCKS}) , (?:nicely |neatly |carefully )?placed (in|on|next to|around) ", "{1} {2} "),
     # what is asked
     ("^can (the [^,]+?) have (.+)$", "{1} should have {2}"),
     ("^first(?: ,)? you (\\w+) (.+?) , and (?:after|then|after that|afterwards)(?: ,)? you \\1 (.+)$",
@@ -105,14 +90,9 @@ _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "bec
             "or", "then", "like", "case")  # fmt: skip
 _NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
 EVERYDAY: tuple[Turn, ...] = (
-    # what is denied twice
-    (f"\\b({MUST} not be|is not|are not) ([^,]+?)(?: ,)? nor (?:be )?({_PLACED}\\b.+)$", "{1} {2} and {1} {3}"),
-    (f"^(.+?) ({MUST} not be|is not|are not) ([^,]+?) , and neither (?:is|are|{MUST}) (?:be )?(the .+)$",
-     "{1} {2} {3} and {4} {2} {3}"),
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
-     f"[^,;:]+?)"
-     f"{_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
+     f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("minimum maximum upwards audience pupils save ground floor",)

@@ -18,15 +18,12 @@ _ARMS = (f"(?:arms|each arm|each of (?:the |its )?(?:four )?arms)(?: that| which
 
 FIGURES: tuple[Turn, ...] = (
     # rings around something
-    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged )?"
-     f"(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),
+    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged "
+     f")?(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),
     (f"^(?:surround|encircle) ((?:the|an?) [^,:]+?) (?:with|by) an? ({_RING}) (?:of|made of|from) ({MANY} [^,:]+)$",
      "a {2} of {3} around {1}"),
     ("\\b(circle|ring|square|plus|cross|grid)\\b((?:(?! and ).)*?) (in|at) the (middle|center) of the \\1$",
      "{1} {2} {3} the {4}"),
-    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) in an? ({_RING})(?: ,)? (?:and|with) (an? [^,:]+?) in (?:the|its) "
-     f"{MID}$",
-     "a {2} of {1} with {3} in the middle"),
     (f"\\b((?:circle|ring|square|outline|rectangle) .*?)(?: ,)? (with|and) ((?:the|an?) {COLOR}(?: {_BLOCK})?) "
      f"(?:inside|within)(?: ,)? in the ({MID})$", "{1} {2} {3} in the {4}"),
     # crosses
@@ -35,32 +32,27 @@ FIGURES: tuple[Turn, ...] = (
     (f"^(.*\\b(?:five|5) [^,:]*?{_BLOCKS}) (?:on the table )?(?:in|like|as) an? ({_PLUS})(?: ,| :)? one in the {MID} "
      "and one (?:on|at|for) each (?:of the four |of its four |of the |of its )?(?:sides?|arms?|ends?)$",
      "{1} as a plus"),
-    (f"\\b({_PLUS})(?: of five {_BLOCKS}| of 5 {_BLOCKS})?(?: ,| :)? (?:four|4)(?: of (?:them|these))? "
-     f"({COLOR})(?: {_BLOCKS})? "
-     f"and (?:the (?:one|block|cube) (?:in|at) the {MID}|the {MID} (?:one|block|cube)|the {MID}) ({COLOR})$",
-     "{1} with a {3} center and {2} arms"),
+    (f"\\b({_PLUS})(?: of five {_BLOCKS}| of 5 {_BLOCKS})?(?: ,| :)? (?:four|4)(?: of (?:them|these))? ({COLOR})(?: "
+     f"{_BLOCKS})? and (?:the (?:one|block|cube) (?:in|at) the {MID}|the {MID} (?:one|block|cube)|the {MID}) "
+     f"({COLOR})$", "{1} with a {3} center and {2} arms"),
     (f"\\b({_PLUS}) (?:of|from|out of|made of) (?:four|4) ({COLOR})(?: {_BLOCKS})? (?:and|with|around) (?:an?|one) "
-     f"({COLOR})(?: {_BLOCK})?(?: (?:in|at|as|for) (?:the|its) {MID}| so that the \\3 (?:one|{_BLOCK}) "
-     f"(?:is|becomes|forms|makes|{MUST} be) (?:its|the) {MID})$", "{1} with a {3} center and {2} arms"),
+     f"({COLOR})(?: {_BLOCK})?(?: (?:in|at|as|for) (?:the|its) {MID}| so that the \\3 (?:one|{_BLOCK}) (?:is|becomes|"
+     f"forms|makes|{MUST} be) (?:its|the) {MID})$", "{1} with a {3} center and {2} arms"),
     (f"^{BUILD} (?:four|4) ({COLOR})(?: {_BLOCKS})? around an? ({COLOR})(?: {_BLOCK})? ,? ?(?:which|that|so that it|"
      f"so it|to) (?:gives?|makes?|forms?) an? ({_PLUS})(?: with an? \\2 {MID})?$",
      "a {3} with a {2} center and {1} arms"),
-    (f"^an? ({COLOR}) (?:{_BLOCK}) {_BE} (?:in|at) the {MID} of an? ({_PLUS}) (?:whose|with) (?:the |its "
-     f")?(?:four )?arms "
-     f"(?:are |of )?({COLOR})(?: {_BLOCKS})?$", "a {2} with a {1} center and {3} arms"),
-    (f"\\b({_PLUS})(?: ,| :)? the {MID}(?: {_BLOCK})? {_BE} ({COLOR}) and the (?:four )?(?:{_BLOCKS}|others)"
-     f"(?: all)?(?: around(?: it)?)? {_BE} ({COLOR})$", "{1} with a {2} center and {3} arms"),
-    (f"\\b({_PLUS})(?: sign| shape)? ,? ?(?:for which|out of which|from which) ({MANY} (?:\\w+ )?{_BLOCKS}) {MUST} be "
-     "used$", "{1} made of {2}"),
-    (f"\\b({_PLUS})(?: of five {_BLOCKS}| of 5 {_BLOCKS})(?: ,)? all(?: of them)? ({COLOR}) (?:but|except|apart "
-     f"from|save)(?: for)? the (?:one (?:in|at) the {MID}|{MID} one|{MID})(?: ,)?(?: which is| being)? ({COLOR})$",
+    (f"^an? ({COLOR}) (?:{_BLOCK}) {_BE} (?:in|at) the {MID} of an? ({_PLUS}) (?:whose|with) (?:the |its )?(?:four "
+     f")?arms (?:are |of )?({COLOR})(?: {_BLOCKS})?$", "a {2} with a {1} center and {3} arms"),
+    (f"\\b({_PLUS})(?: ,| :)? the {MID}(?: {_BLOCK})? {_BE} ({COLOR}) and the (?:four )?(?:{_BLOCKS}|others)(?: "
+     f"all)?(?: around(?: it)?)? {_BE} ({COLOR})$", "{1} with a {2} center and {3} arms"),
+    (f"\\b({_PLUS})(?: of five {_BLOCKS}| of 5 {_BLOCKS})(?: ,)? all(?: of them)? ({COLOR}) (?:but|except|apart from|"
+     f"save)(?: for)? the (?:one (?:in|at) the {MID}|{MID} one|{MID})(?: ,)?(?: which is| being)? ({COLOR})$",
      "{1} with a {3} center and {2} arms"),
     # what lies on the middle
-    (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) (?:whose {MID}(?: {_BLOCK})? (?:carries|bears|holds|supports)|with the"
-     f" {MID} (?:one|{_BLOCK}) (?:carrying|bearing|holding)) (?:the|an?) ({COLOR} {_BLOCK})$",
+    (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) (?:whose {MID}(?: {_BLOCK})? (?:carries|bears|holds|supports)|with "
+     f"the {MID} (?:one|{_BLOCK}) (?:carrying|bearing|holding)) (?:the|an?) ({COLOR} {_BLOCK})$",
      "{1} with a {2} on its center"),
     (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) , the (?:one|{_BLOCK}) (?:in|at) (?:the|its) {MID} (?:carrying|"
-     f"bearing|"
-     f"holding) (an? {COLOR} {_BLOCK})$", "{1} with {2} on its center"),
+     f"bearing|holding) (an? {COLOR} {_BLOCK})$", "{1} with {2} on its center"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

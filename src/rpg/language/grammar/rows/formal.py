@@ -41,7 +41,7 @@ from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, ro
 from rpg.language.grammar.rows.upright import UPRIGHT_AT_ONCE
 from rpg.language.grammar.rows.upward import UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.utmost import UTMOST_TOLD
-from rpg.language.grammar.rows.vocabulary import CUBE, END, MUST, WAY
+from rpg.language.grammar.rows.vocabulary import CUBE, MUST, WAY
 from rpg.language.grammar.rows.wordier import AT_ONCE as FEWER_AT_ONCE
 from rpg.language.grammar.rows.wordier import WORDIER
 from rpg.language.tokens import Token
@@ -62,9 +62,8 @@ _IS = f"(?:is|are|{MUST} be)"
 _ALWAYS: tuple[Turn, ...] = (
     (f"^at no (?:time|point|moment) ({MUST}|may|can) any (.+?) (be|stand|lie|touch|rest|sit) (.+)$",
      "no {2} {1} ever {3} {4}"),
-    (f"^(.+?)(?: ,)? (?:which|that) (start|begin|are initially) (?:out )?(in an?|in one) ({_LINE})(?: ,)? "
-     f"({MUST} .+|end up .+|form .+)$",
-     "{1} {2} {3} {4} . they {5}"),
+    (f"^(.+?)(?: ,)? (?:which|that) (start|begin|are initially) (?:out )?(in an?|in one) ({_LINE})(?: ,)? ({MUST} .+|"
+     "end up .+|form .+)$", "{1} {2} {3} {4} . they {5}"),
     ("(?:so|such) that the word (\\S+) (?:can be read|can be seen|is read|is spelled|is formed|appears)\\b",
      "so that they spell {1}"),
     (f"^((?:a|the|one) {_LINE}) , ((?:in|on) which [^,]+) , ({MUST} .+)$", "{1} {2} {3}"),
@@ -75,14 +74,12 @@ _ALWAYS: tuple[Turn, ...] = (
     (f"\\b(move|touch|displace|disturb|lift) no other ({CUBE})\\b", "do not {1} any other {2}"),
     (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({MUST} .+)$", "{1} and {2} {3}"),
     (f"^in addition to (the [^,]+?) , (the [^,]+?) ({MUST} .+)$", "{1} and {2} {3}"),
-    (f"\\b(spell(?:ed)?\\b[^,]*?)(?: ,)?(?: with)? each letter (?:being )?on (?:its own|a separate) {CUBE}$",
-     "{1}"),
+    (f"\\b(spell(?:ed)?\\b[^,]*?)(?: ,)?(?: with)? each letter (?:being )?on (?:its own|a separate) {CUBE}$", "{1}"),
     (f"^(.+?) ({MUST}) not (be \\w+ .+?) until (.+? (?:has|have) been .+)$", "{1} {2} {3} , but only after {4}"),
     ("^in a first step(?: ,)? (.+?)(?: ,)? (?:and )?(?:then )?in a second step(?: ,)? (.+)$",
      "first , {1} . then , {2}"),
     ("^in a first step(?: ,)? (.+)$", "first , {1}"),
     ("^in a (?:second|third|further|next|last|final) step(?: ,)? (.+)$", "then , {1}"),
-    ("not be in (?:direct |any )?contact with the table\\b", "not touch the table"),
     ("\\b(?:on|to|at) whose (left|right)(?: side)?\\b", "to the {1} of which"),
     ("\\b(?:arithmetically|mathematically) (?:correct|true|valid|right)\\b", "correct"),
     ("^(.*\\bnever\\b.*?)(?: ,)? while (?:this is (?:being )?done|this happens|doing so|doing this)$", "{1}"),
@@ -101,48 +98,32 @@ _ALWAYS: tuple[Turn, ...] = (
 )  # fmt: skip
 """Turns of phrase that are read wrongly, or not at all, where they stand."""
 
-_SIDES = (
-    ("(?:in front|at the front|in the front)", "front"), ("(?:at the back|in the back|at the rear)", "back"),
-    ("(?:on|at) the left", "left"), ("(?:on|at) the right", "right"), ("(?:on top|at the top)", "top"),
-    ("at the bottom", "bottom"), ("(?:in|at) the (?:middle|center)", "middle"),
-)  # fmt: skip
 _PLAINLY: tuple[Turn, ...] = (
     # what is asked for
-    ("^the (?:task|goal|goal state|target|test|objective) (?:shall be|must be|is) (?:deemed |considered |regarded as )?"
-     "(?:reached|complete|completed|achieved|fulfilled|met|passed|done|successful)(?: only)? "
-     "(?:when|once|if|as soon as) (.+)$", "{1}"),
+    ("^the (?:task|goal|goal state|target|test|objective) (?:shall be|must be|is) (?:deemed |considered |regarded as "
+     ")?(?:reached|complete|completed|achieved|fulfilled|met|passed|done|successful)(?: only)? (?:when|once|if|as soon "
+     "as) (.+)$", "{1}"),
     ("^care (?:shall|must|should|is to) be taken (?:that|to ensure that) (.+)$", "{1}"),
     (f"^(.+?) ({MUST} (?!not |never ).+?) , (?:as|and so) {MUST} (the .+)$", "{1} and {3} {2}"),
-    (f"^([^,]+?) ({MUST} (?!not |never ).+?) , and (the [^,]+) likewise$", "{1} and {3} {2}"),
     (f"^(.+ {CUBE}) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
      "{1} , which starts {2} , {3}"),
     (f"^(.+ {CUBE}s) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
      "{1} , which start {2} , {3}"),
     ("^(?:it shall be the case|it shall be so|it shall hold) that (.+)$", "{1}"),
-    ("^(?:all of )?the following(?: conditions| requirements)? (?:shall|must|should)(?: all)? (?:hold|apply|be met|"
-     "be satisfied|be fulfilled)(?: at the end)? : (.+)$", "{1}"),
-    ("^the (?:arrangement|structure|figure|configuration|pattern) to be (?:produced|built|made|formed|laid) is (.+)$",
-     "there shall be {1}"),
+    ("^(?:all of )?the following(?: conditions| requirements)? (?:shall|must|should)(?: all)? (?:hold|apply|be met|be "
+     "satisfied|be fulfilled)(?: at the end)? : (.+)$", "{1}"),
     ("^(.+?) having been (.+?) , (.+)$", "after {1} has been {2} , {3}"),
     # what there is besides
     ("^(.+?)(?: ,)? there being (.+?)(?: in all| in total| altogether)?$", "{1} . there are {2}"),
     (f"^there being ({_MANY} [^,]+) , (.+)$", "there are {1} . {2}"),
     ("^(.+?)(?: ,)? in the presence of (.+)$", "{1} . there are {2}"),
-    (f"^no (?:other )?{CUBE} (?:other than|except|except for|but|apart from|besides) (the .+?) {MUST} be "
-     "(?:moved|touched|displaced)$", "all blocks except {1} shall stay where they are"),
-    (f"^(?:apart from|except for|other than) (the .+?) , no (?:other )?{CUBE} {MUST} be (?:moved|touched|displaced)$",
-     "all blocks except {1} shall stay where they are"),
     (f"^(the [^,]+?) ({MUST} be .+?) ,(?: and)? no other {CUBE} (?:being|is|{MUST} be) (?:moved|touched|displaced)$",
      "{1} {2} . all blocks except {1} shall stay where they are"),
     (f"^the order of (?:the {CUBE}s (?:in|of) )?the ({_LINE})(?: ,)? ({WAY})(?: ,)? ({MUST}) be (.+)$",
      "the {1} {3} be , {2} : {4}"),
     (f"^the stacking order(?: ,)? ({WAY})(?: ,)? ({MUST}) be (.+)$", "the tower {2} be , {1} : {3}"),
-    (f"^the word (?:formed|spelled|shown) by the ({CUBE}s|letters) {MUST} be (.+)$", "the {1} shall spell {2}"),
-    (f"^for each (color|letter|kind)(?: ,)? (?:an?|one)(?: separate| own)? ({_LINE}) ({MUST} be .+)$",
-     "one {2} per {1} {3}"),
     ("\\bin such a (?:manner|fashion) that\\b", "so that"),
     # relative clauses
-    (f", (whose (?:center|middle|base|top|bottom) is [^,]+) , ({MUST} .+)$", "{1} {2}"),
     (f"(?:, )?the (center|middle|base|top|bottom) of which {_IS}\\b", "whose {1} is"),
     (f"(?:, )?the (base|top|bottom) of which (?:consists|consist|{MUST} consist) of\\b", "whose {1} consists of"),
     (f"^(.+?) {MUST} (?:be|form|make) the (top|base|bottom) of (an? \\w+) whose (.+)$",
@@ -151,34 +132,31 @@ _PLAINLY: tuple[Turn, ...] = (
     (f"^(.+?) , (?:which|that) ({MUST} [^,]+) , ({MUST} .+)$", "{1} {2} and {3}"),
     (f"^(.+?)(?: ,)? (?:which|that) (start|begin)(?: out)? (as an?|as one|in an?|in one) ({_LINE})(?: ,)? ({MUST} .+)$",
      "{1} {2} {3} {4} . they {5}"),
-    (f"^(.+?) , (?:which|that) (?:rises|climbs|ascends|goes up) (to|toward|towards) the ({END}) , ({MUST} .+)$",
-     "{1} {4} , rising {2} the {3}"),
     (f"(?:, )?whose order ({WAY}) (?:is|reads|{MUST} be|{MUST} read) (.+)$", "in the order {2} {1}"),
     (f"(?:, )?whose (?:edge|edges|edge length|side length) (?:is|are|measures|measure) ({_CM})(?: long)?(?: ,)?",
      "with an edge of {1}"),
     (f"(?:, )?(?:which|that) (?:has|have) an (?:edge|edge length) of ({_CM})(?: ,)?", "with an edge of {1}"),
     (f"\\b({_LINE}(?: of (?:\\w+ ){{1,3}}{CUBE}s)?)(?: ,)? (?:that|which) (?:runs|goes|extends|leads) ({WAY})",
      "{1} {2}"),
-    (f"^(.*?)\\b((?:(?!the |every |each )\\w+ )?)({_THINGS}) , of which there (?:are|is) ({_MANY})"
-     "(?: in all| in total| altogether)?(?: ,)?( .+)?$", "{1} {2} {3} {5} . there are {4} {2} {3s}"),
+    (f"^(.*?)\\b((?:(?!the |every |each )\\w+ )?)({_THINGS}) , of which there (?:are|is) ({_MANY})(?: in all| in "
+     "total| altogether)?(?: ,)?( .+)?$", "{1} {2} {3} {5} . there are {4} {2} {3s}"),
     (f"^(.+) the ((?:\\w+ )?)({_THING}) , ({_BESIDE}) which (.+?) ({MUST} {_STAND})( on the table)?$",
      "{1} the {2} {3} . {5} {6} {7} {4} the {2} {3}"),
     (f"^(.+ {MUST} be (?:built|formed|made|erected)) , ({_BESIDE}) which (.+?) ({MUST} {_STAND})( on the table)?$",
      "{1} . {3} {4} {5} {2} it"),
     (f"^(.+ {MUST} (?:be|stand|lie)(?: \\w+ed| put)? on) the same (?:patch|mat|zone|target)(?: ,)? (?:which|that) "
      "(?:may|can|must|shall|should) be(?: either)? (.+) or (.+)$", "{1} {2} or {1} {3}"),
-    (f"(?:, )?(?:of which|whereof) the (\\w+)(?: one| {CUBE})? (?:{_IS}|{MUST} stand|{MUST} lie|stands|lies) "
-     "(at the (?:bottom|top|left|right|front|back)|on top|in the middle|leftmost|rightmost)$", "with the {1} one {2}"),
-    (f", the ({_SIDED}) (?:{CUBE}s )?of which {_IS} (\\w+) and the ({_SIDED}) (?:{CUBE}s )?(?:of which )?"
-     f"(?:{_IS} )?(\\w+)$", ", the {1} being {2} and the {3} {4}"),
-    (f"^the {CUBE}s (?:of|in) the ({_LINE}) ({MUST}) be , ({WAY}) [:,] (.+)$", "the {1} {2} be , {3} : {4}"),
+    (f"(?:, )?(?:of which|whereof) the (\\w+)(?: one| {CUBE})? (?:{_IS}|{MUST} stand|{MUST} lie|stands|lies) (at the "
+     "(?:bottom|top|left|right|front|back)|on top|in the middle|leftmost|rightmost)$", "with the {1} one {2}"),
+    (f", the ({_SIDED}) (?:{CUBE}s )?of which {_IS} (\\w+) and the ({_SIDED}) (?:{CUBE}s )?(?:of which )?(?:{_IS} "
+     ")?(\\w+)$", ", the {1} being {2} and the {3} {4}"),
     (f"(?:, )?whose {CUBE}s {_IS} , ({WAY}) [:,] (.+)$", "in the order {2} {1}"),
-    (" , (?:originally|initially) (?:located |placed |standing |lying |situated |positioned |resting )?"
-     "((?:on|next to|to the|in front|behind) [^,]+?) ,", ", which starts {1} ,"),
-    (f"^(.+?) ({MUST} (?:lie|stand|be|be placed|be put)) (to the left|to the right|in front) , and (.+?) "
-     "(to the left|to the right|in front) , of (.+)$", "{1} {2} {3} of {6} and {4} {5} of {6}"),
-    (f"(?:, )?the (corners|edges) of which {_IS} (\\w+)(?: and the (?:other|remaining) blocks(?: of which)?"
-     f"(?: {_IS})? (\\w+))$", "whose {1} are {2} and whose other blocks are {3}"),
+    (" , (?:originally|initially) (?:located |placed |standing |lying |situated |positioned |resting )?((?:on|next to|"
+     "to the|in front|behind) [^,]+?) ,", ", which starts {1} ,"),
+    (f"^(.+?) ({MUST} (?:lie|stand|be|be placed|be put)) (to the left|to the right|in front) , and (.+?) (to the left|"
+     "to the right|in front) , of (.+)$", "{1} {2} {3} of {6} and {4} {5} of {6}"),
+    (f"(?:, )?the (corners|edges) of which {_IS} (\\w+)(?: and the (?:other|remaining) blocks(?: of which)?(?: "
+     f"{_IS})? (\\w+))$", "whose {1} are {2} and whose other blocks are {3}"),
     # what there is
     (f"^the height of the (tower|stack|wall|pyramid) ({MUST} be .+ {CUBE}s)$", "the {1} {2} high"),
     (f"^the length of the (row|line|column) ({MUST} be .+ {CUBE}s)$", "the {1} {2} long"),
@@ -189,9 +167,6 @@ _PLAINLY: tuple[Turn, ...] = (
      "the {2} {3} consist of {4} {1}"),
     (f"^the grid ({MUST}) (?:consist of|comprise|have) ({_MANY} rows) of ({_MANY}) {CUBE}s(?: each)?$",
      "a grid of {2} and {3} columns {1} be built"),
-    (f"^((?:an?|one|{_MANY}) [^,]+ , each [^,]+) , ({MUST}) be (?:standing|present|found|seen)( .+)?$",
-     "there {2} be {1} {3}"),
-    (f"^(.+) , ({_MANY} of each) being (?:used|present|available)$", "{1} . there are {2}"),
     # what is said aside
     ("^(?:it is|it shall be) assumed that (.+?) (?:initially )?(lies|stands|is|are|lie|stand|rests|rest) (.+)$",
      "at the start , {1} {2} {3}"),
@@ -200,20 +175,13 @@ _PLAINLY: tuple[Turn, ...] = (
     ("^with (.+?) (?:remaining|staying|being kept) (on .+?|in .+?|where it is) , (.+)$", "{1} must remain {2} . {3}"),
     (f"^(.+?) , ({WAY}) , ((?:of|from|out of) .+)$", "{2} , {1} {3}"),
     (f"^(.*{MUST}) (?:read|be|show) , ({WAY}) [:,] (.+)$", "{1} be , {2} : {3}"),
-    (f"^(.+ {MUST}) first (be \\w+|stand|lie|sit|go) (.+?) (?:and|, and|,) {_THEN}"
-     f"(?: {MUST} be \\w+| be \\w+)? (.+)$", "{1} {2} first {3} and then {4}"),
-    (f"^((?:(?! then | after ).)+ {MUST}) first (be \\w+ (?:(?! then | after ).)+)$", "first , {1} {2}"),
-    ("^(.+?)(?: ,)? (?:provided|on condition|on the condition|under the condition) that (.+?) (has|have) "
-     "(?:first |previously |already |before )?been (.+)$", "{1} , but only after {2} {3} been {4}"),
+    (f"^(.+ {MUST}) first (be \\w+|stand|lie|sit|go) (.+?) (?:and|, and|,) {_THEN}(?: {MUST} be \\w+| be \\w+)? (.+)$",
+     "{1} {2} first {3} and then {4}"),
+    ("^(.+?)(?: ,)? (?:provided|on condition|on the condition|under the condition) that (.+?) (has|have) (?:first |"
+     "previously |already |before )?been (.+)$", "{1} , but only after {2} {3} been {4}"),
     ("(?:, )?except that\\b", ", but"),
     (", during which\\b", ", and"),
     (f"^(?:it|he|she) {MUST} (?:not|never) ((?:move|place|put|lift|displace|shift|push|stack) .+)$", "do not {1}"),
-    (f"^(?:it|he|she) {MUST} (then |also |finally )?((?:place|put|move|stack|set|build) "
-     f"(?:the|an?|both|all|one|{_MANY}|\\w) .+)$", "{1} {2}"),
-    (f"(?:, )?(?:so|such) that the distance between (them|their centers) (?:is|amounts to|{MUST} be) ({_CM})",
-     "with a distance of {2} between {1}"),
-    ("\\bcentrally (between)\\b", "midway {1}"),
-    ("\\b(rotated|turned) through (\\d+ degrees)\\b", "{1} by {2}"),
     ("\\bbetween (?:neighboring|adjacent) faces\\b", "between neighboring blocks"),
     (f"\\b({MUST}) not exceed\\b", "{1} be at most"),
     (f"\\b({MUST}) not (?:fall below|be less than)\\b", "{1} be at least"),
@@ -223,25 +191,18 @@ _PLAINLY: tuple[Turn, ...] = (
     ("\\bcomprising\\b", "consisting of"),
     (f", of which (one|{_MANY}) (?:is|are|{MUST} be) (\\w+) and (one|{_MANY}) (?:(?:is|are|{MUST} be) )?(\\w+)",
      ", {1} {2} and {3} {4}"),
-    (f"(?:, )?(?:in which|where|so that) the (?:gap|gaps|space) between (?:the |any two |two )?"
-     f"(?:neighbors|(?:neighboring|adjacent|successive|consecutive) \\w+) {_IS} ({_CM})(?: wide)?",
-     "with a gap of {1} between neighboring blocks"),
-    (f"(?:, )?(?:in which|where|so that) the (?:distance|spacing) between (?:the |any two |two )?"
-     f"(?:neighbors|(?:neighboring|adjacent|successive|consecutive) \\w+) {_IS} ({_CM})",
-     "with a distance of {1} between neighboring blocks"),
-    *((f"\\bthe (row|column|layer) {where}\\b(?! of)", f"the {side} {{1}}") for where, side in _SIDES),
+    ("\\bthe (row|column|layer) (?:on|at|in) the (front|back|left|right|top|bottom|middle|center)\\b(?! of)",
+     "the {2} {1}"),
+    ("\\bthe (row|column|layer) in (front)\\b(?! of)", "the {2} {1}"),
+    ("\\bthe (layer) on (top)\\b(?! of)", "the {2} {1}"),
     (f"\\b(a|the|one) (?:cuboid|prism)(?: grid| arrangement)? (of {_MANY} (?:rows|columns|layers))", "{1} grid {2}"),
-    (f"^(in (?:an?|one|{_MANY}) .+?) , ((?:arrange|put|place|lay|stack|set|align|sort) .+)$", "{2} {1}"),
-    (f"(?:, )?so that each side (?:counts|has|consists of|contains) ({_MANY}) {CUBE}s"
-     "(?: and (?:that )?the (?:center|middle|inside|interior) is (?:left )?(?:empty|free|hollow))?",
-     "with {1} blocks per side"),
-    ("\\b(?:lying|standing|resting) (flat on the table)\\b", "{1}"),
+    (f"(?:, )?so that each side (?:counts|has|consists of|contains) ({_MANY}) {CUBE}s(?: and (?:that )?the (?:center|"
+     "middle|inside|interior) is (?:left )?(?:empty|free|hollow))?", "with {1} blocks per side"),
     ("\\b(equation)(?: ,)? (?:all (?:of them|of these) being used|with all of them used|using all of them)$", "{1}"),
     ("\\bbe left standing with\\b", "stand with"),
-    ("\\b(gap of [^,]+? between) their (?:faces|sides)\\b", "{1} them"),
 )  # fmt: skip
 """What makes no sense as it stands, in an order of words that does."""
-_WORDS = (
+WORDS = (
     "decreases increases presence arithmetically mathematically cuboid prism previously comprise comprising centrally "
     "exceed manner fashion termination considered ascends descends falls deemed regarded whereof care assumed located "
     "situated",

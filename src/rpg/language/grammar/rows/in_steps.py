@@ -9,78 +9,54 @@ from rpg.language.grammar.rows.vocabulary import AND, COLOR, FEW, MUST, PATCH
 
 _PUT = "(?:put|place|set|move|bring|carry|lay|take|shift|push|slide)"
 _DONE = "(?:put|placed|set|moved|brought|laid|stacked)"
-_ON = "((?:on|onto|in|into|to) [^,]+?)"
-_ON_PATCH = f"((?:on|onto|in|into|to) the (?:{COLOR} )?{PATCH})"
+_ON = f"((?:on|onto|in|into|to) (?:the|my) (?:{COLOR} )?(?:{PATCH}|table))"
+_THERE = "(?:there|(?:on|onto|in|into) it)"
 _TOO = "(?: too| as well| also)?"
 _TO = "(?:onto|on|into|in|to)"
 _THEN = "(?:then |next |after that |afterwards |from there |finally |lastly |last |at last |in the end )"
 _SHOWN = "(upside - down|upside down|upright|sideways)"
 _SELF = "(?:is|are|appears?|stands?|reads?|lies?)"
-_VIEWER = "(me|us|the robot|the camera|the viewer|the front)"
 _SWAP = "(?:trade|swap|switch|change|exchange)"
 _WHOLE = "(?:thing|time|process|operation|task|episode|procedure|job)"
 _NAMED = f"(?:{THING}|{LABEL})"
 _EITHER = f"(?:{THING}|\\w)"
 _HERE = f"the (?:{COLOR} )?{PATCH}"
-_WAYS = ((f"{_PUT} ({THING}|it) (?:first )?", _TO), (f"({THING}) (?:goes|{MUST} go) (?:first )?", _TO))
-"""How it is told that a block goes somewhere, and last of all somewhere else."""
-
-
-def _first_last() -> tuple[Turn, ...]:
-    """ "Before you put red on the mat, put blue there", "red goes on the mat only after blue has been put there"; "on
-    it" where this can be no block."""
-    rows: list[Turn] = []
-    for on, there in ((_ON, "there"), (_ON_PATCH, "(?:on|onto|in|into) it")):
-        rows += [
-            (f"^before ({THING}) (?:is|are|{MUST} be) {_DONE} {on} , ({THING}) (?:{MUST} be|is) {_DONE} {there}{_TOO}$",
-             "first put {3} {2} , then put {1} {2}"),
-            (f"^before (?:you |we |the robot )?{_PUT}s? ({THING}) {on} ,? ?{_PUT} ({THING}) {there}{_TOO}(?: first)?$",
-             "first put {3} {2} , then put {1} {2}"),
-            (f"^{_PUT} ({THING}) {on} ,? ?(?:but|and) ({THING}) {MUST} (?:get|be|go|come|arrive) {there} (?:before "
-             "(?:it|that)|first|earlier)$", "first put {3} {2} , then put {1} {2}"),
-            (f"^({THING}) (?:(?:{MUST} be|is|may be) {_DONE}|goes|{MUST} go|may go) {on} only (?:after|once|when) "
-             f"({THING}) (?:has been|is|was) (?:{_DONE} )?{there}$", "first put {3} {2} , then put {1} {2}"),
-        ]  # fmt: skip
-    return tuple(rows)
+_GOES = f"(?:{_PUT} ({THING}|it) (?:first )?{_TO}|({THING}) (?:(?:goes|{MUST} go) (?:first )?{_TO}|{MUST} visit))"
+_AND_THEN = (f"(?:first ?)?(?: ,|and|, and)+ {_THEN}(?:on )?(?:back )?"
+             f"(?:{_TO}|come to rest on|(?:end up|end|stop|rest) on|visit)? ?")  # fmt: skip
+"""How it is told that a block goes somewhere, and then somewhere else."""
 
 
 IN_STEPS: tuple[Turn, ...] = (
     # what comes first told last
-    *_first_last(),
+    (f"^before ({THING}) (?:is|are|{MUST} be) {_DONE} {_ON} , ({THING}) (?:{MUST} be|is) {_DONE} {_THERE}{_TOO}$",
+     "first put {3} {2} , then put {1} {2}"),
+    (f"^before (?:you |we |the robot )?{_PUT}s? ({THING}) {_ON} ,? ?{_PUT} ({THING}) {_THERE}{_TOO}(?: first)?$",
+     "first put {3} {2} , then put {1} {2}"),
+    (f"^{_PUT} ({THING}) {_ON} ,? ?(?:but|and) ({THING}) {MUST} (?:get|be|go|come|arrive) {_THERE} (?:before (?:it|"
+     "that)|first|earlier)$", "first put {3} {2} , then put {1} {2}"),
+    (f"^({THING}) (?:(?:{MUST} be|is|may be) {_DONE}|goes|{MUST} go|may go) {_ON} only (?:after|once|when) ({THING}) "
+     f"(?:has been|is|was) (?:{_DONE} )?{_THERE}$", "first put {3} {2} , then put {1} {2}"),
     ("^((?:after|once|as soon as|when) .+?)(?: ,)?(?: and| but)? not (?:earlier|sooner|before|any earlier|any "
-     "sooner)(?: than "
-     "that)?( ,.*)?$", "{1} {2}"),
-    (f"^({THING}) (?:goes|is {_DONE}|{MUST} be {_DONE}|{MUST} go|comes) before ({THING}) ((?:onto|into) "
-     "[^,:]+)$", "first put {1} {3} , then put {2} {3}"),
+     "sooner)(?: than that)?( ,.*)?$", "{1} {2}"),
     (f"^(the ({COLOR}) {BLOCK}) (?:goes|is {_DONE}|{MUST} be {_DONE}|{MUST} go|comes) before (the ({COLOR}) {BLOCK}) "
      "((?:on|onto|in|into|to) [^,:]+) : first (?:the )?\\2 , then (?:the )?\\4$",
      "first put {1} {5} , then put {3} {5}"),
     (f"^the ({COLOR}) {BLOCK} (?:is|{MUST} be) {_DONE} before the ({COLOR})(?: {BLOCK}| one)? : (first (?:the "
-     ")?\\1\\b.+ then "
-     "(?:the )?\\2\\b.+)$", "{3}"),
+     ")?\\1\\b.+ then (?:the )?\\2\\b.+)$", "{3}"),
     (f"^({THING}) ((?:on|onto) [^,]+?) (?:comes|must come|should come|happens|is done|goes) before ({THING}) ((?:on|"
-     "onto) .+)$",
-     "first put {1} {2} , then put {3} {4}"),
+     "onto) .+)$", "first put {1} {2} , then put {3} {4}"),
     (f"^(?:{FEW}|\\d) (?:stage|step|phase|part|steps|stages) (?:task|job|plan|procedure) : ", ""),
     (f"^in the first (?:step|stage|phase) (.+?){AND} in the (?:second|next) (?:step|stage|phase)? ?(.+)$",
      "first {1} , then {2}"),
     # one block on its way
-    *((f"^{lead}{_TO} ({_HERE}) ?(?:first ?)?(?: ,|and|, and)+ {_THEN}?(?:on )?(?:back )?{_TO} ({_HERE}) ?(?: ,|and|"
-    ", and)+ "
-       f"{_THEN}(?:back )?{end} ({_HERE})$", "first put {1} on {2} , then put {1} on {3} , then put {1} on {4}")
-      for lead, end in _WAYS),
-    *((f"^{lead}{_TO} ({_HERE}) ?(?:first ?)?(?: ,|and|, and)+ {_THEN}(?:on )?(?:back )?{end} ({_HERE})$",
-       "first put {1} on {2} , then put {1} on {3}") for lead, end in _WAYS),
-    (f"^({THING}) {MUST} visit ({_HERE}) ?, (?:and )?{_THEN}({_HERE}) ?,? (?:and )?{_THEN}(?:come to rest on|end up "
-     "on|end on|stop "
-     f"on|rest on|visit)? ?({_HERE})$", "first put {1} on {2} , then put {1} on {3} , then put {1} on {4}"),
-    (f"^({THING}) {MUST} visit ({_HERE}) ?,? (?:and )?{_THEN}(?:come to rest on|end up on|end on|stop on|rest on|"
-     "visit)? ?"
-     f"({_HERE})$", "first put {1} on {2} , then put {1} on {3}"),
+    (f"^{_GOES} ({_HERE}) ?(?:{_AND_THEN}|(?: ,|and|, and)+ {_TO} )({_HERE}) ?{_AND_THEN}({_HERE})$",
+     "first put {1} {2} on {3} , then put {1} {2} on {4} , then put {1} {2} on {5}"),
+    (f"^{_GOES} ({_HERE}) ?{_AND_THEN}({_HERE})$", "first put {1} {2} on {3} , then put {1} {2} on {4}"),
     # meanwhile
     (f"\\b(?:during|throughout|for) the (?:whole|entire) {_WHOLE}\\b", "the whole time"),
-    (f"^never (?:may|must|should|shall|can) ({THING}) be (on [^,]+?) while you ({_PUT} .+)$", "{3} . {1} must never "
-     "be {2}"),
+    (f"^never (?:may|must|should|shall|can) ({THING}) be (on [^,]+?) while you ({_PUT} .+)$",
+     "{3} . {1} must never be {2}"),
     (f"^(.+?)(?: ,)? and never(?: ,)?(?: at any (?:moment|time|point|stage))?(?: ,)? ({_NAMED}) (on {_NAMED})$",
      "{1} . {2} must never be {3}"),
     (f"(?: ,)? with ({THINGS}) not being (?:moved|shifted|displaced)\\b", " without moving {1}"),
@@ -91,12 +67,10 @@ IN_STEPS: tuple[Turn, ...] = (
     (f"^(without moving .+? , )(the [^,]+?) {MUST} (?:receive|get|carry) (the [^,]+?)(?: on (?:its )?top(?: of it)?)?$",
      "{1} put {3} on {2}"),
     (f"^({THING}) has (?:been )?moved(?: from its place| away)?(?: ,)? (?:and|but|while) ({THING}) has not(?: "
-     "been)?(?: moved)?$",
-     "{1} must be moved . {2} must stay where it is"),
+     "been)?(?: moved)?$", "{1} must be moved . {2} must stay where it is"),
     ("^(?:subject to|under) the (?:constraint|condition|restriction|proviso) that (.+?) , (.+)$", "{1} . {2}"),
     (f"^(on|next to|behind|in front of) ({THING}) , the (?:position|place) of which {MUST} not (?:be changed|change) "
-     ", (.+)$",
-     "without moving {2} , {1} {2} {3}"),
+     ", (.+)$", "without moving {2} , {1} {2} {3}"),
     # changing places
     (f"^({_SWAP}) ({_EITHER}) (?:with|and|for) ({_EITHER})(?: ,)? and ({_EITHER}) (?:with|for) ({_EITHER})$",
      "swap {2} and {3} . swap {4} and {5}"),
@@ -104,32 +78,22 @@ IN_STEPS: tuple[Turn, ...] = (
      f"({_NAMED} and "
      f"{_NAMED})$".replace("{must}", f"(?:do|{MUST})"), "{1} {2} . {3} {2}"),
     (f"^((?:swap|switch|exchange|trade) .+?|.+? {MUST} be (?:swapped|exchanged)|.+? {_SWAP} (?:places|positions))(?: "
-     ",)? so "
-     "(?:that )?each(?: one)?(?: of them| of the two)? (?:finally |then |in the end )?(?:stands|is|lies|sits|ends up|"
-     "ends) where "
-     "the other(?: one)? (?:was|stood|lay|is now|started|stands now|sat)(?: (?:at|in) the (?:start|beginning)| "
-     "before)?$",
-     "{1}"),
+     ",)? so (?:that )?each(?: one)?(?: of them| of the two)? (?:finally |then |in the end )?(?:stands|is|lies|sits|"
+     "ends up|ends) where the other(?: one)? (?:was|stood|lay|is now|started|stands now|sat)(?: (?:at|in) the "
+     "(?:start|beginning)| before)?$", "{1}"),
     (f"^(?:{_PUT} )({_NAMED}) (?:in|into|to|at) the (?:place|position|spot) of ({_NAMED})(?: ,)? and vice versa$",
      "{1} and {2} must swap places"),
     (f"^(.+?)(?: ,| and)+ (?:keep|leave) ({_NAMED}) (?:put|in place|where it is)$", "{1} . {2} must stay where it is"),
     (f"^let ({THINGS}) ({_SWAP} (?:places|positions))(?: ,)? without moving ({THINGS})$",
      "{1} must swap places . {3} must stay where it is"),
-    (f"^({THINGS}) ({MUST} )?({_SWAP} (?:places|positions))(?: ,)? without moving ({THINGS})$",
-     "{1} must swap places . {4} must stay where it is"),
     # how a letter is turned
-    (f"^(?:turn|rotate|flip|put|place|set) ((?:the )?{BLOCK} (\\w)|the (\\w)(?: {BLOCK})?)(?: around| over| down)? "
-     "so that (?:the|"
-     f"its) (?:letter |digit )?(?:\\2|\\3)(?: on (?:it|(?:its )?top(?: face)?))? {_SELF} {_SHOWN}$", "turn {1} {4}"),
+    (f"^(?:turn|rotate|flip|put|place|set) ((?:the )?{BLOCK} (\\w)|the (\\w)(?: {BLOCK})?)(?: around| over| down)? so "
+     f"that (?:the|its) (?:letter |digit )?(?:\\2|\\3)(?: on (?:it|(?:its )?top(?: face)?))? {_SELF} {_SHOWN}$",
+     "turn {1} {4}"),
     (f"^the (?:letter )?(\\w) on the (\\1 {BLOCK}) ", "the {2} "),
     ("\\b(?:a )?quarter turned (clockwise|counterclockwise)", "turned a quarter turn {1}"),
-    (f"\\b(?:its|the) (\\w) (?:points|looks|shows|is pointing|is facing|is turned) (?:towards|toward|at|to) {_VIEWER}$",
-     "the {1} faces {2}"),
-    (f"^(the (\\w) {BLOCK}) (on the table)(?: ,)? with (?:its|the) \\2 (?:facing|pointing towards|pointing at) "
-     f"{_VIEWER}$",
-     "{1} must be {3} with the {2} facing {4}"),
-    (f"^(write|spell) (?:the word )?(\\w+)(?: ,)? but (?:with )?the (\\w)(?: is|{MUST} be)? {_SHOWN}$", "{1} {2} "
-     "with the {3} {4}"),
+    (f"^(write|spell) (?:the word )?(\\w+)(?: ,)? but (?:with )?the (\\w)(?: is|{MUST} be)? {_SHOWN}$",
+     "{1} {2} with the {3} {4}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("subject dislocated budged constraint restriction proviso",)

@@ -48,8 +48,8 @@ def _of_their_kind() -> tuple[Turn, ...]:
 LOTS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*\\b{_GROUPS}\\b.* (?:and|,)) 1 (with|of|for|has) ", "{1} one {2} "),
     *_of_their_kind(),
-    (f"\\bone (?:with|of|for|has|having) (?:the )?(odd|even){_NUMBERED}?(?: ,| and| , and)+ (?:one|the other|another)"
-     f"(?: one| {_GROUP})? (?:with|of|for|has|having) (?:the )?(odd|even){_NUMBERED}?$",
+    (f"\\bone (?:with|of|for|has|having) (?:the )?(odd|even){_NUMBERED}?(?: ,| and| , and)+ (?:one|the other|"
+     f"another)(?: one| {_GROUP})? (?:with|of|for|has|having) (?:the )?(odd|even){_NUMBERED}?$",
      "one with the {1} numbers and one with the {2} numbers"),
     # of what there is, what each group has
     (f"^(?:please )?{_MAKE} ({MANY} {_GROUPS}) (?:from|out of|of|with|using) ({_STOCK}) ?{_EACH}$",
@@ -62,21 +62,21 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({_ALIKE}|color) together(?: again)? (?:in|into) (?:separate|different|their own|{MANY}) {_GROUPS}\\b",
      "{1} together"),
     (f"^({_LOTS}) , (?:kept |put |all )?in separate {_GROUPS} by color$", "sort {1} by color"),
-    (f"^{_MAKE} ({MANY}) {_GROUPS} , one ({COLOR}) and one ({COLOR})(?: ,| :)? (?:of|with) ({MANY})"
-     f"(?: {_BLOCK})?(?: each| in each)$", "make a group of {4} {2} blocks and a group of {4} {3} blocks"),
+    (f"^{_MAKE} ({MANY}) {_GROUPS} , one ({COLOR}) and one ({COLOR})(?: ,| :)? (?:of|with) ({MANY})(?: {_BLOCK})?(?: "
+     "each| in each)$", "make a group of {4} {2} blocks and a group of {4} {3} blocks"),
     (f"^(?:{_MAKE} )?an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:of|with)? ?({MANY}) {_BLOCK}(?: in)? "
      "each$", "make a group of {3} {1} blocks and a group of {3} {2} blocks"),
     (f"^{_MAKE} an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:from|with|out of) ({MANY}) {_BLOCK} of "
-     f"each(?: color)?(?: ,)? (with .+ in each.*)$", "group {3} {1} and {3} {2} blocks by color {4}"),
-    (f"^(?:{_MAKE} )?({MANY} {_GROUPS} by color) , ({MANY} {COLOR} and {MANY} {COLOR} blocks)(?: in all| in total|"
-     f" altogether)? ?(?:, )?(with .+ in each.*)$", "{2} : {1} {3}"),
+     "each(?: color)?(?: ,)? (with .+ in each.*)$", "group {3} {1} and {3} {2} blocks by color {4}"),
+    (f"^(?:{_MAKE} )?({MANY} {_GROUPS} by color) , ({MANY} {COLOR} and {MANY} {COLOR} blocks)(?: in all| in total| "
+     "altogether)? ?(?:, )?(with .+ in each.*)$", "{2} : {1} {3}"),
     # how they lie at the start, which is anywhere
     (f"^({_TOLD} .+?) {_MIXED}(?: on the table)?$", "{1}"),
     (f"^((?:the )?{_LOTS}) (?:are|lie|were|got|have been|got all) {_MIXED}(?: on the table)?$", "there are {1}"),
     (f"^(?:{_WHO}) (?:has |have )?(?:mixed|jumbled|muddled) up ((?:my |the )?{_LOTS})$", "there are {1}"),
     # so many, and no other number
-    (f"\\b(?:exactly |only )?({MANY})( of (?:them|these|those)| of (?:the|my) [^,]+?) ((?:{MUST} be |"
-     f"go |are |is )?(?:on|in|onto|into) [^,]+?)(?: ,)? (?:and )?{_JUST}$", "exactly {1} {2} {3}"),
+    (f"\\b(?:exactly |only )?({MANY})( of (?:them|these|those)| of (?:the|my) [^,]+?) ((?:{MUST} be |go |are |is "
+     f")?(?:on|in|onto|into) [^,]+?)(?: ,)? (?:and )?{_JUST}$", "exactly {1} {2} {3}"),
     # one in each corner
     (f"^{_FOUR}(.*?)(?: ,)?(?: each| every one| each one| one each| each of them| all)? (?:in|into|at|to) {_OWN} "
      "corners?( of the table)?$", "{1} in the four corners of the table"),
@@ -88,8 +88,6 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
 LOTS: tuple[Turn, ...] = (
     (f"^(?:i|we) (?:only|just) (?:want|need|would like) (?:exactly )?({MANY}) of (them|these|those) (on|in) (.+)$",
      "exactly {1} of {2} must be {3} {4}"),
-    (f"^(?:i|we) (?:want|need|would like) ((?:exactly )?{MANY}) of (them|these|those) (on|in) (.+)$",
-     "{1} of {2} must be {3} {4}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("mixed jumbled muddled toddler contains",)

@@ -46,39 +46,30 @@ _ITS = "(?:colors|color sequence|sequence of colors|color order|order|order of c
 
 MIRRORS_AT_ONCE: tuple[Turn, ...] = (
     # what is said of a line behind it
-    (f"(?: ,)? (?:that|which) {_MIRRORED}(?! [:,] {COLOR} outside)(?=$| ,| :| \\(|\\.| and| with| from| of| on| in"
-     "| out)", " that is mirrored"),
+    (f"(?: ,)? (?:that|which) {_MIRRORED}(?! [:,] {COLOR} outside)(?=$| ,| :| \\(|\\.| and| with| from| of| on| in| "
+     "out)", " that is mirrored"),
     (f"(?: ,)? (?:whose|of which the|in which the|where the) {_ITS} {_MIRRORED}", " that is mirrored"),
     (f"(?: ,)? whose {_HALVES.format(_REFLECTS)}", " that is mirrored"),
-    (f"(?: ,)? whose (?:two )?(?:halves|left and right halves|left and right sides|left and right half) "
-     f"(?:mirror(?: each other| one another)|{_BE} (?:symmetric|symmetrical|mirror images{_EACH_OTHER}))",
-     " that is mirrored"),
     (f"(?: ,)? (?:so|such|so that|such that|in a way|arranged so)(?: that)? {_ALL} {_MIRRORED}",
      " so that it is symmetric"),
     (f"(?: ,)? (?:so|such|where|in which)(?: that)? {_HALVES.format(_REFLECTS)}", " so that it is symmetric"),
-    (f" , (?:with )?{_HALVES.format(_REFLECTS)}", " so that it is symmetric"),
-    (f"(?: ,)? (?:so|such|where|in which)(?: that)? {_BOTH} (?:mirror (?:each other|one another)|{_BE} (?:symmetric"
-     f"|symmetrical|mirror images{_EACH_OTHER}))", " so that it is symmetric"),
+    (f"(?: ,)? (?:so|such|where|in which)(?: that)? {_BOTH} (?:mirror (?:each other|one another)|{_BE} (?:symmetric|"
+     f"symmetrical|mirror images{_EACH_OTHER}))", " so that it is symmetric"),
     ("\\b(?:with|in|of) (?:an? )?(?:mirror )?(?:symmetric|symmetrical|mirrored|mirror symmetric|palindromic) "
      "(?:colors?|color (?:order|pattern|sequence|arrangement)|arrangement|sequence)\\b", "in mirrored order"),
-    ("\\bin mirror symmetry\\b", "in mirrored order"),
     (f"\\b(?:symmetric|symmetrical|mirror symmetric) \\( (?:mirrored|symmetric|symmetrical|palindromic) \\) ({_LINE})",
      "mirrored {1}"),
-    (f"\\b(mirrored|symmetric|symmetrical|mirror symmetric|mirror) ({_LINE})(?: image)? (:|from) (.+?) , (?:and )?"
-     f"(an?|one|1) {_IN_THE_MIDDLE}", "mirrored {2} of {4} and {5} {6}"),
+    (f"\\b(mirrored|symmetric|symmetrical|mirror symmetric|mirror) ({_LINE})(?: image)? (:|from) (.+?) , (?:and "
+     f")?(an?|one|1) {_IN_THE_MIDDLE}", "mirrored {2} of {4} and {5} {6}"),
     (f"(that is mirrored :) (.+?) , (?:and )?(an?|one|1) {_IN_THE_MIDDLE}", "{1} {2} and {3} {4}"),
     (f"\\b(?:mirrored|symmetric|symmetrical|mirror symmetric) ({_LINE} (?:of \\S+ (?:blocks |cubes )?)?(?:,|with|:) "
      f"{COLOR} at (?:both|the) ends , {COLOR} in the (?:middle|center) and {COLOR} in between)$", "{1}"),
-    (f"\\ban? palindrome(?: of colors| in color)? in an? ({_LINE}) (from|of|out of|with)\\b", "a mirrored {1} {2}"),
     # what is said of a line that stands before it
-    (f"^(?:the|my) ({_LINE})((?: of| with| from| made of) .+?)? (?:(?:{MUST} )?be|{MUST}|is) an? palindrome(?: of "
-     "colors| in color)?\\b", "the {1} {2} should be in mirrored order"),
     (f"^the (?:colors?|color order|order|color sequence) (?:of|in) the ({_LINE}) {_MIRRORED}",
      "the {1} should be in mirrored order"),
     (f"^((?:the|my|this) {_LINE}(?: (?:of|with|from|made of) .+?)?|it|they) {_MIRRORED}(?=$| ,| :)",
      "{1} should be in mirrored order"),
     (f"(?: ,)? and (it|they|the {_LINE}) {_MIRRORED}$", " . {1} should be in mirrored order"),
-    (f"^{_HALVES.format(_REFLECTS)}$", "it should be in mirrored order"),
     (f"^(?:the|my|this) ({_LINE})(?: of blocks)? should be in mirrored order : (.+)$", "a mirrored {1} : {2}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

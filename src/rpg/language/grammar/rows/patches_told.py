@@ -11,7 +11,6 @@ _THE = f"(?:(?:the|an?) )?({COLOR})(?: {PATCH}| one)?"
 _LISTS = (
     (f"{_THE}{AND} {_THE}", "{1} and {2}", 2),
     (f"{_THE}{AND} {_THE}{AND} {_THE}", "{1} , {2} and {3}", 3),
-    (f"{_THE}{AND} {_THE}{AND} {_THE}{AND} {_THE}", "{1} , {2} , {3} and {4}", 4),
 )
 """Patches that are told one after the other: what is looked for, how they are named together, how many they are."""
 _HERE = f"the (?:{COLOR} )?{PATCH}"
@@ -25,40 +24,27 @@ _AWAY = ("(?:go|leave|go away|be removed|be taken off|be taken away|come off|dis
 _ANYWHERE = "(?:can|may|could) (?:go|be|be put|be moved|lie)(?: to)? (?:anywhere|wherever)\\b.*"
 
 
-def _shifted(named: str, by: int) -> str:
-    """The numbers of groups further on."""
-    return "".join(str(int(x) + by) if x.isdigit() else x for x in named)
-
-
 def _listed() -> tuple[Turn, ...]:
-    """ "On each of these patches: the red, the green and the blue one", "red patch, blue patch: two blocks on each"."""
+    """ "On each of these patches: the red and the blue one", "red, green and blue, each on the patch of its color"."""
     rows: list[Turn] = []
     for told, named, many in reversed(_LISTS):
-        later, last = _shifted(named, 1), f"{{{many + 1}}}"
+        later, last = (" , {3} and {4}" if many > 2 else " and {3}"), f"{{{many + 1}}}"
+        each = f"the {named} blocks must each be on the patch of their own color"
         rows += [
             (f"^(.+? on each)(?: of (?:these|the following|the|those) {PATCHES}| {PATCH})(?: ,| :)"
-             f"(?: the {PATCHES} (?:being|are))?(?! an?\\b) {told}$", f"{{1}} of the {later} patches"),
+             f"(?: the {PATCHES} (?:being|are))?(?! an?\\b) {told}$", f"{{1}} of the {{2}}{later} patches"),
             (f"^(?=[^:]*{PATCH}){told} : (.+? on each)(?: of them| of these| one| {PATCH})?$",
              f"{last} of the {named} patches"),
-            (f"^({MANY}) ({COLOR}) ((?:block|cube)s) , {MANY} {PATCHES}(?: ,| :) {told}(?: :| ,) one(?: {BLOCK})? "
-             "(?:on|per)"
-             f" each(?: {PATCH})?$", f"one of the {{1}} {{2}} {{3}} on each of the {_shifted(named, 3)} patches"),
-            (f"^{told} : (?:each|every one|each one)(?: of them)? (?:gets|has|carries|receives) (?:the|an?) {BLOCK} "
-             f"of {_OWN} "
-             "color$", f"the {named} blocks must each be on the patch of their own color"),
+            (f"^{told} : (?:each|every one|each one)(?: of them)? (?:gets|has|carries|receives) (?:the|an?) {BLOCK} of "
+             f"{_OWN} color$", each),
             (f"^for (?:each|every one) of (?:the )?{told}(?: {PATCHES}| ones)?(?: ,)? (?:put|place|set) (?:the|an?) "
-             f"{BLOCK} of "
-             f"{_OWN} color on it$", f"the {named} blocks must each be on the patch of their own color"),
-            (f"^{told}(?: {BLOCK}s?)?(?: ,)? each (?:one )?on (?:the |a )?{PATCH} (?:of|with|in) {_OWN} color$",
-             f"the {named} blocks must each be on the patch of their own color"),
-            (f"^each of the (?:{MANY} )?{BLOCK}s , (?:namely|that is|i e) {told} , (.+ color)$",
-             f"the {named} blocks , each {last}"),
-            (f"^{MANY} {PATCHES}(?: ,| :) {told}$", f"there are {named} patches"),
+             f"{BLOCK} of {_OWN} color on it$", each),
+            (f"^{told}(?: {BLOCK}s?)?(?: ,)? each (?:one )?on (?:the |a )?{PATCH} (?:of|with|in) {_OWN} color$", each),
             (f"^(?:{BLOCK}s|cubes) and {PATCHES} : {told}$", f"there are {named} blocks"),
-            (f"^(?:for )?each of the colors {told} (?:has|there is) (?:one|an?) {BLOCK} and (?:one|an?) {PATCH}$",
+            (f"^(?:each of the colors {told} has (?:one|an?) {BLOCK} and (?:one|an?) {PATCH})$",
              f"there are {named} blocks and {named} patches"),
             (f"^there is (?:one|an?) {BLOCK} and (?:one|an?) {PATCH} (?:for|of|in) each of the colors {told}$",
-             f"there are {named} blocks"),
+             f"there are {named} blocks and {named} patches"),
         ]  # fmt: skip
     return tuple(rows)
 
@@ -67,21 +53,16 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     *_listed(),
     # the colours told once more
     (f"^((?:put|place|set|move) (?:the|all|all the|each|every) {BLOCK}s? on the (?:matching {PATCHES}?|{PATCHES}? "
-     "(?:that|"
-     f"which) match(?:es)?(?: it| them)?|{PATCHES}? of (?:its|their|the same)(?: own)? color) : .*?)\\b(?<!the )"
-     f"({COLOR}) on "
-     f"(?:the )?\\2(?= ,|$| and)", "{1} the {2} block on the {2} patch"),
+     f"(?:that|which) match(?:es)?(?: it| them)?|{PATCHES}? of (?:its|their|the same)(?: own)? color) : "
+     f".*?)\\b(?<!the )({COLOR}) on (?:the )?\\2(?= ,|$| and)", "{1} the {2} block on the {2} patch"),
     (f"^(?:put|place|set|move) (?:the|all|all the|each|every) {BLOCK}s? on the [^:]+ : (the {COLOR} block on the "
-     f"{COLOR} "
-     "patch.*)$", "put {1}"),
+     f"{COLOR} patch.*)$", "put {1}"),
     # the same patch, and the one and the other
     (f"^(?:put |place |set |bring )?(.+?)(?: go| goes| lie| are|(?: {MUST} (?:be|go|lie)))? on the same {PATCH}(?: "
-     ",)? (?:(?:either|be it|whether|namely "
-     f"either) )?(?:on )?the ({COLOR})(?: {PATCH}| one)? or (?:on )?the ({COLOR})(?: {PATCH}| one)?$",
-     "{1} must be on the {2} patch or {1} must be on the {3} patch"),
-    (f"^(?:put |place |set )?({THING}) (?:{IS} )?on (?:either )?the ({COLOR})(?: {PATCH})? or the ({COLOR}) "
-     f"{PATCH} and "
-     f"({THING}) on the same(?: one| {PATCH})?$",
+     f",)? (?:(?:either|be it|whether|namely either) )?(?:on )?the ({COLOR})(?: {PATCH}| one)? or (?:on )?the "
+     f"({COLOR})(?: {PATCH}| one)?$", "{1} must be on the {2} patch or {1} must be on the {3} patch"),
+    (f"^(?:put |place |set )?({THING}) (?:{IS} )?on (?:either )?the ({COLOR})(?: {PATCH})? or the ({COLOR}) {PATCH} "
+     f"and ({THING}) on the same(?: one| {PATCH})?$",
      "{1} and {4} must be on the {2} patch or {1} and {4} must be on the {3} patch"),
     *((f"^{begun}(?:put |place |set )?({THING}) (?:{IS} )?on one(?: of {them})?{listed} and ({THING})(?: {IS})? on the "
        f"other(?: one| {PATCH})?$",
@@ -99,28 +80,23 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      "at the start , {2} are on {1} . {1} must be empty"),
     (f"^{_CLEAR} ({_HERE}) , (?:that is|i e|namely)(?: ,)? ([^,]+?) (?:that|which) {_LIES} (?:there|on it){_NOW}$",
      "at the start , {2} are on {1} . {1} must be empty"),
-    (f"^{_CLEAR} ({_HERE}) [:,] ({THINGS}) (?:(?:that|which) {_LIES}|sitting|lying|standing|resting) (?:there|on it)"
-     f"{_NOW} "
-     f"{_ANYWHERE}$", "at the start , {2} are on {1} . {1} must be empty"),
+    (f"^{_CLEAR} ({_HERE}) [:,] ({THINGS}) (?:(?:that|which) {_LIES}|sitting|lying|standing|resting) (?:there|on "
+     f"it){_NOW} {_ANYWHERE}$", "at the start , {2} are on {1} . {1} must be empty"),
     (f"^({THING}) (?:that|which) {_LIES} on ({_HERE}){_NOW} {MUST} {_AWAY}(?: from (?:it|there))?$",
      "at the start , {1} is on {2} . {1} must not be on {2}"),
     # only one
     (f"^the only {BLOCK} (on|in) ({_HERE}) (?:{MUST} be|is) (the [^,]+)$", "only {3} must be {1} {2}"),
     ("^(only .+?) (?:may|can|is allowed to|are allowed to) (?:be|lie|stand|go) ((?:on|in) [^,]+?)(?: ,)? and (?:it|"
-     "they) "
-     f"{MUST}(?: be| be there| go there| lie there)?$", "{1} must be {2}"),
-    (f"^only ({THING}) ({MUST} (?:be|go|lie|stand)|goes|belongs|is) ((?:on|in) {_HERE}) , not ({THING}) (?:and|or|"
-     "and not|nor) "
-     f"(?:not )?({THING})$", "only {1} must be {3} . {4} and {5} must not be {3}"),
+     f"they) {MUST}(?: be| be there| go there| lie there)?$", "{1} must be {2}"),
+    (f"^only ({THING}) ({MUST} (?:be|go|lie|stand)|goes|belongs|is) ((?:on|in) {_HERE}) , not ({THING}) (?:and|or|and "
+     f"not|nor) (?:not )?({THING})$", "only {1} must be {3} . {4} and {5} must not be {3}"),
     (f"^(?:the )?({COLOR} {PATCH}) gets ([^,]+?) , but (?:(?:it )?does not get|not) (the .+)$",
      "{2} must be on the {1} . {3} must not be on the {1}"),
     # all but one
-    (f"^((?:all|every) {BLOCK}s? (?:except|except for|but|apart from) the ({COLOR})[^,]*?) , (?:namely|that is|i e)"
-     "(?: ,)? "
-     f"(?:the|an?) ({COLOR})(?: {BLOCK})? and (?:the|an?) ({COLOR})(?: one| {BLOCK})? ?,? (.+)$",
+    (f"^((?:all|every) {BLOCK}s? (?:except|except for|but|apart from) the ({COLOR})[^,]*?) , (?:namely|that is|i "
+     f"e)(?: ,)? (?:the|an?) ({COLOR})(?: {BLOCK})? and (?:the|an?) ({COLOR})(?: one| {BLOCK})? ?,? (.+)$",
      "there are a {2} , a {3} and a {4} block . {1} {5}"),
     ("^((?:all|every|everything)\\b[^:]*?) : (there (?:is|are) [^:]+)$", "{2} . {1}"),
-    ("^(there (?:are|is) .+?) , and (all of them (?:but|except).+)$", "{1} . {2}"),
     # without what touches
     ("(?: ,)? without (?:any of them )?touching (?:each other|one another)$", "so that they do not touch each other"),
     (f"\\bin contact with ({THING}) and with ({THING})", "in contact with {1} and {2}"),
@@ -131,8 +107,6 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 PATCHES_UNREAD: tuple[Turn, ...] = (
     (f"(?<!with )\\b({_HERE}) (?:is |to be )?(?:left|kept) (?:empty|clear|free)\\b", "{1} must be empty"),
-    (f"^(?:i|we) (?:need|want|would like) ({_HERE} must be empty) and ({THINGS}) ((?:on|in) .+)$", "{1} and {2} must "
-     "be {3}"),
     ("\\b(is|are) allowed (on|in) ", "may be {2} "),
 )  # fmt: skip
 """What makes no sense as it stands."""

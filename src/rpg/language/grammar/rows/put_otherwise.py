@@ -28,11 +28,10 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:that|the) ({_THING}) (?:which|that) is ({COLOR})(?= (?:on|onto|in|into|next|to|behind|under)\\b|$)",
      "the {2} {1}"),
     # words
-    (f"^the word (\\S+) please(?: ,)? (?:in|with|from|out of) {_LETTERS}$", "spell the word {1}"),
     (f"^the word (\\S+) , (?:in|with|from|out of) {_LETTERS}(?: please)?$", "spell the word {1}"),
     (f"^(?:(?:put|write|lay|set|spell) )?the words (\\S+) and (\\S+)(?: {MUST} be (?:written|put|laid|spelled))? in "
-     f"two rows(?: ,| :) (\\1)(?: is)? in the ({_ROW}) (?:one|row)(?: ,| and)+ (\\2)(?: is)? in the ({_ROW}) "
-     "(?:one|row)$", "{3} in the {4} row and {5} in the {6} row"),
+     f"two rows(?: ,| :) (\\1)(?: is)? in the ({_ROW}) (?:one|row)(?: ,| and)+ (\\2)(?: is)? in the ({_ROW}) (?:one|"
+     "row)$", "{3} in the {4} row and {5} in the {6} row"),
     (f"^two words , one (?:per|in each) row : (\\S+) in the ({_ROW}) (?:one|row)(?: ,| and)+ (\\S+) in the ({_ROW}) "
      "(?:one|row)$", "{1} in the {2} row and {3} in the {4} row"),
     # what is left open anyway
@@ -42,10 +41,10 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} , to the right of it"),
     # what it is made of and from
     (f"^(build|make|erect|construct) an? (tower|stack) with an? ({COLOR}) (?:base|bottom)(?: ,)? and (?:put|place|"
-     f"stack|set) (?:the )?({COLOR}) and (?:the )?({COLOR})(?: ones| blocks?)? (?:over|above|on top of|on) it"
-     "(?: ,)?(?: in (?:whatever|any) order)?$", "make a {2} of {3} , {4} and {5} with {3} at the bottom"),
-    ("^(?:rearrange|change|turn) the (?:row|word|letters) (\\S+) (?:to|into|to spell|to form|to read) (?:the word )?"
-     "(\\S+)$", "blocks spell {1} at the start . rearrange them to {2}"),
+     f"stack|set) (?:the )?({COLOR}) and (?:the )?({COLOR})(?: ones| blocks?)? (?:over|above|on top of|on) it(?: "
+     ",)?(?: in (?:whatever|any) order)?$", "make a {2} of {3} , {4} and {5} with {3} at the bottom"),
+    ("^(?:rearrange|change|turn) the (?:row|word|letters) (\\S+) (?:to|into|to spell|to form|to read) (?:the word "
+     ")?(\\S+)$", "blocks spell {1} at the start . rearrange them to {2}"),
     ("\\band at same time\\b", "and also"),
     (f"^use ({MANY} \\w+ {_BLOCKS}) (?:for|to build) ((?:an?|one) {LINE} of {MANY}) and (?:another|one)(?: one)? of "
      f"({MANY})$", "make {2} and one of {3} out of {1}"),
@@ -60,8 +59,7 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     (f"^the {CUBE} (?:on|upon) which (the .+?) {LIES} {MUST} be ({COLOR})$", "{1} must be on a {2} block"),
     ("\\bin contact with the table\\b", "on the table"),
     (f"^(?:goal : )?((?:an? |the )?{COLOR} {CUBE}) (?:underneath|at the bottom|below) , ((?:an? |the )?{COLOR} "
-     f"{CUBE}) "
-     "(?:directly |right )?(?:on|on top of|above) it$", "{2} on {1}"),
+     f"{CUBE}) (?:directly |right )?(?:on|on top of|above) it$", "{2} on {1}"),
     (f"^it is not (the [^,]+?) (?:that|which) ((?:goes|belongs|ends up|{MUST}) .+?)(?: ,)? but (the [^,]+)$",
      "{3} , not {1} , {2}"),
     (f"^it is (the [^,]+?) (?:that|which) ((?:goes|belongs|ends up|{MUST}) .+?)(?: ,)?(?: and)? not (the [^,]+)$",
@@ -71,39 +69,35 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     # how a letter is turned
     (f"\\b(an?|the) ({_TURNED}) (?:letter )?(\\w)(?= {_SIDE}| {_ON}|$)(.*)$", "{1} {3} {4} . the {3} must be {2}"),
     (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:(?:that|which) (?:is|stands|lies) )?({_TURNED})(?= {_SIDE}| "
-     f"{_ON})(.*)$",
-     "{1} {2} {4} . the {2} must be {3}"),
+     f"{_ON})(.*)$", "{1} {2} {4} . the {2} must be {3}"),
     (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:that|which) (?:is|stands|lies) ({_TURNED})$",
      "{1} {2} . the {2} must be {3}"),
     # one on either side
-    (f"^(.*?)(?:one|an?) ({COLOR} {CUBE}) ({_SIDE}) ([^,]+?)(?: ,)?(?: and| ,) (?:another|the other|one)(?: "
-     f"one| \\2)? "
-     "(?:to|on) its (left|right)(?: side)?$", "{1} a {2} {3} {4} and a {2} to the {5} of {4}"),
-    (f"^(.*?)(?:two|2) ({COLOR}) {CUBE}s (?:next to|beside|around) ([^,]+?)(?: ,| :) one (?:to|on) its (left|right)"
-     "(?: side)?(?: ,)?(?: and)? (?:one|the other)(?: one)? (?:to|on) its (left|right)(?: side)?$",
+    (f"^(.*?)(?:one|an?) ({COLOR} {CUBE}) ({_SIDE}) ([^,]+?)(?: ,)?(?: and| ,) (?:another|the other|one)(?: one| "
+     "\\2)? (?:to|on) its (left|right)(?: side)?$", "{1} a {2} {3} {4} and a {2} to the {5} of {4}"),
+    (f"^(.*?)(?:two|2) ({COLOR}) {CUBE}s (?:next to|beside|around) ([^,]+?)(?: ,| :) one (?:to|on) its (left|"
+     "right)(?: side)?(?: ,)?(?: and)? (?:one|the other)(?: one)? (?:to|on) its (left|right)(?: side)?$",
      "{1} a {2} block to the {4} of {3} and a {2} block to the {5} of {3}"),
-    (f"^flank ([^,]+?) with (?:two|2) ({COLOR}) (?:ones|{CUBE}s)(?: ,| :) one (?:to|on) its (left|right)(?: side)?"
-     "(?: ,)?(?: and)? (?:one|the other)(?: one)? (?:to|on) its (left|right)(?: side)?$",
+    (f"^flank ([^,]+?) with (?:two|2) ({COLOR}) (?:ones|{CUBE}s)(?: ,| :) one (?:to|on) its (left|right)(?: side)?(?: "
+     ",)?(?: and)? (?:one|the other)(?: one)? (?:to|on) its (left|right)(?: side)?$",
      "put a {2} block to the {3} of {1} and a {2} block to the {4} of {1}"),
     # where another thing is
     (f"\\b(?:where|at the place where) the ({COLOR} (?:patch|mat|zone|target|area|spot)) is$", "on the {1}"),
     # a line and where it begins
-    (f"\\b(starting|beginning|start|begin) (at|on|from) the (top|bottom|left|right|far end|near end) with (?:an? "
-     f"|the )?"
-     f"({COLOR})(?: one| block| cube)?$", "starting with {4} at the {3}"),
+    ("\\b(starting|beginning|start|begin) (at|on|from) the (top|bottom|left|right|far end|near end) with (?:an? |the "
+     f")?({COLOR})(?: one| block| cube)?$", "starting with {4} at the {3}"),
     (f"^(an? {LINE} of .+?) , ({WAY}) , (is standing|stands|is|starts) (on the table)$", "{1} {2} {3} {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
 OTHERWISE: tuple[Turn, ...] = (
     # in the order of words of a specification
-    (f"^({_SIDE}|{_ON}|{_FACING}) ([^,]+?) ({MUST}) (the [^,]+?) (be "
-     f"(?:found|placed|put|located|seen)|stand|lie|rest|sit|be)$",
-     "{1} {2} {3} {5} {4}"),
+    (f"^({_SIDE}|{_ON}|{_FACING}) ([^,]+?) ({MUST}) (the [^,]+?) (be (?:found|placed|put|located|seen)|stand|lie|rest|"
+     "sit|be)$", "{1} {2} {3} {5} {4}"),
     (f"\\b({MUST}) rise(?= an? {LINE})", "{1} stand"),
-    (f", the (lowest|lower|bottom|middle|upper|uppermost|top|topmost|leftmost|rightmost|first|last)(?: one)? of which "
+    (", the (lowest|lower|bottom|middle|upper|uppermost|top|topmost|leftmost|rightmost|first|last)(?: one)? of which "
      f"({MUST} be|is) ", ", of which the {1} {2} "),
-    (f"^the distance between (.+?)(?: ,)? measured (?:from )?(?:center to center|between (?:their|the) centers)(?: ,)? "
+    ("^the distance between (.+?)(?: ,)? measured (?:from )?(?:center to center|between (?:their|the) centers)(?: ,)? "
      f"({MUST} be|is) (.+)$", "the centers of {1} {2} {3} apart"),
     (f"\\ban? ({LINE}) of (.+?) whose centers are ({LENGTH}) apart$",
      "a {1} of {2} with a distance of {3} between their centers"),
@@ -124,7 +118,6 @@ OTHERWISE: tuple[Turn, ...] = (
      "put the {2} in a row in ascending order {1}"),
     (f"^the (numbers|digits) {MUST} get (?:larger|bigger|higher) ({WAY})$",
      "put the {1} in a row in ascending order {2}"),
-    ("(?: ,)? kept in separate groups\\b", " into separate groups"),
     ("\\bconfigure\\b", "arrange"),
     (f"\\b({MUST}) be disposed (?:such|so) that\\b", "{1} be placed so that"),
     # said of the whole, and once more of its parts
@@ -154,8 +147,9 @@ OTHERWISE: tuple[Turn, ...] = (
     # what is not to be at an end of it
     ("(?: ,)? but not with (.+?) ((?:on|at) (?:the )?(?:top|bottom|left|right))(?: end)?$", "with {1} not {2}"),
     # what is all so but for a part
-    (f"^((?:an? )?\\d+x\\d+)(?: square| grid)? of (\\w+) ({_BLOCKS})(?: ,)? except (?:for )?the (center|middle|corners)"
-     f"(?: one| block| cube)?(?: ,)? which (?:is|are|{MUST} be) (\\w+)$", "{1} square of {2} {3} , but the {4} is {5}"),
+    (f"^((?:an? )?\\d+x\\d+)(?: square| grid)? of (\\w+) ({_BLOCKS})(?: ,)? except (?:for )?the (center|middle|"
+     f"corners)(?: one| block| cube)?(?: ,)? which (?:is|are|{MUST} be) (\\w+)$",
+     "{1} square of {2} {3} , but the {4} is {5}"),
     # towers told by their base or their height
     (f"^the (\\w+) tower has ({MANY}) \\w+ and (?:is|stands|is standing) ({_SIDE}) the (\\w+) tower , which has "
      f"({MANY}) \\w+$", "a {1} tower of {2} is {3} a {4} tower of {5}"),
@@ -168,9 +162,6 @@ OTHERWISE: tuple[Turn, ...] = (
     # numbers
     (f"^use (?:the )?{_BLOCKS} to (?:show|write)(?: that)? (.+ equals .+)$", "write {1}"),
     (f"(?: ,)? with (?:the )?(?:digit|number) and (?:operator|symbol|sign) {_BLOCKS}$", ""),
-    # one of two
-    (f"\\b((?:exactly |only |just )?one) of the (\\w+) ({CUBE}) and the (\\w+) {CUBE}\\b", "{1} of the {2} and {4} "
-     "{3s}"),
     # what is wanted
     (f"^({WAY})(?: ,)? (?:i|we) (?:need|want|would like) the following :", "{1} :"),
 )  # fmt: skip

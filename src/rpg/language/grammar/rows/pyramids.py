@@ -19,7 +19,7 @@ _TOP = ("(?: (?:at|on|for|as) (?:the |its )?(?:very )?(?:top|peak|tip|apex)(?: o
 _SQUARE = "(?:2x2|two by two|2 by 2|2 x 2)"
 _HEAD = "\\b(pyramid\\b[^,:]*?)(?: ,| :| with| of| that has| which has|;)+"
 _TOTAL = "(?: ,)? (?:(?:so|that is|i.e.|making|which makes|in all)(?: it is| that is)? )"
-_DOWN = (("two|2", ""), ("three|3", "two|2"), ("four|4", "three|3 two|2"), ("five|5", "four|4 three|3 two|2"))
+_DOWN = (("two|2", ""), ("three|3", "two|2"), ("four|4", "three|3 two|2"))
 
 
 def _layers(look: str = "") -> tuple[tuple[str, str], ...]:
@@ -38,8 +38,7 @@ PYRAMIDS: tuple[Turn, ...] = (
     ("\\b(pyramid) on (an? base of)\\b", "{1} with {2}"),
     (f"{_HEAD} ({MANY}){N}{_BOTTOM}{_AND}(?: always)? one{N} (?:fewer|less){N}(?: (?:in|on|for|with|at))? (?:each|"
      "every)(?: next| following| further)?(?: row| layer| level| course| step)?(?: above(?: it| that| them)?| up| "
-     "higher "
-     "up| on top)?$", "{1} with a base of {2}"),
+     "higher up| on top)?$", "{1} with a base of {2}"),
     # one colour, or none
     *((f"{_HEAD} {layers.replace('LOOK', '')}$", f"{{1}} with a base of {base}") for base, layers in _layers()),
     *((f"\\b(pyramid)(?: ,| :| with| of| that has)+ {layers.replace('LOOK', f' ({COLOR})')}$",
@@ -50,49 +49,38 @@ PYRAMIDS: tuple[Turn, ...] = (
     (f"\\b(?:square )?(pyramid\\b[^,:]*?)(?: ,| :| with)+ (?:nine|9){N}{_BOTTOM}{_AND} (?:four|4){N}{_ABOVE}{_AND} "
      f"(?:one|1){N}{_TOP}$", "{1} with a three by three base"),
     (f"\\b(?:square )?(pyramid)(?: ,| :| with| of)+(?: an?)? ({COLOR}) {_SQUARE}{_BOTTOM}{_AND} (?:an?|one)(?: "
-     f"single)? "
-     f"({COLOR}){N}{_TOP}$", "{1} with a two by two base of {2} blocks and a {3} block on top"),
-    (f"^(?:four|4) ({COLOR}){N}(?: (?:in a|as a|in|,))? {_SQUARE}(?: square)?(?:{_BOTTOM}| base){_AND} (?:an?|"
-     f"one)(?: "
+     f"single)? ({COLOR}){N}{_TOP}$", "{1} with a two by two base of {2} blocks and a {3} block on top"),
+    (f"^(?:four|4) ({COLOR}){N}(?: (?:in a|as a|in|,))? {_SQUARE}(?: square)?(?:{_BOTTOM}| base){_AND} (?:an?|one)(?: "
      f"single| fifth)? ({COLOR}){N}{_TOP}(?: ,| :)+ (an? (?:\\w+ )?pyramid)$",
      "{3} with a two by two base of {1} blocks and a {2} block on top"),
     (f"\\b(pyramid)(?: ,| :| with| of)+ (?:four|4){N} {_SQUARE}{_BOTTOM}{_AND} (?:an?|one){N}{_IS}{_TOP}$",
      "{1} with a two by two base"),
     (f"\\b(pyramid) (?:with|on) (?:an? )?base of {_SQUARE} ({COLOR}){N} and (an?|one) ({COLOR}){N}{_TOP}$",
      "{1} with a two by two base of {2} blocks and {3} {4} block on top"),
-    (f"\\b(pyramid) on (an?) {_SQUARE} base(?: ,| with| and)+ (?:an?|one)(?: "
-     f"single)?{N}{_TOP}$", "{1} with a two by two base"),
-    (f"\\b(pyramid) on (an?) {_SQUARE} base(?: ,| with)+ the (?:four )?base{N}{_IS} ({COLOR}) and the (?:peak|"
-     f"tip|top)"
-     f"{N}{_IS} ({COLOR})$", "{1} with a two by two base of {3} blocks and a {4} block on top"),
+    (f"\\b(pyramid) on (an?) {_SQUARE} base(?: ,| with| and)+ (?:an?|one)(?: single)?{N}{_TOP}$",
+     "{1} with a two by two base"),
+    (f"\\b(pyramid) on (an?) {_SQUARE} base(?: ,| with)+ the (?:four )?base{N}{_IS} ({COLOR}) and the (?:peak|tip|"
+     f"top){N}{_IS} ({COLOR})$", "{1} with a two by two base of {3} blocks and a {4} block on top"),
     # layers in colours of their own
     (f"\\b(pyramid)(?: ,| :| of| with)+ an? ({COLOR}) base of (3|three){_AND} an? ({COLOR}) layer of (?:two|2){_AND} "
      f"an? ({COLOR}){N}{_TOP}$",
      "{1} with a base of {3} , the bottom layer {2} , the middle layer {4} and the top {5}"),
     (f"\\b(pyramid)(?: ,| :| of| with)+ (3|three){N}{_BOTTOM}(?: all)? ({COLOR}){_AND} (?:2|two){N}{_ABOVE} "
-     f"({COLOR})"
-     f"{_AND} (?:1|one|an?) ({COLOR}){N}{_TOP}$",
+     f"({COLOR}){_AND} (?:1|one|an?) ({COLOR}){N}{_TOP}$",
      "{1} with a base of {2} , the bottom layer {3} , the middle layer {4} and the top {5}"),
-    (f"\\b(pyramid)(?: ,| :| of| with| that has)+ (3|three) ({COLOR}){N}{_BOTTOM}{_AND} (?:2|two){_MORE}(?:{_ABOVE})?"
-     f"{_AND} (?:1|one|an?) ({COLOR}){N}{_TOP}$", "{1} with a base of {2} with a {4} top and the rest {3}"),
     # how many there are in all
     (f"\\b(pyramid)\\b(.*\\b(?:base|bottom)\\b.*?){_TOTAL}({MANY}(?: {COLOR})? (?:blocks|cubes|bricks))(?: in "
-     f"(?:total|"
-     "all)| altogether)?$", "{1} of {3} {2}"),
+     "(?:total|all)| altogether)?$", "{1} of {3} {2}"),
     # the tip
-    (f"\\b(pyramid\\b.*?)(?: ,)? all(?: of it)? ({COLOR}) (?:but|except|apart from|save)(?: for)? the "
-     f"({COLOR}){N} (?:at|"
-     "on) (?:the )?top$", "{1} with a {3} top and the rest {2}"),
-    (f"\\b(pyramid of {MANY} {COLOR} (?:blocks|cubes)) and (?:an?|one) ({COLOR}){N} (?:at|on) (?:the )?(?:very "
-     f")?top$",
+    (f"\\b(pyramid\\b.*?)(?: ,)? all(?: of it)? ({COLOR}) (?:but|except|apart from|save)(?: for)? the ({COLOR}){N} "
+     "(?:at|on) (?:the )?top$", "{1} with a {3} top and the rest {2}"),
+    (f"\\b(pyramid of {MANY} {COLOR} (?:blocks|cubes)) and (?:an?|one) ({COLOR}){N} (?:at|on) (?:the )?(?:very )?top$",
      "{1} and one {2} block with the {2} block on top"),
-    (f"^(?:use|take) the ({MANY} {COLOR} (?:blocks|cubes)) as (?:the|a) base (?:of|for) (an? pyramid) whose "
-     f"(?:top|tip|"
-     f"peak) is the ({COLOR})(?: one| block| cube)?$", "{2} with a base of {1} and a {3} block on top"),
+    (f"^(?:use|take) the ({MANY} {COLOR} (?:blocks|cubes)) as (?:the|a) base (?:of|for) (an? pyramid) whose (?:top|"
+     f"tip|peak) is the ({COLOR})(?: one| block| cube)?$", "{2} with a base of {1} and a {3} block on top"),
     (f"\\b(pyramid) (?:in which|where) the ({MANY} {COLOR} (?:blocks|cubes)) are the base and the ({COLOR})(?: one| "
      "block| cube)? is (?:the|its) (?:top|tip|peak)$", "{1} with a base of {2} and a {3} block on top"),
-    (f"(?:, )?the (?:base|lowest layer|bottom layer|bottom row) of which (?:is|{MUST} be|is formed by|consists of) "
-     f"a row "
-     f"of ({MANY}) (?:blocks|cubes)$", "with a base of {1} blocks"),
+    (f"(?:, )?the (?:base|lowest layer|bottom layer|bottom row) of which (?:is|{MUST} be|is formed by|consists of) a "
+     f"row of ({MANY}) (?:blocks|cubes)$", "with a base of {1} blocks"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -11,45 +11,41 @@ _SPECTRUM = "(?:the |a )?(?:rainbow|spectrum|color spectrum|spectrum of colors)"
 _COLORS = "(?:(?:the |its |their )?colors? )?"
 _SORTED = "(?:(?:sorted|ordered|arranged|placed|laid out|lined up) )?"
 _COME = "(?:appear|come|follow each other|follow one another|follow|occur|stand|are|lie|are found|have)"
-_WITH = "(?:begin|begins|start|starts|beginning|starting) with"
 _OF_IT = f"(?:(?:the )?colors of {_SPECTRUM}|{_SPECTRUM}(?: colors)?)"
 _ALONG = f"(?:the )?{END} to (?:the )?{END}"
 _MADE = "(?:formed|made|built|laid|laid out|created|arranged)"
 
 RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     # the order
-    (f"(?: ,)? {_SORTED}(?:(?:exactly |just )?(?:like|as)|the way|in the way|in the (?:same )?order (?:in which|that)) "
-     f"(?:(?:the |its )?colors|they) {_COME} in {_SPECTRUM}", " in rainbow order"),
+    (f"(?: ,)? {_SORTED}(?:(?:exactly |just )?(?:like|as)|the way|in the way|in the (?:same )?order (?:in which|"
+     f"that)) (?:(?:the |its )?colors|they) {_COME} in {_SPECTRUM}", " in rainbow order"),
     (f"(?: ,)? {_SORTED}in the (?:same )?order (?:as|like) (?:in )?{_OF_IT}", " in rainbow order"),
-    (f"(?: ,)? {_SORTED}(?:by|following|according to|in accordance with|based on|along|in keeping with) "
-     f"(?:the order of )?{_OF_IT}", " in rainbow order"),
-    (f"(?: ,)? {_SORTED}in (?:the )?(?:same )?order of {_OF_IT}", " in rainbow order"),
-    (f"(?: ,)? {_SORTED}{_COLORS}(?:(?:in )?order )?(?:just )?(?:like|as) (?:in )?(?:(?:the )?colors of )?{_SPECTRUM}"
-     f"(?=$| ,| \\.| \\)| {WAY}| with| start| begin| on| in an? {_LINE})", " in rainbow order"),
-    (f"(?: ,)? (?:so|such|so that|such that|whose|where|in which|with)(?: that)? (?:the |its |their )?"
-     f"(?:colors|they|it) (?:{MUST} )?(?:follow|follows|following|match|go through|run through) "
-     f"(?:the order of )?{_OF_IT}", " in rainbow order"),
-    ("(?: ,| and| with)+ (?:the )?colors? (?:are |is )?in (?:the )?rainbow order",
+    (f"(?: ,)? {_SORTED}(?:by|following|according to|in accordance with|based on|along|in keeping with) (?:the order "
+     f"of )?{_OF_IT}", " in rainbow order"),
+    (f"(?: ,)? {_SORTED}{_COLORS}(?:(?:in )?order )?(?:just )?(?:like|as) (?:in )?(?:(?:the )?colors of "
+     f")?{_SPECTRUM}(?=$| ,| \\.| \\)| {WAY}| with| start| begin| on| in an? {_LINE})", " in rainbow order"),
+    ("(?: ,)? (?:so|such|so that|such that|whose|where|in which|with)(?: that)? (?:the |its |their )?(?:colors|they|"
+     f"it) (?:{MUST} )?(?:follow|follows|following|match|go through|run through) (?:the order of )?{_OF_IT}",
      " in rainbow order"),
-    (f"(?<=,) rainbow order(?=$| ,| {WAY}| with| start| begin)", " in rainbow order"),
+    ("(?: ,| and| with)+ (?:the )?colors? (?:are |is )?in (?:the )?rainbow order", " in rainbow order"),
     (f"^the (?:colors?|order|color order) (?:of|in) the ({_LINE}) (?:{MUST} )?(?:follow|follows) {_OF_IT}",
      "the {1} should be in rainbow order"),
     # where it begins
-    (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} )?"
-     f"(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),
-    (f"^in rainbow order(?: and| ,| ,  and)? ((?:beginning|starting) with (?:the )?{COLOR}"
-     "(?: (?:at|on|from) the \\w+(?: end| side)?)?) , (.+)$", "{2} in rainbow order , {1}"),
-    (f"^rainbow order(?: ,)?( (?:from )?{_ALONG})?(?: ,)?( (?:beginning|starting) with (?:the )?{COLOR}"
-     "(?: (?:at|on|from) the \\w+(?: end| side)?)?)? : (.+)$", "{3} in rainbow order {1} {2}"),
+    (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} "
+     f")?(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),
+    (f"^in rainbow order(?: and| ,| ,  and)? ((?:beginning|starting) with (?:the )?{COLOR}(?: (?:at|on|from) the "
+     "\\w+(?: end| side)?)?) , (.+)$", "{2} in rainbow order , {1}"),
+    (f"^rainbow order(?: ,)?( (?:from )?{_ALONG})?(?: ,)?( (?:beginning|starting) with (?:the )?{COLOR}(?: (?:at|on|"
+     "from) the \\w+(?: end| side)?)?)? : (.+)$", "{3} in rainbow order {1} {2}"),
     # lines that are told as a rainbow
     (f"\\bgradient(?: (?:running|going|that runs|that goes|which runs))? from ({COLOR}) (?:on|at) the (left|right|"
      f"front|back|bottom|top)(?: end| side)?( .+?)?(?: ,)? to ({COLOR}) (?:on|at) the (left|right|front|back|bottom|"
      "top)(?: end| side)?$", "gradient from {1} {3} to {4} from {2} to {5}"),
-    (f"^(?:lay out|lay|make|build|form|put|show|create|arrange) a rainbow(?: in an? ({_LINE}))? : (.+?)"
-     f"(?: in an? (?:{_LINE}))?( {WAY})?$", "put {2} in a row in rainbow order {3}"),
+    (f"^(?:lay out|lay|make|build|form|put|show|create|arrange) a rainbow(?: in an? ({_LINE}))? : (.+?)(?: in an? "
+     f"(?:{_LINE}))?( {WAY})?$", "put {2} in a row in rainbow order {3}"),
     (f"\\b({_LINE}) (?:of|with|in) (?:the )?rainbow colors(?: ,)?( {WAY})? (?=[:,])", "rainbow {1} {2}"),
-    (f"^an? ({_LINE}) {MUST} be {_MADE}(?: ,)? (?:in which|where) (.+?) (?:follow (?:one another|each other)|are|stand|"
-     "come|are placed|are arranged|are laid) (in \\w+ order.*)$", "{2} must be in a {1} {3}"),
+    (f"^an? ({_LINE}) {MUST} be {_MADE}(?: ,)? (?:in which|where) (.+?) (?:follow (?:one another|each other)|are|"
+     "stand|come|are placed|are arranged|are laid) (in \\w+ order.*)$", "{2} must be in a {1} {3}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("spectrum occur way",)

@@ -30,8 +30,8 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
     ("^(would|could|can|will) you ever (?=\\w)", "{1} you"),
     (f"\\b(at least {MANY} and at most {MANY} of .+?) (?:may|can) (be|lie|stand)\\b", "{1} must {2}"),
     # a heading, and a list that tells all of it
-    (f"^each color (?:goes |belongs |lies |is |comes )?on (?:its own|the matching|its) {_PATCH} : "
-     f"((?:(?:\\w+ )?({COLOR})(?: \\w+)? on (?:the )?\\2 {_PATCH}(?: , and | , | and |$))+)$", "{1}"),
+    (f"^each color (?:goes |belongs |lies |is |comes )?on (?:its own|the matching|its) {_PATCH} : ((?:(?:\\w+ "
+     f")?({COLOR})(?: \\w+)? on (?:the )?\\2 {_PATCH}(?: , and | , | and |$))+)$", "{1}"),
     ("^(?:\\w+ )?\\w+ (?:separate|separated|apart|away) from (?:\\w+ )?\\w+ : (.+ one group\\b.+ group.*)$", "{1}"),
     ("^\\w+ here ,(?: and)? \\w+ there : (.+ one group\\b.+ (?:group|one).*)$", "{1}"),
     ("^(sort .*?by \\w+) : (.+?) , (into (?:\\w+ )?(?:piles|groups|heaps|bunches|clusters))$", "{1} {3} : {2}"),
@@ -39,10 +39,10 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "{1}"),
     (f"\\bmirrored [:,] ({COLOR} outside ,? ?(?:and )?{COLOR} inside)$", "{1}"),
     # so many, and how many of them are where
-    (f"^({MANY} (?:\\w+ )?(?:blocks|cubes|letters|digits)) , ({_SO_MANY}) {_ON_IT} ?"
-     "((?:(?! and )[^,])+)$", "{1} , {2} of them {3} {4}"),
-    (f"^({MANY}) ((?:\\w+ )?(?:blocks|cubes)) , ({_SO_MANY}) (on [^,]+?)(?: , and | , | and )"
-     f"({_SO_MANY}) (on [^,]+)$", "{3} of the {1} {2} {4} and {5} of the {1} {2} {6}"),
+    (f"^({MANY} (?:\\w+ )?(?:blocks|cubes|letters|digits)) , ({_SO_MANY}) {_ON_IT} ?((?:(?! and )[^,])+)$",
+     "{1} , {2} of them {3} {4}"),
+    (f"^({MANY}) ((?:\\w+ )?(?:blocks|cubes)) , ({_SO_MANY}) (on [^,]+?)(?: , and | , | and )({_SO_MANY}) (on [^,]+)$",
+     "{3} of the {1} {2} {4} and {5} of the {1} {2} {6}"),
     # orders
     ("(?: ,)? (?:in which|so that|such that|where) (?:the )?blocks of the same color (?:never|do not|must not|may not) "
      "touch(?: each other| one another)?$", " where no two blocks of the same color touch"),
@@ -52,30 +52,30 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
     (f"^({_NO_LINE}*?)\\b(?:a|one) (?:straight )?(?:row|line) (of {_NO_LINE}+?)(?: ,)? one behind the other$",
      "{1} a column {2}"),
     ("\\bin (?:a|one) (?:straight )?(?:row|line) ,? ?one behind the other\\b", "one behind the other"),
-    ("(?: ,)? in which the (biggest|largest|highest|smallest|lowest) (number|digit) is (on top|at the bottom)"
-     "(?: and the (?:biggest|largest|highest|smallest|lowest)(?: one| number| digit)? is (?:on top|at the bottom)"
-     "(?: ,)? in order)?$", ", the {1} {2} {3}"),
-    (f"^(?:{_PUT} )(.+?) in the front row , (.+?) in the middle row(?: ,)? and (.+?) in the back row"
-     "(?: , each row in order from left to right)?$", "front row : {1} ; middle row : {2} ; back row : {3}"),
-    (f"^(?:{_PUT} )(.+?) in the front row(?: ,)? and (.+?) in the back row"
-     "(?: , each row in order from left to right)?$", "front row : {1} ; back row : {2}"),
-    (f"\\b({MANY}) (layers|rows|columns) (?:,|with) ({MANY}(?: {COLOR} {CUBE}s)?)(?: {CUBE}(?:s|es))? in "
-     "(?:each|every)(?: of them| one| layer| row| column)?(?=$| ,)", "{1} {2} of {3}"),
+    ("(?: ,)? in which the (biggest|largest|highest|smallest|lowest) (number|digit) is (on top|at the bottom)(?: and "
+     "the (?:biggest|largest|highest|smallest|lowest)(?: one| number| digit)? is (?:on top|at the bottom)(?: ,)? in "
+     "order)?$", ", the {1} {2} {3}"),
+    (f"^(?:{_PUT} )(.+?) in the front row , (.+?) in the middle row(?: ,)? and (.+?) in the back row(?: , each row in "
+     "order from left to right)?$", "front row : {1} ; middle row : {2} ; back row : {3}"),
+    (f"^(?:{_PUT} )(.+?) in the front row(?: ,)? and (.+?) in the back row(?: , each row in order from left to "
+     "right)?$", "front row : {1} ; back row : {2}"),
+    (f"\\b({MANY}) (layers|rows|columns) (?:,|with) ({MANY}(?: {COLOR} {CUBE}s)?)(?: {CUBE}(?:s|es))? in (?:each|"
+     "every)(?: of them| one| layer| row| column)?(?=$| ,)", "{1} {2} of {3}"),
     (f"\\b(cube|cuboid|box) (?:that|which) is ({MANY}(?: blocks| cubes)? (?:wide|long|deep|high) (?:,|and) .+)$",
      "{1} , {2}"),
     # places
     (f"\\bbetween {_A} ([^,]+?) (?:on|to) (?:its|the) (left|right)(?: side)? and {_A} ([^,]+?) (?:on|to) (?:its|the) "
      "(?:left|right)(?: side)?$", "between a {1} and a {3} , the {1} on its {2}"),
-    (f"^(.+?) is not in the {_HALF} half(?: of the table)? ,(?: but)? it is (in the {_HALF}) (?:half|one)"
-     "(?: of the table)?$", "{1} is {2} half"),
+    (f"^(.+?) is not in the {_HALF} half(?: of the table)? ,(?: but)? it is (in the {_HALF}) (?:half|one)(?: of the "
+     "table)?$", "{1} is {2} half"),
     (f"^(.+? to the (?:left|right) of) (it|them) and ({_A} .+?) (?:to|on) the (left|right)$",
      "{1} {2} and {3} to the {4} of {2}"),
     ("^(the [^,]+?) has ([^,]+?) on its (left|right) , ([^,]+?) on its (left|right) and ([^,]+?) on top(?: of it)?$",
      "{2} is to the {3} of {1} , {4} is to the {5} of {1} and {6} is on {1}"),
     (f"^(.*?)({_PUT} [^,]+? (?:on|in) (the [^,]+?))(?: ,)? (?:and|but) none of (the [^,]+)$",
      "{1} {2} . none of {4} must be on {3}"),
-    (f"^(.*?)\\b(an?|the|one) ({CUBE})((?: {COLOR} {CUBE}| (?!{CUBE}\\b|another\\b)[^, ]+)+) , "
-     f"(?:an?|the) ({COLOR}) one$", "{1} {2} {5} {3} {4}"),
+    (f"^(.*?)\\b(an?|the|one) ({CUBE})((?: {COLOR} {CUBE}| (?!{CUBE}\\b|another\\b)[^, ]+)+) , (?:an?|the) ({COLOR}) "
+     "one$", "{1} {2} {5} {3} {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
@@ -83,20 +83,15 @@ REWORDED: tuple[Turn, ...] = (
     *OTHERWISE,
     *EVERYDAY,
     # measures
-    (f"\\bgap (?:no|not) {_LARGER} than ({LENGTH})", "gap of at most {1}"),
     (f"\\b(?:no|not) {_LARGER} than ({LENGTH})", "at most {1}"),
     (f"\\b(?:no|not) {_SMALLER} than ({LENGTH})", "at least {1}"),
-    (f"(?:and )?(?:leave |with |leaving )?(?:an? )?(?:gap of )?({LENGTH})(?: of space)? (?:in )?between "
-     f"(?:each|every|one)(?: {CUBE})? and the next(?: {CUBE}| one)?$", "with gaps of {1}"),
     (f"^(.+?) (?:moves|{MUST} move|moves away|{MUST} move away)(?: by)? (at least {LENGTH})$",
      "{1} must be moved by {2}"),
     # what is asked
     ("^let (\\S+) be (?:read|spelled|written|seen)\\b", "spell {1}"),
     ("^(all .+? must be .+?) when (?:you |we )?((?:spell|build|form|make|write) .+)$", "{2} . {1}"),
-    ("^not ((?:on|in) [^,]+?) ,? ?but ((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) "
-     "(?:want|need|would like)(?: to see)? (.+)$", "{3} must not be {1} but {2}"),
-    ("^((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) (?:want|need|would like)(?: to see)? (.+)$",
-     "{2} must be {1}"),
+    ("^not ((?:on|in) [^,]+?) ,? ?but ((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) (?:want|need|would "
+     "like)(?: to see)? (.+)$", "{3} must not be {1} but {2}"),
     ("^how (?:do|would|can|should) (?:you|we|i|one) (?=(?:spell|write) )", "please"),
     ("^([^:,]+) [:,] (?:that|this) is (?:how|the way) (?:i|we) (?:want|need|would like)(?: to see)? (.+)$",
      "{2} must be {1}"),
@@ -108,16 +103,15 @@ REWORDED: tuple[Turn, ...] = (
     ("^([^,]+?) gets ([^,]+?) , ([^,]+?) gets ([^,]+?)(?: ,)? and ([^,]+?) gets ([^,]+?) on top(?: of it)?$",
      "put {2} on {1} , {4} on {3} and {6} on {5}"),
     ("^([^,]+?) gets ([^,]+?)(?: ,)? and ([^,]+?) gets ([^,]+?) on top(?: of it)?$", "put {2} on {1} and {4} on {3}"),
-    ("^([^,]+?) gets ([^,]+?) on top(?: of it)?$", "put {2} on {1}"),
     # who, which, where
     ("^all (?=(?:on|in|within|inside|at) )", "all are"),
-    (f"^(.*?\\b(?:{CUBE}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}corner)"
-     f"(?: of the table)? , (.+?(?:{CUBE}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}"
-     "corner)(?: of the table)?$", "{1} in {2} , {3} in {4}"),
+    (f"^(.*?\\b(?:{CUBE}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}corner)(?: of the "
+     f"table)? , (.+?(?:{CUBE}|one)) for (the (?:near|far|left|right|front|back) half|the (?:\\w+ ){{1,2}}corner)(?: "
+     "of the table)?$", "{1} in {2} , {3} in {4}"),
     ("^who (?:can|could|would|wants to|is able to|knows how to) (?=\\w)", "please"),
     # words
-    ("^(?:a (?:tower|stack) )?read(?:ing)? (?:down|downwards|from the top of) the (tower|stack)(?: down| downwards)?"
-     "(?: ,)?(?: top first)?(?: [:,])?(?: you get| it says| it reads| one reads)? (\\S+)$",
+    ("^(?:a (?:tower|stack) )?read(?:ing)? (?:down|downwards|from the top of) the (tower|stack)(?: down| "
+     "downwards)?(?: ,)?(?: top first)?(?: [:,])?(?: you get| it says| it reads| one reads)? (\\S+)$",
      "a {1} that reads {2} from top to bottom"),
     ("\\b(\\S+) and (\\d) with (plus|minus|times)(?: ,)? and equals\\b", "{1} , {2} , {3} and equals"),
     # structures
@@ -130,20 +124,17 @@ REWORDED: tuple[Turn, ...] = (
     ("\\b(row|column|line|tower|stack) of colors\\b", "{1}"),
     (f"^(?:the|a) (?:number )?row (?:goes|counts|runs) down : (.+?) ({WAY})$", "a row in descending order {2} : {1}"),
     (f"^(?:the|a) (?:number )?row (?:goes|counts|runs) up : (.+?) ({WAY})$", "a row in ascending order {2} : {1}"),
-    (f"^the (leftmost|rightmost) of (?:the )?({MANY}) ({CUBE}s) is (.+?) , the (leftmost|rightmost) (?:one )?"
-     "is (.+?)(?: ,)? and (.+?) (?:is|stands|lies|sits) (?:in )?between(?: them)?(?: , all in (?:a|one) row)?$",
+    (f"^the (leftmost|rightmost) of (?:the )?({MANY}) ({CUBE}s) is (.+?) , the (leftmost|rightmost) (?:one )?is "
+     "(.+?)(?: ,)? and (.+?) (?:is|stands|lies|sits) (?:in )?between(?: them)?(?: , all in (?:a|one) row)?$",
      "{2} {3} in a row : the {1} is {4} , the {5} is {6} and {7} is in between"),
     # what stands beside it
     (f"^([^,]+ (?:rotated|turned)\\b[^,]*) , {_STANDING} (on .+)$", "{1} {2}"),
-    (f"\\boff (the [^,]+?) (?:that |which )?(?:it|they) (?:is|are|stands|sits|lies|rests)(?: now| currently)?"
-     f"(?: {_STANDING})? on\\b", "off {1}"),
     ("\\bwhich (is|are) an? (\\w+) one\\b", "which {1} {2}"),
     (" (?:too|as well) , (and|but|while)\\b", " , {1}"),
     # what is said besides
     ("(?: ,)? (?:nice|neat|good) and (?:straight|even)$", ""),
     ("(?: ,)? (?:for sure|for certain|full stop|here)$", ""),
     ("^like goes with like :", ""),
-    (f"^(.+ : keep [^,]+) , and ({_PUT} .+)$", "{1} . {2}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
 WORDS = (

@@ -16,6 +16,7 @@ _PUT = "(?:put|place|set|move|have|get|bring|i want|i would like)"
 _R = "(?:immediately |directly )?(?:behind|in front of|(?:to the )?left of|(?:to the )?right of)"
 _ONE = f"((?:the )?(?:{COLOR}|\\S+ (?:block|cube|one)|\\w))"
 _AND = "(?: ,)?(?: and)?"
+_AT = "(?:(?:on|to|at) the )?"
 _HAS = f"(?:has|have|{MUST} have)"
 _ON_ITS = "(?:on|to) (?:its|the)"
 _BLOCKS = "(?:blocks|cubes|ones)"
@@ -28,18 +29,10 @@ _ALL_SIDES = (
 )
 
 
-def _across(one: str, other: str, at: str) -> Turn:
-    """ "Red on the left and blue on the right of green": said in the same way of both, they share the block."""
-    return (
-        f"^(?:{_PUT} )?({_T}){_IS} {at}{one}(?: ,)?(?: and)? ({_T}){_IS} {at}{other} of ({_T})$",
-        f"{{1}} must be to the {one} of {{3}} and {{2}} to the {other} of {{3}}",
-    )
-
-
 SIDED_AT_ONCE: tuple[Turn, ...] = (
     # at the sides of the same block
-    *(_across(one, other, at) for one, other in (("left", "right"), ("right", "left"))
-      for at in ("on the ", "to the ", "at the ", "")),
+    (f"^(?:{_PUT} )?({_T}){_IS} {_AT}(left|right)(?: ,)?(?: and)? ({_T}){_IS} {_AT}(?!\\2)(left|right) of ({_T})$",
+     "{1} must be to the {2} of {5} and {3} to the {4} of {5}"),
     (f"^((?:.+? )?{_R} {_ONE}{_AND} {_T}{_IS}) (?:to|on) its (left|right)(?: side)?{_GOES_ON}",
      "{1} to the {3} of {2}"),
     (f"^((?:.+? )?{_R} {_ONE}{_AND} {_T}{_IS} {_R}) it{_GOES_ON}", "{1} {2}"),
@@ -50,31 +43,28 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
      _ALL_SIDES.format("{1}", "{2}")),
     (f"^(the .+?) {_HAS} (?:an?|one) ({COLOR})(?: block| cube| one)? {_AROUND}{_BEHIND}",
      _ALL_SIDES.format("{1}", "{2}")),
-    (f"^with (.+? (?:to|on) its (?:left|right)) and (.+? (?:to|on) its (?:left|right)) , (the .+?) "
-     f"(?:stands?|is|{MUST} be|lies|sits)(?: in the middle| in between| between them)?$", "{3} must have {1} and {2}"),
-    (f"\\bflanked by ({_T}) (?:on|to) (?:its|the) left(?: side)?(?: ,)? and (?:by )?({_T}) (?:on|to) (?:its|the) right"
-     "(?: side)?$", "between {1} and {2} , {1} on the left"),
-    (f"\\bflanked by ({_T}) (?:on|to) (?:its|the) right(?: side)?(?: ,)? and (?:by )?({_T}) (?:on|to) (?:its|the) left"
-     "(?: side)?$", "between {2} and {1} , {2} on the left"),
+    ("^with (.+? (?:to|on) its (?:left|right)) and (.+? (?:to|on) its (?:left|right)) , (the .+?) (?:stands?|is|"
+     f"{MUST} be|lies|sits)(?: in the middle| in between| between them)?$", "{3} must have {1} and {2}"),
+    (f"\\bflanked by ({_T}) (?:on|to) (?:its|the) left(?: side)?(?: ,)? and (?:by )?({_T}) (?:on|to) (?:its|the) "
+     "right(?: side)?$", "between {1} and {2} , {1} on the left"),
     (f"^(?:i (?:want|would like|need)(?: to see)? |there (?:is|{MUST} be) |put |place )?(an?|the) ({_T}) between two "
-     f"({COLOR})s?(?: {_BLOCKS})? ,(?: with)? one {_ON_ITS} (left|right)(?: side)?{_AND} "
-     f"(?:one|the other|another)(?: one)? {_ON_ITS} (left|right)(?: side)?$",
-     "{1} {2} must be between two {3} blocks . one of them must be to the {4} of the {2} and the other one to the {5} "
-     "of the {2}"),
-    (f"\\b(one|an?) ({COLOR}) (block|cube|one) ({_ON_ITS} left(?: side)?(?: of it)?)(?: ,)? and another"
-     f"(?: one)? ({_ON_ITS} right)\\b", "{1} {2} {3} {4} and another {2} {3} {5}"),
+     f"({COLOR})s?(?: {_BLOCKS})? ,(?: with)? one {_ON_ITS} (left|right)(?: side)?{_AND} (?:one|the other|another)(?: "
+     f"one)? {_ON_ITS} (left|right)(?: side)?$",
+     "{1} {2} must be between two {3} blocks . one of them must be to the {4} of the {2} and the other one to the "
+     "{5} of the {2}"),
+    (f"\\b(one|an?) ({COLOR}) (block|cube|one) ({_ON_ITS} left(?: side)?(?: of it)?)(?: ,)? and another(?: one)? "
+     f"({_ON_ITS} right)\\b", "{1} {2} {3} {4} and another {2} {3} {5}"),
     # all of these at the side of all of those
-    (f"^(?:each|every one|all) of the ({MANY} \\w+ {_BLOCKS}) {_HAS} (.+?)( somewhere)? (?:to|on) "
-     "(?:its|their) (left|right)(?: side)?$", "{2} must be {3} to the {4} of the {1}"),
-    (f"^(?:move|arrange|place|sort|put|rearrange|lay out) (?:the|these) (?:cubes|blocks) so that "
-     "(?!.*\\b(?:they|them|it)\\b)"
-     f"((?:every one of |each of |all |all of )?(?:the )?{MANY} \\w+ {_BLOCKS} .+ {MANY} \\w+(?: {_BLOCKS})?.*)$",
-     "{1}"),
+    (f"^(?:each|every one|all) of the ({MANY} \\w+ {_BLOCKS}) {_HAS} (.+?)( somewhere)? (?:to|on) (?:its|their) (left|"
+     "right)(?: side)?$", "{2} must be {3} to the {4} of the {1}"),
+    ("^(?:move|arrange|place|sort|put|rearrange|lay out) (?:the|these) (?:cubes|blocks) so that (?!.*\\b(?:they|them|"
+     f"it)\\b)((?:every one of |each of |all |all of )?(?:the )?{MANY} \\w+ {_BLOCKS} .+ {MANY} \\w+(?: "
+     f"{_BLOCKS})?.*)$", "{1}"),
     (f"^with ({MANY} \\w+ {_BLOCKS} and {MANY} \\w+ {_BLOCKS}) on the table , (.+)$", "there are {1} . {2}"),
     # the place ahead
     (f"^((?:{_R}|on) {_ONE}) belongs ({_T})\\b", "{1} is {3}"),
-    (f"^(?:right |immediately |directly )?next to {_ONE} on (?:the|its) (left|right)(?: side)?(?: ,)? "
-     f"(?:put|place|set|goes|is|stands|comes|lies) ({_T})$", "{3} must be immediately to the {2} of {1}"),
+    (f"^(?:right |immediately |directly )?next to {_ONE} on (?:the|its) (left|right)(?: side)?(?: ,)? (?:put|place|"
+     f"set|goes|is|stands|comes|lies) ({_T})$", "{3} must be immediately to the {2} of {1}"),
     (f"^({_T}) 's (left|right)(?: - hand| hand)? side is where ({_T}) (?:goes|belongs|{MUST} be|{MUST} go|is|stands)$",
      "{3} must be to the {2} of {1}"),
     ("\\bprecedes\\b", "comes before"),

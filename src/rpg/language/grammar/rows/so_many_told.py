@@ -3,90 +3,62 @@ than three", on each of several and which of two it is, as rows that say it in o
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from rpg.language.grammar.rows.said_short import BLOCK, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES
 
 _BLOCKS = "(?:blocks|cubes|bricks|ones)"
 _GO = f"(?:{MUST} (?:be|go|lie|stand)|may be|go|goes|are|is|belong|belongs)"
-_WORDS = ("one", "two", "three", "four", "five", "six", "seven", "eight")
 _LOTS = f"{MANY} (?:{COLOR} )?{_BLOCKS}(?: and {MANY} (?:{COLOR} )?{_BLOCKS})*"
 _A = f"(?:the |an? )?({COLOR})(?: {BLOCK}| one)?"
 _THREE = f"{_A} , {_A}(?: ,| and| , and) {_A}"
 _TWO = f"{_A} and {_A}"
 
 
-def _between() -> tuple[Turn, ...]:
-    """ "Fewer than three" is at most two, and "more than one" at least two, where both are said of the same blocks."""
-    steps = tuple(pairwise(_WORDS))
-    least, fewer = f"(at least {MANY}|more than {MANY})", "(?:fewer|less)"
-    return (
-        *((f"\\b{least}(?: ,)? but {fewer} than {more} of\\b", f"{{1}} but at most {less} of") for less, more in steps),
-        *((f"\\b{fewer} than {more}(?: ,)? but {least} of\\b", f"{{1}} but at most {less} of") for less, more in steps),
-        *((f"\\bmore than {less} but (at most {MANY}) of\\b", f"at least {more} but {{1}} of") for less, more in steps),
-        (f"\\bat least ({MANY}) but at most \\1 of\\b", "exactly {1} of"),
-    )
-
-
 SO_MANY_TOLD: tuple[Turn, ...] = (
-    *_between(),
     (f"\\b({MANY}) and (?:no|not) more than \\1\\b", "exactly {1}"),
     (f"^(?:out of|of|from) (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ((?:exactly|at least|at most|only|"
-     "just) "
-     f"{MANY}) {_GO} ((?:on|onto|in|into) .+)$", "{2} of the {1} must be {3}"),
-    (f"^(.+) , with ({_LOTS}) (?:being )?(?:available|present|there|in all|in total|altogether)$", "{1} . there are "
-     "{2}"),
+     f"just) {MANY}) {_GO} ((?:on|onto|in|into) .+)$", "{2} of the {1} must be {3}"),
+    (f"^(.+) , with ({_LOTS}) (?:being )?(?:available|present|there|in all|in total|altogether)$",
+     "{1} . there are {2}"),
     ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"
      "remaining ones) (?:may|can) (?:be|go|lie|stay|stand) (?:anywhere|wherever(?: you like| they like)?)$", "{1}"),
     # on each of several
-    (f"^on each of ((?:the |my )?{MANY} [^,]+?) there (?:{MUST}|is|are) ?(?:be|stand|lie|sit)? ?(?:exactly "
-     ")?((?:one|an?) "
-     "[^,]+?)$", "put {2} on each of {1}"),
-    (f"^there (?:{MUST} be|is) ((?:one|an?) [^,]+?) on each of ((?:the |my )?{MANY} [^,]+?)$", "put {1} on each of "
-     "{2}"),
+    (f"^on each of ((?:the |my )?{MANY} [^,]+?) there (?:{MUST}|is|are) ?(?:be|stand|lie|sit)? ?(?:exactly )?((?:one|"
+     "an?) [^,]+?)$", "put {2} on each of {1}"),
     (f"^fill ((?:the |my )(?:{COLOR} )?{PATCH}) with ((?:all|the|my|both) .+)$", "put {2} on {1}"),
     # on one patch and on another
-    (f"^(?:put |place |set )?(?:the two|both) ({COLOR}) {_BLOCKS} (?:(?:{_GO} )?on different {PATCHES}|(?:{MUST}|"
-     "may|can) not "
-     f"share an? {PATCH})(?: ,| :) one (?:is |goes )?on the ({COLOR})(?: one| {PATCH})?(?: and| ,) (?:one|the "
-     "other)(?: one)? "
-     f"(?:is |goes )?on the ({COLOR})(?: one| {PATCH})?$",
+    (f"^(?:put |place |set )?(?:the two|both) ({COLOR}) {_BLOCKS} (?:(?:{_GO} )?on different {PATCHES}|(?:{MUST}|may|"
+     f"can) not share an? {PATCH})(?: ,| :) one (?:is |goes )?on the ({COLOR})(?: one| {PATCH})?(?: and| ,) (?:one|"
+     f"the other)(?: one)? (?:is |goes )?on the ({COLOR})(?: one| {PATCH})?$",
      "one of the two {1} blocks must be on the {2} patch and the other on the {3} patch"),
     (f"^(?:put |place |set )?one ({COLOR}) (?:block|cube) on the ({COLOR}) {PATCH} and (?:one|another)(?: one)? on "
-     "the "
-     f"({COLOR}) {PATCH}(?: ,)? so that the two(?: \\1)? {_BLOCKS} are on different {PATCHES}$",
+     f"the ({COLOR}) {PATCH}(?: ,)? so that the two(?: \\1)? {_BLOCKS} are on different {PATCHES}$",
      "one of the two {1} blocks must be on the {2} patch and the other on the {3} patch"),
     (f"\\bon one of (?:the )?(?:two )?{PATCHES} , (?:either )?the ({COLOR}) or the ({COLOR})(?: one| {PATCH})?$",
      "on the {1} or the {2} patch"),
     (f"^the ({COLOR}) and the ({COLOR}) (?:block|cube) (?:each )?{_GO} on (?:the {PATCH} of the other 's color|each "
-     "other 's "
-     f"{PATCHES})(?: : (?:the )?\\1(?: {BLOCK})? on the \\2(?: {PATCH}| one)?(?: ,| and)+ (?:the )?\\2(?: "
-     f"{BLOCK})? on the "
-     f"\\1(?: {PATCH}| one)?)?$", "put the {1} block on the {2} patch and the {2} block on the {1} patch"),
+     f"other 's {PATCHES})(?: : (?:the )?\\1(?: {BLOCK})? on the \\2(?: {PATCH}| one)?(?: ,| and)+ (?:the )?\\2(?: "
+     f"{BLOCK})? on the \\1(?: {PATCH}| one)?)?$",
+     "put the {1} block on the {2} patch and the {2} block on the {1} patch"),
     # one of two, and not both
     (f"^(?:just |only |exactly )?one of the two ([^,]+?) , but not the other(?: one)? , (?:is|{MUST} be) (.+)$",
      "exactly one of the two {1} must be {2}"),
     (f"^(?:have )?({THING}) (?:{MUST} )?touch(?:es)? (?:just |only |exactly )?one of the two ([^,]+?)(?: ,)? but not "
-     "the "
-     "other(?: one)?$", "exactly one of the two {2} must touch {1}"),
+     "the other(?: one)?$", "exactly one of the two {2} must touch {1}"),
     (f"^put ({THING}) and either ({THING}) or ({THING}) (on .+)$", "{1} must be {4} . {2} or {3} must be {4}"),
-    ("^neither(?: of them)? (?:touches|touch) the other(?: one)?$", "they must not touch each other"),
-    (f"(?: ,)? without (?:either|any|one)(?: one)? of (?:them|the two) touching ({THING})$", " and they must not "
-     "touch {1}"),
+    (f"(?: ,)? without (?:either|any|one)(?: one)? of (?:them|the two) touching ({THING})$",
+     " and they must not touch {1}"),
     ("(?: ,| ;)? and in any case (?=\\w)", " ."),
     ("^in any case(?: ,)? (?=\\w)", ""),
     # and not the other way round
     (f"^(?:it (?:{MUST}) be )?not (\\w+) on (\\w+) ,? ?but (?:the other way (?:round|around) [:,] )?\\2 on \\1$",
      "{2} on {1}"),
-    (f"^it is not the ({COLOR}) {BLOCK} (?:that|which) (?:goes|belongs|{MUST} (?:be|go)) on the ({COLOR}) {BLOCK} "
-     "but the \\2 "
-     f"{BLOCK} (?:that|which) (?:goes|belongs|{MUST} (?:be|go)) on the \\1(?: one| {BLOCK})?$",
+    (f"^it is not the ({COLOR}) {BLOCK} (?:that|which) (?:goes|belongs|{MUST} (?:be|go)) on the ({COLOR}) {BLOCK} but "
+     f"the \\2 {BLOCK} (?:that|which) (?:goes|belongs|{MUST} (?:be|go)) on the \\1(?: one| {BLOCK})?$",
      "the {2} block must be on the {1} block"),
     ("^(?:i|we) (?:want|need|would like)(?: to have)?(?: it| that| this| them)? the other way (?:round|around) [:,] "
-     "(.+)$",
-     "{1}"),
+     "(.+)$", "{1}"),
     # only one of those that are listed
     *((f"^(?:put )?only the ({COLOR})(?: one| {BLOCK})? (?:out )?of (?:the (?:{MANY} )?{_BLOCKS} [(,:]? ?)?(?:the "
     f")?{told}(?: [),])? "

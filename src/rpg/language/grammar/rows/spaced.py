@@ -25,23 +25,21 @@ _MEASURED = "(?:(?:,|as|when)? ?measured )?(?:from )?(?:center to center|(?:thei
 
 SPACED_AT_ONCE: tuple[Turn, ...] = (
     # all alike
-    (f"(?: ,)? (?:with|at|leaving) (?:always )?(?:equal|the same|identical|uniform|even|regular|constant) {_GAPS}"
-     f"(?: (?:in )?between (?:them|{_NEIGHBORS}))?(?=$| ,)", " , evenly spaced"),
-    (f"(?: ,)? (?:so that|such that|and|where|with) the {_GAPS} (?:(?:in )?between (?:them|{_NEIGHBORS}) )?"
-     f"(?:is|are|being|{MUST} be) {_SAME}$", " , evenly spaced"),
-    (f"(?: ,)? (?:so that|such that|where) (?:all (?:of them )?|(?:every|any|each) two |the )?(?:neighbors |"
-     f"{_NEXT_TO_EACH} {_BLOCKS} )?(?:are|stand|have) (?:equally|all equally|the same distance|evenly) (?:far )?"
-     "(?:apart|spaced|from each other)$", " , evenly spaced"),
+    (f"(?: ,)? (?:with|at|leaving) (?:always )?(?:equal|the same|identical|uniform|even|regular|constant) {_GAPS}(?: "
+     f"(?:in )?between (?:them|{_NEIGHBORS}))?(?=$| ,)", " , evenly spaced"),
+    (f"(?: ,)? (?:so that|such that|and|where|with) the {_GAPS} (?:(?:in )?between (?:them|{_NEIGHBORS}) )?(?:is|are|"
+     f"being|{MUST} be) {_SAME}$", " , evenly spaced"),
+    ("(?: ,)? (?:so that|such that|where) (?:all (?:of them )?|(?:every|any|each) two |the )?(?:neighbors |"
+     f"{_NEXT_TO_EACH} {_BLOCKS} )?(?:are|stand|have) (?:equally|all equally|the same distance|evenly) (?:far "
+     ")?(?:apart|spaced|from each other)$", " , evenly spaced"),
     # along a line
     (f"^(?:leave|keep|put|allow) (?:a gap of )?{_LONG}(?: of {_SPACE})? between {_NEIGHBORS} (?:in|of) {_ROW}$",
      "{2} with gaps of {1}"),
-    (f"^between {_NEIGHBORS} of {_ROW}(?: ,)? (?:{_THERE}|leave|keep) (?:a gap of )?{_LONG}"
-     f"(?: of {_SPACE})?$", "{1} with gaps of {2}"),
-    (f"^between {_NEIGHBORS} (?:of|in) the (row|line|column) , which {MUST} (?:consist of|have|be made of) (.+?) ,"
-     f" (?:a )?gap of {_LONG} {MUST} be (?:provided|left|kept)$", "a {1} of {2} with gaps of {3}"),
+    (f"^between {_NEIGHBORS} of {_ROW}(?: ,)? (?:{_THERE}|leave|keep) (?:a gap of )?{_LONG}(?: of {_SPACE})?$",
+     "{1} with gaps of {2}"),
+    (f"^between {_NEIGHBORS} (?:of|in) the (row|line|column) , which {MUST} (?:consist of|have|be made of) (.+?) , "
+     f"(?:a )?gap of {_LONG} {MUST} be (?:provided|left|kept)$", "a {1} of {2} with gaps of {3}"),
     (f"(?: ,)? (?:(?:with|leaving) )?(?:a )?{_LONG} (?:of )?{_SPACE} (?:in )?between {_NEIGHBORS}$",
-     " with gaps of {1}"),
-    (f"(?: ,)? with gaps of {_LONG} between (?:every|any|each) two (?:of them|neighbors|{_NEXT_TO_EACH} {_BLOCKS})$",
      " with gaps of {1}"),
     (f"(?: ,)? each(?: one)?(?: with)? {_LONG} of {_SPACE} (?:from|to|before) the next(?: one)?$", " with gaps of {1}"),
     (f"(?: ,)? each(?: one)? {_LONG} (?:away )?from the next(?: one)? {_MEASURED}$",
@@ -53,24 +51,23 @@ SPACED_AT_ONCE: tuple[Turn, ...] = (
     # between two
     (f"\\b(?:with|leaving) {_LONG} of (?:gap|space|room) between {_FACES}", "with a gap of {1} between them"),
     (f"\\b(gap of {LENGTH}) between {_FACES}(?! of)", "{1} between them"),
-    (f"(?: ,)? so that {_THERE} {_LONG}(?: of {_SPACE})? between them$",
-     " with a gap of {1} between them"),
-    (f"^((?:the )?\\S+(?: (?:block|cube))? and (?:the )?\\S+(?: (?:block|cube))?) (?:{MUST} )?have "
-     f"{_LONG}(?: of {_SPACE})? between them$", "there must be a gap of {2} between {1}"),
+    (f"(?: ,)? so that {_THERE} {_LONG}(?: of {_SPACE})? between them$", " with a gap of {1} between them"),
+    (f"^((?:the )?\\S+(?: (?:block|cube))? and (?:the )?\\S+(?: (?:block|cube))?) (?:{MUST} )?have {_LONG}(?: of "
+     f"{_SPACE})? between them$", "there must be a gap of {2} between {1}"),
     (f"^between {_FACES} of (.+? and .+?) there {MUST} be (?:left )?a gap of {_LONG}$",
      "there must be a gap of {2} between {1}"),
-    (f"^(?:leave|keep|place|put|{_THERE}) a gap of {_LONG} between (the .+?) on the (left|right) and "
-     "(the .+?) on the (?:left|right)$", "{2} must be to the {3} of {4} with a gap of {1} between them"),
+    (f"^(?:leave|keep|place|put|{_THERE}) a gap of {_LONG} between (the .+?) on the (left|right) and (the .+?) on the "
+     "(?:left|right)$", "{2} must be to the {3} of {4} with a gap of {1} between them"),
     (f"^(?:place|put|leave) a gap of {_LONG} between (two .+)$", "there must be a gap of {1} between {2}"),
     (f"^(?:the )?center (?:- )?to (?:- )?center distance (?:between|of) (.+? and .+?) (?:is|{MUST} be) {_LONG}",
      "the distance between the centers of {1} must be {2}"),
     (f"^(?:the )?(distance between {_BARE}+? and {_BARE}+?) {_LONG}(?= plus| ,|$)", "the {1} must be {2}"),
     (f"^(?:the )?neighbors {MUST} be {_LONG} apart(?: ,)? (?:from )?face to face",
      "there must be a gap of {1} between neighboring blocks"),
-    (f"^the center of (.+?) {MUST} be {_LONG} (to the left|to the right|in front|behind) (?:of )?the center of (.+?)"
-     "(?=$| ,)", "{1} must be {2} {3} of {4} , measured from center to center"),
-    (f"^(.+?) (?:is|{MUST} be) {_LONG} away (?:\\( face to face \\)|, face to face ,|face to face) from (.+?) , on its "
-     "(left|right)$", "{1} must be to the {4} of {3} with a gap of {2} between them"),
+    (f"^the center of (.+?) {MUST} be {_LONG} (to the left|to the right|in front|behind) (?:of )?the center of "
+     "(.+?)(?=$| ,)", "{1} must be {2} {3} of {4} , measured from center to center"),
+    (f"^(.+?) (?:is|{MUST} be) {_LONG} away (?:\\( face to face \\)|, face to face ,|face to face) from (.+?) , on "
+     "its (left|right)$", "{1} must be to the {4} of {3} with a gap of {2} between them"),
     (f"^(.+?) {MUST} keep a distance of {_LONG} (?:from|to) (.+)$", "{1} must be at a distance of {2} from {3}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -8,11 +8,11 @@ from dataclasses import replace
 
 from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MUST, N
+from rpg.language.grammar.rows.vocabulary import COLOR, ME, MUST, N
 from rpg.language.tokens import Token
 
 _STAIRS = "(?:staircase|stairs|stairway)"
-_UP = ("(?:rises?|climbs?|climbing|ascends?|ascending|goes up|go up|leads? up|leading up|runs? up|running up|is "
+_UP = ("(?:rises?|rising|climbs?|climbing|ascends?|ascending|goes up|go up|leads? up|leading up|runs? up|running up|is "
        "going up|"
        "are going up|steps? up|be rising|be climbing|be ascending)")  # fmt: skip
 _DOWN = "(?:descends?|descending|goes down|go down|going down|leads? down|steps? down|falls?|falling)"
@@ -25,42 +25,35 @@ _LOW = "(?:lowest|shortest|smallest)"
 _THEN = "(?: ,)?(?: and)?(?: then)?"
 _NEXT = f"(?:the )?(?:next|second|middle){_STEP}"
 _HAS = "(?: is| has| are| being| of| :)?"
+_END = "(?:left|right|front|back)"
 _SIDES = (("left", "right"), ("right", "left"), ("front", "back"), ("back", "front"))
+_WHOSE = "(?: ,| with| where| whose)*(?: that| which)?(?: is| are)?(?: the| its)?"
 _BEFORE = f"\\b((?:{_STAIRS})\\b(?:(?! going up ).)*?)"
-_CLIMBING = f"({_STAIRS}\\b.*? going up to the (?:left|right|front|back))(?: ,| :)*"
+_CLIMBING = f"({_STAIRS}\\b.*? going up to the {_END})(?: ,| :)*"
 
 STAIRS: tuple[Turn, ...] = (
-    *((f"{_BEFORE}{_LINK} {_UP} from (?:the )?{low} to (?:the )?{high}\\b", f"{{1}} going up to the {high}")
-      for low, high in _SIDES),
-    *((f"{_BEFORE}{_LINK} {_UP} {_TO} {high}\\b(?! of\\b)", f"{{1}} going up to the {high}") for _, high in _SIDES),
-    *((f"{_BEFORE}{_LINK} {_DOWN} {_TO} {low}\\b(?! of\\b)", f"{{1}} going up to the {high}") for low, high in _SIDES),
+    (f"{_BEFORE}{_LINK} {_UP} (?:from (?:the )?{_END} )?(?:to|towards?) (?:the )?({_END})\\b(?! of\\b)",
+     "{1} going up to the {2}"),
+    (f"{_BEFORE}{_LINK} (?:{_UP}|going up(?:wards)?) away(?: from {ME})?\\b", "{1} going up to the back"),
+    (f"{_BEFORE}{_LINK} (?:{_UP}|going up(?:wards)?) (?:to|towards?) {ME}\\b", "{1} going up to the front"),
     # which end is high
-    *((f"{_BEFORE}(?: ,| with| where| whose)*(?: that| which)?(?: is| are)?(?: the| its)? {_LOW}{_STEP}{_ON} {low}"
-       f"(?:(?: ,| and)+(?: the| its)? {_HIGH}{_STEP}{_ON} {high})?(?= ,|$)", f"{{1}} going up to the {high}")
+    *((f"{_BEFORE}(?:{_LINK} {_DOWN} (?:from (?:the )?{high} )?{_TO} {low}\\b(?! of\\b)|{_WHOSE} {_LOW}{_STEP}{_ON} {low}"
+       f"(?:(?: ,| and)+(?: the| its)? {_HIGH}{_STEP}{_ON} {high})?(?= ,|$))", f"{{1}} going up to the {high}")
       for low, high in _SIDES),
-    *((f"{_BEFORE}(?: ,| with| where| whose)*(?: that| which)?(?: is| are)?(?: the| its)? {_HIGH}{_STEP}{_ON} {high}"
-       f"(?:(?: ,| and)+(?: the| its)? {_LOW}{_STEP}{_ON} {low})?(?= ,|$)", f"{{1}} going up to the {high}")
-      for low, high in _SIDES),
-    *((f"{_BEFORE}(?: ,| with| where)* one (?:block|cube) (?:high|tall) (?:on|at) the {low}(?: ,| and)+ "
-       f"three (?:blocks|cubes) (?:high|tall) (?:on|at) the {high}$", f"{{1}} going up to the {high}")
-      for low, high in _SIDES),
+    (f"{_BEFORE}{_WHOSE} {_HIGH}{_STEP}{_ON} ({_END})(?:(?: ,| and)+(?: the| its)? {_LOW}{_STEP}{_ON} {_END})?(?= ,|$)",
+     "{1} going up to the {2}"),
+    (f"{_BEFORE}(?: ,| with| where)* one (?:block|cube) (?:high|tall) (?:on|at) the {_END}(?: ,| and)+ three "
+     f"(?:blocks|cubes) (?:high|tall) (?:on|at) the ({_END})$", "{1} going up to the {2}"),
     # step by step
-    (f"{_CLIMBING} (?:(?:the )?{_LOW}{_STEP}{_HAS} )?one ({COLOR}){N}{_THEN}(?: {_NEXT}{_HAS})? two ({COLOR}){N}"
-     f"{_THEN}(?: the (?:{_HIGH}|last|third){_STEP}{_HAS})? three ({COLOR}){N}$",
+    (f"{_CLIMBING} (?:(?:the )?{_LOW}{_STEP}{_HAS} )?one ({COLOR}){N}{_THEN}(?: {_NEXT}{_HAS})? two "
+     f"({COLOR}){N}{_THEN}(?: the (?:{_HIGH}|last|third){_STEP}{_HAS})? three ({COLOR}){N}$",
      "{1} , the lowest column one {2} block , the middle column two {3} blocks and the highest column three {4} "
      "blocks"),
     (f"\\b({_STAIRS}\\b.*?)(?: ,| :)* (?:with )?one(?: step)?{N}(?: high)?{_THEN} two(?: steps)?{N}(?: high)?{_THEN} "
      f"three(?: steps)?{N} high$", "{1} with heights one , two and three"),
-    (f"({_STAIRS}\\b.*?)(?: ,| :)+ one{N}{_THEN} two{N}{_THEN} three{N}$", "{1} with one , two and three blocks"),
     (f"\\b({_STAIRS}\\b.*?) in steps of (one|1) , (two|2) and (three|3)\\b", "{1} with steps of {2} , {3} and {4}"),
     # what lies on them
     (f"\\bon (?:top of )?the {_HIGH} (?:step|stair) of (an? (?:[^ ,]+ )*?{_STAIRS}\\b)", "on top of {1}"),
-    (f"\\b({_STAIRS}) that has ((?:\\w+) steps)(?: ,)? and (?=going up )", "{1} with {2}"),
-    # what it is
-    (f"^(?:the |this )({_STAIRS} going up )", "a {1}"),
-    (f"\\b({_STAIRS}\\b.*?)(?: ,| and)* {MUST} be (?:built|made|formed|constructed) going up {_TO} (left|right|"
-     f"front|back)$",
-     "{1} going up to the {2}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 

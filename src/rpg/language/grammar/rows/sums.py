@@ -23,46 +23,31 @@ _NEAR = "(?:nearest|closest)(?: to)? (?:me|us|you|the viewer|the robot)"
 
 SUMS_AT_ONCE: tuple[Turn, ...] = (
     # sums
-    (f"^(?:{_DO} )?(?:the |an? )?(?:{_CALL} )?{_SUM}(?: =)? {_RESULT}$", "solve {1}"),
-    (f"^(?:show|tell|demonstrate)(?: me)? (?:how much|what) {_SUM} (?:is|are|makes?|gives?|equals)"
-     f"(?:(?: ,)? (?:by|as|in|with)(?: (?:laying|writing|building|spelling|showing)(?: out| down)?)?(?: the| "
-     f"an?)? {_CALL})?$",
-     "solve {1}"),
-    (f"^(?:compute|calculate|work out|solve) {_SUM}(?: =)?(?: ,)? and (?:{_DO}) (?:(?:the|it as an?) "
-     f"{_CALL}|it|the result)$",
+    (f"^(?:show|tell|demonstrate)(?: me)? (?:how much|what) {_SUM} (?:is|are|makes?|gives?|equals)(?:(?: ,)? (?:by|as|"
+     f"in|with)(?: (?:laying|writing|building|spelling|showing)(?: out| down)?)?(?: the| an?)? {_CALL})?$",
      "solve {1}"),
     (f"^and {_DO} the {_CALL}$", ""),
     (f"^{_DO} the (?:sum|addition) of ({MANY}) and ({MANY}) {_RESULT}$", "solve {1} + {2}"),
-    (f"^{_DO} the (?:difference|subtraction) (?:of|between) ({MANY}) and ({MANY}) {_RESULT}$", "solve {1} - {2}"),
-    (f"^{_DO} the (?:product|multiplication) of ({MANY}) and ({MANY}) {_RESULT}$", "solve {1} * {2}"),
-    (f"^{_DO} the (?:quotient|division) of ({MANY}) (?:and|by) ({MANY}) {_RESULT}$", "solve {1} / {2}"),
     # equations
-    (f"^(?:(?:if|when) i look (?:down|at (?:it|them|the table))(?: ,)? )?i (?:want|would like) to (?:read|see) "
-     f"{_EQUATION}"
-     "(?: on the table)?$", "write {1}"),
-    (f"^{_CUBES} {MUST} be (?:placed|arranged|laid|put|lined up)(?: in a row)? (?:so|such) that (?:the {_CALL} "
-     f")?{_EQUATION} "
-     "(?:can be read|is read|appears|can be seen)$", "write {1}"),
-    (f"^(?:from|with|out of) (.+ and =)(?: there)? (?:must|should|shall|has to) come out an? (?:{_TRUE} )?{_CALL}"
-     f"(?: (?:which|that) is {_TRUE})?$", "use {1} to make a true equation"),
+    ("^(?:(?:if|when) i look (?:down|at (?:it|them|the table))(?: ,)? )?i (?:want|would like) to (?:read|see) "
+     f"{_EQUATION}(?: on the table)?$", "write {1}"),
+    (f"^(?:from|with|out of) (.+ and =)(?: there)? (?:must|should|shall|has to) come out an? (?:{_TRUE} )?{_CALL}(?: "
+     f"(?:which|that) is {_TRUE})?$", "use {1} to make a true equation"),
     (f"\\b(?:so|such) that an? {_TRUE} {_CALL} (?:comes out|come out|results|is formed|appears|arises)$",
      "so that they form a true equation"),
     (f"\\b(equation) (?:that|which) (?:shows|says|states|tells) that (?={MANY} )", "{1}"),
     # numbers that are read
     (f"\\b(?:so|such) that (?:they|it|the (?:digits|cubes|blocks)|you|one) can be read(?: as)?( {WAY})?(?: as)? "
-     f"(\\d+)$",
-     "so that they read {2} {1}"),
+     "(\\d+)$", "so that they read {2} {1}"),
     (f"\\b(?:so|such) that(?: ,)? ({WAY})(?: ,)? (\\d+) (?:can be read|is read|is shown)$",
      "so that they read {2} {1}"),
     ("^can be read as (\\d+) : ((?:put|place|lay) .+)$", "{2} so that they read {1}"),
-    (f"\\b(?:so|such) that the number (\\d+) (?:appears|results|is shown)(?: when| if)?(?: you)? "
-     f"read(?:ing)?(?: it)? ({WAY})$",
-     "so that they read {1} {2}"),
+    ("\\b(?:so|such) that the number (\\d+) (?:appears|results|is shown)(?: when| if)?(?: you)? read(?:ing)?(?: it)? "
+     f"({WAY})$", "so that they read {1} {2}"),
     ("^(?:digit|number) (?:cubes|blocks) in an? (?:row|line) (?:that|which) (?:reads|says|shows) (\\d+)$",
      "write the number {1}"),
-    ("^(?:put|place|lay|arrange) the digits of (\\d+) (?:next to each other|side by side|in a row) so that they "
-     "read \\1$",
-     "write the number {1}"),
+    ("^(?:put|place|lay|arrange) the digits of (\\d+) (?:next to each other|side by side|in a row) so that they read "
+     "\\1$", "write the number {1}"),
     # numbers in order
     (f"^count(?: up)? from ({MANY}) to ({MANY})(?: (?:with|in|using) {_CUBES})?(?: ,)?(?: in a row)?(?: ,)? {_ALONG}$",
      "put the digits from {1} to {2} in a row in ascending order from left to right"),
@@ -71,22 +56,12 @@ SUMS_AT_ONCE: tuple[Turn, ...] = (
     (f"^count (?:up|down) : ((?:put|place|lay) .+ {WAY})$", "{1}"),
     ("\\b(row|line) of (?:the )?(?:digits|numbers) from (\\d+) (?:on|at) the left down to (\\d+) (?:on|at) the right$",
      "{1} of the digits from {3} to {2} in descending order from left to right"),
-    ("\\b(row|line) of (?:the )?(?:digits|numbers) from (\\d+) (?:on|at) the left (?:up )?to (\\d+) (?:on|at) "
-     "the right$",
-     "{1} of the digits from {2} to {3} in ascending order from left to right"),
-    (f"^descending(?: (?:numbers|order))?(?: please)? : (.+?)(?: ,)?(?: (?:in )?a row)?(?: ,)? (?:the "
-     f")?{_LARGE}{_WHICH} "
-     "(?:on|at) the left(?: end)?$", "put {1} in a row in descending order from left to right"),
-    (f"^ascending(?: (?:numbers|order))?(?: please)? : (.+?)(?: ,)?(?: (?:in )?a row)?(?: ,)? (?:the "
-     f")?{_SMALL}{_WHICH} "
-     "(?:on|at) the left(?: end)?$", "put {1} in a row in ascending order from left to right"),
+    ("^descending(?: (?:numbers|order))?(?: please)? : (.+?)(?: ,)?(?: (?:in )?a row)?(?: ,)? (?:the "
+     f")?{_LARGE}{_WHICH} (?:on|at) the left(?: end)?$", "put {1} in a row in descending order from left to right"),
     (f"\\b(?:gets?|are|is|{MUST} be) sorted in(?:to)? an? (row|line) , (?:the )?{_SMALL}{_WHICH} on the left(?: "
-     f",)?(?: and)? "
-     f"(?:the )?{_LARGE}{_WHICH} on the right$", "must be in a {1} in ascending order from left to right"),
+     f",)?(?: and)? (?:the )?{_LARGE}{_WHICH} on the right$", "must be in a {1} in ascending order from left to right"),
     (f"\\bone (?:behind|after) the other(?: ,)? (?:with )?(?:the )?{_SMALL}{_WHICH} {_NEAR}$",
      "in a column in ascending order from front to back"),
-    (f"\\bone (?:behind|after) the other(?: ,)? (?:with )?(?:the )?{_LARGE}{_WHICH} {_NEAR}$",
-     "in a column in descending order from front to back"),
     ("\\bone (?:behind|after) the other(?: ,)? (from front to back|from back to front)(?: ,)? (in \\w+ order)$",
      "in a column {2} {1}"),
 )  # fmt: skip

@@ -4,12 +4,10 @@ base of 2x2 and one on top in the middle", as rows that name each part by its pl
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, LINE, ME
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE
 
-_LINE = "(?:columns?|rows?)"
 _SIDE = "(?:left|right|middle|center|front|back|near|far)"
 _NEAR = "(?:nearer|nearest|closer|closest) to (?:me|you|us|the viewer|the robot)"
-_FAR = "(?:farther|further|farthest|furthest)(?: away)?(?: from (?:me|you|us|the viewer|the robot))?"
 _BE = "(?:is|are|must be|should be)"
 _LATERAL = f"(?:{_BE} )?(?:on|at|in|to) the"
 _ONE_AND_OTHER = f"\\b(grid\\b.*?) one (column|row) (?:{_BE} )?(\\w+)(?: ,)? and the other(?: one)? (?:{_BE} )?(\\w+)"
@@ -20,29 +18,14 @@ _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|n
 _BASE = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
 _TOP = "(an?|one) (\\w+)(?: block| cube| one)? on (?:the )?top(?: (?:in|at) the (?:middle|center))?$"
 
-_OTHER = {"left": "right", "right": "left", "back": "front", "front": "back"}
-_STAIRS = "(?:staircase|stairs|stairway|steps)"
-_RISING = "(?:ascending|rising|climbing|going up|going upwards|that (?:ascends?|rises?|climbs?|goes up|go up))"
 
 TOLD_SHAPES: tuple[Turn, ...] = (
-    # which way stairs go up
-    (f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} away(?: from {ME})?\\b", "{1} going up to the back"),
-    (f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} (?:to|towards?) {ME}\\b", "{1} going up to the front"),
-    *((f"\\b({_STAIRS}\\b.*?)(?: ,)? {_RISING} (?:from (?:the )?{_OTHER[end]} to (?:the )?{end}|to the {end})\\b",
-       f"{{1}} going up to the {end}") for end in _OTHER),
-    *((f"\\b({_STAIRS}\\b.*?)(?: ,)? (?:descending|falling|going down|that (?:descends|goes down)) to the {end}\\b",
-       f"{{1}} going up to the {_OTHER[end]}") for end in _OTHER),
-    (f"\\b(grid(?: has| with| having| must have| should have| :).*?) an? ({COLOR}) (row|column) (?:on|at|in|to) the "
-     f"({_SIDE})(?: side| end)?\\b", "{1} the {4} {3} {2}"),
+    # grids
     (f"^(.*\\bgrid\\b[^,]*?) (?:has|must have|should have) (the {_SIDE} (?:row|column) \\w+)\\b", "{1} with {2}"),
     ("\\b(grid) with (\\w+)(?: blocks| ones)? on the left and (\\w+)(?: blocks| ones)? on the right$",
      "{1} with the left column {2} and the right column {3}"),
-    ("\\b(grid) with (\\w+)(?: blocks| ones)? (?:in|at) (?:the )?(front|back) and (\\w+)(?: blocks| ones)? (?:in|at) "
-     "(?:the )?(front|back)$", "{1} with the {3} row {2} and the {5} row {4}"),
     (f"\\b(grid\\b.*) the row {_NEAR} {_ROW_AND_OTHER}", "{1} the near row {2} {3} and the far row {4} {5}"),
-    (f"\\b(grid\\b.*) the row {_FAR} {_ROW_AND_OTHER}", "{1} the far row {2} {3} and the near row {4} {5}"),
     (f"{_ONE_AND_OTHER}{_THE_FIRST} {_LATERAL} left$", "{1} the left {2} {3} and the right {2} {4}"),
-    (f"{_ONE_AND_OTHER}{_THE_FIRST} {_LATERAL} right$", "{1} the right {2} {3} and the left {2} {4}"),
     (f"\\b(grid) (?:in which|where|whose) ((?:{FEW})) (?:blocks |cubes |of them )?{_BE} (\\w+)(?: ,)? and the "
      f"(?:center|middle)(?: one| block| cube) (?:{_BE} )?(\\w+)$",
      "{1} of {2} {3} blocks with a {4} block in the center"),
@@ -54,14 +37,11 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     (f"^(an? {LINE} of .+?) in front(?: ,| and)+ (an? {LINE} of .+?) behind(?: it)?$", "{1} and {2} behind it"),
     (f"^rainbow ({LINE})(?: :| of| ,| with)+ (.+ (?:blocks|cubes)|.+ , (?:starting|beginning) .+)$",
      "a rainbow {1} of {2}"),
-    (f"^((?:{FEW}|\\d+) [^,]*?(?:blocks|cubes|ones)) , ((?:{FEW}) (?:towers|stacks)) , (?:both|all|each|all of "
-     "them)(?: of)? (?:the same|equal) height$", "{1} in {2} of the same height"),
     (f"^({FEW}|\\d+) (?:blocks )?high , (alternating .+)$", "a tower of {1} blocks , {2}"),
     (f"\\bthat (?:does not|must not|should not|may not) have (?:the )?({COLOR})(?: one| block| cube)? (at the top|on "
      "top|at the bottom)$", "with {1} not {2}"),
-    ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group "
-     "(in|on|to|behind|next|near|left|right) "
-     "(.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
+    ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group (in|on|to|behind|"
+     "next|near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
     (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
      f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
      "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
@@ -72,50 +52,32 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     ("\\b(?:show|have|take) the shape of (?:the |a )?(?:letter )?(\\w)\\b", "form the letter {1}"),
     ("\\b(?:so that|so) they look like (?:the |a )?(?:letter )?(\\w)\\b", "so that they form the letter {1}"),
     # what there is
-    (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : "
-     f"((?:put|stack|place|build|make|arrange|line|"
-     "move|set|lay) .+)$", "there are the {1} . {2}"),
+    (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : ((?:put|stack|place|build|make|"
+     "arrange|line|move|set|lay) .+)$", "there are the {1} . {2}"),
     ("^the words [^:]+ : ((?:spell|put|write|place|lay|set) .+)$", "{1}"),
     # pyramids
-    (f"\\b(pyramid)(?: :| of| from| with)? (?:an? )?{_BASE} (\\w+) (?:blocks|cubes) (?:at the bottom|as (?:the|a) base)"
-     f"(?: ,| and|, and)+ {_TOP}", "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
+    (f"\\b(pyramid)(?: :| of| from| with)? (?:an? )?{_BASE} (\\w+) (?:blocks|cubes) (?:at the bottom|as (?:the|a) "
+     f"base)(?: ,| and|, and)+ {_TOP}", "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
     (f"\\b(pyramid) (?:from|of|out of) an? {_BASE} base of (\\w+) (?:blocks|cubes)(?: ,| and)+ {_TOP}",
      "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
     (f"\\b(pyramid) of (?:{FEW}|\\d+) (\\w+) (?:blocks|cubes) as an? {_BASE} base(?: ,| and)+ {_TOP}",
      "{1} with a {3} base of {2} blocks and {4} {5} block on top"),
-    (f"\\b(pyramid) whose base (?:is|has|consists of) {_BASE} (\\w+) (?:blocks|cubes)(?: ,)? and whose top is (an?) "
-     "(\\w+)(?: block| cube| one)?$", "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
     (f"\\b(pyramid of [^,:]+?) (?:in which|where) the base(?: of \\w+)? {_BE} (\\w+) , the (?:second|middle) layer "
      f"(?:{_BE} )?(\\w+)(?: ,)? and the (?:tip|top|topmost block) (?:{_BE} )?(\\w+)$",
      "{1} : the base {2} , the second layer {3} , the tip {4}"),
-    ("\\b(pyramid\\b.* on top) (?:in|at) the (?:middle|center)$", "{1}"),
-    (f"\\b(pyramid) (?:with|of|from|:) ({FEW}) ({COLOR}) (blocks|cubes) (?:at|in|on|as) (?:the )?(?:base|bottom)"
-     f"(?: ,| and)+ ({FEW})(?: more| others)? (?:above|over|on|on top of) (?:them|those|it|that|the base)(?: ,| and)+ "
-     "(?:a single )?one (?:more )?(?:on|at the) (?:very )?top(?: of (?:it|them|that))?$",
-     "{1} of {3} {4} : {2} at the base , {5} above them and one on top"),
-    (f"\\b(an?|one) (pyramid with (?:an? )?{_BASE} base)(?: ,| and| with)+ (?:an?|one|a single) (block|cube) (on top)"
-     f"(?: of it)?(?: ,| and)+ (?:they are )?all(?: of them)?(?: {CUBE}s)?(?: in)? ({COLOR})$",
+    (f"\\b(an?|one) (pyramid with (?:an? )?{_BASE} base)(?: ,| and| with)+ (?:an?|one|a single) (block|cube) (on "
+     f"top)(?: of it)?(?: ,| and)+ (?:they are )?all(?: of them)?(?: (?:block|cube)s)?(?: in)? ({COLOR})$",
      "{1} {6} {2} and one {4} {5}"),
-    ("\\b(pyramid with .+? base(?: ,| and)+) a single (block|cube) on top\\b", "{1} one {2} on top"),
     # sides and outlines
     (f"\\b((?:triangle|square|rectangle|pentagon|hexagon|outline)\\b.*?(?:{FEW}|\\d+)(?: \\w+)? (?:blocks|cubes)) "
      "(?:along|on|in|at|to|for) (?:every|each)(?: one)?(?: of its)? (?:side|edge|sides|edges)$", "{1} per side"),
-    ("^(.*?\\b)(?:the )?outline of an? (rectangle|square)(?: ,)? "
-     "([^,]*\\b(?:wide|long|deep|high|by)\\b[^,]*?)(?: ,)? "
+    ("^(.*?\\b)(?:the )?outline of an? (rectangle|square)(?: ,)? ([^,]*\\b(?:wide|long|deep|high|by)\\b[^,]*?)(?: ,)? "
      f"(?:in|from|out of|made of|using|with) ((?:{FEW}|\\d+) (?:\\w+ )?(?:blocks|cubes))$",
      "{1} the outline of a {2} of {4} , {3}"),
     # orders
     ("\\b(grid) (?:that holds|holding|containing|which holds) (?=\\w)", "{1} of"),
-    ("(?<!them)(?<!it)(?: ,)?(?: (?:to be|which is|that is|and))?(?: to be)? (?:read )?"
-     "(?:like|as)(?: you read| one reads| on)? an? (?:page|page of (?:a book|text)|book page|book|printed page)$",
-     "in reading order"),
-    (f"\\ban? ({LINE})( of [^,]+?(?: , [^,]+?)*)? (?:that|which) (?:is|looks|reads|appears) the same "
-     "(?:from (?:the )?(\\w+) to (?:the )?(\\w+) (?:as|and) from (?:the )?\\4 to (?:the )?\\3|forwards? and backwards?|"
-     "backwards? and forwards?|both ways|either way|in both directions|from (?:both|either) (?:ends?|sides?))$",
-     "a mirrored {1} {2}"),
-    (f"^(.*\\b(?:{FEW}) (?:\\w+ )?(?:towers|stacks))(?: ,| that are| which are)?(?: respectively)? "
-     f"((?:(?:{FEW}) ,? ?)+and (?:{FEW})) (?:blocks|cubes) (?:high|tall)(?: ,)?(?: respectively)?$",
-     "{1} of {2} blocks"),
+    (f"^(.*\\b(?:{FEW}) (?:\\w+ )?(?:towers|stacks))(?: ,| that are| which are)?(?: respectively)? ((?:(?:{FEW}) ,? "
+     f"?)+and (?:{FEW})) (?:blocks|cubes) (?:high|tall)(?: ,)?(?: respectively)?$", "{1} of {2} blocks"),
     ("^(?:slip|slide|squeeze|insert|wedge|fit|tuck|push) (.+?) (?:in )?between (?=\\w)", "put {1} between"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -22,7 +22,6 @@ _ASIDE = "(?:(?:to|on|at) )?(?:(?:the|its) )?(left|right)(?: side)?(?: of (?:it|
 _BESIDE = ("(?:(?:directly |right |immediately )?(?:to the left of|to the right of|left of|right of|behind|in front "
              "of|next to|"
            "beside))")  # fmt: skip
-_BEFORE = "(behind|in front of) (?:it|that|this)"
 _THING = f"(?:(?:an?|the|one) )?(?:{COLOR}|[b-z0-9])(?: (?:block|cube|one))?"
 _PILE = f"{_THING}(?: (?:on top of|on|over|above|atop) {_THING})+"
 _STACKED = f"({MANY} {COLOR}s?(?: {_BLOCKS})?)(?: stacked(?: up)?)?"
@@ -42,33 +41,29 @@ _CHANGING = (
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
     # how high they are
-    (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out "
-     f")?(?:of|from) "
-     f"(?={MANY}\\b)", "{1} {2} from"),
+    (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out )?(?:of|"
+     f"from) (?={MANY}\\b)", "{1} {2} from"),
     (f"\\b({_TOWERS}\\b.*?)(?: ,)? (?:and |with )?{_EACH} {_ARE}{_EQUAL}$", "{1} of equal height"),
     (f"\\b({_TOWERS}\\b.*?) (?:that|which) are {_EQUAL}$", "{1} of equal height"),
     (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH}$",
      "{1} , one {2} blocks high and one {3} blocks high"),
-    (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH} {_AND} {_OTHER} "
-     f"{_TALL}{_HIGH}$", "{1} , one {2} blocks high , one {3} blocks high and one {4} blocks high"),
+    (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH} {_AND} "
+     f"{_OTHER} {_TALL}{_HIGH}$", "{1} , one {2} blocks high , one {3} blocks high and one {4} blocks high"),
     # of so many colours
     (f"\\b({_TOWERS}\\b[^:]*?)(?: ,)? (?:each|every one)(?: one| tower| stack)?(?: of (?:them|these))? in (?:an?|its "
-     f"own) "
-     "(?:(?:different|separate) )?color(?: of its own)?$", "{1} , each tower in its own color"),
+     "own) (?:(?:different|separate) )?color(?: of its own)?$", "{1} , each tower in its own color"),
     (f"\\b({_TOWERS}\\b[^:]*?)(?: ,)? (?:each|every)(?: one)?(?: tower| stack)?(?: of them)? (?:in|of) (?:just|only) "
-     f"one "
-     "color(?= :|$)", "{1} , each of one color"),
-    (f"^(?:given |with |from |use )?{MANY} {_BLOCKS} (?:in|of) ({FEW}) (?:different )?colors(?: ,)? ({MANY})"
-     f"(?: {_BLOCKS})? (?:of each|per color|in each|each|for each)(?: color| of them)?(?: ,| :)? (?:make |build )?"
-     f"(?:one|a) ({TOWER}) (?:per|for each|for every|of each) color$", "{1} {3s} of {2} , each {3} in its own color"),
+     "one color(?= :|$)", "{1} , each of one color"),
+    (f"^(?:given |with |from |use )?{MANY} {_BLOCKS} (?:in|of) ({FEW}) (?:different )?colors(?: ,)? ({MANY})(?: "
+     f"{_BLOCKS})? (?:of each|per color|in each|each|for each)(?: color| of them)?(?: ,| :)? (?:make |build )?(?:one|"
+     f"a) ({TOWER}) (?:per|for each|for every|of each) color$", "{1} {3s} of {2} , each {3} in its own color"),
     # colours that alternate
     (f"^(stack|pile up) {_LOT} and {_LOT}(?: ,)? (?:{_CHANGING}){_BEGINS}",
      "{1} {2} and {3} blocks alternately , {4} at the bottom"),
     (f"^(.*?\\b{TOWER} of {MANY})(?: blocks)? (?:{_CHANGING}) , {_LOT} and {_LOT}(?: ,)?{_BEGINS}",
      "{1} blocks , {2} and {3} , alternating , starting with {4} at the bottom"),
     (f"\\b({TOWER}\\b.*?)(?: ,)? with (?:the |its )?colors (?:changing|taking turns) (?:alternately|each time|every "
-     f"time)$",
-     "{1} with alternating colors"),
+     "time)$", "{1} with alternating colors"),
     (f"\\b(make|build|form) of them (an? {TOWER}|one {TOWER})\\b", "{1} {2} of them"),
     (f"^(.*?\\b{TOWER}\\b[^,]*?) (?:is|are) (?:wanted|needed|required|desired) , (alternating .+)$", "{1} , {2}"),
     (f"\\b({TOWER} of {MANY}(?: blocks| cubes)?)(?: ,)? (?:that|which) (?:alternates|changes) between {_TURNS}",
@@ -76,29 +71,25 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({TOWER}\\b.*) alternating between {_TURNS}", "{1} alternating {2} and {3}"),
     (f"\\b({TOWER}\\b.*\\balternating .*?) with {_ONE} both at the (?:bottom|base|foot) and (?:at the top|on top)$",
      "{1} with {2} at the bottom and {2} at the top"),
-    (f"\\b({TOWER}\\b[^,]*?)(?: ,)? (?:with|in|of) alternating colors , {_TURNS} , ({MANY})(?: blocks| cubes)?"
-     "(?: high| tall)?(?= ,|$)", "{1} of {4} blocks , alternating {2} and {3}"),
-    (f"^(?:an? )?({TOWER}) (?:of|with) ({MANY})(?: blocks| cubes) [:,] (?:the )?colors alternate between {_TURNS}",
-     "a {1} of {2} blocks , alternating {3} and {4}"),
+    (f"\\b({TOWER}\\b[^,]*?)(?: ,)? (?:with|in|of) alternating colors , {_TURNS} , ({MANY})(?: blocks| cubes)?(?: "
+     "high| tall)?(?= ,|$)", "{1} of {4} blocks , alternating {2} and {3}"),
     (f"\\b({TOWER})(?: ,)? (?:where|in which) {_TURNS} alternate ,? ?({MANY})(?: blocks| cubes)? (?:high|tall)",
      "{1} of {4} blocks , alternating {2} and {3}"),
     (f"^(?:an? |the )?({TOWER}) , (?:alternate|alternating) {_TURNS} , ({MANY})(?: blocks| cubes)(?: high| tall)?",
      "a {1} of {4} blocks , alternating {2} and {3}"),
-    (f"^alternate {_TURNS} in (?:an?|one) ({TOWER}) of ({MANY})(?: blocks| cubes)? that (?:starts|begins) with "
-     f"{_ONE} "
+    (f"^alternate {_TURNS} in (?:an?|one) ({TOWER}) of ({MANY})(?: blocks| cubes)? that (?:starts|begins) with {_ONE} "
      f"{_FOOT}$", "a {3} of {4} blocks , alternating {1} and {2} , with {5} at the bottom"),
-    (f"\\b({TOWER} of {MANY})(?: blocks| cubes)?(?: ,)? (?:in which|where) every (?:second|other) "
-     f"(?:block|cube|one) ,? ?"
-     "(?:starting|beginning) (?:with the (?:bottom|lowest|bottommost)(?: one| block| cube)?|at the bottom|from the "
-     f"bottom) ,? ?is {_ONE} and the (?:rest|others|other blocks|other cubes) (?:is |are )?({COLOR})$",
+    (f"\\b({TOWER} of {MANY})(?: blocks| cubes)?(?: ,)? (?:in which|where) every (?:second|other) (?:block|cube|one) "
+     ",? ?(?:starting|beginning) (?:with the (?:bottom|lowest|bottommost)(?: one| block| cube)?|at the bottom|from "
+     f"the bottom) ,? ?is {_ONE} and the (?:rest|others|other blocks|other cubes) (?:is |are )?({COLOR})$",
      "{1} blocks , alternating {2} and {3} , with {2} at the bottom"),
     (f"\\b((?:tower|(?:an?|one|the) stack)\\b[^:]*\\b(?:alternating|alternate|alternately)\\b[^:]*?){_BEGINS}",
      "{1} , with {2} at the bottom"),
     # what becomes of one of them
     (f"^given ({MANY} {COLOR} {_BLOCKS}) , (make|build) (an? {TOWER}\\b.*)$", "from {1} {2} {3}"),
-    (f"^(?:split|divide|break|take|part) (?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?)"
-     f"(?: apart| up)? (?:in|into) (?:halves ,? so that )?({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?"
-     "(?: remain| result)?$", "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
+    (f"^(?:split|divide|break|take|part) (?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?)(?: "
+     f"apart| up)? (?:in|into) (?:halves ,? so that )?({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?(?: "
+     "remain| result)?$", "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
     (f"^(?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?) {MUST} be (?:split|divided|parted|"
      f"broken|taken apart)(?: up)? (?:in|into) ({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?$",
      "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
@@ -107,70 +98,51 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "at the start there is a {4} of {5} . at the end there are {1} {2} of {3}"),
     (f"^(?:make |build )?(?:for (?:every|each) color)(?: ,)? (?:one|an?|its)(?: own| separate)? ({TOWER})$",
      "one {1} per color"),
-    (f"^({MANY} {COLOR} {_BLOCKS})(?: ,)? and an? ({COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| "
-     f"one)?$",
+    (f"^({MANY} {COLOR} {_BLOCKS})(?: ,)? and an? ({COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| one)?$",
      "put a {2} block on each of {1}"),
-    (f"^({MANY} {COLOR} {_BLOCKS}) {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({COLOR}) "
-     "(?:one|block|cube)(?: on top| on it)?", "put a {2} block on each of {1}"),
-    (f"\\b(?:a|one) ({TOWER}) (?:with|of) ({MANY})(?: {_BLOCKS})? and (?:a|one|another)(?: one| {TOWER})? "
-     f"(?:with|of) "
+    (f"^({MANY} {COLOR} {_BLOCKS}) {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({COLOR}) (?:one|"
+     "block|cube)(?: on top| on it)?", "put a {2} block on each of {1}"),
+    (f"\\b(?:a|one) ({TOWER}) (?:with|of) ({MANY})(?: {_BLOCKS})? and (?:a|one|another)(?: one| {TOWER})? (?:with|of) "
      f"({MANY})(?: {_BLOCKS})?(?: ,)? (?:everything|all of it)(?: in)? ({COLOR})$",
      "one {4} {1} of {2} and one {4} {1} of {3}"),
     (f"\\b(?:a|one) ({TOWER}) of ({MANY})(?: {_BLOCKS})? and (?:one|another)(?: one)? of ({MANY})(?: {_BLOCKS})? "
      "(?=from|out of)", "one {1} of {2} and one {1} of {3}"),
     (f"^(?:with|from|out of) (.+? {_BLOCKS})(?: ,)? (?:i|we) (?:want|need|would like) ((?:one|an?|{MANY}) "
-     f".*{TOWER}.*)$",
-     "with {1} build {2}"),
+     f".*{TOWER}.*)$", "with {1} build {2}"),
     (f"\\b({_TOWERS} .+?) , (?:everything|all of it|all of them) (?:is )?(?:made )?(?:from|of|out of) ({COLOR} "
-     f"{_BLOCKS})$",
-     "{1} from {2}"),
+     f"{_BLOCKS})$", "{1} from {2}"),
     (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({TOWER}) : (.+)$", "a {1} of {2}"),
-    ("(?<! of)(?: ,)? the (?:rest|others|order of the (?:rest|others)) (?:is |are )?(?:as you like|up to you|free)$",
-     ", the others in any order"),
     (f"\\b({TOWER}) (of|out of|from|made of) ({COLOR}) ({COLOR}) and ({COLOR})(?= with| so| in|$)",
      "{1} {2} {3} , {4} and {5}"),
     (f"^(?:make |build )?({MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})(?: ,)? (?:with )?(?:the "
-     f")?"
-     "(?:colors )?in any order$", "stack {2} into {1} of equal height , in any order"),
+     ")?(?:colors )?in any order$", "stack {2} into {1} of equal height , in any order"),
     (f"^use (.+ {_BLOCKS}) to (?:make|build) ({MANY} {_TOWERS}) of (?:the same|equal) height(?: ,)? (?:with )?(?:the "
-     f")?"
-     "(?:colors )?in any order$", "stack {1} into {2} of equal height , in any order"),
+     ")?(?:colors )?in any order$", "stack {1} into {2} of equal height , in any order"),
     # what stands beside it
-    (f"\\b(two|2) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)? , the ({COLOR}) (?:one|{TOWER}) (?:is |being "
-     f"|stands "
-     f"|standing )?({_BESIDE}) the ({COLOR}) (?:one|{TOWER})$",
+    (f"\\b(two|2) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)? , the ({COLOR}) (?:one|{TOWER}) (?:is |being |"
+     f"stands |standing )?({_BESIDE}) the ({COLOR}) (?:one|{TOWER})$",
      "{1} {2} of {3} , one {4} and one {6} . the {4} tower must be {5} the {6} tower"),
     (f"\\b((?:an?|one) ({TOWER}) of {MANY}\\b.*? on .*?) and one of (?={MANY}(?: {COLOR})?(?: {_BLOCKS})? on )",
      "{1} and a {2} of"),
     (f"\\b((?:an?|one) ({TOWER}) of {MANY}\\b.*?(?: and|,) (?:{_BESIDE}) it(?: ,)?) one of (?={MANY}\\b)",
      "{1} a {2} of"),
-    (f"\\b(two) (columns|rows|towers|stacks) of ({MANY})(?: {_BLOCKS})?(?: ,| :)? an? ({COLOR}) "
-     f"(?:one|column|row|tower|"
-     f"stack) (?:on|to) the (left|right)(?: side)?(?: ,)? (?:and )?an? ({COLOR}) (?:one|column|row|tower|stack) "
-     f"(?:on|to) "
-     "the (left|right)(?: side)?$", "{1} {2} of {3} , the {5} one {4} and the {7} one {6}"),
     (f"\\b(?:two|2) {TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_ASIDE}(?: ,)? (?:there is |stands )?({_PILE})$",
      "a tower of {1} , and to the {2} of it a tower of {3}"),
-    (f"\\b(?:two|2) {TOWER}s [:,] ({_PILE})(?: ,)? (?:and )?{_BEFORE}(?: ,)? (?:there is |stands )?({_PILE})$",
-     "a tower of {1} , and {2} it a tower of {3}"),
     (f"\\b(?:two|2) {TOWER}s [:,] (?:on|to) the left {_STACKED}(?: ,)? (?:and )?(?:to|on) the right(?: of it)? "
      f"{_STACKED}$", "two towers , the left one of {1} and the right one of {2}"),
     (f"\\b(?:two|2) {TOWER}s [:,] on the left ({_PILE})(?: ,)? (?:and )?(?:to|on) the right(?: of it)? ({_PILE})$",
      "two towers : {1} on the left and {2} on the right"),
     (f"(?:^|(?<=: ))(?:(?:stack|sort)(?: them| the blocks)? by color [:,] )?(?:all )?(?:the )?({COLOR})(?: "
-     f"{_BLOCKS})? "
-     f"{_INTO}{_GROUND} (?:one|a) {TOWER} of ({MANY})(?: ,| and|, and) "
-     f"(?:all )?(?:the )?({COLOR})(?: {_BLOCKS})? {_INTO}{_GROUND} another(?: one| {TOWER})? of ({MANY})$",
+     f"{_BLOCKS})? {_INTO}{_GROUND} (?:one|a) {TOWER} of ({MANY})(?: ,| and|, and) (?:all )?(?:the )?({COLOR})(?: "
+     f"{_BLOCKS})? {_INTO}{_GROUND} another(?: one| {TOWER})? of ({MANY})$",
      "one {1} tower of {2} and one {3} tower of {4}"),
     (f"(?:^|(?<=: ))(?:put |stack |build )?(?:all )?(?:of )?(the |my )?({COLOR}) ({_BLOCKS}) {_INTO}(?:{_GROUND} "
-     f")?(?:one|a) "
-     f"({TOWER}) (?:and|,|, and) (?:all )?(?:of )?(?:the )?({COLOR})(?: {_BLOCKS})? {_INTO}(?:{_GROUND} )?another"
-     f"(?: one| {TOWER})?$", "the {2} {3} form a {4} . the {5} {3} form another {4}"),
+     f")?(?:one|a) ({TOWER}) (?:and|,|, and) (?:all )?(?:of )?(?:the )?({COLOR})(?: {_BLOCKS})? {_INTO}(?:{_GROUND} "
+     f")?another(?: one| {TOWER})?$", "the {2} {3} form a {4} . the {5} {3} form another {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
 TOWERS: tuple[Turn, ...] = (
-    (f"\\bthe remaining ({MANY})(?: {_BLOCKS})? (?:each )?(sit|lie|stand|rest|stay|are)\\b", "the other {1} {2}"),
     ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
     ("(?: ,)? so that no two touch$", ". no two of them touch"),
 )  # fmt: skip

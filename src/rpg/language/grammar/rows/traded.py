@@ -8,7 +8,6 @@ from rpg.language.grammar.rows.vocabulary import MUST
 
 _END = "(?:top|bottom|middle|lowest|highest|uppermost|leftmost|rightmost|first|second|third|last|upper|lower)"
 _BLOCK = "(?:block|cube|brick|one)"
-_BEGAN = "(?:at|in) the (?:start|starting|initial|original) (?:position|place)"
 TRADED: tuple[Turn, ...] = (
     (f"\\bthe ({_END}) and the ({_END}) ({_BLOCK})\\b", "the {1} {3} and the {2} {3}"),
     (f"^(.+?) (?:takes|{MUST} take) the place of (.+?) and \\2 (?:(?:takes|{MUST} take) the place of|that of) \\1$",
@@ -17,10 +16,6 @@ TRADED: tuple[Turn, ...] = (
      "swap {1} and {2}"),
     ("^i (?:want|would like|need) (.+?) and (.+?) (?:to be )?(?:swapped|exchanged|interchanged|switched)$",
      "swap {1} and {2}"),
-    (f"^(.+?) {MUST} (?:end up|be) {_BEGAN} of (.+?)(?: ,)? and \\2 {_BEGAN} of \\1$", "swap {1} and {2}"),
-    (f"^(the [^,]+?|\\w+) {MUST} leave (the .+)$", "take {1} off {2}"),
-    ("\\b(take|move|get|clear) (.+?) away from (the [^,]+? (?:patch|mat|zone|target))\\b", "{1} {2} off {3}"),
-    ("\\bfree (the [^,]+? (?:patch|mat|zone|target))\\b", "clear {1}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("spot",)

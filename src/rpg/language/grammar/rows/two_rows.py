@@ -35,14 +35,12 @@ _HAS = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUS
 TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     # words
     ("^two words(?: today| please)?$", ""),
-    (f"^(?:two (?:rows|words){_OF}(?: ,| :) )?the {_END} row {_SHOWS}(?: the word)? {_WORD}{_AND}the {_END} "
-     f"(?:row|one)(?: {_SHOWS})?(?: the word)? {_WORD}$", "write {2} in the {1} row and {4} in the {3} row"),
-    (f"^{_TWO} in two rows{_AND}\\1 in the {_END} (?:one|row){_AND}\\2 in the "
-     f"{_END} (?:one|row)$", "write {1} in the {3} row and {2} in the {4} row"),
-    (f"^{_TWO}(?: ,)? one (?:word )?behind the other(?: ,)?(?: with)? \\1 (?:is |"
-     f"being )?{_NEAR}$", "the word {2} behind the word {1}"),
-    (f"^{_TWO}(?: ,)? one (?:word )?behind the other(?: ,)?(?: with)? \\2 (?:is |"
-     f"being )?{_NEAR}$", "the word {1} behind the word {2}"),
+    (f"^{_TWO} in two rows{_AND}\\1 in the {_END} (?:one|row){_AND}\\2 in the {_END} (?:one|row)$",
+     "write {1} in the {3} row and {2} in the {4} row"),
+    (f"^{_TWO}(?: ,)? one (?:word )?behind the other(?: ,)?(?: with)? \\1 (?:is |being )?{_NEAR}$",
+     "the word {2} behind the word {1}"),
+    (f"^{_TWO}(?: ,)? one (?:word )?behind the other(?: ,)?(?: with)? \\2 (?:is |being )?{_NEAR}$",
+     "the word {1} behind the word {2}"),
     (f"^(?:write|spell)(?: the word)? {_WORD} and(?: ,)? ({_BESIDE}) it(?: ,)?(?: the word)? {_WORD}$",
      "the word {3} {2} the word {1}"),
     (f"^((?:write|spell) {_WORD} {_BESIDE} {_WORD}) , each(?: word)? from left to right$", "{1}"),
@@ -51,20 +49,15 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     # rows
     (f"^{_ROWS}the {_END} row {_SHOWS} {_LISTED}{_AND}the {_END} (?:row|one) {_SHOWS} {_LISTED}$",
      "{1} row : {2} ; {3} row : {4}"),
-    (f"^(an? (?:\\w+ )?{_LINE} of) ((?!(?:{FEW})\\b)(?:\\w+ )?{_MADE}) and (an? (?:\\w+ )?{_LINE} of) "
-     f"((?:\\w+ )?{_MADE}) , ({FEW}) (?:each|in each|blocks each|of each)$", "{1} {5} {2} and {3} {5} {4}"),
-    (f"{_LOOK}(?:in|at) the (?:back|rear) (an? {_LINE} of .+?){_AND}in front of it (an? {_LINE} "
-     "of .+)$", "{2} in front of {1}"),
-    (f"{_LOOK}(?:in|at) the front (an? {_LINE} of .+?){_AND}behind it (an? {_LINE} of .+)$",
-     "{2} behind {1}"),
+    (f"^(an? (?:\\w+ )?{_LINE} of) ((?!(?:{FEW})\\b)(?:\\w+ )?{_MADE}) and (an? (?:\\w+ )?{_LINE} of) ((?:\\w+ "
+     f")?{_MADE}) , ({FEW}) (?:each|in each|blocks each|of each)$", "{1} {5} {2} and {3} {5} {4}"),
+    (f"{_LOOK}(?:in|at) the (?:back|rear) (an? {_LINE} of .+?){_AND}in front of it (an? {_LINE} of .+)$",
+     "{2} in front of {1}"),
     (f"\\b(an? (?:front |back )?{_LINE} of [^,]+) and , (?:parallel to it and )?({_BESIDE}) it , (an? {_LINE} of .+)$",
      "{1} and {2} it {3}"),
     (f"\\b(an? {_LINE} of [^,]+) and , (?:parallel to it and )?nearer to me , (an? {_LINE} of .+)$",
      "{1} and in front of it {2}"),
-    (f"^{_SAME} parallel to (an? {_LINE} of .+?) ,(?: the)? \\2 (?:row|"
-     "one) behind$", "{1} behind {3}"),
-    (f"^{_SAME} parallel to (an? {_LINE} of .+?) ,(?: the)? \\2 (?:row|"
-     "one) in front$", "{1} in front of {3}"),
+    (f"^{_SAME} parallel to (an? {_LINE} of .+?) ,(?: the)? \\2 (?:row|one) behind$", "{1} behind {3}"),
     (f"^two rows of ({FEW})(?: blocks)? ,(?: the)? first row ({COLOR}){_AND}(?:the )?second row ({COLOR}) ,? ?the "
      "first (?:one |row )?(?:being|is) the (?:far|back) (?:one|row)$",
      "{1} {2} blocks in the far row and {1} {3} blocks in the near row"),
@@ -73,8 +66,8 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
 ROWS_PLACED: tuple[Turn, ...] = (
     (f"{_BARE}{_DONE}(?!.* row .* row .* row)(?!all )(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_AT}) row{_ALSO} "
      f"(?:{MUST} )?(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_AT}) row$", "{2} row : {1} . {4} row : {3}"),
-    (f"{_BARE}{_DONE}(?!.* row .* row .* row)(?:the|a) ({_AT}) row {_HAS} (.+?){_ALSO} (?:the|a) ({_AT}) row "
-     f"{_HAS} (.+)$", "{1} row : {2} . {3} row : {4}"),
+    (f"{_BARE}{_DONE}(?!.* row .* row .* row)(?:the|a) ({_AT}) row {_HAS} (.+?){_ALSO} (?:the|a) ({_AT}) row {_HAS} "
+     "(.+)$", "{1} row : {2} . {3} row : {4}"),
 )  # fmt: skip
 """Those that come last: in words and on boards, rows are told by others."""
 _PAGE = {"first": "back", "second": "front"}

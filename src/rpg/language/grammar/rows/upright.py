@@ -24,14 +24,10 @@ _AMID = "(?:in between|between (?:them|the two|these two|those two|the other two
 def _not_at(place: str, said: str) -> tuple[Turn, ...]:
     """What is not to be at an end of the tower."""
     return (
-        (f"(?: ,)? in {_ORDER}(?: ,)? {_BUT} (?:with )?{_KNOWN} {place}$", f", with {{1}} not {said}"),
-        (
-            f"(?: ,)? in {_ORDER} (?:that|which) (?:does not|must not|may not) have {_KNOWN} {place}$",
-            f", with {{1}} not {said}",
-        ),
-        (f"(?: ,)? (?:with )?anything {_BUT} {_KNOWN} {place}$", f", with {{1}} not {said}"),
+        (f"(?: ,)? (?:in {_ORDER}|(?:with )?anything)(?: ,)? (?:{_BUT} (?:with )?|(?:that|which) (?:does|must|may) not "
+         f"have ){_KNOWN} {place}$", f", with {{1}} not {said}"),
         (f"(?: ,)? (?:with )?anything {place} {_BUT} {_KNOWN}$", f", with {{1}} not {said}"),
-    )
+    )  # fmt: skip
 
 
 def _not_block(nouns: str, said: str) -> Turn:
@@ -42,7 +38,6 @@ def _not_block(nouns: str, said: str) -> Turn:
 
 UPRIGHT_AT_ONCE: tuple[Turn, ...] = (
     (f"^anything at the (?:very )?bottom {_BUT} {_KNOWN}$", "{1} is not at the bottom"),
-    (f"^anything (?:on top|at the (?:very )?top) {_BUT} {_KNOWN}$", "{1} is not on top"),
     *_not_at(_LOW, "at the bottom"),
     *_not_at(_HIGH, "on top"),
     (f"^any ({TOWER} of .+?) (?:passes|will do|is fine|counts|is ok)(?: ,)? ((?:as long as|provided that|if) .+)$",
@@ -53,49 +48,36 @@ UPRIGHT_AT_ONCE: tuple[Turn, ...] = (
      "so that {1} is somewhere {2} {3}"),
     (f"(?: ,)? in {_ORDER}(?: that| which)? keeps {_KNOWN} from (?:touching|being on) {_KNOWN}$",
      "so that {1} does not touch {2}"),
-    (f"(?: ,)? (?:in {_ORDER} )?(?:as long as|so long as|provided that|so that) {_KNOWN} is higher(?: up)?"
-     f"(?: in (?:it|the {TOWER}))? than {_KNOWN}$", "so that {1} is somewhere above {2}"),
-    (f"(?: ,)? (?:in {_ORDER} )?(?:as long as|so long as|provided that|so that) {_KNOWN} is lower(?: down)?"
-     f"(?: in (?:it|the {TOWER}))? than {_KNOWN}$", "so that {1} is somewhere below {2}"),
+    (f"(?: ,)? (?:in {_ORDER} )?(?:as long as|so long as|provided that|so that) {_KNOWN} is higher(?: up)?(?: in "
+     f"(?:it|the {TOWER}))? than {_KNOWN}$", "so that {1} is somewhere above {2}"),
     (f"^(stack|pile up) all {MANY} of (.+?) (so that .+)$", "{1} {2} {3}"),
-    (f"^(.*\\b{TOWER}\\b.*?)(?: ,)? (?:in which|so that|where|with) (?:neither|none of the) ({COLOR}) "
-     f"(?:one|ones|block|"
-     "blocks|cube|cubes) (?:is |are )?(?:touching|touches|touch) (?:the other|another|each other)(?: one| ones)?$",
-     "{1} so that no two {2} blocks touch"),
-    (f"^(.*\\b(?:{TOWER}|stack)\\b.*?)(?: ,)? (?:in which|so that|where|with) no (?:block|cube) (?:is |lies |sits "
-     f"|being )?"
-     "(?:directly )?(?:on top of|on|touching) (?:one|another|another one|a block|another block) of (?:its own|the "
-     "same) "
-     "color$", "{1} so that no two blocks of the same color touch"),
+    (f"^(.*\\b{TOWER}\\b.*?)(?: ,)? (?:in which|so that|where|with) (?:neither|none of the) ({COLOR}) (?:one|ones|"
+     "block|blocks|cube|cubes) (?:is |are )?(?:touching|touches|touch) (?:the other|another|each other)(?: one| "
+     "ones)?$", "{1} so that no two {2} blocks touch"),
+    (f"^(.*\\b(?:{TOWER}|stack)\\b.*?)(?: ,)? (?:in which|so that|where|with) no (?:block|cube) (?:is |lies |sits |"
+     "being )?(?:directly )?(?:on top of|on|touching) (?:one|another|another one|a block|another block) of (?:its own|"
+     "the same) color$", "{1} so that no two blocks of the same color touch"),
     # what is between two of them
     (f"{_BEGUN}{_KNOWN} (?:{_IS} )?(?:somewhere )?above {_KNOWN} {_IN_ONE}(?: ,)? {_INDIRECT}$",
      "{1} must be somewhere above {2} . {1} must not be on {2}"),
     (f"{_BEGUN}{_KNOWN} (?:{_IS} )?(?:somewhere )?above {_KNOWN} {_IN_ONE}(?: ,)? (?:and|with) (?:only )?{_THING} "
-     f"(?:is "
-     f"|{MUST} "
-     f"be |goes )?(?:in the middle of|between|separating) (?:them|the two)$",
+     f"(?:is |{MUST} be |goes )?(?:in the middle of|between|separating) (?:them|the two)$",
      "a tower of {2} , {3} and {1} from bottom to top"),
     (f"{_BEGUN}{_KNOWN} (?:{_IS} )?(?:somewhere )?above {_KNOWN} {_IN_ONE}(?: ,)? (?:and|with) (?:only )?{_THING} "
-     f"(?:is "
-     f"|{MUST} "
-     f"be |goes )?{_AMID}$", "a tower of {2} , {3} and {1} from bottom to top"),
-    (f"^somewhere above {_KNOWN} {_IN_ONE} (?:there )?(?:is|{MUST} be) {_KNOWN}(?: ,)? (?:and|with) {_THING} (?:is "
-     f"|{MUST}"
-     f" be |goes )?{_AMID}$", "a tower of {1} , {3} and {2} from bottom to top"),
+     f"(?:is |{MUST} be |goes )?{_AMID}$", "a tower of {2} , {3} and {1} from bottom to top"),
+    (f"^somewhere above {_KNOWN} {_IN_ONE} (?:there )?(?:is|{MUST} be) {_KNOWN}(?: ,)? (?:and|with) {_THING} (?:is |"
+     f"{MUST} be |goes )?{_AMID}$", "a tower of {1} , {3} and {2} from bottom to top"),
     (f"^somewhere above {_KNOWN} {_IN_ONE} (?:there )?(?:is|{MUST} be) {_KNOWN}$", "{2} must be somewhere above {1}"),
     (f"^(?:stack|put|place) {_KNOWN} (?:over|above|on) {_KNOWN} ,? ?{_INDIRECT} [:,] {_THING} (?:is|goes|comes|{MUST} "
-     f"be|"
-     f"{MUST} go) {_AMID}$", "a tower of {2} , {3} and {1} from bottom to top"),
+     f"be|{MUST} go) {_AMID}$", "a tower of {2} , {3} and {1} from bottom to top"),
     (f"\\b({TOWER}) (?:with|where|in which) {_KNOWN} (?:is |being )?(?:in )?between {_KNOWN} and {_KNOWN}$",
      "{1} of {3} , {2} and {4} with {2} in the middle"),
     (f"^(.*\\b{TOWER}\\b.*?)(?: ,)? with {_KNOWN} (?:somewhere )?above {_KNOWN} ,? ?{_INDIRECT}$",
      "{1} , with {2} somewhere above {3} . {2} must not be on {3}"),
-    (f"^(.*\\b{TOWER} (?:of|out of|from) .*?)(?: ,)? with {_KNOWN} at the bottom , {_KNOWN} (?:on top|at the top) "
-     f"and the "
-     f"(?:other|third|last|remaining)(?: one| block| cube)? {_AMID}$", "{1} with {2} at the bottom and {3} on top"),
-    (f"\\b(?:put|stack|place) both (?:the )?({COLOR}) {_BLOCKS} on {_KNOWN} so that (?:it is|there is|you get|this "
-     f"is|they "
-     f"form) (an? {TOWER}) of three$", "{3} of {2} and two {1} blocks from bottom to top"),
+    (f"^(.*\\b{TOWER} (?:of|out of|from) .*?)(?: ,)? with {_KNOWN} at the bottom , {_KNOWN} (?:on top|at the top) and "
+     f"the (?:other|third|last|remaining)(?: one| block| cube)? {_AMID}$", "{1} with {2} at the bottom and {3} on top"),
+    (f"\\b(?:put|stack|place) both (?:the )?({COLOR}) {_BLOCKS} on {_KNOWN} so that (?:it is|there is|you get|this is|"
+     f"they form) (an? {TOWER}) of three$", "{3} of {2} and two {1} blocks from bottom to top"),
     (f"\\bthe ({COLOR}) the ({COLOR}) and the ({COLOR}) (?=block|cube|one)", "the {1} , the {2} and the {3}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""

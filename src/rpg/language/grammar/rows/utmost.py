@@ -11,14 +11,11 @@ _MOST = (f"(?:leftmost|rightmost|frontmost|(?:nearest|closest)(?: to {ME})?|{_FA
          "topmost|uppermost|lowest|bottommost)")  # fmt: skip
 _ONE = "(?: one| block| cube)?"
 _IS = f"(?:is|{MUST} be)"
-_ALL = "(?:all|them|them all|all of them|all (?:the )?(?:blocks|cubes))"
 
 UTMOST_TOLD: tuple[Turn, ...] = (
     *((f"\\b(?:the )?{_FAR}{_ONE} (?:(?:out )?(?:to|towards|on|at) the )?{side}(?= ,| and| of| among|$)", f"{side}most")
       for side in ("left", "right")),
-    (f"^(.+?) ({_IS}) (?:the )?({_MOST}){_ONE} (?:of|among|out of|from) {_ALL}$", "{1} {2} {3}"),
     (f"^(.+?) ({_IS}) (?:the )?({_MOST}){_ONE} (?:of|among|out of|from) (?!an? \\w)(.+)$",
      "there are {4} . {1} {2} {3}"),
-    (f"^the ({_MOST}){_ONE} of (.+?) ({_IS}) (.+)$", "there are {2} . {4} {3} {1}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

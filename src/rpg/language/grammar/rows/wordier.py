@@ -30,51 +30,41 @@ _OF = "(?:exactly |just |only |at least |at most )?(?:each|one|any|any one|none|
 AT_ONCE: tuple[Turn, ...] = (
     # for whom
     (f"\\b(build|make|show|give) us (?=(?:an?|the|one|some|\\d+|{FEW}) )", "{1} me "),
-    (f"\\b(create|draw|stack|spell|write|lay|arrange|construct|assemble|form) (?:me|us) "
-     f"(?=(?:an?|the|one|some|\\d+|{FEW}) |\\S+$)", "{1} "),
     (f"{_NO_FAVOR} for (?:me|us)(?=$| ,| with | on | in | and | as | from )", " "),
     (f"\\bdo (an? (?:\\w+ )?{_SHAPE})\\b", "make {1}"),
     # who touches whom
-    (f"^(?:(?:i|we) (?:want|need|would like) )?(?!no )(.+?) (?:{MUST}|to) be touched by (?!the (?:robot|arm|gripper))"
-     "(.+)$", "{2} must touch {1}"),
+    (f"^(?:(?:i|we) (?:want|need|would like) )?(?!no )(.+?) (?:{MUST}|to) be touched by (?!the (?:robot|arm|"
+     "gripper))(.+)$", "{2} must touch {1}"),
     ("^(?!no )([^,]+?) (?:is|are) touched by (?!the (?:robot|arm|gripper))([^,]+)$", "{2} must touch {1}"),
     (f"\\b({_PUSH}) ((?:the|an?) [^,]+? {CUBE}|the \\w+ one|\\w+|it) (?:up|over|right up|all the way) to (it|the "
      f"[^,]+?|\\w)(?: ,)? (so that|until) (they|the two|both|the two {CUBE}s)(?: just)? touch\\b(?! the table)",
      "put {2} next to {3} so that they touch"),
     # how much there is
     (f"\\b({MANY}) {CUBE}s (by|x) ({MANY}) {CUBE}s\\b", "{1} {2} {3} blocks"),
-    (f"^with ({_COUNTED}) (?:standing |lying )?on the table(?: ,)? ((?:put|place|stack|build|make|arrange|set|lay|line|"
-     "sort|move) .+)$", "there are {1} . {2}"),
-    (f"^((?:every|each) [^,]+? {CUBE}) , (?:and )?there are ({MANY})(?: of (?:them|those|these))? , "
-     "(.+)$", "{1} {3} . there are {2} of them"),
+    (f"^with ({_COUNTED}) (?:standing |lying )?on the table(?: ,)? ((?:put|place|stack|build|make|arrange|set|lay|"
+     "line|sort|move) .+)$", "there are {1} . {2}"),
+    (f"^((?:every|each) [^,]+? {CUBE}) , (?:and )?there are ({MANY})(?: of (?:them|those|these))? , (.+)$",
+     "{1} {3} . there are {2} of them"),
     (f"\\bsome ((?:\\w+ )?{CUBE}) (?!of\\b|.*\\b(?:not|no|never)\\b)", "at least one {1}"),
-    *((f"\\b(?:every|any) two of {them} ((?:are|{MUST} be|stand|lie) (?:at least|more than|no less than) {LENGTH} "
-       "apart)\\b(?: from each other)?", f"{they} {{{n}}} from each other")
-      for them, they, n in (("them", "they", 1), ("(the [^,]+?)", "{1}", 2))),
-    *((f"\\bevery two of {them} ((?:{MUST}|may|can|do) not .+ each other)$", f"{they} {{{n}}}")
-      for them, they, n in (("them", "they", 1), ("(the [^,]+?)", "{1}", 2))),
     # numbers and letters
-    (f"^((?:(?!equation|sum).)+?)(?: ,)? (?:so|such) that the (?:equation|sum|calculation) (?:is|comes out|works out|"
+    ("^((?:(?!equation|sum).)+?)(?: ,)? (?:so|such) that the (?:equation|sum|calculation) (?:is|comes out|works out|"
      f"holds|becomes) ?{_TRUE}?$", "{1} so that they form a true equation"),
     ("^of (the (?:digits|numbers|letters) [^;]+?) , (the (?:even|odd) (?:ones|digits|numbers) .+)$",
      "there are {1} . {2}"),
     ("^((?:separate|sort|split|divide) .+?)(?: ,)? so that there is (?:a|one) group (?:of|for) each(?: kind| color)?$",
      "{1}"),
-    (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_RISE}\\b", "{1} a {2} in "
-     "ascending order"),
-    (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_FALL}\\b", "{1} a {2} in "
-     "descending order"),
+    (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_RISE}\\b",
+     "{1} a {2} in ascending order"),
+    (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_FALL}\\b",
+     "{1} a {2} in descending order"),
     (f"^(?:the word )?(\\S+) (?:{MUST} be|is) (?:spelled|spelt|written|shown|formed) by (an? {LINE}\\b[^,]*)(.*)$",
      "{2} must spell {1} {3}"),
     # one of several that are listed with an article each
-    *((f"\\b({_OF}) of the (\\w+){more} (?:and|or) the (\\w+) ({noun})\\b",
-       f"{{1}} of the {{2}}{said} and {{{n}}} {plural}")
-      for more, said, n in (("", "", 3), (" , the (\\w+)(?: ,)?", " , {3}", 4),
-                            (" , the (\\w+) , the (\\w+)(?: ,)?", " , {3} , {4}", 5))
-      for noun, plural in (("block|cube", "blocks"), ("patch|mat|zone|target|area|spot", "patches"))),
-    ("\\b(gradient|rainbow|rainbow order|spectrum)(?: ,)? from (\\w+) (?:on|at) the "
-     "(left|right|front|back|top|bottom) to (\\w+) (?:on|at) the "
-     "(left|right|front|back|top|bottom)$", "{1} from {2} to {4} from {3} to {5}"),
+    *((f"\\b({_OF}) of the (\\w+) , the (\\w+)(?: ,)? (?:and|or) the (\\w+) ({noun})\\b",
+       f"{{1}} of the {{2}} , {{3}} and {{4}} {plural}")
+      for noun, plural in (("block|cube", "blocks"), (_PATCH, "patches"))),
+    ("\\b(gradient|rainbow|rainbow order|spectrum)(?: ,)? from (\\w+) (?:on|at) the (left|right|front|back|top|bottom) "
+     "to (\\w+) (?:on|at) the (left|right|front|back|top|bottom)$", "{1} from {2} to {4} from {3} to {5}"),
     (f"\\b(checkerboard|chessboard)( of [^,]+?)?(?: ,| with| of| in) ({FEW}) rows of ({FEW})(?: {CUBE}s)?(?: each)?$",
      "{1} {2} , {3} by {4}"),
     ("^(?:seen )?in (?:plan|plan view|top view)(?: ,)? (.+)$", "{1}"),
@@ -82,38 +72,27 @@ AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} {3}"),
     # what is where
     (f"^({WAY})(?: ,)? (?:we|you|i) (?:have|see|find|get) ", "{1} there are"),
-    ("\\b(stack|tower|pile)\\b((?:(?! put | place | set | lay | stands | lies ).)*(?:,|with) (?:the )?\\w+(?: one)?)"
-     " at the foot$", "{1} {2} at the bottom"),
     ("\\b(left|right) hand (end|edge|position|place|one|block|half)\\b", "{1} {2}"),
     ("\\b(half|corner|middle|center|edge) of the table\\b(.+?)\\b(half|corner|middle|center|edge) of it$",
      "{1} of the table {2} {3} of the table"),
     ("^((?:the|an?|both|block|cube) [^,]+?|\\w+) (starts|begins|stands|sits|is|lies)(?: now| initially| at first| at "
-     "the start)? ((?:on|in|next to|behind|under) [^,]+?)(?: at the start| now| at first| initially)?(?: ,)? "
-     "(?:and|but) (?:(?:i|we) (?:would like|want|need) it not to|it (?:should|must|may|shall) (?:not|no "
-     "longer)|(?:should|must|may) (?:not|no longer)) (?:be|stay|remain) there(?: any more| anymore| any longer)?(?: "
-     "(?:at|in) the end)?$",
+     "the start)? ((?:on|in|next to|behind|under) [^,]+?)(?: at the start| now| at first| initially)?(?: ,)? (?:and|"
+     "but) (?:(?:i|we) (?:would like|want|need) it not to|it (?:should|must|may|shall) (?:not|no longer)|(?:should|"
+     "must|may) (?:not|no longer)) (?:be|stay|remain) there(?: any more| anymore| any longer)?(?: (?:at|in) the end)?$",
      "at the start , {1} is {3} . {1} must not be {3}"),
     (f"^on (?:either|each) side of (the [^,]+?) there (?:is|{MUST} be) one of the two (\\w+) {CUBE}s\\b",
      "on either side of {1} there is a {2} block"),
-    (f"^(?:in (?:the|an?) ({LINE})|an? ({LINE}) (?:in which|where))(?: ,)? (?:both|the two|the) ends (?:are|{MUST} be) "
-     f"(\\w+) and the ({FEW}) (?:{CUBE}s |ones )?(?:in )?between(?: them)? (?:are |{MUST} be )?(\\w+)$",
+    (f"^(?:in (?:the|an?) ({LINE})|an? ({LINE}) (?:in which|where))(?: ,)? (?:both|the two|the) ends (?:are|{MUST} "
+     f"be) (\\w+) and the ({FEW}) (?:{CUBE}s |ones )?(?:in )?between(?: them)? (?:are |{MUST} be )?(\\w+)$",
      "a {1} {2} of {4} {5} blocks with a {3} block at each end"),
-    ("^(?:stack|pile|pile up|stack up) (an? [^,]+?) , ((?:and |then )?an? [^,]+? on (?:it|top of it|that)\\b.*)$",
-     "put {1} on the table , {2}"),
-    (f"^(?:(?:each of |all )?the four (\\w+) {CUBE}s {MUST} (?:be|end up|stand|go|lie)|(?:put|place|set|move) "
-     f"(?:each of )?the four (\\w+) {CUBE}s) in (?:a different|its own|a separate|different|separate) corners?(?: "
-     "of the table)?$",
-     "a {1} {2} block must be in each corner of the table"),
-    (f"^(?:take|get|pick|pick up|grab) (the (?:{MANY} )?(?:\\w+ )?{CUBE}s)(?: up)? (?:from|out of) (?:their|a) "
-     "(heap|pile)(?: ,)? (?:and|then|and then) (.+)$", "{1} start in a {2} . {3}"),
-    (f"^({MANY} \\w+ {CUBE}s?(?: ,| and| , and) {MANY} \\w+ {CUBE}s?) , and (on (?:every|each) .+)$", "{1} . "
-     "{2}"),
+    (f"^(?:take|get|pick|pick up|grab) (the (?:{MANY} )?(?:\\w+ )?{CUBE}s)(?: up)? (?:from|out of) (?:their|a) (heap|"
+     "pile)(?: ,)? (?:and|then|and then) (.+)$", "{1} start in a {2} . {3}"),
+    (f"^({MANY} \\w+ {CUBE}s?(?: ,| and| , and) {MANY} \\w+ {CUBE}s?) , and (on (?:every|each) .+)$", "{1} . {2}"),
     (f"^visit (?:the|all|all the) (?:{MANY} )?(?:{_PATCH}s|patches) in (?:this |that |the following )?order : (.+ "
-     f"then .+)$",
-     "{1}"),
-    (f"^(.+?) (?:may|can|could) (?:be|stand|lie|go) (?:placed )?(?:anywhere|wherever)(?: (?:in|on) [^,]+?)?{_LIKING}"
-     "(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) "
-     "(?:is|are|does|do|stands?|lies?) (not )?(?:stand |lie |be )?(.+)$", "{1} must {2} be {3}"),
+     "then .+)$", "{1}"),
+    ("^(.+?) (?:may|can|could) (?:be|stand|lie|go) (?:placed )?(?:anywhere|wherever)(?: (?:in|on) "
+     f"[^,]+?)?{_LIKING}(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) (?:is|are|does|"
+     "do|stands?|lies?) (not )?(?:stand |lie |be )?(.+)$", "{1} must {2} be {3}"),
     # lines and figures by what they show
     (f"^(line up|line them up|arrange) , (?:from )?{_ENDWISE} to {_ENDWISE} : (.+)$", "{1} from {2} to {3} : {4}"),
     ("\\b(every corner|each corner)( of the table)? receives? (.+)$", "{1} {2} gets {3}"),
@@ -121,16 +100,15 @@ AT_ONCE: tuple[Turn, ...] = (
      f"comes|lies) (?:on|at) the {_SIDE}(?: ,)? and the {_MOST}(?: one| \\2)? (?:is |stands |comes |lies )?(?:on|at) "
      f"the {_SIDE}$", ", the {1} {2} on the {3} and the {4} on the {5}"),
     (f"(?: ,)? (?:that|which) (?:goes|runs|leads) from the {_MOST}(?: number| digit)? (?:on|at) the {_SIDE} to the "
-     f"{_MOST}(?: number| digit)? (?:on|at) the {_SIDE}$",
-     ", the {1} number on the {2} and the {3} on the {4}"),
+     f"{_MOST}(?: number| digit)? (?:on|at) the {_SIDE}$", ", the {1} number on the {2} and the {3} on the {4}"),
     ("\\b(?:that|which) follows? the (?:colors of the )?rainbow\\b", "in rainbow order"),
     ("(?: ,)? (?:colored|arranged|patterned|laid out) like an? (?:checkerboard|chessboard|chess board)$",
      "in a checkerboard pattern"),
     ("^the (?:finished|final) (?:table|scene|picture|layout|state) shows (them|these|those|the [^,]+?) (in an? .+|in "
      "one .+)$", "{1} must be {2}"),
     ("\\bput together (?:as|into|to form|to make) (an?) ", "arranged as {1} "),
-    ("(?: ,)? in which (the [^,]+?) (?:are|is|form|make up) the (far|near|back|front) row and (the [^,]+?) "
-     "(?:(?:are|is|form|make up) )?the (far|near|back|front) row$", "with {1} in the {2} row and {3} in the {4} row"),
+    ("(?: ,)? in which (the [^,]+?) (?:are|is|form|make up) the (far|near|back|front) row and (the [^,]+?) (?:(?:are|"
+     "is|form|make up) )?the (far|near|back|front) row$", "with {1} in the {2} row and {3} in the {4} row"),
     (f"\\b(?:is|stands) (?:a )?part of (the same|one|a single) ({LINE})$", "belongs to {1} {2}"),
     (f"\\b(?:are|be) (?:a )?part of (the same|one|a single) ({LINE})$", "belong to {1} {2}"),
     ("(?: ,)? without (?:being|standing|lying|sitting|resting) (on .+|in .+|next to .+|beside .+)$", "but not {1}"),
@@ -152,38 +130,31 @@ WORDIER: tuple[Turn, ...] = (
     # what each is
     (f"\\bby whether (?:they|it|each(?: one)?|the \\w+) (?:are|is) (?:an? )?({_KINDS})s? or (?:an? )?({_KINDS})s?$",
      "into {1s} and {2s}"),
-    ("\\bby whether (?:they|it|each(?: one)?|their numbers|the numbers|the digits) (?:are|is) (odd or even|even or "
-     "odd)$",
-     "into odd and even"),
     # what may be anywhere
-    ("^(?:you (?:may|can|could|are free to) |feel free to )?(?:put|place|set|move) (.+?) (?:just "
-     f")?(?:anywhere|wherever){_LIKING}(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) "
-     "(?:is|are|stays|stay|ends up|end up|remains|remain) (.+)$", "{1} must be {2}"),
+    ("^(?:you (?:may|can|could|are free to) |feel free to )?(?:put|place|set|move) (.+?) (?:just )?(?:anywhere|"
+     f"wherever){_LIKING}(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) (?:is|are|stays|"
+     "stay|ends up|end up|remains|remain) (.+)$", "{1} must be {2}"),
     ("\\bonly (.+?) (?:may|can) be (on .+?)(?: ,)? and (?:there it must be|it must be there|it must)$",
      "only {1} must be {2}"),
     # lines
-    (f"\\b({LINE}(?: of [^,]+?)?)(?: ,)? (?:which|that)(?: ,)? (?:going |read |reading |seen )?({WAY})(?: ,)? "
-     "(?:is|are|reads|goes|read) (.+)$", "{1} , {2} : {3}"),
-    (f"\\b({LINE}(?: of [^,]+?)?)(?: ,)? (?:whose gaps are|with) (?:all )?(?:the )?(?:gaps )?(?:all "
-     ")?(?:equal|equally wide|the same)$", "{1} with equal gaps"),
+    (f"\\b({LINE}(?: of [^,]+?)?)(?: ,)? (?:which|that)(?: ,)? (?:going |read |reading |seen )?({WAY})(?: ,)? (?:is|"
+     "are|reads|goes|read) (.+)$", "{1} , {2} : {3}"),
+    (f"\\b({LINE}(?: of [^,]+?)?)(?: ,)? (?:whose gaps are|with) (?:all )?(?:the )?(?:gaps )?(?:all )?(?:equal|"
+     "equally wide|the same)$", "{1} with equal gaps"),
     (f"\\bat (either|each|both|one) ends? of (?:the|that|this) {LINE}$", "at {1} end"),
     ("(?<!filled )\\b(square|rectangle|circle|triangle) whose (?:outline|perimeter) (?:is|consists of|is made of|is "
      "formed by) (.+)$", "{1} of {2}"),
     ("\\bflat (in (?:the (?:form|shape) of )?an? \\w+)$", "{1}"),
     (f"^(each of .+?|[^,]+? {_PATCH}s?|[^,]+? patches) receives? (.+)$", "{1} gets {2}"),
     # together and apart
-    ("^(.*\\b(?:together|grouped|group|groups|sorted|gathered)\\b.*?)(?: ,)?(?: and)? "
-     "(?:away|apart|separate|separated) from "
-     "(?:the )?(?:blocks of |those of |ones of )?(?:the )?other colors$", "{1}"),
-    (f"^(.+? (?:on|onto|on top of) the [^,]+?) , which (?:{MUST} be|is|comes) at the (?:very )?bottom(?: of (?:it "
-     f"all|all|the {LINE}|the pile|everything))?(| , .+| and .+)$", "{1} , which must be on the table {2}"),
+    ("^(.*\\b(?:together|grouped|group|groups|sorted|gathered)\\b.*?)(?: ,)?(?: and)? (?:away|apart|separate|"
+     "separated) from (?:the )?(?:blocks of |those of |ones of )?(?:the )?other colors$", "{1}"),
+    (f"^(.+? (?:on|onto|on top of) the [^,]+?) , which (?:{MUST} be|is|comes) at the (?:very )?bottom(?: of (?:it all|"
+     f"all|the {LINE}|the pile|everything))?(| , .+| and .+)$", "{1} , which must be on the table {2}"),
     # one after another
-    ("(?: ,)? but not until (.+)$", ", but only after {1}"),
     (f"\\b(?:has reached|have reached|reaches|reached) ((?:the|its|an?) (?:\\w+ )?{_PATCH})\\b", "is on {1}"),
     (f"\\b(?:{MUST} )?reach ((?:the|its|an?) (?:\\w+ )?{_PATCH})\\b", "must be on {1}"),
     # to and from
-    ("\\b(?:get|take|bring|move|lift) (it|them) (?:out of|off|from|away from) there and (?:put (?:it|them) "
-     ")?((?:in|into|on|onto|to|over to) .+)$", "put {1} {2}"),
     ("^([^,]+? and [^,]+?) , (?:please )?(?:now )?(?:change|swap|trade|exchange|switch) (?:places|positions|spots)$",
      "{1} must swap places"),
     ("\\bwhere (.+?) in turn (is|rests|stands|sits|lies|must)\\b", "where {1} {2}"),

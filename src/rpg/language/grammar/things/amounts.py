@@ -89,18 +89,34 @@ def amount(p: Parser, i: int) -> Results[Amount]:
 
 @choice
 def _both_bounds(p: Parser, i: int) -> Results[Amount]:
-    """ "at least one, but no more than two,", "some, but at most two": both ends of a range."""
-    low = [(n, k) for n, k in count(p, p.any_of(i, _LOW))] if p.any_of(i, _LOW) else []
-    if some := p.one(i, "some"):
-        low.append((1, some))
-    for n, j in low:
+    """ "At least one, but no more than two,", "some, but at most two", "fewer than four but more than one": both ends
+    of a range, of which either is said first."""
+    lows, highs = [*_least(p, i)], [*_most(p, i)]
+    for n, j in (*lows, *highs):
         but = p.any_of(j, (", but", "but", "and", ", and", ","))
-        high = p.any_of(but, _HIGH) if but else 0
-        for m, k in count(p, high) if high else ():
-            if m > n:
-                yield Amount(n, m, True), k
+        for m, k in (_most(p, but) if lows else _least(p, but)) if but else ():
+            if (n <= m) if lows else (m <= n):
+                yield Amount(min(n, m), max(n, m), True), k
                 if p.words[j] == "," and (closed := p.one(k, ",")):
-                    yield Amount(n, m, True), closed
+                    yield Amount(min(n, m), max(n, m), True), closed
+
+
+def _least(p: Parser, i: int) -> Results[int]:
+    """The low end of a range."""
+    if j := p.any_of(i, _LOW):
+        yield from count(p, j)
+    if j := p.seq(i, "more than"):
+        yield from ((n + 1, k) for n, k in count(p, j))
+    if some := p.one(i, "some"):
+        yield 1, some
+
+
+def _most(p: Parser, i: int) -> Results[int]:
+    """The high end of a range."""
+    if j := p.any_of(i, _HIGH):
+        yield from count(p, j)
+    if j := p.any_of(i, ("fewer than", "less than")):
+        yield from ((n - 1, k) for n, k in count(p, j) if n > 0)
 
 
 _ENOUGH = ("enough", "just enough", "sufficiently many", "sufficient", "as many as needed")

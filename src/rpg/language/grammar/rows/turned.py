@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache
 
@@ -14,33 +14,61 @@ Turn = tuple[str, str]
 """What is looked for in a sentence, and what is said instead; "{1}" is the first group, "{1s}" several of it."""
 _MOST = 4
 """No sentence is turned more often by the same row."""
+_SETS = 4
+"""As many sets of parts of words at most are looked at for every row."""
+_MOST_WORDS = 4096
+"""Words of which it is remembered what they do for the rows."""
 
 
 class Turns:
-    """Rows in their order, found by words that a text has where they fit."""
+    """Rows in their order, found by what the words of a text have in them where they fit."""
 
     def __init__(self, rows: Sequence[Turn]) -> None:
         self.rows = tuple(rows)
+        self._held: dict[str, int] = {}
 
     @cached_property
-    def _certain(self) -> list[str]:
-        """What a text has where each of the rows fits."""
-        return [_certain(row) for row, _ in self.rows]
+    def _by_part(self) -> tuple[dict[str, int], int]:
+        """What each part of a word does for the rows, as bits: as many for every row as there may be sets of parts that
+        it needs one of; and the bits of the sets that no row needs."""
+        found: dict[str, int] = {}
+        spare = (1 << len(self.rows) * _SETS) - 1
+        for number, (row, _) in enumerate(self.rows):
+            for nth, parts in enumerate(needed(row)[:_SETS]):
+                bit = 1 << nth * len(self.rows) + number
+                spare ^= bit
+                for part in parts:
+                    found[part] = found.get(part, 0) | bit
+        return found, spare
 
-    @cached_property
-    def _by_word(self) -> dict[str, list[int]]:
-        """The rows by the longest word of that; those of which no word is known to be whole under ""."""
-        found: dict[str, list[int]] = {}
-        for number, certain in enumerate(self._certain):
-            word = max(re.findall(r"(?<= )\w+(?= )", certain), key=len, default="")
-            found.setdefault(word, []).append(number)
-        return found
+    def _holding(self, word: str) -> int:
+        """What a word does for the rows: all that its parts do."""
+        held = self._held.get(word)
+        if held is None:
+            if len(self._held) >= _MOST_WORDS:
+                self._held.clear()
+            held = 0
+            for part, bits in self._by_part[0].items():
+                if part in word:
+                    held |= bits
+            self._held[word] = held
+        return held
 
     def fitting(self, told: Told, behind: int = -1) -> list[int]:
         """The rows behind a certain one that may fit somewhere in a text."""
-        text = "\n".join([text for _, _, _, text in told])
-        found = [number for word in {"", *text.split()} for number in self._by_word.get(word, ())]
-        return sorted(number for number in found if number > behind and self._certain[number] in text)
+        held = self._by_part[1]
+        for word in {word for _, _, words, _ in told for word in words}:
+            held |= self._holding(word)
+        size = len(self.rows)
+        fit = (1 << size) - 1
+        for nth in range(_SETS):
+            fit &= held >> nth * size
+        fit = fit >> behind + 1 << behind + 1
+        found = []
+        while fit:
+            found.append((fit & -fit).bit_length() - 1)
+            fit &= fit - 1
+        return found
 
 
 def turned(tokens: list[Token], turns: Turns) -> list[Token]:
@@ -64,14 +92,68 @@ def _compiled(pattern: str) -> re.Pattern[str]:
     return re.compile(pattern)
 
 
-def _certain(pattern: str) -> str:
-    """A part of what is looked for without which it is nowhere: the longest that stands outside of brackets."""
-    plain = pattern
-    while (outside := re.sub(r"\((?:[^()\\]|\\.)*\)[?*+]?", "^", plain)) != plain:
-        plain = outside
-    if {*"|()"} & {*plain}:
-        return ""
-    return max(re.split(r"\\.|\[[^]]*\]|.[?*+]|.\{|[^a-z ]", plain), key=len)
+_PIECES = re.compile(
+    r"\((?:\?:)?[a-z ]+(?:\|[a-z ]+)+\)|[a-z]+(?![a-z?*+{])|\\.|\[\^?[^]]+\]|\((?:\?(?:P<\w+>|P=\w+|<?[=!]|:))?"
+    r"|[?*+]\??|\{[\d,]+\}\??|."
+)
+"""Words of which one is said, letters, brackets, and how often something is said."""
+
+
+def needed(pattern: str) -> list[frozenset[str]]:
+    """Where a pattern fits, a text has one of each of these sets inside of a word; those that are rarest come first."""
+    found = _needed(iter(_PIECES.findall(pattern)))
+    return sorted(found, key=_rare, reverse=True)
+
+
+def _rare(parts: frozenset[str]) -> int:
+    return min(map(len, parts))
+
+
+def _needed(pieces: Iterator[str]) -> list[frozenset[str]]:
+    """The same of the pieces of a pattern up to the end of a bracket."""
+    ways: list[list[frozenset[str]]] = []
+    run: list[str | list[frozenset[str]]] = []
+    for piece in pieces:
+        if piece == ")":
+            break
+        if piece == "|":
+            ways.append(_of_run(run))
+            run = []
+        elif piece[-1] == ")":
+            run.append(_of_words(piece))
+        elif piece[0] == "(":
+            inside = _needed(pieces)
+            run.append(inside if piece[-1] in "(:>" else [])
+        elif piece[0] in "?*{" and (piece[0] != "{" or piece[1] == "0"):
+            run[-1] = []
+        else:
+            escaped = piece[0] == "\\" and not piece[1].isalnum()
+            run.append(piece[-1] if escaped else piece if piece[0] not in "\\[^$.+{" else [])
+    ways.append(_of_run(run))
+    if len(ways) == 1:
+        return ways[0]
+    return [frozenset[str]().union(*(max(way, key=_rare) for way in ways))] if all(ways) else []
+
+
+@lru_cache(maxsize=1024)
+def _of_words(bracket: str) -> list[frozenset[str]]:
+    """What is needed of phrases in brackets: of each the longest word."""
+    phrases = [phrase.split() for phrase in bracket.strip("(?:)").split("|")]
+    return [frozenset(max(words, key=len) for words in phrases)] if all(phrases) else []
+
+
+def _of_run(run: Iterable[str | list[frozenset[str]]]) -> list[frozenset[str]]:
+    """What is needed of a row of letters, and of what brackets in it need."""
+    found: list[frozenset[str]] = []
+    part = ""
+    for piece in (*run, " "):
+        if isinstance(piece, str) and piece != " ":
+            part += piece
+            continue
+        found += [frozenset({part})] * bool(part)
+        found += piece if isinstance(piece, list) else ()
+        part = ""
+    return found
 
 
 Told = list[tuple[int, int, list[str], str]]

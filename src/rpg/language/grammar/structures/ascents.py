@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import OPPOSITE, SIDES
+from rpg.language.grammar.structures.neighbours import by_neighbours
 from rpg.language.grammar.structures.rising import rising, whither
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.labels import run, span_of, symbol
@@ -117,6 +118,7 @@ def ascent(p: Parser, i: int) -> Results[Meaning]:
             yield from ((replace(order, first=first, span=p.span(i, end)), end) for first, end in ways)
             yield from () if ways else ((order, j),)
     yield from rising(p, i)
+    yield from by_neighbours(p, i)
     yield from _extreme(p, i)
 
 

@@ -229,8 +229,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         raise refuse("ambiguous", "this could be a place on the table or in the line", at_.span,
                      "say 'of the table', or name the block among those of the line")  # fmt: skip
     close = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
-    beside_it = _said_first(item, [a for a in atoms(goal) if isinstance(a, beside)])
-    among = at_.side == "middle" and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal)) and not beside_it
+    its = _said_first(item, [a for a in atoms(goal) if isinstance(a, beside)])
+    among = at_.side == "middle" and not its and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal))
     if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in close) or among:
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
                      "say 'of the table', or of what")  # fmt: skip
@@ -242,7 +242,7 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
 
 
 def _said_first(item: Loose, beside: list[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]) -> bool:
-    """ "Red in the middle, blue on its left": the middle is told before anything is told of it, so it is the table's."""
+    """ "Red in the middle, blue on its left": the middle is told before what is told of it, so it is the table's."""
     ref, at_, _ = item
     return bool(beside) and all(members(a.b) == ref.names and a.span and a.span[0] > at_.span[0] for a in beside)
 

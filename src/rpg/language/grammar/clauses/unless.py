@@ -28,6 +28,8 @@ def _but_these(p: Parser, at: int, said: Meaning) -> Results[Clause]:
         theme = Noun(head="block", det="all", plural=True, span=theme.span)
     if not isinstance(theme, Noun) or theme.det not in ("all", "each") or theme.head == "patch" or theme.conditions:
         return
+    if theme.traits != Traits() or theme.part_of is not None:
+        return
     for those, end in noun_phrase(p, start):
         one = isinstance(those, Noun) and those.det == "the" and those.head != "patch" and not those.conditions
         if one and (end >= p.end or p.words[end] in _ENDS):

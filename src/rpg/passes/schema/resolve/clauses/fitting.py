@@ -68,6 +68,10 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                     _own_parts(part)
                 case Using() | OrderBy() | Absolute():
                     _certain(part)
+                case Manner(kind="shift"):
+                    which_way = "how far something moves which way, seen from where it starts, is no goal here"
+                    raise refuse("misplaced", which_way, part.span,
+                                 "say where it should be: 'to the left side', or how far alone: 'at least 10 cm'")  # fmt: skip
                 case Manner(kind="idle", value=str(said)):
                     _idle(said, told, part.span, scene)
         told = True

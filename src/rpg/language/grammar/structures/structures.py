@@ -14,6 +14,7 @@ from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS,
 from rpg.language.grammar.structures.ring_around import ring_around
 from rpg.language.grammar.structures.shapes import noun
 from rpg.language.grammar.structures.sizes import dimensions, layers_of, rows_and_columns
+from rpg.language.grammar.structures.superlatives import largest
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import EMPTY, Marks, adjective, merge
 from rpg.language.grammar.things.amounts import Quantity
@@ -73,6 +74,8 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
         yield from _tail(p, i, j, Structure(kind="grid", dims=dims, span=p.span(i, j)))
         return
     yield from _as_many_symbols(p, i)
+    for base, j in largest(p, i):
+        yield from _tail(p, i, j, base)
     for quantity, j in _quantities(p, i):
         for before, k in _before(p, j):
             yield from _kinds(p, i, k, quantity, before)

@@ -224,7 +224,12 @@ def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
             yield Clause(verb="pick", lemma=lemma, theme=theme, adjuncts=(source,), span=span, word=word), end
     for whole, end in structure(p, out) if (out := p.any_of(k, _OFF_IT)) and lemma != "pick" else ():
         whole_tower = isinstance(whole, Structure) and whole.kind == "stack" and is_there(whole)
-        if whole_tower and not universal(theme) and not (lemma == "take" and p.words[k] == "off"):
+        if (
+            whole_tower
+            and not universal(theme)
+            and not p.stands(end, _GOING_ON)
+            and not (lemma == "take" and p.words[k] == "off")
+        ):
             off = Loc(rel="off", landmark=whole, span=p.span(k, end))
             span, word = p.span(i, end), p.span(i, i + 1)
             yield Clause(verb="use", lemma="take", theme=theme, adjuncts=(off,), span=span, word=word), end

@@ -92,6 +92,8 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
     scene.mentions.pop()
     if len(middle) != 1 or middle[0] in names:
         raise refuse("ambiguous", "it is not clear which block is in the middle", hub.span, "name one further block")
+    if scene.denying:
+        raise refuse("ambiguous", "it is not clear what of this is denied", hub.span, "say it in two sentences")
     if _around(hub):
         _of_one_look([scene.things[n] for n in names], scene)
     looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in names)}

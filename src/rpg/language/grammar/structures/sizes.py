@@ -130,6 +130,8 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
         for unit, end in p.standing(k, _UNITS):
             ranging = unit == "in a row" and found.low != found.high
             yield Size(what=_UNITS[unit], amount=found, span=p.span(i, end), cost=2 if ranging else 0), end
+            if each := p.any_of(end, ("each", "apiece", "each of them")):  # "two towers side by side, 3 high each"
+                yield Size(what=_UNITS[unit], amount=found, span=p.span(i, each)), each
     for dims, k in dimensions(p, j):
         if below := p.any_of(p.opt(k, *_BLOCKS), _BELOW):
             yield Size(what="base", dims=dims, span=p.span(i, below)), below

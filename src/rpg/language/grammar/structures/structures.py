@@ -23,6 +23,7 @@ from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import (
     Amount,
+    Manner,
     Meaning,
     Noun,
     OrderBy,
@@ -171,6 +172,8 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         )  # fmt: skip
     for word, j in p.standing(i, DETAILS):
         yield _Before(details=(replace(DETAILS[word], span=p.span(i, j)),)), j
+    if (j := p.one(i, ("diagonal", "slanted", "slanting"))) and p.lex(j, lexicon.STRUCTURE) in _OF_SO_MANY:
+        yield _Before(details=(Manner(kind="diagonal", span=p.span(i, j)),)), j
     yield from _colors_before(p, i)
     yield from _laid_before(p, i)
     for found, j in dimensions(p, i):
@@ -196,6 +199,7 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
 @choice
 def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     """ "an alternating red-blue tower", "a red-white-blue tower": which colours, and in which order."""
+    yield from _initials(p, i)
     turns = p.one(i, "alternating")
     if p.lex(turns or i, lexicon.COLOR) is None or p.follows(i, lexicon.COLOR) or p.follows(i, ("alternating",)):
         return
@@ -207,6 +211,19 @@ def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
             continue
         by = "alternating" if turns else "named"
         yield _Before(details=(OrderBy(by=by, items=items, span=p.span(i, j)),)), j
+
+
+_PRIMARY = {"R": "red", "G": "green", "B": "blue"}
+
+
+@choice
+def _initials(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
+    """ "an RGB tower": red, green and blue, in this order."""
+    text = literal(p, i)
+    if text is None or sorted(text) != sorted(_PRIMARY) or p.lex(i + 1, lexicon.STRUCTURE) not in _OF_SO_MANY:
+        return
+    items = tuple(Noun(head="any", traits=Traits(colors=(_PRIMARY[x],)), span=p.span(i, i + 1)) for x in text)
+    yield _Before(details=(OrderBy(by="named", items=items, span=p.span(i, i + 1)),)), i + 1
 
 
 @choice

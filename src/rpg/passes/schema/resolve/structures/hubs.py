@@ -122,6 +122,13 @@ def _of_one_look(ring: list[Thing], scene: Scene) -> None:
         thing.scheme = thing.scheme or ("same" if thing.color is None else None)
 
 
+def told_first(whole: Meaning, found: list[list[tuple[str, Meaning]]]) -> bool:
+    """ "Put the red block inside the square of blue blocks": an outline that is told here for the first time."""
+    if not isinstance(whole, Structure) or whole.members is None or whole.kind not in OUTLINES:
+        return False
+    return not any(isinstance(c, Clause) and outlines(c) for lot in found for _, c in lot)
+
+
 def told_inside(clause: Clause) -> bool:
     """ "nothing is inside it": of an outline."""
     place = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None

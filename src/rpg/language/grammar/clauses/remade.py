@@ -66,6 +66,7 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
         yield from _of_these(p, i, j, sense)
     if lemma in ("make", "build"):
         yield from _heightened(p, i, j)
+        yield from _straightened(p, i, j)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):
             told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
@@ -83,6 +84,14 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
             if end := k if parted else p.one(k, ("apart", "down")):
                 for found, last in adjuncts(p, end):
                     yield _clause(p, i, last, "unstack", theme, found), last
+
+
+def _straightened(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "make the row straight": blocks that are nearly one, in a row."""
+    for shape, k in structure(p, j):
+        line = isinstance(shape, Structure) and shape.kind in ("row", "line", "column") and is_there(shape)
+        for found, end in adjuncts(p, k + 1) if line and p.one(k, ("straight", "even", "neat", "tidy")) else ():
+            yield _clause(p, i, end, "build", shape, found), end
 
 
 _HIGHER = frozenset({"higher", "taller"})

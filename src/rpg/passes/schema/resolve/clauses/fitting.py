@@ -68,11 +68,19 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                     _own_parts(part)
                 case Using() | OrderBy() | Absolute():
                     _certain(part)
+                case Manner(kind="diagonal"):
+                    raise refuse("unsupported-structure", "no line is asked for that lies diagonally", part.span,
+                                 "say 'a line', which may lie in any direction, 'a row' or 'a column'")  # fmt: skip
+                case Manner(kind="shift"):
+                    raise _unfit(
+                        _WHICH_WAY, part.span, "say where to: 'to the left side', or how far: 'at least 10 cm'"
+                    )
                 case Manner(kind="idle", value=str(said)):
                     _idle(said, told, part.span, scene)
         told = True
 
 
+_WHICH_WAY = "how far something moves which way, seen from where it starts, is no goal here"
 _TALL = frozenset({"tall", "long", "big", "large", "huge", "giant"})
 _SHORT = frozenset({"short", "small", "little", "tiny", "mini"})
 

@@ -140,7 +140,9 @@ def _spoken_elsewhere(clauses: tuple[Meaning, ...], first: Clause, whole: Struct
 
 
 def _is_off(place: Meaning) -> bool:
-    return (isinstance(place, Loc) and place.rel == "off") or (isinstance(place, Using) and place.lead == "from")
+    return (isinstance(place, Loc) and place.rel == "off") or (
+        isinstance(place, Using) and place.lead in ("from", "out of")
+    )
 
 
 def _mere_number(shape: Structure) -> bool:
@@ -163,8 +165,8 @@ class _Beside:
         if not isinstance(clause, Clause):
             return clause
         theme = clause.theme
-        off_it = any(isinstance(a, Loc) and a.rel == "off" and isinstance(a.landmark, Structure)
-                     for a in clause.adjuncts)  # fmt: skip
+        off_it = any(isinstance(a, Using) or isinstance(a.landmark, Structure)
+                     for a in clause.adjuncts if isinstance(a, Loc | Using) and _is_off(a))  # fmt: skip
         places = [a for a in clause.adjuncts if isinstance(a, Loc) and a.rel != "off"]
         sides = len(places) + any(a.rel == "flank" for a in places)
         on_it = any(isinstance(a.landmark, Structure) for a in places)

@@ -151,6 +151,7 @@ class Scene:
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
     `untouched`: blocks that are left as they are, which is more than where they are.
     `names_blocks`: whether some sentence says how blocks look or how many there are.
+    `looks`: how many different looks of blocks are named.
     `sized`: the size that is said of all blocks, with its words.
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
     `topped`: structures on top of which something goes that are not named there.
@@ -220,6 +221,7 @@ class Scene:
     surveyed: list[tuple[Traits, tuple[str, ...], Span]] = field(default_factory=list)
     kept: list[tuple[Goal, list[Goal]]] = field(default_factory=list)
     names_blocks: bool = False
+    looks: int = 0
     sized: tuple[Traits, Span] | None = None
     ignored: dict[str, Span] = field(default_factory=dict)
     patch_sides: dict[str, str] = field(default_factory=dict)

@@ -10,6 +10,7 @@ from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.respelling import respelling
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
 from rpg.language.grammar.talk.told_short import any_other, halves_told, in_pairs, no_two
+from rpg.language.grammar.talk.utmost_number import utmost_number
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
@@ -239,15 +240,15 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
-_CHANGES = (respelling, bare_sides, halves_told, no_two, any_other, in_pairs, _furthest, _seen, _is, _resumed,
-            _have_done, _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off, by_again, heights_told,
-            sizes_compared, dealt_out)  # fmt: skip
+_CHANGES = (respelling, bare_sides, halves_told, no_two, any_other, in_pairs, utmost_number, _furthest, _seen, _is,
+            _resumed, _have_done, _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off, by_again,
+            heights_told, sizes_compared, dealt_out)  # fmt: skip
 _TELLING = (
     frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",
                "rows", "approximately", "or", "more", "about", "give", "ish", "like", "but", "as", "half", "each",
                "equation", "sum", "right", "no", "pairs", "unscramble", "turn", "change", "rearrange",
-               "currently", "spell", "say", "says", "spelling", "word", "reads", "becomes", "become", "of", "want",
-               "has", "with", "by", "towers", "stacks"})
+               "currently", "spell", "say", "says", "spelling", "word", "reads", "becomes", "become", "number", "of",
+               "want", "has", "with", "by", "towers", "stacks"})
     | TELLING | _TIDIED | _LEFT_OUT | _TOPPED | _FAR
 )  # fmt: skip
 """Words without one of which there is nothing of all this."""

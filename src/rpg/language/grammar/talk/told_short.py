@@ -52,3 +52,16 @@ def any_other(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if any(one == "no" and words[n + 1] in lexicon.BLOCK for n, one in enumerate(words[begun:at], begun)):
             return [*tokens[:at], tokens[at].saying("another"), *tokens[at + 3 :]]
     return None
+
+
+_GROUPING = frozenset({"group", "put", "split", "divide", "sort", "separate", "arrange", "organize", "place"})
+
+
+def in_pairs(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Group the blocks into pairs": into groups of two."""
+    at = next((n for n in range(2, len(words) - 1) if words[n + 1] == "pairs" and words[n] in ("in", "into")), 0)
+    ends = at + 2 >= len(words) or words[at + 2] in _STOPS
+    if not at or not ends or words[0] not in _GROUPING or words[at - 1] not in lexicon.BLOCK or "," in words[:at]:
+        return None
+    groups = [tokens[at].saying(word) for word in ("into", "groups", "of", "two")]
+    return [*tokens[:at], *groups, *tokens[at + 2 :]]

@@ -56,10 +56,10 @@ def _made_of_some(taken: Meaning | None, clause: Meaning) -> tuple[Clause, ...] 
     if clause.verb == "stack" and getattr(clause.theme, "word", "") in _THEM and not clause.adjuncts:
         shape = Structure(kind="stack", det="another", amount=Amount(1, 1), span=clause.span)
     bare = isinstance(shape, Structure) and shape.det in ("a", "another") and not (shape.plural or shape.sizes)
-    if bare and shape is not None and shape.kind != "stack" and getattr(whole, "kind", "row") != "stack":
-        return None  # the blocks of a row are in a row already
     if not bare or not isinstance(shape, Structure) or any(isinstance(a, Using) for a in clause.adjuncts):
         return None
+    if shape.kind != "stack" and getattr(whole, "kind", "row") != "stack":
+        return None  # the blocks of a row are in a row already
     if shape.members is not None and getattr(shape.members, "word", "") not in _THEM:
         return None
     them = Pronoun(word="them", span=theme.span)

@@ -219,7 +219,7 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
             rest.append((item, place))
             continue
         groups = groups_in(place, node, cells, scene)
-        single = isinstance(place, At) and isinstance(item.theme, Noun) and item.theme.det == "a"
+        single = isinstance(place, At) and isinstance(item.theme, Noun) and _one(item.theme)
         if isinstance(place, At) and (not groups or (single and len(groups[0]) > 1)):
             if _line_at(place.side, node):
                 raise refuse("ambiguous", "several blocks are at this side", item.span, "say in which corner, or row")
@@ -239,6 +239,11 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
         lines_left(place, [cells[k] for k in left], [cells[k] for k in taken], upright(node))
         found.append((item, place, [left]))
     return found
+
+
+def _one(theme: Noun) -> bool:
+    """ "a red one", "A": one block."""
+    return theme.det == "a" or (len(theme.traits.labels) == 1 and theme.amount is None and not theme.plural)
 
 
 def _counted_from(spec: Spec, node: s.Cells) -> str:

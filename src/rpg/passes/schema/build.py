@@ -376,6 +376,8 @@ def _of_no_block(clause: Clause) -> bool:
     theme = clause.theme
     if clause.adjuncts and all(getattr(getattr(x, "landmark", None), "word", "") in WHATEVER for x in clause.adjuncts):
         return True
+    if isinstance(theme, Noun) and theme.det == "no" and theme.amount and not (theme.part_of or theme.traits.colors):
+        return True  # "no two letters may touch"
     none = isinstance(theme, Noun) and theme.head == "block" and theme.det == "no" and theme.traits == Traits()
     return none and bool(clause.adjuncts) and all(isinstance(part, In) for part in clause.adjuncts)
 

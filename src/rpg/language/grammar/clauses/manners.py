@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.shifts import shifted, straight
+from rpg.language.grammar.clauses.some_way import SOME_WAY, SOME_WAYS
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.framing import IN_PICTURE, WHEN_DONE
 from rpg.language.grammar.talk.slots import Patterns
@@ -31,6 +32,8 @@ def direction(p: Parser, i: int) -> Results[str]:
         yield side, k if p.words[j] in ("left", "right") else j + 1
     if j := p.any_of(i, _AWAY):
         yield "back", j
+    if j := p.any_of(i, SOME_WAYS):
+        yield SOME_WAY, j
 
 
 _ANY_WAY = Patterns(

@@ -9,6 +9,7 @@ import string
 from collections.abc import Sequence
 
 from rpg.core.diagnostics import Span
+from rpg.language.grammar.clauses.some_way import SOME_WAY
 from rpg.language.grammar.things.retold import tally
 from rpg.language.meaning import (
     Absolute,
@@ -77,6 +78,8 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                     )
                 case Manner(kind="idle", value=str(said)):
                     _idle(said, told, part.span, scene)
+                case Manner(value=way) if way == SOME_WAY:
+                    raise refuse("ambiguous", "it is not said which way", part.span, "say 'left', or 'to the camera'")
         told = True
 
 

@@ -21,7 +21,7 @@ from rpg.passes.schema.resolve.places.across_the_table import REGION, across_the
 from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line
-from rpg.passes.schema.resolve.places.of_themselves import of_themselves
+from rpg.passes.schema.resolve.places.of_themselves import check_between, of_themselves
 from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
@@ -327,6 +327,7 @@ def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
     if any(sum(getattr(at_, "side", "") == side for _, at_, _ in loose) > 1 for side in ("bottom", "top")):
         raise refuse("contradiction", "two blocks are given the same place", loose[-1][2], "name another place")
     _has_middle(loose, "top", "bottom")
+    check_between(loose, scene)
     ranked = sorted(loose, key=lambda item: level[item[1].side if isinstance(item[1], At) else "middle"])
     ranks = tuple(ref.names for ref, _, _ in ranked)
     blocks = tuple(n for rank in ranks for n in rank)

@@ -23,12 +23,10 @@ AT_TIMES: tuple[Turn, ...] = (
     ("\\b(?:is|are) (not|never) (?:allowed|permitted|supposed) to\\b", "must {1}"),
     ("\\bwithout (.+?) ever (?:being|lying|standing) on (.+)$", "and {1} must never be on {2}"),
     ("\\bwithout (.+?) ever touching (.+)$", "and {1} must never touch {2}"),
-    ("\\bwithout (.+?) ever leaving (.+)$", "and {1} must never leave {2}"),
     (f"\\b((?:the [^,]+?|\\w+)) {MUST} (?:be|stay|remain|be kept) (?:clear|free) {_EVER}$", _BARE),
     (f"\\b(?:{MUST}|may) not leave (.+?)(?: {_EVER})?$", "must not leave {1}"),
     # nothing else
     (f"\\b(?:no other {_BLOCK}|nothing else) (?:moves|(?:{_MUST} )?(?:be|is|gets?) {_MOVED}|{_MUST} move)$", _OTHERS),
-    (f"\\b(?:do not|never) (?:move|touch|disturb|displace) any other {_BLOCK}s?$", "leave the others where they are"),
     (f"\\bwithout (?:moving|touching|disturbing) (?:any other {_BLOCK}s?|anything else)$", "without moving the others"),
     # one after the other
     (f"^(?:please )?wait (?:until|till) (.+?)(?: ,)? (?:and )?(?:then|before you) ({_STEP} .+)$", "once {1} , {2}"),

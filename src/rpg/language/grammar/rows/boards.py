@@ -57,8 +57,6 @@ BOARDS: tuple[Turn, ...] = (
     ("\\b(grid\\b.* in the (?:near|front) row) , in reading order$", "{1}"),
     ("\\b(grid) (?:that|which) reads (.+?) row by row(?: ,)?(?: (?:starting )?(?:from|at) the far left)?$",
      "{1} of {2} in reading order"),
-    ("^in reading order (?:the|a|an) ((?:\\S+ ){1,4}grid) (?:shows|has|reads|is|contains) (.+)$",
-     "a {1} of {2} in reading order"),
     (f"\\b(square|grid)\\b(.*?)(?: ,| with| and| so that)+ the(?: two)? {COLOR}{N}{_IS} (?:on (?:one|a|the same) "
      f"diagonal|diagonal(?:ly)?(?: opposite)?(?: to| from)? each other)(?:(?: ,| and)+ the(?: two)? {COLOR}{N}{_IS} "
      "on the other(?: diagonal| one)?)?$", "{1} {2} with equal colors diagonally opposite each other"),
@@ -76,13 +74,6 @@ BOARDS: tuple[Turn, ...] = (
     (f"^two layers : the {_LOW}(?: one| layer)?{_IS} an? {_DIMS}(?: grid| square)? (?:of )?({COLOR}){N}(?: ,| and| "
      f";)+ the {_HIGH}(?: one| layer)?{_IS}(?: an?)? \\1(?: grid| square)? (?:of )?({COLOR}){N}(?: on (?:it|top of "
      "it))?$", "two layers of {1} blocks , the bottom layer {2} and the top layer {3}"),
-    (f"^(?:{BUILD} |use )?({MANY} {COLOR} {_BLOCKS}) as (?:the )?{_LOW} layer of a wall and ({MANY} {COLOR}){N} as "
-     f"(?:the )?(?:{_HIGH} layer|layer on top)$", "a wall : the bottom layer {1} and the top layer {2} blocks"),
-    (f"^(?:every|each) layer of (?:the|a) (wall) has (?:its own|a different) color : (the {_LOW} layer\\b.*)$",
-     "a {1} : {2}"),
-    (f"^(?:a )?wall :? ?(?:of )?({MANY} {COLOR} {_BLOCKS})(?: side by side| in a row| next to each other)? and on "
-     f"(?:top of )?them ({MANY} {COLOR}){N}(?: ,)? one on (?:each|each of them)$",
-     "a wall : the bottom layer {1} and the top layer {2} blocks"),
     # outlines
     ("\\b(?:trace|mark|draw|mark out|traces|marks) (the outline of)\\b", "form {1}"),
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS})(?: {MUST})? (?:as|in|into|form|make) {_OUTLINE}(?: ,)? {_LONG_WIDE}$",
@@ -106,12 +97,8 @@ BOARDS: tuple[Turn, ...] = (
      f"the (?:outside|edge|edges|rim)(?:(?: ,| and| with)+ nothing (?:in the {MID}|inside))?$", "a hollow {1} of {2}"),
     (f"\\ban? (square) (?:thats|that is|which is) hollow in the {MID}$", "a hollow {1}"),
     (f"^(?:with|from|out of) ({MANY} [^,:]*?{_BLOCKS}) {BUILD} (an? hollow \\w+)$", "{2} of {1}"),
-    (f"^fill an? (triangle) (?:on the table )?with (10|ten|6|six) ((?:\\w+ )?{_BLOCKS})(?: ,)? in rows of one , two "
-     "(?:and|,) three(?:(?: ,)? and four)?$", "a filled {1} of {2} {3}"),
     # letters
     *((f"{_LETTER}{_OPEN} {toward}$", f"{{1}} with its opening to the {side}") for side, toward in _TOWARD.items()),
-    (f"\\b([tT]\\b.*?)(?: ,| with)+ (three|3)(?: of (?:them|these)|{N}) in the (?:bar|crossbar)$",
-     "{1} with a bar of {2} blocks"),
     (f"\\b([tT]\\b.*?)(?: ,| with)+ the (bar|crossbar) (at the (?:far|near) side) and ({MANY}) {_BLOCKS} long$",
      "{1} with a {2} of {4} blocks , the {2} {3}"),
 )  # fmt: skip

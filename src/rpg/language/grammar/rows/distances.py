@@ -9,7 +9,6 @@ from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, MUST
 
 _LEAST = "(?:at least|more than|no less than|not less than|at most|less than|no more than|not more than)"
 _ABOUT = "(?:about|around|roughly|approximately|exactly|precisely|just)"
-_BOUND = f"{_LEAST} {LENGTH}"
 _FAR = f"(?:(?:{_LEAST}|{_ABOUT}) )?{LENGTH}"
 _MUST_BE = f"(?:{MUST} (?:be|stand|lie)|is|are|stands?|lies?|be)"
 _EVERY_TWO = "(?:every two|(?:every|each|any) pair)"
@@ -36,7 +35,6 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({LENGTH}) or (?:more|farther|further) apart\\b", "at least {1} apart"),
     (f"\\b({LENGTH}) or (?:less|closer|nearer) apart\\b", "at most {1} apart"),
     (f"\\b{_EVERY_TWO} of ((?:the|my) [^,]+?|{THINGS}) ({_MUST_BE}) ({_FAR}) {_APART}", "{1} {2} pairwise {3} apart"),
-    (f"\\bany two of (?:them|these|those) ({_MUST_BE}) ({_BOUND}) {_APART}", "they {1} pairwise {2} apart"),
     (f"(?: ,|,? with| :) {_EVERY_TWO} (?:of them )?(?:(?:are|being|standing|lying) )?({_FAR}) {_APART}$",
      "pairwise {1} apart"),
     (f"(?: ,)? (?:so that|until|such that) {_EVERY_TWO} (?:of (?:blocks|cubes|them) )?({_MUST_BE}) ({_FAR}) {_APART}$",

@@ -75,15 +75,12 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "top|at the top|topmost|at the bottom|lowest) , .+)$", "{1} : {2}"),
     (f"^({MANY}) (in a (?:row|line|tower|stack|column|circle))\\b", "{1} blocks {2}"),
     ("^(sort .+? into .+?) , one (?:group|pile|bunch) (?:for|per) each(?: kind| of them)?$", "{1}"),
-    ("\\b(in|form|forms) (its|their) own little (?:bunch|pile|heap|group|cluster)\\b", "{1} {2} own group"),
     (f"^(?:from|out of|with|using) the (?:cubes|blocks) ((?:\\w(?: ,)? )+and \\w) , ({_PUT} .+)$",
      "there are the blocks {1} . {2}"),
     # what is asked
     ("^can (the [^,]+?) have (.+)$", "{1} should have {2}"),
     ("^first(?: ,)? you (\\w+) (.+?) , and (?:after|then|after that|afterwards)(?: ,)? you \\1 (.+)$",
      "first , {1} {2} , then {1} {3}"),
-    (f"\\bin (?:whatever|any|whichever) order(?: you like)?(?: ,)? (?:save|except) that (the .+) ({MUST} be|is) ",
-     "but {1} {2} "),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",

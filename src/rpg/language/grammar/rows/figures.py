@@ -52,7 +52,5 @@ FIGURES: tuple[Turn, ...] = (
     (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) (?:whose {MID}(?: {_BLOCK})? (?:carries|bears|holds|supports)|with "
      f"the {MID} (?:one|{_BLOCK}) (?:carrying|bearing|holding)) (?:the|an?) ({COLOR} {_BLOCK})$",
      "{1} with a {2} on its center"),
-    (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) , the (?:one|{_BLOCK}) (?:in|at) (?:the|its) {MID} (?:carrying|"
-     f"bearing|holding) (an? {COLOR} {_BLOCK})$", "{1} with {2} on its center"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

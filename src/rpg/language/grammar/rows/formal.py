@@ -71,7 +71,6 @@ _ALWAYS: tuple[Turn, ...] = (
      "the small {1} block {2} the big {1} block"),
     (f"^of the two (\\w+) {CUBE}s , the (?:{_BIG}) one (.+) the (?:small|smaller|little) one\\b",
      "the big {1} block {2} the small {1} block"),
-    (f"\\b(move|touch|displace|disturb|lift) no other ({CUBE})\\b", "do not {1} any other {2}"),
     (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({MUST} .+)$", "{1} and {2} {3}"),
     (f"^in addition to (the [^,]+?) , (the [^,]+?) ({MUST} .+)$", "{1} and {2} {3}"),
     (f"\\b(spell(?:ed)?\\b[^,]*?)(?: ,)?(?: with)? each letter (?:being )?on (?:its own|a separate) {CUBE}$", "{1}"),

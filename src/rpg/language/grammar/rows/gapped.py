@@ -104,8 +104,6 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
     # what is there besides
     (f"^with ({THINGS}) {_DISTRACT}{_THERE}(?: ,)? (.+)$", "{2} . {1} are distractors"),
     (f"^([^,]+) , with ({THINGS}){_THERE}? {_DISTRACT}{_THERE}?$", "{1} . {2} are distractors"),
-    (f"^neither ({THING}) nor any other(?: one| {BLOCK})? (?:may|must|can|should|is to) (?:be|lie|stand|rest|sit|go) "
-     f"on ({THING})$", "{1} must not be on {2} . nothing may be on {2}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
@@ -136,11 +134,7 @@ GAPPED: tuple[Turn, ...] = (
     # letters to be read
     (f"^(?:the )?(?:letter |digit )?(?:cubes|blocks|letters|digits) in an? (row|line)(?: ,)? (?:{MUST} )?(?:read|"
      "reads|spell|say|show)(?: the word)? (\\S+)$", "spell {2} in a {1}"),
-    (f"^the word (\\S+) (?:{MUST}|can|may) (?:be|stand|lie|appear)(?: there)?(?: to (?:be )?read| readable| legible| "
-     "to be seen)?(?: there)?(?: on the table)?$", "spell the word {1}"),
     # what it is
-    (f"^the {_BLOCKS} (on|under|above|below|behind|in front of) which ({THING}) (?:ends up|{MUST} end up|end up|ends|"
-     f"{MUST} (?:stand|lie|sit|rest|go)) (?:{MUST} be|is) ({THING})$", "{2} must be {1} {3}"),
     (f"^it is ((?:right |directly |immediately )?{PLACE} {THING}(?: and {THING})?) that ({THINGS}) ({MUST} (?:be|"
      "stand|lie|sit|rest|go|end up)|belongs?|goes|go)$", "{2} must be {1}"),
     (f"^it is ({THING}) that ({THINGS}) (?:{MUST} (?:be|stand|lie|sit|rest|go|end up)|belongs?|goes|go) (on|next to|"

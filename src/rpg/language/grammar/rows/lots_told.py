@@ -68,8 +68,6 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
      "each$", "make a group of {3} {1} blocks and a group of {3} {2} blocks"),
     (f"^{_MAKE} an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:from|with|out of) ({MANY}) {_BLOCK} of "
      "each(?: color)?(?: ,)? (with .+ in each.*)$", "group {3} {1} and {3} {2} blocks by color {4}"),
-    (f"^(?:{_MAKE} )?({MANY} {_GROUPS} by color) , ({MANY} {COLOR} and {MANY} {COLOR} blocks)(?: in all| in total| "
-     "altogether)? ?(?:, )?(with .+ in each.*)$", "{2} : {1} {3}"),
     # how they lie at the start, which is anywhere
     (f"^({_TOLD} .+?) {_MIXED}(?: on the table)?$", "{1}"),
     (f"^((?:the )?{_LOTS}) (?:are|lie|were|got|have been|got all) {_MIXED}(?: on the table)?$", "there are {1}"),

@@ -109,7 +109,6 @@ OTHERWISE: tuple[Turn, ...] = (
     ("\\b(?:without|with no|with not) (?:any |a single )?(?:block|cube)s? (?:being )?(?:left over|left|remaining)$",
      "using all of them"),
     ("\\bthe lot$", "all of them"),
-    (f"(?: ,)? ({MANY}) rows deep and ({MANY}) columns wide$", " with {1} rows and {2} columns"),
     ("^(.*\\boutline\\b.*?)(?: ,)? (?:hollow|empty|open) (?:in|at) the (?:center|middle)$", "{1}"),
     (f"^({WAY})(?: ,)? the (numbers|digits) {MUST} get (?:smaller|lower)$",
      "put the {2} in a row in descending order {1}"),
@@ -118,8 +117,6 @@ OTHERWISE: tuple[Turn, ...] = (
      "put the {2} in a row in ascending order {1}"),
     (f"^the (numbers|digits) {MUST} get (?:larger|bigger|higher) ({WAY})$",
      "put the {1} in a row in ascending order {2}"),
-    ("\\bconfigure\\b", "arrange"),
-    (f"\\b({MUST}) be disposed (?:such|so) that\\b", "{1} be placed so that"),
     # said of the whole, and once more of its parts
     ("^(all .+? (?:in|inside|inside of|within|on) the [^,]+?) (?:,|and|, and|, with) none (?:of them )?(?:(?:remains|"
      "stays|lies|is|being|left|remaining|lying) )?(?:outside|elsewhere|on the table)(?: of it| it)?$", "{1}"),
@@ -127,8 +124,6 @@ OTHERWISE: tuple[Turn, ...] = (
     (f"^(.*?)\\b(?:straight|directly|immediately|right) ({_SIDE}|above|under|below|next to|beside) ([^,]+?)(?: ,)+ "
      "(?:directly|immediately) \\2 (?:it|them)$", "{1} directly {2} {3}"),
     # patterns and groups
-    ("\\bwith (\\w+) in the corners and (\\w+) otherwise(?: alternating)?$",
-     "of {1} and {2} blocks with {1} in the corners"),
     ("^(.+ : .+) come together and (.+) come together$", "{1} are together and {2} are together"),
     ("^the (first|last|leftmost|rightmost)(?: one)?(?: of them)? gets (an? [^,]+?) on top(?: of it)?(?: ,| and| , and) "
      "the (first|last|leftmost|rightmost)(?: one)? (an? [^,]+)$", "put {2} on the {1} and {4} on the {3}"),
@@ -153,12 +148,9 @@ OTHERWISE: tuple[Turn, ...] = (
     # towers told by their base or their height
     (f"^the (\\w+) tower has ({MANY}) \\w+ and (?:is|stands|is standing) ({_SIDE}) the (\\w+) tower , which has "
      f"({MANY}) \\w+$", "a {1} tower of {2} is {3} a {4} tower of {5}"),
-    (f"^(an? [^,]+? {CUBE}) completes the (tower|stack)$", "put {1} on top of the {2}"),
     # what is there and has to go
     (f"^(?:clear|empty) (the [^:,]+?) : (the [^,:]+?) {LIES} on it(?: {_AT_START})? and {MUST} {_LEAVE}$",
      "at the start , {2} is on {1} . {2} must not be on {1}"),
-    ("^(?:unstack (?:everything|it|all) : )?(.+ (?:at the start|initially|at the beginning))(?: ,)? and (?:in|at) the "
-     "end (.+)$", "{1} . in the end {2}"),
     # numbers
     (f"^use (?:the )?{_BLOCKS} to (?:show|write)(?: that)? (.+ equals .+)$", "write {1}"),
     (f"(?: ,)? with (?:the )?(?:digit|number) and (?:operator|symbol|sign) {_BLOCKS}$", ""),

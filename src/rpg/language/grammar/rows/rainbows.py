@@ -27,9 +27,6 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     ("(?: ,)? (?:so|such|so that|such that|whose|where|in which|with)(?: that)? (?:the |its |their )?(?:colors|they|"
      f"it) (?:{MUST} )?(?:follow|follows|following|match|go through|run through) (?:the order of )?{_OF_IT}",
      " in rainbow order"),
-    ("(?: ,| and| with)+ (?:the )?colors? (?:are |is )?in (?:the )?rainbow order", " in rainbow order"),
-    (f"^the (?:colors?|order|color order) (?:of|in) the ({_LINE}) (?:{MUST} )?(?:follow|follows) {_OF_IT}",
-     "the {1} should be in rainbow order"),
     # where it begins
     (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} "
      f")?(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),

@@ -50,7 +50,6 @@ REQUIRED: tuple[Turn, ...] = (
     # what is there besides
     ("^with (.+?) (?:present |there |around )?(?:only )?as (?:a )?distractors?(?: ,)? (.+)$",
      "{2} . {1} are distractors"),
-    ("\\bsettled (heap|pile)\\b", "{1}"),
     # what is where
     ("\\b(which|that|and \\w+|and the \\w+ one) in turn (is|rests|stands|sits|lies|must|should)\\b", "{1} {2}"),
     ("(?: ,)? on (?:whatever|whichever) side(?: ,|$)", ","),

@@ -67,8 +67,6 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
      f"set|goes|is|stands|comes|lies) ({_T})$", "{3} must be immediately to the {2} of {1}"),
     (f"^({_T}) 's (left|right)(?: - hand| hand)? side is where ({_T}) (?:goes|belongs|{MUST} be|{MUST} go|is|stands)$",
      "{3} must be to the {2} of {1}"),
-    ("\\bprecedes\\b", "comes before"),
-    ("^(.+? comes before (the \\S+|\\S+))(?: ,)? and \\2 (the \\S+|(?!before)\\S+)(?=$| ,)", "{1} and {2} before {3}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("precedes flanked surround belongs forward",)

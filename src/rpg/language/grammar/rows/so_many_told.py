@@ -49,7 +49,6 @@ SO_MANY_TOLD: tuple[Turn, ...] = (
     (f"^put ({THING}) and either ({THING}) or ({THING}) (on .+)$", "{1} must be {4} . {2} or {3} must be {4}"),
     (f"(?: ,)? without (?:either|any|one)(?: one)? of (?:them|the two) touching ({THING})$",
      " and they must not touch {1}"),
-    ("(?: ,| ;)? and in any case (?=\\w)", " ."),
     ("^in any case(?: ,)? (?=\\w)", ""),
     # and not the other way round
     (f"^(?:it (?:{MUST}) be )?not (\\w+) on (\\w+) ,? ?but (?:the other way (?:round|around) [:,] )?\\2 on \\1$",

@@ -52,8 +52,6 @@ STAIRS: tuple[Turn, ...] = (
     (f"\\b({_STAIRS}\\b.*?)(?: ,| :)* (?:with )?one(?: step)?{N}(?: high)?{_THEN} two(?: steps)?{N}(?: high)?{_THEN} "
      f"three(?: steps)?{N} high$", "{1} with heights one , two and three"),
     (f"\\b({_STAIRS}\\b.*?) in steps of (one|1) , (two|2) and (three|3)\\b", "{1} with steps of {2} , {3} and {4}"),
-    # what lies on them
-    (f"\\bon (?:top of )?the {_HIGH} (?:step|stair) of (an? (?:[^ ,]+ )*?{_STAIRS}\\b)", "on top of {1}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 

@@ -4,11 +4,10 @@ distance from centre to centre, as rows that say it in a sentence."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, MANY, MUST, WAY
+from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, MANY, MUST
 
 _BLOCKS = "(?:blocks|cubes)"
 _PLACE = "(?:zone|patch|mat|area|target|region)"
-_ROW = "(?:far|near|front|back|first|second|middle)"
 
 TASK_STRINGS: tuple[Turn, ...] = (
     # measures
@@ -20,7 +19,6 @@ TASK_STRINGS: tuple[Turn, ...] = (
      "in {1} {2} of height {3}"),
     (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
      "stack {2} {1} in alternating colors"),
-    (f"\\b(grid) that reads (.+? in the {_ROW} row .+?)(?: , {WAY})?$", "{1} with {2}"),
     # what is sorted
     (f"^sort by color : (.+? into the {COLOR} {_PLACE} .+)$", "put {1}"),
     ("^group by kind : (.+? in one (?:cluster|group|pile) , .+? in another(?: one)?)$", "put {1}"),

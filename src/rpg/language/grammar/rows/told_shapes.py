@@ -54,7 +54,6 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     # what there is
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : ((?:put|stack|place|build|make|"
      "arrange|line|move|set|lay) .+)$", "there are the {1} . {2}"),
-    ("^the words [^:]+ : ((?:spell|put|write|place|lay|set) .+)$", "{1}"),
     # pyramids
     (f"\\b(pyramid)(?: :| of| from| with)? (?:an? )?{_BASE} (\\w+) (?:blocks|cubes) (?:at the bottom|as (?:the|a) "
      f"base)(?: ,| and|, and)+ {_TOP}", "{1} with a {2} base of {3} blocks and {4} {5} block on top"),

@@ -62,9 +62,6 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} and {3} blocks alternately , {4} at the bottom"),
     (f"^(.*?\\b{TOWER} of {MANY})(?: blocks)? (?:{_CHANGING}) , {_LOT} and {_LOT}(?: ,)?{_BEGINS}",
      "{1} blocks , {2} and {3} , alternating , starting with {4} at the bottom"),
-    (f"\\b({TOWER}\\b.*?)(?: ,)? with (?:the |its )?colors (?:changing|taking turns) (?:alternately|each time|every "
-     "time)$", "{1} with alternating colors"),
-    (f"\\b(make|build|form) of them (an? {TOWER}|one {TOWER})\\b", "{1} {2} of them"),
     (f"^(.*?\\b{TOWER}\\b[^,]*?) (?:is|are) (?:wanted|needed|required|desired) , (alternating .+)$", "{1} , {2}"),
     (f"\\b({TOWER} of {MANY}(?: blocks| cubes)?)(?: ,)? (?:that|which) (?:alternates|changes) between {_TURNS}",
      "{1} , alternating {2} and {3}"),
@@ -109,8 +106,6 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "(?=from|out of)", "one {1} of {2} and one {1} of {3}"),
     (f"^(?:with|from|out of) (.+? {_BLOCKS})(?: ,)? (?:i|we) (?:want|need|would like) ((?:one|an?|{MANY}) "
      f".*{TOWER}.*)$", "with {1} build {2}"),
-    (f"\\b({_TOWERS} .+?) , (?:everything|all of it|all of them) (?:is )?(?:made )?(?:from|of|out of) ({COLOR} "
-     f"{_BLOCKS})$", "{1} from {2}"),
     (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({TOWER}) : (.+)$", "a {1} of {2}"),
     (f"\\b({TOWER}) (of|out of|from|made of) ({COLOR}) ({COLOR}) and ({COLOR})(?= with| so| in|$)",
      "{1} {2} {3} , {4} and {5}"),

@@ -57,8 +57,6 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_LIST} : (?:that|this) is the ({_LINE}) (?:that )?(?:i|we) (?:want|need|would like)(?: to see)?(?: ,)? "
      f"({WAY})$", "a {2} of {1} {3}"),
     (f"^(.+ (?:{_LOW}|{_HIGH})) : (?:build|make|form|stack) (?:that|this|such a) ({TOWER})$", "a {2} with {1}"),
-    (f"^(?:if|when|as) (?:you|one|we) looks? at (?:the|an?) ({TOWER}(?: of {MANY})?(?: blocks)?) {_UP} , (?:you|one|"
-     f"we) (?:meet|see|find|get)s? {_LIST}$", "a {1} , {2} from bottom to top"),
     (f"^(.*?)({_ONE}(?: {_ABOVE} {_ONE[1:-1]})+) , (?:all )?(?:in )?one ({TOWER})$", "{1} a {4} of {2}"),
     (f"\\b(?:put|set|place) {_ONE} between two ({COLOR}) (?:ones|blocks|cubes) ,? ?(?:vertically ,? ?)?in (?:an?|one) "
      f"({TOWER})$", "a {3} of {2} , {1} and {2} from bottom to top"),

@@ -21,19 +21,19 @@ DISTANCES: tuple[Turn, ...] = (
     (f"\\b(?:so(?: that)? )there (?:is|are|{MUST} be) ({_FAR}) from (?:the )?one to the other$",
      "so that they are {1} apart"),
     # how exactly
-    (f"\\b({LENGTH})( apart| (?:away )?from {THING})(?: ,)? (?:to )?within ({LENGTH})$",
-     "{1} {2} with a tolerance of {3}"),
-    (f"\\b({LENGTH})( apart| (?:away )?from {THING})(?: ,| with)+ (?:an? )?({LENGTH}) (?:of )?(?:tolerance|leeway|"
-     "margin)$", "{1} {2} with a tolerance of {3}"),
-    (f"\\b({LENGTH})( apart| (?:away )?from {THING})(?: ,)? (?:but )?(?:up to )?({LENGTH}) (?:more or less|either way|"
-     "in either direction|too (?:much|many) or too (?:little|few))(?: (?:is|are|would be) (?:fine|okay|ok|allowed|"
-     "good enough|acceptable))?$", "{1} {2} with a tolerance of {3}"),
+    (f"\\b({LENGTH})( apart| (?:away )?from {THING})(?: ,| with)* (?:(?:to )?within ({LENGTH})|(?:an? )?({LENGTH}) "
+     f"(?:of )?(?:tolerance|leeway|margin)|(?:but )?(?:up to )?({LENGTH}) (?:more or less|either way|in either "
+     "direction|too (?:much|many) or too (?:little|few))(?: (?:is|are|would be) (?:fine|okay|ok|allowed|good enough|"
+     "acceptable))?)$", "{1} {2} with a tolerance of {3} {4} {5}"),
 )  # fmt: skip
 """What makes no sense as it stands, and what is said instead."""
 DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     # of every two
-    (f"\\b({LENGTH}) or (?:more|farther|further) apart\\b", "at least {1} apart"),
-    (f"\\b({LENGTH}) or (?:less|closer|nearer) apart\\b", "at most {1} apart"),
+    (f"\\b({LENGTH})(?: (apart|away|from each other|from one another) or (?:more|farther|further)| or (?:more|farther|"
+     "further) (apart))\\b", "at least {1} {2} {3}"),
+    (f"\\b({LENGTH})(?: (apart|away|from each other|from one another) or (?:less|closer|nearer)| or (?:less|closer|"
+     "nearer) (apart))\\b", "at most {1} {2} {3}"),
+    (f"\\bany two of (?:them|these|those) ({_MUST_BE}) ({_LEAST} {LENGTH}) {_APART}", "they {1} pairwise {2} apart"),
     (f"\\b{_EVERY_TWO} of ((?:the|my) [^,]+?|{THINGS}) ({_MUST_BE}) ({_FAR}) {_APART}", "{1} {2} pairwise {3} apart"),
     (f"(?: ,|,? with| :) {_EVERY_TWO} (?:of them )?(?:(?:are|being|standing|lying) )?({_FAR}) {_APART}$",
      "pairwise {1} apart"),

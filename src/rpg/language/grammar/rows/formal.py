@@ -54,7 +54,6 @@ _CM = "[\\d.]+ (?:cm|mm|(?:centi|milli)met(?:er|re)s?)"
 _BESIDE = "(?:on|on top of|to the left of|to the right of|behind|in front of|next to|beside)"
 _STAND = "(?:be|stand|lie|sit|rest)(?: placed| put| found)?"
 _THEN = "(?:then|thereafter|afterwards|subsequently|after that)"
-_BIG = "big|bigger|large|larger"
 _MOVED = "(?:moved|transferred|shifted|relocated|brought|carried)"
 _SIDED = f"(?:{_MANY} (?:lower|upper|bottom|top|left|right)|(?:lower|upper|bottom|top|left|right) {_MANY})"
 _IS = f"(?:is|are|{MUST} be)"
@@ -67,10 +66,8 @@ _ALWAYS: tuple[Turn, ...] = (
     ("(?:so|such) that the word (\\S+) (?:can be read|can be seen|is read|is spelled|is formed|appears)\\b",
      "so that they spell {1}"),
     (f"^((?:a|the|one) {_LINE}) , ((?:in|on) which [^,]+) , ({MUST} .+)$", "{1} {2} {3}"),
-    (f"^of the two (\\w+) {CUBE}s , the (?:small|smaller|little) one (.+) the (?:{_BIG}) one\\b",
-     "the small {1} block {2} the big {1} block"),
-    (f"^of the two (\\w+) {CUBE}s , the (?:{_BIG}) one (.+) the (?:small|smaller|little) one\\b",
-     "the big {1} block {2} the small {1} block"),
+    (f"^of the two (\\w+) {CUBE}s , the (small|big|large)(?:er|ger|r)? one (.+) the (small|big|large)(?:er|ger|r)? "
+     "one\\b", "the {2} {1} block {3} the {4} {1} block"),
     (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({MUST} .+)$", "{1} and {2} {3}"),
     (f"^in addition to (the [^,]+?) , (the [^,]+?) ({MUST} .+)$", "{1} and {2} {3}"),
     (f"\\b(spell(?:ed)?\\b[^,]*?)(?: ,)?(?: with)? each letter (?:being )?on (?:its own|a separate) {CUBE}$", "{1}"),
@@ -104,10 +101,8 @@ _PLAINLY: tuple[Turn, ...] = (
      "as) (.+)$", "{1}"),
     ("^care (?:shall|must|should|is to) be taken (?:that|to ensure that) (.+)$", "{1}"),
     (f"^(.+?) ({MUST} (?!not |never ).+?) , (?:as|and so) {MUST} (the .+)$", "{1} and {3} {2}"),
-    (f"^(.+ {CUBE}) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
+    (f"^(.+ {CUBE}s?) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
      "{1} , which starts {2} , {3}"),
-    (f"^(.+ {CUBE}s) (?:standing |lying |located |placed |resting )?(on the [^,]+?) ({MUST} be {_MOVED} .+)$",
-     "{1} , which start {2} , {3}"),
     ("^(?:it shall be the case|it shall be so|it shall hold) that (.+)$", "{1}"),
     ("^(?:all of )?the following(?: conditions| requirements)? (?:shall|must|should)(?: all)? (?:hold|apply|be met|be "
      "satisfied|be fulfilled)(?: at the end)? : (.+)$", "{1}"),
@@ -131,10 +126,10 @@ _PLAINLY: tuple[Turn, ...] = (
     (f"^(.+?) , (?:which|that) ({MUST} [^,]+) , ({MUST} .+)$", "{1} {2} and {3}"),
     (f"^(.+?)(?: ,)? (?:which|that) (start|begin)(?: out)? (as an?|as one|in an?|in one) ({_LINE})(?: ,)? ({MUST} .+)$",
      "{1} {2} {3} {4} . they {5}"),
-    (f"(?:, )?whose order ({WAY}) (?:is|reads|{MUST} be|{MUST} read) (.+)$", "in the order {2} {1}"),
-    (f"(?:, )?whose (?:edge|edges|edge length|side length) (?:is|are|measures|measure) ({_CM})(?: long)?(?: ,)?",
-     "with an edge of {1}"),
-    (f"(?:, )?(?:which|that) (?:has|have) an (?:edge|edge length) of ({_CM})(?: ,)?", "with an edge of {1}"),
+    (f"(?:, )?whose (?:order|{CUBE}s)(?: {_IS} ,)? ({WAY}) (?:is|reads|{MUST} be|{MUST} read|[:,]) (.+)$",
+     "in the order {2} {1}"),
+    ("(?:, )?(?:whose (?:edges?|edge length|side length) (?:is|are|measures?)|(?:which|that) (?:has|have) an edge(?: "
+     f"length)? of) ({_CM})(?: long)?(?: ,)?", "with an edge of {1}"),
     (f"\\b({_LINE}(?: of (?:\\w+ ){{1,3}}{CUBE}s)?)(?: ,)? (?:that|which) (?:runs|goes|extends|leads) ({WAY})",
      "{1} {2}"),
     (f"^(.*?)\\b((?:(?!the |every |each )\\w+ )?)({_THINGS}) , of which there (?:are|is) ({_MANY})(?: in all| in "
@@ -149,7 +144,6 @@ _PLAINLY: tuple[Turn, ...] = (
      "(?:bottom|top|left|right|front|back)|on top|in the middle|leftmost|rightmost)$", "with the {1} one {2}"),
     (f", the ({_SIDED}) (?:{CUBE}s )?of which {_IS} (\\w+) and the ({_SIDED}) (?:{CUBE}s )?(?:of which )?(?:{_IS} "
      ")?(\\w+)$", ", the {1} being {2} and the {3} {4}"),
-    (f"(?:, )?whose {CUBE}s {_IS} , ({WAY}) [:,] (.+)$", "in the order {2} {1}"),
     (" , (?:originally|initially) (?:located |placed |standing |lying |situated |positioned |resting )?((?:on|next to|"
      "to the|in front|behind) [^,]+?) ,", ", which starts {1} ,"),
     (f"^(.+?) ({MUST} (?:lie|stand|be|be placed|be put)) (to the left|to the right|in front) , and (.+?) (to the left|"
@@ -158,7 +152,6 @@ _PLAINLY: tuple[Turn, ...] = (
      f"{_IS})? (\\w+))$", "whose {1} are {2} and whose other blocks are {3}"),
     # what there is
     (f"^the height of the (tower|stack|wall|pyramid) ({MUST} be .+ {CUBE}s)$", "the {1} {2} high"),
-    (f"^the length of the (row|line|column) ({MUST} be .+ {CUBE}s)$", "the {1} {2} long"),
     (f"^the number of ((?:\\w+ )?{CUBE}s) (on .+?) ({MUST} be) ((?:exactly |at least |at most ){_MANY})$",
      "there {3} {4} {1} {2}"),
     (f"^the number of ((?:\\w+ )?{CUBE}s) (on .+?) ({MUST} be) ({_MANY})$", "there {3} exactly {4} {1} {2}"),

@@ -69,8 +69,8 @@ IN_STEPS: tuple[Turn, ...] = (
      f"{_NAMED})$".replace("{must}", f"(?:do|{MUST})"), "{1} {2} . {3} {2}"),
     (f"^((?:swap|switch|exchange|trade) .+?|.+? {MUST} be (?:swapped|exchanged)|.+? {_SWAP} (?:places|positions))(?: "
      ",)? so (?:that )?each(?: one)?(?: of them| of the two)? (?:finally |then |in the end )?(?:stands|is|lies|sits|"
-     "ends up|ends) where the other(?: one)? (?:was|stood|lay|is now|started|stands now|sat)(?: (?:at|in) the "
-     "(?:start|beginning)| before)?$", "{1}"),
+     "ends up|ends)(?: exactly)? where the other(?: one)? (?:was|stood|lay|is now|started|stands now|sat)(?: (?:at|"
+     "in) the (?:start|beginning)| before)?$", "{1}"),
     (f"^(?:{_PUT} )({_NAMED}) (?:in|into|to|at) the (?:place|position|spot) of ({_NAMED})(?: ,)? and vice versa$",
      "{1} and {2} must swap places"),
     (f"^(.+?)(?: ,| and)+ (?:keep|leave) ({_NAMED}) (?:put|in place|where it is)$", "{1} . {2} must stay where it is"),

@@ -23,10 +23,8 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     ("^(?:from|with|using|out of) (the (?:letters|letter blocks|letter cubes) [^;:]+?) , (spell|write)(?: only| just)? "
      "((?:the word )?\\S+)$", "there are {1} . {2} {3}"),
     (f"^the number of (.+? {_BLOCKS}) (?:is|{MUST} be) ({MANY})$", "there are {2} {1}"),
-    (f"\\bthe ({_THING}) with (?:the )?color ({COLOR})(?= |$)", "the {2} {1}"),
-    (f"\\bthe ({_THING}) with (?:the )?({COLOR}) color(?= |$)", "the {2} {1}"),
-    (f"\\b(?:that|the) ({_THING}) (?:which|that) is ({COLOR})(?= (?:on|onto|in|into|next|to|behind|under)\\b|$)",
-     "the {2} {1}"),
+    (f"\\b(?:the|that) ({_THING}) (?:with (?:the )?color ({COLOR})|with (?:the )?({COLOR}) color|(?:which|that) is "
+     f"({COLOR})(?= (?:on|onto|in|into|next|to|behind|under)\\b|$))(?= |$)", "the {2} {3} {4} {1}"),
     # words
     (f"^the word (\\S+) , (?:in|with|from|out of) {_LETTERS}(?: please)?$", "spell the word {1}"),
     (f"^(?:(?:put|write|lay|set|spell) )?the words (\\S+) and (\\S+)(?: {MUST} be (?:written|put|laid|spelled))? in "
@@ -68,10 +66,8 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
      "{1} {3} {2} {4}"),
     # how a letter is turned
     (f"\\b(an?|the) ({_TURNED}) (?:letter )?(\\w)(?= {_SIDE}| {_ON}|$)(.*)$", "{1} {3} {4} . the {3} must be {2}"),
-    (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:(?:that|which) (?:is|stands|lies) )?({_TURNED})(?= {_SIDE}| "
-     f"{_ON})(.*)$", "{1} {2} {4} . the {2} must be {3}"),
-    (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:that|which) (?:is|stands|lies) ({_TURNED})$",
-     "{1} {2} . the {2} must be {3}"),
+    (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:({_TURNED})(?= {_SIDE}| {_ON})|(?:that|which) (?:is|stands|lies) "
+     f"({_TURNED})(?= {_SIDE}| {_ON}|$))(.*)$", "{1} {2} {5} . the {2} must be {3} {4}"),
     # one on either side
     (f"^(.*?)(?:one|an?) ({COLOR} {CUBE}) ({_SIDE}) ([^,]+?)(?: ,)?(?: and| ,) (?:another|the other|one)(?: one| "
      "\\2)? (?:to|on) its (left|right)(?: side)?$", "{1} a {2} {3} {4} and a {2} to the {5} of {4}"),
@@ -110,13 +106,10 @@ OTHERWISE: tuple[Turn, ...] = (
      "using all of them"),
     ("\\bthe lot$", "all of them"),
     ("^(.*\\boutline\\b.*?)(?: ,)? (?:hollow|empty|open) (?:in|at) the (?:center|middle)$", "{1}"),
-    (f"^({WAY})(?: ,)? the (numbers|digits) {MUST} get (?:smaller|lower)$",
-     "put the {2} in a row in descending order {1}"),
-    (f"^the (numbers|digits) {MUST} get (?:smaller|lower) ({WAY})$", "put the {1} in a row in descending order {2}"),
-    (f"^({WAY})(?: ,)? the (numbers|digits) {MUST} get (?:larger|bigger|higher)$",
-     "put the {2} in a row in ascending order {1}"),
-    (f"^the (numbers|digits) {MUST} get (?:larger|bigger|higher) ({WAY})$",
-     "put the {1} in a row in ascending order {2}"),
+    (f"^(?:({WAY})(?: ,)? )?the (numbers|digits) {MUST} get (?:smaller|lower)(?: ({WAY}))?$",
+     "put the {2} in a row in descending order {1} {3}"),
+    (f"^(?:({WAY})(?: ,)? )?the (numbers|digits) {MUST} get (?:larger|bigger|higher)(?: ({WAY}))?$",
+     "put the {2} in a row in ascending order {1} {3}"),
     # said of the whole, and once more of its parts
     ("^(all .+? (?:in|inside|inside of|within|on) the [^,]+?) (?:,|and|, and|, with) none (?:of them )?(?:(?:remains|"
      "stays|lies|is|being|left|remaining|lying) )?(?:outside|elsewhere|on the table)(?: of it| it)?$", "{1}"),

@@ -19,9 +19,8 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     # the order
     (f"(?: ,)? {_SORTED}(?:(?:exactly |just )?(?:like|as)|the way|in the way|in the (?:same )?order (?:in which|"
      f"that)) (?:(?:the |its )?colors|they) {_COME} in {_SPECTRUM}", " in rainbow order"),
-    (f"(?: ,)? {_SORTED}in the (?:same )?order (?:as|like) (?:in )?{_OF_IT}", " in rainbow order"),
-    (f"(?: ,)? {_SORTED}(?:by|following|according to|in accordance with|based on|along|in keeping with) (?:the order "
-     f"of )?{_OF_IT}", " in rainbow order"),
+    (f"(?: ,)? {_SORTED}(?:in the (?:same )?order (?:as|like) (?:in )?|(?:by|following|according to|in accordance "
+     f"with|based on|along|in keeping with) (?:the order of )?){_OF_IT}", " in rainbow order"),
     (f"(?: ,)? {_SORTED}{_COLORS}(?:(?:in )?order )?(?:just )?(?:like|as) (?:in )?(?:(?:the )?colors of "
      f")?{_SPECTRUM}(?=$| ,| \\.| \\)| {WAY}| with| start| begin| on| in an? {_LINE})", " in rainbow order"),
     ("(?: ,)? (?:so|such|so that|such that|whose|where|in which|with)(?: that)? (?:the |its |their )?(?:colors|they|"

@@ -29,8 +29,8 @@ REQUIRED: tuple[Turn, ...] = (
      f"({MUST} be .+)$", "{3} of the {1} {2} {4}"),
     (f"^(.+ )(the {COLOR} {CUBE}) , which ({MUST} (?:be (?:located|placed|put)|stand|lie) .+)$", "{1} {2} . {2} {3}"),
     # what is left open
-    (f"(?: ,)? the order of which (?:is|being|{MUST} be) {_FREE}$", " , in any order"),
-    ("(?: ,)? no particular order being (?:required|prescribed)$", " , in any order"),
+    (f"(?: ,)? (?:the order of which (?:is|being|{MUST} be) {_FREE}|no particular order being (?:required|"
+     "prescribed))$", " , in any order"),
     (f"(?: ,)? (?:whereas|while|and) the order of the (?:remaining blocks|others|rest) is {_FREE}$", ""),
     # with what it is done
     ("^by means of (?:the )?(?:letter|digit|symbol) (?:cubes|blocks) , (.+)$", "{1}"),

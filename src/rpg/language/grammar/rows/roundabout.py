@@ -70,13 +70,15 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"\\b((?:numbers|digits) .+) in order ({WAY})(?: ,)? (?:starting|beginning) with the (?:largest|biggest|highest)$",
      "{1} in descending order {2}"),
     ("\\bno (?:fewer|less) than\\b", "at least"),
+    ("^using (?:(?:just|only) )?(the .+?) , (spell \\S+)(.*)$", "{2} with {1} {3}"),
     (f"^(spell \\S+) on ((?:{FEW}) (?:letter )?(?:cubes|blocks))$", "{1} with {2}"),
     (f"\\b(the (?:{_SIDED} (?:{FEW})|(?:{FEW}) {_SIDED})(?: {_BLOCK}s)? \\w+)(?: ,)? and the {_SIDED} (?:ones|"
      f"{_BLOCK}s) (\\w+)$", "{1} and the others {2}"),
     ("(?: ,)? (?:which|that) itself (is|sits|stands|lies|rests|must|should)\\b", ", which {1}"),
     ("\\btower made of (an? .+?) with (an? .+?) on top$", "tower of {2} on {1}"),
-    ("^((?:separate|sort|split|divide|group) .+?|.+ (?:separated|sorted|split|divided|grouped) .+?)(?: ,)? so that "
-     "there (?:is|are) (?:a|one) group of \\w+ and (?:a|one|another) group of \\w+$", "{1}"),
+    ("^((?:.+ )?(?:sort|sorted|separated?|split|divided?|grouped|group) .+?)(?: ,)? (?:so that there (?:is|are) (?:two "
+     "groups|(?:a|one) group (?:of|for) each(?: kind| color)?|(?:a|one) group of \\w+ and (?:a|one|another) group of "
+     "\\w+)|one (?:group|pile|bunch) (?:for|per) each(?: kind| of them)?)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 

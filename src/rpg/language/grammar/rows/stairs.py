@@ -37,8 +37,8 @@ STAIRS: tuple[Turn, ...] = (
     (f"{_BEFORE}{_LINK} (?:{_UP}|going up(?:wards)?) away(?: from {ME})?\\b", "{1} going up to the back"),
     (f"{_BEFORE}{_LINK} (?:{_UP}|going up(?:wards)?) (?:to|towards?) {ME}\\b", "{1} going up to the front"),
     # which end is high
-    *((f"{_BEFORE}(?:{_LINK} {_DOWN} (?:from (?:the )?{high} )?{_TO} {low}\\b(?! of\\b)|{_WHOSE} {_LOW}{_STEP}{_ON} {low}"
-       f"(?:(?: ,| and)+(?: the| its)? {_HIGH}{_STEP}{_ON} {high})?(?= ,|$))", f"{{1}} going up to the {high}")
+    *((f"{_BEFORE}(?:{_LINK} {_DOWN} (?:from (?:the )?{high} )?{_TO} {low}\\b(?! of\\b)|{_WHOSE} {_LOW}{_STEP}{_ON} "
+       f"{low}(?:(?: ,| and)+(?: the| its)? {_HIGH}{_STEP}{_ON} {high})?(?= ,|$))", f"{{1}} going up to the {high}")
       for low, high in _SIDES),
     (f"{_BEFORE}{_WHOSE} {_HIGH}{_STEP}{_ON} ({_END})(?:(?: ,| and)+(?: the| its)? {_LOW}{_STEP}{_ON} {_END})?(?= ,|$)",
      "{1} going up to the {2}"),

@@ -16,7 +16,6 @@ _ROW_AND_OTHER = f"({_BE} )?(?:all )?(\\w+)(?: ,)? and the other(?: one| row)? (
 
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 _BASE = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
-_TOP = "(an?|one) (\\w+)(?: block| cube| one)? on (?:the )?top(?: (?:in|at) the (?:middle|center))?$"
 
 
 TOLD_SHAPES: tuple[Turn, ...] = (
@@ -55,12 +54,6 @@ TOLD_SHAPES: tuple[Turn, ...] = (
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : ((?:put|stack|place|build|make|"
      "arrange|line|move|set|lay) .+)$", "there are the {1} . {2}"),
     # pyramids
-    (f"\\b(pyramid)(?: :| of| from| with)? (?:an? )?{_BASE} (\\w+) (?:blocks|cubes) (?:at the bottom|as (?:the|a) "
-     f"base)(?: ,| and|, and)+ {_TOP}", "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
-    (f"\\b(pyramid) (?:from|of|out of) an? {_BASE} base of (\\w+) (?:blocks|cubes)(?: ,| and)+ {_TOP}",
-     "{1} with a {2} base of {3} blocks and {4} {5} block on top"),
-    (f"\\b(pyramid) of (?:{FEW}|\\d+) (\\w+) (?:blocks|cubes) as an? {_BASE} base(?: ,| and)+ {_TOP}",
-     "{1} with a {3} base of {2} blocks and {4} {5} block on top"),
     (f"\\b(pyramid of [^,:]+?) (?:in which|where) the base(?: of \\w+)? {_BE} (\\w+) , the (?:second|middle) layer "
      f"(?:{_BE} )?(\\w+)(?: ,)? and the (?:tip|top|topmost block) (?:{_BE} )?(\\w+)$",
      "{1} : the base {2} , the second layer {3} , the tip {4}"),

@@ -43,8 +43,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     # how high they are
     (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out )?(?:of|"
      f"from) (?={MANY}\\b)", "{1} {2} from"),
-    (f"\\b({_TOWERS}\\b.*?)(?: ,)? (?:and |with )?{_EACH} {_ARE}{_EQUAL}$", "{1} of equal height"),
-    (f"\\b({_TOWERS}\\b.*?) (?:that|which) are {_EQUAL}$", "{1} of equal height"),
+    (f"\\b({_TOWERS}\\b.*?)(?: ,)? (?:(?:and |with )?{_EACH} {_ARE}|(?:that|which) are ){_EQUAL}$",
+     "{1} of equal height"),
     (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH}$",
      "{1} , one {2} blocks high and one {3} blocks high"),
     (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH} {_AND} "
@@ -68,12 +68,9 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({TOWER}\\b.*) alternating between {_TURNS}", "{1} alternating {2} and {3}"),
     (f"\\b({TOWER}\\b.*\\balternating .*?) with {_ONE} both at the (?:bottom|base|foot) and (?:at the top|on top)$",
      "{1} with {2} at the bottom and {2} at the top"),
-    (f"\\b({TOWER}\\b[^,]*?)(?: ,)? (?:with|in|of) alternating colors , {_TURNS} , ({MANY})(?: blocks| cubes)?(?: "
-     "high| tall)?(?= ,|$)", "{1} of {4} blocks , alternating {2} and {3}"),
-    (f"\\b({TOWER})(?: ,)? (?:where|in which) {_TURNS} alternate ,? ?({MANY})(?: blocks| cubes)? (?:high|tall)",
+    (f"\\b({TOWER}\\b[^,]*?)(?: ,)? (?:(?:with|in|of) alternating colors ,|alternate|alternating|where|in which) "
+     f"{_TURNS}(?: alternate)? ,? ?({MANY})(?: blocks| cubes)?(?: high| tall)?(?= ,|$)",
      "{1} of {4} blocks , alternating {2} and {3}"),
-    (f"^(?:an? |the )?({TOWER}) , (?:alternate|alternating) {_TURNS} , ({MANY})(?: blocks| cubes)(?: high| tall)?",
-     "a {1} of {4} blocks , alternating {2} and {3}"),
     (f"^alternate {_TURNS} in (?:an?|one) ({TOWER}) of ({MANY})(?: blocks| cubes)? that (?:starts|begins) with {_ONE} "
      f"{_FOOT}$", "a {3} of {4} blocks , alternating {1} and {2} , with {5} at the bottom"),
     (f"\\b({TOWER} of {MANY})(?: blocks| cubes)?(?: ,)? (?:in which|where) every (?:second|other) (?:block|cube|one) "
@@ -84,21 +81,18 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "{1} , with {2} at the bottom"),
     # what becomes of one of them
     (f"^given ({MANY} {COLOR} {_BLOCKS}) , (make|build) (an? {TOWER}\\b.*)$", "from {1} {2} {3}"),
-    (f"^(?:split|divide|break|take|part) (?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?)(?: "
-     f"apart| up)? (?:in|into) (?:halves ,? so that )?({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?(?: "
-     "remain| result)?$", "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
-    (f"^(?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?) {MUST} be (?:split|divided|parted|"
-     f"broken|taken apart)(?: up)? (?:in|into) ({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?$",
+    (f"^(?:(?:split|divide|break|take|part) )?(?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: "
+     f"{_BLOCKS})?)(?: {MUST} be (?:split|divided|parted|broken|taken))?(?: apart| up)? (?:in|into) (?:halves ,? so "
+     f"that )?({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?(?: remain| result)?$",
      "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
     (f"^(?:make|build) ({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)? (?:out of|from) (?:the|an?|one) "
      f"(tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?)$",
      "at the start there is a {4} of {5} . at the end there are {1} {2} of {3}"),
     (f"^(?:make |build )?(?:for (?:every|each) color)(?: ,)? (?:one|an?|its)(?: own| separate)? ({TOWER})$",
      "one {1} per color"),
-    (f"^({MANY} {COLOR} {_BLOCKS})(?: ,)? and an? ({COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| one)?$",
-     "put a {2} block on each of {1}"),
-    (f"^({MANY} {COLOR} {_BLOCKS}) {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({COLOR}) (?:one|"
-     "block|cube)(?: on top| on it)?", "put a {2} block on each of {1}"),
+    (f"^({MANY} {COLOR} {_BLOCKS})(?:(?: ,)? and an? ({COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| "
+     f"one)?$| {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({COLOR}) (?:one|block|cube)(?: on top| "
+     "on it)?)", "put a {2} {3} block on each of {1}"),
     (f"\\b(?:a|one) ({TOWER}) (?:with|of) ({MANY})(?: {_BLOCKS})? and (?:a|one|another)(?: one| {TOWER})? (?:with|of) "
      f"({MANY})(?: {_BLOCKS})?(?: ,)? (?:everything|all of it)(?: in)? ({COLOR})$",
      "one {4} {1} of {2} and one {4} {1} of {3}"),
@@ -109,10 +103,9 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({TOWER}) : (.+)$", "a {1} of {2}"),
     (f"\\b({TOWER}) (of|out of|from|made of) ({COLOR}) ({COLOR}) and ({COLOR})(?= with| so| in|$)",
      "{1} {2} {3} , {4} and {5}"),
-    (f"^(?:make |build )?({MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})(?: ,)? (?:with )?(?:the "
-     ")?(?:colors )?in any order$", "stack {2} into {1} of equal height , in any order"),
-    (f"^use (.+ {_BLOCKS}) to (?:make|build) ({MANY} {_TOWERS}) of (?:the same|equal) height(?: ,)? (?:with )?(?:the "
-     ")?(?:colors )?in any order$", "stack {1} into {2} of equal height , in any order"),
+    (f"^(?:(?:make |build )?({MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})|use (.+ {_BLOCKS}) to "
+     f"(?:make|build) ({MANY} {_TOWERS}) of (?:the same|equal) height)(?: ,)? (?:with )?(?:the )?(?:colors )?in any "
+     "order$", "stack {2} {3} into {1} {4} of equal height , in any order"),
     # what stands beside it
     (f"\\b(two|2) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)? , the ({COLOR}) (?:one|{TOWER}) (?:is |being |"
      f"stands |standing )?({_BESIDE}) the ({COLOR}) (?:one|{TOWER})$",

@@ -19,6 +19,7 @@ _HIGH = "(?:at the (?:very )?top|on (?:the )?(?:very )?top|highest|the highest|u
 _BELOW = "(?:(?:directly|right|just) )?(?:below|under|underneath|beneath)"
 _ABOVE = "(?:(?:directly|right|just) )?(?:on top of|above|over|on)"
 _DOWN = "(?:from the top down|from (?:the )?top to (?:the )?bottom|downwards|going down)"
+_OVER = "(?:directly )?(?:on top(?: of it)?|on it)"
 _UP = "(?:from the bottom up|from (?:the )?bottom to (?:the )?top|upwards|going up|from the bottom)"
 _LIST = f"{_ONE[:-1]}(?:(?: , and| ,| and) {_ONE[1:-1]})+)"
 
@@ -44,13 +45,12 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:on|in) an? ({TOWER})(?: ,)? the word {_WORD} {MUST} be (?:legible|readable|read|seen) {_DOWN}$",
      "a {1} that spells {2} from top to bottom"),
     (f"\\b({_LINE}) (?:with|of|from|out of) the following {_BLOCKS}(?: ,)? ({WAY}) :", "{1} {2} :"),
-    (f"\\b({TOWER}) with {_ONE} in the middle {_AND} {_ONE} {_BELOW}(?: it)? {_AND} {_ONE} (?:on top|{_ABOVE} it|"
-     "above)(?: of it)?$", "{1} of {3} , {2} and {4} from bottom to top"),
-    (f"\\b({TOWER}) (?:in which|where) {_KNOWN} has {_ONE} {_BELOW} it and {_ONE} (?:directly |right )?(?:on top(?: "
-     "of it)?|above(?: it)?|on it)$", "{1} of {3} , {2} and {4} from bottom to top"),
-    (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} (?:directly )?(?:on top(?: of it)?|on it) and {_ONE} ({_BELOW}) it$",
+    (f"\\b({TOWER}) (?:with {_ONE} in the middle {_AND}|(?:in which|where) {_KNOWN} has) {_ONE} {_BELOW}(?: it)? "
+     f"{_AND} {_ONE} (?:directly |right )?(?:on top|{_ABOVE} it|above|on it)(?: of it| it)?$",
+     "{1} of {4} , {2} {3} and {5} from bottom to top"),
+    (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} {_OVER} and {_ONE} ({_BELOW}) it$",
      "{2} must be on {1} and {3} must be {4} {1}"),
-    (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} ({_BELOW}) it and {_ONE} (?:directly )?(?:on top(?: of it)?|on it)$",
+    (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} ({_BELOW}) it and {_ONE} {_OVER}$",
      "{2} must be {3} {1} and {4} must be on {1}"),
     (f"^{_LIST} : (?:build|make|form|stack) (an?|one) ({TOWER}) (?:that|which) (?:shows|has|with) (?:these|those) "
      f"{_BLOCKS}(?: when)?(?: read)? {_DOWN}$", "a {3} of {1} from top to bottom"),

@@ -46,8 +46,6 @@ AT_ONCE: tuple[Turn, ...] = (
      f"holds|becomes) ?{_TRUE}?$", "{1} so that they form a true equation"),
     ("^of (the (?:digits|numbers|letters) [^;]+?) , (the (?:even|odd) (?:ones|digits|numbers) .+)$",
      "there are {1} . {2}"),
-    ("^((?:separate|sort|split|divide) .+?)(?: ,)? so that there is (?:a|one) group (?:of|for) each(?: kind| color)?$",
-     "{1}"),
     (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_RISE}\\b",
      "{1} a {2} in ascending order"),
     (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_FALL}\\b",

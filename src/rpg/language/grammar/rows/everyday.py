@@ -74,11 +74,16 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("^can (the [^,]+?) have (.+)$", "{1} should have {2}"),
     ("^first(?: ,)? you (\\w+) (.+?) , and (?:after|then|after that|afterwards)(?: ,)? you \\1 (.+)$",
      "first , {1} {2} , then {1} {3}"),
+    # headings that the sentence says itself
+    ("^(?:invert|reverse|unstack|restack|swap)(?: the \\w+)? : ((?:initially|start from|start with|at the start) .+? "
+     f"(?:finally|then|end with|at the end|{MUST}) .+)$", "{1}"),
+    ("^(.+?) with (?:digit|number|letter) and (?:operator|symbol|sign) (?:blocks|cubes)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",
             "or", "then", "like", "case")  # fmt: skip
 _NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
+
 EVERYDAY: tuple[Turn, ...] = (
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "

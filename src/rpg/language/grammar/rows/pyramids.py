@@ -35,6 +35,9 @@ def _layers(look: str = "") -> tuple[tuple[str, str], ...]:
     return tuple(found)
 
 
+_SIZED = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
+_ARE = f"(?:is|are|{MUST} be)"
+
 PYRAMIDS: tuple[Turn, ...] = (
     ("\\b(pyramid) on (an? base of)\\b", "{1} with {2}"),
     (f"{_HEAD} ({MANY}){N}{_BOTTOM}{_AND}(?: always)? one{N} (?:fewer|less){N}(?: (?:in|on|for|with|at))? (?:each|"
@@ -79,5 +82,12 @@ PYRAMIDS: tuple[Turn, ...] = (
      "block| cube)? is (?:the|its) (?:top|tip|peak)$", "{1} with a base of {2} and a {3} block on top"),
     (f"(?:, )?the (?:base|lowest layer|bottom layer|bottom row) of which (?:is|{MUST} be|is formed by|consists of) a "
      f"row of ({MANY}) (?:blocks|cubes)$", "with a base of {1} blocks"),
+    # pyramids
+    (f"\\b(pyramid of [^,:]+?) (?:in which|where) the base(?: of \\w+)? {_ARE} (\\w+) , the (?:second|middle) layer "
+     f"(?:{_ARE} )?(\\w+)(?: ,)? and the (?:tip|top|topmost block) (?:{_ARE} )?(\\w+)$",
+     "{1} : the base {2} , the second layer {3} , the tip {4}"),
+    (f"\\b(an?|one) (pyramid with (?:an? )?{_SIZED} base)(?: ,| and| with)+ (?:an?|one|a single) (block|cube) (on "
+     f"top)(?: of it)?(?: ,| and)+ (?:they are )?all(?: of them)?(?: (?:block|cube)s)?(?: in)? ({COLOR})$",
+     "{1} {6} {2} and one {4} {5}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

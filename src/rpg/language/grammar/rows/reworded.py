@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
-from rpg.language.grammar.rows.required import REQUIRED_AT_ONCE
-from rpg.language.grammar.rows.task_strings import TASK_STRINGS
+from rpg.language.grammar.rows.specified import REQUIRED_AT_ONCE
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, LENGTH, MANY, MUST
 
@@ -22,7 +21,6 @@ _NO_LINE = "(?:(?!\\b(?:row|line|tower|stack)s?\\b).)"
 REWORDED_AT_ONCE: tuple[Turn, ...] = (
     *OTHERWISE_AT_ONCE,
     *EVERYDAY_AT_ONCE,
-    *TASK_STRINGS,
     *REQUIRED_AT_ONCE,
     # what is asked
     ("^(would|could|can|will) you ever (?=\\w)", "{1} you"),

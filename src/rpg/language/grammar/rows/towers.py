@@ -4,7 +4,7 @@ ones in one tower, all blue ones in another", as rows that tell each of them pla
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MANY, MUST, TOWER
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE, MANY, MUST, TOWER
 
 _BLOCKS = "(?:blocks|cubes|ones)"
 _TOWERS = "(?:towers|stacks)"
@@ -38,8 +38,24 @@ _CHANGING = (
     "(?:with|in|of) (?:the |its )?(?:alternating|alternate) colors|(?:with |so that |and )?(?:the |their |its )?"
     "colors (?:alternate|alternating|take turns|taking turns|changing alternately|alternating each time)"
 )
+_IS = f"(?:is|are|{MUST} be)"
+_SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # towers and rows
+    (f"\\b(towers [^,]+ , one ({COLOR})(?: ,| and)? one ({COLOR}))(?: ,|;| with)+ (?:the )?\\2(?: one| tower)? "
+     f"(?:{_IS} |stands )?({_SPOT}) (?:the )?\\3(?: one| tower)?$", "{1} . the {2} tower must be {4} the {3} tower"),
+    (f"^(an? {LINE} of .+?) in front(?: ,| and)+ (an? {LINE} of .+?) behind(?: it)?$", "{1} and {2} behind it"),
+    (f"^rainbow ({LINE})(?: :| of| ,| with)+ (.+ (?:blocks|cubes)|.+ , (?:starting|beginning) .+)$",
+     "a rainbow {1} of {2}"),
+    (f"^({FEW}|\\d+) (?:blocks )?high , (alternating .+)$", "a tower of {1} blocks , {2}"),
+    (f"\\bthat (?:does not|must not|should not|may not) have (?:the )?({COLOR})(?: one| block| cube)? (at the top|on "
+     "top|at the bottom)$", "with {1} not {2}"),
+    ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group (in|on|to|behind|"
+     "next|near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
+    (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
+     f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
+     "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
     # how high they are
     (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out )?(?:of|"
      f"from) (?={MANY}\\b)", "{1} {2} from"),
@@ -127,9 +143,13 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"(?:^|(?<=: ))(?:put |stack |build )?(?:all )?(?:of )?(the |my )?({COLOR}) ({_BLOCKS}) {_INTO}(?:{_GROUND} "
      f")?(?:one|a) ({TOWER}) (?:and|,|, and) (?:all )?(?:of )?(?:the )?({COLOR})(?: {_BLOCKS})? {_INTO}(?:{_GROUND} "
      f")?another(?: one| {TOWER})?$", "the {2} {3} form a {4} . the {5} {3} form another {4}"),
+    # towers and rows
+    (f"\\bin ({MANY})(?: separate)? (stacks|towers) , (?:each (?:of|with) (?:a )?)?height(?: of)? ({MANY})(?: each)?$",
+     "in {1} {2} of height {3}"),
+    (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
+     "stack {2} {1} in alternating colors"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
-
 TOWERS: tuple[Turn, ...] = (
     ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
     ("(?: ,)? so that no two touch$", ". no two of them touch"),

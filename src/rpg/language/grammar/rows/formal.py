@@ -12,6 +12,7 @@ from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
+from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.in_steps import IN_STEPS
@@ -19,13 +20,14 @@ from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAIN
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import not_at_end
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
+from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
-from rpg.language.grammar.rows.roundabout import AT_ONCE, ROUNDABOUT
+from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
 from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
-from rpg.language.grammar.rows.specified import REQUIRED, SPECIFIED, SPECIFIED_AT_ONCE
+from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.times import BEFORE_IT
@@ -34,8 +36,7 @@ from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import Turns, turned
 from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
 from rpg.language.grammar.rows.vocabulary import MUST
-from rpg.language.grammar.rows.wordier import AT_ONCE as FEWER_AT_ONCE
-from rpg.language.grammar.rows.wordier import WORDIER
+from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
 from rpg.language.tokens import Token
 
 _OF_ALL = (
@@ -56,7 +57,7 @@ _OF_ALL = (
     *GAPPED_AT_ONCE,
     *SHORT_AT_ONCE,
     *SPECIFIED_AT_ONCE,
-    *AT_ONCE,
+    *ROUNDABOUT_AT_ONCE,
     *FIGURES,
     *BOARDS,
     *PYRAMIDS,
@@ -64,22 +65,43 @@ _OF_ALL = (
     *TOWERS_AT_ONCE,
     *UPWARD_AT_ONCE,
     *UPRIGHT_AT_ONCE,
+    *OTHERWISE_AT_ONCE,
+    *EVERYDAY_AT_ONCE,
+    *REQUIRED_AT_ONCE,
     *REWORDED_AT_ONCE,
-    *FEWER_AT_ONCE,
+    *WORDIER_AT_ONCE,
     *ROWS_PLACED,
 )
 """The rows of every sentence."""
-_OF_THE_UNREAD = (*DISTANCES, *LOTS, *BESIDES, *PATCHES_UNREAD, *SPECIFIED, *ROUNDABOUT, *CONTRASTED, *BEFORE_IT,
-                  *REWORDED, *WORDIER, *SHORT, *REQUIRED, *GAPPED, *BORNE_FIRST, *UTMOST_TOLD, *TOWERS,
-                  *UPWARD)  # fmt: skip
+_OF_THE_UNREAD = (
+    *DISTANCES,
+    *LOTS,
+    *BESIDES,
+    *PATCHES_UNREAD,
+    *SPECIFIED,
+    *ROUNDABOUT,
+    *CONTRASTED,
+    *BEFORE_IT,
+    *OTHERWISE,
+    *EVERYDAY,
+    *REWORDED,
+    *WORDIER,
+    *SHORT,
+    *REQUIRED,
+    *GAPPED,
+    *BORNE_FIRST,
+    *UTMOST_TOLD,
+    *TOWERS,
+    *UPWARD,
+)
 """The rows of a sentence that cannot be read as it stands."""
-_AT_ONCE, _UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
+AT_ONCE, UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
 
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
     told = _one_of_each(_steps_told(told_by_places(rows_by_number(tokens))))
-    return turned(of_the_figure(not_at_end(corners_again(told))), _AT_ONCE)
+    return turned(of_the_figure(not_at_end(corners_again(told))), AT_ONCE)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:
@@ -117,7 +139,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 def plainly(tokens: list[Token]) -> list[list[Token]]:
     """The sentences that one is in plain words; none where it is as plain already."""
-    plain = turned(tokens, _UNREAD)
+    plain = turned(tokens, UNREAD)
     if plain == tokens:
         return []
     out: list[list[Token]] = [[]]

@@ -3,9 +3,6 @@ asked in place of being asked for, as rows that tell it plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
-from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
-from rpg.language.grammar.rows.specified import REQUIRED_AT_ONCE
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, LENGTH, MANY, MUST
 
@@ -19,9 +16,6 @@ _ON_IT = "(on (?!each|either|every|both|top|(?!a )\\S(?: |$))|in (?=the))"
 _NO_LINE = "(?:(?!\\b(?:row|line|tower|stack)s?\\b).)"
 
 REWORDED_AT_ONCE: tuple[Turn, ...] = (
-    *OTHERWISE_AT_ONCE,
-    *EVERYDAY_AT_ONCE,
-    *REQUIRED_AT_ONCE,
     # what is asked
     ("^(would|could|can|will) you ever (?=\\w)", "{1} you"),
     (f"\\b(at least {MANY} and at most {MANY} of .+?) (?:may|can) (be|lie|stand)\\b", "{1} must {2}"),
@@ -71,8 +65,6 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 REWORDED: tuple[Turn, ...] = (
-    *OTHERWISE,
-    *EVERYDAY,
     # measures
     (f"\\b(?:no|not) {_LARGER} than ({LENGTH})", "at most {1}"),
     (f"\\b(?:no|not) {_SMALLER} than ({LENGTH})", "at least {1}"),

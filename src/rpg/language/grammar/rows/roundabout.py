@@ -16,7 +16,7 @@ _STARTED = (
     "|its (?:starting|original|initial) (?:place|position|spot|location))"
 )
 
-AT_ONCE: tuple[Turn, ...] = (
+ROUNDABOUT_AT_ONCE: tuple[Turn, ...] = (
     ("(?: ,)? so that there is (?:one|a) (tower|stack) (?:per|for each) color$", "in one {1} per color"),
     (f"^in an? ({LINE}) (with|of) (.+) , ((?:swap|exchange|switch|turn|move|take) .+)$",
      "there is a {1} {2} {3} . {4}"),

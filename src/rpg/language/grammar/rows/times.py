@@ -73,5 +73,5 @@ BEFORE_IT: tuple[Turn, ...] = (
     *TRADED,
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("briefly instant momentarily occasion permitted present spot temporarily wait",)
+WORDS = ("briefly instant letting momentarily occasion permitted present spot temporarily wait",)
 """Words that these take besides those that are read anyway."""

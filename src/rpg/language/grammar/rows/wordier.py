@@ -25,7 +25,7 @@ _NO_FAVOR = "".join(f"(?<!{word})" for word in (
 
 _OF = "(?:exactly |just |only |at least |at most )?(?:each|one|any|any one|none|all|both|either|neither|two|three)"
 
-AT_ONCE: tuple[Turn, ...] = (
+WORDIER_AT_ONCE: tuple[Turn, ...] = (
     # for whom
     (f"\\b(build|make|show|give) us (?=(?:an?|the|one|some|\\d+|{FEW}) )", "{1} me "),
     (f"{_NO_FAVOR} for (?:me|us)(?=$| ,| with | on | in | and | as | from )", " "),

@@ -96,7 +96,10 @@ def rests(state: BlockState) -> bool:
     """The truth of `settled` alone: it stops at the first block that floats."""
     if state.moving or state.held:
         return False
-    return all(_carried(name, state) or _supported(name, state).value for name in state.position)
+    for name in state.position:
+        if not _carried(name, state) and not _supported(name, state).value:
+            return False
+    return True
 
 
 def _carried(name: str, state: BlockState) -> bool:

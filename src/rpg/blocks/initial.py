@@ -112,7 +112,7 @@ class _Layout:
 
 def _middle(outline: Polygon) -> tuple[float, float]:
     """Mean of an outline's corners."""
-    return (sum(x for x, _ in outline) / len(outline), sum(y for _, y in outline) / len(outline))
+    return (sum([x for x, _ in outline]) / len(outline), sum([y for _, y in outline]) / len(outline))
 
 
 def sample_start(

@@ -96,10 +96,7 @@ def rests(state: BlockState) -> bool:
     """The truth of `settled` alone: it stops at the first block that floats."""
     if state.moving or state.held:
         return False
-    for name in state.position:
-        if not _carried(name, state) and not _supported(name, state).value:
-            return False
-    return True
+    return all(_carried(name, state) or _supported(name, state).value for name in state.position)
 
 
 def _carried(name: str, state: BlockState) -> bool:

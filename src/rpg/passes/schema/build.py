@@ -46,7 +46,6 @@ from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
 from rpg.passes.schema.resolve.clauses.in_parts import links_left
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
-from rpg.passes.schema.resolve.clauses.lined_there import lined_there
 from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.clauses.readied import readied
 from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
@@ -160,7 +159,7 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    links, chains = lined_there(links, from_heaps(readied(chains, text)))
+    chains = from_heaps(readied(chains, text))
     links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, chains, text))))
     told = begun(chains, text)
     links, every = links_left(links, chains, told), links

@@ -24,6 +24,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.lined_there import lined_there
 
 T = TypeVar("T")
 Told = tuple[list[str], tuple[Chain, ...], tuple[str, ...]]
@@ -44,6 +45,7 @@ def either_way(
     notes: list[str],
 ) -> T:
     """What the sentences come to: where a tower is taken for granted it is there, if that makes sense."""
+    links, chains = lined_there(links, chains)
     granted = taken_for_granted(links, chains)
     if granted is None:
         return read(links, chains, notes)

@@ -250,8 +250,8 @@ _TELLING = (
                "rows", "approximately", "or", "more", "about", "give", "ish", "like", "but", "as", "half", "each",
                "equation", "sum", "right", "no", "pairs", "unscramble", "turn", "change", "rearrange", "currently",
                "spell", "say", "says", "spelling", "word", "reads", "becomes", "become", "number", "=", "match",
-               "every", "side", "total", "altogether", "answer", "result", "solution", "of", "want", "has", "with", "by", "in",
-               "towers", "stacks"})
+               "every", "side", "total", "altogether", "answer", "result", "solution", "of", "want", "has", "with",
+               "by", "in", "towers", "stacks"})
     | TELLING | _TIDIED | _LEFT_OUT | _TOPPED | _FAR
 )  # fmt: skip
 """Words without one of which there is nothing of all this."""

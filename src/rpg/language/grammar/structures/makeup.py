@@ -24,7 +24,7 @@ from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
 from rpg.language.grammar.structures.sizes import IN_TOTAL, as_high, each_told, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.structures.steps import steps_told
-from rpg.language.grammar.structures.told_by_one import placed_inside, told_by_one
+from rpg.language.grammar.structures.told_by_one import left_open, placed_inside, told_by_one
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
@@ -378,7 +378,8 @@ def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, e
         return False
     if isinstance(members, Coord):
         again = base.kind == "pile" and "group" in p.words[k:end]  # "a group of red ones and a group of blue ones"
-        if again or p.one(end, ("each", "apiece")) or any(isinstance(x, Structure | Pronoun) for x in members.items):
+        mixed = any(isinstance(x, Structure | Pronoun) for x in members.items)
+        if again or mixed or p.one(end, ("each", "apiece")) or left_open(p, k, end):
             return False
         if base.plural and ("each" in p.words[j:k] or any(map(_mere_number, members.items))):
             return False

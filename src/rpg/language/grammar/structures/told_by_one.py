@@ -32,3 +32,15 @@ _INSIDE = Patterns(
     "in|on|at the front|back|top|bottom|first|second|third|last|middle|left|right|far|near|upper|lower "
     "row|column|layer|line"
 )
+
+
+_ONE_MORE = frozenset({"a", "an", "another", "one", "two", "three", "the"})
+
+
+def left_open(p: Parser, k: int, end: int) -> bool:
+    """Whether a list of blocks told by commas alone is not over: "a tower of two blocks, a single block and a tower of
+    three" are three things, of which the second belongs to none of the others."""
+    lead = p.opt(p.opt(end, ","), "and")
+    more = lead > end and p.words[lead - 1] == "and" and p.stands(lead, _ONE_MORE)
+    whole = more and any(word in lexicon.STRUCTURE for word in p.words[lead : lead + 4])
+    return whole and "and" not in p.words[k:end] and any(word in _ONE_MORE for word in p.words[k + 1 : end])

@@ -230,7 +230,7 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     counted = (
         bool(need is not None or scene.excepted)  # "all but the red one": nor is that on top
         or (source is None and theme is None and not named)
-        or (isinstance(source, Noun) and source.det in ("bare", "a", "some") and not _one_by_one(source))
+        or (isinstance(source, Noun) and source.det in ("bare", "a", "some", "all but") and not _one_by_one(source))
     )
     nodes = [
         s.Stack(

@@ -42,7 +42,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # measures
     (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
     (f"(?: ,| and)* (?:(?:with|leave)(?: me| us)? )?(?:a )?(?:({LENGTH}) gaps?|gaps? of ({LENGTH})) (?:between "
-     "each(?: one)? and the next(?: one)?|every time|each time|in between|between them)$", " with gaps of {1} {2}"),
+     "each(?: one)? and the next(?: one)?|every time|each time)$", " with gaps of {1} {2}"),
     # from which end
     ("\\bfrom (?:the )?(?:(?:table|ground|floor) (?:up|upwards|to the top)|down (?:to )?up|below to above|bottom to "
      "up)\\b", "from bottom to top"),

@@ -16,7 +16,6 @@ _PUT = "(?:put|place|set|move|have|get|bring|i want|i would like)"
 _R = "(?:immediately |directly )?(?:behind|in front of|(?:to the )?left of|(?:to the )?right of)"
 _ONE = f"((?:the )?(?:{COLOR}|\\S+ (?:block|cube|one)|\\w))"
 _AND = "(?: ,)?(?: and)?"
-_AT = "(?:(?:on|to|at) the )?"
 _HAS = f"(?:has|have|{MUST} have)"
 _ON_ITS = "(?:on|to) (?:its|the)"
 _BLOCKS = "(?:blocks|cubes|ones)"
@@ -35,8 +34,8 @@ _MUST_BE = f"(?:is|{MUST} be)"
 
 SIDED_AT_ONCE: tuple[Turn, ...] = (
     # at the sides of the same block
-    (f"^(?:{_PUT} )?({_T}){_IS} {_AT}(left|right)(?: ,)?(?: and)? ({_T}){_IS} {_AT}(?!\\2)(left|right) of ({_T})$",
-     "{1} must be to the {2} of {5} and {3} to the {4} of {5}"),
+    (f"^(?:{_PUT} )?({_T}){_IS} ((?:(?:on|to|at) the )?)(left|right)(?: ,)?(?: and)? ({_T}){_IS} \\2(?!\\3)(left|"
+     f"right) of ({_T})$", "{1} must be to the {3} of {6} and {4} to the {5} of {6}"),
     (f"^((?:.+? )?{_R} {_ONE}{_AND} {_T}{_IS}) (?:to|on) its (left|right)(?: side)?{_GOES_ON}",
      "{1} to the {3} of {2}"),
     (f"^((?:.+? )?{_R} {_ONE}{_AND} {_T}{_IS} {_R}) it{_GOES_ON}", "{1} {2}"),

@@ -84,8 +84,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({TOWER}\\b.*) alternating between {_TURNS}", "{1} alternating {2} and {3}"),
     (f"\\b({TOWER}\\b.*\\balternating .*?) with {_ONE} both at the (?:bottom|base|foot) and (?:at the top|on top)$",
      "{1} with {2} at the bottom and {2} at the top"),
-    (f"\\b({TOWER}\\b[^,]*?)(?: ,)? (?:(?:with|in|of) alternating colors ,|alternate|alternating|where|in which) "
-     f"{_TURNS}(?: alternate)? ,? ?({MANY})(?: blocks| cubes)?(?: high| tall)?(?= ,|$)",
+    (f"\\b({TOWER}\\b[^,]*?)(?:(?: ,)? (?:(?:with|in|of) alternating colors ,|where|in which)| , (?:alternate|"
+     f"alternating)) {_TURNS}(?: alternate)? ,? ?({MANY})(?: blocks| cubes)?(?: high| tall)?(?= ,|$)",
      "{1} of {4} blocks , alternating {2} and {3}"),
     (f"^alternate {_TURNS} in (?:an?|one) ({TOWER}) of ({MANY})(?: blocks| cubes)? that (?:starts|begins) with {_ONE} "
      f"{_FOOT}$", "a {3} of {4} blocks , alternating {1} and {2} , with {5} at the bottom"),

@@ -37,6 +37,7 @@ from rpg.passes.schema.resolve.places.placing import absolutes
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.things.operands import crown, spread
 from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.spoken import as_it_stands
 from rpg.passes.schema.resolve.things.theirs import off_which
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
@@ -202,7 +203,7 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if spec.places and (clause.lemma == "take" or _laid_on(spec)):
         goals = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
         spec.places = []
-        return goals
+        return [*(as_it_stands(theme, scene) if theme.built else ()), *goals]
     scene.picked = clause.span
     scene.held.update(dict.fromkeys(theme.names, clause.span))
     if len(spec.usings) == 1 and spec.usings[0].lead == "out of":

@@ -63,7 +63,6 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if any(o.by in ("ascending", "number", "label") for o in spec.orders):  # "sort by value, descending"
         spec.orders = [o for o in spec.orders if (o.by, o.attribute) != ("attribute", "label")]
     _no_order(clause, spec, line)
-    _not_between_patches(clause, spec)
     if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
         return _sort_piles(clause.theme, spec, scene, scope)[1]
     if clause.theme is None and not any(scene.blocks()):
@@ -83,8 +82,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     need = need if each < 3 or line or ordered else DEFAULT_GROUPS * each
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
     _check_repeated(theme, clause, spec, scene)
-    attribute = attribute or _by_color(theme, spec, scene) or _of_each(spec)
-    theme, attribute = of_told_kinds(theme, attribute, spec, scene)
+    theme, attribute = of_told_kinds(theme, attribute or _by_color(theme, spec, scene) or _of_each(spec), spec, scene)
     if line or ordered:
         in_sequence(clause, theme, spec, scene)
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
@@ -180,7 +178,8 @@ def _by_so_much(theme: Ref, spec: Spec) -> r.Distance | None:
 
 
 def _no_order(clause: Clause, spec: Spec, line: bool) -> None:
-    """ "group them by letter" puts nothing in order."""
+    """ "group them by letter" puts nothing in order, and "divide them between two patches" nothing in the gap."""
+    _not_between_patches(clause, spec)
     if clause.lemma in GATHERS | DIVIDES and not line and (by := [o for o in spec.orders if o.by == "label"]):
         raise refuse("misplaced", "groups have no order", by[0].span, "say 'in a row', or 'by the same letter'")
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.all_as_before import all_as_before
 from rpg.language.grammar.talk.bare_sides import bare_sides
 from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
-from rpg.language.grammar.talk.told_short import any_other, halves_told, no_two
+from rpg.language.grammar.talk.told_short import any_other, every_other, halves_told, no_two
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
@@ -238,13 +239,13 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
-_CHANGES = (bare_sides, halves_told, no_two, any_other, _furthest, _seen, _is, _resumed, _have_done, _hedged, _tidied,
+_CHANGES = (all_as_before, bare_sides, halves_told, no_two, any_other, every_other, _furthest, _seen, _is, _resumed, _have_done, _hedged, _tidied,
             _freely, _around, _like_a_grid, _finished_off, by_again, heights_told, sizes_compared,
             dealt_out)  # fmt: skip
 _TELLING = (
     frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",
                "rows", "approximately", "or", "more", "about", "give", "ish", "like", "but", "as", "half", "each",
-               "equation", "sum", "right", "no", "of", "want", "has", "with", "by", "towers", "stacks"})
+               "equation", "sum", "right", "no", "of", "want", "has", "with", "by", "towers", "stacks", "every", "everything", "all"})
     | TELLING | _TIDIED | _LEFT_OUT | _TOPPED | _FAR
 )  # fmt: skip
 """Words without one of which there is nothing of all this."""

@@ -230,7 +230,9 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
                      "say 'of the table', or name the block among those of the line")  # fmt: skip
     close = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
     beside_it = _said_first(item, [a for a in atoms(goal) if isinstance(a, beside)])
-    among = at_.side == "middle" and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal)) and not beside_it
+    among = (
+        at_.side == "middle" and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal)) and not beside_it
+    )
     if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in close) or among:
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
                      "say 'of the table', or of what")  # fmt: skip

@@ -20,7 +20,8 @@ from rpg.blocks.arrange import arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.geometry import Polygon, clear_of, footprint, patch_outline, polygon_gap, rectangle
 from rpg.blocks.heaps import Heap, above, dropped, in_one_piece, shaft
-from rpg.blocks.physics import Physics, leave, settled_state
+from rpg.blocks.physics import Physics, leave, left, settled_state
+from rpg.blocks.scene import compiled
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.goal import All, Goal
@@ -112,7 +113,7 @@ class _Layout:
 
 def _middle(outline: Polygon) -> tuple[float, float]:
     """Mean of an outline's corners."""
-    return (sum(x for x, _ in outline) / len(outline), sum(y for _, y in outline) / len(outline))
+    return (sum([x for x, _ in outline]) / len(outline), sum([y for _, y in outline]) / len(outline))
 
 
 def sample_start(
@@ -147,7 +148,8 @@ def foresee(init: InitialState, world: World) -> Iterator[BlockState]:
     """What seed 0 draws, attempt by attempt. The task that is made of this next does not draw them a second time."""
     drawn: dict[int, BlockState] = {}
     _foreseen.append((_said(init, world), drawn))
-    physics = Physics(world) if init.arranged else None
+    model = compiled(tuple(world.assets.values())) if init.arranged else None
+    physics = Physics(world, model, left(model)) if model is not None else None
     try:
         for attempt in count():
             drawn[attempt] = sample_start(init, world, 0, attempt, lambda: physics)

@@ -123,7 +123,7 @@ class Physics:
 
     def sane(self) -> bool:
         """Are all numbers finite?"""
-        return bool(np.isfinite(self.data.qpos).all() and np.isfinite(self.data.qvel).all())
+        return all(map(math.isfinite, (*self.data.qpos.tolist(), *self.data.qvel.tolist())))
 
 
 _left: deque[Physics] = deque(maxlen=1)

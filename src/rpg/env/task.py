@@ -267,7 +267,7 @@ class BlockTask(Relations, Structures, Setup):
     def _observe(self, state: BlockState) -> None:
         """The episode is now in `state`."""
         if self._written is not None:
-            self._written = state.since(None)
+            self._written = state
         self._state, self._judgement, self._solved, self._unread = state, None, None, False
         if self._looks_back is not False:
             self.judge()

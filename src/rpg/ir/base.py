@@ -12,6 +12,12 @@ class Record(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
+    def __eq__(self, other: object) -> bool:
+        # as of any model, without a look at what no record has: private and further attributes, type parameters
+        if self is other:
+            return True
+        return self.__dict__ == other.__dict__ if type(self) is type(other) else NotImplemented
+
 
 def _as_tuple(value: Any) -> Any:
     return (value,) if isinstance(value, str) else value

@@ -182,8 +182,8 @@ class Search:
         begun = [r for r in self._begun(piece) if r not in due]
         telling = [r for r in due if r.holds] + begun
         due += [r for r in (self._so_far(rule, piece) for rule in begun) if r is not None]
-        # structures take longest to judge, and need not be where something else rules a place out
-        due.sort(key=lambda rule: rule.open_ended)
+        # structures take longest to judge, and need not be where something else rules a place out, as what presses does
+        due.sort(key=lambda rule: (rule.open_ended, -rule.press))
         scored = self._scored(piece, self._candidates(piece, telling), due)
         scored.sort(key=itemgetter(0), reverse=True)
         return [origin for _, origin in scored]
@@ -313,5 +313,7 @@ def _least_slack(rules: list[Rule], state: BlockState) -> float | None:
 
 
 def _rounded(quat: Quat) -> Quat:
-    w, x, y, z = (round(c, 6) + 0.0 for c in quat)
-    return w, x, y, z
+    if quat is IDENTITY:
+        return quat
+    w, x, y, z = quat
+    return round(w, 6) + 0.0, round(x, 6) + 0.0, round(y, 6) + 0.0, round(z, 6) + 0.0

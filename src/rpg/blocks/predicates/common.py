@@ -159,9 +159,8 @@ def _roomiest(others: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """The spots with the most room, but for the last digits: found at once, so that few are measured one by one."""
     if not others:
         return _SPOTS
-    least = np.full(len(_SPOTS), np.inf)
-    for x, y in others:
-        np.minimum(least, (_SPOTS_X - x) ** 2 + (_SPOTS_Y - y) ** 2, out=least)
+    x, y = np.array(others).T[:, :, None]
+    least = ((_SPOTS_X - x) ** 2 + (_SPOTS_Y - y) ** 2).min(axis=0)
     return [_SPOTS[k] for k in np.flatnonzero(least >= least.max() * (1 - 1e-9))]
 
 

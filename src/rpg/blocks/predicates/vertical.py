@@ -70,7 +70,7 @@ class OnPredicate(Predicate[On]):
 
     def evaluate(self, node: On, state: BlockState) -> Verdict:
         below = state.resolve(node.b)
-        return every(some(directly_on(a, b, state, node) for b in below) for a in state.resolve(node.a))
+        return every([some([directly_on(a, b, state, node) for b in below]) for a in state.resolve(node.a)])
 
     def holds(self, node: On, state: BlockState) -> bool:
         below, edge = state.resolve(node.b), state.world.edge

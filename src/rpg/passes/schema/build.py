@@ -71,7 +71,7 @@ from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one
 from rpg.passes.schema.resolve.things.sized import sized
 from rpg.passes.schema.resolve.things.spare import definite, leaves_out, none_ignored
 from rpg.passes.schema.resolve.things.taken import all_plainly
-from rpg.passes.schema.resolve.things.things import fits, matching, names_blocks
+from rpg.passes.schema.resolve.things.things import fits, matching, note_named
 from rpg.passes.schema.resolve.things.world import Scene, refuse, said
 from rpg.passes.schema.wordings import wording
 
@@ -218,7 +218,7 @@ def _resolved(
     links, chains = counted_later(links, each_later(chains))
     links, chains = sized(links, all_plainly(chains, scene), scene)
     scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
-    scene.names_blocks = any(names_blocks(part) for chain in chains for part in parts_of(chain))
+    note_named(chains, scene)
     check_words(chains, scene)
     pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))
     chains = chains if pointed else kinds_last(chains)
@@ -375,6 +375,8 @@ def _of_no_block(clause: Clause) -> bool:
     theme = clause.theme
     if clause.adjuncts and all(getattr(getattr(x, "landmark", None), "word", "") in WHATEVER for x in clause.adjuncts):
         return True
+    if isinstance(theme, Noun) and theme.det == "no" and theme.amount and not (theme.part_of or theme.traits.colors):
+        return True  # "no two letters may touch"
     none = isinstance(theme, Noun) and theme.head == "block" and theme.det == "no" and theme.traits == Traits()
     return none and bool(clause.adjuncts) and all(isinstance(part, In) for part in clause.adjuncts)
 

@@ -55,7 +55,7 @@ _PLAIN = {
     "column": "x grid staircase",
     "columns rows": "row grid staircase spells checkerboard towers figure",
     "equation": "equation",
-    "evenly": "evenly spacing",
+    "evenly": "evenly spacing count",
     "grid wall": "grid",
     "groups": "group_by",
     "heap": "heaps group_by",

@@ -23,6 +23,7 @@ from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.told_there import check_told
+from rpg.passes.schema.wish_hints import explained
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
 
@@ -47,7 +48,7 @@ class BuiltinFrontEnd:
         except TwoReadings as refusal:
             return None, refusal.reworded(lambda other: self._again(other, name, seed, author))
         except Refusal as refusal:
-            return None, refusal.diagnostics
+            return None, explained(text, refusal.diagnostics)
         except RecursionError:
             message = "this is too tangled to be read"
             return None, (
@@ -117,11 +118,19 @@ def _undisturbed() -> Iterator[None]:
             gc.enable()
 
 
+_STRAY_HINTS = {
+    "<": "say in words what is meant, as in 'red is to the left of green' or 'smaller than'",
+    ">": "say in words what is meant, as in 'red is to the right of green' or 'larger than'",
+    "_": "leave it out; a number that is to be found is a question mark, as in 'complete 3 + ? = 7'",
+}
+"""What to say for a character that is typed with a meaning."""
+
+
 def _stray(text: str, span: tuple[int, int]) -> Diagnostic:
     return Diagnostic(
         code="stray-character",
         message=f"the character {text!r} means nothing here",
         span=span,
-        hint="leave it out",
+        hint=_STRAY_HINTS.get(text, "leave it out"),
         origin="schema",
     )

@@ -16,7 +16,8 @@ from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
 _OPEN = frozenset({"anything", "everything", "all", "each", "any", "rest", "them", "one", "ones", "other", "others",
-                   "another", "distractor", "distractors", "piece", "pieces", "letter", "letters", "digit", "digits",
+                   "another", "something", "cover", "uncover", "distractor", "distractors", "piece", "pieces",
+                   "letter", "letters", "digit", "digits",
                    *lexicon.BLOCK, *lexicon.STRUCTURE})  # fmt: skip
 """What may speak of blocks without saying how they look."""
 _NUMBERED = frozenset({"step", "stage", "task", "number"})

@@ -297,7 +297,7 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
             if plain and isinstance(members, Noun) and len(members.traits.colors) == 1 and members.amount is None:
                 yield Using(members=members, span=p.span(i, k)), k
     if j := p.any_of(i, ("in", "by", "written in", "written with", "spelled with", "spelled in")):
-        spelt = i > 0 and p.tokens[i - 1].kind == "literal"  # "write CAT in blocks"
+        spelt = i > 0 and p.tokens[i - 1].kind in ("literal", "quote")  # "write CAT in blocks"
         for members, k in noun_phrase(p, j):
             said = isinstance(members, Noun) and (members.traits.kind or _coloured(members) or spelt)
             if isinstance(members, Noun) and members.head == "block" and members.plural and said:

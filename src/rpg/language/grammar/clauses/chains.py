@@ -16,6 +16,7 @@ from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
 from rpg.language.grammar.clauses.there import there_too
+from rpg.language.grammar.clauses.unless import WORDS as UNLESS
 from rpg.language.grammar.clauses.unless import unless
 from rpg.language.grammar.clauses.verb_again import verb_again
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
@@ -207,7 +208,7 @@ def _told_of_it(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, .
         for looks, k in looks_told(p, comma):  # "the two cubes touch, blue and yellow"
             if isinstance(looks.theme, Coord) and len(looks.theme.items) == many and not looks.adjuncts:
                 yield Chain(clauses=(*had, looks), links=(*links, "and"), span=p.span(i, k)), k
-    for those, k in unless(p, at, had[-1]) if p.rarely(_UNLESS) else ():
+    for those, k in unless(p, at, had[-1]) if p.rarely(UNLESS) else ():
         yield Chain(clauses=(*had[:-1], those), links=links, span=p.span(i, k)), k
     for passed, k in spare(p, p.opt(at, ",")) if p.stands(p.opt(at, ","), ("without",)) else ():
         yield Chain(clauses=(*had, passed), links=(*links, "and"), span=p.span(i, k)), k
@@ -216,9 +217,6 @@ def _told_of_it(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, .
         whole, joined = (*had, *told), (*links, *("and" for _ in told))
         yield Chain(clauses=whole, links=joined, span=p.span(i, k)), k
         yield from _more(p, i, whole, joined, k)
-
-
-_UNLESS = frozenset({"unless", "except"})
 
 
 def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], colon: int) -> Results[Chain]:

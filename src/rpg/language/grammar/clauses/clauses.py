@@ -24,6 +24,7 @@ from rpg.language.grammar.clauses.having import finally_there, having, structure
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.replaced import replaced
+from rpg.language.grammar.clauses.shared import shared
 from rpg.language.grammar.clauses.sole import just_these
 from rpg.language.grammar.clauses.states import state
 from rpg.language.grammar.clauses.terse import about, said_of, terse
@@ -99,7 +100,7 @@ def _unwanted(p: Parser, i: int) -> Results[Meaning]:
 def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     when = "start" if mode == "start" else "goal"
     if mode in ("command", "any", "end"):
-        yield from (*_command(p, i), *covered(p, i), *addressed(p, i), *replaced(p, i))
+        yield from (*_command(p, i), *covered(p, i), *addressed(p, i), *replaced(p, i), *shared(p, i))
     yield from gap(p, i)
     yield from measuring(p, i, when)
     yield from trading_places(p, i)

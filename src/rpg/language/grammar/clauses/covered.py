@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, Structure, Using, replace
+from rpg.language.meaning import Amount, Clause, Loc, Meaning, Noun, Pronoun, Structure, Using, replace
 
 _COVER = frozenset({"cover", "crown", "cap", "load", "top"})
+_ALONE = frozenset({"cover"})
+"""Behind this it need not be said with what."""
+_BARE = frozenset({"uncover", "unload"})
 
 
 @rule
 def covered(p: Parser, i: int) -> Results[Clause]:
     """Something is covered with a block."""
     j = p.one(i, _COVER)
+    yield from _with_anything(p, i)
     for under, k in simple(p, j) if j else ():
         lead = p.one(k, "with")
         for over, end in simple(p, lead) if lead and isinstance(under, Noun | Pronoun | Structure) else ():
@@ -24,6 +28,23 @@ def covered(p: Parser, i: int) -> Results[Clause]:
                 on = Loc(rel="on", landmark=under, span=p.span(i, k))
                 word = p.span(i, j)
                 yield Clause(verb="place", lemma="put", theme=over, adjuncts=(on,), span=p.span(i, end), word=word), end
+
+
+def _with_anything(p: Parser, i: int) -> Results[Clause]:
+    """ "Cover the red block": some block goes on it. "Uncover the red block": the block that is on it is taken off."""
+    j = p.one(i, _ALONE) or p.one(i, _BARE)
+    for under, k in simple(p, j) if j else ():
+        single = isinstance(under, Noun) and under.head != "patch" and not under.plural and under.det in ("the", "a")
+        if single and (k >= p.end or p.stands(k, _CLOSED)):
+            block = Noun(head="block", det="a", amount=Amount(1, 1), span=p.span(i, j))
+            over = p.words[i] in _ALONE
+            place = Loc(rel="on" if over else "off", landmark=under, span=p.span(i, k))
+            verb, lemma = ("place", "put") if over else ("use", "take")
+            span, word = p.span(i, k), p.span(i, j)
+            yield Clause(verb=verb, lemma=lemma, theme=block, adjuncts=(place,), span=span, word=word), k
+
+
+_CLOSED = frozenset({",", ";", "and", "then", "."})
 
 
 def named_last(p: Parser, i: int, k: int, found: tuple[Meaning, ...], lemma: str) -> Results[Clause]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.clauses.shifts import shifted, straight
+from rpg.language.grammar.clauses.some_way import SOME_WAY, SOME_WAYS
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.framing import IN_PICTURE, WHEN_DONE
 from rpg.language.grammar.talk.slots import Patterns
@@ -30,6 +32,8 @@ def direction(p: Parser, i: int) -> Results[str]:
         yield side, k if p.words[j] in ("left", "right") else j + 1
     if j := p.any_of(i, _AWAY):
         yield "back", j
+    if j := p.any_of(i, SOME_WAYS):
+        yield SOME_WAY, j
 
 
 _ANY_WAY = Patterns(
@@ -54,6 +58,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     for phrases, degrees in ((_DOWN, 180.0), (_UPRIGHT, 0.0), (("sideways", "on its side"), 90.0)):
         if j := p.any_of(i, phrases):
             yield Manner(kind="turn", value=degrees, span=p.span(i, j)), j
+    yield from (*shifted(p, i), *straight(p, i))
     comma = p.opt(i, ",")
     if k := p.any_of(comma, _FACING):
         for side, end in direction(p, k):

@@ -66,6 +66,7 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
         yield from _of_these(p, i, j, sense)
     if lemma in ("make", "build"):
         yield from _heightened(p, i, j)
+        yield from _straightened(p, i, j)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):
             told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
@@ -83,6 +84,14 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
             if end := k if parted else p.one(k, ("apart", "down")):
                 for found, last in adjuncts(p, end):
                     yield _clause(p, i, last, "unstack", theme, found), last
+
+
+def _straightened(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "make the row straight": blocks that are nearly one, in a row."""
+    for shape, k in structure(p, j):
+        line = isinstance(shape, Structure) and shape.kind in ("row", "line", "column") and is_there(shape)
+        for found, end in adjuncts(p, k + 1) if line and p.one(k, ("straight", "even", "neat", "tidy")) else ():
+            yield _clause(p, i, end, "build", shape, found), end
 
 
 _HIGHER = frozenset({"higher", "taller"})
@@ -224,7 +233,12 @@ def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
             yield Clause(verb="pick", lemma=lemma, theme=theme, adjuncts=(source,), span=span, word=word), end
     for whole, end in structure(p, out) if (out := p.any_of(k, _OFF_IT)) and lemma != "pick" else ():
         whole_tower = isinstance(whole, Structure) and whole.kind == "stack" and is_there(whole)
-        if whole_tower and not universal(theme) and not (lemma == "take" and p.words[k] == "off"):
+        if (
+            whole_tower
+            and not universal(theme)
+            and not p.stands(end, _GOING_ON)
+            and not (lemma == "take" and p.words[k] == "off")
+        ):
             off = Loc(rel="off", landmark=whole, span=p.span(k, end))
             span, word = p.span(i, end), p.span(i, i + 1)
             yield Clause(verb="use", lemma="take", theme=theme, adjuncts=(off,), span=span, word=word), end

@@ -110,6 +110,10 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
         for hub, k in _hubs(p, flanks) if flanks else ():
             yield _between(p, i, k, hub, sides), k
     ringed = p.any_of(begin, ("a ring of", "a circle of"))
+    others = p.any_of(begin, _OTHERS)
+    for hub, k in _hubs(p, p.any_of(others, ("around", "all around")) or p.end) if others else ():
+        rest = Noun(head="block", det="the", plural=True, span=p.span(begin, others))
+        yield _outlined(p, i, k, hub, rest, "circle"), k
     for ring, j in _rings_at(p, ringed or begin):
         mark = p.any_of(j, ("around", "all around", "round", "surrounding"))
         for hub, k in _hubs(p, mark) if mark else ():
@@ -119,6 +123,8 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
                 yield from _shaped(p, i, k, hub, ring)
 
 
+_OTHERS = ("all the blocks", "all blocks", "everything", "all of the blocks")
+"""Around one of them go all the others."""
 _BY_THE_FACE = frozenset({"touching", "touch", "touches"})
 """Sides that are touched: a plus of touching blocks might touch by its edges alone."""
 _ONE, _FOUR = Amount(1, 1), Amount(4, 4)
@@ -136,7 +142,7 @@ def _rings(p: Parser, i: int) -> Results[Noun]:
 
 def _rings_at(p: Parser, i: int) -> Results[Noun]:
     for ring, j in simple(p, i):
-        if isinstance(ring, Noun) and ring.det in ("a", "bare", "the") and _one_look(ring):
+        if isinstance(ring, Noun) and ring.det in ("a", "bare", "the") and (_one_look(ring) or _of_any_look(ring)):
             yield ring, j
 
 
@@ -178,6 +184,19 @@ def _shaped(p: Parser, i: int, j: int, hub: Noun, ring: Noun) -> Results[Clause]
     each = p.any_of(j, _ONE_EACH) or _one_by_one(p, j)
     if ring.amount == _FOUR:
         yield from _plus(p, i, each or j, hub, ring)
+    elif not each and ring.plural and (ring.amount is None or _makes_a_circle(ring.amount)):
+        yield _outlined(p, i, j, hub, ring, "circle"), j
+
+
+def _of_any_look(ring: Noun) -> bool:
+    """ "(put) the blocks (around the red one)", "six blocks"."""
+    mere = ring.head == "block" and ring.traits == Traits() and ring.plural
+    return mere and ring.part_of is None and not ring.conditions
+
+
+def _makes_a_circle(many: Amount) -> bool:
+    """Whether so many blocks around one can only be a circle: four are a plus, and eight a square as well."""
+    return many.low == many.high and many.low > _FOUR.low and many.low != 2 * _FOUR.low
 
 
 _SIDE = {
@@ -258,6 +277,7 @@ def _plus(p: Parser, i: int, j: int, hub: Noun, ring: Noun) -> Results[Clause]:
 
 
 def _outlined(p: Parser, i: int, j: int, hub: Noun, ring: Noun, kind: str) -> Clause:
-    centre = Absolute(theme=hub, adjuncts=(At(side="middle", span=hub.span),), span=hub.span)
+    inside = At(side="middle", whole=kind, span=hub.span)
+    centre = Absolute(theme=replace(hub, head="block"), adjuncts=(inside,), span=hub.span)
     outline = Structure(kind=kind, members=replace(ring, det="bare"), span=p.span(i, j))
     return Clause(verb="build", theme=outline, adjuncts=(centre,), mode="goal", span=p.span(i, j))

@@ -136,6 +136,7 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
     for phrase, k in p.standing(j, _OPPOSITE):
         if p.words[k - 1] != "one" or "corner" in p.words[:j]:
             found.append((_OPPOSITE[phrase], k, True))
+    found += [(_TWO_SIDES[phrase], k, False) for phrase, k in p.standing(j, _TWO_SIDES)]
     if k := p.any_of(j, ("other half", "opposite half", "other side", "opposite side")):
         found.append(("other_half", k, p.words[k - 1] == "half"))
     if k := p.any_of(j, ("half", "side")):
@@ -154,6 +155,13 @@ _OPPOSITE = {
     "opposite one": "opposite_corner", "opposite corners": "opposite_corners",
     "diagonally opposite corners": "opposite_corners",
 }  # fmt: skip
+_TWO_SIDES = {
+    f"{opposite} {sides}": region
+    for region, places in (("opposite_halves", ("sides", "halves")), ("opposite_edges", ("ends", "edges")))
+    for opposite in ("opposite", "different", "opposing")
+    for sides in places
+}
+"""Of the table: of a block or of a patch they are told otherwise."""
 _HALF_BY_ROBOT = {
     **dict.fromkeys(("closest to the robot", "nearest to the robot", "nearest the robot", "near the robot"),
                     "near_half"),

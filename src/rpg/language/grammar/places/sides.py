@@ -230,7 +230,7 @@ def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
     if ended or far_end(p, j):
         j, word = p.reach(j + 1), p.words[j + 1]
     side = _INSIDES.get(word) if not p.stands(j + 1, ("between",)) else None
-    ending = word in ("near", "far") and p.words[j + 1] == "end" and p.words[j + 2] != "of"
+    ending = word in ("near", "far") and p.words[j + 1] in ("end", "side") and p.words[j + 2] != "of"
     if side and (ending or word not in ("ground", "near", "far")):
         k = p.opt(p.opt(p.reach(j + 1), *_TAILS), "side")
         most = word in UTMOST
@@ -243,7 +243,7 @@ def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
         if p.words[i] == "in" and k == j + 1 and p.stands(k, ("tower", "stack")):  # "in the left tower"
             return
         of_it = p.any_of(k, ("of it", "of which")) if side in ("top", "bottom", "middle") else 0
-        own = ending and p.all.isdisjoint(_ALONG_X)
+        own = ending and p.words[j + 1] == "end" and p.all.isdisjoint(_ALONG_X)
         yield At(side=side, own=own, utmost=most, span=p.span(i, k)), of_it or k
     counted = word in ("first", "last", *lexicon.ORDINAL)
     if counted and (k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))):

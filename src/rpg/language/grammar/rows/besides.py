@@ -44,8 +44,6 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
     (f"(?: ,)?(?: and| but)? {_NO_MATTER}$", ""),
     (f"^(?:one|exactly one|just one) of (?:the two|them|these)(?: {BLOCK}s)? , ({THING}) or ({THING}) , {IS} on the "
      "other(?: one)?$", "{1} must be on {2} or {2} must be on {1}"),
-    (f"^(?:something|one {BLOCK}|some {BLOCK}) {IS} (on|in|next to|behind|in front of|under) (.+?) [,:] ((?:either "
-     f")?{THING} or {THING})$", "{3} must be {1} {2}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 BESIDES: tuple[Turn, ...] = (
@@ -55,9 +53,6 @@ BESIDES: tuple[Turn, ...] = (
     (f"^({THING}) (?:starts|begins|is|lies|stands)(?: {_AT_FIRST})? (on|in) (the [^,]+?)(?: and| , and| , but| but) "
      f"(?:it )?{MUST} (?:leave|get off|come off|go away from) (?:it|there|that|that {PATCH}|the {PATCH})$",
      "at the start , {1} is {2} {3} . {1} must not be {2} {3}"),
-    (f"^({THING}) (?:is|are) (?:waiting|parked) (on|in) ", "at the start , {1} is {2}"),
-    (f"^(?:its|the) (?:destination|goal position|final position|target position) (?:is|{MUST} be) (the .+)$",
-     "it must be on {1}"),
     # how it looks
     ("^(?:what|how) (?:it|everything|the table|the scene|the result) (?:should|must|has to|is to) look(?: like)?(?: "
      "(?:at|in) the end| afterwards| finally)? ?(?:is|:|is this :|is like this :) (.+)$", "{1}"),

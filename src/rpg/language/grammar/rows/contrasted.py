@@ -4,7 +4,7 @@ rows that say it once; and what only looks denied."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import FEW, LINE, MUST, WAY
+from rpg.language.grammar.rows.vocabulary import FEW, LINE, MUST
 
 _MOST = f"(?:at most|not more than|no more than|maximally) (?:{FEW}|\\d+)"
 _LEAST = f"(?:at least|not fewer than|no fewer than|minimally) (?:{FEW}|\\d+)"
@@ -18,7 +18,6 @@ CONTRASTED: tuple[Turn, ...] = (
     ("^(.+?)(?: ,)? (?:though )?not necessarily in (?:that|this) order$", "{1} , in any order"),
     ("^(put .+? on .+? and .+? on .+?) , in any order$", "{1}"),
     ("\\bin (\\w+) , not \\w+ , order\\b", "in {1} order"),
-    (f"^(spell .+? {WAY}) , not \\S+$", "{1}"),
     (f"^(.*?\\b)(?<!exactly )({FEW}) ((?:of (?:(?:the|my) )?(?:{FEW} )?)?(?:(?!(?:{FEW}) )\\S+ )+?), {_JUST}$",
      "{1} exactly {2} {3}"),
     (f"^(.*?)({_MOST}) (of .+?){_BUT} ({_LEAST}){_THEM}$", "{1} {4} and {2} {3}"),

@@ -29,7 +29,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*?\\b{MANY}) ({COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and one(?: more)? on (the [^,]+? {_MAT})$",
      "{1} {2} {3} on {4} and one {2} block on {5}"),
     (f"^(.*?\\b{MANY}) ({COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and ({MANY})(?: more)? on (the [^,]+? "
-     f"{_MAT})$", "{1} {2} {3} on {4} and {5} {2} blocks on {6}"),
+     f"{_MAT})$", "{1} {2} {3} on {4} and {5} {2} {3} on {6}"),
     (f"^{_PUT} all ({MANY}) ({COLOR}) {_BLOCK} on the (?:mats|patches) , ({MANY}) on the ({COLOR})(?: one| mat)? and "
      f"(.+?) on the ({COLOR})(?: one| mat)?$",
      "of the {1} {2} blocks , {3} must be on the {4} mat and {5} on the {6} mat"),
@@ -40,15 +40,12 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which (?:{MUST} "
      "(?:be|go|lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
     # measures
-    (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:more|farther|further)\\b", "at least {1} {2}"),
-    (f"\\b({LENGTH}) (apart|away|from each other|from one another) or (?:less|closer|nearer)\\b", "at most {1} {2}"),
     (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
-    (f"(?: ,)? (?:with )?(?:a )?({LENGTH}) gaps? between each(?: one)? and the next(?: one)?$", " with gaps of {1}"),
-    (f" and leave(?: me| us)? (?:a )?gaps? of ({LENGTH}) (?:every time|each time|in between|between them)$",
-     " with gaps of {1}"),
+    (f"(?: ,| and)* (?:(?:with|leave)(?: me| us)? )?(?:a )?(?:({LENGTH}) gaps?|gaps? of ({LENGTH})) (?:between "
+     "each(?: one)? and the next(?: one)?|every time|each time|in between|between them)$", " with gaps of {1} {2}"),
     # from which end
-    ("\\bfrom (?:the )?(?:table|ground|floor) (?:up|upwards|to the top)\\b", "from bottom to top"),
-    ("\\bfrom (?:down to up|down up|below to above|the bottom to up)\\b", "from bottom to top"),
+    ("\\bfrom (?:the )?(?:(?:table|ground|floor) (?:up|upwards|to the top)|down (?:to )?up|below to above|bottom to "
+     "up)\\b", "from bottom to top"),
     ("\\bfrom (?:up to down|above to below)\\b", "from top to bottom"),
     (f"(?: [:,])? ({COLOR})(?: ones?)? (?:on the )?outside(?: ,)? (?:and )?(?:then )?({COLOR})(?: ones?)? (?:next to "
      f"(?:that|it|them|those)|inside (?:that|those)|next|further in)(?: ,)?(?: and)?(?: then)? ({COLOR})(?: one)? in "
@@ -58,10 +55,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # what is said once more
     (f"(?: ,)? so (?:that )?{_PEOPLE} can (?:all )?(?:see|follow|count) (?:it|them|the (?:order|word|colors|letters|"
      "numbers))(?: well| better| properly)?$", ""),
-    ("^((?:swap|switch|exchange|trade) .+?)(?: ,)? so (?:that )?each(?: one)?(?: of them)? (?:ends up|is|stands|lands|"
-     "goes)(?: exactly)? where the other(?: one)? was$", "{1}"),
     ("^(.+? corner of the table) , so (?:four|4)(?: of them)?(?: in all)?$", "{1}"),
-    ("^(.+) , so that there are two groups$", "{1}"),
     ("(?: ,)? (?:and )?not where (?:it|he|she) is(?: right)?(?: now| at the moment| at present)?$", ""),
     # what there is besides
     ("^(.+?)(?: ,| and)? (there (?:is|are) (?:also )?[^,]+?)(?: ,)? but (?:you can )?(?:just )?(?:ignore|forget|"
@@ -74,21 +68,22 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^({MANY} {_BLOCKS} (?:on top of (?:each other|one another)|on each other|stacked)) , ({COLOR} (?:uppermost|on "
      "top|at the top|topmost|at the bottom|lowest) , .+)$", "{1} : {2}"),
     (f"^({MANY}) (in a (?:row|line|tower|stack|column|circle))\\b", "{1} blocks {2}"),
-    ("^(sort .+? into .+?) , one (?:group|pile|bunch) (?:for|per) each(?: kind| of them)?$", "{1}"),
-    ("\\b(in|form|forms) (its|their) own little (?:bunch|pile|heap|group|cluster)\\b", "{1} {2} own group"),
     (f"^(?:from|out of|with|using) the (?:cubes|blocks) ((?:\\w(?: ,)? )+and \\w) , ({_PUT} .+)$",
      "there are the blocks {1} . {2}"),
     # what is asked
     ("^can (the [^,]+?) have (.+)$", "{1} should have {2}"),
     ("^first(?: ,)? you (\\w+) (.+?) , and (?:after|then|after that|afterwards)(?: ,)? you \\1 (.+)$",
      "first , {1} {2} , then {1} {3}"),
-    (f"\\bin (?:whatever|any|whichever) order(?: you like)?(?: ,)? (?:save|except) that (the .+) ({MUST} be|is) ",
-     "but {1} {2} "),
+    # headings that the sentence says itself
+    ("^(?:invert|reverse|unstack|restack|swap)(?: the \\w+)? : ((?:initially|start from|start with|at the start) .+? "
+     f"(?:finally|then|end with|at the end|{MUST}) .+)$", "{1}"),
+    ("^(.+?) with (?:digit|number|letter) and (?:operator|symbol|sign) (?:blocks|cubes)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",
             "or", "then", "like", "case")  # fmt: skip
 _NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
+
 EVERYDAY: tuple[Turn, ...] = (
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "

@@ -1,10 +1,10 @@
-"""Rings and crosses as people describe them, "eight in a circle around the black one", "arms two cubes long", as rows
-that say it plainly."""
+"""Grids, walls, rings, crosses, outlines and letters as people describe them, "a back row of orange blocks", "arms two
+cubes long", as rows that say it plainly."""
 
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, MANY, MID, MUST
+from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, FEW, MANY, MID, MUST, N
 
 _BLOCKS = "(?:blocks|cubes|bricks|ones)"
 _BLOCK = "(?:block|cube|brick|one)"
@@ -15,6 +15,34 @@ _WITHOUT = "(?: ,)? (?:not counting|without|not including) the (?:center|middle)
 _ARMS = (f"(?:arms|each arm|each of (?:the |its )?(?:four )?arms)(?: that| which)?(?: is| are| being)?(?: of)? "
          f"({MANY}) "
          "(?:blocks|cubes)(?: long)?(?: each)?")  # fmt: skip
+_IS = f"(?: is| are| being| {MUST} be)?(?: all)?"
+_SIDE = "(?:left|right|middle|center|front|back|near|far)"
+_THAT = "(?: ,| :| that is| which is| where| in which)*"
+_BUT = "(?:except|but|apart from|save)(?: for)?"
+_LOW, _HIGH = "(?:lower|bottom|lowest)", "(?:upper|top|topmost)"
+_DIMS = "(\\d+x\\d+|(?:\\d+|two|three|four) by (?:\\d+|two|three|four))"
+_LETTER = "((?:\\b(?:shape|form) of (?:a|an|the letter) |\\b(?:a|an|the letter) |^)[uvUV](?: shape)?\\b.*?)"
+_OPEN = (f"(?: ,| and| so that it)*(?: that| which| thats)?(?: is| {MUST} be| {MUST})?(?<! the)(?<! its)"
+         "(?<! an) (?:opens?|opened|opening(?= away| at| on))(?: up)?(?: is)?")  # fmt: skip
+_ME = "(?:the )?(?:robot|me|viewer|camera|us|you)"
+_TOWARD = {
+    "back": f"(?:away from {_ME}|(?:at|to|towards?|on) the (?:back|far side|far end|far edge)|backwards?)",
+    "front": f"(?:towards? {_ME}|(?:at|to|towards?|on) the (?:front|near side|near end|near edge))",
+    "left": "(?:at|to|towards?|on) the left(?: side)?", "right": "(?:at|to|towards?|on) the right(?: side)?",
+}  # fmt: skip
+_EACH_SIDE = (f"({MANY})(?: blocks| cubes| bricks| of them)? (?:along|on|to|per|at) ?(?:each|every|a)?(?: one of "
+              f"its)? ?sides?"
+              "(?: ,)?(?:(?: with)?(?: the)? corners (?:counted|included)| counting the corners| including the "
+              "corners)?")  # fmt: skip
+_OUTLINE = "(?:the )?outline of an? (rectangle|square)"
+_LONG_WIDE = (f"({MANY}){N}(?: long| along)?(?: by| and| ,)+ ({MANY}){N}(?: wide| across| deep)?"
+              "(?:(?: ,)?(?: with| and) nothing inside)?")  # fmt: skip
+_ARE = f"(?:is|are|{MUST} be)"
+_LATERAL = f"(?:{_ARE} )?(?:on|at|in|to) the"
+_NEAR = "(?:nearer|nearest|closer|closest) to (?:me|you|us|the viewer|the robot)"
+_ONE_AND_OTHER = f"\\b(grid\\b.*?) one (column|row) (?:{_ARE} )?(\\w+)(?: ,)? and the other(?: one)? (?:{_ARE} )?(\\w+)"
+_ROW_AND_OTHER = f"({_ARE} )?(?:all )?(\\w+)(?: ,)? and the other(?: one| row)? ({_ARE} )?(?:all )?(\\w+)$"
+_THE_FIRST = "(?: ,| with|;)+ the \\3 (?:column|row|one)"
 
 FIGURES: tuple[Turn, ...] = (
     # rings around something
@@ -52,7 +80,106 @@ FIGURES: tuple[Turn, ...] = (
     (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) (?:whose {MID}(?: {_BLOCK})? (?:carries|bears|holds|supports)|with "
      f"the {MID} (?:one|{_BLOCK}) (?:carrying|bearing|holding)) (?:the|an?) ({COLOR} {_BLOCK})$",
      "{1} with a {2} on its center"),
-    (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) , the (?:one|{_BLOCK}) (?:in|at) (?:the|its) {MID} (?:carrying|"
-     f"bearing|holding) (an? {COLOR} {_BLOCK})$", "{1} with {2} on its center"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+BOARDS: tuple[Turn, ...] = (
+    # sizes, and what there is
+    (f"\\b((?:rectangle|grid|square)\\b.*?) ({MANY}) rows by ({MANY})(?= ,|$)", "{1} {2} rows by {3} columns"),
+    (f"\\b(checkerboard|chessboard)(?: pattern)? , ({MANY} {COLOR}){N} and ({MANY} {COLOR}){N} ,",
+     "{1} of {2} and {3} blocks ,"),
+    (f"^(?:goal : )?({MANY} {COLOR} {_BLOCKS}) in the ({_SIDE}) (row|column) and ({MANY} {COLOR} {_BLOCKS}) in the "
+     f"({_SIDE}) (row|column) of an? (.*grid)$", "a {7} with the {2} {3} {1} and the {5} {6} {4}"),
+    ("\\b(grid) with ((?:\\S , )*\\S(?: ,)? and \\S) in the (far|back) row and ((?:\\S , )*\\S(?: ,)? and \\S) in the "
+     "(near|front) row$", "{1} : {2} in the {3} row , {4} in the {5} row"),
+    ("\\b(grid\\b.*?)(?: ,)+ (?:its|the) (columns|rows) ,? ?(from (?:left to right|right to left|front to back|back "
+     f"to front))(?: ,| :)?(?: are| {MUST} be)? ((?:{COLOR} ,? ?)+and {COLOR}|{COLOR}(?: , {COLOR})+)$",
+     "{1} , the {2} {3} : {4}"),
+    ("\\b([tT]\\b.*?) , (?:the|its) (bar|crossbar|stem|foot)(?: of (?:it|the [tT]))? (?:is|lies|points|stands) ((?:at|"
+     "on|to|towards?) .+)$", "{1} , the {2} {3}"),
+    # rows and columns
+    (f"\\b(grid\\b.*?) an? ({_SIDE}) (row|column) (?:of|with) ({MANY} )?({COLOR}) ({_BLOCKS})\\b",
+     "{1} the {2} {3} {4} {5} {6}"),
+    (f"\\b(grid\\b.*?) an? ({COLOR}) (row|column) (?:on|at|in) the ({_SIDE})(?: side| end)?\\b", "{1} the {4} {3} {2}"),
+    (f"\\b(grid\\b.* (?:row|column) {COLOR}.*?) an? ({COLOR}) (row|column) (?:between them|in between(?: them)?)$",
+     "{1} the middle {3} {2}"),
+    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:near|front|nearest) row{_IS} {COLOR} ,(?: "
+     "and)?) the row behind (?:it|that)\\b", "{1} the middle row"),
+    (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:far|back|farthest) row{_IS} {COLOR} ,(?: "
+     "and)?) the row in front of (?:it|that)\\b", "{1} the middle row"),
+    ("\\b(grid\\b.* in the (?:near|front) row) , in reading order$", "{1}"),
+    ("\\b(grid) (?:that|which) reads (.+?) row by row(?: ,)?(?: (?:starting )?(?:from|at) the far left)?$",
+     "{1} of {2} in reading order"),
+    (f"\\b(square|grid)\\b(.*?)(?: ,| with| and| so that)+ the(?: two)? {COLOR}{N}{_IS} (?:on (?:one|a|the same) "
+     f"diagonal|diagonal(?:ly)?(?: opposite)?(?: to| from)? each other)(?:(?: ,| and)+ the(?: two)? {COLOR}{N}{_IS} "
+     "on the other(?: diagonal| one)?)?$", "{1} {2} with equal colors diagonally opposite each other"),
+    # one that differs
+    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} (?:an?|one|the) ({COLOR}){N} (?:in|"
+     f"at) the {MID}$", "{1} {2} with a {4} center and the rest {3}"),
+    (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} the (?:{MID}{N}|one in the {MID})(?: "
+     f",)?(?: which is| is| being)? ({COLOR})$", "{1} {2} with a {4} center and the rest {3}"),
+    (f"\\b(grid|square) (of|from) ({MANY} {COLOR} {_BLOCKS}) and (?:an?|one) ({COLOR}){N}(?: ,)? (?:which is |with it "
+     f"|it is |that is |being )?(?:in|at) the {MID}$", "{1} of {3} with a {4} block in the center"),
+    # layers
+    (f"\\b((?:cube|grid|wall)\\b.*?)(?: ,| with)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH}) "
+     f"layer(?: ,| and)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH})(?: layer| one)?$",
+     "{1} , the {3} layer {2} and the {5} layer {4}"),
+    (f"^two layers : the {_LOW}(?: one| layer)?{_IS} an? {_DIMS}(?: grid| square)? (?:of )?({COLOR}){N}(?: ,| and| "
+     f";)+ the {_HIGH}(?: one| layer)?{_IS}(?: an?)? \\1(?: grid| square)? (?:of )?({COLOR}){N}(?: on (?:it|top of "
+     "it))?$", "two layers of {1} blocks , the bottom layer {2} and the top layer {3}"),
+    # outlines
+    ("\\b(?:trace|mark|draw|mark out|traces|marks) (the outline of)\\b", "form {1}"),
+    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS})(?: {MUST})? (?:as|in|into|form|make) {_OUTLINE}(?: ,)? {_LONG_WIDE}$",
+     "the outline of a {2} of {1} , {3} by {4}"),
+    (f"^(?:{BUILD} )?{_OUTLINE} (?:with|of|from|out of) ({MANY} [^,:]*?{_BLOCKS})(?: ,)? {_LONG_WIDE}$",
+     "the outline of a {1} of {2} , {3} by {4}"),
+    (f"^{_OUTLINE} , {_LONG_WIDE} , (?:is|{MUST} be) (?:laid|made|built|formed) (?:with|of|from|out of) ({MANY} "
+     f"[^,:]*?{_BLOCKS})$", "the outline of a {1} of {4} , {2} by {3}"),
+    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) , {_EACH_SIDE} ,(?: {MUST})? (?:form|make|are) the outline of an? "
+     "(square|triangle)$", "the outline of a {3} of {1} with {2} per side"),
+    (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:as|in|into) the outline of an? (square|triangle) ,(?: with)? "
+     f"{_EACH_SIDE}$", "the outline of a {2} of {1} with {3} per side"),
+    (f"^the outline of an? (square|triangle) {MUST.replace('shall', 'is|shall')} (?:be )?(?:formed|made|laid) (?:by|"
+     f"of|from|with) ({MANY} [^,:]*?{_BLOCKS}) ,(?: with)? {_EACH_SIDE}$",
+     "the outline of a {1} of {2} with {3} per side"),
+    (f"\\b(outline of an? (?:triangle|square)\\b.*?)(?: ,)? each side of which {MUST} (?:consist of|have|be) ({MANY}) "
+     f"{_BLOCKS}(?: long)?$", "{1} with {2} blocks per side"),
+    (f"^(?:an? )?hollow square(?: ,| :)? {_EACH_SIDE} , ({MANY} [^,:]*?{_BLOCKS})(?: in (?:all|total))?(?:(?: ,| and| "
+     f"with)+ nothing (?:in the {MID}|inside))?$", "a hollow square of {2} with {1} per side"),
+    (f"^(?:an? )?hollow (square|circle|rectangle)(?: ,| :)+ ({MANY} (?:\\w+ )?{_BLOCKS}) (?:around|round|along|on|at) "
+     f"the (?:outside|edge|edges|rim)(?:(?: ,| and| with)+ nothing (?:in the {MID}|inside))?$", "a hollow {1} of {2}"),
+    (f"\\ban? (square) (?:thats|that is|which is) hollow in the {MID}$", "a hollow {1}"),
+    (f"^(?:with|from|out of) ({MANY} [^,:]*?{_BLOCKS}) {BUILD} (an? hollow \\w+)$", "{2} of {1}"),
+    # letters
+    *((f"{_LETTER}{_OPEN} {toward}$", f"{{1}} with its opening to the {side}") for side, toward in _TOWARD.items()),
+    (f"\\b([tT]\\b.*?)(?: ,| with)+ the (bar|crossbar) (at the (?:far|near) side) and ({MANY}) {_BLOCKS} long$",
+     "{1} with a {2} of {4} blocks , the {2} {3}"),
+    # grids
+    (f"^(.*\\bgrid\\b[^,]*?) (?:has|must have|should have) (the {_SIDE} (?:row|column) \\w+)\\b", "{1} with {2}"),
+    ("\\b(grid) with (\\w+)(?: blocks| ones)? on the left and (\\w+)(?: blocks| ones)? on the right$",
+     "{1} with the left column {2} and the right column {3}"),
+    (f"\\b(grid\\b.*) the row {_NEAR} {_ROW_AND_OTHER}", "{1} the near row {2} {3} and the far row {4} {5}"),
+    (f"{_ONE_AND_OTHER}{_THE_FIRST} {_LATERAL} left$", "{1} the left {2} {3} and the right {2} {4}"),
+    (f"\\b(grid) (?:in which|where|whose) ((?:{FEW})) (?:blocks |cubes |of them )?{_ARE} (\\w+)(?: ,)? and the "
+     f"(?:center|middle)(?: one| block| cube) (?:{_ARE} )?(\\w+)$",
+     "{1} of {2} {3} blocks with a {4} block in the center"),
+    ("\\b(grid with .+?) , the (\\w+) ones in the (\\w+) row and the (\\w+) ones in the (\\w+) row$",
+     "{1} , {2} in the {3} row and {4} in the {5} row"),
+    # letters
+    ("^(?:make|build) a (?:tower|stack) of (?:the |some )?letters?(?: blocks| cubes)? (?:so that|that|such that)(?: "
+     "from top to bottom)?(?: it| they)? (?:says?|spells?|reads?) (\\S+)(?: from top to bottom)?$",
+     "stack letter blocks so that they read {1} from the top down"),
+    ("\\b(?:show|have|take) the shape of (?:the |a )?(?:letter )?(\\w)\\b", "form the letter {1}"),
+    ("\\b(?:so that|so) they look like (?:the |a )?(?:letter )?(\\w)\\b", "so that they form the letter {1}"),
+    # sides and outlines
+    (f"\\b((?:triangle|square|rectangle|pentagon|hexagon|outline)\\b.*?(?:{FEW}|\\d+)(?: \\w+)? (?:blocks|cubes)) "
+     "(?:along|on|in|at|to|for) (?:every|each)(?: one)?(?: of its)? (?:side|edge|sides|edges)$", "{1} per side"),
+    ("^(.*?\\b)(?:the )?outline of an? (rectangle|square)(?: ,)? ([^,]*\\b(?:wide|long|deep|high|by)\\b[^,]*?)(?: ,)? "
+     f"(?:in|from|out of|made of|using|with) ((?:{FEW}|\\d+) (?:\\w+ )?(?:blocks|cubes))$",
+     "{1} the outline of a {2} of {4} , {3}"),
+    # orders
+    ("\\b(grid) (?:that holds|holding|containing|which holds) (?=\\w)", "{1} of"),
+    (f"^(.*\\b(?:{FEW}) (?:\\w+ )?(?:towers|stacks))(?: ,| that are| which are)?(?: respectively)? ((?:(?:{FEW}) ,? "
+     f"?)+and (?:{FEW})) (?:blocks|cubes) (?:high|tall)(?: ,)?(?: respectively)?$", "{1} of {2} blocks"),
+    ("^(?:slip|slide|squeeze|insert|wedge|fit|tuck|push) (.+?) (?:in )?between (?=\\w)", "put {1} between"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -51,7 +51,6 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
       for kind, ones, said in (("odd|even", "(?: ones| numbers| digits)?", "ones"),
                                ("vowels|consonants|letters|digits|numbers", "", ""))),
     # where it is at first
-    (f"^({_ALONE}\\bthe {_ALONE}s) , (?:{_AT_START}) ({PLACE} [^,]+?) , (.+)$", "{1} , which start {2} , {3}"),
     (f"^({_ALONE}\\b(?:the|an?) {_ALONE}) , (?:{_AT_START}) ({PLACE} [^,]+?) , (.+)$", "{1} , which starts {2} , {3}"),
     # all in one row
     (f"^({WAY}) : (.+?) , (?:all )?in (?:a|one|the same|a single) (?:straight |single )?(row|line|column)$",
@@ -69,12 +68,9 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
      f"(?:that |which )?it {_LIES_ON})?(?: ,)? and (?:then )?((?:set|put|place|lay) it (?:down )?(?:on|onto|to|next|"
      "in|behind|beside) .+)$", "at the start , {1} is on {2} . {3}"),
     # what is there at the start
-    (f"^({THING}) , (?:which|that) ({THINGS}) (?:occupy|occupies|cover|covers) (?:{_AT_START}) , (.+)$",
-     "at the start , {2} is on {1} . {1} {3}"),
-    (f"^({THING}) , (?:which|that) (?:is|are) (?:occupied|covered) by ({THINGS}) (?:{_AT_START}) , (.+)$",
-     "at the start , {2} is on {1} . {1} {3}"),
-    (f"^({THING}) , (?:on|in) which ({THINGS}) {LIES} (?:{_AT_START}) , (.+)$",
-     "at the start , {2} is on {1} . {1} {3}"),
+    (f"^({THING}) , (?:(?:which|that) ({THINGS}) (?:occupy|occupies|cover|covers)|(?:which|that) (?:is|are) "
+     f"(?:occupied|covered) by ({THINGS})|(?:on|in) which ({THINGS}) {LIES}) (?:{_AT_START}) , (.+)$",
+     "at the start , {2} {3} {4} is on {1} . {1} {5}"),
     (f"^({THINGS}) (?:occupy|occupies|cover|covers) ({THING}) (?:{_AT_START})$", "at the start , {1} is on {2}"),
     # each where the other was
     (f"^(?:{PUT} )?the ({COLOR})(?: {_ONE})?(?: {_ENDS})?(?: to)? where the ({COLOR})(?: {_ONE})? {_BEGAN}{AND}? "
@@ -94,30 +90,22 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
     # a second step that leaves out where
     (f"^(on(?:to)? {_HERE})(?: ,)?(?: please)?(?: :| ,)? (?:first )?({THING}){AND}? ?{_LATER} ({THING})(?: please)?$",
      "first put {2} {1} , then put {3} {1}"),
-    (f"^(?:first ,? ?)?{PUT} ({THING}) ({_MARK})(?: first)?{AND}? ?{_LATER} ({_NAMED}){_TOO}?$",
-     "first put {1} {2} , then put {3} {2}"),
-    (f"^(?:first ,? ?)?{PUT} ({THING}) ({_MARK})(?: first)?{AND}? ?{_LATER} ({THING}){_TOO}$",
-     "first put {1} {2} , then put {3} {2}"),
+    (f"^(?:first ,? ?)?{PUT} ({THING}) ({_MARK})(?: first)?{AND}? ?{_LATER} (?:({_NAMED}){_TOO}?|({THING}){_TOO})$",
+     "first put {1} {2} , then put {3} {4} {2}"),
     # what is between the others of it
     (f"^in (an? {LINE} (?:of|made of|made from|with) .+?)(?: ,)? ((?:the )?{COLOR}(?: {_ONE})?|{LABEL}) {IS} (?:in "
      ")?between the other (?:two|ones)$", "{1} with {2} between the other two"),
     # what is there besides
     (f"^with ({THINGS}) {_DISTRACT}{_THERE}(?: ,)? (.+)$", "{2} . {1} are distractors"),
     (f"^([^,]+) , with ({THINGS}){_THERE}? {_DISTRACT}{_THERE}?$", "{1} . {2} are distractors"),
-    (f"^neither ({THING}) nor any other(?: one| {BLOCK})? (?:may|must|can|should|is to) (?:be|lie|stand|rest|sit|go) "
-     f"on ({THING})$", "{1} must not be on {2} . nothing may be on {2}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
 
 GAPPED: tuple[Turn, ...] = (
     # a second step that leaves out where
-    (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK}) first{AND}? ?{_AFTER} ({THING}){_TOO}?$",
-     "first {1} must be {2} , then {3} must be {2}"),
-    (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK})(?: first){AND}? ?({THING}) only after (?:it|that|this|then)$",
-     "first {1} must be {2} , then {3} must be {2}"),
-    (f"^first ,? ?({THING}) {IS} ({_MARK}){AND}? ?{_AFTER} ({THING}){_TOO}?$",
-     "first {1} must be {2} , then {3} must be {2}"),
+    (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK})(?: first)?{AND}? ?(?:{_AFTER} ({THING}){_TOO}?|({THING}) only after "
+     "(?:it|that|this|then))$", "first {1} must be {2} , then {3} {4} must be {2}"),
     # so many
     (f"^((?:of|out of) .+?) ,? ?({FEW}) (?:,|and|but|, and|, but)? ?{_MORE}(?: than that)?(?: ,)? (?=\\w)",
      "{1} , exactly {2}"),
@@ -136,11 +124,7 @@ GAPPED: tuple[Turn, ...] = (
     # letters to be read
     (f"^(?:the )?(?:letter |digit )?(?:cubes|blocks|letters|digits) in an? (row|line)(?: ,)? (?:{MUST} )?(?:read|"
      "reads|spell|say|show)(?: the word)? (\\S+)$", "spell {2} in a {1}"),
-    (f"^the word (\\S+) (?:{MUST}|can|may) (?:be|stand|lie|appear)(?: there)?(?: to (?:be )?read| readable| legible| "
-     "to be seen)?(?: there)?(?: on the table)?$", "spell the word {1}"),
     # what it is
-    (f"^the {_BLOCKS} (on|under|above|below|behind|in front of) which ({THING}) (?:ends up|{MUST} end up|end up|ends|"
-     f"{MUST} (?:stand|lie|sit|rest|go)) (?:{MUST} be|is) ({THING})$", "{2} must be {1} {3}"),
     (f"^it is ((?:right |directly |immediately )?{PLACE} {THING}(?: and {THING})?) that ({THINGS}) ({MUST} (?:be|"
      "stand|lie|sit|rest|go|end up)|belongs?|goes|go)$", "{2} must be {1}"),
     (f"^it is ({THING}) that ({THINGS}) (?:{MUST} (?:be|stand|lie|sit|rest|go|end up)|belongs?|goes|go) (on|next to|"

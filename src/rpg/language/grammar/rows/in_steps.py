@@ -42,8 +42,6 @@ IN_STEPS: tuple[Turn, ...] = (
     (f"^(the ({COLOR}) {BLOCK}) (?:goes|is {_DONE}|{MUST} be {_DONE}|{MUST} go|comes) before (the ({COLOR}) {BLOCK}) "
      "((?:on|onto|in|into|to) [^,:]+) : first (?:the )?\\2 , then (?:the )?\\4$",
      "first put {1} {5} , then put {3} {5}"),
-    (f"^the ({COLOR}) {BLOCK} (?:is|{MUST} be) {_DONE} before the ({COLOR})(?: {BLOCK}| one)? : (first (?:the "
-     ")?\\1\\b.+ then (?:the )?\\2\\b.+)$", "{3}"),
     (f"^({THING}) ((?:on|onto) [^,]+?) (?:comes|must come|should come|happens|is done|goes) before ({THING}) ((?:on|"
      "onto) .+)$", "first put {1} {2} , then put {3} {4}"),
     (f"^(?:{FEW}|\\d) (?:stage|step|phase|part|steps|stages) (?:task|job|plan|procedure) : ", ""),
@@ -55,22 +53,14 @@ IN_STEPS: tuple[Turn, ...] = (
     (f"^{_GOES} ({_HERE}) ?{_AND_THEN}({_HERE})$", "first put {1} {2} on {3} , then put {1} {2} on {4}"),
     # meanwhile
     (f"\\b(?:during|throughout|for) the (?:whole|entire) {_WHOLE}\\b", "the whole time"),
-    (f"^never (?:may|must|should|shall|can) ({THING}) be (on [^,]+?) while you ({_PUT} .+)$",
-     "{3} . {1} must never be {2}"),
-    (f"^(.+?)(?: ,)? and never(?: ,)?(?: at any (?:moment|time|point|stage))?(?: ,)? ({_NAMED}) (on {_NAMED})$",
-     "{1} . {2} must never be {3}"),
     (f"(?: ,)? with ({THINGS}) not being (?:moved|shifted|displaced)\\b", " without moving {1}"),
     (f"\\bwithout ({THINGS}) being (?:moved|shifted|displaced)\\b", "without moving {1}"),
     (f"\\b({MUST}|may|can) not be (?:displaced|shifted|dislocated|budged)\\b", "{1} not be moved"),
     (f"^move ({THINGS})(?: ,)? without moving ({THINGS})$", "{1} must be moved . {2} must stay where they are"),
     (f"^without moving ({THINGS}) , move ({THINGS})$", "{2} must be moved . {1} must stay where they are"),
-    (f"^(without moving .+? , )(the [^,]+?) {MUST} (?:receive|get|carry) (the [^,]+?)(?: on (?:its )?top(?: of it)?)?$",
-     "{1} put {3} on {2}"),
     (f"^({THING}) has (?:been )?moved(?: from its place| away)?(?: ,)? (?:and|but|while) ({THING}) has not(?: "
      "been)?(?: moved)?$", "{1} must be moved . {2} must stay where it is"),
     ("^(?:subject to|under) the (?:constraint|condition|restriction|proviso) that (.+?) , (.+)$", "{1} . {2}"),
-    (f"^(on|next to|behind|in front of) ({THING}) , the (?:position|place) of which {MUST} not (?:be changed|change) "
-     ", (.+)$", "without moving {2} , {1} {2} {3}"),
     # changing places
     (f"^({_SWAP}) ({_EITHER}) (?:with|and|for) ({_EITHER})(?: ,)? and ({_EITHER}) (?:with|for) ({_EITHER})$",
      "swap {2} and {3} . swap {4} and {5}"),
@@ -79,8 +69,8 @@ IN_STEPS: tuple[Turn, ...] = (
      f"{_NAMED})$".replace("{must}", f"(?:do|{MUST})"), "{1} {2} . {3} {2}"),
     (f"^((?:swap|switch|exchange|trade) .+?|.+? {MUST} be (?:swapped|exchanged)|.+? {_SWAP} (?:places|positions))(?: "
      ",)? so (?:that )?each(?: one)?(?: of them| of the two)? (?:finally |then |in the end )?(?:stands|is|lies|sits|"
-     "ends up|ends) where the other(?: one)? (?:was|stood|lay|is now|started|stands now|sat)(?: (?:at|in) the "
-     "(?:start|beginning)| before)?$", "{1}"),
+     "ends up|ends)(?: exactly)? where the other(?: one)? (?:was|stood|lay|is now|started|stands now|sat)(?: (?:at|"
+     "in) the (?:start|beginning)| before)?$", "{1}"),
     (f"^(?:{_PUT} )({_NAMED}) (?:in|into|to|at) the (?:place|position|spot) of ({_NAMED})(?: ,)? and vice versa$",
      "{1} and {2} must swap places"),
     (f"^(.+?)(?: ,| and)+ (?:keep|leave) ({_NAMED}) (?:put|in place|where it is)$", "{1} . {2} must stay where it is"),
@@ -91,7 +81,6 @@ IN_STEPS: tuple[Turn, ...] = (
      f"that (?:the|its) (?:letter |digit )?(?:\\2|\\3)(?: on (?:it|(?:its )?top(?: face)?))? {_SELF} {_SHOWN}$",
      "turn {1} {4}"),
     (f"^the (?:letter )?(\\w) on the (\\1 {BLOCK}) ", "the {2} "),
-    ("\\b(?:a )?quarter turned (clockwise|counterclockwise)", "turned a quarter turn {1}"),
     (f"^(write|spell) (?:the word )?(\\w+)(?: ,)? but (?:with )?the (\\w)(?: is|{MUST} be)? {_SHOWN}$",
      "{1} {2} with the {3} {4}"),
 )  # fmt: skip

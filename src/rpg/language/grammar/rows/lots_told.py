@@ -29,7 +29,6 @@ _PER_CORNER = ("(?:with )?(?:exactly )?(?:a different )?one(?: block| cube| of t
                "(?: corner| one| of them)?")  # fmt: skip
 _OWN = "(?:a different|its own|their own|another|a separate|different|separate|four different)"
 _FOUR = f"(?=.*\\bfour\\b|(?:.*?\\b(?:{'|'.join(sorted(lexicon.COLOR))})\\b){{4}})"
-
 _WHO = (f"(?:(?:my|our|the|a|some) (?:little |young )?(?:{PEOPLE}|toddler)|"
         "somebody|someone|people|they|we|i)")  # fmt: skip
 _NUMBERED = "(?: ones| numbers| digits)"
@@ -44,6 +43,8 @@ def _of_their_kind() -> tuple[Turn, ...]:
     return tuple((f"\\b(with|of|for|has|contains) the {kind} ({one}(?:(?: ,| and| , and) {one})*){rest}", "{1} {2}")
                  for kind, one in kinds)  # fmt: skip
 
+
+_PLACE = "(?:zone|patch|mat|area|target|region)"
 
 LOTS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*\\b{_GROUPS}\\b.* (?:and|,)) 1 (with|of|for|has) ", "{1} one {2} "),
@@ -68,8 +69,6 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
      "each$", "make a group of {3} {1} blocks and a group of {3} {2} blocks"),
     (f"^{_MAKE} an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:from|with|out of) ({MANY}) {_BLOCK} of "
      "each(?: color)?(?: ,)? (with .+ in each.*)$", "group {3} {1} and {3} {2} blocks by color {4}"),
-    (f"^(?:{_MAKE} )?({MANY} {_GROUPS} by color) , ({MANY} {COLOR} and {MANY} {COLOR} blocks)(?: in all| in total| "
-     "altogether)? ?(?:, )?(with .+ in each.*)$", "{2} : {1} {3}"),
     # how they lie at the start, which is anywhere
     (f"^({_TOLD} .+?) {_MIXED}(?: on the table)?$", "{1}"),
     (f"^((?:the )?{_LOTS}) (?:are|lie|were|got|have been|got all) {_MIXED}(?: on the table)?$", "there are {1}"),
@@ -83,6 +82,12 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_FOUR}(.*\\bcorners)( of the table)?(?: ,| ;| :)? {_PER_CORNER}$", "{1} of the table"),
     (f"^{_FOUR}(.*?)(?: ,)? a different one (in|into|at|to) (each corner|every corner|each of the (?:four )?corners|"
      "each)( of the table)?$", "{1} , one {2} {3} {4}"),
+    # what there is
+    (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : ((?:put|stack|place|build|make|"
+     "arrange|line|move|set|lay) .+)$", "there are the {1} . {2}"),
+    # what is sorted
+    (f"^sort by color : (.+? into the {COLOR} {_PLACE} .+)$", "put {1}"),
+    ("^group by kind : (.+? in one (?:cluster|group|pile) , .+? in another(?: one)?)$", "put {1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 LOTS: tuple[Turn, ...] = (

@@ -96,7 +96,6 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     (f"^((?:all|every) {BLOCK}s? (?:except|except for|but|apart from) the ({COLOR})[^,]*?) , (?:namely|that is|i "
      f"e)(?: ,)? (?:the|an?) ({COLOR})(?: {BLOCK})? and (?:the|an?) ({COLOR})(?: one| {BLOCK})? ?,? (.+)$",
      "there are a {2} , a {3} and a {4} block . {1} {5}"),
-    ("^((?:all|every|everything)\\b[^:]*?) : (there (?:is|are) [^:]+)$", "{2} . {1}"),
     # without what touches
     ("(?: ,)? without (?:any of them )?touching (?:each other|one another)$", "so that they do not touch each other"),
     (f"\\bin contact with ({THING}) and with ({THING})", "in contact with {1} and {2}"),

@@ -23,10 +23,8 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     ("^(?:from|with|using|out of) (the (?:letters|letter blocks|letter cubes) [^;:]+?) , (spell|write)(?: only| just)? "
      "((?:the word )?\\S+)$", "there are {1} . {2} {3}"),
     (f"^the number of (.+? {_BLOCKS}) (?:is|{MUST} be) ({MANY})$", "there are {2} {1}"),
-    (f"\\bthe ({_THING}) with (?:the )?color ({COLOR})(?= |$)", "the {2} {1}"),
-    (f"\\bthe ({_THING}) with (?:the )?({COLOR}) color(?= |$)", "the {2} {1}"),
-    (f"\\b(?:that|the) ({_THING}) (?:which|that) is ({COLOR})(?= (?:on|onto|in|into|next|to|behind|under)\\b|$)",
-     "the {2} {1}"),
+    (f"\\b(?:the|that) ({_THING}) (?:with (?:the )?color ({COLOR})|with (?:the )?({COLOR}) color|(?:which|that) is "
+     f"({COLOR})(?= (?:on|onto|in|into|next|to|behind|under)\\b|$))(?= |$)", "the {2} {3} {4} {1}"),
     # words
     (f"^the word (\\S+) , (?:in|with|from|out of) {_LETTERS}(?: please)?$", "spell the word {1}"),
     (f"^(?:(?:put|write|lay|set|spell) )?the words (\\S+) and (\\S+)(?: {MUST} be (?:written|put|laid|spelled))? in "
@@ -68,10 +66,8 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
      "{1} {3} {2} {4}"),
     # how a letter is turned
     (f"\\b(an?|the) ({_TURNED}) (?:letter )?(\\w)(?= {_SIDE}| {_ON}|$)(.*)$", "{1} {3} {4} . the {3} must be {2}"),
-    (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:(?:that|which) (?:is|stands|lies) )?({_TURNED})(?= {_SIDE}| "
-     f"{_ON})(.*)$", "{1} {2} {4} . the {2} must be {3}"),
-    (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:that|which) (?:is|stands|lies) ({_TURNED})$",
-     "{1} {2} . the {2} must be {3}"),
+    (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:({_TURNED})(?= {_SIDE}| {_ON})|(?:that|which) (?:is|stands|lies) "
+     f"({_TURNED})(?= {_SIDE}| {_ON}|$))(.*)$", "{1} {2} {5} . the {2} must be {3} {4}"),
     # one on either side
     (f"^(.*?)(?:one|an?) ({COLOR} {CUBE}) ({_SIDE}) ([^,]+?)(?: ,)?(?: and| ,) (?:another|the other|one)(?: one| "
      "\\2)? (?:to|on) its (left|right)(?: side)?$", "{1} a {2} {3} {4} and a {2} to the {5} of {4}"),
@@ -109,17 +105,11 @@ OTHERWISE: tuple[Turn, ...] = (
     ("\\b(?:without|with no|with not) (?:any |a single )?(?:block|cube)s? (?:being )?(?:left over|left|remaining)$",
      "using all of them"),
     ("\\bthe lot$", "all of them"),
-    (f"(?: ,)? ({MANY}) rows deep and ({MANY}) columns wide$", " with {1} rows and {2} columns"),
     ("^(.*\\boutline\\b.*?)(?: ,)? (?:hollow|empty|open) (?:in|at) the (?:center|middle)$", "{1}"),
-    (f"^({WAY})(?: ,)? the (numbers|digits) {MUST} get (?:smaller|lower)$",
-     "put the {2} in a row in descending order {1}"),
-    (f"^the (numbers|digits) {MUST} get (?:smaller|lower) ({WAY})$", "put the {1} in a row in descending order {2}"),
-    (f"^({WAY})(?: ,)? the (numbers|digits) {MUST} get (?:larger|bigger|higher)$",
-     "put the {2} in a row in ascending order {1}"),
-    (f"^the (numbers|digits) {MUST} get (?:larger|bigger|higher) ({WAY})$",
-     "put the {1} in a row in ascending order {2}"),
-    ("\\bconfigure\\b", "arrange"),
-    (f"\\b({MUST}) be disposed (?:such|so) that\\b", "{1} be placed so that"),
+    (f"^(?:({WAY})(?: ,)? )?the (numbers|digits) {MUST} get (?:smaller|lower)(?: ({WAY}))?$",
+     "put the {2} in a row in descending order {1} {3}"),
+    (f"^(?:({WAY})(?: ,)? )?the (numbers|digits) {MUST} get (?:larger|bigger|higher)(?: ({WAY}))?$",
+     "put the {2} in a row in ascending order {1} {3}"),
     # said of the whole, and once more of its parts
     ("^(all .+? (?:in|inside|inside of|within|on) the [^,]+?) (?:,|and|, and|, with) none (?:of them )?(?:(?:remains|"
      "stays|lies|is|being|left|remaining|lying) )?(?:outside|elsewhere|on the table)(?: of it| it)?$", "{1}"),
@@ -127,8 +117,6 @@ OTHERWISE: tuple[Turn, ...] = (
     (f"^(.*?)\\b(?:straight|directly|immediately|right) ({_SIDE}|above|under|below|next to|beside) ([^,]+?)(?: ,)+ "
      "(?:directly|immediately) \\2 (?:it|them)$", "{1} directly {2} {3}"),
     # patterns and groups
-    ("\\bwith (\\w+) in the corners and (\\w+) otherwise(?: alternating)?$",
-     "of {1} and {2} blocks with {1} in the corners"),
     ("^(.+ : .+) come together and (.+) come together$", "{1} are together and {2} are together"),
     ("^the (first|last|leftmost|rightmost)(?: one)?(?: of them)? gets (an? [^,]+?) on top(?: of it)?(?: ,| and| , and) "
      "the (first|last|leftmost|rightmost)(?: one)? (an? [^,]+)$", "put {2} on the {1} and {4} on the {3}"),
@@ -153,12 +141,9 @@ OTHERWISE: tuple[Turn, ...] = (
     # towers told by their base or their height
     (f"^the (\\w+) tower has ({MANY}) \\w+ and (?:is|stands|is standing) ({_SIDE}) the (\\w+) tower , which has "
      f"({MANY}) \\w+$", "a {1} tower of {2} is {3} a {4} tower of {5}"),
-    (f"^(an? [^,]+? {CUBE}) completes the (tower|stack)$", "put {1} on top of the {2}"),
     # what is there and has to go
     (f"^(?:clear|empty) (the [^:,]+?) : (the [^,:]+?) {LIES} on it(?: {_AT_START})? and {MUST} {_LEAVE}$",
      "at the start , {2} is on {1} . {2} must not be on {1}"),
-    ("^(?:unstack (?:everything|it|all) : )?(.+ (?:at the start|initially|at the beginning))(?: ,)? and (?:in|at) the "
-     "end (.+)$", "{1} . in the end {2}"),
     # numbers
     (f"^use (?:the )?{_BLOCKS} to (?:show|write)(?: that)? (.+ equals .+)$", "write {1}"),
     (f"(?: ,)? with (?:the )?(?:digit|number) and (?:operator|symbol|sign) {_BLOCKS}$", ""),

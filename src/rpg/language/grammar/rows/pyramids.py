@@ -17,6 +17,7 @@ _TOP = ("(?: (?:at|on|for|as) (?:the |its )?(?:very )?(?:top|peak|tip|apex)(?: o
         "above (?:them|it)| (?:on|over) (?:it|them|those|that))(?:(?: ,)? (?:in|at) the (?:middle|"
         "center))?")  # fmt: skip
 _SQUARE = "(?:2x2|two by two|2 by 2|2 x 2)"
+_BASE = "(2x2|two by two|2 by 2|2 x 2|3x3|three by three|3 by 3)"
 _HEAD = "\\b(pyramid\\b[^,:]*?)(?: ,| :| with| of| that has| which has|;)+"
 _TOTAL = "(?: ,)? (?:(?:so|that is|i.e.|making|which makes|in all)(?: it is| that is)? )"
 _DOWN = (("two|2", ""), ("three|3", "two|2"), ("four|4", "three|3 two|2"))
@@ -34,6 +35,9 @@ def _layers(look: str = "") -> tuple[tuple[str, str], ...]:
     return tuple(found)
 
 
+_SIZED = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
+_ARE = f"(?:is|are|{MUST} be)"
+
 PYRAMIDS: tuple[Turn, ...] = (
     ("\\b(pyramid) on (an? base of)\\b", "{1} with {2}"),
     (f"{_HEAD} ({MANY}){N}{_BOTTOM}{_AND}(?: always)? one{N} (?:fewer|less){N}(?: (?:in|on|for|with|at))? (?:each|"
@@ -48,26 +52,22 @@ PYRAMIDS: tuple[Turn, ...] = (
     # square ones
     (f"\\b(?:square )?(pyramid\\b[^,:]*?)(?: ,| :| with)+ (?:nine|9){N}{_BOTTOM}{_AND} (?:four|4){N}{_ABOVE}{_AND} "
      f"(?:one|1){N}{_TOP}$", "{1} with a three by three base"),
-    (f"\\b(?:square )?(pyramid)(?: ,| :| with| of)+(?: an?)? ({COLOR}) {_SQUARE}{_BOTTOM}{_AND} (?:an?|one)(?: "
-     f"single)? ({COLOR}){N}{_TOP}$", "{1} with a two by two base of {2} blocks and a {3} block on top"),
+    (f"\\b(?:square )?(pyramid)(?: ,| :| with| of| from| out of| on)+(?: an?)? (?:(?:base of )?{_BASE}(?: base of)? "
+     f"({COLOR}){N}(?:{_BOTTOM})?|({COLOR}) {_BASE}{_BOTTOM}|{MANY} ({COLOR}){N} as an? {_BASE} base){_AND} (?:an?|"
+     f"one)(?: single)? ({COLOR}){N}{_TOP}$",
+     "{1} with a {2} {5} {7} base of {3} {4} {6} blocks and a {8} block on top"),
     (f"^(?:four|4) ({COLOR}){N}(?: (?:in a|as a|in|,))? {_SQUARE}(?: square)?(?:{_BOTTOM}| base){_AND} (?:an?|one)(?: "
      f"single| fifth)? ({COLOR}){N}{_TOP}(?: ,| :)+ (an? (?:\\w+ )?pyramid)$",
      "{3} with a two by two base of {1} blocks and a {2} block on top"),
-    (f"\\b(pyramid)(?: ,| :| with| of)+ (?:four|4){N} {_SQUARE}{_BOTTOM}{_AND} (?:an?|one){N}{_IS}{_TOP}$",
-     "{1} with a two by two base"),
-    (f"\\b(pyramid) (?:with|on) (?:an? )?base of {_SQUARE} ({COLOR}){N} and (an?|one) ({COLOR}){N}{_TOP}$",
-     "{1} with a two by two base of {2} blocks and {3} {4} block on top"),
-    (f"\\b(pyramid) on (an?) {_SQUARE} base(?: ,| with| and)+ (?:an?|one)(?: single)?{N}{_TOP}$",
-     "{1} with a two by two base"),
+    (f"\\b(pyramid)(?: ,| :| with| of| on)+ (?:(?:four|4){N} {_SQUARE}{_BOTTOM}|an? {_SQUARE} base)(?:{_AND}| with) "
+     f"(?:an?|one)(?: single)?{N}{_IS}{_TOP}$", "{1} with a two by two base"),
     (f"\\b(pyramid) on (an?) {_SQUARE} base(?: ,| with)+ the (?:four )?base{N}{_IS} ({COLOR}) and the (?:peak|tip|"
      f"top){N}{_IS} ({COLOR})$", "{1} with a two by two base of {3} blocks and a {4} block on top"),
     # layers in colours of their own
-    (f"\\b(pyramid)(?: ,| :| of| with)+ an? ({COLOR}) base of (3|three){_AND} an? ({COLOR}) layer of (?:two|2){_AND} "
-     f"an? ({COLOR}){N}{_TOP}$",
-     "{1} with a base of {3} , the bottom layer {2} , the middle layer {4} and the top {5}"),
-    (f"\\b(pyramid)(?: ,| :| of| with)+ (3|three){N}{_BOTTOM}(?: all)? ({COLOR}){_AND} (?:2|two){N}{_ABOVE} "
-     f"({COLOR}){_AND} (?:1|one|an?) ({COLOR}){N}{_TOP}$",
-     "{1} with a base of {2} , the bottom layer {3} , the middle layer {4} and the top {5}"),
+    (f"\\b(pyramid)(?: ,| :| of| with)+ (?:an? ({COLOR}) base of (3|three)|(3|three){N}{_BOTTOM}(?: all)? "
+     f"({COLOR})){_AND} (?:an? ({COLOR}) layer of (?:two|2)|(?:2|two){N}{_ABOVE} ({COLOR})){_AND} (?:1|one|an?) "
+     f"({COLOR}){N}{_TOP}$",
+     "{1} with a base of {3} {4} , the bottom layer {2} {5} , the middle layer {6} {7} and the top {8}"),
     # how many there are in all
     (f"\\b(pyramid)\\b(.*\\b(?:base|bottom)\\b.*?){_TOTAL}({MANY}(?: {COLOR})? (?:blocks|cubes|bricks))(?: in "
      "(?:total|all)| altogether)?$", "{1} of {3} {2}"),
@@ -82,5 +82,12 @@ PYRAMIDS: tuple[Turn, ...] = (
      "block| cube)? is (?:the|its) (?:top|tip|peak)$", "{1} with a base of {2} and a {3} block on top"),
     (f"(?:, )?the (?:base|lowest layer|bottom layer|bottom row) of which (?:is|{MUST} be|is formed by|consists of) a "
      f"row of ({MANY}) (?:blocks|cubes)$", "with a base of {1} blocks"),
+    # pyramids
+    (f"\\b(pyramid of [^,:]+?) (?:in which|where) the base(?: of \\w+)? {_ARE} (\\w+) , the (?:second|middle) layer "
+     f"(?:{_ARE} )?(\\w+)(?: ,)? and the (?:tip|top|topmost block) (?:{_ARE} )?(\\w+)$",
+     "{1} : the base {2} , the second layer {3} , the tip {4}"),
+    (f"\\b(an?|one) (pyramid with (?:an? )?{_SIZED} base)(?: ,| and| with)+ (?:an?|one|a single) (block|cube) (on "
+     f"top)(?: of it)?(?: ,| and)+ (?:they are )?all(?: of them)?(?: (?:block|cube)s)?(?: in)? ({COLOR})$",
+     "{1} {6} {2} and one {4} {5}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

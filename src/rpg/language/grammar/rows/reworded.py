@@ -3,29 +3,19 @@ asked in place of being asked for, as rows that tell it plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
-from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
-from rpg.language.grammar.rows.required import REQUIRED_AT_ONCE
-from rpg.language.grammar.rows.task_strings import TASK_STRINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, LENGTH, MANY, MUST, WAY
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, LENGTH, MANY, MUST
 
 _A = "(?:an?|one|the)"
 _PATCH = "(?:patch|mat|zone|target|area|spot)"
 _PUT = "(?:put|place|set|lay|move)"
-_HALF = "(?:left|right|near|far|front|back)"
 _LARGER = "(?:larger|bigger|wider|greater|longer|farther|further|higher)"
 _SMALLER = "(?:smaller|narrower|shorter|closer|nearer|lower)"
 _SO_MANY = f"(?:(?:exactly|at least|at most|only|just) )?{MANY}"
 _ON_IT = "(on (?!each|either|every|both|top|(?!a )\\S(?: |$))|in (?=the))"
 _NO_LINE = "(?:(?!\\b(?:row|line|tower|stack)s?\\b).)"
-_STANDING = "(?:standing|lying|resting|sitting|placed|set)"
 
 REWORDED_AT_ONCE: tuple[Turn, ...] = (
-    *OTHERWISE_AT_ONCE,
-    *EVERYDAY_AT_ONCE,
-    *TASK_STRINGS,
-    *REQUIRED_AT_ONCE,
     # what is asked
     ("^(would|could|can|will) you ever (?=\\w)", "{1} you"),
     (f"\\b(at least {MANY} and at most {MANY} of .+?) (?:may|can) (be|lie|stand)\\b", "{1} must {2}"),
@@ -33,10 +23,7 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
     (f"^each color (?:goes |belongs |lies |is |comes )?on (?:its own|the matching|its) {_PATCH} : ((?:(?:\\w+ "
      f")?({COLOR})(?: \\w+)? on (?:the )?\\2 {_PATCH}(?: , and | , | and |$))+)$", "{1}"),
     ("^(?:\\w+ )?\\w+ (?:separate|separated|apart|away) from (?:\\w+ )?\\w+ : (.+ one group\\b.+ group.*)$", "{1}"),
-    ("^\\w+ here ,(?: and)? \\w+ there : (.+ one group\\b.+ (?:group|one).*)$", "{1}"),
     ("^(sort .*?by \\w+) : (.+?) , (into (?:\\w+ )?(?:piles|groups|heaps|bunches|clusters))$", "{1} {3} : {2}"),
-    ("^((?:\\w+ )?(?:\\w+ )?groups\\b[^:]*: .+?) , each (?:color|letter|number) (?:by itself|on its own|for itself)$",
-     "{1}"),
     (f"\\bmirrored [:,] ({COLOR} outside ,? ?(?:and )?{COLOR} inside)$", "{1}"),
     # so many, and how many of them are where
     (f"^({MANY} (?:\\w+ )?(?:blocks|cubes|letters|digits)) , ({_SO_MANY}) {_ON_IT} ?((?:(?! and )[^,])+)$",
@@ -66,8 +53,6 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
     # places
     (f"\\bbetween {_A} ([^,]+?) (?:on|to) (?:its|the) (left|right)(?: side)? and {_A} ([^,]+?) (?:on|to) (?:its|the) "
      "(?:left|right)(?: side)?$", "between a {1} and a {3} , the {1} on its {2}"),
-    (f"^(.+?) is not in the {_HALF} half(?: of the table)? ,(?: but)? it is (in the {_HALF}) (?:half|one)(?: of the "
-     "table)?$", "{1} is {2} half"),
     (f"^(.+? to the (?:left|right) of) (it|them) and ({_A} .+?) (?:to|on) the (left|right)$",
      "{1} {2} and {3} to the {4} of {2}"),
     ("^(the [^,]+?) has ([^,]+?) on its (left|right) , ([^,]+?) on its (left|right) and ([^,]+?) on top(?: of it)?$",
@@ -80,8 +65,6 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 
 REWORDED: tuple[Turn, ...] = (
-    *OTHERWISE,
-    *EVERYDAY,
     # measures
     (f"\\b(?:no|not) {_LARGER} than ({LENGTH})", "at most {1}"),
     (f"\\b(?:no|not) {_SMALLER} than ({LENGTH})", "at least {1}"),
@@ -89,13 +72,11 @@ REWORDED: tuple[Turn, ...] = (
      "{1} must be moved by {2}"),
     # what is asked
     ("^let (\\S+) be (?:read|spelled|written|seen)\\b", "spell {1}"),
-    ("^(all .+? must be .+?) when (?:you |we )?((?:spell|build|form|make|write) .+)$", "{2} . {1}"),
     ("^not ((?:on|in) [^,]+?) ,? ?but ((?:on|in) [^:,]+) [:,] (?:that|this) is where (?:i|we) (?:want|need|would "
      "like)(?: to see)? (.+)$", "{3} must not be {1} but {2}"),
     ("^how (?:do|would|can|should) (?:you|we|i|one) (?=(?:spell|write) )", "please"),
     ("^([^:,]+) [:,] (?:that|this) is (?:how|the way) (?:i|we) (?:want|need|would like)(?: to see)? (.+)$",
      "{2} must be {1}"),
-    ("^if (?:you|one|we) looks? (?:closely|carefully|again|at it closely) , (.+)$", "{1}"),
     (f"^(?:share|distribute|divide|split|spread) ({FEW}) (.+?) (?:between|over|among|across) (the .+? {_PATCH}) and "
      "(the .+?) so that there are (?:just |exactly )?as many on .+$",
      "put half of the {1} {2} on {3} and the other half on {4}"),
@@ -115,26 +96,19 @@ REWORDED: tuple[Turn, ...] = (
      "a {1} that reads {2} from top to bottom"),
     ("\\b(\\S+) and (\\d) with (plus|minus|times)(?: ,)? and equals\\b", "{1} , {2} , {3} and equals"),
     # structures
-    ("\\b(tower|stack|wall) in layers (?=[:,])", "{1}"),
     (f"\\b(an?|the) {_LARGER} (tower|stack|row|line) of (?={MANY}\\b)", "{1} {2} of"),
     (f"\\b(an?|the) taller (tower|stack) of (?={MANY}\\b)", "{1} {2} of"),
     (f"\\b(an?|the) {_SMALLER} (tower|stack|row|line) of (?={MANY}\\b)", "{1} {2} of"),
     (f"\\b(an?|the) pattern (with|of) (?={MANY} (?:rows|columns))", "{1} grid {2}"),
-    (f"^(?:an?|one) ((?:\\w+ )?{_PATCH})(?: ,)? and on (?:it|top of it)(?: ,)? (an? .+)$", "on the {1} {2}"),
     ("\\b(row|column|line|tower|stack) of colors\\b", "{1}"),
-    (f"^(?:the|a) (?:number )?row (?:goes|counts|runs) down : (.+?) ({WAY})$", "a row in descending order {2} : {1}"),
-    (f"^(?:the|a) (?:number )?row (?:goes|counts|runs) up : (.+?) ({WAY})$", "a row in ascending order {2} : {1}"),
     (f"^the (leftmost|rightmost) of (?:the )?({MANY}) ({CUBE}s) is (.+?) , the (leftmost|rightmost) (?:one )?is "
      "(.+?)(?: ,)? and (.+?) (?:is|stands|lies|sits) (?:in )?between(?: them)?(?: , all in (?:a|one) row)?$",
      "{2} {3} in a row : the {1} is {4} , the {5} is {6} and {7} is in between"),
     # what stands beside it
-    (f"^([^,]+ (?:rotated|turned)\\b[^,]*) , {_STANDING} (on .+)$", "{1} {2}"),
-    ("\\bwhich (is|are) an? (\\w+) one\\b", "which {1} {2}"),
     (" (?:too|as well) , (and|but|while)\\b", " , {1}"),
     # what is said besides
     ("(?: ,)? (?:nice|neat|good) and (?:straight|even)$", ""),
     ("(?: ,)? (?:for sure|for certain|full stop|here)$", ""),
-    ("^like goes with like :", ""),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
 WORDS = (

@@ -16,7 +16,7 @@ _STARTED = (
     "|its (?:starting|original|initial) (?:place|position|spot|location))"
 )
 
-AT_ONCE: tuple[Turn, ...] = (
+ROUNDABOUT_AT_ONCE: tuple[Turn, ...] = (
     ("(?: ,)? so that there is (?:one|a) (tower|stack) (?:per|for each) color$", "in one {1} per color"),
     (f"^in an? ({LINE}) (with|of) (.+) , ((?:swap|exchange|switch|turn|move|take) .+)$",
      "there is a {1} {2} {3} . {4}"),
@@ -36,8 +36,6 @@ AT_ONCE: tuple[Turn, ...] = (
     ("^do not stack (?:anything|any(?: of them| blocks| block)?)(?: ,)? (?:but |just |only |instead )+(.+ in an? "
      "(?:row|line|column)\\b.*|.+ side by side)$", "{1}"),
     ("^(.+?) touch(?: each other)? side by side( on the table)?$", "{1} are side by side and touch each other"),
-    ("\\b(with \\w+(?: block| cube)?) (?:sandwiched|held|placed) between (?:the two|both|the two of them)$",
-     "{1} between them"),
     ("^(.+?)(?: ,)? (?:and |but )?not the other way (?:round|around)$", "{1}"),
     ("\\bnot there but (in|on|at|inside)\\b", "{1}"),
     (f"^(use|take) ([^,]+?) for ((?:an?|one) [^,]*\\b{LINE}\\b.*)$", "{1} {2} to build {3}"),
@@ -78,10 +76,9 @@ AT_ONCE: tuple[Turn, ...] = (
      f"{_BLOCK}s) (\\w+)$", "{1} and the others {2}"),
     ("(?: ,)? (?:which|that) itself (is|sits|stands|lies|rests|must|should)\\b", ", which {1}"),
     ("\\btower made of (an? .+?) with (an? .+?) on top$", "tower of {2} on {1}"),
-    ("^(on the (?:left|right) of|behind|in front of) (the [^,]+?) and (?:right |directly |immediately )next to it "
-     "(?:is|lies|stands|sits) (.+)$", "directly {1} {2} is {3}"),
-    ("^((?:separate|sort|split|divide|group) .+?|.+ (?:separated|sorted|split|divided|grouped) .+?)(?: ,)? so that "
-     "there (?:is|are) (?:a|one) group of \\w+ and (?:a|one|another) group of \\w+$", "{1}"),
+    ("^((?:.+ )?(?:sort|sorted|separated?|split|divided?|grouped|group) .+?)(?: ,)? (?:so that there (?:is|are) (?:two "
+     "groups|(?:a|one) group (?:of|for) each(?: kind| color)?|(?:a|one) group of \\w+ and (?:a|one|another) group of "
+     "\\w+)|one (?:group|pile|bunch) (?:for|per) each(?: kind| of them)?)$", "{1}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 
@@ -118,7 +115,6 @@ ROUNDABOUT: tuple[Turn, ...] = (
      "must go)$", "{2} must be on {1}"),
     (f"^(.+? {_PATCH}) receives (.+)$", "{2} must be on {1}"),
     ("\\btouch(?:ing|es)? (?:its|their) neighbors?\\b", "touching each other"),
-    ("\\bflanked by (.+?) on one side and (.+?) on the other(?: side)?\\b", "between {1} and {2}"),
     ("\\bsandwich (.+?) between (.+?) (?:below|underneath) and (.+?) above$", "put {1} on {2} and {3} on {1}"),
     (f"\\bthe {_BLOCK} on which (.+?) (?:rests|sits|stands|lies|is placed|is|{MUST} be) (?:{MUST} be|is) (the "
      f"[^,]+?)(?=$| ,| and the {_BLOCK})", "{1} must be on {2}"),
@@ -142,7 +138,6 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("^(.+?) anywhere (?:except|but) on (.+)$", "{1} must not be on {2}"),
     (f"^(.+?) , (?:which|that) (?:has|carries|bears) (.+?) on (?:it|top|top of it) , ({_IS} .+)$",
      "{2} must be on {1} and {1} {3}"),
-    ("^(.+ (?:under|underneath|below|beneath|above|over|on) .+?) ,? ?in direct contact$", "{1} directly"),
     (f"^underneath (the [^,]+?) there {MUST} be ([^,]+?) , in direct contact$", "{2} must be directly under {1}"),
     ("^(.+) , stacked directly$", "{1}"),
     ("\\b(gets|get|be|are) grouped into\\b", "must be sorted into"),
@@ -173,23 +168,15 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"\\b(?:ascend|increase|rise) ({WAY})\\b", "are in ascending order {1}"),
     (f"^({WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) down : (.+)$", "a row in descending order {1} : {2}"),
     (f"^({WAY})(?: ,)? the (?:digits|numbers) (?:go|run|count) up : (.+)$", "a row in ascending order {1} : {2}"),
-    (f"^({FEW}) layers of (.+?) , each(?: layer)? (\\d+|{FEW}) by (\\d+|{FEW}) , one layer (?:right )?on (?:top of "
-     ")?the other$", "a grid of {1} layers of {3} by {4} {2}"),
     (f"\\b({LINE})(?: on the table)? that (?:is|reads|goes) , ({WAY}) , (.+)$", "{1} of {3} {2}"),
     ("^(.+?) going up in (?:a tower|a stack)$", "a tower , from bottom to top : {1}"),
     ("^(.+?) going down in (?:a tower|a stack)$", "a tower , from top to bottom : {1}"),
     (f"^the ({LINE}) on the (left|right) (?:has|consists of|is made of) (.+?)(?: ,)? (?:and|while) the {LINE} on the "
      "(?!\\2)(?:left|right) (?:has|consists of|is made of) (.+)$", "a {1} of {3} must be to the {2} of a {1} of {4}"),
     ("\\b(?:whose|the) (?:rows|columns|layers) are each of one color :", "; each row in one color :"),
-    ("^the (?:shape|figure|form) that (.+?) (?:make|form|show|build) is (an? .+)$", "{1} must form {2}"),
     ("^(?:digit|number|letter) (?:cubes|blocks) (?:displaying|showing|spelling|reading) (\\S+)$", "spell {1}"),
-    (f"^from an? ({LINE}) (?:with|of) (.+?) , rebuild it as (.+)$", "at the start , {2} . at the end , {3}"),
     # what comes of it
-    ("^([^,]+?)(?: ,)? (?:which gives|which makes|giving|so that you get|resulting in) (an? .+)$",
-     "{1} so that there is {2}"),
     (f"^([^,]+?)(?: ,)? (?:which gives|which makes|giving|resulting in) ((?:{FEW}) .+)$", "{1} so that there are {2}"),
-    ("^(?:make|build|form) (a (?:tower|stack) of .+?) by (?:setting|placing|putting|stacking) ([^,]+)$",
-     "put {2} so that there is {1}"),
     # what there is
     ("^given (.+?) , ((?:make|build|put|sort|separate|stack|arrange|line|spell|form|lay|group) .+)$",
      "there are {1} . {2}"),

@@ -37,7 +37,6 @@ _AROUND = "(?:vice versa|the other way (?:round|around)|the reverse|the opposite
 _NOT = "(?:and not|but not|not|rather than|instead of|as opposed to)"
 _NEITHER = (f"neither(?: one| of (?:them|these|the two))?(?: {MUST}| may| can| is)?"
             "(?: be| being| lie| lying| stand| rest| sit)?")  # fmt: skip
-_FORM = "(?:row|column|line|stack|tower|circle|ring|heap|pile|grid|square)"
 _EACH_GETS = (f"(?:{MUST} )?(?:each )?(?:{MUST} )?(?:each )?(?:get|gets|have|has|carry|carries|receive|bear) (.+?)"
               " (?:on top(?: of (?:it|them))?|on (?:it|them))")  # fmt: skip
 _TO = "(?:to|towards|toward) the"
@@ -82,8 +81,6 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
     *_respectively(),
     # "each get a white cube on top"
     (f"^({THINGS}) (?=.*\\beach\\b){_EACH_GETS}$", "put {2} on each of {1}"),
-    (f"^(.+ in (?:an? |the )?({_FORM}))(?: ,)? (?:rather than|instead of|as opposed to) (?:in|as) an? (?!\\2$){_FORM}$",
-     "{1}"),
     ("^(.*\\bat least .+?) , (?:both|all of them)$", "{1}"),
     ("^(?:it does not matter which(?: one)?|which(?: one| of them)?(?: it is)? does not matter|no matter which(?: "
      "one)?)$", ""),
@@ -147,9 +144,7 @@ SHORT: tuple[Turn, ...] = (
     (f"^not (?:only|just|merely) ({THINGS})(?: ,)? but(?: also)? ({THINGS})(?: as well| too)? ((?:{MUST}|{_ARE}) .+)$",
      "{1} and {2} {3}"),
     (f"^it is ({THINGS})(?: ,)? (?:and )?not ({THINGS})(?: ,)? (?:that|which) (.+)$", "{1} and not {2} {3}"),
-    ("^(.+?)(?: ,| :)? not ((?:\\w+ )?rows of \\w+)(?: ,)? but ((?:\\w+ )?rows of \\w+)$", "{1} : {3}"),
     ("^(spell (?:the word )?\\S+)(?: ,)? (?:and )?not \\S+$", "{1}"),
-    (f"\\bwith ({FEW}) of them (?:each|in each)$", "of {1}"),
     # what follows
     ("^(.+?)(?: ,)? and , (?:after that|then|afterwards|next|finally) , (.+)$", "{1} , and then {2}"),
 )  # fmt: skip

@@ -1,10 +1,10 @@
-"""What lies at the sides of a block, in other orders of words: "red left, blue right of green", "N behind the white
-cube, S in front of it, W to its left", as rows that name the block at each of its sides."""
+"""What lies at the sides of a block, and which of all is beyond the others, in other orders of words, as rows that name
+the block and its side."""
 
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, ME, MUST
 
 _NO = (
     "(?!(?:on|in|to|of|with|behind|and|or|not|at|from|by|for|that|which|if|is|are|has|left|right|between|then|must"
@@ -27,7 +27,11 @@ _ALL_SIDES = (
     "a {1} block must be to the left of {0} , a {1} block to the right of {0} , a {1} block in front of {0} and a {1} "
     "block behind {0}"
 )
-
+_FAR = "(?:farthest|furthest)"
+_MOST = (f"(?:leftmost|rightmost|frontmost|(?:nearest|closest)(?: to {ME})?|{_FAR}(?: away)?(?: from {ME})?|"
+         "topmost|uppermost|lowest|bottommost)")  # fmt: skip
+_ONES = "(?: one| block| cube)?"
+_MUST_BE = f"(?:is|{MUST} be)"
 
 SIDED_AT_ONCE: tuple[Turn, ...] = (
     # at the sides of the same block
@@ -67,9 +71,15 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
      f"set|goes|is|stands|comes|lies) ({_T})$", "{3} must be immediately to the {2} of {1}"),
     (f"^({_T}) 's (left|right)(?: - hand| hand)? side is where ({_T}) (?:goes|belongs|{MUST} be|{MUST} go|is|stands)$",
      "{3} must be to the {2} of {1}"),
-    ("\\bprecedes\\b", "comes before"),
-    ("^(.+? comes before (the \\S+|\\S+))(?: ,)? and \\2 (the \\S+|(?!before)\\S+)(?=$| ,)", "{1} and {2} before {3}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("precedes flanked surround belongs forward",)
+UTMOST_TOLD: tuple[Turn, ...] = (
+    *((f"\\b(?:the )?{_FAR}{_ONES} (?:(?:out )?(?:to|towards|on|at) the )?{side}(?= ,| and| of| among|$)",
+       f"{side}most")
+      for side in ("left", "right")),
+    (f"^(.+?) ({_MUST_BE}) (?:the )?({_MOST}){_ONES} (?:of|among|out of|from) (?!an? \\w)(.+)$",
+     "there are {4} . {1} {2} {3}"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+WORDS = ("belongs flanked forward precedes surround",)
 """Words that these take besides those that are read anyway."""

@@ -37,8 +37,8 @@ STAIRS: tuple[Turn, ...] = (
     (f"{_BEFORE}{_LINK} (?:{_UP}|going up(?:wards)?) away(?: from {ME})?\\b", "{1} going up to the back"),
     (f"{_BEFORE}{_LINK} (?:{_UP}|going up(?:wards)?) (?:to|towards?) {ME}\\b", "{1} going up to the front"),
     # which end is high
-    *((f"{_BEFORE}(?:{_LINK} {_DOWN} (?:from (?:the )?{high} )?{_TO} {low}\\b(?! of\\b)|{_WHOSE} {_LOW}{_STEP}{_ON} {low}"
-       f"(?:(?: ,| and)+(?: the| its)? {_HIGH}{_STEP}{_ON} {high})?(?= ,|$))", f"{{1}} going up to the {high}")
+    *((f"{_BEFORE}(?:{_LINK} {_DOWN} (?:from (?:the )?{high} )?{_TO} {low}\\b(?! of\\b)|{_WHOSE} {_LOW}{_STEP}{_ON} "
+       f"{low}(?:(?: ,| and)+(?: the| its)? {_HIGH}{_STEP}{_ON} {high})?(?= ,|$))", f"{{1}} going up to the {high}")
       for low, high in _SIDES),
     (f"{_BEFORE}{_WHOSE} {_HIGH}{_STEP}{_ON} ({_END})(?:(?: ,| and)+(?: the| its)? {_LOW}{_STEP}{_ON} {_END})?(?= ,|$)",
      "{1} going up to the {2}"),
@@ -52,8 +52,6 @@ STAIRS: tuple[Turn, ...] = (
     (f"\\b({_STAIRS}\\b.*?)(?: ,| :)* (?:with )?one(?: step)?{N}(?: high)?{_THEN} two(?: steps)?{N}(?: high)?{_THEN} "
      f"three(?: steps)?{N} high$", "{1} with heights one , two and three"),
     (f"\\b({_STAIRS}\\b.*?) in steps of (one|1) , (two|2) and (three|3)\\b", "{1} with steps of {2} , {3} and {4}"),
-    # what lies on them
-    (f"\\bon (?:top of )?the {_HIGH} (?:step|stair) of (an? (?:[^ ,]+ )*?{_STAIRS}\\b)", "on top of {1}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 

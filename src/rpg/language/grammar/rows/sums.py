@@ -31,17 +31,13 @@ SUMS_AT_ONCE: tuple[Turn, ...] = (
     # equations
     ("^(?:(?:if|when) i look (?:down|at (?:it|them|the table))(?: ,)? )?i (?:want|would like) to (?:read|see) "
      f"{_EQUATION}(?: on the table)?$", "write {1}"),
-    (f"^(?:from|with|out of) (.+ and =)(?: there)? (?:must|should|shall|has to) come out an? (?:{_TRUE} )?{_CALL}(?: "
-     f"(?:which|that) is {_TRUE})?$", "use {1} to make a true equation"),
     (f"\\b(?:so|such) that an? {_TRUE} {_CALL} (?:comes out|come out|results|is formed|appears|arises)$",
      "so that they form a true equation"),
     (f"\\b(equation) (?:that|which) (?:shows|says|states|tells) that (?={MANY} )", "{1}"),
     # numbers that are read
-    (f"\\b(?:so|such) that (?:they|it|the (?:digits|cubes|blocks)|you|one) can be read(?: as)?( {WAY})?(?: as)? "
-     "(\\d+)$", "so that they read {2} {1}"),
-    (f"\\b(?:so|such) that(?: ,)? ({WAY})(?: ,)? (\\d+) (?:can be read|is read|is shown)$",
-     "so that they read {2} {1}"),
-    ("^can be read as (\\d+) : ((?:put|place|lay) .+)$", "{2} so that they read {1}"),
+    (f"\\b(?:so|such) that(?: ,)? (?:({WAY})(?: ,)? )?(?:(?:they|it|the (?:digits|cubes|blocks)|you|one) can be "
+     f"read(?: as)?(?: ({WAY}))?(?: as)? (\\d+)|(\\d+) (?:can be read|is read|is shown))$",
+     "so that they read {3} {4} {1} {2}"),
     ("\\b(?:so|such) that the number (\\d+) (?:appears|results|is shown)(?: when| if)?(?: you)? read(?:ing)?(?: it)? "
      f"({WAY})$", "so that they read {1} {2}"),
     ("^(?:digit|number) (?:cubes|blocks) in an? (?:row|line) (?:that|which) (?:reads|says|shows) (\\d+)$",

@@ -4,7 +4,7 @@ ones in one tower, all blue ones in another", as rows that tell each of them pla
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MANY, MUST, TOWER
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE, MANY, MUST, TOWER
 
 _BLOCKS = "(?:blocks|cubes|ones)"
 _TOWERS = "(?:towers|stacks)"
@@ -38,13 +38,29 @@ _CHANGING = (
     "(?:with|in|of) (?:the |its )?(?:alternating|alternate) colors|(?:with |so that |and )?(?:the |their |its )?"
     "colors (?:alternate|alternating|take turns|taking turns|changing alternately|alternating each time)"
 )
+_IS = f"(?:is|are|{MUST} be)"
+_SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # towers and rows
+    (f"\\b(towers [^,]+ , one ({COLOR})(?: ,| and)? one ({COLOR}))(?: ,|;| with)+ (?:the )?\\2(?: one| tower)? "
+     f"(?:{_IS} |stands )?({_SPOT}) (?:the )?\\3(?: one| tower)?$", "{1} . the {2} tower must be {4} the {3} tower"),
+    (f"^(an? {LINE} of .+?) in front(?: ,| and)+ (an? {LINE} of .+?) behind(?: it)?$", "{1} and {2} behind it"),
+    (f"^rainbow ({LINE})(?: :| of| ,| with)+ (.+ (?:blocks|cubes)|.+ , (?:starting|beginning) .+)$",
+     "a rainbow {1} of {2}"),
+    (f"^({FEW}|\\d+) (?:blocks )?high , (alternating .+)$", "a tower of {1} blocks , {2}"),
+    (f"\\bthat (?:does not|must not|should not|may not) have (?:the )?({COLOR})(?: one| block| cube)? (at the top|on "
+     "top|at the bottom)$", "with {1} not {2}"),
+    ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group (in|on|to|behind|"
+     "next|near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
+    (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
+     f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
+     "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
     # how high they are
     (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out )?(?:of|"
      f"from) (?={MANY}\\b)", "{1} {2} from"),
-    (f"\\b({_TOWERS}\\b.*?)(?: ,)? (?:and |with )?{_EACH} {_ARE}{_EQUAL}$", "{1} of equal height"),
-    (f"\\b({_TOWERS}\\b.*?) (?:that|which) are {_EQUAL}$", "{1} of equal height"),
+    (f"\\b({_TOWERS}\\b.*?)(?: ,)? (?:(?:and |with )?{_EACH} {_ARE}|(?:that|which) are ){_EQUAL}$",
+     "{1} of equal height"),
     (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH}$",
      "{1} , one {2} blocks high and one {3} blocks high"),
     (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH} {_AND} "
@@ -62,21 +78,15 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} and {3} blocks alternately , {4} at the bottom"),
     (f"^(.*?\\b{TOWER} of {MANY})(?: blocks)? (?:{_CHANGING}) , {_LOT} and {_LOT}(?: ,)?{_BEGINS}",
      "{1} blocks , {2} and {3} , alternating , starting with {4} at the bottom"),
-    (f"\\b({TOWER}\\b.*?)(?: ,)? with (?:the |its )?colors (?:changing|taking turns) (?:alternately|each time|every "
-     "time)$", "{1} with alternating colors"),
-    (f"\\b(make|build|form) of them (an? {TOWER}|one {TOWER})\\b", "{1} {2} of them"),
     (f"^(.*?\\b{TOWER}\\b[^,]*?) (?:is|are) (?:wanted|needed|required|desired) , (alternating .+)$", "{1} , {2}"),
     (f"\\b({TOWER} of {MANY}(?: blocks| cubes)?)(?: ,)? (?:that|which) (?:alternates|changes) between {_TURNS}",
      "{1} , alternating {2} and {3}"),
     (f"\\b({TOWER}\\b.*) alternating between {_TURNS}", "{1} alternating {2} and {3}"),
     (f"\\b({TOWER}\\b.*\\balternating .*?) with {_ONE} both at the (?:bottom|base|foot) and (?:at the top|on top)$",
      "{1} with {2} at the bottom and {2} at the top"),
-    (f"\\b({TOWER}\\b[^,]*?)(?: ,)? (?:with|in|of) alternating colors , {_TURNS} , ({MANY})(?: blocks| cubes)?(?: "
-     "high| tall)?(?= ,|$)", "{1} of {4} blocks , alternating {2} and {3}"),
-    (f"\\b({TOWER})(?: ,)? (?:where|in which) {_TURNS} alternate ,? ?({MANY})(?: blocks| cubes)? (?:high|tall)",
+    (f"\\b({TOWER}\\b[^,]*?)(?: ,)? (?:(?:with|in|of) alternating colors ,|alternate|alternating|where|in which) "
+     f"{_TURNS}(?: alternate)? ,? ?({MANY})(?: blocks| cubes)?(?: high| tall)?(?= ,|$)",
      "{1} of {4} blocks , alternating {2} and {3}"),
-    (f"^(?:an? |the )?({TOWER}) , (?:alternate|alternating) {_TURNS} , ({MANY})(?: blocks| cubes)(?: high| tall)?",
-     "a {1} of {4} blocks , alternating {2} and {3}"),
     (f"^alternate {_TURNS} in (?:an?|one) ({TOWER}) of ({MANY})(?: blocks| cubes)? that (?:starts|begins) with {_ONE} "
      f"{_FOOT}$", "a {3} of {4} blocks , alternating {1} and {2} , with {5} at the bottom"),
     (f"\\b({TOWER} of {MANY})(?: blocks| cubes)?(?: ,)? (?:in which|where) every (?:second|other) (?:block|cube|one) "
@@ -87,21 +97,18 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "{1} , with {2} at the bottom"),
     # what becomes of one of them
     (f"^given ({MANY} {COLOR} {_BLOCKS}) , (make|build) (an? {TOWER}\\b.*)$", "from {1} {2} {3}"),
-    (f"^(?:split|divide|break|take|part) (?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?)(?: "
-     f"apart| up)? (?:in|into) (?:halves ,? so that )?({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?(?: "
-     "remain| result)?$", "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
-    (f"^(?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?) {MUST} be (?:split|divided|parted|"
-     f"broken|taken apart)(?: up)? (?:in|into) ({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?$",
+    (f"^(?:(?:split|divide|break|take|part) )?(?:the|an?|one) (tower|stack|row) of ({MANY}(?: {COLOR})?(?: "
+     f"{_BLOCKS})?)(?: {MUST} be (?:split|divided|parted|broken|taken))?(?: apart| up)? (?:in|into) (?:halves ,? so "
+     f"that )?({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)?(?: remain| result)?$",
      "at the start there is a {1} of {2} . at the end there are {3} {4} of {5}"),
     (f"^(?:make|build) ({MANY}) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)? (?:out of|from) (?:the|an?|one) "
      f"(tower|stack|row) of ({MANY}(?: {COLOR})?(?: {_BLOCKS})?)$",
      "at the start there is a {4} of {5} . at the end there are {1} {2} of {3}"),
     (f"^(?:make |build )?(?:for (?:every|each) color)(?: ,)? (?:one|an?|its)(?: own| separate)? ({TOWER})$",
      "one {1} per color"),
-    (f"^({MANY} {COLOR} {_BLOCKS})(?: ,)? and an? ({COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| one)?$",
-     "put a {2} block on each of {1}"),
-    (f"^({MANY} {COLOR} {_BLOCKS}) {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({COLOR}) (?:one|"
-     "block|cube)(?: on top| on it)?", "put a {2} block on each of {1}"),
+    (f"^({MANY} {COLOR} {_BLOCKS})(?:(?: ,)? and an? ({COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| "
+     f"one)?$| {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({COLOR}) (?:one|block|cube)(?: on top| "
+     "on it)?)", "put a {2} {3} block on each of {1}"),
     (f"\\b(?:a|one) ({TOWER}) (?:with|of) ({MANY})(?: {_BLOCKS})? and (?:a|one|another)(?: one| {TOWER})? (?:with|of) "
      f"({MANY})(?: {_BLOCKS})?(?: ,)? (?:everything|all of it)(?: in)? ({COLOR})$",
      "one {4} {1} of {2} and one {4} {1} of {3}"),
@@ -109,15 +116,12 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "(?=from|out of)", "one {1} of {2} and one {1} of {3}"),
     (f"^(?:with|from|out of) (.+? {_BLOCKS})(?: ,)? (?:i|we) (?:want|need|would like) ((?:one|an?|{MANY}) "
      f".*{TOWER}.*)$", "with {1} build {2}"),
-    (f"\\b({_TOWERS} .+?) , (?:everything|all of it|all of them) (?:is )?(?:made )?(?:from|of|out of) ({COLOR} "
-     f"{_BLOCKS})$", "{1} from {2}"),
     (f"^(?:all )?(?:the )?{_BLOCKS} (?:are|stand|go) (?:all )?in (?:one|a single) ({TOWER}) : (.+)$", "a {1} of {2}"),
     (f"\\b({TOWER}) (of|out of|from|made of) ({COLOR}) ({COLOR}) and ({COLOR})(?= with| so| in|$)",
      "{1} {2} {3} , {4} and {5}"),
-    (f"^(?:make |build )?({MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})(?: ,)? (?:with )?(?:the "
-     ")?(?:colors )?in any order$", "stack {2} into {1} of equal height , in any order"),
-    (f"^use (.+ {_BLOCKS}) to (?:make|build) ({MANY} {_TOWERS}) of (?:the same|equal) height(?: ,)? (?:with )?(?:the "
-     ")?(?:colors )?in any order$", "stack {1} into {2} of equal height , in any order"),
+    (f"^(?:(?:make |build )?({MANY} {_TOWERS}) of (?:the same|equal) height from (.+ {_BLOCKS})|use (.+ {_BLOCKS}) to "
+     f"(?:make|build) ({MANY} {_TOWERS}) of (?:the same|equal) height)(?: ,)? (?:with )?(?:the )?(?:colors )?in any "
+     "order$", "stack {2} {3} into {1} {4} of equal height , in any order"),
     # what stands beside it
     (f"\\b(two|2) ({_TOWERS}) of ({MANY})(?: {_BLOCKS})?(?: each)? , the ({COLOR}) (?:one|{TOWER}) (?:is |being |"
      f"stands |standing )?({_BESIDE}) the ({COLOR}) (?:one|{TOWER})$",
@@ -139,9 +143,13 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"(?:^|(?<=: ))(?:put |stack |build )?(?:all )?(?:of )?(the |my )?({COLOR}) ({_BLOCKS}) {_INTO}(?:{_GROUND} "
      f")?(?:one|a) ({TOWER}) (?:and|,|, and) (?:all )?(?:of )?(?:the )?({COLOR})(?: {_BLOCKS})? {_INTO}(?:{_GROUND} "
      f")?another(?: one| {TOWER})?$", "the {2} {3} form a {4} . the {5} {3} form another {4}"),
+    # towers and rows
+    (f"\\bin ({MANY})(?: separate)? (stacks|towers) , (?:each (?:of|with) (?:a )?)?height(?: of)? ({MANY})(?: each)?$",
+     "in {1} {2} of height {3}"),
+    (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
+     "stack {2} {1} in alternating colors"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
-
 TOWERS: tuple[Turn, ...] = (
     ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
     ("(?: ,)? so that no two touch$", ". no two of them touch"),

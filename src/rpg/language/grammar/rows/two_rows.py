@@ -34,7 +34,6 @@ _HAS = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUS
 
 TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     # words
-    ("^two words(?: today| please)?$", ""),
     (f"^{_TWO} in two rows{_AND}\\1 in the {_END} (?:one|row){_AND}\\2 in the {_END} (?:one|row)$",
      "write {1} in the {3} row and {2} in the {4} row"),
     (f"^{_TWO}(?: ,)? one (?:word )?behind the other(?: ,)?(?: with)? \\1 (?:is |being )?{_NEAR}$",

@@ -7,13 +7,11 @@ from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import CUBE, FEW, LENGTH, LINE, MANY, MUST, WAY
 
 _PATCH = "(?:patch|mat|zone|target|area|spot|pad|goal)"
-_COUNTED = f"(?:{MANY}|an?) [^,]+?"
 _TRUE = "(?:true|correct|right|valid)"
 _KINDS = "(?:letter|digit|number|vowel|consonant)"
 _LIKING = "(?: you (?:like|want|please|wish|choose|prefer))?"
 _RISE = "(?:increase|rise|grow|ascend|go up|get bigger|get larger)"
 _FALL = "(?:decrease|fall|shrink|descend|go down|get smaller)"
-_SHAPE = f"(?:{LINE}|wall|pyramid|grid|circle|square|triangle|staircase|checkerboard)"
 _PUSH = "(?:move|bring|push|slide|shift|carry|nudge|drag|pull)"
 _MOST = "(largest|biggest|greatest|highest|smallest|lowest|least)"
 _ENDWISE = "(left|right|front|back|near|far)"
@@ -27,11 +25,10 @@ _NO_FAVOR = "".join(f"(?<!{word})" for word in (
 
 _OF = "(?:exactly |just |only |at least |at most )?(?:each|one|any|any one|none|all|both|either|neither|two|three)"
 
-AT_ONCE: tuple[Turn, ...] = (
+WORDIER_AT_ONCE: tuple[Turn, ...] = (
     # for whom
     (f"\\b(build|make|show|give) us (?=(?:an?|the|one|some|\\d+|{FEW}) )", "{1} me "),
     (f"{_NO_FAVOR} for (?:me|us)(?=$| ,| with | on | in | and | as | from )", " "),
-    (f"\\bdo (an? (?:\\w+ )?{_SHAPE})\\b", "make {1}"),
     # who touches whom
     (f"^(?:(?:i|we) (?:want|need|would like) )?(?!no )(.+?) (?:{MUST}|to) be touched by (?!the (?:robot|arm|"
      "gripper))(.+)$", "{2} must touch {1}"),
@@ -41,8 +38,6 @@ AT_ONCE: tuple[Turn, ...] = (
      "put {2} next to {3} so that they touch"),
     # how much there is
     (f"\\b({MANY}) {CUBE}s (by|x) ({MANY}) {CUBE}s\\b", "{1} {2} {3} blocks"),
-    (f"^with ({_COUNTED}) (?:standing |lying )?on the table(?: ,)? ((?:put|place|stack|build|make|arrange|set|lay|"
-     "line|sort|move) .+)$", "there are {1} . {2}"),
     (f"^((?:every|each) [^,]+? {CUBE}) , (?:and )?there are ({MANY})(?: of (?:them|those|these))? , (.+)$",
      "{1} {3} . there are {2} of them"),
     (f"\\bsome ((?:\\w+ )?{CUBE}) (?!of\\b|.*\\b(?:not|no|never)\\b)", "at least one {1}"),
@@ -51,8 +46,6 @@ AT_ONCE: tuple[Turn, ...] = (
      f"holds|becomes) ?{_TRUE}?$", "{1} so that they form a true equation"),
     ("^of (the (?:digits|numbers|letters) [^;]+?) , (the (?:even|odd) (?:ones|digits|numbers) .+)$",
      "there are {1} . {2}"),
-    ("^((?:separate|sort|split|divide) .+?)(?: ,)? so that there is (?:a|one) group (?:of|for) each(?: kind| color)?$",
-     "{1}"),
     (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_RISE}\\b",
      "{1} a {2} in ascending order"),
     (f"\\b(in|into|form|make|are|be) an? ({LINE})(?: ,)? whose (?:numbers|digits) {_FALL}\\b",
@@ -67,7 +60,6 @@ AT_ONCE: tuple[Turn, ...] = (
      "to (\\w+) (?:on|at) the (left|right|front|back|top|bottom)$", "{1} from {2} to {4} from {3} to {5}"),
     (f"\\b(checkerboard|chessboard)( of [^,]+?)?(?: ,| with| of| in) ({FEW}) rows of ({FEW})(?: {CUBE}s)?(?: each)?$",
      "{1} {2} , {3} by {4}"),
-    ("^(?:seen )?in (?:plan|plan view|top view)(?: ,)? (.+)$", "{1}"),
     (f"^((?:to|on|behind|in front of|next to|beside) .*?\\b(?:a|the) {LINE}) , ((?:in|on) which [^,]+) , (.+)$",
      "{1} {2} {3}"),
     # what is where
@@ -88,8 +80,6 @@ AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:take|get|pick|pick up|grab) (the (?:{MANY} )?(?:\\w+ )?{CUBE}s)(?: up)? (?:from|out of) (?:their|a) (heap|"
      "pile)(?: ,)? (?:and|then|and then) (.+)$", "{1} start in a {2} . {3}"),
     (f"^({MANY} \\w+ {CUBE}s?(?: ,| and| , and) {MANY} \\w+ {CUBE}s?) , and (on (?:every|each) .+)$", "{1} . {2}"),
-    (f"^visit (?:the|all|all the) (?:{MANY} )?(?:{_PATCH}s|patches) in (?:this |that |the following )?order : (.+ "
-     "then .+)$", "{1}"),
     ("^(.+?) (?:may|can|could) (?:be|stand|lie|go) (?:placed )?(?:anywhere|wherever)(?: (?:in|on) "
      f"[^,]+?)?{_LIKING}(?: ,)? (?:as long as|so long as|provided(?: that)?|but only if) (?:it|they) (?:is|are|does|"
      "do|stands?|lies?) (not )?(?:stand |lie |be )?(.+)$", "{1} must {2} be {3}"),
@@ -109,7 +99,6 @@ AT_ONCE: tuple[Turn, ...] = (
     ("\\bput together (?:as|into|to form|to make) (an?) ", "arranged as {1} "),
     ("(?: ,)? in which (the [^,]+?) (?:are|is|form|make up) the (far|near|back|front) row and (the [^,]+?) (?:(?:are|"
      "is|form|make up) )?the (far|near|back|front) row$", "with {1} in the {2} row and {3} in the {4} row"),
-    (f"\\b(?:is|stands) (?:a )?part of (the same|one|a single) ({LINE})$", "belongs to {1} {2}"),
     (f"\\b(?:are|be) (?:a )?part of (the same|one|a single) ({LINE})$", "belong to {1} {2}"),
     ("(?: ,)? without (?:being|standing|lying|sitting|resting) (on .+|in .+|next to .+|beside .+)$", "but not {1}"),
     ("\\bin that (?:corner|half|region|area|part)\\b", "there"),

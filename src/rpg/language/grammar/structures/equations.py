@@ -74,7 +74,7 @@ def solved(p: Parser, i: int) -> Results[str]:
     """ "solve 8/2", "work out six minus two": the equation with its result, if that is a whole number."""
     for j in _SOLVE.matches(p, i):
         side, k = _operation(p, p.opt(j, ":", "of"))
-        result = _value(side) if k else None
+        result = value_of(side) if k else None
         if result is not None and result.denominator == 1 and result >= 0:
             yield f"{side}={result}", p.opt(p.opt(k, "is", "equals", "gives", "makes", "="), "?")
 
@@ -102,7 +102,7 @@ def _operation(p: Parser, i: int) -> tuple[str, int]:
     return "", 0
 
 
-def _value(side: str) -> Fraction | None:
+def value_of(side: str) -> Fraction | None:
     """The value of a chain of operations, products first."""
     total = Fraction(0)
     for sign, term in re.findall(r"([-+]?)(\d+(?:[*/]\d+)*)", side):

@@ -22,7 +22,7 @@ from rpg.language.grammar.structures.each_line import one_line_each
 from rpg.language.grammar.structures.gradients import gradient
 from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
-from rpg.language.grammar.structures.sizes import AS_HIGH, IN_TOTAL, each_told, ends_in_lines, lines_of, size_phrase
+from rpg.language.grammar.structures.sizes import IN_TOTAL, as_high, each_told, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.structures.steps import steps_told
 from rpg.language.grammar.structures.told_by_one import placed_inside, told_by_one
 from rpg.language.grammar.talk.slots import Patterns
@@ -80,13 +80,12 @@ def sized_members(p: Parser, i: int, j: int, base: Structure, by: bool = False) 
             traits = replace(base.traits, colors=base.traits.colors or named)
             told = replace(base, sizes=(steps,), details=(*base.details, *rising), traits=traits, span=p.span(i, k))
             yield from _sized(p, i, k, told)
-    for sized, k in _sized(p, i, j, base):
+    for sized, k in as_high(p, _sized(p, i, j, base)):
         yield sized, k
         yield from gradient(p, i, k, sized) if base.kind == "gradient" and not sized.members else ()
         yield from _one_each(p, i, k, sized)
         for whole, end in _members(p, i, k, sized, by):
-            yield whole, end
-            yield from ((whole, tall) for tall in (AS_HIGH.matches(p, end) if base.kind == "stack" else ()))
+            yield from as_high(p, [(whole, end)])
             yield from counted_pile(p, i, end, whole)
             yield from _one_each(p, i, end, whole)
             for lot, last in each_of(p, end) if base.plural else ():

@@ -9,7 +9,11 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import OrderBy
 
 _LEAD = "where|in_which|so_that|such_that|so|with|and"
-_EACH = "each|every|each_of_them one|block|cube|letter|number|digit? is|being|must_be|should_be|has_to_be?"
+_IS = "is|being|must_be|should_be|has_to_be?"
+_EACH = (
+    f"each|every|each_of_them one|block|cube|letter|number|digit? {_IS}",
+    f"each|every_one of the two|three|four|five|six|seven|eight? ones|blocks|cubes|letters|numbers|digits {_IS}",
+)
 _ONE = "than the one|block|cube|number|digit|letter that_is|which_is|directly|immediately|right?"
 _LESS = "smaller|littler|lower|less"
 _MORE = "bigger|larger|greater|higher"
@@ -23,7 +27,7 @@ _SIDES = {
     "back": ("behind it",),
 }  # fmt: skip
 _TOLD = tuple(
-    (first, descending, Patterns(*(f"{_LEAD}? {_EACH} {more} {_ONE} {side}" for side in sides)))
+    (first, descending, Patterns(*(f"{_LEAD}? {each} {more} {_ONE} {side}" for each in _EACH for side in sides)))
     for first, sides in _SIDES.items()
     for descending, more in ((True, _LESS), (False, _MORE))
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
@@ -31,6 +33,19 @@ _BASES = ("base", "foundation", "bottom", "footprint", "bottom layer", "bottom r
 
 _BELOW = ("below", "at the bottom", "at the base", "on the bottom", "as its base", "as a base", "as the base",
           "as base", "at its base", "underneath", "in the bottom layer")  # fmt: skip
+
+
+def as_high(p: Parser, found: Iterable[tuple[Structure, int]]) -> Iterator[tuple[Structure, int]]:
+    """ "a tower as tall as possible (from five blocks)": no more than the tower."""
+    for shape, j in found:
+        yield shape, j
+        for k in AS_HIGH.matches(p, j) if shape.kind == "stack" else ():
+            if not p.all.isdisjoint(OF_WHAT):
+                yield shape, k
+
+
+OF_WHAT = frozenset({"with", "use", "using", "from", "of", "all", "every", "blocks", "cubes", "everything", "take"})
+"""Without one of these it is not said of which blocks something is to be as high as it can be."""
 
 
 @rule
@@ -115,6 +130,8 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
         for unit, end in p.standing(k, _UNITS):
             ranging = unit == "in a row" and found.low != found.high
             yield Size(what=_UNITS[unit], amount=found, span=p.span(i, end), cost=2 if ranging else 0), end
+            if each := p.any_of(end, ("each", "apiece", "each of them")):  # "two towers side by side, 3 high each"
+                yield Size(what=_UNITS[unit], amount=found, span=p.span(i, each)), each
     for dims, k in dimensions(p, j):
         if below := p.any_of(p.opt(k, *_BLOCKS), _BELOW):
             yield Size(what="base", dims=dims, span=p.span(i, below)), below

@@ -14,6 +14,7 @@ from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS,
 from rpg.language.grammar.structures.ring_around import ring_around
 from rpg.language.grammar.structures.shapes import noun
 from rpg.language.grammar.structures.sizes import dimensions, layers_of, rows_and_columns
+from rpg.language.grammar.structures.superlatives import largest
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import EMPTY, Marks, adjective, merge
 from rpg.language.grammar.things.amounts import Quantity
@@ -22,6 +23,7 @@ from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import (
     Amount,
+    Manner,
     Meaning,
     Noun,
     OrderBy,
@@ -73,6 +75,8 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
         yield from _tail(p, i, j, Structure(kind="grid", dims=dims, span=p.span(i, j)))
         return
     yield from _as_many_symbols(p, i)
+    for base, j in largest(p, i):
+        yield from _tail(p, i, j, base)
     for quantity, j in _quantities(p, i):
         for before, k in _before(p, j):
             yield from _kinds(p, i, k, quantity, before)
@@ -168,6 +172,8 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         )  # fmt: skip
     for word, j in p.standing(i, DETAILS):
         yield _Before(details=(replace(DETAILS[word], span=p.span(i, j)),)), j
+    if (j := p.one(i, ("diagonal", "slanted", "slanting"))) and p.lex(j, lexicon.STRUCTURE) in _OF_SO_MANY:
+        yield _Before(details=(Manner(kind="diagonal", span=p.span(i, j)),)), j
     yield from _colors_before(p, i)
     yield from _laid_before(p, i)
     for found, j in dimensions(p, i):
@@ -193,6 +199,7 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
 @choice
 def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     """ "an alternating red-blue tower", "a red-white-blue tower": which colours, and in which order."""
+    yield from _initials(p, i)
     turns = p.one(i, "alternating")
     if p.lex(turns or i, lexicon.COLOR) is None or p.follows(i, lexicon.COLOR) or p.follows(i, ("alternating",)):
         return
@@ -204,6 +211,19 @@ def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
             continue
         by = "alternating" if turns else "named"
         yield _Before(details=(OrderBy(by=by, items=items, span=p.span(i, j)),)), j
+
+
+_PRIMARY = {"R": "red", "G": "green", "B": "blue"}
+
+
+@choice
+def _initials(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
+    """ "an RGB tower": red, green and blue, in this order."""
+    text = literal(p, i)
+    if text is None or sorted(text) != sorted(_PRIMARY) or p.lex(i + 1, lexicon.STRUCTURE) not in _OF_SO_MANY:
+        return
+    items = tuple(Noun(head="any", traits=Traits(colors=(_PRIMARY[x],)), span=p.span(i, i + 1)) for x in text)
+    yield _Before(details=(OrderBy(by="named", items=items, span=p.span(i, i + 1)),)), i + 1
 
 
 @choice

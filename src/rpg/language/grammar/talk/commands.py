@@ -46,7 +46,7 @@ _PREFACES = (
     "be a friend|good_robot|good_sport|hero|sport? and",
     f"it would|will be {FINE}|ideal if you|we|the_robot could|would|can?",
     "clean|tidy|sort up|out :|,",
-    "tidy|clean|neaten|straighten up? the|this|my|your|our table|desk|mess|workspace|room|area up|out? :|,",
+    "tidy|clean|clear|neaten|straighten up|off? the|this|my|your|our table|desk|mess|workspace|room|area up|out? :|,",
     "mind",
 )
 """What stands before commands and states alike: whom or what it is for, that there is more of it."""

@@ -66,3 +66,16 @@ def every_other(tokens: list[Token], words: list[str]) -> list[Token] | None:
             others = [tokens[at].saying(word) for word in ("all", "others")]
             return [*tokens[:at], *others, *tokens[at + 3 :]]
     return None
+
+
+_GROUPING = frozenset({"group", "put", "split", "divide", "sort", "separate", "arrange", "organize", "place"})
+
+
+def in_pairs(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Group the blocks into pairs": into groups of two."""
+    at = next((n for n in range(2, len(words) - 1) if words[n + 1] == "pairs" and words[n] in ("in", "into")), 0)
+    ends = at + 2 >= len(words) or words[at + 2] in _STOPS
+    if not at or not ends or words[0] not in _GROUPING or words[at - 1] not in lexicon.BLOCK or "," in words[:at]:
+        return None
+    groups = [tokens[at].saying(word) for word in ("into", "groups", "of", "two")]
+    return [*tokens[:at], *groups, *tokens[at + 2 :]]

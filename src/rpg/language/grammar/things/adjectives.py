@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length, of_more
+from rpg.language.grammar.things.bare_labels import borne
 from rpg.language.grammar.things.edges import STANDARD, USUAL, each_long, edge_told
 from rpg.language.grammar.things.labels import from_to, label_list, look_at
 from rpg.language.grammar.things.patch_sides import patch_side
@@ -342,14 +343,17 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         for metres, k in length(p, j):
             if end := p.any_of(k, _EDGES):
                 yield Marks({"edge": metres}), end
-    if j := p.any_of(
-        i, ("in", "in color", "colored", "coloured", "painted", "of color", "with color", "with a", "with", "with the")
-    ):
+    if j := p.any_of(i, _HUED):
         for (listed, either), k in colors(p, j):
-            body = p.one(k, ("body", "bodies"))
+            body = p.one(k, _BODY)  # "the cube of green color"
             goes_on = p.words[i] in ("colored", "painted", "of") and _goes_on(p, k)
-            if body or not (goes_on or p.words[j - 1] in ("with", "a", "the")):
+            if body or not (goes_on or p.words[j - 1] in ("with", "a", "the", "of", "having")):
                 yield Marks({"colors": listed, "either": either}), body or k
+
+
+_HUED = ("in", "in color", "colored", "coloured", "painted", "of color", "with color", "with a", "with", "with the",
+         "of", "of the", "in the", "having")  # fmt: skip
+_BODY = frozenset({"body", "bodies", "color"})
 
 
 def _goes_on(p: Parser, k: int) -> bool:
@@ -370,6 +374,7 @@ def _symbols_after(p: Parser, i: int) -> Results[Marks]:
         yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
     yield from ((Marks({"labels": labels}), k) for labels, k in from_to(p, i))
     yield from _labelled(p, i)
+    yield from ((Marks({"labels": labels}), k) for labels, k in borne(p, i))
     if (j := p.one(i, _CALLED)) and p.follows(i, lexicon.BLOCK) and not look_at(p, i - 2):
         yield from ((Marks({"labels": labels}), k) for (labels, more), k in label_list(p, j, True) if not more)
     if p.follows(i, ("blocks", "cubes", "bricks")):

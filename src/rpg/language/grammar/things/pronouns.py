@@ -18,6 +18,8 @@ _FINITE = frozenset({"should", "must", "may", "can", "is", "are", "shall", "touc
 _BEFORE_WHICH = frozenset({"on", "onto", "above", "below", "under", "behind", "beside", "to", "beneath"})
 """Prepositions, or what ends one, behind which "which" is what was spoken of last."""
 _ON = frozenset({"on", "onto"})
+_OR = frozenset({"or", "like", "make", "build"})
+"""Behind these "something" is no block."""
 _CLOSED = frozenset({".", ",", ";"})
 _NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next", "stacked"}
 _OF_THEM = ("of them", "of these", "of those")
@@ -49,6 +51,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Noun(head="any", det="no", amount=Amount(2, 2, True), plural=True, part_of=them, span=them.span), j
     if (j := p.one(i, "none")) and p.stands(j, _NONE_THERE):
         yield Pronoun(word="none of them", span=p.span(i, j)), j
+    if (j := p.any_of(i, ("something", "something else"))) and not p.follows(i, _OR):
+        yield Noun(head="block", det="a", amount=Amount(1, 1), span=p.span(i, j), cost=1), j
     if j := p.one(i, ("him", "her", "he", "she")):
         yield Pronoun(word="it", span=p.span(i, j)), j
     if (j := p.any_of(i, ("the pair", "that pair"))) and not p.stands(j, ("of",)):

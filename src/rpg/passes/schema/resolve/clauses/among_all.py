@@ -75,6 +75,8 @@ def _of_every_two(clause: Clause) -> bool:
     plain = theme.amount in (None, TWO) and not theme.conditions and look == Traits(colors=look.colors[:1])
     if not plain or len(places) != 1 or places[0].negated or places[0].rel not in _MUTUAL:
         return False
+    if places[0].rel in _UPRIGHT and look != Traits():
+        return False
     return _other(places[0].landmark, look) and (look == Traits() or theme.amount is None)
 
 

@@ -147,7 +147,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     goals = [*goals, *places(ref, spec, scene, scope, span)]
     if spec.ats and scope.start:
         raise refuse("misplaced", "this is a place in a structure of the start", spec.ats[0].span, "say it beside that")
-    goals += loose_ats(ref, spec, scene, span) if spec.ats else []
+    goals += loose_ats(ref, spec, scene, scope, span) if spec.ats else []
     told = structured or (spec.thats and not scope.start) or (verb == "be" and spec.absolutes)
     if not goals and not told:
         hint = "say for example 'on the blue block' or 'in a row'"

@@ -264,7 +264,7 @@ _BARRED = ("always", "allowed")
 
 def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """Blocks that a verb arranges, with what the verb itself says of their order and their places."""
-    if clause.lemma == "line" and not spec.intos:
+    if not spec.intos and (clause.lemma == "line" or (clause.lemma in ("align", "straighten") and not clause.adjuncts)):
         spec.intos.append(Into(structure=Structure(kind="line", span=clause.word or clause.span), span=clause.span))
     matching = clause.verb == "stack" and any(on_matching_patches(place, said) for place in spec.places)
     if matching and not _kind_of_shape(spec):

@@ -9,6 +9,7 @@ import string
 from collections.abc import Sequence
 
 from rpg.core.diagnostics import Span
+from rpg.language.grammar.clauses.some_way import SOME_WAY
 from rpg.language.grammar.things.retold import tally
 from rpg.language.meaning import (
     Absolute,
@@ -68,11 +69,21 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                     _own_parts(part)
                 case Using() | OrderBy() | Absolute():
                     _certain(part)
+                case Manner(kind="diagonal"):
+                    raise refuse("unsupported-structure", "no line is asked for that lies diagonally", part.span,
+                                 "say 'a line', which may lie in any direction, 'a row' or 'a column'")  # fmt: skip
+                case Manner(kind="shift"):
+                    raise _unfit(
+                        _WHICH_WAY, part.span, "say where to: 'to the left side', or how far: 'at least 10 cm'"
+                    )
                 case Manner(kind="idle", value=str(said)):
                     _idle(said, told, part.span, scene)
+                case Manner(value=way) if way == SOME_WAY:
+                    raise refuse("ambiguous", "it is not said which way", part.span, "say 'left', or 'to the camera'")
         told = True
 
 
+_WHICH_WAY = "how far something moves which way, seen from where it starts, is no goal here"
 _TALL = frozenset({"tall", "long", "big", "large", "huge", "giant"})
 _SHORT = frozenset({"short", "small", "little", "tiny", "mini"})
 

@@ -38,7 +38,7 @@ from rpg.passes.schema.resolve.places.drawn import drawn, grounded
 from rpg.passes.schema.resolve.places.opposite import opposite_sides
 from rpg.passes.schema.resolve.places.overs import in_one_tower
 from rpg.passes.schema.resolve.structures.grouped import groups_joined, sorted_with_strangers, told_apart
-from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_inside
+from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_first, told_inside
 from rpg.passes.schema.resolve.structures.lined_towers import of_all_that_follows
 from rpg.passes.schema.resolve.structures.told_towers import (
     one_more_tower,
@@ -90,7 +90,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 continue
             if _in_outline(found, said, link) or (link not in ("then", "or") and _on_the_part(found, said)):
                 continue
-            if (inside := in_the_middle(said)) is not None and _new(inside[1]):
+            if (inside := in_the_middle(said)) is not None and (_new(inside[1]) or told_first(inside[1], found)):
                 built = replace(said, verb="build", lemma="", theme=inside[1], adjuncts=(inside[0],))
                 kept.append((link, built))
                 continue

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from rpg.language.meaning import Chain
+from rpg.passes.schema.resolve.clauses.emptied import emptied
 from rpg.passes.schema.resolve.clauses.one_tense import in_one_tense
 from rpg.passes.schema.resolve.clauses.taken_off import taken_off
+from rpg.passes.schema.resolve.clauses.told_behind import told_behind
+from rpg.passes.schema.resolve.orders.into_an_order import into_an_order
+from rpg.passes.schema.resolve.places.patch_in_common import patch_in_common
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
 from rpg.passes.schema.resolve.things.recounted import recounted
@@ -13,5 +17,6 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
-    told = tuple(shared_sides(recounted(chain), text) for chain in groups_listed(chains))
-    return in_one_tense(tuple(whichever(taken_off(chain), text) for chain in told), text)
+    told = (shared_sides(recounted(chain), text) for chain in groups_listed(emptied(chains)))
+    plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)
+    return told_behind(in_one_tense(tuple(whichever(chain, text) for chain in plain), text), text)

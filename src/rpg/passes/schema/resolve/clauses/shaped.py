@@ -90,7 +90,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         spec.orders = []
     goals += places(ref, spec, scene, scope, clause.span)
     if len(built) == 1 and built[0].kind == "stack" and not scope.start and _sided(spec):
-        goals += loose_ats(ref, spec, scene, clause.span)
+        goals += loose_ats(ref, spec, scene, scope, clause.span)
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
     if scope.start and any(b.kind == "pile" for b in built):

@@ -29,7 +29,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.places.mutual import reciprocal
 from rpg.passes.schema.resolve.places.patches import matching_patches
 from rpg.passes.schema.resolve.places.placing import Goals, places
-from rpg.passes.schema.resolve.structures.grouped import group_size
+from rpg.passes.schema.resolve.structures.grouped import equal, group_size
 from rpg.passes.schema.resolve.structures.groups import (
     DEFAULT_EACH,
     DEFAULT_GROUPS,
@@ -63,6 +63,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if any(o.by in ("ascending", "number", "label") for o in spec.orders):  # "sort by value, descending"
         spec.orders = [o for o in spec.orders if (o.by, o.attribute) != ("attribute", "label")]
     _no_order(clause, spec, line)
+    _not_between_patches(clause, spec)
     if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
         return _sort_piles(clause.theme, spec, scene, scope)[1]
     if clause.theme is None and not any(scene.blocks()):
@@ -113,7 +114,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         built, goals = share_out(theme, shape, spec, scene, clause.span)
     else:
         built, goals = sort_into(theme.names, attribute, shape, spec, scene, scope, clause.span)
-    _equal(built, spec)
+    equal(built, spec)
     goals += _sides_of(built, spec, scene)
     return goals + places(replace(theme, built=tuple(built)), spec, scene, scope, clause.span)
 
@@ -184,6 +185,16 @@ def _no_order(clause: Clause, spec: Spec, line: bool) -> None:
         raise refuse("misplaced", "groups have no order", by[0].span, "say 'in a row', or 'by the same letter'")
 
 
+def _not_between_patches(clause: Clause, spec: Spec) -> None:
+    """ "Divide the blocks between two patches" shares them out, and does not sort them in the gap."""
+    for place in spec.places if clause.lemma in DIVIDES else ():
+        mark = place.landmark if isinstance(place, Loc) and place.rel == "between" else None
+        if any(isinstance(x, Noun) and x.head == "patch" for x in parts_of(mark)):
+            raise refuse(
+                "ambiguous", "it is not said how many are on each patch", place.span, "say 'three on each patch'"
+            )
+
+
 def by_kinds(clause: Clause, spec: Spec) -> Clause:
     """ "A, B, 1 and 2: letters in one group, digits in the other": told of each kind, whatever the verb."""
     if any(o.by == "parted" for o in spec.orders):
@@ -225,13 +236,6 @@ def _at_hand(theme: Meaning, spec: Spec, scene: Scene) -> None:
             spec.usings.remove(using)
             for name in found.names:
                 scene.things[name].declared = True
-
-
-def _equal(built: list[Built], spec: Spec) -> None:
-    """ "two equal groups": of as many blocks each."""
-    equal = spec.manner("equal")
-    if equal is not None and len({len(b.members) for b in built}) > 1:
-        raise refuse("count-mismatch", "these groups are not equal", equal.span, "use as many blocks for each group")
 
 
 _ACROSS = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}

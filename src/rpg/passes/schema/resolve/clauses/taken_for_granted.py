@@ -24,6 +24,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.lined_there import lined_there
 
 T = TypeVar("T")
 Told = tuple[list[str], tuple[Chain, ...], tuple[str, ...]]
@@ -44,6 +45,7 @@ def either_way(
     notes: list[str],
 ) -> T:
     """What the sentences come to: where a tower is taken for granted it is there, if that makes sense."""
+    links, chains = lined_there(links, chains)
     granted = taken_for_granted(links, chains)
     if granted is None:
         return read(links, chains, notes)
@@ -140,7 +142,9 @@ def _spoken_elsewhere(clauses: tuple[Meaning, ...], first: Clause, whole: Struct
 
 
 def _is_off(place: Meaning) -> bool:
-    return (isinstance(place, Loc) and place.rel == "off") or (isinstance(place, Using) and place.lead == "from")
+    return (isinstance(place, Loc) and place.rel == "off") or (
+        isinstance(place, Using) and place.lead in ("from", "out of")
+    )
 
 
 def _mere_number(shape: Structure) -> bool:
@@ -163,8 +167,8 @@ class _Beside:
         if not isinstance(clause, Clause):
             return clause
         theme = clause.theme
-        off_it = any(isinstance(a, Loc) and a.rel == "off" and isinstance(a.landmark, Structure)
-                     for a in clause.adjuncts)  # fmt: skip
+        off_it = any(isinstance(a, Using) or isinstance(a.landmark, Structure)
+                     for a in clause.adjuncts if isinstance(a, Loc | Using) and _is_off(a))  # fmt: skip
         places = [a for a in clause.adjuncts if isinstance(a, Loc) and a.rel != "off"]
         sides = len(places) + any(a.rel == "flank" for a in places)
         on_it = any(isinstance(a.landmark, Structure) for a in places)

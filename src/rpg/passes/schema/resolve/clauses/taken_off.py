@@ -10,16 +10,16 @@ _THEM = frozenset({"them", "these", "those", "it"})
 
 
 def taken_off(chain: Chain) -> Chain:
-    """The sentence with what is made of the blocks that are taken off a structure told as made of some of its blocks."""
+    """The sentence with what is made of blocks that are taken off a structure told as made of some of its blocks."""
     clauses: list[Meaning] = []
     links: list[str] = []
     for n, clause in enumerate(chain.clauses):
         taken = clauses[-1] if clauses else None
-        if isinstance(taken, Clause) and isinstance(clause, Clause) and chain.links[n] in ("and", "then"):
-            if (made := _made_of_some(taken, clause)) is not None:
-                links = [*links[:-1], *["and"] * len(made)]
-                clauses = [*clauses[:-1], *made]
-                continue
+        made = _made_of_some(taken, clause) if chain.links[n] in ("and", "then") else None
+        if made is not None:
+            links = [*links[:-1], *["and"] * len(made)]
+            clauses = [*clauses[:-1], *made]
+            continue
         clauses.append(clause)
         links.append(chain.links[n])
     for left in clauses:
@@ -43,10 +43,12 @@ def _whole(taken: Clause) -> Structure | Pronoun | None:
     return mark if isinstance(mark, Structure | Pronoun) else None
 
 
-def _made_of_some(taken: Clause, clause: Clause) -> tuple[Clause, ...] | None:
+def _made_of_some(taken: Meaning | None, clause: Meaning) -> tuple[Clause, ...] | None:
     """The structure that there is, and the one that is made of some of its blocks."""
+    if not isinstance(taken, Clause) or not isinstance(clause, Clause) or clause.negated:
+        return None
     whole, theme = _whole(taken), taken.theme
-    if whole is None or not isinstance(theme, Noun) or clause.negated:
+    if whole is None or not isinstance(theme, Noun):
         return None
     if isinstance(whole, Structure) and (whole.plural or whole.det != "the" or not isinstance(whole.members, Noun)):
         return None
@@ -54,10 +56,10 @@ def _made_of_some(taken: Clause, clause: Clause) -> tuple[Clause, ...] | None:
     if clause.verb == "stack" and getattr(clause.theme, "word", "") in _THEM and not clause.adjuncts:
         shape = Structure(kind="stack", det="another", amount=Amount(1, 1), span=clause.span)
     bare = isinstance(shape, Structure) and shape.det in ("a", "another") and not (shape.plural or shape.sizes)
-    if bare and shape is not None and shape.kind != "stack" and getattr(whole, "kind", "row") != "stack":
-        return None  # the blocks of a row are in a row already
     if not bare or not isinstance(shape, Structure) or any(isinstance(a, Using) for a in clause.adjuncts):
         return None
+    if shape.kind != "stack" and getattr(whole, "kind", "row") != "stack":
+        return None  # the blocks of a row are in a row already
     if shape.members is not None and getattr(shape.members, "word", "") not in _THEM:
         return None
     them = Pronoun(word="them", span=theme.span)

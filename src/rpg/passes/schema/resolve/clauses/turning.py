@@ -255,6 +255,7 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if theme.table:
         raise refuse("out-of-reach", "blocks cannot leave the table", clause.span, "say where the blocks should go")
     sources: list[Meaning] = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
+    sources = sources or [p for p in spec.places if clause.lemma == "remove" and _lies_on(p)]
     rest = [p for p in spec.places if p not in sources]
     landmarks = [p.landmark for p in sources if isinstance(p, Loc)] + [u.members for u in spec.usings]
     spec.places, spec.usings = rest, []
@@ -303,6 +304,12 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         scene.assume("what is unstacked starts as a stack")
     goals.append(r.OnTable(a=names, span=clause.span))
     return goals
+
+
+def _lies_on(place: Meaning) -> bool:
+    """ "(Remove the block) on top of the red block": where it lies."""
+    on_it = isinstance(place, Loc) and place.rel == "on" and not place.negated
+    return on_it and not isinstance(getattr(place, "landmark", None), TableTop)
 
 
 def _under(theme: Ref, scene: Scene) -> tuple[str, ...]:

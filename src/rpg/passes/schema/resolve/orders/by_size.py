@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rpg.language.later import later
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Noun, replace
+from rpg.language.meaning import Amount, Noun, Traits, replace
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
@@ -25,7 +25,7 @@ _MANY = {2: "two", 3: "three"}
 def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The one that is so, of those that are named or of all that look so."""
     rank = noun.traits.rank or ""
-    those = _those(noun, scene, scope)
+    those = _those(noun, scene, scope) or _unheard_of(noun, scene, scope)
     if rank.endswith("er") and len(those) > 2:
         raise refuse("ambiguous", f"of more than two blocks none is the {rank} one", noun.span, "name its colour")
     if _untold(those, scene):
@@ -34,9 +34,24 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         told = f"{', '.join(f'{edge * 100:g}' for edge in _EDGES[len(those)][:-1])} and {BIG_EDGE * 100:g} cm"
         scene.assume(f"the sizes of the {_MANY[len(those)]} blocks are not said: {told}")
     sized = sorted(((edge_of(t), t.name) for t in those), reverse=rank.startswith("large"))
-    if len(sized) > 1 and sized[0][0] != sized[1][0]:
-        return Ref(names=(sized[0][1],))
+    if noun.plural and noun.amount is None:
+        raise refuse("ambiguous", f"it is not said how many the {rank} ones are", noun.span, "say 'the two ...'")
+    many = noun.amount.low if noun.amount is not None else 1
+    if len(sized) > many and sized[many - 1][0] != sized[many][0]:
+        return Ref(names=tuple(name for _, name in sized[:many]), plural=many > 1, listed=many > 1)
     raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
+
+
+def _unheard_of(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
+    """ "Put the biggest block on the mat", where no block was told of: as many as differ in size, and no others."""
+    marks = replace(noun.traits, rank=None)
+    plain = noun.head != "patch" and marks == Traits(colors=marks.colors) and len(marks.colors) < 2
+    if not plain or scope.start or any(scene.blocks()):
+        return []
+    count = min(_EDGES) if (noun.traits.rank or "").endswith("er") else max(_EDGES)
+    lot = Noun(head="block", amount=Amount(count, count), plural=True, traits=marks, span=noun.span)
+    scene.assume(f"the number of blocks is not said: {count}")
+    return _those(replace(noun, part_of=lot), scene, scope)
 
 
 def edge_of(thing: Thing) -> float:

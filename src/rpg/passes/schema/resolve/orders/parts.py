@@ -11,7 +11,7 @@ from rpg.ir.order import Order, Pattern
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Structure, Traits, replace
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.cells_in_order import in_one_run, look, runs
+from rpg.passes.schema.resolve.orders.cells_in_order import in_one_run, runs
 from rpg.passes.schema.resolve.orders.columns import columns_of
 from rpg.passes.schema.resolve.orders.left_over import all_left, all_like_base, lines_left
 from rpg.passes.schema.resolve.things.refer import refer
@@ -219,7 +219,7 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
             rest.append((item, place))
             continue
         groups = groups_in(place, node, cells, scene)
-        single = isinstance(place, At) and isinstance(item.theme, Noun) and item.theme.det == "a"
+        single = isinstance(place, At) and isinstance(item.theme, Noun) and _one(item.theme)
         if isinstance(place, At) and (not groups or (single and len(groups[0]) > 1)):
             if _line_at(place.side, node):
                 raise refuse("ambiguous", "several blocks are at this side", item.span, "say in which corner, or row")
@@ -239,6 +239,11 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
         lines_left(place, [cells[k] for k in left], [cells[k] for k in taken], upright(node))
         found.append((item, place, [left]))
     return found
+
+
+def _one(theme: Noun) -> bool:
+    """ "a red one", "A": one block."""
+    return theme.det == "a" or (len(theme.traits.labels) == 1 and theme.amount is None and not theme.plural)
 
 
 def _counted_from(spec: Spec, node: s.Cells) -> str:
@@ -332,14 +337,14 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
             raise refuse("contradiction", "two different blocks are given the same place", item.span,
                          "give each part one colour")  # fmt: skip
         held.update(zip(places, blocks, strict=True))
-        mixed.update(dict.fromkeys(places, len(held)) if len({look(n, scene) for n in blocks}) > 1 else {})
+        mixed.update(dict.fromkeys(places, len(held)) if len({scene.things[n].color for n in blocks}) > 1 else {})
     if not held:
         return None
     if isinstance(node, s.Pyramid) and len(found) == 1 and len(held) > 1 and _counted(found[0][0]):
         all_like_base(found[0][0], found[0][1], held.values(), names, scene)
         return None
     if len(held) == len(names):
-        spec.patterns = [p for p in spec.patterns if not _said_twice(p, found, held, scene)]
+        spec.patterns = [p for p in spec.patterns if not _said_twice(p, found, held, node, scene)]
     if spec.orders or spec.patterns:
         raise refuse("order-conflict", "the blocks are laid out in two ways", found[0][0].span, "keep one of them")
     ranks = runs(held, mixed, names, scene, found[0][0])
@@ -348,9 +353,9 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
     return Pattern(kind="reading", order=Order(by="given", ranks=ranks))
 
 
-def _said_twice(pattern: Said, found: list[Claim], held: dict[int, str], scene: Scene) -> bool:
+def _said_twice(pattern: Said, found: list[Claim], held: dict[int, str], node: s.Cells, scene: Scene) -> bool:
     """ "each row of one colour: the first red, the second blue": the parts say what the pattern says, and more."""
-    units = {getattr(place, "unit", "layer") for _, place, _ in found}
+    units = {getattr(place, "unit", "") or _line_at(place.side, node) or "layer" for _, place, _ in found}
     colors = [scene.things[held[groups[0][0]]].color for _, _, groups in found]
     apart = not pattern.different or len(set(colors)) == len(colors)
     return units <= {pattern.unit, "layer" if pattern.unit == "row" else pattern.unit} and apart

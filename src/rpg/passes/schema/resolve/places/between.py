@@ -10,6 +10,7 @@ from rpg.ir.node import Highest, Lowest
 from rpg.ir.order import Order
 from rpg.language.meaning import Clause, Loc, Toward, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.ends import two_ends
 from rpg.passes.schema.resolve.places.stacking import sandwich
 from rpg.passes.schema.resolve.things.operands import foot, spread
@@ -39,6 +40,9 @@ def between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
             or len(theme.names) * len(b) * len(c) != 1
         ):
             raise refuse("misplaced", "only one block between two can be halfway", loc.span, "say 'between'")
+        if mark.patch:
+            inside = r.Between(a=theme.names, b=b, c=c, span=span)
+            return conj([inside, r.Equidistant(a=theme.names, b=b, c=c, span=span)], span)
         order = Order(by="given", ranks=(b, theme.names, c))
         return s.Row(blocks=(*b, *theme.names, *c), order=order, evenly=True, gap_edges=HALFWAY_GAP, span=span)
     return spread(theme, lambda a: r.Between(a=a, b=b, c=c, span=span), span)

@@ -84,6 +84,15 @@ _DIAGONAL = {
 }  # fmt: skip
 
 
+_PAIRS = {
+    "opposite_corners": _DIAGONAL,
+    "opposite_halves": {"left_half": "right_half", "right_half": "left_half", "near_half": "far_half",
+                        "far_half": "near_half"},
+    "opposite_edges": {"left_edge": "right_edge", "right_edge": "left_edge", "near_edge": "far_edge",
+                       "far_edge": "near_edge"},
+}  # fmt: skip
+
+
 def _opposite_corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     """ "red in the far left corner and blue in the opposite one"; "red and blue in opposite corners": any two such."""
     if meaning.region == "opposite_corner":
@@ -94,15 +103,16 @@ def _opposite_corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atom
         return [spread(theme, lambda a: r.InRegion(a=a, region=where, span=span), span, together=True)]  # type: ignore[arg-type]
     units = [part.names for part in theme.parts] or [(name,) for name in theme.names]
     if len(units) != 2 or theme.quant is not None or theme.op != "and" or meaning.negated or scene.denying:
-        raise refuse("ambiguous", "two things can be in opposite corners", span, "name two blocks")
+        what = meaning.region.replace("_", " ")
+        raise refuse("ambiguous", f"two things can be in {what}", span, "name two blocks")
     ways = [
         conj([r.InRegion(a=units[0], region=one, span=span), r.InRegion(a=units[1], region=other, span=span)], span)  # type: ignore[arg-type]
-        for one, other in _DIAGONAL.items()
+        for one, other in _PAIRS[meaning.region].items()
     ]
     return [disj(ways, span)]
 
 
-_OPPOSITE = {"left_half": "right_half", "right_half": "left_half", "near_half": "far_half", "far_half": "near_half"}
+_OPPOSITE = _PAIRS["opposite_halves"]
 
 
 def the_other_half(scene: Scene, span: Span) -> str:

@@ -9,7 +9,7 @@ from rpg.ir import structures as s
 from rpg.ir.node import members
 from rpg.ir.walk import atoms
 from rpg.language.meaning import At, Meaning
-from rpg.passes.schema.resolve.things.world import Ref, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse, said
 
 Loose = tuple[Ref, Meaning, Span]
 
@@ -34,3 +34,13 @@ def of_themselves(loose: list[Loose], goal: g.Goal) -> None:
         what = "tower" if isinstance(line, s.Stack) else "line"
         raise refuse("ambiguous", f"these could be the sides of the {what}, or of each other", loose[0][2],
                      "say of what, such as 'to the left of the row'")  # fmt: skip
+
+
+def check_between(loose: list[Loose], scene: Scene) -> None:
+    """Refuse "there are red, green and blue: red at the bottom, blue on top": is green between them, or left out?"""
+    own = {name for ref, _, _ in loose for name in ref.names}
+    told = {name for m in scene.mentions if m.role != "given" for name in m.ref.names}
+    left = next((t for t in scene.blocks() if t.declared and not t.extra and t.name not in own | told), None)
+    if left is not None:
+        raise refuse("ambiguous", f"it is not said whether {said(left)} is among these", loose[0][2],
+                     "say where it goes, or that it is a distractor")  # fmt: skip

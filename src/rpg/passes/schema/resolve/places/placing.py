@@ -27,6 +27,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.goals.logic import negation
 from rpg.passes.schema.resolve.orders.onward import in_between
+from rpg.passes.schema.resolve.places.across_the_table import table_sides
 from rpg.passes.schema.resolve.places.centred import centred
 from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
@@ -238,8 +239,11 @@ def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) ->
     return None
 
 
-def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
+def loose_ats(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
     """ "on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
+    if ref.op == "except" and (regions := table_sides(spec.ats)) and not scene.built:
+        spec.ats = []
+        return [goal for region in regions for goal in place(ref, region, scene, scope, span)]
     one_of_them = ref.op in ("or", "xor") and all(len(part.names) == 1 for part in ref.parts) and len(spec.ats) == 1
     if (ref.op not in ("and", "nor") and not one_of_them) or ref.quant is not None:
         raise refuse("ambiguous", "it is not clear which block is meant", ref.span, "name one block")
@@ -262,7 +266,7 @@ def parts_alone(spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
                      "say it in the sentence that builds the structure")  # fmt: skip
     for part in spec.absolutes:
         inner = sort_adjuncts(part.adjuncts)
-        goals += loose_ats(refer(part.theme, scene, replace(scope, role="theme")), inner, scene, part.span)
+        goals += loose_ats(refer(part.theme, scene, replace(scope, role="theme")), inner, scene, scope, part.span)
     spec.absolutes = []
     return goals
 
@@ -298,7 +302,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         if inner.ats and len(ref.names) > 1 and not set(theme.names) & set(ref.names):
             raise refuse("ambiguous", "it is not clear of what this is a part", inner.ats[0].span, "say where it is")
         if inner.ats:
-            goals += loose_ats(theme, inner, scene, item.span)
+            goals += loose_ats(theme, inner, scene, scope, item.span)
         for adjunct in inner.places:
             mark = getattr(adjunct, "landmark", None)
             pointed = isinstance(adjunct, Loc) and not _off_it(adjunct, scene)

@@ -21,7 +21,7 @@ from rpg.passes.schema.resolve.places.across_the_table import REGION, across_the
 from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line
-from rpg.passes.schema.resolve.places.of_themselves import of_themselves
+from rpg.passes.schema.resolve.places.of_themselves import check_between, of_themselves
 from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
@@ -229,10 +229,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         raise refuse("ambiguous", "this could be a place on the table or in the line", at_.span,
                      "say 'of the table', or name the block among those of the line")  # fmt: skip
     close = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
-    beside_it = _said_first(item, [a for a in atoms(goal) if isinstance(a, beside)])
-    among = (
-        at_.side == "middle" and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal)) and not beside_it
-    )
+    its = _said_first(item, [a for a in atoms(goal) if isinstance(a, beside)])
+    among = at_.side == "middle" and not its and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal))
     if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in close) or among:
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
                      "say 'of the table', or of what")  # fmt: skip
@@ -244,7 +242,7 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
 
 
 def _said_first(item: Loose, beside: list[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]) -> bool:
-    """ "Red in the middle, blue on its left": the middle is told before anything is told of it, so it is the table's."""
+    """ "Red in the middle, blue on its left": the middle is told before what is told of it, so it is the table's."""
     ref, at_, _ = item
     return bool(beside) and all(members(a.b) == ref.names and a.span and a.span[0] > at_.span[0] for a in beside)
 
@@ -329,6 +327,7 @@ def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
     if any(sum(getattr(at_, "side", "") == side for _, at_, _ in loose) > 1 for side in ("bottom", "top")):
         raise refuse("contradiction", "two blocks are given the same place", loose[-1][2], "name another place")
     _has_middle(loose, "top", "bottom")
+    check_between(loose, scene)
     ranked = sorted(loose, key=lambda item: level[item[1].side if isinstance(item[1], At) else "middle"])
     ranks = tuple(ref.names for ref, _, _ in ranked)
     blocks = tuple(n for rank in ranks for n in rank)

@@ -84,9 +84,15 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
             "ambiguous",
             "one block cannot lie on several blocks; it is not clear which is meant",
             loc.span,
-            "name one of them",
+            "name one of them, or say 'a pyramid with two red blocks at the bottom and a blue block on top'"
+            if len(b) == len(theme.names) + 1 == _ACROSS
+            else "name one of them",
         )
     return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
+
+
+_ACROSS = 2
+"""So many blocks a single one may lie across."""
 
 
 def _as_a_tower(mark: Ref, scene: Scene) -> Ref:

@@ -10,7 +10,7 @@ from rpg.ir import relations as r
 from rpg.language.meaning import At, Meaning
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.operands import foot
-from rpg.passes.schema.resolve.things.world import Ref, Scene
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 BEYOND: dict[str, type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]] = {
     "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "back": r.Behind,
@@ -28,4 +28,8 @@ def beyond_others(loose: Sequence[tuple[Ref, Meaning, Span]], scene: Scene) -> g
             return None
         goals.append(BEYOND[at_.side](a=foot(ref), b=(*before, *others), somewhere=True, span=span))
         before += ref.names
+    if not others and len(own) == 1 and not scene.built:
+        half = {"front": "near", "back": "far"}.get(getattr(loose[0][1], "side", ""), getattr(loose[0][1], "side", ""))
+        raise refuse("no-referent", "there is no other block that it could be beyond", loose[0][2],
+                     f"say first which other blocks there are, or say 'in the {half} half'")  # fmt: skip
     return conj(goals) if others else None

@@ -39,6 +39,13 @@ def group_size(shape: Structure) -> int | None:
     return shape.extent("size", "columns")
 
 
+def equal(built: list[Built], spec: Spec) -> None:
+    """ "two equal groups": of as many blocks each."""
+    told = spec.manner("equal")
+    if told is not None and len({len(b.members) for b in built}) > 1:
+        raise refuse("count-mismatch", "these groups are not equal", told.span, "use as many blocks for each group")
+
+
 def groups_joined(kept: list[tuple[str, Meaning]]) -> list[tuple[str, Meaning]]:
     """ "a group of three red blocks with a blue stranger, and a group of ...": told as one list."""
     joined: list[tuple[str, Meaning]] = []

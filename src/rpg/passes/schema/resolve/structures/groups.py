@@ -11,7 +11,7 @@ from rpg.ir.schema import SYMBOLS_UNSAID
 from rpg.language.later import later
 from rpg.language.meaning import Amount, Noun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.structures.grouped import group_size, told_lots
+from rpg.passes.schema.resolve.structures.grouped import equal, group_size, told_lots
 from rpg.passes.schema.resolve.structures.towers import STACK_COLORS
 from rpg.passes.schema.resolve.things.members import declared, members_of, new_members
 from rpg.passes.schema.resolve.things.things import VOWELS, alike
@@ -50,7 +50,9 @@ def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: 
     if attribute is None and spec.absolutes:
         return told_lots(shape, spec, theme, scene)
     if attribute is None and theme is not None:
-        return share_out(theme, shape, spec, scene, shape.span)
+        made = share_out(theme, shape, spec, scene, shape.span)
+        equal(made[0], spec)
+        return made
     if attribute is None and group_size(shape) is not None:
         return share_out(_new_lots(shape, spec, scene), shape, spec, scene, shape.span)
     members = theme.names if theme is not None else None

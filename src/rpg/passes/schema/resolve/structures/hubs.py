@@ -92,6 +92,8 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
     scene.mentions.pop()
     if len(middle) != 1 or middle[0] in names:
         raise refuse("ambiguous", "it is not clear which block is in the middle", hub.span, "name one further block")
+    if scene.denying:
+        raise refuse("ambiguous", "it is not clear what of this is denied", hub.span, "say it in two sentences")
     if _around(hub):
         _of_one_look([scene.things[n] for n in names], scene)
     looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in names)}
@@ -118,6 +120,13 @@ def _of_one_look(ring: list[Thing], scene: Scene) -> None:
     for thing in ring:
         thing.elastic = None if thing.color is None else thing.elastic
         thing.scheme = thing.scheme or ("same" if thing.color is None else None)
+
+
+def told_first(whole: Meaning, found: list[list[tuple[str, Meaning]]]) -> bool:
+    """ "Put the red block inside the square of blue blocks": an outline that is told here for the first time."""
+    if not isinstance(whole, Structure) or whole.members is None or whole.kind not in OUTLINES:
+        return False
+    return not any(isinstance(c, Clause) and outlines(c) for lot in found for _, c in lot)
 
 
 def told_inside(clause: Clause) -> bool:

@@ -40,6 +40,8 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         scene.assume(f"the word is not said: {DEFAULT_WORD}")
     text = text.replace(" ", "").replace("-", "")
     bad = [c for c in text if c not in string.ascii_uppercase + string.digits + "+-*/="]
+    if not bad and len(text) == 1 and any(thing.label not in (None, text) for thing in scene.blocks()):
+        raise refuse("ambiguous", "it is not said which word this is", shape.span, "name it: 'spell the word CAT'")
     if bad or len(text) < 2:
         what = f"there is no block that shows {bad[0]!r}" if bad else "a single symbol is no word"
         raise refuse(

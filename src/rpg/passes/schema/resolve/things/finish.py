@@ -174,7 +174,9 @@ def assets(scene: Scene, names: dict[str, str]) -> tuple[Asset, ...]:
     for thing in scene.things.values():
         made.append(_asset(thing, names[thing.name]))
     if all(isinstance(asset, GoalPatch) for asset in made):
-        raise refuse("no-goal", "there is no block in this task", None, "name a block and say where it should be")
+        raise refuse("no-goal", "there is no block in this task", None,
+                     "name a block and say where it should be, or where it is at the start: 'a red block is on the "
+                     "blue patch; clear the blue patch'")  # fmt: skip
     return tuple(made)
 
 

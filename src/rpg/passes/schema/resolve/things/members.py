@@ -6,6 +6,7 @@ from rpg.core.diagnostics import Span
 from rpg.language.meaning import (
     Absolute,
     Amount,
+    At,
     Coord,
     Loc,
     Meaning,
@@ -72,8 +73,16 @@ def members_of(
         scene.mentions.pop()
         _name_items(spec, whole)
         return whole.names
+    return _unnamed(shape, spec, count, default, scene)
+
+
+def _unnamed(shape: Structure, spec: Spec, count: int | None, default: int, scene: Scene) -> tuple[str, ...]:
+    """The blocks of a structure of which none is named but by its place: those there are, or new ones."""
     there = declared(shape.traits, scene)
-    if absolute := _by_its_parts(shape, spec, need, there, scene):
+    if count is None and not there and scene.looks == 1 and _one_of_more(shape, spec):
+        count = _WITH_A_MIDDLE
+        scene.assume(f"how many blocks it has is not said: {count}")
+    if absolute := _by_its_parts(shape, spec, count, there, scene):
         return absolute
     if len(there) > 1 and (count is None or len(there) == count):
         return there
@@ -85,6 +94,28 @@ def members_of(
         count = default
         scene.assume(f"the number of blocks is not said: {default}")
     return new_members(shape.traits, count, implied_kind(spec), scene)
+
+
+_WITH_A_MIDDLE = 3
+"""So many blocks has a line of which a single one is told where it is."""
+
+
+def _one_of_more(shape: Structure, spec: Spec) -> bool:
+    """ "A tower with a red block on top": that block, and others below it of which nothing is said."""
+    told = spec.absolutes[0] if len(spec.absolutes) == 1 else None
+    place = told.adjuncts[0] if told is not None and len(told.adjuncts) == 1 else None
+    theme = told.theme if told is not None else None
+    single = isinstance(theme, Noun) and not theme.plural and amount_of(theme) in (None, 1)
+    ends = isinstance(place, At) and place.index is None and place.side in _PLACES.get(shape.kind, ())
+    return ends and single and not (spec.orders or spec.patterns or shape.traits.colors)
+
+
+_PLACES = {
+    "stack": ("top", "bottom", "middle"),
+    "row": ("left", "right", "middle"),
+    "line": ("left", "right", "front", "back", "middle"),
+    "column": ("front", "back", "middle"),
+}
 
 
 def _of_its_colors(shape: Structure, named: Ref, scene: Scene) -> None:
@@ -265,7 +296,6 @@ def _checked(names: tuple[str, ...], need: int | None, span: Span, scene: Scene)
 
 def _from_absolutes(shape: Structure, spec: Spec, need: int | None, scene: Scene) -> tuple[str, ...]:
     """ "a tower with a red block at the bottom and a blue one on top": its members, when their number agrees."""
-    from rpg.language.meaning import At
 
     spec.absolutes = onward(spec.absolutes) if shape.kind in ("stack", "row", "line", "column") else spec.absolutes
     spec.absolutes = in_between(spec.absolutes) if need in (None, 3) else spec.absolutes

@@ -1,5 +1,5 @@
-"""All the others, where nothing says how many there are: "red to the right of all the other blocks", "do not move the blue
-one, put the rest on the mat". As of "all the blocks", their number is assumed."""
+"""All the others, where nothing says how many there are: "red to the right of all the other blocks", "do not move the
+blue one, put the rest on the mat". As of "all the blocks", their number is assumed."""
 
 from __future__ import annotations
 

@@ -10,6 +10,7 @@ from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.off_it import check_off_it
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.others_open import made_up
+from rpg.passes.schema.resolve.things.second_patch import one_alone
 from rpg.passes.schema.resolve.things.them import them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
@@ -317,7 +318,8 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
         left = more
     elif noun.det == "another" or not left:
-        if noun.det == "other" and not left and not noun.traits.colors:
+        second = patch and noun.det == "other" and not noun.plural and one_alone(noun, scene)
+        if noun.det == "other" and not left and not noun.traits.colors and not second:
             known = any(t.declared for t in scene.things.values())
             told = "every block is spoken for already" if known else "it is not said which other block"
             raise refuse("no-referent", told, noun.span, "name the block, or add one")

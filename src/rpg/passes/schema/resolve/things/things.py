@@ -5,7 +5,7 @@ from __future__ import annotations
 import string
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Amount, Coord, Loc, Manner, Meaning, Noun, Traits, record, replace
+from rpg.language.meaning import Amount, Coord, Loc, Manner, Meaning, Noun, Traits, parts_of, record, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
@@ -250,8 +250,9 @@ def of_no_look(meaning: Meaning) -> bool:
     return told and meaning.traits == Traits(kind=meaning.traits.kind)
 
 
-def names_blocks(said: Meaning) -> bool:
-    """Whether a phrase says how blocks look, or how many there are."""
-    if not isinstance(said, Noun) or said.head == "patch":
-        return False
-    return bool(said.traits.colors or said.traits.labels or (said.amount is not None and said.head == "block"))
+def note_named(chains: tuple[Meaning, ...], scene: Scene) -> None:
+    """Note whether the sentences say how blocks look or how many there are."""
+    blocks = [x for chain in chains for x in parts_of(chain) if isinstance(x, Noun) and x.head != "patch"]
+    looks = {(x.traits.colors, x.traits.labels) for x in blocks} - {((), ())}
+    scene.looks = len(looks)
+    scene.names_blocks = bool(looks) or any(x.amount is not None and x.head == "block" for x in blocks)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, Traits, replace
+from rpg.language.meaning import Chain, Clause, In, Loc, Meaning, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
 _SIDES = frozenset({"left", "right", "front", "behind"})
@@ -25,6 +25,10 @@ def whichever(chain: Chain, text: str) -> Chain:
 
 
 def _told(clause: Clause, text: str) -> Clause:
+    many = text[slice(*clause.theme.span)].lower() if isinstance(clause.theme, Noun) else ""
+    if many.startswith("any number of") and any(isinstance(a, Loc | In) for a in clause.adjuncts):
+        raise refuse("ambiguous", "any number may be none, or all", clause.theme.span if clause.theme else clause.span,
+                     "say how many, such as 'at least one of ...'")  # fmt: skip
     if clause.verb != "be" or clause.mode != "goal" or clause.negated or len(clause.adjuncts) != 1:
         return clause
     place = clause.adjuncts[0]

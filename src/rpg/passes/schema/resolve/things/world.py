@@ -152,6 +152,7 @@ class Scene:
     `others_open`: where all others are spoken of, of which it is not said how many they are.
     `untouched`: blocks that are left as they are, which is more than where they are.
     `names_blocks`: whether some sentence says how blocks look or how many there are.
+    `looks`: how many different looks of blocks are named.
     `sized`: the size that is said of all blocks, with its words.
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
     `topped`: structures on top of which something goes that are not named there.
@@ -222,6 +223,7 @@ class Scene:
     surveyed: list[tuple[Traits, tuple[str, ...], Span]] = field(default_factory=list)
     kept: list[tuple[Goal, list[Goal]]] = field(default_factory=list)
     names_blocks: bool = False
+    looks: int = 0
     sized: tuple[Traits, Span] | None = None
     ignored: dict[str, Span] = field(default_factory=dict)
     patch_sides: dict[str, str] = field(default_factory=dict)

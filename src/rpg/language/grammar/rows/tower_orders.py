@@ -1,29 +1,105 @@
-"""Towers told from an end in roundabout ways: "the black one below it and the red one above", "with the following
-blocks from top to bottom", "X, Y, Z: that is the tower I want", as rows that list them from one end to the other."""
+"""In which order the blocks of one tower lie: what is not at its end, above or between others, and the words that are
+read down it, as rows that say it plainly."""
 
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MANY, MUST, TOWER, WAY
 
-_LABEL = "(?:[b-z0-9](?= |$)|a(?= (?:on|at|in|is|has|must|should|goes|comes|gets|over|under|above|below|and|,)))"
+_LABEL = (
+    "(?:[b-z0-9](?= |$)|a(?= (?:on|at|in|is|has|as|must|should|goes|comes|gets|over|under|above|below|and|not|from|"
+    "somewhere|,)))"
+)
+_KNOWN = f"((?:the )?(?:{COLOR}(?: (?:block|cube|one))?|(?:(?:block|cube|letter|number|digit) )?{_LABEL}))"
+_THING = f"((?:(?:the|an?|one) )?(?:{COLOR}(?: (?:block|cube|one))?|(?:(?:block|cube|letter|number|digit) )?{_LABEL}))"
+_BLOCKS = "(?:blocks|cubes|ones|colors|letters|digits|numbers)"
+_ORDER = "(?:any|whatever|whichever) order(?: (?:that )?you like)?"
+_AT_BOTTOM = "(?:at the (?:very )?bottom|lowest|as (?:its|the) (?:lowest block|bottom|base|bottom block|lowest))"
+_AT_TOP = "(?:at the (?:very )?top|on top|topmost|as (?:its|the) (?:highest block|top|top block|topmost block))"
+_BUT = "(?:but|except|except for|other than|save)"
+_IS = f"(?:is|{MUST} be|goes|{MUST} go|stands|sits|lies)"
+_IN_ONE = f"(?:in (?:one|the same|a single|this|the)(?: and the same)? {TOWER}|in an? {TOWER})"
+_BEGUN = "(?:^|(?<=, )|(?<=: ))"
+_INDIRECT = "(?:but )?not (?:directly|immediately|right)(?: on (?:top of )?(?:it|that)| above it)?"
+_AMID = "(?:in between|between (?:them|the two|these two|those two|the other two)|in the middle)"
+
+
+def _not_at(place: str, said: str) -> tuple[Turn, ...]:
+    """What is not to be at an end of the tower."""
+    return (
+        (f"(?: ,)? (?:in {_ORDER}|(?:with )?anything)(?: ,)? (?:{_BUT} (?:with )?|(?:that|which) (?:does|must|may) not "
+         f"have ){_KNOWN} {place}$", f", with {{1}} not {said}"),
+        (f"(?: ,)? (?:with )?anything {place} {_BUT} {_KNOWN}$", f", with {{1}} not {said}"),
+    )  # fmt: skip
+
+
+def _not_block(nouns: str, said: str) -> Turn:
+    return (f"(?: ,)? (?:as long as|so long as|provided that|so that) (?:its|the) (?:{nouns})(?: block| cube| one)? "
+     f"(?:is|"
+            f"{MUST} be) not {_KNOWN}$", f", with {{1}} not {said}")  # fmt: skip
+
+
 _SYMBOL = f"(?:(?:block|cube|letter|number|digit) )?{_LABEL}"
 _ONE = f"((?:(?:the|an?|one|another) )?(?:{COLOR}(?: (?:block|cube|one))?|{_SYMBOL}))"
-_KNOWN = f"((?:the )?{COLOR}(?: (?:block|cube|one))?|(?:the )?{_LABEL})"
 _LINE = "(?:tower|stack|row|line|column)"
-_BLOCKS = "(?:blocks|cubes|ones|colors|letters|digits|numbers)"
 _AND = "(?:, and|and|,|, and then|and then|, then|, and finally|and finally)"
-_IS = "(?:is |being |goes |comes |stands |lies |sits )?"
+_COMES = "(?:is |being |goes |comes |stands |lies |sits )?"
 _LOW = "(?:at the (?:very )?(?:bottom|foot|base)|lowest|the lowest|down|below|right at the bottom)"
 _HIGH = "(?:at the (?:very )?top|on (?:the )?(?:very )?top|highest|the highest|uppermost|topmost|up|above)"
 _BELOW = "(?:(?:directly|right|just) )?(?:below|under|underneath|beneath)"
 _ABOVE = "(?:(?:directly|right|just) )?(?:on top of|above|over|on)"
 _DOWN = "(?:from the top down|from (?:the )?top to (?:the )?bottom|downwards|going down)"
+_OVER = "(?:directly )?(?:on top(?: of it)?|on it)"
 _UP = "(?:from the bottom up|from (?:the )?bottom to (?:the )?top|upwards|going up|from the bottom)"
 _LIST = f"{_ONE[:-1]}(?:(?: , and| ,| and) {_ONE[1:-1]})+)"
-
 _WORD = f"(?!(?:{COLOR}|{_BLOCKS})\\b)(\\S{{2,}})"
 _WHEN_READ = f"(?:(?:when|if) )?(?:it is |you |one )?reads? (?:it )?{_DOWN}"
+
+UPRIGHT_AT_ONCE: tuple[Turn, ...] = (
+    (f"^anything at the (?:very )?bottom {_BUT} {_KNOWN}$", "{1} is not at the bottom"),
+    *_not_at(_AT_BOTTOM, "at the bottom"),
+    *_not_at(_AT_TOP, "on top"),
+    (f"^any ({TOWER} of .+?) (?:passes|will do|is fine|counts|is ok)(?: ,)? ((?:as long as|provided that|if) .+)$",
+     "a {1} {2}"),
+    _not_block("topmost|top|highest|uppermost", "on top"),
+    _not_block("bottommost|bottom|lowest|lowermost", "at the bottom"),
+    (f"(?: ,)? in {_ORDER} (?:that|which) (?:puts|has|places|leaves) {_KNOWN} (?:somewhere )?(above|below) {_KNOWN}$",
+     "so that {1} is somewhere {2} {3}"),
+    (f"(?: ,)? in {_ORDER}(?: that| which)? keeps {_KNOWN} from (?:touching|being on) {_KNOWN}$",
+     "so that {1} does not touch {2}"),
+    (f"(?: ,)? (?:in {_ORDER} )?(?:as long as|so long as|provided that|so that) {_KNOWN} is higher(?: up)?(?: in "
+     f"(?:it|the {TOWER}))? than {_KNOWN}$", "so that {1} is somewhere above {2}"),
+    (f"^(stack|pile up) all {MANY} of (.+?) (so that .+)$", "{1} {2} {3}"),
+    (f"^(.*\\b{TOWER}\\b.*?)(?: ,)? (?:in which|so that|where|with) (?:neither|none of the) ({COLOR}) (?:one|ones|"
+     "block|blocks|cube|cubes) (?:is |are )?(?:touching|touches|touch) (?:the other|another|each other)(?: one| "
+     "ones)?$", "{1} so that no two {2} blocks touch"),
+    (f"^(.*\\b(?:{TOWER}|stack)\\b.*?)(?: ,)? (?:in which|so that|where|with) no (?:block|cube) (?:is |lies |sits |"
+     "being )?(?:directly )?(?:on top of|on|touching) (?:one|another|another one|a block|another block) of (?:its own|"
+     "the same) color$", "{1} so that no two blocks of the same color touch"),
+    # what is between two of them
+    (f"{_BEGUN}{_KNOWN} (?:{_IS} )?(?:somewhere )?above {_KNOWN} {_IN_ONE}(?: ,)? {_INDIRECT}$",
+     "{1} must be somewhere above {2} . {1} must not be on {2}"),
+    (f"{_BEGUN}{_KNOWN} (?:{_IS} )?(?:somewhere )?above {_KNOWN} {_IN_ONE}(?: ,)? (?:and|with) (?:only )?{_THING} "
+     f"(?:is |{MUST} be |goes )?(?:in the middle of|between|separating) (?:them|the two)$",
+     "a tower of {2} , {3} and {1} from bottom to top"),
+    (f"{_BEGUN}{_KNOWN} (?:{_IS} )?(?:somewhere )?above {_KNOWN} {_IN_ONE}(?: ,)? (?:and|with) (?:only )?{_THING} "
+     f"(?:is |{MUST} be |goes )?{_AMID}$", "a tower of {2} , {3} and {1} from bottom to top"),
+    (f"^somewhere above {_KNOWN} {_IN_ONE} (?:there )?(?:is|{MUST} be) {_KNOWN}(?: ,)? (?:and|with) {_THING} (?:is |"
+     f"{MUST} be |goes )?{_AMID}$", "a tower of {1} , {3} and {2} from bottom to top"),
+    (f"^somewhere above {_KNOWN} {_IN_ONE} (?:there )?(?:is|{MUST} be) {_KNOWN}$", "{2} must be somewhere above {1}"),
+    (f"^(?:stack|put|place) {_KNOWN} (?:over|above|on) {_KNOWN} ,? ?{_INDIRECT} [:,] {_THING} (?:is|goes|comes|{MUST} "
+     f"be|{MUST} go) {_AMID}$", "a tower of {2} , {3} and {1} from bottom to top"),
+    (f"\\b({TOWER}) (?:with|where|in which) {_KNOWN} (?:is |being )?(?:in )?between {_KNOWN} and {_KNOWN}$",
+     "{1} of {3} , {2} and {4} with {2} in the middle"),
+    (f"^(.*\\b{TOWER}\\b.*?)(?: ,)? with {_KNOWN} (?:somewhere )?above {_KNOWN} ,? ?{_INDIRECT}$",
+     "{1} , with {2} somewhere above {3} . {2} must not be on {3}"),
+    (f"^(.*\\b{TOWER} (?:of|out of|from) .*?)(?: ,)? with {_KNOWN} at the bottom , {_KNOWN} (?:on top|at the top) and "
+     f"the (?:other|third|last|remaining)(?: one| block| cube)? {_AMID}$", "{1} with {2} at the bottom and {3} on top"),
+    (f"\\b(?:put|stack|place) both (?:the )?({COLOR}) {_BLOCKS} on {_KNOWN} so that (?:it is|there is|you get|this is|"
+     f"they form) (an? {TOWER}) of three$", "{3} of {2} and two {1} blocks from bottom to top"),
+    (f"\\bthe ({COLOR}) the ({COLOR}) and the ({COLOR}) (?=block|cube|one)", "the {1} , the {2} and the {3}"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
 _SPELT: tuple[Turn, ...] = (
     (f"^spell (?!(?:{COLOR}|{_BLOCKS})\\b)((\\S)\\S+) (?:going down|down|downwards) (?:in )?an? ({TOWER})(?: , \\2 on "
      "top)?$", "a {3} that spells {1} from top to bottom"),
@@ -35,7 +111,6 @@ _SPELT: tuple[Turn, ...] = (
      "a tower that spells {1} from top to bottom"),
 )  # fmt: skip
 """Words that are read down a tower."""
-
 UPWARD_AT_ONCE: tuple[Turn, ...] = (
     (f"^spell {_WORD} in an? ({TOWER})(?: ,)? (?:downwards|down) from the (?:uppermost|top|topmost|highest) (?:block|"
      "cube|letter|one)$", "a {2} that spells {1} from top to bottom"),
@@ -44,21 +119,18 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:on|in) an? ({TOWER})(?: ,)? the word {_WORD} {MUST} be (?:legible|readable|read|seen) {_DOWN}$",
      "a {1} that spells {2} from top to bottom"),
     (f"\\b({_LINE}) (?:with|of|from|out of) the following {_BLOCKS}(?: ,)? ({WAY}) :", "{1} {2} :"),
-    (f"\\b({TOWER}) with {_ONE} in the middle {_AND} {_ONE} {_BELOW}(?: it)? {_AND} {_ONE} (?:on top|{_ABOVE} it|"
-     "above)(?: of it)?$", "{1} of {3} , {2} and {4} from bottom to top"),
-    (f"\\b({TOWER}) (?:in which|where) {_KNOWN} has {_ONE} {_BELOW} it and {_ONE} (?:directly |right )?(?:on top(?: "
-     "of it)?|above(?: it)?|on it)$", "{1} of {3} , {2} and {4} from bottom to top"),
-    (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} (?:directly )?(?:on top(?: of it)?|on it) and {_ONE} ({_BELOW}) it$",
+    (f"\\b({TOWER}) (?:with {_ONE} in the middle {_AND}|(?:in which|where) {_KNOWN} has) {_ONE} {_BELOW}(?: it)? "
+     f"{_AND} {_ONE} (?:directly |right )?(?:on top|{_ABOVE} it|above|on it)(?: of it| it)?$",
+     "{1} of {4} , {2} {3} and {5} from bottom to top"),
+    (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} {_OVER} and {_ONE} ({_BELOW}) it$",
      "{2} must be on {1} and {3} must be {4} {1}"),
-    (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} ({_BELOW}) it and {_ONE} (?:directly )?(?:on top(?: of it)?|on it)$",
+    (f"^{_KNOWN} (?:has|{MUST} have|gets) {_ONE} ({_BELOW}) it and {_ONE} {_OVER}$",
      "{2} must be {3} {1} and {4} must be on {1}"),
     (f"^{_LIST} : (?:build|make|form|stack) (an?|one) ({TOWER}) (?:that|which) (?:shows|has|with) (?:these|those) "
      f"{_BLOCKS}(?: when)?(?: read)? {_DOWN}$", "a {3} of {1} from top to bottom"),
     (f"^{_LIST} : (?:that|this) is the ({_LINE}) (?:that )?(?:i|we) (?:want|need|would like)(?: to see)?(?: ,)? "
      f"({WAY})$", "a {2} of {1} {3}"),
     (f"^(.+ (?:{_LOW}|{_HIGH})) : (?:build|make|form|stack) (?:that|this|such a) ({TOWER})$", "a {2} with {1}"),
-    (f"^(?:if|when|as) (?:you|one|we) looks? at (?:the|an?) ({TOWER}(?: of {MANY})?(?: blocks)?) {_UP} , (?:you|one|"
-     f"we) (?:meet|see|find|get)s? {_LIST}$", "a {1} , {2} from bottom to top"),
     (f"^(.*?)({_ONE}(?: {_ABOVE} {_ONE[1:-1]})+) , (?:all )?(?:in )?one ({TOWER})$", "{1} a {4} of {2}"),
     (f"\\b(?:put|set|place) {_ONE} between two ({COLOR}) (?:ones|blocks|cubes) ,? ?(?:vertically ,? ?)?in (?:an?|one) "
      f"({TOWER})$", "a {3} of {2} , {1} and {2} from bottom to top"),
@@ -86,7 +158,6 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
      "a tower of {1} , {2} and {3} from bottom to top"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
-
 UPWARD: tuple[Turn, ...] = (
     *_SPELT,
     ("^((?:the|an?) (?:\\w+ )+?(?:block|cube)) (?:forms|makes|is) the (?:base|bottom)(?: of (?:the|an?) (?:tower|"
@@ -95,11 +166,11 @@ UPWARD: tuple[Turn, ...] = (
     (f"\\ba sandwich(?: ,)?(?: that is ,| i.e. ,)? an? ({TOWER})", "a {1}"),
     ("\\ba sandwich(?: (?:out of|of|from|made of|with) blocks)?(?= ,| :| with)", "a tower"),
     (f"^in (?:the|an?|one) ({TOWER})(?: ,)? {_KNOWN} (?:is |comes |lies )?{_HIGH}(?: ,)? (?:and )?then (?:comes |"
-     f"follows )?{_KNOWN} {_AND} {_KNOWN} {_IS}{_LOW}$", "a {1} of {2} , {3} and {4} from top to bottom"),
+     f"follows )?{_KNOWN} {_AND} {_KNOWN} {_COMES}{_LOW}$", "a {1} of {2} , {3} and {4} from top to bottom"),
     (f"^in (?:the|an?|one) ({TOWER})(?: ,)? {_KNOWN} comes first {_UP} , {_KNOWN} (?:comes )?(?:after (?:it|that)|"
      f"second|next) {_AND} {_KNOWN} (?:comes )?(?:last|third)$", "a {1} of {2} , {3} and {4} from bottom to top"),
     (f"^stack (?:the |these )?(?:{MANY} )?(?:blocks|cubes)? ?(?:so|like this|like so|as follows|this way|in this way) "
-     f"[:,] {_KNOWN} {_IS}{_LOW} {_AND} {_KNOWN} {_IS}in the middle {_AND} {_KNOWN} {_IS}{_HIGH}$",
+     f"[:,] {_KNOWN} {_COMES}{_LOW} {_AND} {_KNOWN} {_COMES}in the middle {_AND} {_KNOWN} {_COMES}{_HIGH}$",
      "a tower with {1} at the bottom , {2} in the middle and {3} on top"),
     (f"^the stacked {_BLOCKS} (?:are|{MUST} be)(?: ,| :)? (.+)$", "a tower with {1}"),
     (f"\\b({TOWER}) (?:which|that)(?: ,)? (?:starting|beginning|begun) (?:at|from) the top(?: and going "
@@ -120,5 +191,5 @@ UPWARD: tuple[Turn, ...] = (
     (f"^(?:up)?on (the .+?) {MUST} (?:stand|be|lie)(?: ,)? ({WAY})(?: ,| :)? {_LIST}$", "a tower of {3} {2} on {1}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
-WORDS = ("sandwich sandwiched following foot vertically meet stacked",)
+WORDS = ("following foot keeps meet passes sandwich sandwiched separating stacked vertically whichever",)
 """Words that these take besides those that are read anyway."""

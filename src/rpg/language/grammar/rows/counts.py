@@ -1,11 +1,11 @@
-"""How many of which there are to be, told around the blocks, "of four red ones exactly two", "more than one but fewer
-than three", on each of several and which of two it is, as rows that say it in one way."""
+"""How many of which there are to be, on each of several, and where some and others of them go, as rows that say it in
+one way."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, THING
+from rpg.language.grammar.rows.said_short import BLOCK, IS, PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES
+from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH, PATCHES
 
 _BLOCKS = "(?:blocks|cubes|bricks|ones)"
 _GO = f"(?:{MUST} (?:be|go|lie|stand)|may be|go|goes|are|is|belong|belongs)"
@@ -13,9 +13,11 @@ _LOTS = f"{MANY} (?:{COLOR} )?{_BLOCKS}(?: and {MANY} (?:{COLOR} )?{_BLOCKS})*"
 _A = f"(?:the |an? )?({COLOR})(?: {BLOCK}| one)?"
 _THREE = f"{_A} , {_A}(?: ,| and| , and) {_A}"
 _TWO = f"{_A} and {_A}"
+_SO_MANY = f"{MANY}(?: {COLOR})? (?:block|cube)s"
+_THERE = f"(?:{MUST}|is|are|go|goes|on|in|stands?)"
+_OTHERS = f"(?:(?:,|and|, and) {MANY} {_THERE} (?!(?:top )?of them).+)"
 
-
-SO_MANY_TOLD: tuple[Turn, ...] = (
+COUNTED: tuple[Turn, ...] = (
     (f"\\b({MANY}) and (?:no|not) more than \\1\\b", "exactly {1}"),
     (f"^(?:out of|of|from) (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ((?:exactly|at least|at most|only|"
      f"just) {MANY}) {_GO} ((?:on|onto|in|into) .+)$", "{2} of the {1} must be {3}"),
@@ -49,7 +51,6 @@ SO_MANY_TOLD: tuple[Turn, ...] = (
     (f"^put ({THING}) and either ({THING}) or ({THING}) (on .+)$", "{1} must be {4} . {2} or {3} must be {4}"),
     (f"(?: ,)? without (?:either|any|one)(?: one)? of (?:them|the two) touching ({THING})$",
      " and they must not touch {1}"),
-    ("(?: ,| ;)? and in any case (?=\\w)", " ."),
     ("^in any case(?: ,)? (?=\\w)", ""),
     # and not the other way round
     (f"^(?:it (?:{MUST}) be )?not (\\w+) on (\\w+) ,? ?but (?:the other way (?:round|around) [:,] )?\\2 on \\1$",
@@ -66,3 +67,9 @@ SO_MANY_TOLD: tuple[Turn, ...] = (
       for told, named, last in ((_THREE, "{2} , {3} and {4}", 5), (_TWO, "{2} and {3}", 4))),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+SHARED_OUT: tuple[Turn, ...] = (
+    (f"^(?:out )?(?:of|from) (?:the )?({_SO_MANY}) , ({MANY} {_THERE} .+? {_OTHERS})$", "{1} : {2}"),
+    (f"^({MANY}) of (?:the )?({_SO_MANY}) ({_THERE} .+? {_OTHERS})$", "{2} : {1} {3}"),
+    (f"^(the (?:\\w+ )?({LINE})(?: with [^,]+?)? {IS} {PLACE} the other)(?: one)?$", "{1} {2}"),
+)
+"""What is looked for, and what is said instead; in every sentence."""

@@ -1,0 +1,135 @@
+"""Rows and columns told by their ends, by the order of the rainbow or as mirrored, as rows that tell the order of their
+blocks."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, END, FEW, MUST, WAY
+
+_DO = "(?:put|place|lay|arrange|line|stack|sort|order|set|pile|build|make|bring|move)"
+_ROW_OR_LINE = "(?:row|line)"
+_ONE = f"{_DO} (?:an?|the|one) ({COLOR})(?: block| cube| one)?"
+_ROW = f"(?:an?|the) ({_ROW_OR_LINE}) of ((?:{FEW}|\\d+) (?!{_ROW_OR_LINE})(?:\\w+ )?(?:blocks|cubes))"
+_THEM = "(?:them|these|those|all|it|all of them)"
+_LINE = "(?:row|line|column|tower|stack)"
+_SPECTRUM = "(?:the |a )?(?:rainbow|spectrum|color spectrum|spectrum of colors)"
+_COLORS = "(?:(?:the |its |their )?colors? )?"
+_SORTED = "(?:(?:sorted|ordered|arranged|placed|laid out|lined up) )?"
+_COME = "(?:appear|come|follow each other|follow one another|follow|occur|stand|are|lie|are found|have)"
+_OF_IT = f"(?:(?:the )?colors of {_SPECTRUM}|{_SPECTRUM}(?: colors)?)"
+_ALONG = f"(?:the )?{END} to (?:the )?{END}"
+_MADE = "(?:formed|made|built|laid|laid out|created|arranged)"
+_BE = f"(?:is|are|be|{MUST} be|being)"
+_IN = "(?: in (?:its |their |the )?colors?| colors?| color - ?wise)?"
+_ABOUT = (
+    "(?: (?:about|around|to|with respect to|relative to) (?:its|the|their) (?:own )?"
+    "(?:middle|center|middle block|center block|middle one|midpoint|axis)| like (?:in|with|through) a mirror"
+    "| left (?:and|to) right| left - right| as in a mirror| from left to right)?"
+)
+_FROM = f"from (?:the )?{END}(?: end| side)?(?: to (?:the )?{END})?"
+_EACH_WAY = (
+    f"(?:from (?:both|either) (?:ends?|sides?|directions?)|both ways|either way|in both directions|in either direction"
+    f"|forwards? (?:and|as) backwards?|backwards? (?:and|as) forwards?"
+    f"|{_FROM} (?:as|and|or) (?:when )?(?:read )?(?:{_FROM}|(?:the )?{END})"
+    "|(?:from )?(?:whichever|whatever|no matter which) (?:end|side|way) (?:you |one |it is )?"
+    "(?:starts?|begins?|looks?|comes?|reads?|read)(?: it)?(?: from| at)?)"
+)
+_SAME = f"(?:exactly |just )?(?:the )?same(?: if you read it| when read| read)? {_EACH_WAY}"
+_READS = f"(?:reads?|looks?|appears?|is|are|be|runs?|goes|go|{MUST} (?:read|look|appear|be|run|go)|can be read)"
+_IMAGE = "(?:an? |the |its own )?(?:exact )?(?:mirror images?|mirrored|reflections?)"
+_OF_ROW = "(?: of (?:it|the row|the line|them))?"
+_HALVES = (
+    f"(?:the |its )?(?:left|right|upper|lower|one) half{_OF_ROW} {{0}} (?:the |its )?(?:left|right|upper|lower|other)"
+    "(?: half| one)?"
+)
+_REFLECTS = f"(?:(?:{MUST} )?mirrors?|(?:{MUST} )?reflects?|{_BE} {_IMAGE} (?:of|by|in)|is mirrored (?:by|in))"
+_BOTH = f"(?:the |its )?(?:left (?:and|half and)(?: the)? right (?:half|halves|side|sides)|(?:two )?halves){_OF_ROW}"
+_EACH_OTHER = "(?: of each other| of one another)?"
+_MIRRORED = (
+    f"(?:{_BE} (?:exactly |perfectly |fully )?(?:mirror )?(?:symmetric|symmetrical|mirrored){_IN}{_ABOUT}{_IN}"
+    f"|{_BE} an? (?:color )?palindrome{_IN}(?: of colors)?|{_BE} {_IMAGE}(?: of itself)?(?: left and right)?"
+    f"|(?:forms?|makes?|gives?|{MUST} (?:form|make|give)) an? (?:color )?palindrome|{_READS} {_SAME})"
+)
+_ALL = (
+    f"(?:it|they|these|everything|all of it|the (?:whole )?{_LINE}|(?:the|its|their) (?:colors?|color sequence|order))"
+)
+_IN_THE_MIDDLE = f"({COLOR})(?: one| block| cube)? (?:in|at) the (?:middle|center)$"
+_ITS = "(?:colors|color sequence|sequence of colors|color order|order|order of colors|color pattern|pattern)"
+
+LINED_AT_ONCE: tuple[Turn, ...] = (
+    # what there is, ahead of what is done with it
+    (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)? : ({_DO} {_THEM} .+)$",
+     "there are {1} blocks . {2}"),
+    (f"^use (?:only )?(?:the )?(?:colors )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)?$",
+     "there are {1} blocks"),
+    # what is at the ends
+    (f"^{_ONE} (?:at|on|to) the left end of {_ROW}$", "a {2} , from left to right : {1} , then {3}"),
+    (f"^{_ONE} (?:at|on|to) the right end of {_ROW}$", "a {2} , from left to right : {3} , then {1}"),
+    (f"^(?:the|an?) ({_ROW_OR_LINE} of [^:]+?) (?:has|{MUST} have) ([^:]*) at its ({END}) end(.* at its \\w+ end)?$",
+     "a {1} with {2} at the {3} end {4}"),
+    (f"\\bat its ({END}) end\\b", "at the {1} end"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
+    # the order
+    (f"(?: ,)? {_SORTED}(?:(?:exactly |just )?(?:like|as)|the way|in the way|in the (?:same )?order (?:in which|"
+     f"that)) (?:(?:the |its )?colors|they) {_COME} in {_SPECTRUM}", " in rainbow order"),
+    (f"(?: ,)? {_SORTED}(?:in the (?:same )?order (?:as|like) (?:in )?|(?:by|following|according to|in accordance "
+     f"with|based on|along|in keeping with) (?:the order of )?){_OF_IT}", " in rainbow order"),
+    (f"(?: ,)? {_SORTED}{_COLORS}(?:(?:in )?order )?(?:just )?(?:like|as) (?:in )?(?:(?:the )?colors of "
+     f")?{_SPECTRUM}(?=$| ,| \\.| \\)| {WAY}| with| start| begin| on| in an? {_LINE})", " in rainbow order"),
+    ("(?: ,)? (?:so|such|so that|such that|whose|where|in which|with)(?: that)? (?:the |its |their )?(?:colors|they|"
+     f"it) (?:{MUST} )?(?:follow|follows|following|match|go through|run through) (?:the order of )?{_OF_IT}",
+     " in rainbow order"),
+    # where it begins
+    (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} "
+     f")?(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),
+    (f"^in rainbow order(?: and| ,| ,  and)? ((?:beginning|starting) with (?:the )?{COLOR}(?: (?:at|on|from) the "
+     "\\w+(?: end| side)?)?) , (.+)$", "{2} in rainbow order , {1}"),
+    (f"^rainbow order(?: ,)?( (?:from )?{_ALONG})?(?: ,)?( (?:beginning|starting) with (?:the )?{COLOR}(?: (?:at|on|"
+     "from) the \\w+(?: end| side)?)?)? : (.+)$", "{3} in rainbow order {1} {2}"),
+    # lines that are told as a rainbow
+    (f"\\bgradient(?: (?:running|going|that runs|that goes|which runs))? from ({COLOR}) (?:on|at) the (left|right|"
+     f"front|back|bottom|top)(?: end| side)?( .+?)?(?: ,)? to ({COLOR}) (?:on|at) the (left|right|front|back|bottom|"
+     "top)(?: end| side)?$", "gradient from {1} {3} to {4} from {2} to {5}"),
+    (f"^(?:lay out|lay|make|build|form|put|show|create|arrange) a rainbow(?: in an? ({_LINE}))? : (.+?)(?: in an? "
+     f"(?:{_LINE}))?( {WAY})?$", "put {2} in a row in rainbow order {3}"),
+    (f"\\b({_LINE}) (?:of|with|in) (?:the )?rainbow colors(?: ,)?( {WAY})? (?=[:,])", "rainbow {1} {2}"),
+    (f"^an? ({_LINE}) {MUST} be {_MADE}(?: ,)? (?:in which|where) (.+?) (?:follow (?:one another|each other)|are|"
+     "stand|come|are placed|are arranged|are laid) (in \\w+ order.*)$", "{2} must be in a {1} {3}"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+MIRRORS_AT_ONCE: tuple[Turn, ...] = (
+    # what is said of a line behind it
+    (f"(?: ,)? (?:that|which) {_MIRRORED}(?! [:,] {COLOR} outside)(?=$| ,| :| \\(|\\.| and| with| from| of| on| in| "
+     "out)", " that is mirrored"),
+    (f"(?: ,)? (?:whose|of which the|in which the|where the) {_ITS} {_MIRRORED}", " that is mirrored"),
+    (f"(?: ,)? whose {_HALVES.format(_REFLECTS)}", " that is mirrored"),
+    (f"(?: ,)? (?:so|such|so that|such that|in a way|arranged so)(?: that)? {_ALL} {_MIRRORED}",
+     " so that it is symmetric"),
+    (f"(?: ,)? (?:so|such|where|in which)(?: that)? {_HALVES.format(_REFLECTS)}", " so that it is symmetric"),
+    (f"(?: ,)? (?:so|such|where|in which)(?: that)? {_BOTH} (?:mirror (?:each other|one another)|{_BE} (?:symmetric|"
+     f"symmetrical|mirror images{_EACH_OTHER}))", " so that it is symmetric"),
+    ("\\b(?:with|in|of) (?:an? )?(?:mirror )?(?:symmetric|symmetrical|mirrored|mirror symmetric|palindromic) "
+     "(?:colors?|color (?:order|pattern|sequence|arrangement)|arrangement|sequence)\\b", "in mirrored order"),
+    (f"\\b(?:symmetric|symmetrical|mirror symmetric) \\( (?:mirrored|symmetric|symmetrical|palindromic) \\) ({_LINE})",
+     "mirrored {1}"),
+    (f"\\b(mirrored|symmetric|symmetrical|mirror symmetric|mirror) ({_LINE})(?: image)? (:|from) (.+?) , (?:and "
+     f")?(an?|one|1) {_IN_THE_MIDDLE}", "mirrored {2} of {4} and {5} {6}"),
+    (f"(that is mirrored :) (.+?) , (?:and )?(an?|one|1) {_IN_THE_MIDDLE}", "{1} {2} and {3} {4}"),
+    (f"\\b(?:mirrored|symmetric|symmetrical|mirror symmetric) ({_LINE} (?:of \\S+ (?:blocks |cubes )?)?(?:,|with|:) "
+     f"{COLOR} at (?:both|the) ends , {COLOR} in the (?:middle|center) and {COLOR} in between)$", "{1}"),
+    # what is said of a line that stands before it
+    (f"^the (?:colors?|color order|order|color sequence) (?:of|in) the ({_LINE}) {_MIRRORED}",
+     "the {1} should be in mirrored order"),
+    (f"^((?:the|my|this) {_LINE}(?: (?:of|with|from|made of) .+?)?|it|they) {_MIRRORED}(?=$| ,| :)",
+     "{1} should be in mirrored order"),
+    (f"(?: ,)? and (it|they|the {_LINE}) {_MIRRORED}$", " . {1} should be in mirrored order"),
+    (f"^(?:the|my|this) ({_LINE})(?: of blocks)? should be in mirrored order : (.+)$", "a mirrored {1} : {2}"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+WORDS = (
+    "half halves image images mirror mirrors occur palindrome palindromes reflect reflection reflections reflects "
+    "spectrum way",
+)
+"""Words that these take besides those that are read anyway."""

@@ -1,0 +1,77 @@
+"""When something is so: at the start, never, one after the other, and what takes the place of what, as rows that say it
+plainly."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import LENGTH, LINE, MUST
+
+_MUST = f"(?:{MUST}|may|can|might)"
+_NEVER = "(?:at no (?:time|point|moment|stage|instant)|on no occasion|not once|never ever|not ever)"
+_EVER = "(?:at any (?:time|point|moment)|at all times|the whole time|the entire time|all the time|throughout|always)"
+_BLOCK = "(?:block|cube|brick|thing)"
+_STEP = "(?:put|place|move|stack|set|bring|lay|take|unstack|swap|build|make|line up|carry|transfer|shift)"
+_MOVED = "(?:moved|touched|disturbed|displaced|shifted)"
+_OTHERS = "the others stay where they are"
+_BARE = "nothing may ever be on {1}"
+_SO = "(?:is|are|has been|have been|lies|stands|sits|rests)"
+_END = "(?:top|bottom|middle|lowest|highest|uppermost|leftmost|rightmost|first|second|third|last|upper|lower)"
+_PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind|in|under) the [^,]+?"
+_NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"
+_REGION = "(the (?:(?:left|right|near|far) half|(?:(?:near|far|front|back|left|right) ){2}corner))(?: of the table)?"
+
+AT_TIMES: tuple[Turn, ...] = (
+    # never
+    (f"\\b{_NEVER} (touch|touches|lie|lies|put|place|let|move|take|stack|leave|leaves|lift|allow)\\b", "never {1}"),
+    ("\\b(not [^,]+?)(?: ,)? not even (?:temporarily|briefly|momentarily|shortly|in passing|in between|once|for (?:a|"
+     "one|a short|a brief|a single) (?:moment|second|time|while|instant))$", "{1} at any time"),
+    ("\\b(?:is|are) (not|never) (?:allowed|permitted|supposed) to\\b", "must {1}"),
+    ("\\bwithout (.+?) ever (?:being|lying|standing) on (.+)$", "and {1} must never be on {2}"),
+    ("\\bwithout (.+?) ever touching (.+)$", "and {1} must never touch {2}"),
+    (f"\\b((?:the [^,]+?|\\w+)) {MUST} (?:be|stay|remain|be kept) (?:clear|free) {_EVER}$", _BARE),
+    (f"\\b(?:{MUST}|may) not leave (.+?)(?: {_EVER})?$", "must not leave {1}"),
+    # nothing else
+    (f"\\b(?:no other {_BLOCK}|nothing else) (?:moves|(?:{_MUST} )?(?:be|is|gets?) {_MOVED}|{_MUST} move)$", _OTHERS),
+    (f"\\bwithout (?:moving|touching|disturbing) (?:any other {_BLOCK}s?|anything else)$", "without moving the others"),
+    # one after the other
+    (f"^(?:please )?wait (?:until|till) (.+?)(?: ,)? (?:and )?(?:then|before you) ({_STEP} .+)$", "once {1} , {2}"),
+    (f"^(.+?)(?: ,)? (?:but )?(?:as soon as|once|only when|but not until) ([^,]+? {_SO} .+)$", "once {2} , {1}"),
+    (f"^(.+?) ({MUST}|may) not be (?:put|placed|moved|stacked) (on .+?) (?:before|until) ([^,]+? {_SO} .+)$",
+     "once {4} , put {1} {3}"),
+    ("^(.+?) (first|at first) and (.+?) (?:after that|at last|last of all)$", "first {1} , then {3}"),
+    ("^(?:the )?first (?:thing (?:to do )?|step )?is to (.+?) ,(?: and)? (?:the )?(?:second|next|last)(?: thing| "
+     "step)? is to (.+)$", "first {1} , then {2}"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+TRADED: tuple[Turn, ...] = (
+    (f"\\bthe ({_END}) and the ({_END}) ({_BLOCK})\\b", "the {1} {3} and the {2} {3}"),
+    (f"^(.+?) (?:takes|{MUST} take) the place of (.+?) and \\2 (?:(?:takes|{MUST} take) the place of|that of) \\1$",
+     "swap {1} and {2}"),
+    (f"^(.+?) and (.+?) (?:(?:{MUST} )?end up|{MUST} be|are) in each other 's (?:places?|positions?|spot)$",
+     "swap {1} and {2}"),
+    ("^i (?:want|would like|need) (.+?) and (.+?) (?:to be )?(?:swapped|exchanged|interchanged|switched)$",
+     "swap {1} and {2}"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+BEFORE_IT: tuple[Turn, ...] = (
+    (f"^([^,]+?) , (?:which|that) (?:is|lies|stands|sits) ({_PLACE}) {_NOW} , ", "{1} , which starts {2} ,"),
+    (f"^([^,]+?) (?:is|lies|stands|sits) ((?:on|next to|left of|right of|behind|in front of|in) [^,]+?) {_NOW}(?: ,)? "
+     f"(?:and|but) (it {MUST} .+)$", "at the start , {1} is {2} . {3}"),
+    (f"^([^,]+?) (?:is|lies|stands|sits) ((?:on|next to|left of|right of|behind|in front of|in) [^,]+?) {_NOW}(?: ,)? "
+     "(?:and|but) belongs (.+)$", "at the start , {1} is {2} . it must be {3}"),
+    (f"^move (.+?) at least ({LENGTH}) each$", "move {1} by at least {2}"),
+    ("^get (the .+?) out from under (the .+?) and put it (.+)$", "at the start , {2} is on {1} . put {1} {3}"),
+    (f"^(?:at the start|initially|at first)(?: ,)? a ({LINE}) has (.+)$", "at the start there is a {1} with {2}"),
+    (f"^the ({LINE}) (?:at the start|currently|now) reads (.+)$", "at the start , the {1} is {2}"),
+    ("\\bbut only (?:when|once|if) (the .+?) (?:already )?(?:lies|is|stands|sits)(?: already)? (on .+)$",
+     "but only after {1} has been put {2}"),
+    (f"^(?:put|move|bring|carry|take) (.+?) from {_REGION} (?:to|into) {_REGION}$",
+     "at the start , {1} is in {2} of the table . put {1} in {3}"),
+    (f"^(an? {LINE}(?: of)? .+?) (?:(?:is )?(?:standing|lying)|stands|lies|is|has been built|was built) (?:on the "
+     "table|there)$", "there is {1}"),
+    *AT_TIMES,
+    *TRADED,
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+WORDS = ("briefly instant letting momentarily occasion permitted present spot temporarily wait",)
+"""Words that these take besides those that are read anyway."""

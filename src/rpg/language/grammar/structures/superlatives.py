@@ -1,0 +1,40 @@
+"""Structures that are to be as large as they can be: "the tallest tower you can build from five blocks". They are made
+of all the blocks that are named, or of as many as any other such structure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.language.grammar.core import Parser
+from rpg.language.grammar.structures.shapes import noun
+from rpg.language.grammar.structures.sizes import OF_WHAT
+from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.meaning import Amount, Structure
+
+_MOST = {"stack": frozenset({"tallest", "highest", "biggest", "largest"}),
+         **dict.fromkeys(("row", "line"), frozenset({"longest", "biggest", "largest"}))}  # fmt: skip
+_MARKS = frozenset().union(*_MOST.values())
+_CAN = Patterns(
+    "possible",
+    "that|which? you|we|it can possibly? build|make|manage|create|construct|be|get?",
+    "that|which is possible",
+)
+_MADE = frozenset({"build", "make", "create", "construct"})
+_MADE_OF = frozenset({"with", "from", "out", "using"})
+
+
+def largest(p: Parser, i: int) -> Iterator[tuple[Structure, int]]:
+    """Such a structure, before it is told what it is made of."""
+    if not p.anywhere(_MARKS):
+        return
+    j = p.opt(i, "the", "a", "my", "your")
+    if not p.stands(j, _MARKS) or p.all.isdisjoint(OF_WHAT):
+        return
+    most = j
+    j = possible = p.opt(j + 1, "possible")
+    for (kind, plural), k in noun(p, j):
+        if plural or p.words[most] not in _MOST.get(kind, ()):
+            continue
+        end = max(_CAN.matches(p, k), default=k)
+        if end > k or possible > most + 1 or (p.follows(i, _MADE) and p.stands(end, _MADE_OF)):
+            yield Structure(kind=kind, det="a", amount=Amount(1, 1), span=p.span(i, end)), end

@@ -1,0 +1,52 @@
+"""One word made of another: "the blocks currently say TAC, make them say CAT", "turn TAC into CAT"."""
+
+from __future__ import annotations
+
+from rpg.language.tokens import Token
+
+_TURN = frozenset({"turn", "change", "transform", "convert", "rearrange", "reorder", "unscramble", "correct", "fix"})
+_SHOWN = frozenset({"spell", "spells", "say", "says", "read", "reads", "show", "shows", "is", "are"})
+_WHAT = frozenset({"the", "blocks", "cubes", "letters", "word", "row", "it", "they", "this", "them", "spelling"})
+_NOW = frozenset({"now", "currently", "presently", "at", "moment", "right", "present"})
+_MARKS = frozenset({",", ".", ";", ":"})
+_SPELT = frozenset({"please", "wrong", "mistake", "typo", "spelled", "spelt", "misspelled", "swap", "so", "that"})
+_BEFORE = _TURN | _SHOWN | _WHAT | _NOW | _MARKS | _SPELT
+_TO_BE = frozenset({"make", "becomes", "should", "must", "into", "to", "become", "needs", "need", "so", "let", *_TURN})
+_BETWEEN = _BEFORE | _TO_BE | {"but", "and", "be", "that", "has", "have", "instead", "really", "actually"}
+_BEHIND = frozenset({"instead", ".", "!", "please", "now"})
+
+
+def respelling(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """The tokens with both said plainly: the blocks spell one word at the start, and must spell the other at the end.
+
+    Only of two words of the same letters: what else is to be done with the blocks is not said.
+    """
+    shown = [n for n, token in enumerate(tokens) if _word(token)]
+    if len(shown) != 2:
+        return _rearranged(tokens, words)
+    first, second = shown
+    old, new = (words[n] for n in shown)
+    before, between = frozenset(words[:first]), frozenset(words[first + 1 : second])
+    if old == new or sorted(old) != sorted(new) or not before <= _BEFORE or not between <= _BETWEEN:
+        return _rearranged(tokens, words)
+    made = not between.isdisjoint({"become", "becomes"})
+    told = made or not before.isdisjoint(_TURN) or (not before.isdisjoint(_SHOWN) and not before.isdisjoint(_WHAT))
+    if not told or between.isdisjoint(_TO_BE) or not frozenset(words[second + 1 :]) <= _BEHIND:
+        return None
+    now = [tokens[first].saying(word) for word in ("at", "the", "start", "the", "blocks", "spell")]
+    then = [tokens[second].saying(word) for word in (".", "at", "the", "end", "they", "must", "spell")]
+    return [*now, tokens[first], *then, tokens[second]]
+
+
+def _rearranged(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Unscramble T, A and C to spell CAT": rearrange them."""
+    if "unscramble" not in words[:2]:
+        return None
+    at = words.index("unscramble")
+    return [*tokens[:at], tokens[at].saying("rearrange"), *tokens[at + 1 :]]
+
+
+def _word(token: Token) -> bool:
+    """A word in capitals, or in quotes."""
+    capitals = token.raw.isupper() and token.raw.isalpha() and len(token.raw) > 1
+    return capitals or (token.kind == "quote" and token.word.isalpha() and len(token.word) > 1)

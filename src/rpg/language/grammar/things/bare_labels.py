@@ -1,0 +1,19 @@
+""" "The cube with A", "the block with the plus sign": what is on a cube, with no word for a letter or a digit."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.things.labels import label_list, look_at
+
+_SIGNS = frozenset("+-*/=")
+
+
+def borne(p: Parser, i: int) -> Results[tuple[str, ...]]:
+    """The symbols behind "with"; of several a list: "stack the blocks with A on top" tells of one."""
+    j = p.one(i, "with") if i and p.words[i - 1] in lexicon.BLOCK and not look_at(p, i - 2) else 0
+    several = lexicon.BLOCK.get(p.words[i - 1]) if j else None
+    for (labels, more), k in label_list(p, p.opt(j, "the"), True) if j else ():
+        sign = p.one(k, ("sign", "symbol")) if labels[-1] in _SIGNS else 0
+        if not more and ("and" in p.words[j:k] if several else len(labels) == 1) and (sign or p.words[j] != "the"):
+            yield labels, sign or k

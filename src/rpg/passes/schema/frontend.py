@@ -9,6 +9,7 @@ from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
+from rpg.language.called import without_names
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.stock_ahead import stock_ahead
@@ -69,12 +70,13 @@ class BuiltinFrontEnd:
         tokens, strays = tokenize(text)
         if over := title(tokens):
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
-        words, notes, wrong = read_words(untitled(tokens[over:]))
+        tokens, named = without_names(untitled(tokens[over:]))
+        words, notes, wrong = read_words(tokens)
         if wrong or strays:
-            return None, (*wrong, *(_stray(s.text, s.span) for s in strays))
+            return None, explained(text, (*wrong, *(_stray(s.text, s.span) for s in strays)))
         if notes and mended is None:
             return self._as_meant(Respelt.of(text, words), name, seed, author, notes)
-        notes = mended or notes
+        notes = [*(mended or notes), *named]
         words, told = told_plainly(rows_in_words(without_asides(words)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)

@@ -254,7 +254,7 @@ def _predicate_after_be(
         return [(ever(c, lasting) if isinstance(c, Clause) else c, e) for c, e in readings]
     if k < p.end and p.words[k] in lexicon.POSTURE:
         if p.words[k] in ("stay", "stays", "remain", "remains") and (
-            still := p.any_of(k + 1, ("put", "untouched", "in place", "unmoved"))
+            still := p.any_of(k + 1, ("put", "untouched", "in place", "unmoved", "the same", "as before"))
             or (k + 1) * (p.words[k + 1] in ("", ","))
         ):
             manner_ = Manner(kind="stay", span=p.span(k, still))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.all_as_before import all_as_before
 from rpg.language.grammar.talk.answers_wanted import answers_wanted
 from rpg.language.grammar.talk.bare_sides import bare_sides, one_side_each
 from rpg.language.grammar.talk.by_again import by_again
@@ -11,7 +12,7 @@ from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import respelling
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
-from rpg.language.grammar.talk.told_short import any_other, halves_told, in_pairs, no_two
+from rpg.language.grammar.talk.told_short import any_other, every_other, halves_told, in_pairs, no_two
 from rpg.language.grammar.talk.utmost_number import utmost_number
 from rpg.language.tokens import Token
 
@@ -242,16 +243,17 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
-_CHANGES = (answers_wanted, respelling, bare_sides, one_side_each, own_color, told_in_total, halves_told, no_two,
-            any_other, in_pairs, utmost_number, _furthest, _seen, _is, _resumed, _have_done, _hedged, _tidied, _freely,
-            _around, _like_a_grid, _finished_off, by_again, heights_told, sizes_compared, dealt_out)  # fmt: skip
+_CHANGES = (all_as_before, answers_wanted, respelling, bare_sides, one_side_each, own_color, told_in_total, halves_told,
+            no_two, any_other, every_other, in_pairs, utmost_number, _furthest, _seen, _is, _resumed, _have_done,
+            _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off, by_again, heights_told, sizes_compared,
+            dealt_out)  # fmt: skip
 _TELLING = (
     frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",
                "rows", "approximately", "or", "more", "about", "give", "ish", "like", "but", "as", "half", "each",
                "equation", "sum", "right", "no", "pairs", "unscramble", "turn", "change", "rearrange", "currently",
                "spell", "say", "says", "spelling", "word", "reads", "becomes", "become", "number", "=", "match",
                "every", "side", "total", "altogether", "answer", "result", "solution", "of", "want", "has", "with",
-               "by", "in", "towers", "stacks"})
+               "by", "in", "towers", "stacks", "everything", "all"})
     | TELLING | _TIDIED | _LEFT_OUT | _TOPPED | _FAR
 )  # fmt: skip
 """Words without one of which there is nothing of all this."""

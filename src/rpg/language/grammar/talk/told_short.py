@@ -54,6 +54,20 @@ def any_other(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
+_BESIDE = frozenset({"of", "from", "behind"})
+"""Behind these "every other block" is all others, and not every second one."""
+
+
+def every_other(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "To the right of every other block": of all others."""
+    for at in range(2, len(words) - 2):
+        ones = words[at + 2] in (*lexicon.BLOCK, "one")
+        if words[at : at + 2] == ["every", "other"] and ones and words[at - 1] in _BESIDE:
+            others = [tokens[at].saying(word) for word in ("all", "others")]
+            return [*tokens[:at], *others, *tokens[at + 3 :]]
+    return None
+
+
 _GROUPING = frozenset({"group", "put", "split", "divide", "sort", "separate", "arrange", "organize", "place"})
 
 

@@ -38,6 +38,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
     """ "it", "the others", "each of them", "the latter"."""
     if j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
+    if (j := p.one(i, "rest")) and p.stands(j, _STAYS):
+        yield Pronoun(word="the rest", span=p.span(i, j)), j
     if p.follows(i, _BEFORE_WHICH) and (j := p.one(i, "which")):  # "..., on which the green one is to be put"
         yield Pronoun(word="which", span=p.span(i, j), cost=1), j
     if j := p.one(i, ("all", "these", "those")):
@@ -80,3 +82,7 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
                    "any of the others", "each", "all others", "all the others", "all the rest",
                    "all")):  # fmt: skip
         yield Pronoun(word=phrase, span=p.span(i, j), cost=int(phrase in ("none of them", "either of them"))), j
+
+
+_STAYS = frozenset({"stays", "remains", "goes", "is"})
+"""Before these "rest" is no verb."""

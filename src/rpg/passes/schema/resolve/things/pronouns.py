@@ -9,6 +9,7 @@ from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.off_it import check_off_it
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
+from rpg.passes.schema.resolve.things.others_open import made_up
 from rpg.passes.schema.resolve.things.second_patch import one_alone
 from rpg.passes.schema.resolve.things.them import them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
@@ -311,6 +312,8 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         taken = set(scene.things) - (set(scene.whole) - scene.parted)
     left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken] or _of_the_last(noun, scene, patch)
     count = noun.amount.low if noun.amount else None
+    if (open_ := made_up(noun.span, left, scene, patch)) is not None:
+        return open_
     _of_all(noun, left, scene, patch)
     if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
         left = more

@@ -149,6 +149,7 @@ class Scene:
     `kept`: what the verb "keep" asks for, each with what it says of the start.
     `ignored`: blocks that are said to be distractors, each with the words that say so.
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
+    `others_open`: where all others are spoken of, of which it is not said how many they are.
     `untouched`: blocks that are left as they are, which is more than where they are.
     `names_blocks`: whether some sentence says how blocks look or how many there are.
     `looks`: how many different looks of blocks are named.
@@ -189,6 +190,7 @@ class Scene:
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
     speaks_of_rest: bool = False
+    others_open: Span | None = None
     on_clause: dict[str, int] = field(default_factory=dict)
     parted: set[str] = field(default_factory=set)
     whole: tuple[str, ...] = ()

@@ -1,0 +1,81 @@
+"""All the others, where nothing says how many there are: "red to the right of all the other blocks", "do not move the
+blue one, put the rest on the mat". As of "all the blocks", their number is assumed."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Traits, parts_of
+from rpg.passes.schema.resolve.things.things import create
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing
+
+_ALL = frozenset({"all others", "all the others", "all the rest", "everything else"})
+_REST = frozenset({"the others", "the rest", "the other ones", "the remaining ones", "others"})
+_LEFT = ("keep", "touch")
+OTHERS = 3
+"""So many are "all the others"."""
+
+
+def others_left_open(chains: tuple[Chain, ...]) -> Span | None:
+    """Where all others are spoken of, of which no more is said, while all that is named is named one by one."""
+    clauses = [clause for chain in chains for clause in chain.clauses]
+    parts = parts_of(tuple(clauses))
+    found = [part for part in parts if _all_others(part) or _the_rest(part)]
+    if len(found) != 1 or not all(isinstance(c, Clause) and c.mode not in ("given", "start") for c in clauses):
+        return None
+    rest = found[0]
+    here = next(n for n, clause in enumerate(clauses) if rest in parts_of(clause))
+    named = [part for part in parts if isinstance(part, Noun) and part.head != "patch" and part is not rest]
+    first = [part for clause in clauses[: here + 1] for part in parts_of(clause)]
+    if not named or not all(_known(noun) and any(noun is part for part in first) for noun in named):
+        return None
+    before = [part for clause in clauses[:here] for part in parts_of(clause)]
+    own = _theme(clauses[here]) is not rest
+    if own and any(isinstance(part, Noun) and part in named for part in before):
+        return None  # "red, green and blue are on the mat; red is left of all others" is of these
+    alone = any(map(_stays, clauses[:here])) or _stays(clauses[here])
+    return rest.span if _all_others(rest) or (alone and not own) else None
+
+
+def made_up(span: Span, left: list[Thing], scene: Scene, patch: bool) -> Ref | None:
+    """The blocks that these are; None where no such others are spoken of there, or some of those named are `left`."""
+    some = bool(left) and {t.name for t in left} != {t.name for t in scene.blocks()}
+    if scene.others_open != span or patch or some or any(t.declared for t in scene.things.values()):
+        return None
+    scene.new_batch()
+    made = [create(Traits(), scene, False) for _ in range(OTHERS)]
+    names = tuple(thing.name for thing in made)
+    for thing in made:
+        thing.claims += 1  # none of them is the red block that is named behind
+    scene.assume(f"how many other blocks there are is not said: {OTHERS}")
+    scene.used.update(names)
+    scene.parted.update(names)
+    return Ref(names=names, plural=True)
+
+
+def _all_others(part: Meaning) -> bool:
+    if isinstance(part, Pronoun):
+        return part.word in _ALL
+    other = isinstance(part, Noun) and part.det == "other" and part.head == "block" and part.plural
+    return other and isinstance(part, Noun) and part.traits == Traits() and part.amount is None
+
+
+def _the_rest(part: Meaning) -> bool:
+    return isinstance(part, Pronoun) and part.word in _REST
+
+
+def _known(noun: Noun) -> bool:
+    """ "The red block", "red": of which there is one, and it has a look to know it by."""
+    single = not noun.plural and noun.det in ("the", "a", "bare") and noun.part_of is None and not noun.conditions
+    return single and bool(noun.traits.colors or noun.traits.labels or noun.traits.size) and not noun.traits.rank
+
+
+def _theme(clause: Meaning) -> Meaning | None:
+    return clause.theme if isinstance(clause, Clause) else None
+
+
+def _stays(clause: Meaning) -> bool:
+    """ "Leave the blue one where it is", "do not touch it"."""
+    if not isinstance(clause, Clause):
+        return False
+    stays = any(isinstance(part, Manner) and part.kind == "stay" for part in clause.adjuncts)
+    return stays or (clause.verb in _LEFT and clause.negated == (clause.verb == "touch"))

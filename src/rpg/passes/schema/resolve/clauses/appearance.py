@@ -111,6 +111,9 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
             quality.span,
             "name one colour for each",
         )
+    if len(traits.colors) > 1 and all(thing.patch and not thing.declared for thing in things):
+        raise refuse("ambiguous", "it is not said which of the patches has which of these colors", quality.span,
+                     "name the color of each patch where you say what lies on it")  # fmt: skip
     for index, thing in enumerate(things):
         color = traits.colors[index if len(traits.colors) > 1 else 0] if traits.colors else None
         if color and thing.color not in (None, color):

@@ -20,9 +20,7 @@ _LEADS = frozenset({"please", "now", "can", "could", "you", "i", "want", "would"
 _ARTICLES = frozenset({"a", "an", "the", "my", "our", "some", "one"})
 _OUT_OF = frozenset({"with", "from", "using", "of", "out"})
 _SHAPES = frozenset(
-    "zigzag zig zag spiral hexagon pentagon octagon polygon diamond rhombus star heart arc arch semicircle halfcircle "
-    "wave curve helix trapezoid trapezium parallelogram oval ellipse sphere dome cylinder cone ball snake worm "
-    "diagonal chevron spiralling".split()
+    ["zigzag", "zig", "zag", "spiral", "hexagon", "pentagon", "octagon", "polygon", "diamond", "rhombus", "star", "heart", "arc", "arch", "semicircle", "halfcircle", "wave", "curve", "helix", "trapezoid", "trapezium", "parallelogram", "oval", "ellipse", "sphere", "dome", "cylinder", "cone", "ball", "snake", "worm", "diagonal", "chevron", "spiralling"]
 )
 """Names of shapes: a row of blocks would be none of these."""
 _THINGS = frozenset({"robot", "sandwich", "car", "face", "bridge", "gate", "table", "bed"})

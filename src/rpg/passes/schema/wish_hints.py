@@ -48,8 +48,8 @@ _UNCHECKED = (
     ),
     _Wish(
         re.compile(
-            r"\b(?:nearest|closest|furthest|farthest) (?:\w+ )?(?:block|cube|patch|mat|one)\b|\b(?:block|cube|patch|mat|one) "
-            r"(?:that|which) is (?:nearest|closest|furthest|farthest)\b",
+            r"\b(?:nearest|closest|furthest|farthest) (?:\w+ )?(?:block|cube|patch|mat|one)\b|"
+            r"\b(?:block|cube|patch|mat|one) (?:that|which) is (?:nearest|closest|furthest|farthest)\b",
             re.I,
         ),
         "which block or patch that is depends on how the blocks lie at the start, and may change",

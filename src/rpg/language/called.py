@@ -19,11 +19,11 @@ _LEADS = frozenset({"please", "now", "can", "could", "you", "i", "want", "would"
                     "children", "the", "robot", "arm", *_MAKING})  # fmt: skip
 _ARTICLES = frozenset({"a", "an", "the", "my", "our", "some", "one"})
 _OUT_OF = frozenset({"with", "from", "using", "of", "out"})
-_SHAPES = frozenset(
-    "zigzag zig zag spiral hexagon pentagon octagon polygon diamond rhombus star heart arc arch semicircle halfcircle "
-    "wave curve helix trapezoid trapezium parallelogram oval ellipse sphere dome cylinder cone ball snake worm "
-    "diagonal chevron spiralling".split()
-)
+_SHAPES = frozenset({
+    "zigzag", "zig", "zag", "spiral", "hexagon", "pentagon", "octagon", "polygon", "diamond", "rhombus", "star",
+    "heart", "arc", "arch", "semicircle", "wave", "curve", "helix", "trapezoid", "trapezium", "parallelogram", "oval",
+    "ellipse", "sphere", "dome", "cylinder", "cone", "ball", "snake", "worm", "diagonal", "chevron",
+})  # fmt: skip
 """Names of shapes: a row of blocks would be none of these."""
 _THINGS = frozenset({"robot", "sandwich", "car", "face", "bridge", "gate", "table", "bed"})
 """Names that have another meaning beside blocks, or nearly that of a word with one."""

@@ -98,7 +98,7 @@ def build(
             said_before.add(told)
         try:
             found = either_way(
-                lambda told, there, noted: resolve(told, there, text, noted, name, seed, author), links, chosen, notes
+                lambda ls, cs, ns: resolve(ls, cs, text, ns, name, seed, author), links, chosen, notes, text
             )
             if best is not None and same(best[1].task, found.task):
                 continue  # that task was looked at

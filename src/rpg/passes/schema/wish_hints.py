@@ -25,7 +25,9 @@ class _Wish:
 
 _UNCHECKED = (
     _Wish(
-        re.compile(r"\bhold(?:s|ing)?\b|\b(?:in|into|through) the air\b|\bhover", re.I),
+        re.compile(
+            r"\bhold(?:s|ing)? (?:it|them|the|this|that|up|still|an?)\b|\b(?:in|into|through) the air\b|\bhover", re.I
+        ),
         "a block that is held has no place at the end: what is checked is how blocks lie when nothing holds them",
         "say where it is put down, as in 'put the red block on the blue block'",
     ),
@@ -45,7 +47,11 @@ _UNCHECKED = (
         "leave this out, as in 'put the red block on the blue patch'",
     ),
     _Wish(
-        re.compile(r"\b(?:nearest|closest|furthest|farthest)\b", re.I),
+        re.compile(
+            r"\b(?:nearest|closest|furthest|farthest) (?:\w+ )?(?:block|cube|patch|mat|one)\b|"
+            r"\b(?:block|cube|patch|mat|one) (?:that|which) is (?:nearest|closest|furthest|farthest)\b",
+            re.I,
+        ),
         "which block or patch that is depends on how the blocks lie at the start, and may change",
         "name it by its colour, as in 'put the red block on the blue patch'",
     ),

@@ -27,7 +27,8 @@ _THERE = {
        for at in ("at", "on")},
 }  # fmt: skip
 _OF_LINE = ("of it", "of them", "of these", "of those", "of which", "of the row", "of the line", "of the column",
-            "of that row", "of the word", "of this row", "of the letters", "of the blocks", "of the cubes")  # fmt: skip
+            "of that row", "in the row", "in the line", "of the word", "of this row",
+            "of the letters", "of the blocks", "of the cubes")  # fmt: skip
 _ENDS_THERE = frozenset({"of", "half", "side", "corner", "hand", "edge", "block", "cube", "one"})
 _TOLD_SIDES = frozenset({"left", "right", "front", "back", "bottom", "top", "middle", "last"})
 

@@ -26,9 +26,9 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.lined_there import lined_there
+from rpg.passes.schema.resolve.clauses.row_granted import Told, row_granted
 
 T = TypeVar("T")
-Told = tuple[list[str], tuple[Chain, ...], tuple[str, ...]]
 
 _USUAL = 3
 """So many blocks has a tower of which it is not said how many it has."""
@@ -44,10 +44,11 @@ def either_way(
     links: list[str],
     chains: tuple[Chain, ...],
     notes: list[str],
+    text: str,
 ) -> T:
-    """What the sentences come to: where a tower is taken for granted it is there, if that makes sense."""
+    """What the sentences come to: where a tower or a row is taken for granted it is there, if that makes sense."""
     links, chains = lined_there(links, chains)
-    granted = taken_for_granted(links, chains)
+    granted = taken_for_granted(links, chains) or row_granted(links, chains, text)
     if granted is None:
         return read(links, chains, notes)
     there, told, more = granted

@@ -1,0 +1,56 @@
+"""Short turns of phrase: "into the gap between" is between, "make 12 with the digit cubes" is the number 12."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+_GAPS = frozenset({"gap", "space", "room"})
+_INTO = frozenset({"in", "into", "inside"})
+_ANYWHERE = frozenset({"anywhere", "somewhere"})
+_MAKING = frozenset({"make", "build", "form", "show", "write", "lay"})
+_OUT_OF = frozenset({"with", "from", "using", "out"})
+_DIGITS = frozenset({"digit", "digits", "number", "numbers"})
+_TWO_DIGITS = 10
+_NONE_ELSE = frozenset({"of", "them", "the", "these"})
+
+
+def between_them(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Into the gap between the two blue ones": between them."""
+    for at in range(1, len(words) - 3):
+        gap = words[at + 1] in ("the", "a") and words[at + 2] in _GAPS and words[at + 3] == "between"
+        if gap and words[at] in _INTO:
+            return [*tokens[:at], *tokens[at + 3 :]]
+    return None
+
+
+def without_stacking(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Without stacking any of them": without stacking them."""
+    for at in range(1, len(words) - 2):
+        if words[at : at + 3] == ["without", "stacking", "any"]:
+            end = at + 3
+            while end < len(words) and (words[end] in _NONE_ELSE or words[end] in lexicon.BLOCK):
+                end += 1
+            return [*tokens[: at + 2], tokens[at + 2].saying("them"), *tokens[end:]]
+    return None
+
+
+def anywhere_else(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Anywhere, but not on the mat": anywhere but on it."""
+    for at in range(2, len(words) - 2):
+        comma = words[at + 1] == ","
+        if words[at] in _ANYWHERE and words[at + 1 + comma : at + 4 + comma] == ["but", "not", "on"]:
+            but = tokens[at + 1 + comma]
+            return [*tokens[:at], tokens[at].saying("anywhere"), but, *tokens[at + 3 + comma :]]
+    return None
+
+
+def number_made(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Make 12 with the digit cubes": make the number 12."""
+    for at in range(len(words) - 3):
+        value = tokens[at + 1].value if tokens[at + 1].kind == "number" else None
+        several = isinstance(value, float) and value >= _TWO_DIGITS and value.is_integer()
+        if words[at] in _MAKING and several and words[at + 2] in _OUT_OF and not _DIGITS.isdisjoint(words[at + 3 :]):
+            number = [tokens[at + 1].saying(word) for word in ("the", "number")]
+            return [*tokens[: at + 1], *number, *tokens[at + 1 :]]
+    return None

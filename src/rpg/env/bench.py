@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 from rpg.blocks.alike import Judge
 from rpg.blocks.judgement import Judgement
 from rpg.blocks.namings import Namings
-from rpg.blocks.physics import leave
 from rpg.blocks.state import BlockState
 from rpg.env.task import BlockTask
 from rpg.ir import goal as g
@@ -29,12 +28,6 @@ def goal_told(task: BlockTask) -> g.Goal | None:
 def namings_of(task: BlockTask) -> Namings:
     """Every naming of look-alikes under which a task judges its goal."""
     return task._namings
-
-
-def leave_simulation(task: BlockTask) -> None:
-    """Nobody uses `task` any more: the next one of the same scene may simulate in its memory."""
-    if task._physics is not None:
-        leave(task._physics)
 
 
 def judge_by(task: BlockTask, judge: Judge) -> None:

@@ -12,7 +12,7 @@ from rpg.blocks.alike import Judge
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.waypoints import over_time
 from rpg.env import BlockTask
-from rpg.env.bench import goal_told, judge_by, leave_simulation, namings_of, run_in_place_of, same_goal
+from rpg.env.bench import goal_told, judge_by, namings_of, run_in_place_of, same_goal
 from rpg.ir.artifact import GateReport, Program
 from rpg.ir.walk import plain
 from rpg.passes.validate.load import load
@@ -81,11 +81,6 @@ class Bench:
         if self.trusted:
             same_goal(self.task, made)
         return made
-
-    def close(self) -> None:
-        """All gates have run: another program of the same objects may simulate where this one did."""
-        if "task" in vars(self):
-            leave_simulation(self.task)
 
     def _judge_of(self, task: BlockTask) -> Judge | None:
         """A judge of the schema's goal, where the code tells just that, and nothing has to be remembered."""

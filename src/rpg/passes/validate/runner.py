@@ -51,7 +51,6 @@ def _here(program: Program, measures: Measures, limits: Limits, listen: Listener
         return tuple(_until_failure(GATES, bench, listen))
     finally:
         nursery.drop(number)
-        bench.close()
 
 
 def _asked(request: list[Any]) -> tuple[Nursery, int]:

@@ -47,6 +47,7 @@ from rpg.passes.schema.resolve.things.operands import (
     DIRECTIONS,
     LEVEL,
     carrier,
+    check_one_on_many,
     count,
     crown,
     far_from_any,
@@ -296,13 +297,7 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
     if first_of_all(theme, mark, loc):
         return spread(theme, lambda a: _landmarks(Ref(names=tuple(a)), mark, loc, scene, span), span)  # type: ignore[arg-type]
     if (quant := mark.quant) is not None:
-        if loc.rel == "on" and quant.low > 1 and len(theme.names) == 1 and not theme.built:
-            raise refuse(
-                "ambiguous",
-                f"one block cannot lie on {quant.low} blocks, and how many there are is not said",
-                theme.span,
-                "say it of these: 'two of the three red blocks are on any of the three blue blocks'",
-            )
+        check_one_on_many(theme, quant, loc)
         return count(mark.names, quant, lambda b: _relate(theme, Ref(names=tuple(b)), loc, scene, span), span)  # type: ignore[arg-type]
     marks = [mark] if mark.each and indefinite(theme) else one_by_one(mark, loc, scene)
     if len(marks) > 1 and (theme.op in ("or", "xor") or (theme.quant is not None and theme.quant.high != 0)):

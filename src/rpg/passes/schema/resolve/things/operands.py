@@ -102,6 +102,13 @@ def one_on_one(theme: Ref, mark: Ref, loc: Loc) -> Ref:
     return replace(mark, quant=ANY) if close and theme.quant == mark.quant == _ONE else mark
 
 
+def check_one_on_many(theme: Ref, quant: Amount, loc: Loc) -> None:
+    """Refuse "two of the three blue blocks carry a red block": a single one lies on no two."""
+    if loc.rel == "on" and quant.low > 1 and len(theme.names) == 1 and not theme.built:
+        raise refuse("ambiguous", f"one block cannot lie on {quant.low} blocks, and how many there are is not said",
+                     theme.span, "say: 'two of the three red blocks are on any of the three blue blocks'")  # fmt: skip
+
+
 def first_of_all(theme: Ref, mark: Ref, loc: Loc) -> bool:
     """Whether every one of the theme's blocks, or so many of them, have each so many of the landmarks: "both red blocks
     touch at least one blue block", "no red block touches both blue ones"."""

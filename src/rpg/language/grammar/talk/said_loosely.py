@@ -53,9 +53,10 @@ def _it(tokens: list[Token], words: list[str]) -> list[Token] | None:
 def _anywhere_else(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "(Two of them on the mat,) the others anywhere else": elsewhere."""
     for at in range(1, len(words) - 1):
-        if words[at : at + 2] == ["anywhere", "else"] and words[at - 1] in (*_OTHERS, "ones", "are", "is", "go"):
-            if not _OTHERS.isdisjoint(words[max(0, at - 3) : at]) or "other" in words[max(0, at - 3) : at]:
-                return [*tokens[:at], tokens[at].saying("elsewhere"), *tokens[at + 2 :]]
+        led = words[at - 1] in (*_OTHERS, "ones", "are", "is", "go")
+        others = not (_OTHERS | {"other"}).isdisjoint(words[max(0, at - 3) : at])
+        if words[at : at + 2] == ["anywhere", "else"] and led and others:
+            return [*tokens[:at], tokens[at].saying("elsewhere"), *tokens[at + 2 :]]
     return None
 
 
@@ -71,9 +72,9 @@ def _of_the_same(tokens: list[Token], words: list[str]) -> list[Token] | None:
         for again in range(end, stop - 2) if end else ():
             more = next((len(x) for x in _LEAST if tuple(words[again : again + len(x)]) == x), 0)
             number = again + more
-            if more and words[again - 1] in (",", "and") and number + 1 < stop and _many(tokens[number]):
-                if words[number + 1] in ("is", "are", "on"):
-                    return [*tokens[: number + 1], *tokens[of:end], *tokens[number + 1 :]]
+            told = more and words[again - 1] in (",", "and") and number + 1 < stop and _many(tokens[number])
+            if told and words[number + 1] in ("is", "are", "on"):
+                return [*tokens[: number + 1], *tokens[of:end], *tokens[number + 1 :]]
     return None
 
 
@@ -98,9 +99,9 @@ def _in_towers(tokens: list[Token], words: list[str]) -> list[Token] | None:
     if words[:1] in (["one"], ["a"], ["1"]) and words[1] in _SINGLE and words[2:3] == [","] and len(words) > 5:
         end = next((n for n in range(3, len(words)) if words[n] in (",", *_STOPS)), len(words))
         listed = all(_many(t) or t.word == "and" or t.word in lexicon.COLOR for t in tokens[3 : end - 1])
-        if listed and words[end - 1] in lexicon.BLOCK and _many(tokens[3]) and words[end : end + 1] == [","]:
-            if words[end + 1 : end + 2] == ["alternating"]:
-                return [*tokens[:2], tokens[2].saying("of"), *tokens[3:]]
+        blocks = listed and words[end - 1] in lexicon.BLOCK and _many(tokens[3])
+        if blocks and words[end : end + 2] == [",", "alternating"]:
+            return [*tokens[:2], tokens[2].saying("of"), *tokens[3:]]
     return None
 
 

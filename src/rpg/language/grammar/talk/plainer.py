@@ -11,6 +11,7 @@ from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import respelling
+from rpg.language.grammar.talk.said_loosely import LOOSE, said_loosely
 from rpg.language.grammar.talk.short_turns import anywhere_else, between_them, number_made, without_stacking
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
 from rpg.language.grammar.talk.told_short import any_other, every_other, halves_told, in_pairs, no_two
@@ -247,7 +248,7 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
 _CHANGES = (all_as_before, answers_wanted, respelling, bare_sides, one_side_each, own_color, told_in_total, halves_told,
             no_two, any_other, every_other, in_pairs, utmost_number, _furthest, _seen, _is, _resumed, _have_done,
             _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off, by_again, heights_told, sizes_compared,
-            dealt_out, between_them, without_stacking, anywhere_else, number_made)  # fmt: skip
+            dealt_out, between_them, without_stacking, anywhere_else, number_made, said_loosely)  # fmt: skip
 _TELLING = (
     frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",
                "rows", "approximately", "or", "more", "about", "give", "ish", "like", "but", "as", "half", "each",
@@ -256,6 +257,6 @@ _TELLING = (
                "every", "side", "total", "altogether", "answer", "result", "solution", "of", "want", "has", "with",
                "by", "in", "towers", "stacks", "everything", "all", "between",
                "stacking", "anywhere", "somewhere", "digit", "numbers", "digits"})
-    | TELLING | _TIDIED | _LEFT_OUT | _TOPPED | _FAR
+    | TELLING | LOOSE | _TIDIED | _LEFT_OUT | _TOPPED | _FAR
 )  # fmt: skip
 """Words without one of which there is nothing of all this."""

@@ -1,0 +1,198 @@
+"""What is said with a word more or less than a plainer sentence has: "the green block, it must be under ..."."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+_STOPS = frozenset({".", "!", "?", ";"})
+_MUST = frozenset({"must", "should", "shall", "is", "goes", "belongs", "has", "needs"})
+_OTHERS = frozenset({"others", "rest", "remainder"})
+_LEAST = (("at", "least"), ("at", "most"), ("exactly",))
+_PLURAL = frozenset(word for word, (_, plural) in lexicon.STRUCTURE.items() if plural)
+_SINGLE = frozenset(lexicon.STRUCTURE) - _PLURAL
+_ENDS = frozenset({"bottom", "top", "left", "right", "front", "back"})
+_HAVING = (("has",), ("consists", "of"), ("contains",), ("is", "made", "of"))
+_TOWERS = frozenset({"towers", "stacks", "piles"})
+
+
+def said_loosely(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """The tokens with one such construction in plainer words."""
+    return next((found for change in _CHANGES if (found := change(tokens, words)) is not None), None)
+
+
+def _many(token: Token) -> int:
+    """A whole number in digits or words."""
+    if token.kind == "number" and isinstance(token.value, float) and token.value.is_integer():
+        return int(token.value)
+    return lexicon.NUMBER.get(token.word, 0) if token.kind == "word" else 0
+
+
+def _counted(tokens: list[Token], at: int) -> int:
+    """Where "six pink blocks" ends that begins here; 0 if it does not."""
+    end = at + 1
+    while end < len(tokens) and tokens[end].word in lexicon.COLOR:
+        end += 1
+    return end + 1 if end < len(tokens) and _many(tokens[at]) and tokens[end].word in lexicon.BLOCK else 0
+
+
+def _it(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "The green block, it must be under the yellow one": the green block must be there."""
+    for at in range(2, len(words) - 2):
+        if words[at] not in (",", ":", "-") or words[at + 1] != "it" or words[at + 2] not in _MUST:
+            continue
+        begin = max((n + 1 for n in range(at) if words[n] in _STOPS), default=0)
+        begin += words[begin] == "the"
+        looks = words[begin : at - 1]
+        single = lexicon.BLOCK.get(words[at - 1]) is False
+        if single and looks and all(word in lexicon.COLOR or word in lexicon.SIZE for word in looks):
+            return [*tokens[:at], *tokens[at + 2 :]]
+    return None
+
+
+def _anywhere_else(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "(Two of them on the mat,) the others anywhere else": elsewhere."""
+    for at in range(1, len(words) - 1):
+        led = words[at - 1] in (*_OTHERS, "ones", "are", "is", "go")
+        others = not (_OTHERS | {"other"}).isdisjoint(words[max(0, at - 3) : at])
+        if words[at : at + 2] == ["anywhere", "else"] and led and others:
+            return [*tokens[:at], tokens[at].saying("elsewhere"), *tokens[at + 2 :]]
+    return None
+
+
+def _of_the_same(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "At least two of the five blue blocks are here, and at least one is there": one of the five blue blocks."""
+    for at in range(len(words) - 4):
+        lead = next((len(x) for x in _LEAST if tuple(words[at : at + len(x)]) == x), 0)
+        of = at + lead + 1
+        if not lead or not _many(tokens[of - 1]) or words[of : of + 2] != ["of", "the"]:
+            continue
+        end = _counted(tokens, of + 2)
+        stop = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
+        for again in range(end, stop - 2) if end else ():
+            more = next((len(x) for x in _LEAST if tuple(words[again : again + len(x)]) == x), 0)
+            number = again + more
+            told = more and words[again - 1] in (",", "and") and number + 1 < stop and _many(tokens[number])
+            if told and words[number + 1] in ("is", "are", "on"):
+                return [*tokens[: number + 1], *tokens[of:end], *tokens[number + 1 :]]
+    return None
+
+
+def _formed_there(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Lay six blocks on the table so that they form a triangle": a triangle is on the table anyway."""
+    said = ["on", "the", "table", "so", "that", "they", "form"]
+    for at in range(2, len(words) - len(said)):
+        patched = any(word in lexicon.PATCH for word in words)
+        if words[at : at + len(said)] == said and not patched and words[at - 1] in lexicon.BLOCK:
+            return [*tokens[:at], *tokens[at + 3 :]]
+    return None
+
+
+def _in_towers(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Eight pink blocks, two towers, four in each tower": eight of them in two towers.
+    "One tower, 2 red and 2 blue blocks, alternating": one tower of these."""
+    comma = _counted(tokens, 0) if tokens else 0
+    if comma and words[comma : comma + 1] == [","] and words[comma + 2 : comma + 3] and words[comma + 2] in _PLURAL:
+        last = words[comma + 3 : comma + 4] == [","] and "each" in words[comma + 4 :]
+        if last and _many(tokens[comma + 1]) > 1:
+            return [*tokens[:comma], tokens[comma].saying("in"), *tokens[comma + 1 :]]
+    if words[:1] in (["one"], ["a"], ["1"]) and words[1] in _SINGLE and words[2:3] == [","] and len(words) > 5:
+        end = next((n for n in range(3, len(words)) if words[n] in (",", *_STOPS)), len(words))
+        listed = all(_many(t) or t.word == "and" or t.word in lexicon.COLOR for t in tokens[3 : end - 1])
+        blocks = listed and words[end - 1] in lexicon.BLOCK and _many(tokens[3])
+        if blocks and words[end : end + 2] == [",", "alternating"]:
+            return [*tokens[:2], tokens[2].saying("of"), *tokens[3:]]
+    return None
+
+
+def _touched(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "No red block is touched by a blue one": none touches a blue one."""
+    for at in range(2, len(words) - 3):
+        if words[at] in ("is", "are") and words[at + 1 : at + 3] == ["touched", "by"] and "no" in words[:at]:
+            touches = "touches" if words[at] == "is" else "touch"
+            return [*tokens[:at], tokens[at].saying(touches), *tokens[at + 3 :]]
+    return None
+
+
+def _going_down(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Write SUN going down a tower": down a tower. "8 cm apart from one to the next": 8 cm apart."""
+    for at in range(1, len(words) - 3):
+        down = words[at + 1] in ("down", "up") and words[at + 2] in ("a", "the", "one")
+        if words[at] in ("going", "running") and down and words[at + 3] in _SINGLE:
+            return [*tokens[:at], *tokens[at + 1 :]]
+        if words[at] == "apart" and words[at + 1 : at + 6] == ["from", "one", "to", "the", "next"]:
+            return [*tokens[: at + 1], *tokens[at + 6 :]]
+    return None
+
+
+def _having(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "A tower which has, from bottom to top, A, B and C": a tower, from bottom to top: A, B and C."""
+    for at in range(1, len(words) - 6):
+        if words[at] not in ("which", "that") or words[at - 1] not in _SINGLE:
+            continue
+        has = next((len(x) for x in _HAVING if tuple(words[at + 1 : at + 1 + len(x)]) == x), 0)
+        way = at + 1 + has + (words[at + 1 + has] == ",")
+        told = words[way : way + 1] == ["from"] and words[way + 2 : way + 3] == ["to"]
+        if has and told and {words[way + 1], words[way + 3]} <= _ENDS and len(words) > way + 5:
+            rest = way + 4 + (words[way + 4] in (",", ":"))
+            comma, colon = tokens[at].saying(","), tokens[at].saying(":")
+            return [*tokens[:at], comma, *tokens[way : way + 4], colon, *tokens[rest:]]
+    return None
+
+
+def _dealt(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Distribute eight blocks over two towers": into two towers."""
+    end = _counted(tokens, 1) if words[:1] in (["distribute"], ["spread"], ["divide"]) else 0
+    led = end and words[end : end + 1] in (["over"], ["among"], ["across"], ["between"])
+    if led and len(words) > end + 2 and _many(tokens[end + 1]) > 1 and words[end + 2] in _TOWERS:
+        return [tokens[0].saying("distribute"), *tokens[1:end], tokens[end].saying("into"), *tokens[end + 1 :]]
+    return None
+
+
+def _alone(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "(Stack two of five,) the rest lie alone on the table": apart."""
+    for at in range(3, len(words) - 3):
+        each = words[at - 1] == "each"
+        led = words[at - 1 - each] in ("lie", "are", "stay", "stand") and words[at - 2 - each] in (*_OTHERS, "ones")
+        if words[at : at + 4] == ["alone", "on", "the", "table"] and led:
+            return [*tokens[: at - each], tokens[at].saying("apart"), *tokens[at + 1 :]]
+    return None
+
+
+def _also_called(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "A ring of six blocks, that is, a circle": another word for the same figure."""
+    for at in range(2, len(words) - 5):
+        if words[at : at + 5] != [",", "that", "is", ",", "a"] or words[at + 5] not in _SINGLE:
+            continue
+        ends = words[at + 6 : at + 7] in ([], ["."])
+        kinds = {lexicon.STRUCTURE[word][0] for word in words[:at] if word in _SINGLE}
+        if ends and kinds == {lexicon.STRUCTURE[words[at + 5]][0]}:
+            return [*tokens[:at], *tokens[at + 6 :]]
+    return None
+
+
+def _wanted(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "I would like three towers of two blocks each, one red, ...": I want them."""
+    if words[:3] == ["i", "would", "like"] and len(words) > 5 and _many(tokens[3]) > 1 and words[4] in _PLURAL:
+        return [tokens[0], tokens[1].saying("want"), *tokens[3:]]
+    return None
+
+
+def _taken(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Take the six green blocks: three of them become a tower, the rest a row": there are six, and three form it."""
+    at = 1 + (words[1:2] == ["the"])
+    end = _counted(tokens, at) if words[:1] == ["take"] and at < len(tokens) else 0
+    told = end and words[end : end + 1] in ([":"], [","], [";"]) and words[end + 2 : end + 4] == ["of", "them"]
+    if not told or not _many(tokens[end + 1]) or words[end + 4 : end + 5] not in (["become"], ["form"], ["make"]):
+        return None
+    there = [tokens[0].saying(word) for word in ("there", "are")]
+    rest = [token.saying("form") if token.word in ("become", "make") else token for token in tokens[end + 1 :]]
+    return [*there, *tokens[at:end], tokens[end].saying(":"), *rest]
+
+
+_CHANGES = (_it, _anywhere_else, _of_the_same, _formed_there, _in_towers, _touched, _going_down, _having, _dealt,
+            _alone, _also_called, _wanted, _taken)  # fmt: skip
+LOOSE = frozenset({"it", "anywhere", "least", "most", "exactly", "so", "each", "alternating", "touched", "going",
+                   "running", "apart", "which", "that", "distribute", "spread", "divide", "alone", "like",
+                   "take"})  # fmt: skip
+"""Words without one of which there is nothing of all this."""

@@ -309,7 +309,10 @@ _NOT_TOUCH = ("not touch", "never touch", "not be touching", "must not touch", "
 def _untouching(p: Parser, i: int, before: Clause) -> Results[Clause]:
     """ "The blue block should stand next to the red one but not touch it": no order of its own."""
     start = p.any_of(i, _NOT_TOUCH) if before.verb == "be" and before.mode == "goal" and before.theme else 0
-    for mark, j in simple(p, start) if start else ():
+    found = list(simple(p, start)) if start else []
+    if start and _several(before.theme) and (start >= p.end or p.stands(start, (",", ";"))):
+        found.append((Pronoun(word="each other", span=p.span(i, start)), start))
+    for mark, j in found:
         place = Loc(rel="touching", landmark=mark, span=p.span(i, j))
         told = replace(before, theme=_same(before), adjuncts=(place,), negated=True, lemma="")
         yield replace(told, span=p.span(i, j), cost=0), j

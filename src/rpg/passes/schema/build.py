@@ -42,12 +42,12 @@ from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_first
 from rpg.passes.schema.resolve.clauses.between_two import of_a_line
 from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
-from rpg.passes.schema.resolve.clauses.emptied import emptied
 from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
 from rpg.passes.schema.resolve.clauses.in_parts import links_left
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.clauses.moments import in_time
+from rpg.passes.schema.resolve.clauses.none_told import none_told
 from rpg.passes.schema.resolve.clauses.readied import readied
 from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
@@ -160,7 +160,7 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    chains = from_heaps(readied(emptied(chains), text))
+    chains = from_heaps(readied(none_told(chains), text))
     links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, chains, text))))
     told = begun(chains, text)
     links, every = links_left(links, chains, told), links

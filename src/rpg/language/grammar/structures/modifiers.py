@@ -13,7 +13,7 @@ MODIFIERS = {
     "upright": {"upright": True},
     "single file": {}, "standing": {"upright": True}, "closed": {}, "proper": {},
     "full": {"filled": True},
-    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {},
+    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "equilateral": {}, "loose": {},
     "free standing": {}, "freestanding": {},
     "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
     "addition": {},

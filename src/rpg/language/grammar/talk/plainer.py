@@ -8,7 +8,7 @@ from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
-from rpg.language.grammar.talk.told_short import any_other, halves_told, no_two
+from rpg.language.grammar.talk.told_short import any_other, but_turned, halves_told, no_two
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
@@ -238,7 +238,7 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
-_CHANGES = (bare_sides, halves_told, no_two, any_other, _furthest, _seen, _is, _resumed, _have_done, _hedged, _tidied,
+_CHANGES = (bare_sides, halves_told, no_two, any_other, but_turned, _furthest, _seen, _is, _resumed, _have_done, _hedged, _tidied,
             _freely, _around, _like_a_grid, _finished_off, by_again, heights_told, sizes_compared,
             dealt_out)  # fmt: skip
 _TELLING = (

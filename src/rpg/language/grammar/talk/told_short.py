@@ -52,3 +52,15 @@ def any_other(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if any(one == "no" and words[n + 1] in lexicon.BLOCK for n, one in enumerate(words[begun:at], begun)):
             return [*tokens[:at], tokens[at].saying("another"), *tokens[at + 3 :]]
     return None
+
+
+_TURNED = frozenset({"backwards", "reversed", "backward", "mirrored"})
+
+
+def but_turned(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Spell DOG, but backwards": backwards."""
+    for at in range(1, len(words) - 1):
+        last = at + 2 == len(words) or words[at + 2] in _STOPS
+        if words[at] == "but" and words[at + 1] in _TURNED and last:
+            return [*tokens[: at - (words[at - 1] == ",")], *tokens[at + 1 :]]
+    return None

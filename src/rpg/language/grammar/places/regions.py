@@ -159,7 +159,7 @@ _BY_ROBOT = {
     f"{way} {whom}": side
     for side, ways in (
         ("near", ("closest to", "nearest to", "nearest", "near", "near to", "close to", "next to")),
-        ("far", ("farthest from", "furthest from", "far from", "away from", "farthest away from", "furthest away from")),
+        ("far", ("farthest from", "furthest from", "far from", "away from", "farthest away from")),
     )
     for way in ways
     for whom in ("the robot", "me", "you", "us", "the viewer", "the camera")

@@ -13,10 +13,10 @@ MODIFIERS = {
     "upright": {"upright": True},
     "single file": {}, "standing": {"upright": True}, "closed": {}, "proper": {},
     "full": {"filled": True},
-    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "equilateral": {}, "loose": {},
+    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {},
     "free standing": {}, "freestanding": {},
     "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
-    "addition": {},
+    "addition": {}, "equilateral": {},
     "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
 }  # fmt: skip
 

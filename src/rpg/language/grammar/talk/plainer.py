@@ -238,8 +238,8 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
-_CHANGES = (bare_sides, halves_told, no_two, any_other, but_turned, _furthest, _seen, _is, _resumed, _have_done, _hedged, _tidied,
-            _freely, _around, _like_a_grid, _finished_off, by_again, heights_told, sizes_compared,
+_CHANGES = (bare_sides, halves_told, no_two, any_other, but_turned, _furthest, _seen, _is, _resumed, _have_done,
+            _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off, by_again, heights_told, sizes_compared,
             dealt_out)  # fmt: skip
 _TELLING = (
     frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",

@@ -13,7 +13,8 @@ _BUILT = """
     flower fence archway fortress maze airplane rocket boat ship car truck train animal
 """
 _DOINGS = """
-    poke poking throw throwing toss roll rolling shake shaking kick kiss hug juggle bounce tap tapping trace tracing hover
+    poke poking throw throwing toss roll rolling shake shaking kick kiss hug juggle bounce tap tapping trace tracing
+    hover
     wiggle wobble wave
     squeeze catch fling swing lick tickle knock spill pour hammer bump nudge prod scratch
 """

@@ -12,6 +12,7 @@ from types import CodeType, ModuleType
 from rpg.core.diagnostics import Diagnostic
 from rpg.language import grammar, lexicon
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.not_here import HINTS
 from rpg.language.other_words import OTHER_WORDS
 from rpg.language.roles import as_anyone
 from rpg.language.tokens import Token
@@ -241,7 +242,7 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
             out.append(replace(token, raw=token.raw.lower()) if quiet else token)
         elif token.raw.isupper() and not shouting:
             out.append(replace(token, kind="literal", value=token.raw))
-        elif token.word not in _OTHER_THINGS | OTHER_WORDS and (match := _one_match(token.word)):
+        elif token.word not in _NO_SLIPS and (match := _one_match(token.word)):
             notes.append(f"read {token.raw!r} as {match!r}")
             out.append(replace(token, word=match, raw=match))
         else:
@@ -322,24 +323,19 @@ _MAKERS = _SPELLERS | _WRITERS | {"make", "form", "build", "create", "out"}
 """Before "the word" these ask for the word behind it."""
 
 
-_OTHER_THINGS = frozenset({
-    "apple", "apples", "ball", "balls", "banana", "bananas", "basket", "baskets", "bottle", "bottles", "bowl",
-    "bowls", "cans", "cap", "cone", "cones", "cup", "cups", "cylinder", "cylinders", "dice", "dish", "disc",
-    "discs", "disk", "disks", "doll", "door", "drawer", "fork", "glass", "hammer", "handle", "knife", "lid", "lids",
-    "mug", "mugs", "nut", "pan", "peg", "pegs", "pen", "pencil", "plate", "plates", "pot", "prism", "prisms", "rod",
-    "rods", "screw", "sphere", "spheres", "spoon", "tomato", "toy", "toys", "tray", "trays", "wheel",
-})  # fmt: skip
-"""Things that robots are asked to move elsewhere."""
+_NO_SLIPS = OTHER_WORDS | HINTS.keys()
+"""Words that are known to mean something else than what they look like."""
 
 
 def unknown(token: Token) -> Diagnostic:
     """A diagnostic for a word that means nothing here: known words that it could be a slip of, or what there is."""
     near = nearest(token.word, min(3, 1 + len(token.word) // 5))
-    close = [known for known in near if known[0] == token.word[0]][:3] if token.word not in _OTHER_THINGS else []
+    told = HINTS.get(token.word)
+    close = [known for known in near if known[0] == token.word[0]][:3] if told is None else []
     if close:
         hint = f"did you mean {' or '.join(repr(c) for c in close)}?"
-    elif token.word in _OTHER_THINGS:
-        hint = "tasks are made of blocks (cubes, plain or with a letter or digit) and flat patches: use one of these"
+    elif told is not None:
+        hint = told
     else:
         hint = "describe the task with blocks, patches and where they should be"
     return Diagnostic(

@@ -331,6 +331,7 @@ _FROM_HERE = Patterns(
 _ELSEWHERE = Patterns(
     "to|at|in|on? somewhere|someplace|anywhere else on? the? table?",
     "to? elsewhere on? the? table?",
+    "aside|to_the_side|to_one_side|out_of_the_way",
     "to|at|in|on another|a_different|some_other|a_new|any_other place|spot|position|location on? the? table?",
 )
 """Not where a block is found."""

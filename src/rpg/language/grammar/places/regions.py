@@ -129,8 +129,9 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
     k = p.any_of(p.opt(j, "exact", "very", "dead"), ("middle", "center", "central area", "central part"))
     if k and not p.stands(k, ("between",)):
         found.append(("middle", p.opt(k, "part", "area"), False))
-    if k := p.one(j, "edge"):
+    if k := p.any_of(j, ("edge", "table edge")):
         found.append(("edge", k, False))
+        found += [(f"{_BY_ROBOT[told]}_edge", e, True) for told, e in p.standing(of_table(p, k) or k, _BY_ROBOT)]
     found += [(_SOME[phrase], k, True) for phrase, k in p.standing(j, _SOME)]
     found += [(name, k, True) for name, k in told_corners(p, j)]
     for phrase, k in p.standing(j, _OPPOSITE):
@@ -162,11 +163,16 @@ _TWO_SIDES = {
     for sides in places
 }
 """Of the table: of a block or of a patch they are told otherwise."""
-_HALF_BY_ROBOT = {
-    **dict.fromkeys(("closest to the robot", "nearest to the robot", "nearest the robot", "near the robot"),
-                    "near_half"),
-    **dict.fromkeys(("farthest from the robot", "furthest from the robot", "far from the robot"), "far_half"),
-}  # fmt: skip
+_BY_ROBOT = {
+    f"{way} {whom}": side
+    for side, ways in (
+        ("near", ("closest to", "nearest to", "nearest", "near", "near to", "close to", "next to")),
+        ("far", ("farthest from", "furthest from", "far from", "away from", "farthest away from")),
+    )
+    for way in ways
+    for whom in ("the robot", "me", "you", "us", "the viewer", "the camera")
+}
+_HALF_BY_ROBOT = {told: f"{side}_half" for told, side in _BY_ROBOT.items()}
 
 
 def _corner(p: Parser, k: int, side: str) -> list[tuple[str, int, bool]]:

@@ -16,7 +16,7 @@ MODIFIERS = {
     "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {},
     "free standing": {}, "freestanding": {},
     "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
-    "addition": {},
+    "addition": {}, "equilateral": {},
     "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
 }  # fmt: skip
 

@@ -39,6 +39,7 @@ _PREFACES = (
     "no matter what happens? ,",
     "it is very|really|also? important|essential|crucial|necessary|vital that|to|:",
     "sorry|apologies|excuse_me to|for bother|bothering|disturb|interrupt you|me? ,? but ,?",
+    "sorry|excuse|apologies|pardon for|about? my bad? english ,|:|but ,?",
     "no need to hurry|rush|worry :|,|but|and",
     "i am? not sure if|whether you can do this|that|it ,? but ,?",
     "i am? not sure if|whether this|that|it is possible|doable|easy ,? but ,?",

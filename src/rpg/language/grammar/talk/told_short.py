@@ -79,3 +79,15 @@ def in_pairs(tokens: list[Token], words: list[str]) -> list[Token] | None:
         return None
     groups = [tokens[at].saying(word) for word in ("into", "groups", "of", "two")]
     return [*tokens[:at], *groups, *tokens[at + 2 :]]
+
+
+_TURNED = frozenset({"backwards", "reversed", "backward", "mirrored"})
+
+
+def but_turned(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Spell DOG, but backwards": backwards."""
+    for at in range(1, len(words) - 1):
+        last = at + 2 == len(words) or words[at + 2] in _STOPS
+        if words[at] == "but" and words[at + 1] in _TURNED and last:
+            return [*tokens[: at - (words[at - 1] == ",")], *tokens[at + 1 :]]
+    return None

@@ -251,6 +251,9 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
 
 def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
     if noun.head == "any":
+        sized = noun.traits.size is not None and bool(matching(noun.traits, scene, False))
+        if sized and not matching(noun.traits, scene, True):
+            return False  # "push the big block onto the mat, then put the small one on the big one"
         if scope.like_patch and noun.traits.colors and not (scope.given and noun.det == "a"):
             pool = [t for t in scene.things.values() if t.color in noun.traits.colors]
             last = next((m.ref.names for m in reversed(scene.mentions) if m.ref.patch and m.ref.names), ())

@@ -1,0 +1,28 @@
+"""Words that mean nothing here, by kinds: for each kind what is said of it instead of words that look alike."""
+
+from __future__ import annotations
+
+_THINGS = """
+    apple apples ball balls banana bananas basket baskets bottle bottles bowl bowls cans cap cone cones cup cups
+    cylinder cylinders dice dish disc discs disk disks doll door drawer fork glass hammer handle knife lid lids mug mugs
+    nut pan peg pegs pen pencil plate plates pot prism prisms rod rods screw sphere spheres spoon tomato toy toys tray
+    trays wheel
+"""
+_BUILT = """
+    bridge bridges castle castles gate gates house houses smiley face heart arch arches tunnel roof church temple snake
+    flower fence archway fortress maze airplane rocket boat ship car truck train animal
+"""
+_DOINGS = """
+    poke poking throw throwing toss roll rolling shake shaking kick kiss hug juggle bounce tap tapping trace tracing
+    hover
+    wiggle wobble wave
+    squeeze catch fling swing lick tickle knock spill pour hammer bump nudge prod scratch
+"""
+_KINDS = (
+    (_THINGS, "tasks are made of blocks (cubes, plain or with a letter or digit) and flat patches: use one of these"),
+    (_BUILT, "say how its blocks lie, as in 'a row of three blocks', 'a tower', 'a pyramid', 'stairs' or 'an L'"),
+    (_DOINGS, "only what is so at the end is checked: say where the block should be then, as in 'move the red block "
+              "to the left'"),
+)  # fmt: skip
+HINTS = {word: hint for words, hint in reversed(_KINDS) for word in words.split()}
+"""What to say of such a word."""

@@ -1,0 +1,65 @@
+"""Wishes that tell of no block at all: "clear the green patch", "stack them", "nothing should be touching"."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Quality,
+    Structure,
+    Traits,
+    Using,
+    parts_of,
+    replace,
+)
+
+_ALL = frozenset({"them", "these", "those"})
+_BUILDING = frozenset({"stack", "arrange", "sort", "place"})
+TWO = Amount(2, 2)
+
+
+def none_told(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """The sentences with the blocks that are meant: those on the patch that is to be cleared, or all that there are."""
+    things = [part for chain in chains for part in parts_of(chain)]
+    if any(isinstance(x, Structure) or (isinstance(x, Noun) and x.head != "patch") for x in things):
+        return chains
+    clauses = [clause for chain in chains for clause in chain.clauses]
+    if len(clauses) != 1:
+        return chains
+    return tuple(replace(chain, clauses=tuple(map(_of_blocks, chain.clauses))) for chain in chains)
+
+
+def _of_blocks(clause: Meaning) -> Meaning:
+    if not isinstance(clause, Clause) or clause.mode not in ("command", "goal"):
+        return clause
+    theme = clause.theme
+    if isinstance(theme, Noun) and _empties(clause, theme):
+        every = Noun(head="block", det="all", plural=True, span=theme.span)
+        place = Using(members=theme, lead="from", span=theme.span)
+        return Clause(verb="remove", lemma="remove", theme=every, adjuncts=(place,), span=clause.span, word=clause.word)
+    if not isinstance(theme, Pronoun) or clause.negated:
+        return clause
+    if theme.word == "nothing" and any(map(_to_each_other, clause.adjuncts)):
+        return replace(clause, theme=Noun(head="block", det="no", amount=TWO, plural=True, span=theme.span))
+    if theme.word in _ALL and clause.verb in _BUILDING and clause.mode == "command":
+        return replace(clause, theme=Noun(head="block", det="all", plural=True, span=theme.span))
+    return clause
+
+
+def _to_each_other(place: Meaning) -> bool:
+    return isinstance(place, Loc) and getattr(place.landmark, "word", "") == "each other"
+
+
+def _empties(clause: Clause, theme: Noun) -> bool:
+    """Of one patch: of several it is open what lies where."""
+    if clause.negated or theme.plural:
+        return False
+    if clause.verb == "remove" and clause.lemma in ("clear", "empty"):
+        return not clause.adjuncts
+    told = clause.verb == "be" and clause.mode == "goal" and len(clause.adjuncts) == 1
+    return told and isinstance(clause.adjuncts[0], Quality) and clause.adjuncts[0].traits == Traits(empty=True)

@@ -51,7 +51,9 @@ def _unheard_of(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
     count = min(_EDGES) if (noun.traits.rank or "").endswith("er") else max(_EDGES)
     lot = Noun(head="block", amount=Amount(count, count), plural=True, traits=marks, span=noun.span)
     scene.assume(f"the number of blocks is not said: {count}")
-    return _those(replace(noun, part_of=lot), scene, scope)
+    those = _those(replace(noun, part_of=lot), scene, scope)
+    scene.used.difference_update(thing.name for thing in those)  # "the rest on top": of these nothing was said yet
+    return those
 
 
 def edge_of(thing: Thing) -> float:

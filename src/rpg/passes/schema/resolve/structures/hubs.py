@@ -77,7 +77,9 @@ def hub_of(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Abs
     told = bool(middle.traits.colors or middle.traits.labels)
     if not _single(middle) or not told or set(own) & set(middle.traits.colors):
         return None
-    return found[0] if (own and "" not in own) or (_around(found[0]) and not {*own} - {""}) else None
+    every = isinstance(source, Noun) and source.traits == Traits() and source.amount is None
+    open_ = _around(found[0]) or (shape.kind == "circle" and (every or bool(own)))
+    return found[0] if (own and "" not in own) or (open_ and not {*own} - {""}) else None
 
 
 def _around(hub: Absolute) -> bool:
@@ -94,7 +96,7 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
         raise refuse("ambiguous", "it is not clear which block is in the middle", hub.span, "name one further block")
     if scene.denying:
         raise refuse("ambiguous", "it is not clear what of this is denied", hub.span, "say it in two sentences")
-    if _around(hub):
+    if _around(hub) or all(scene.things[n].color is None for n in names):
         _of_one_look([scene.things[n] for n in names], scene)
     looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in names)}
     ring = shape.kind == "circle"
@@ -105,7 +107,9 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
     square = s.Grid(blocks=("",), rows=3, columns=3)
     form = s.Figure(blocks=("",), shape="circle", filled=True) if ring else square
     cells = cells_of(form, count)
-    at = next(k for k, cell in enumerate(cells) if abs(cell.x) + abs(cell.y) < 0.01)
+    at = next((k for k, cell in enumerate(cells) if abs(cell.x) + abs(cell.y) < 0.01), None)
+    if at is None:
+        raise refuse("too-few", f"{len(names)} blocks do not go around another one", shape.span, "use eight")
     pattern = Pattern(kind="reading", order=Order(by="given", ranks=(names[:at], middle, names[at:])))
     every = (*names, *middle)
     node = form.model_copy(update={"blocks": every, "pattern": pattern, "span": shape.span})

@@ -104,6 +104,6 @@ def by_likeness(clause: Clause, spec: Spec, scene: Scene) -> Clause | None:
 
 
 def _each_other(place: Meaning) -> bool:
-    near = isinstance(place, Loc) and place.rel in ("together", "near")
+    near = isinstance(place, Loc) and place.rel in ("together", "near", "beside", "side_by_side", "adjacent")
     mark = place.landmark if isinstance(place, Loc) else None
     return near and isinstance(mark, Pronoun) and mark.word in ("each other", "one another")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from rpg.language.meaning import Chain
-from rpg.passes.schema.resolve.clauses.emptied import emptied
 from rpg.passes.schema.resolve.clauses.none_told import none_told
 from rpg.passes.schema.resolve.clauses.one_tense import in_one_tense
 from rpg.passes.schema.resolve.clauses.taken_off import taken_off
@@ -18,6 +17,6 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
-    told = (shared_sides(recounted(chain), text) for chain in groups_listed(none_told(emptied(chains))))
+    told = (shared_sides(recounted(chain), text) for chain in groups_listed(none_told(chains)))
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)
     return told_behind(in_one_tense(tuple(whichever(chain, text) for chain in plain), text), text)

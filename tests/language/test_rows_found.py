@@ -25,7 +25,7 @@ def test_what_a_row_needs(pattern: str, parts: list[set[str]]) -> None:
     assert sorted(map(sorted, needed(pattern))) == sorted(map(sorted, parts))
 
 
-@pytest.mark.parametrize("turns", [formal._AT_ONCE, formal._UNREAD])
+@pytest.mark.parametrize("turns", [formal.AT_ONCE, formal.UNREAD])
 def test_no_row_that_fits_is_missed(turns: Turns) -> None:
     rows = [re.compile(row) for row, _ in turns.rows]
     for entry in load("dev")[::120]:

@@ -247,8 +247,9 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
 
 _CHANGES = (all_as_before, answers_wanted, respelling, bare_sides, one_side_each, own_color, told_in_total, halves_told,
             no_two, but_turned, any_other, every_other, in_pairs, utmost_number, _furthest, _seen, _is, _resumed,
-            _have_done, _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off, by_again, heights_told, sizes_compared,
-            dealt_out, between_them, without_stacking, anywhere_else, number_made, said_loosely)  # fmt: skip
+            _have_done, _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off, by_again, heights_told,
+            sizes_compared, dealt_out, between_them, without_stacking, anywhere_else, number_made,
+            said_loosely)  # fmt: skip
 _TELLING = (
     frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",
                "rows", "approximately", "or", "more", "about", "give", "ish", "like", "but", "as", "half", "each",

@@ -65,6 +65,7 @@ BEFORE_IT: tuple[Turn, ...] = (
     (f"^the ({LINE}) (?:at the start|currently|now) reads (.+)$", "at the start , the {1} is {2}"),
     ("\\bbut only (?:when|once|if) (the .+?) (?:already )?(?:lies|is|stands|sits)(?: already)? (on .+)$",
      "but only after {1} has been put {2}"),
+    ("^it has (.+? at the bottom(?: ,)?.+)$", "at the start , {1}"),
     (f"^(?:put|move|bring|carry|take) (.+?) from {_REGION} (?:to|into) {_REGION}$",
      "at the start , {1} is in {2} of the table . put {1} in {3}"),
     (f"^(an? {LINE}(?: of)? .+?) (?:(?:is )?(?:standing|lying)|stands|lies|is|has been built|was built) (?:on the "

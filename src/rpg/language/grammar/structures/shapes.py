@@ -76,7 +76,7 @@ _FORMING = frozenset(
 )
 
 
-_FORMS = frozenset({"form", "forms", "forming", "into", "like", "draw", "shape"})
+_DRAWING = frozenset({"form", "forms", "forming", "into", "like", "draw", "shape"})
 """With these "a letter L" is no block."""
 _TO_BE = Patterns("shall|must|should|has_to|is_to|will be", "is")
 _DRAWN = frozenset({"formed", "drawn", "shaped", "outlined"})
@@ -109,7 +109,7 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
             or p.one(j + 1, ("shape", "formation"))
             or p.words[i - 1] == "like"
             or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
-            or (p.words[i - 1] == "a" and p.words[i - 2] in _FORMS)
+            or (p.follows(i, ("a",)) and p.follows(i - 1, _DRAWING))
             or _made_of(p, j + 1)
             or any(p.stands(k, _DRAWN) for k in _TO_BE.matches(p, j + 1))
         ):

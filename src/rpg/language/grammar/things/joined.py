@@ -324,6 +324,11 @@ def _no_item(p: Parser, before: Meaning, item: Meaning, joined: bool, at: int) -
     """Whether something is no further item of a list: a colour or a size of what came before it, or some of that."""
     if joined:
         both = isinstance(before, Structure) and isinstance(item, Structure)
+        known = isinstance(before, Noun) and before.det == "the" and not before.plural
+        mere = isinstance(item, Noun) and item.det == "bare" and item.traits == Traits() and not item.plural
+        mere = mere or (isinstance(item, Pronoun) and item.word == "one")
+        if known and mere and p.words[at + 1] == "one":  # "left of the red one and one behind it"
+            return True
         return (both and _amid_colors(p, at)) or of_both(before, item)
     told = isinstance(item, Noun) and bare_color(item) and (isinstance(before, Structure) or _of_sizes(before))
     return told or (isinstance(item, Noun) and (mere_size(item) or _of_them(before, item)))

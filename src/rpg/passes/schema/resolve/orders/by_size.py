@@ -25,6 +25,9 @@ _MANY = {2: "two", 3: "three"}
 def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The one that is so, of those that are named or of all that look so."""
     rank = noun.traits.rank or ""
+    if rank.endswith("er") and noun.det in ("a", "any", "no", "each"):
+        raise refuse("ambiguous", f"it is not said which block a {rank} one is {rank} than", noun.span,
+                     "name its color, or say 'the 3 cm block'")  # fmt: skip
     those = _those(noun, scene, scope) or _unheard_of(noun, scene, scope)
     if rank.endswith("er") and len(those) > 2:
         raise refuse("ambiguous", f"of more than two blocks none is the {rank} one", noun.span, "name its colour")

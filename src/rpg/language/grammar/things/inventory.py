@@ -122,6 +122,7 @@ _NO_OTHERS = (", no others", ", nothing else", ", and nothing else", ", and no o
 _BESIDES = ("besides", "apart from", "aside from", "in addition to", "along with", "together with")
 _THERE_ARE = ("there is", "there are", "we have", "i have", "you have", "we also have", "there also is",
               "there also are", "you get")  # fmt: skip
+_THERE_OR_TAKEN = (*_THERE_ARE, "there should be", "take", "use")
 
 
 @choice
@@ -257,7 +258,7 @@ def _item(p: Parser, i: int, definite: bool) -> Results[tuple[Noun, ...]]:
             yield (_of_color(named, many, p.span(i, k)),), k
     each = p.any_of(i, _FOR_EACH)
     for items, j in _colors(p, each) if each else ():
-        there = p.any_of(p.opt(j, ","), (*_THERE_ARE, "there should be", "take", "use"))
+        there = p.any_of(p.opt(j, ","), _THERE_OR_TAKEN)
         for many, k in amounts.count(p, there) if there else ():
             k = p.opt(k, "block", "blocks", "cube", "cubes", "bricks")
             yield tuple(_of_color(c, many, p.span(i, k)) for c in items), k

@@ -1,4 +1,4 @@
-"""Wishes that tell of no block at all: "clear the green patch", "stack them", "nothing should be touching"."""
+"""Wishes that tell of no block at all: "clear the green patch", "nothing should be touching"."""
 
 from __future__ import annotations
 
@@ -18,8 +18,6 @@ from rpg.language.meaning import (
     replace,
 )
 
-_ALL = frozenset({"them", "these", "those"})
-_BUILDING = frozenset({"stack", "arrange", "sort", "place"})
 TWO = Amount(2, 2)
 
 
@@ -46,8 +44,6 @@ def _of_blocks(clause: Meaning) -> Meaning:
         return clause
     if theme.word == "nothing" and any(map(_to_each_other, clause.adjuncts)):
         return replace(clause, theme=Noun(head="block", det="no", amount=TWO, plural=True, span=theme.span))
-    if theme.word in _ALL and clause.verb in _BUILDING and clause.mode == "command":
-        return replace(clause, theme=Noun(head="block", det="all", plural=True, span=theme.span))
     return clause
 
 

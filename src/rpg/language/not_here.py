@@ -14,9 +14,7 @@ _BUILT = """
 """
 _DOINGS = """
     poke poking throw throwing toss roll rolling shake shaking kick kiss hug juggle bounce tap tapping trace tracing
-    hover
-    wiggle wobble wave
-    squeeze catch fling swing lick tickle knock spill pour hammer bump nudge prod scratch
+    hover wiggle wobble wave squeeze catch fling swing lick tickle knock spill pour hammer bump nudge prod scratch
 """
 _KINDS = (
     (_THINGS, "tasks are made of blocks (cubes, plain or with a letter or digit) and flat patches: use one of these"),

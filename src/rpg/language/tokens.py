@@ -24,6 +24,13 @@ class Token:
     value: float | str | tuple[int, ...] | None = None
     joined: bool = False
 
+    @property
+    def many(self) -> int:
+        """The whole number that it says in digits or in a word; 0 for none."""
+        if self.kind == "number" and isinstance(self.value, float) and self.value.is_integer():
+            return int(self.value)
+        return lexicon.NUMBER.get(self.word, 0) if self.kind == "word" else 0
+
     def saying(self, word: str) -> Token:
         """Another word, or a mark, in its place."""
         return replace(self, kind="word" if word[0].isalnum() else "punct", word=word, raw=word, value=None)

@@ -84,7 +84,7 @@ def _told_behind(tokens: list[Token], at: int, period: Colors) -> tuple[int, int
     opened = tokens[at - 1].word == "("
     counts: dict[str, int] = {}
     many = 0
-    while at < len(tokens) and (number := _number(tokens[at])):
+    while at < len(tokens) and (number := tokens[at].many):
         at += 1
         if [t.word for t in tokens[at : at + 2]] == ["of", "each"]:
             many = number * _most(period)
@@ -99,7 +99,7 @@ def _told_behind(tokens: list[Token], at: int, period: Colors) -> tuple[int, int
             many = number
             at = _after(tokens, at, _IN_ALL) or at
             break
-        if at + 1 < len(tokens) and tokens[at].word in (",", "and") and _number(tokens[at + 1]):
+        if at + 1 < len(tokens) and tokens[at].word in (",", "and") and tokens[at + 1].many:
             at += 1
     if counts:
         many = 0 if many else _fits(counts, period)
@@ -121,7 +121,7 @@ def _told_before(tokens: list[Token], period: Colors) -> int:
     counts: dict[str, int] = {}
     totals: set[int] = set()
     for n, token in enumerate(tokens[:-1]):
-        number = _number(token)
+        number = token.many
         if not number:
             continue
         after = tokens[n + 1].word
@@ -145,9 +145,3 @@ def _fits(counts: dict[str, int], period: Colors) -> int:
 
 def _color(word: str) -> str | None:
     return lexicon.COLOR.get(word, lexicon.COLOR_PLURAL.get(word))
-
-
-def _number(token: Token) -> int:
-    if token.kind == "number" and isinstance(token.value, float) and token.value.is_integer():
-        return int(token.value)
-    return lexicon.NUMBER.get(token.word, 0) if token.kind == "word" else 0

@@ -44,18 +44,11 @@ def dealt_out(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return _by_places(tokens, words) if "of" in words and ("and" in words or "," in words) else None
 
 
-def _many(token: Token) -> int:
-    """A whole number of several, in digits or words."""
-    if token.kind == "number" and isinstance(token.value, float) and token.value.is_integer():
-        return int(token.value)
-    return lexicon.NUMBER.get(token.word, 0) if token.kind == "word" else 0
-
-
 def _halves(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Half of the six blocks on the left, the other half on the right": three of the six, the other three."""
     at = next((n for n in range(len(words) - 4) if words[n : n + 2] == ["half", "of"]), -1)
     count = at + 2 + (words[at + 2 : at + 3] == ["the"])
-    many = _many(tokens[count]) if at >= 0 else 0
+    many = tokens[count].many if at >= 0 else 0
     rest = next((n for n in range(count, len(words) - 1) if words[n : n + 2] == ["other", "half"]), 0)
     share = lexicon.NUMBERS.get(many // 2)
     if many < 4 or many % 2 or not rest or share is None or not _STOPS.isdisjoint(words[at:rest]):
@@ -100,7 +93,7 @@ def _as_many(listed: list[Token]) -> tuple[list[Token], list[Token]] | None:
         return None
     marks = [lot for lot in lots if lexicon.PATCH.get(lot[-1].word)]
     blocks = [lot for lot in lots if lexicon.BLOCK.get(lot[-1].word)]
-    if len(marks) != 1 or len(blocks) != 1 or not _many(marks[0][0]) == _many(blocks[0][0]) > 1:
+    if len(marks) != 1 or len(blocks) != 1 or not marks[0][0].many == blocks[0][0].many > 1:
         return None
     return blocks[0], marks[0]
 
@@ -170,7 +163,7 @@ def _by_places(tokens: list[Token], words: list[str]) -> list[Token] | None:
 
 def _item(tokens: list[Token], words: list[str], at: int, places: frozenset[str]) -> int:
     """The position behind "two black blocks at the ends"; 0 where this is something else."""
-    if at >= len(words) or not (_many(tokens[at]) or words[at] in ("a", "an")):
+    if at >= len(words) or not (tokens[at].many or words[at] in ("a", "an")):
         return 0
     end = at + 1
     while end < len(words) and words[end] in lexicon.COLOR:
@@ -200,7 +193,7 @@ def _with_result(tokens: list[Token], words: list[str]) -> list[Token] | None:
     last = _result(tokens, words, end) if end and not first else 0
     told = first or last
     behind = last + 1 if last else end
-    if not told or _many(tokens[told]) > _DIGIT or not _comes_to(numbers, signs, _many(tokens[told])):
+    if not told or tokens[told].many > _DIGIT or not _comes_to(numbers, signs, tokens[told].many):
         return None
     if behind < len(words) and words[behind] not in _STOPS:
         return None
@@ -217,7 +210,7 @@ def _after(words: list[str], at: int, phrases: tuple[tuple[str, ...], ...]) -> i
 def _result(tokens: list[Token], words: list[str], at: int) -> int:
     """Where the number is that it is said to come to, or 0."""
     found = _after(words, at, _RESULTS)
-    return found if found and found < len(words) and _many(tokens[found]) else 0
+    return found if found and found < len(words) and tokens[found].many else 0
 
 
 def _listed(tokens: list[Token], words: list[str], at: int) -> tuple[list[int], list[str], int]:
@@ -226,8 +219,8 @@ def _listed(tokens: list[Token], words: list[str], at: int) -> tuple[list[int], 
     signs: list[str] = []
     end = at
     while end < len(words):
-        if _many(tokens[end]) or words[end] in ("0", "zero"):
-            numbers.append(_many(tokens[end]))
+        if tokens[end].many or words[end] in ("0", "zero"):
+            numbers.append(tokens[end].many)
         elif words[end] in _SIGNS:
             signs.append(_SIGNS[words[end]])
         elif words[end] not in _LISTED:

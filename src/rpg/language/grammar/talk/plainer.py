@@ -12,7 +12,7 @@ from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import respelling
 from rpg.language.grammar.talk.said_loosely import LOOSE, said_loosely
-from rpg.language.grammar.talk.short_turns import anywhere_else, between_them, number_made, without_stacking
+from rpg.language.grammar.talk.short_turns import anywhere_but, between_them, number_made, without_stacking
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
 from rpg.language.grammar.talk.told_short import any_other, but_turned, every_other, halves_told, in_pairs, no_two
 from rpg.language.grammar.talk.utmost_number import utmost_number
@@ -248,7 +248,7 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
 _CHANGES = (all_as_before, answers_wanted, respelling, bare_sides, one_side_each, own_color, told_in_total, halves_told,
             no_two, but_turned, any_other, every_other, in_pairs, utmost_number, _furthest, _seen, _is, _resumed,
             _have_done, _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off, by_again, heights_told,
-            sizes_compared, dealt_out, between_them, without_stacking, anywhere_else, number_made,
+            sizes_compared, dealt_out, between_them, without_stacking, anywhere_but, number_made,
             said_loosely)  # fmt: skip
 _TELLING = (
     frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",

@@ -21,19 +21,12 @@ def said_loosely(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return next((found for change in _CHANGES if (found := change(tokens, words)) is not None), None)
 
 
-def _many(token: Token) -> int:
-    """A whole number in digits or words."""
-    if token.kind == "number" and isinstance(token.value, float) and token.value.is_integer():
-        return int(token.value)
-    return lexicon.NUMBER.get(token.word, 0) if token.kind == "word" else 0
-
-
 def _counted(tokens: list[Token], at: int) -> int:
     """Where "six pink blocks" ends that begins here; 0 if it does not."""
     end = at + 1
     while end < len(tokens) and tokens[end].word in lexicon.COLOR:
         end += 1
-    return end + 1 if end < len(tokens) and _many(tokens[at]) and tokens[end].word in lexicon.BLOCK else 0
+    return end + 1 if end < len(tokens) and tokens[at].many and tokens[end].word in lexicon.BLOCK else 0
 
 
 def _it(tokens: list[Token], words: list[str]) -> list[Token] | None:
@@ -65,14 +58,14 @@ def _of_the_same(tokens: list[Token], words: list[str]) -> list[Token] | None:
     for at in range(len(words) - 4):
         lead = next((len(x) for x in _LEAST if tuple(words[at : at + len(x)]) == x), 0)
         of = at + lead + 1
-        if not lead or not _many(tokens[of - 1]) or words[of : of + 2] != ["of", "the"]:
+        if not lead or not tokens[of - 1].many or words[of : of + 2] != ["of", "the"]:
             continue
         end = _counted(tokens, of + 2)
         stop = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
         for again in range(end, stop - 2) if end else ():
             more = next((len(x) for x in _LEAST if tuple(words[again : again + len(x)]) == x), 0)
             number = again + more
-            told = more and words[again - 1] in (",", "and") and number + 1 < stop and _many(tokens[number])
+            told = more and words[again - 1] in (",", "and") and number + 1 < stop and tokens[number].many
             if told and words[number + 1] in ("is", "are", "on"):
                 return [*tokens[: number + 1], *tokens[of:end], *tokens[number + 1 :]]
     return None
@@ -94,12 +87,12 @@ def _in_towers(tokens: list[Token], words: list[str]) -> list[Token] | None:
     comma = _counted(tokens, 0) if tokens else 0
     if comma and words[comma : comma + 1] == [","] and words[comma + 2 : comma + 3] and words[comma + 2] in _PLURAL:
         last = words[comma + 3 : comma + 4] == [","] and "each" in words[comma + 4 :]
-        if last and _many(tokens[comma + 1]) > 1:
+        if last and tokens[comma + 1].many > 1:
             return [*tokens[:comma], tokens[comma].saying("in"), *tokens[comma + 1 :]]
     if words[:1] in (["one"], ["a"], ["1"]) and words[1] in _SINGLE and words[2:3] == [","] and len(words) > 5:
         end = next((n for n in range(3, len(words)) if words[n] in (",", *_STOPS)), len(words))
-        listed = all(_many(t) or t.word == "and" or t.word in lexicon.COLOR for t in tokens[3 : end - 1])
-        blocks = listed and words[end - 1] in lexicon.BLOCK and _many(tokens[3])
+        listed = all(t.many or t.word == "and" or t.word in lexicon.COLOR for t in tokens[3 : end - 1])
+        blocks = listed and words[end - 1] in lexicon.BLOCK and tokens[3].many
         if blocks and words[end : end + 2] == [",", "alternating"]:
             return [*tokens[:2], tokens[2].saying("of"), *tokens[3:]]
     return None
@@ -144,7 +137,7 @@ def _dealt(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Distribute eight blocks over two towers": into two towers."""
     end = _counted(tokens, 1) if words[:1] in (["distribute"], ["spread"], ["divide"]) else 0
     led = end and words[end : end + 1] in (["over"], ["among"], ["across"], ["between"])
-    if led and len(words) > end + 2 and _many(tokens[end + 1]) > 1 and words[end + 2] in _TOWERS:
+    if led and len(words) > end + 2 and tokens[end + 1].many > 1 and words[end + 2] in _TOWERS:
         return [tokens[0].saying("distribute"), *tokens[1:end], tokens[end].saying("into"), *tokens[end + 1 :]]
     return None
 
@@ -173,7 +166,7 @@ def _also_called(tokens: list[Token], words: list[str]) -> list[Token] | None:
 
 def _wanted(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "I would like three towers of two blocks each, one red, ...": I want them."""
-    if words[:3] == ["i", "would", "like"] and len(words) > 5 and _many(tokens[3]) > 1 and words[4] in _PLURAL:
+    if words[:3] == ["i", "would", "like"] and len(words) > 5 and tokens[3].many > 1 and words[4] in _PLURAL:
         return [tokens[0], tokens[1].saying("want"), *tokens[3:]]
     return None
 
@@ -183,7 +176,7 @@ def _taken(tokens: list[Token], words: list[str]) -> list[Token] | None:
     at = 1 + (words[1:2] == ["the"])
     end = _counted(tokens, at) if words[:1] == ["take"] and at < len(tokens) else 0
     told = end and words[end : end + 1] in ([":"], [","], [";"]) and words[end + 2 : end + 4] == ["of", "them"]
-    if not told or not _many(tokens[end + 1]) or words[end + 4 : end + 5] not in (["become"], ["form"], ["make"]):
+    if not told or not tokens[end + 1].many or words[end + 4 : end + 5] not in (["become"], ["form"], ["make"]):
         return None
     there = [tokens[0].saying(word) for word in ("there", "are")]
     rest = [token.saying("form") if token.word in ("become", "make") else token for token in tokens[end + 1 :]]

@@ -35,7 +35,7 @@ def without_stacking(tokens: list[Token], words: list[str]) -> list[Token] | Non
     return None
 
 
-def anywhere_else(tokens: list[Token], words: list[str]) -> list[Token] | None:
+def anywhere_but(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Anywhere, but not on the mat": anywhere but on it."""
     for at in range(2, len(words) - 2):
         comma = words[at + 1] == ","

@@ -117,9 +117,7 @@ def _number(many: int, said: Sequence[Token]) -> Token:
 
 def _value(token: Token) -> int:
     """A whole number, also "a"; 0 for anything else."""
-    if token.kind == "number" and isinstance(token.value, float) and token.value.is_integer():
-        return int(token.value)
-    return (lexicon.NUMBER.get(token.word) or int(token.word in ("a", "an"))) if token.kind == "word" else 0
+    return token.many or int(token.kind == "word" and token.word in ("a", "an"))
 
 
 def _total(tokens: Sequence[Token], at: int) -> int:

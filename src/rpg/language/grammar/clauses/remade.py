@@ -5,6 +5,8 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
+from rpg.language.grammar.clauses.exchanged import exchanged
+from rpg.language.grammar.clauses.ranked_anew import PUT, made_first
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.structures.structures import structure
 from rpg.language.grammar.things.amounts import amount
@@ -59,6 +61,8 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
         yield from _turned_into(p, i, j)
     if sense == "turn" and lemma in ("turn", "flip"):
         yield from _flipped(p, i, j)
+    if sense == "swap":
+        yield from exchanged(p, i, j)
     if lemma in _RESPELLED:
         yield from _respelled(p, i, j)
         yield from _in_new_order(p, i, j)
@@ -67,6 +71,8 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
     if lemma in ("make", "build"):
         yield from _heightened(p, i, j)
         yield from _straightened(p, i, j)
+    if lemma in ("make", *PUT):
+        yield from made_first(p, i, j, lemma)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):
             told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")

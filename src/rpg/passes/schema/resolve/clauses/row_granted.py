@@ -14,6 +14,7 @@ _USUAL = 4
 _WITH_MIDDLE = 3
 _PLACING = ("place", "use", "pick", "swap", "stack")
 _SIDES = ("left", "right")
+_COUNTED_FROM = ("", *_SIDES, "last")
 _PLACES = ("left", "right", "middle", "first", "last")
 _LINES = ("row", "line")
 _IN_LINE = re.compile(r"\b(?:row|line)\b", re.I)
@@ -47,7 +48,7 @@ def _place(noun: Noun) -> str:
     """Where in a row a block stands, if that is all that is told of it."""
     rank = noun.traits.rank or ""
     first, _, side = rank.partition(" ")
-    counted = first.isdigit() and side in ("", *_SIDES)
+    counted = first.isdigit() and side in _COUNTED_FROM
     plain = noun.traits == Traits(rank=rank) and noun.det == "the" and not noun.plural and noun.part_of is None
     return rank if plain and (rank in _PLACES or counted) else ""
 

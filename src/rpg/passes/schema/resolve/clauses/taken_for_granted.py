@@ -25,6 +25,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.changed_after import in_their_order
 from rpg.passes.schema.resolve.clauses.lined_there import lined_there
 from rpg.passes.schema.resolve.clauses.row_granted import Told, row_granted
 
@@ -48,6 +49,7 @@ def either_way(
 ) -> T:
     """What the sentences come to: where a tower or a row is taken for granted it is there, if that makes sense."""
     links, chains = lined_there(links, chains)
+    chains = in_their_order(links, chains)
     granted = taken_for_granted(links, chains) or row_granted(links, chains, text)
     if granted is None:
         return read(links, chains, notes)

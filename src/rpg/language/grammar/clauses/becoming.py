@@ -8,6 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.made import made
 from rpg.language.grammar.clauses.ranked_anew import becomes_first
+from rpg.language.grammar.clauses.told_piled import told_piled
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.rising import they_rise
@@ -77,6 +78,7 @@ _GATHERS = frozenset({"gather", "cluster", "assemble", "group", "line", "align",
 def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
     """Clauses from i on, with their subject before k and its auxiliaries behind it."""
     yield from _there(p, i, k, theme, mode)
+    yield from told_piled(p, i, k, theme, mode)
     if isinstance(theme, Structure):
         yield from _consists(p, i, k, theme, mode)
         yield from _becomes(p, i, k, theme, mode)

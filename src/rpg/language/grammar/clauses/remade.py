@@ -7,6 +7,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.clauses.exchanged import exchanged
 from rpg.language.grammar.clauses.ranked_anew import PUT, made_first
+from rpg.language.grammar.clauses.told_piled import made_piled
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.structures.structures import structure
 from rpg.language.grammar.things.amounts import amount
@@ -61,6 +62,8 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
         yield from _turned_into(p, i, j)
     if sense == "turn" and lemma in ("turn", "flip"):
         yield from _flipped(p, i, j)
+    if lemma in _RESPELLED or sense in ("build", "stack"):
+        yield from made_piled(p, i, j)
     if sense == "swap":
         yield from exchanged(p, i, j)
     if lemma in _RESPELLED:

@@ -68,7 +68,8 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
     clauses = tuple(clause for chain in chains for clause in chain.clauses)
     if not all(isinstance(c, Clause) and c.mode == "command" and c.verb not in _BUILDING for c in clauses):
         return None
-    if any(isinstance(part, That) for part in parts_of(clauses)):
+    changed = getattr(clauses[0], "verb", "") in ("reverse", "turn")
+    if any(isinstance(part, That) and not (changed and part.kind == "so") for part in parts_of(clauses)):
         return None  # "until there are four in the tower": what comes about is not there yet
     first = clauses[0]
     if not isinstance(first, Clause) or first.verb not in _PLACING or first.negated:

@@ -44,7 +44,7 @@ def _the_other_way(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Go
         scene.mentions.pop()
         return None
     spec.orders, spec.manners = [], [m for m in spec.manners if m.kind != "backwards" and not _over(m)]
-    return [*reverse(theme, scene, clause.span), *places(theme, spec, scene, scope, clause.span)]
+    return [*reverse(theme, scene, clause.span, spec), *places(theme, spec, scene, scope, clause.span)]
 
 
 def _other_pair(clause: Clause, spec: Spec, scene: Scene) -> Goals | None:

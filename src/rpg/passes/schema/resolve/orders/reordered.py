@@ -10,6 +10,7 @@ from rpg.ir.order import Order
 from rpg.language.meaning import At
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms
+from rpg.passes.schema.resolve.orders.turned_over import comes_of_reversing
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
@@ -17,8 +18,9 @@ FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front"}
 LAST = {"bottom": "top", "left": "right", "front": "back", "top": "bottom", "right": "left", "back": "front"}
 
 
-def reverse(theme: Ref, scene: Scene, span: Span, around: bool = False) -> Atoms:
+def reverse(theme: Ref, scene: Scene, span: Span, spec: Spec, around: bool = False) -> Atoms:
     """ "reverse the tower": the same blocks, the other way round. `around`: it is turned, and its symbols as well?"""
+    spec.thats = [that for that in spec.thats if not comes_of_reversing(that)]
     built = _ordered(theme, scene, span)
     if around and any(scene.things[n].label for n in built.members):
         raise refuse("ambiguous", "are the cubes turned, or is their order?", span, "say 'reverse the order'")

@@ -82,10 +82,26 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
         notes.append(f"how many blocks the tower has is not said: {_USUAL}")
         whole = replace(whole, members=_blocks(whole, _USUAL), sizes=())
     there = replace(whole, det="a", amount=Amount(1, 1), traits=Traits(), sizes=())
-    given = Clause(verb="exist", mode="given", theme=there, span=there.span)
+    spot = _source(first)
+    given = Clause(verb="exist", mode="given", theme=there, adjuncts=spot, span=there.span)
+    if spot:
+        moved = replace(first, adjuncts=tuple(x for x in first.adjuncts if not _from_patch(x)))
+        chains = (replace(chains[0], clauses=(moved, *chains[0].clauses[1:])), *chains[1:])
     beside = _Beside(chains, notes)
     rest = tuple(replace(chain, clauses=tuple(map(beside.told, chain.clauses))) for chain in chains)
     return ["and", *links], (Chain(clauses=(given,), links=("and",), span=there.span), *rest), tuple(notes)
+
+
+def _source(first: Clause) -> tuple[Meaning, ...]:
+    """Where the tower is at the start: "move it from the red patch to the blue one"."""
+    if not isinstance(first.theme, Structure):
+        return ()
+    found = [x.members for x in first.adjuncts if isinstance(x, Using) and _from_patch(x)]
+    return tuple(Loc(rel="on", landmark=patch, span=patch.span) for patch in found[:1])
+
+
+def _from_patch(place: Meaning) -> bool:
+    return isinstance(place, Using) and place.lead == "from" and getattr(place.members, "head", "") == "patch"
 
 
 def _blocks(whole: Structure, many: int) -> Noun:

@@ -68,6 +68,21 @@ def _home(theme: Ref, scene: Scene) -> Built | None:
     return home[0] if alone and _begun(home[0], scene) is not None else None
 
 
+def lines_of_the_start(scene: Scene) -> list[Built]:
+    """The rows and towers that are there at the start, each as what it is then."""
+    begun = [(b, _begun(b, scene)) for b in scene.built if b.kind in FIRST]
+    return [b for b, node in begun if node is not None and isinstance(node, s.Stack) == (b.kind == "stack")]
+
+
+def line_of_the_start(scene: Scene, span: Span) -> Built:
+    """The one row or tower that is there at the start, in its order."""
+    there = lines_of_the_start(scene)
+    if len({frozenset(b.members) for b in there}) != 1:
+        raise refuse("no-referent", "it is not clear which order this is", span,
+                     "say which row or tower is there at the start: 'there is a tower of red, green and blue'")  # fmt: skip
+    return _ordered(Ref(names=there[0].members, built=(there[0],), span=span), scene, span)
+
+
 def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
     """ "move the red block to the top" of the tower that is there: the others keep their order."""
     home = _home(theme, scene)

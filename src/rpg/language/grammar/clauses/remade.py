@@ -6,6 +6,7 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.clauses.exchanged import exchanged
+from rpg.language.grammar.clauses.out_of_line import out_of_line
 from rpg.language.grammar.clauses.ranked_anew import PUT, made_first
 from rpg.language.grammar.clauses.told_piled import made_piled
 from rpg.language.grammar.core import Parser, Results
@@ -233,6 +234,7 @@ def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
     """ "Take it off": from where it was said to be. "Remove everything from the mat": it is cleared. "Pull the red
     block out of the tower (and put it on top)": where it is at the start."""
     lemma = p.words[i]
+    yield from ((replace(found, cost=1), end) for found, end in out_of_line(p, i, k, theme))
     for whole, end in noun_phrase(p, out) if (out := p.any_of(k, _OUT_OF)) else ():
         inside = whole.whole if isinstance(whole, PartOf) else whole
         known = isinstance(inside, Structure) and inside.det in ("the", "its") and not inside.plural

@@ -55,7 +55,9 @@ def with_order_kept(goal: g.Goal, scene: Scene) -> g.Goal:
         found: list[g.Goal] = []
         names = told or line_of_the_start(scene, span).members
 
-        def change(node: g.Goal, names: tuple[str, ...] = names, side: str | None = side) -> g.Goal:
+        def change(
+            node: g.Goal, names: tuple[str, ...] = names, side: str | None = side, found: list[g.Goal] = found
+        ) -> g.Goal:
             if not isinstance(node, s.Row | s.Stack) or {*node.blocks} != {*names}:
                 return node
             open_ = node.order.by == "any"

@@ -10,6 +10,7 @@ from rpg.language.meaning import Absolute, At, Chain, Clause, Into, Manner, Mean
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.order_kept import note_what_is_kept
+from rpg.passes.schema.resolve.orders.out_of_line import out_of_its_line
 from rpg.passes.schema.resolve.orders.reordered import reverse
 from rpg.passes.schema.resolve.places.placing import Goals, places
 from rpg.passes.schema.resolve.things.refer import refer
@@ -22,6 +23,8 @@ _LINES = ("stack", "row", "line", "column")
 def once_more(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
     """A structure that is there, built again the other way round or otherwise; None for other clauses."""
     note_what_is_kept(spec, scene, clause.span)
+    if (left := out_of_its_line(clause, spec, scene, scope)) is not None:
+        return left
     turned = _the_other_way(clause, spec, scene, scope)
     return turned if turned is not None else _rebuilt(clause, spec, scene, scope)
 

@@ -78,8 +78,8 @@ def line_of_the_start(scene: Scene, span: Span) -> Built:
     """The one row or tower that is there at the start, in its order."""
     there = lines_of_the_start(scene)
     if len({frozenset(b.members) for b in there}) != 1:
-        raise refuse("no-referent", "it is not clear which order this is", span,
-                     "say which row or tower is there at the start: 'there is a tower of red, green and blue'")  # fmt: skip
+        hint = "say which row or tower is there at the start: 'there is a tower of red, green and blue'"
+        raise refuse("no-referent", "it is not clear which order this is", span, hint)
     return _ordered(Ref(names=there[0].members, built=(there[0],), span=span), scene, span)
 
 

@@ -16,7 +16,7 @@ from rpg.blocks.traits import VOWELS
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import On, OnPatch
-from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, REPLACED, TaskSchema
+from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, EXCHANGED_LATER, REPLACED, TaskSchema
 from rpg.ir.structures import Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
@@ -158,7 +158,7 @@ _HIGH = frozenset({"high", "tall", "height"})
 
 def _beside_goals(task: TaskSchema) -> set[str]:
     """What a task has that stands in no condition: heaps, and a swap that is told by its result."""
-    swapped = task.assumed(EXCHANGED) or task.assumed(REPLACED)
+    swapped = any(map(task.assumed, (EXCHANGED, EXCHANGED_LATER, REPLACED)))
     return {"heaps" for _ in task.init.heaps} | ({"swapped"} if swapped else set())
 
 

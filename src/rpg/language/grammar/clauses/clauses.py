@@ -24,6 +24,7 @@ from rpg.language.grammar.clauses.having import finally_there, having, structure
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.replaced import replaced
+from rpg.language.grammar.clauses.reversed_end import reverse_of_it
 from rpg.language.grammar.clauses.shared import shared
 from rpg.language.grammar.clauses.sole import just_these
 from rpg.language.grammar.clauses.states import state
@@ -124,6 +125,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from spare(p, i)
     yield from of_each_color(p, i)
     yield from all_alike(p, i)
+    yield from reverse_of_it(p, i)
     yield from terse(p, i, when)
     for (theme, start), _ in about(p, i):
         for found, j in _command(p, start):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.line_ends import line_end
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import At, Meaning, Toward, replace
 
@@ -169,6 +170,7 @@ def at(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _LEADS) or p.any_of(i, _SOMEWHERE):
         yield from inside(p, i, j)
     yield from extreme(p, i)
+    yield from line_end(p, i)
     if j := p.any_of(i, _EITHER_END):
         yield At(side="end", span=p.span(i, j)), j
     if j := p.any_of(i, _BOTH_ENDS):

@@ -2,6 +2,15 @@
 
 from __future__ import annotations
 
+KEPT = (
+    *(f"{lead} {order}" for order in ("the same order as before", "the same order", "the order", "their order",
+                                      "its order", "the order of the blocks", "the order of the cubes")
+      for lead in ("keeping", "while keeping", "preserving", "maintaining", "keep", "without changing", "retaining")),
+    "in the same order as before", "in the same order", "in the same order as at the start", "with the same order",
+    "in unchanged order", "with the order unchanged", "so that the order stays the same", "so the order stays the same",
+    "so that the order is kept", "so the order is kept",
+)  # fmt: skip
+"""The order that a line has at the start."""
 NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("in alphabetical order", "label", {}), ("alphabetically", "label", {}), ("in alphabetic order", "label", {}),
     ("in reverse alphabetical order", "label", {"descending": True}), ("in order of the alphabet", "label", {}),
@@ -142,6 +151,7 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     *((f"in {the}{word} order", "reverse", {}) for the in ("", "the ", "an ", "exactly the ")
       for word in ("reversed", "opposite", "inverse", "inverted")),
     ("in the reverse order", "reverse", {}), ("in exactly the reverse order", "reverse", {}),
+    *((phrase, "kept", {}) for phrase in KEPT),
     ("in that order", "given", {}), ("in this order", "given", {}), ("in the order given", "given", {}),
     ("in order", "in_order", {}),
     ("in sequence", "in_order", {}), ("in the right order", "in_order", {}), ("in the given order", "given", {}),

@@ -24,6 +24,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.again_later import comes_later
 from rpg.passes.schema.resolve.clauses.as_one import each_by_itself, put_at_once
+from rpg.passes.schema.resolve.clauses.changed_after import exchanged_in_line
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
@@ -296,7 +297,7 @@ def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
     stages = [stage for stage in stages if stage]
     if len(stages) < 2:
         return stages[0] if stages else []
-    goals = [conj(stage) for stage in stages]
+    goals = exchanged_in_line([conj(stage) for stage in stages], scene)
     _still_later(goals, scene, chain.span)
     _swaps_later(goals, chain.span)
     made = []
@@ -365,12 +366,13 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
     stages += _stages(now)
     if len(stages) > 1:
         fixed = []
-        _still_later([stage.goal for stage in stages], scene, span)
-        _swaps_later([stage.goal for stage in stages], span)
-        for index, stage in enumerate(stages):
-            undone = any(_undone(after.goal, stage.goal, scene) for after in stages[index + 1 :])
-            _lasts(stage.goal, undone, span)
-            fixed.append(g.Stage(goal=stage.goal, undone=undone))
+        steps = exchanged_in_line([stage.goal for stage in stages], scene)
+        _still_later(steps, scene, span)
+        _swaps_later(steps, span)
+        for index, step in enumerate(steps):
+            undone = any(_undone(after, step, scene) for after in steps[index + 1 :])
+            _lasts(step, undone, span)
+            fixed.append(g.Stage(goal=step, undone=undone))
         return settle(g.Sequence(stages=tuple(fixed), span=span), scene)
     goals = [stages[0].goal] if stages else []
     return settle(conj(goals, span) if goals else g.All(goals=()), scene)

@@ -375,7 +375,7 @@ def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
             if isinstance(clause.theme, Structure) and (clause.theme.members or clause.theme.details):
                 scene.start_goals += scene.goals.pop(scene.clause, [])
-            return reverse(theme, scene, clause.span, clause.lemma == "turn around")
+            return reverse(theme, scene, clause.span, spec, clause.lemma == "turn around")
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 

@@ -25,6 +25,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.changed_after import in_their_order
 from rpg.passes.schema.resolve.clauses.lined_there import lined_there
 from rpg.passes.schema.resolve.clauses.row_granted import Told, row_granted
 
@@ -48,6 +49,7 @@ def either_way(
 ) -> T:
     """What the sentences come to: where a tower or a row is taken for granted it is there, if that makes sense."""
     links, chains = lined_there(links, chains)
+    chains = in_their_order(links, chains)
     granted = taken_for_granted(links, chains) or row_granted(links, chains, text)
     if granted is None:
         return read(links, chains, notes)
@@ -66,7 +68,8 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
     clauses = tuple(clause for chain in chains for clause in chain.clauses)
     if not all(isinstance(c, Clause) and c.mode == "command" and c.verb not in _BUILDING for c in clauses):
         return None
-    if any(isinstance(part, That) for part in parts_of(clauses)):
+    changed = getattr(clauses[0], "verb", "") in ("reverse", "turn")
+    if any(isinstance(part, That) and not (changed and part.kind == "so") for part in parts_of(clauses)):
         return None  # "until there are four in the tower": what comes about is not there yet
     first = clauses[0]
     if not isinstance(first, Clause) or first.verb not in _PLACING or first.negated:
@@ -79,10 +82,26 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
         notes.append(f"how many blocks the tower has is not said: {_USUAL}")
         whole = replace(whole, members=_blocks(whole, _USUAL), sizes=())
     there = replace(whole, det="a", amount=Amount(1, 1), traits=Traits(), sizes=())
-    given = Clause(verb="exist", mode="given", theme=there, span=there.span)
+    spot = _source(first)
+    given = Clause(verb="exist", mode="given", theme=there, adjuncts=spot, span=there.span)
+    if spot:
+        moved = replace(first, adjuncts=tuple(x for x in first.adjuncts if not _from_patch(x)))
+        chains = (replace(chains[0], clauses=(moved, *chains[0].clauses[1:])), *chains[1:])
     beside = _Beside(chains, notes)
     rest = tuple(replace(chain, clauses=tuple(map(beside.told, chain.clauses))) for chain in chains)
     return ["and", *links], (Chain(clauses=(given,), links=("and",), span=there.span), *rest), tuple(notes)
+
+
+def _source(first: Clause) -> tuple[Meaning, ...]:
+    """Where the tower is at the start: "move it from the red patch to the blue one"."""
+    if not isinstance(first.theme, Structure):
+        return ()
+    found = [x.members for x in first.adjuncts if isinstance(x, Using) and _from_patch(x)]
+    return tuple(Loc(rel="on", landmark=patch, span=patch.span) for patch in found[:1])
+
+
+def _from_patch(place: Meaning) -> bool:
+    return isinstance(place, Using) and place.lead == "from" and getattr(place.members, "head", "") == "patch"
 
 
 def _blocks(whole: Structure, many: int) -> Noun:

@@ -316,6 +316,10 @@ def _swaps_later(goals: list[g.Goal], span: tuple[int, int]) -> None:
             if placed & set(names_in(swap)):
                 raise refuse("ambiguous", "blocks that were moved before swap other places than those of the start",
                              swap.span or span, "say where each of them should be at the end")  # fmt: skip
+        for shift in (x for x in required(goal) if isinstance(x, r.Shifted | r.Ranged)):
+            if placed & set(names_in(shift)):
+                raise refuse("ambiguous", "seen from where it is by then, or from where it started?",
+                             shift.span or span, "say where it should be at the end")  # fmt: skip
         placed |= {n for x in required(goal) for n in (names_in(x) if getattr(x, "blocks", ()) else _subjects(x))}
 
 

@@ -65,7 +65,7 @@ LITTLE = 0.02
 Told = tuple[float | None, float | None, str]
 HERE = "here"
 """What marks a way that is said to be seen from where something is."""
-_OPEN: Told = (None, None, "")
+OPEN: Told = (None, None, "")
 _THAN = frozenset({"than"})
 
 
@@ -75,7 +75,7 @@ def shifted(p: Parser, i: int) -> Iterator[tuple[Meaning, int]]:
         yield from _mutual(p, i)
     if not p.rarely(_TELLING):
         return
-    for told, far in _far(p, i):
+    for told, far in how_far(p, i):
         for way, end in _way(p, far):
             if here := max(_HERE.matches(p, end), default=0):
                 yield _loc(p, i, here, way, told, HERE), here
@@ -93,12 +93,12 @@ _TELLING = _VERBS | {"where", "its", "their", "put", "place", "set", "be"}
 def _without(p: Parser, i: int) -> Iterator[tuple[Meaning, int]]:
     """The way before how far, or no word of how far at all."""
     for way, end in _way(p, i):
-        for told, far in _far(p, p.opt(end, ",")):
+        for told, far in how_far(p, p.opt(end, ",")):
             yield _loc(p, i, far, way, told), far
     for way, patterns in _BY_ITSELF.items():
         for end in patterns.matches(p, i):
             if not p.stands(end, _NOT_BEHIND):
-                yield _loc(p, i, end, way, _OPEN), end
+                yield _loc(p, i, end, way, OPEN), end
 
 
 def _way(p: Parser, i: int) -> Iterator[tuple[str, int]]:
@@ -107,7 +107,7 @@ def _way(p: Parser, i: int) -> Iterator[tuple[str, int]]:
 
 def _closer(p: Parser, i: int) -> Iterator[tuple[Meaning, int]]:
     """ "5 cm closer to the blue block", "closer to the blue block by 5 cm"."""
-    for told, start in (*_far(p, i), (_OPEN, i)):
+    for told, start in (*how_far(p, i), (OPEN, i)):
         for rel, patterns in _CLOSER.items():
             for there in patterns.matches(p, start):
                 for landmark, end in simple(p, there):  # what it is moved closer to
@@ -116,7 +116,7 @@ def _closer(p: Parser, i: int) -> Iterator[tuple[Meaning, int]]:
 
 def _mutual(p: Parser, i: int) -> Iterator[tuple[Meaning, int]]:
     """ "(push them) closer together", "a bit farther apart"."""
-    for told, start in (*_far(p, i), (_OPEN, i)):
+    for told, start in (*how_far(p, i), (OPEN, i)):
         for rel, patterns in _MUTUAL.items():
             for end in patterns.matches(p, start):
                 yield from _compared(p, i, end, rel, Pronoun(word="each other", span=p.span(i, end)), told)
@@ -126,14 +126,14 @@ def _compared(p: Parser, i: int, end: int, rel: str, landmark: Meaning, told: To
     """A distance that changes; how far is said before it or behind it, or not at all."""
     if p.stands(end, _THAN):
         return
-    for (low, high, how), j in ((told, end), *(_far(p, end) if told is _OPEN else ())):
+    for (low, high, how), j in ((told, end), *(how_far(p, end) if told is OPEN else ())):
         yield Loc(rel=rel, landmark=landmark, mods=(how,), low=low, high=high, span=p.span(i, j), cost=2), j
 
 
 def _unclear(p: Parser, i: int) -> Iterator[tuple[Meaning, int]]:
     """What is read only to be told what it lacks: which way, or how far."""
-    ends = [end for _, far in _far(p, i) for end in _UNCLEAR.matches(p, far)]
-    ends += [far for end in _UNCLEAR.matches(p, i) for _, far in _far(p, end)]
+    ends = [end for _, far in how_far(p, i) for end in _UNCLEAR.matches(p, far)]
+    ends += [far for end in _UNCLEAR.matches(p, i) for _, far in how_far(p, end)]
     for far in _STEPS.matches(p, i):
         ends += [end for _, end in _way(p, far)]
     for _, end in _way(p, i):
@@ -158,7 +158,7 @@ def straight(p: Parser, i: int) -> Iterator[tuple[At, int]]:
 _ENDS = frozenset({",", ";", "and", "then", "."})
 
 
-def _far(p: Parser, i: int) -> Iterator[tuple[Told, int]]:
+def how_far(p: Parser, i: int) -> Iterator[tuple[Told, int]]:
     """How far: the least and the most of it, and the word of it where it is a vague one."""
     by = p.one(i, "by") or i
     for (low, high), j in bounds(p, by):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, islice
 from random import Random
 from typing import Any
 
@@ -27,6 +27,9 @@ WAYS: dict[Direction, tuple[float, float]] = {
 """The viewer's directions as unit vectors."""
 BEYOND = (0.02, 0.01, 0.04, 0.08, 0.12)
 """How much farther than it has to a block is put first, where nothing limits that (m)."""
+ASIDE = 0.06
+STEP = 0.016
+"""Farther off the axis than this, places are tried so far from each other (m)."""
 LEAST = 0.01
 """Margins are told in units of a tolerance, or of this length (m) where there is none."""
 
@@ -40,8 +43,9 @@ class ShiftedPredicate(Predicate[Shifted]):
     def propose(self, node: Shifted, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         x, y, _ = start_of(state).position[block]
         ux, uy = WAYS[node.toward]
-        for far in _lengths(node.at_least, node.at_most):
-            yield x + far * ux, y + far * uy
+        for off in _asides(node.across):
+            for far in islice(_lengths(node.at_least, node.at_most), 1 if off else None):
+                yield x + far * ux - off * uy, y + far * uy + off * ux
 
     def near_misses(self, node: Shifted, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         a = min(state.resolve(node.a), key=lambda name: travelled_along(node, name, state)[0])
@@ -143,6 +147,15 @@ def _lengths(least: float, most: float | None) -> Iterator[float]:
     else:
         yield (least + most) / 2
         yield from (least + (most - least) * share for share in (0.3, 0.7))
+
+
+def _asides(across: float | None) -> Iterator[float]:
+    """How far off the axis, where a block may be well off it, as one is that goes along the other axis too."""
+    yield 0.0
+    if across is not None and across > ASIDE:
+        step = max(STEP, across / 8)
+        for count in range(1, int(across / step) + 1):
+            yield from (count * step, -count * step)
 
 
 def _members(node: Ranged, state: BlockState) -> Iterator[str]:

@@ -43,7 +43,7 @@ _UNCLEAR = Patterns(
 )
 """Which way this is depends on who says it."""
 _CLOSER = {
-    "approached": Patterns("closer|nearer to|toward|towards"),
+    "approached": Patterns("closer|nearer to|toward|towards", "toward|towards"),
     "receded": Patterns("farther|further away? from"),
 }
 _MUTUAL = {

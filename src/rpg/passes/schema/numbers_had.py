@@ -13,7 +13,7 @@ from pydantic import BaseModel
 from rpg.ir.assets import FACES, Asset, SemanticCube
 from rpg.ir.goal import All, Not
 from rpg.ir.node import members
-from rpg.ir.relations import Swapped
+from rpg.ir.relations import Ranged, Shifted, Swapped
 from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Stack, Staircase
 from rpg.ir.walk import atoms, names
@@ -103,6 +103,8 @@ def edges_of(task: TaskSchema) -> set[float]:
 def _inside(value: object) -> Iterator[float]:
     if isinstance(value, BaseModel):
         low, high = getattr(value, "minimum", None), getattr(value, "maximum", None)
+        if isinstance(value, Shifted | Ranged):
+            low, high = value.at_least, value.at_most
         if low is not None and high is not None:
             yield from (*_inside((low + high) / 2), *_inside((high - low) / 2))
         if isinstance(value, Row) and value.gap is not None:  # "gaps of at most 5 mm"

@@ -37,6 +37,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.gaps import gap
 from rpg.language.grammar.places.held import LEADS, THE_ONE, by_block, held, of_its
 from rpg.language.grammar.places.piled import piled
+from rpg.language.grammar.places.widened import widened
 from rpg.language.grammar.structures.details import part_clause
 from rpg.language.grammar.structures.each_color import of_each_color
 from rpg.language.grammar.talk.chatter import CHATTER
@@ -102,7 +103,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     when = "start" if mode == "start" else "goal"
     if mode in ("command", "any", "end"):
         yield from (*_command(p, i), *covered(p, i), *addressed(p, i), *replaced(p, i), *shared(p, i))
-    yield from gap(p, i)
+    yield from (*gap(p, i), *widened(p, i))
     yield from measuring(p, i, when)
     yield from trading_places(p, i)
     yield from state(p, i, when)

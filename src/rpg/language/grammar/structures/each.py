@@ -7,9 +7,8 @@ from operator import itemgetter
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Size, Structure, replace
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, replace
 
 _LEADS = (
     *(f"{each} {made}"
@@ -147,35 +146,6 @@ def _of_so_many(p: Parser, i: int) -> Results[Clause]:
     towers = Structure(kind="stack", det="bare", amount=Amount(number, number), plural=True, span=p.span(i, j + 1))
     for found, k in _made_of(p, i, has) if has else ():
         yield Clause(verb="part", theme=towers, adjuncts=(found,), mode="goal", span=p.span(i, k)), k
-
-
-_HEIGHTS = ("of heights", "with heights", "with heights of", "with the heights", "having heights", "heights :",
-            "of height", "with the heights of", "of the heights", "whose heights are", "with heights :")  # fmt: skip
-_TALL = (*(f"{blocks}{tall}" for blocks in ("blocks", "cubes", "block", "cube")
-           for tall in (" high", " tall", " each", "")), "high", "tall")  # fmt: skip
-
-
-@rule
-def heights(p: Parser, i: int, count: int) -> Results[tuple[Size, tuple[str, ...]]]:
-    """Behind `count` towers: "of heights 2, 3 and 4", "with two and three (red) blocks", with the blocks' colour."""
-    comma = p.opt(i, ",")
-    lead = p.any_of(comma, _HEIGHTS)
-    j = lead or p.any_of(comma, ("of", "with", "that are", "having", "which are")) or (comma if comma > i else 0)
-    listed: list[int] = []
-    while j and (n := p.number(j)) is not None:
-        listed.append(n)
-        ends: list[tuple[tuple[str, ...], int]] = [
-            ((), e) for e in (p.any_of(j + 1, _TALL), j + 1 if lead or count == len(listed) else 0) if e
-        ]
-        ends += [((named,), e) for named, k in color(p, j + 1) if (e := p.one(k, ("blocks", "cubes")))]
-        after = p.opt(p.opt(j + 1, ","), "and")
-        on = after > j + 1 and p.number(after) is not None
-        for named, end in ends if len(listed) > 1 else ():
-            if on and end == j + 1:
-                continue  # the list goes on
-            end = p.any_of(end, (", respectively", "respectively")) or end
-            yield (Size(what="heights", dims=tuple(listed), span=p.span(i, end)), named), end
-        j = after if after > j + 1 else 0
 
 
 def _lot(p: Parser, i: int, j: int) -> Results[OrderBy]:

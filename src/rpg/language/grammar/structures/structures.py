@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import SIDES, toward
 from rpg.language.grammar.structures.equations import equation, promised, unequal
+from rpg.language.grammar.structures.heights import bar_chart
 from rpg.language.grammar.structures.makeup import per_color, sized_members
 from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.structures.ring_around import ring_around
@@ -75,6 +76,7 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
         yield from _tail(p, i, j, Structure(kind="grid", dims=dims, span=p.span(i, j)))
         return
     yield from _as_many_symbols(p, i)
+    yield from bar_chart(p, i)
     for base, j in largest(p, i):
         yield from _tail(p, i, j, base)
     for quantity, j in _quantities(p, i):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import SIDES, toward
+from rpg.language.grammar.structures.copies import copies
 from rpg.language.grammar.structures.equations import equation, promised, unequal
 from rpg.language.grammar.structures.heights import bar_chart
 from rpg.language.grammar.structures.makeup import per_color, sized_members
@@ -77,6 +78,7 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
         return
     yield from _as_many_symbols(p, i)
     yield from bar_chart(p, i)
+    yield from copies(p, i)
     for base, j in largest(p, i):
         yield from _tail(p, i, j, base)
     for quantity, j in _quantities(p, i):

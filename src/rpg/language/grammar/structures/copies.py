@@ -14,7 +14,9 @@ from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Structure, Toward
 
-_MARKED = frozenset({"identical", "same", "alike", "copies", "twice", "thrice", "times"})
+_MARKED = frozenset(
+    {"like", "looks", "copy", "again", "identical", "same", "alike", "copies", "twice", "thrice", "times"}
+)
 _SEVERAL = {"towers": "stack", "stacks": "stack", "rows": "row", "lines": "row", "columns": "column"}
 _ONE = {"tower": "stack", "stack": "stack", "row": "row", "line": "row", "column": "column"}
 _IDENTICAL = ("identical", "exactly identical", "completely identical", "exactly the same", "same", "identical looking",
@@ -33,6 +35,17 @@ _OF = ("of", "with", "each of", ", each of", "each with", ", each with", "made o
        ", each made of", "consisting of")  # fmt: skip
 _FROM = ("from", "out of", "using", "made from", "made out of", "built from")
 _MADE = (*_OF, *_FROM)
+_AGAIN = tuple(
+    f"and {again}"
+    for again in (
+        *(f"{another} {like}" for another in ("another one", "another", "a second one", "a second", "one more",
+                                              "another tower", "a second tower", "another row", "a second row")
+          for like in ("like it", "just like it", "exactly like it", "like that", "just like that", "that looks the same",
+                       "that is the same", "that is identical", "that looks like it", "which looks the same")),
+        "the same tower again", "the same again", "the same row again", "a copy of it", "an exact copy of it",
+        "an identical one", "an identical tower", "an identical row",
+    )
+)  # fmt: skip
 _FIRST = {"stack": "bottom", "row": "left", "column": "front"}
 _WAYS = {"stack": ("top", "bottom"), "row": ("left", "right"), "column": ("front", "back")}
 ALIKE = "alike"
@@ -93,7 +106,9 @@ def _one_again(p: Parser, i: int) -> Iterator[tuple[str, int, int]]:
 
 
 def _times(p: Parser, i: int) -> tuple[int, int] | None:
-    """ "twice", "three times": how often, and the position behind it."""
+    """ "twice", "three times", "and another one like it": how often, and the position behind it."""
+    if j := p.any_of(i, _AGAIN):
+        return 2, j
     if j := p.one(i, ("twice", "thrice")):
         return 2 + (p.words[i] == "thrice"), j
     many = p.number(i)

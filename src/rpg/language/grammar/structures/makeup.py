@@ -308,7 +308,8 @@ _EACH = ("each", "apiece", "in each one", "in each", "in each of them", "in ever
          "per stack", "in each stack")  # fmt: skip
 """What says that a number of blocks is that of each of several structures."""
 _OF_EACH = (
-    *(f"each {of}" for of in ("of", "consisting of", "composed of", "with", *_MADE)),
+    *(f"{each} {of}" for each in ("each", "every", "every one") for of in ("of", "consisting of", "composed of", "with",
+                                                                           *_MADE)),
     *(f"{lead}each{one} {has}" for lead in ("", "and ") for one in ("", " of them", " one", " one of them", " tower")
       for has in ("has", "having", "should have", "must have", "consists of", "contains", "is made of")),
 )  # fmt: skip
@@ -389,7 +390,7 @@ def _number_of_each(p: Parser, j: int, k: int, base: Structure, members: Meaning
     if members_amount(members) is None or not base.plural:
         return False
     of = p.words[k - 1] == "of" and p.words[j] != "out"
-    of = of or "each" in p.words[j:k]
+    of = of or "each" in p.words[j:k] or "every" in p.words[j:k]
     return of or p.words[k - 1] in ("with", "containing") or p.one(end, ("each", "apiece")) > 0
 
 

@@ -40,7 +40,8 @@ _AGAIN = tuple(
     for again in (
         *(f"{another} {like}" for another in ("another one", "another", "a second one", "a second", "one more",
                                               "another tower", "a second tower", "another row", "a second row")
-          for like in ("like it", "just like it", "exactly like it", "like that", "just like that", "that looks the same",
+          for like in ("like it", "just like it", "exactly like it", "like that", "just like that",
+                       "that looks the same",
                        "that is the same", "that is identical", "that looks like it", "which looks the same")),
         "the same tower again", "the same again", "the same row again", "a copy of it", "an exact copy of it",
         "an identical one", "an identical tower", "an identical row",

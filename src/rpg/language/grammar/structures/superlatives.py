@@ -20,8 +20,8 @@ _CAN = Patterns(
     "that|which is possible",
 )
 _OF_ALL = Patterns(
-    "with|from|out_of|using|of what|whatever|everything|all|all_that that? is|you_have|we_have|there_is|is_there|i_have "
-    "there|here|available|on_the_table|got?",
+    "with|from|out_of|using|of what|whatever|everything|all|all_that that? "
+    "is|you_have|we_have|there_is|is_there|i_have there|here|available|on_the_table|got?",
 )
 """That it is to be made of all that is there, which goes without saying where nothing else is said."""
 _MADE = frozenset({"build", "make", "create", "construct"})

@@ -255,7 +255,9 @@ _ON = _UPON | {"under", "below"}
 _STRUCTURES = frozenset(lexicon.STRUCTURE)
 _RANKS = {
     "left": "left", "right": "right", "front": "front", "back": "back", "middle": "middle", "last": "last",
-    "near": "front", "far": "back", **{word: str(n) for word, n in lexicon.ORDINAL.items()},
+    "near": "front", "far": "back",
+    **dict.fromkeys(("taller", "tallest", "higher", "highest", "longer", "longest"), "most"),
+    **dict.fromkeys(("shorter", "shortest"), "least"), **{word: str(n) for word, n in lexicon.ORDINAL.items()},
 }  # fmt: skip
 """Which of several structures is meant."""
 

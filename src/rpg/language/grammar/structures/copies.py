@@ -10,9 +10,11 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.each import items_of, made_of
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Structure, Toward
+from rpg.language.tokens import Token
 
 _MARKED = frozenset(
     {"like", "looks", "copy", "again", "identical", "same", "alike", "copies", "twice", "thrice", "times"}
@@ -35,12 +37,18 @@ _OF = ("of", "with", "each of", ", each of", "each with", ", each with", "made o
        ", each made of", "consisting of")  # fmt: skip
 _FROM = ("from", "out of", "using", "made from", "made out of", "built from")
 _MADE = (*_OF, *_FROM)
+_LIKE_FIRST = tuple(
+    f"{like} {first}"
+    for like in ("like", "just like", "exactly like", "that looks like", "that looks exactly like", "which looks like",
+                 "identical to", "that is the same as", "that is identical to", "the same as", "looking like")
+    for first in ("the first one", "the first", "the first tower", "the first row", "this one")
+)  # fmt: skip
 _AGAIN = tuple(
     f"and {again}"
     for again in (
         *(f"{another} {like}" for another in ("another one", "another", "a second one", "a second", "one more",
                                               "another tower", "a second tower", "another row", "a second row")
-          for like in ("like it", "just like it", "exactly like it", "like that", "just like that",
+          for like in (*_LIKE_FIRST, "like it", "just like it", "exactly like it", "like that", "just like that",
                        "that looks the same",
                        "that is the same", "that is identical", "that looks like it", "which looks the same")),
         "the same tower again", "the same again", "the same row again", "a copy of it", "an exact copy of it",
@@ -55,6 +63,31 @@ LISTED = "listed"
 """The order is the one in which blocks are listed, though no side is said where it begins."""
 SHARED = ("shared",)
 """What is told is there for all of them together."""
+
+
+_BUILDS = frozenset({"build", "make", "create", "construct"})
+_NEXT_TO = Patterns("directly|right? next_to|beside it|the_first|the_first_one|the_first_tower|that|that_one")
+
+
+def in_one_sentence(parts: list[list[Token]]) -> list[list[Token]]:
+    """ "Build a tower: red, blue. Build a second tower that looks like the first one (next to it).": two of them are
+    built."""
+    out: list[list[Token]] = []
+    for part in parts:
+        begin = next((n for n, token in enumerate(part) if token.word not in _POLITE), len(part))
+        joint = [part[0].saying("and"), *part[begin + 1 :]]
+        p = Parser(joint)
+        end = p.any_of(0, _AGAIN) if begin < len(part) and part[begin].word in _BUILDS else 0
+        beside = end and max(_NEXT_TO.matches(p, end), default=0) == p.end
+        if out and out[-1][0].word in _BUILDS and end and (beside or end == p.end):
+            other = [part[0].saying(word) for word in ("next", "to", "each", "other")]
+            out[-1] = [*out[-1], *joint[:end], *(other if beside else ())]
+        else:
+            out.append(part)
+    return out
+
+
+_POLITE = frozenset({"then", "now", "please", "and", "next", ","})
 
 
 @choice

@@ -149,11 +149,12 @@ def _below(words: Sequence[Token], index: int) -> bool:
 def _nowhere(words: Sequence[Token], index: int, terms: Collection[str]) -> bool:
     """Whether a word that means one thing alone comes to nothing; "a column three blocks high" is a tower."""
     word = words[index].word
-    high = word == "column" and not _HIGH.isdisjoint(t.word for t in words[max(index - 6, 0) : index + 7])
-    return word in PLAIN and PLAIN[word].isdisjoint(terms) and not (high and "stack" in terms)
+    column = word in ("column", "columns") and "stack" in terms
+    high = column and not _HIGH.isdisjoint(t.word for t in words[max(index - 6, 0) : index + 13])
+    return word in PLAIN and PLAIN[word].isdisjoint(terms) and not high
 
 
-_HIGH = frozenset({"high", "tall", "height"})
+_HIGH = frozenset({"high", "tall", "height", "heights"})
 
 
 def _beside_goals(task: TaskSchema) -> set[str]:

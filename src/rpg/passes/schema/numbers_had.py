@@ -13,7 +13,7 @@ from pydantic import BaseModel
 from rpg.ir.assets import FACES, Asset, SemanticCube
 from rpg.ir.goal import All, Not
 from rpg.ir.node import members
-from rpg.ir.relations import Ranged, Shifted, Swapped
+from rpg.ir.relations import Clear, Ranged, Shifted, Swapped
 from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Stack, Staircase
 from rpg.ir.walk import atoms, names
@@ -78,6 +78,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     colors = {asset.name: asset.color for asset in task.assets}
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()
+    alone = [atom for atom in atoms(task.goal) if isinstance(atom, Clear) and len(members(atom.a)) == 1]
+    yield len(alone) + sum(isinstance(line, Stack) for line in lines)  # "three towers: 1, 2 and 4 blocks high"
     for line in lines:
         yield from Counter(map(colors.get, line.blocks)).values()  # "each of three red blocks and a blue one"
         if line.order.by == "given":  # "with three pink cubes on each side of it"

@@ -17,6 +17,10 @@ _COUNTED = ("of them", "of those", "of these", "in total", "in all", "altogether
 _WIDE = ("each", "wide", "edge", "edges", "each side", "a side", "on each side", "on a side", "cubes", "cube", "large",
          "in size", "apiece", "edge length", "side length", "blocks", "block")  # fmt: skip
 
+_SHOWN = ("marked by", "marked in", "marked as", "shown as", "shown in", "shown by", "this is", "that is", "i e",
+          "namely", "marked with")  # fmt: skip
+_FORMS = {"square": "square", "circle": "circle", "disc": "circle", "disk": "circle", "one": None}
+
 
 @choice
 def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
@@ -28,6 +32,7 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
         yield from _patches_named(p, i, p.one(j, (",", ":")), noun)
     if not opened:
         return
+    yield from _patch_shown(p, i, opened, noun)
     start = p.any_of(opened, _LEADS) or opened
     for many, k in amounts.count(p, start):
         told = p.any_of(k, _COUNTED) or k
@@ -49,6 +54,19 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
         end = p.one(k, ")")
         if end and not either and not noun.traits.colors and _as_many(noun, len(listed)):
             yield replace(noun, traits=replace(noun.traits, colors=listed), span=p.span(i, end)), end
+
+
+def _patch_shown(p: Parser, i: int, opened: int, noun: Noun) -> Results[Noun]:
+    """ "the target zone (green square)", "the goal (the blue mat)": how the patch looks that was named before."""
+    if noun.head != "patch" or noun.plural or noun.traits.colors:
+        return
+    start = p.any_of(opened, _SHOWN) or opened
+    for (listed, either), k in colors(p, p.opt(start, "a", "the")):
+        named = k if p.stands(k, (")",)) else p.one(k, lexicon.PATCH) or p.one(k, _FORMS)
+        end = p.one(named, ")") if named else 0
+        if end and not either and len(listed) == 1:
+            shape = _FORMS.get(p.words[k]) or noun.traits.shape
+            yield replace(noun, traits=replace(noun.traits, colors=listed, shape=shape), span=p.span(i, end)), end
 
 
 def _patches_named(p: Parser, i: int, comma: int, noun: Noun) -> Results[Noun]:

@@ -45,7 +45,7 @@ from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
 from rpg.passes.schema.resolve.places.alone import kept_away, none_further, told_alone
 from rpg.passes.schema.resolve.places.between import by_sandwiching
-from rpg.passes.schema.resolve.places.centred import by_centring, centred, well_on_a_patch
+from rpg.passes.schema.resolve.places.centred import by_centring, centred
 from rpg.passes.schema.resolve.places.corners import one_for_each_corner
 from rpg.passes.schema.resolve.places.moved import is_moved
 from rpg.passes.schema.resolve.places.moved import moved as far_moved
@@ -163,8 +163,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     place_of_which(clause, clause.lemma in LEAVING)
-    by_centring(clause, spec)
-    well_on_a_patch(spec, scene)
+    by_centring(clause, spec, scene)
     _at_a_distance(spec)
     clause = heaped_up(clause, spec)
     clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)

@@ -40,8 +40,9 @@ def _alike(scene: Scene, names: tuple[str, ...] | None) -> list[tuple[str, str]]
     return [(upper, lower) for members in towers for lower, upper in pairwise(members)]
 
 
-def by_centring(clause: Clause, spec: Spec) -> None:
+def by_centring(clause: Clause, spec: Spec, scene: Scene) -> None:
     """ "center the red block on the mat": in its middle; on another block it is to be said how well."""
+    _well_on_a_patch(spec, scene)
     if clause.lemma != "center":
         return
     told = any(isinstance(p, Loc) and p.rel == "offset" for p in spec.places)
@@ -58,7 +59,7 @@ def by_centring(clause: Clause, spec: Spec) -> None:
             raise refuse("ambiguous", "it is not said how well it is to be centred", place.span, "say 'to within 5 mm'")
 
 
-def well_on_a_patch(spec: Spec, scene: Scene) -> None:
+def _well_on_a_patch(spec: Spec, scene: Scene) -> None:
     """ "on the green patch, tolerance 1 cm": so near its middle."""
     offsets = [p for p in spec.places if isinstance(p, Loc) and p.rel == "offset"]
     lain = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "in") and not p.negated]

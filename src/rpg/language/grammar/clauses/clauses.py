@@ -20,6 +20,7 @@ from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
+from rpg.language.grammar.clauses.equal_numbers import equal_numbers
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there, what_carries
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.occupied import occupied
@@ -112,6 +113,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _describe(p, i, when)
     yield from having(p, i, when)
     yield from occupied(p, i, when)
+    yield from equal_numbers(p, i) if mode != "start" else ()
     yield from on_what_is_named(p, i, when)
     yield from told_before(p, i, when)
     if mode != "start":

@@ -244,7 +244,11 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.det == "no" and noun.amount == Amount(PAIR, PAIR) and noun.traits.colors and not patch:
         those = replace(noun, det="the", amount=None)  # "no two red ones": of the red ones that there are
         return _partitive(replace(noun, head="any", traits=Traits(), part_of=those), scene, scope)
-    names = denied(noun, scene, scope, patch) or counted_among(noun, scene, scope, patch) or select(noun, scene, scope, patch)
+    names = (
+        denied(noun, scene, scope, patch)
+        or counted_among(noun, scene, scope, patch)
+        or select(noun, scene, scope, patch)
+    )
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
     return quantified(found, noun)
 

@@ -23,6 +23,7 @@ from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.equal_numbers import equal_numbers
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there, what_carries
 from rpg.language.grammar.clauses.made import told_before
+from rpg.language.grammar.clauses.none_empty import none_empty
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.replaced import replaced
 from rpg.language.grammar.clauses.shared import shared
@@ -113,6 +114,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _describe(p, i, when)
     yield from having(p, i, when)
     yield from occupied(p, i, when)
+    yield from none_empty(p, i, when)
     yield from equal_numbers(p, i) if mode != "start" else ()
     yield from on_what_is_named(p, i, when)
     yield from told_before(p, i, when)

@@ -19,6 +19,7 @@ _WIDE = ("each", "wide", "edge", "edges", "each side", "a side", "on each side",
 
 _SHOWN = ("marked by", "marked in", "marked as", "shown as", "shown in", "shown by", "this is", "that is", "i e",
           "namely", "marked with")  # fmt: skip
+_BY = ("marked by", "indicated by", "shown by", "given by", "marked as", "marked with")
 _FORMS = {"square": "square", "circle": "circle", "disc": "circle", "disk": "circle", "one": None}
 
 
@@ -28,11 +29,11 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     "any red block of the three"."""
     yield from _of_so_many(p, i, j, noun)
     opened = p.one(j, "(")
+    yield from _patch_shown(p, i, opened or p.any_of(j, _BY), noun, not opened)
     if not opened and noun.head == "patch":
         yield from _patches_named(p, i, p.one(j, (",", ":")), noun)
     if not opened:
         return
-    yield from _patch_shown(p, i, opened, noun)
     start = p.any_of(opened, _LEADS) or opened
     for many, k in amounts.count(p, start):
         told = p.any_of(k, _COUNTED) or k
@@ -56,16 +57,17 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
             yield replace(noun, traits=replace(noun.traits, colors=listed), span=p.span(i, end)), end
 
 
-def _patch_shown(p: Parser, i: int, opened: int, noun: Noun) -> Results[Noun]:
-    """ "the target zone (green square)", "the goal (the blue mat)": how the patch looks that was named before."""
-    if noun.head != "patch" or noun.plural or noun.traits.colors:
+def _patch_shown(p: Parser, i: int, at: int, noun: Noun, named: bool) -> Results[Noun]:
+    """ "the target zone (green square)", "the goal marked by the green mat": how the patch looks that was named before.
+    `named`: by another patch, and not in brackets."""
+    if not at or noun.head != "patch" or noun.plural or noun.traits.colors:
         return
-    start = p.any_of(opened, _SHOWN) or opened
+    start = at if named else p.any_of(at, _SHOWN) or at
     for (listed, either), k in colors(p, p.opt(start, "a", "the")):
-        named = k if p.stands(k, (")",)) else p.one(k, lexicon.PATCH) or p.one(k, _FORMS)
-        end = p.one(named, ")") if named else 0
+        form = p.one(k, lexicon.PATCH) or p.one(k, _FORMS)
+        end = form if named else p.one(form or k, ")")
         if end and not either and len(listed) == 1:
-            shape = _FORMS.get(p.words[k]) or noun.traits.shape
+            shape = (_FORMS.get(p.words[k]) if form else None) or noun.traits.shape
             yield replace(noun, traits=replace(noun.traits, colors=listed, shape=shape), span=p.span(i, end)), end
 
 

@@ -142,6 +142,13 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
     built = whole.built[0] if len(whole.built) == 1 and whole.built[0].ordered else None
     if meaning.part == "top" or (meaning.part == "middle" and whole.patch and len(whole.names) == 1):
         return replace(whole, part=meaning.part)
+    if (
+        meaning.part == "middle"
+        and scope.role == "theme"
+        and len(whole.names) == 1
+        and not (whole.built or whole.patch)
+    ):
+        return whole  # "its centre lies on the mat": a block is where its middle is
     if built is not None and meaning.part == "middle" and len(built.members) % 2:
         return Ref(names=(built.members[len(built.members) // 2],))
     if built is not None and built.kind == "stack" and meaning.part == "bottom":

@@ -10,6 +10,7 @@ from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
 from rpg.language.grammar.places.measures import bounds, limited, measured, measured_bare, measured_so
 from rpg.language.grammar.places.near_enough import near_enough
+from rpg.language.grammar.places.nearer_one import nearer_one
 from rpg.language.grammar.places.offsets import centred_on
 from rpg.language.grammar.places.other_side import other_side
 from rpg.language.grammar.places.outside import neither, outside
@@ -122,7 +123,9 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from near_enough(p, i)
     yield from other_side(p, i)
     yield from _either_place(p, i)
-    yield from _between(p, i)
+    for found, j in _between(p, i):
+        yield found, j
+        yield from nearer_one(p, j, i, found) if isinstance(found, Loc) else ()
     yield from _possessive(p, i)
     yield from _bare(p, i)
 

@@ -20,8 +20,12 @@ from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
+from rpg.language.grammar.clauses.each_kind import each_kind
+from rpg.language.grammar.clauses.equal_numbers import equal_numbers
+from rpg.language.grammar.clauses.given_own import given_own
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there, what_carries
 from rpg.language.grammar.clauses.made import told_before
+from rpg.language.grammar.clauses.none_empty import none_empty
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.replaced import replaced
 from rpg.language.grammar.clauses.reversed_end import reverse_of_it
@@ -103,6 +107,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     when = "start" if mode == "start" else "goal"
     if mode in ("command", "any", "end"):
         yield from (*_command(p, i), *covered(p, i), *addressed(p, i), *replaced(p, i), *shared(p, i))
+        yield from (*given_own(p, i), *each_kind(p, i))
     yield from (*gap(p, i), *widened(p, i))
     yield from measuring(p, i, when)
     yield from trading_places(p, i)
@@ -114,6 +119,8 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _describe(p, i, when)
     yield from having(p, i, when)
     yield from occupied(p, i, when)
+    yield from none_empty(p, i, when)
+    yield from equal_numbers(p, i) if mode != "start" else ()
     yield from on_what_is_named(p, i, when)
     yield from told_before(p, i, when)
     if mode != "start":

@@ -388,7 +388,7 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         if mark.part == "middle":
             if len(theme.names) != 1:
                 raise refuse("ambiguous", "only one block fits in the middle of a patch", span, "name one block")
-            near = r.Distance(a=theme.names, b=patches, maximum=PATCH_MIDDLE, span=span)
+            near = r.Distance(a=theme.names, b=patches, maximum=loc.high or PATCH_MIDDLE, span=span)
             return [on_patches(theme, mark, scene, span), near]
         return [on_patches(theme, mark, scene, span)]
     if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):

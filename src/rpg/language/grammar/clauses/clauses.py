@@ -108,8 +108,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     if mode in ("command", "any", "end"):
         yield from (*_command(p, i), *covered(p, i), *addressed(p, i), *replaced(p, i), *shared(p, i))
         yield from (*given_own(p, i), *each_kind(p, i))
-    yield from (*gap(p, i), *widened(p, i))
-    yield from measuring(p, i, when)
+    yield from (*gap(p, i), *widened(p, i), *measuring(p, i, when))
     yield from trading_places(p, i)
     yield from state(p, i, when)
     for there, j in exists(p, i):

@@ -93,7 +93,7 @@ _PIECES = re.compile(
   | (?P<arrow>[-–—=]+>|[→⇒➔➜]|>)
   | (?P<sign>[-+*/×÷=−–—])
   | (?P<spread>±)
-  | (?P<punct>[.,;:!?()\[\]&°%~])
+  | (?P<punct>[.,;:!?()\[\]&∧°%~])
     """,
     re.VERBOSE,
 )

@@ -10,6 +10,7 @@ from typing import Protocol
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.called import without_names
+from rpg.language.formulas import formulas_told
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.stock_ahead import stock_ahead
@@ -69,7 +70,7 @@ class BuiltinFrontEnd:
     ) -> Reading:
         """`mended`: notes of the misspelt words that were mended in the text."""
         guard(text)
-        tokens, strays = tokenize(text)
+        tokens, strays = formulas_told(*tokenize(text))
         if over := title(tokens):
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
         tokens, named = without_names(untitled(tokens[over:]))

@@ -23,6 +23,7 @@ from rpg.passes.schema.resolve.clauses.among_all import among_all
 from rpg.passes.schema.resolve.structures.another_such import another_such
 from rpg.passes.schema.resolve.structures.by_looks import by_looks
 from rpg.passes.schema.resolve.things.lots_open import lots_open
+from rpg.passes.schema.resolve.things.named_behind import named_behind
 from rpg.passes.schema.resolve.things.others_open import others_left_open
 from rpg.passes.schema.resolve.things.shared_out import shared_out
 from rpg.passes.schema.resolve.things.spare import left_out_first, without_spare
@@ -34,7 +35,7 @@ _TAKES = frozenset({"pick", "use"})
 def all_plainly(chains: tuple[Chain, ...], scene: Scene) -> tuple[Chain, ...]:
     """The sentences with such clauses, with every structure told in full, and every lot counted."""
     scene.others_open = others_left_open(chains)
-    chains = among_all(lots_open(shared_out(chains, scene), scene))
+    chains = among_all(lots_open(shared_out(named_behind(chains, scene), scene), scene))
     return another_such(tuple(left_out_first(without_spare(plainly(chain))) for chain in chains))
 
 

@@ -64,7 +64,29 @@ _LINES = frozenset({*lexicon.STRUCTURE, "stack", "pile"})
 """Without a line of blocks, nothing follows of their order where those of a colour do not touch."""
 _KEPT_APART = ((_APART, "alternating"), (NEVER_TWICE, "alternating"))
 _TWICE = frozenset(
-    {"never", "not", "same", "equal", "identical", "two", "any", "a", "color", "without", "no", "neighbors", "neighboring", "adjacent", "the", "their", "its", "they", "it", "this", "colors"}
+    {
+        "never",
+        "not",
+        "same",
+        "equal",
+        "identical",
+        "two",
+        "any",
+        "a",
+        "color",
+        "without",
+        "no",
+        "neighbors",
+        "neighboring",
+        "adjacent",
+        "the",
+        "their",
+        "its",
+        "they",
+        "it",
+        "this",
+        "colors",
+    }
 )
 _RARE = (
     "alternate", "alternates", "alternating", "alternately", "alternation", "switching", "turn", "turns", "every", "no",

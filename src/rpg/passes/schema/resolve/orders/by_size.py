@@ -6,7 +6,7 @@ from dataclasses import replace as changed
 from typing import TYPE_CHECKING
 
 from rpg.language.later import later
-from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
+from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, NUMBER, SMALL_EDGE
 from rpg.language.meaning import Amount, Noun, Traits, replace
 from rpg.passes.schema.resolve.places.patch_sizes import of_patches, patch_by_size
 from rpg.passes.schema.resolve.things.things import matching
@@ -17,10 +17,16 @@ if TYPE_CHECKING:
 else:
     (refer,) = later(__name__, "rpg.passes.schema.resolve.things.refer", "refer")
 
-BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller"})
-_EDGES = {2: (SMALL_EDGE, BIG_EDGE), 3: (SMALL_EDGE, MEDIUM_EDGE, BIG_EDGE)}
+BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller",
+                     *(f"{nth} {most}" for nth in range(2, 7) for most in ("largest", "smallest"))})  # fmt: skip
+_MOST = 6
+_EDGES: dict[int, tuple[float, ...]] = {
+    many: tuple(round(SMALL_EDGE + (BIG_EDGE - SMALL_EDGE) * n / (many - 1), 4) for n in range(many))
+    for many in range(2, _MOST + 1)
+}
+_EDGES[4] = (SMALL_EDGE, 0.035, 0.045, BIG_EDGE)
 """What so many blocks measure of which no more is said than that they differ in size."""
-_MANY = {2: "two", 3: "three"}
+_MANY = {many: word for word, many in NUMBER.items() if 1 < many <= _MOST}
 
 
 def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
@@ -39,7 +45,12 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
             thing.edge = edge
         told = f"{', '.join(f'{edge * 100:g}' for edge in _EDGES[len(those)][:-1])} and {BIG_EDGE * 100:g} cm"
         scene.assume(f"the sizes of the {_MANY[len(those)]} blocks are not said: {told}")
-    sized = sorted(((edge_of(t), t.name) for t in those), reverse=rank.startswith("large"))
+    sized = sorted(((edge_of(t), t.name) for t in those), reverse="large" in rank)
+    if (nth := _nth(rank)) > 1:
+        apart = len({edge for edge, _ in sized[nth - 2 : nth + 1]}) == len(sized[nth - 2 : nth + 1])
+        if nth <= len(sized) and apart and not noun.plural:
+            return Ref(names=(sized[nth - 1][1],))
+        raise refuse("no-referent", f"no block is the one that is the {rank}", noun.span, "name its colour")
     if noun.plural and noun.amount is None:
         raise refuse("ambiguous", f"it is not said how many the {rank} ones are", noun.span, "say 'the two ...'")
     many = noun.amount.low if noun.amount is not None else 1
@@ -48,13 +59,26 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
 
 
+_FEW = 3
+"""So many blocks there are at least, where one is the largest and no more is said."""
+
+
+def _nth(rank: str) -> int:
+    """Which one in the order of sizes: 2 for the second largest."""
+    return int(rank.split()[0]) if rank[:1].isdigit() else 1
+
+
 def _unheard_of(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
     """ "Put the biggest block on the mat", where no block was told of: as many as differ in size, and no others."""
     marks = replace(noun.traits, rank=None)
     plain = marks == Traits(colors=marks.colors) and len(marks.colors) < 2
     if not plain or scope.start or any(scene.blocks()):
         return []
-    count = min(_EDGES) if (noun.traits.rank or "").endswith("er") else max(_EDGES)
+    rank = noun.traits.rank or ""
+    least = max(_nth(rank), noun.amount.low + 1 if noun.plural and noun.amount is not None else 1)
+    count = min(_EDGES) if rank.endswith("er") else max(_FEW, least)
+    if count not in _EDGES:
+        return []
     lot = Noun(head="block", amount=Amount(count, count), plural=True, traits=marks, span=noun.span)
     scene.assume(f"the number of blocks is not said: {count}")
     those = _those(replace(noun, part_of=lot), scene, scope)

@@ -25,7 +25,7 @@ from rpg.language.grammar.things.so_many import so_many
 from rpg.language.grammar.things.standby import further_extras
 from rpg.language.grammar.things.strangers import STRANGERS
 from rpg.language.grammar.things.theirs import as_many_colors, of_patch
-from rpg.language.grammar.things.told_symbols import told_symbols
+from rpg.language.grammar.things.told_symbols import both_parities, told_symbols
 from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits, replace
 
@@ -220,7 +220,7 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
         if j := p.one(i, frozenset({words, words + "s"})):
             yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
-    if j := p.one(i, ("odds", "evens")):
+    if j := p.one(i, ("odds", "evens")) or both_parities(p, i):
         yield ("block", True, {"kind": "digit", "quality": p.words[i].rstrip("s")}), j
     start = p.one(i, ("random", "arbitrary", "other")) or i
     if j := p.one(start, ("distractor", "distractors")):

@@ -137,3 +137,15 @@ def _multiples(p: Parser, i: int) -> Results[Noun]:
         one = first in ("a", "every")
         marks = Traits(kind="digit", quality=symbols)
         yield Noun(head="block", det=det, plural=not one, traits=marks, span=p.span(i, j + 1)), j + 1
+
+
+_PARITIES = frozenset({"odd", "even"})
+_NOUNS = frozenset(
+    {*lexicon.BLOCK, *lexicon.DIGIT, "one", "ones", "number", "position", "positions", "place", "places"}
+)
+
+
+def both_parities(p: Parser, i: int) -> int:
+    """ "(odd numbers on the left,) even on the right": with no noun of its own, where both are spoken of."""
+    j = p.one(i, _PARITIES)
+    return j if j and p.words[j] not in _NOUNS and p.all >= _PARITIES else 0

@@ -199,7 +199,8 @@ def looks_said(noun: Noun, names: tuple[str, ...], there: dict[str, bool], scene
     "Two red blocks on the mat and three on the table": three more red ones, not three of whatever look.
     """
     new = [scene.things[name] for name in names if name not in there]
-    if noun.det == "all" and noun.traits.quality and not noun.traits.labels and len(new) == len(names):
+    alone = noun.det == "all" and not noun.traits.labels and len(new) == len(names) and not scene.opposites
+    if alone and noun.traits.quality:
         which = "letters A to F" if symbols_of(noun.traits.quality)[0].isalpha() else "digits 1 to 8"
         raise refuse("ambiguous", "it is not said which symbols there are", noun.span,
                      f"say it first, as in 'There are the {which}.'")  # fmt: skip
@@ -242,8 +243,12 @@ def of_no_look(meaning: Meaning) -> bool:
 
 
 def note_named(chains: tuple[Meaning, ...], scene: Scene) -> None:
-    """Note whether the sentences say how blocks look or how many there are."""
+    """Note whether the sentences say how blocks look or how many there are, and whether they tell of both of two
+    opposites: "all odd numbers left, all even ones right"."""
     blocks = [x for chain in chains for x in parts_of(chain) if isinstance(x, Noun) and x.head != "patch"]
     looks = {(x.traits.colors, x.traits.labels) for x in blocks} - {((), ())}
     scene.looks = len(looks)
+    joined = {item for chain in chains for x in parts_of(chain) if isinstance(x, Coord) for item in x.items}
+    qualities = {x.traits.quality for x in blocks if x not in joined}
+    scene.opposites = qualities >= {"odd", "even"} or qualities >= {"vowel", "consonant"}
     scene.names_blocks = bool(looks) or any(x.amount is not None and x.head == "block" for x in blocks)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.language.grammar.talk.asked_first import about_numbers
+from rpg.language.grammar.talk.named_first import with_names
 from rpg.language.tokens import Token
 
 _DOES = frozenset({"does", "do", "should", "must", "shall", "will"})
@@ -26,7 +27,7 @@ _MOST = 8
 def with_answers(parts: list[list[Token]]) -> list[list[Token]]:
     """Sentences, each question that is answered with what answers it."""
     out: list[list[Token]] = []
-    for part in parts:
+    for part in with_names(parts):
         told = _answered(out[-1], part) if out else None
         out[-1:] = [told] if told is not None else [*out[-1:], part]
     return out

@@ -20,6 +20,7 @@ else:
 BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller"})
 _EDGES = {2: (SMALL_EDGE, BIG_EDGE), 3: (SMALL_EDGE, MEDIUM_EDGE, BIG_EDGE)}
 """What so many blocks measure of which no more is said than that they differ in size."""
+_BLOCK = ("block", "name its colour")
 _MANY = {2: "two", 3: "three"}
 
 
@@ -45,7 +46,8 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     many = noun.amount.low if noun.amount is not None else 1
     if len(sized) > many and sized[many - 1][0] != sized[many][0]:
         return Ref(names=tuple(name for _, name in sized[:many]), plural=many > 1, listed=many > 1)
-    raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
+    what, hint = ("number", "name it, as in 'put the 7 on the patch'") if noun.traits.kind == "digit" else _BLOCK
+    raise refuse("no-referent", f"no {what} is the {rank}", noun.span, hint)
 
 
 def _unheard_of(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:

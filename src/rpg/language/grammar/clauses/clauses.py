@@ -41,6 +41,7 @@ from rpg.language.grammar.structures.each_color import of_each_color
 from rpg.language.grammar.talk.chatter import CHATTER
 from rpg.language.grammar.talk.commands import COMMANDS, DONT, FIRST, HANDS_OFF
 from rpg.language.grammar.talk.framing import CLOSING, FRAMES
+from rpg.language.grammar.talk.let_go import LET_GO
 from rpg.language.grammar.talk.people import AGENTS, DOERS, WORKERS
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.talk.wishes import DENIALS, STARTS, STATES, TAGS
@@ -385,7 +386,7 @@ def tail(p: Parser, i: int) -> int:
     """The position after closing words that carry nothing ("please", "thanks")."""
     while True:
         j = p.opt(i, ",")
-        k = max((m for tags in (TAGS, CLOSING) for m in tags.matches(p, j)), default=0)
+        k = max((m for tags in (TAGS, CLOSING, LET_GO) for m in tags.matches(p, j)), default=0)
         if not k:
             return i
         i = k

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from rpg.language import lexicon
 from rpg.language.grammar.talk.all_as_before import all_as_before
 from rpg.language.grammar.talk.answers_wanted import answers_wanted
@@ -10,7 +12,7 @@ from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
-from rpg.language.grammar.talk.respelling import respelling
+from rpg.language.grammar.talk.respelling import RESPELT, respelling
 from rpg.language.grammar.talk.said_loosely import LOOSE, said_loosely
 from rpg.language.grammar.talk.short_turns import anywhere_but, between_them, number_made, without_stacking
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
@@ -41,8 +43,8 @@ _WHO = frozenset({"you", "we", "i"})
 def plainer(tokens: list[Token]) -> list[Token]:
     """The tokens with such constructions in plainer words."""
     words = [token.word for token in tokens]
-    for change in _CHANGES if not _TELLING.isdisjoint(words) else ():
-        if (changed := change(tokens, words)) is not None:
+    for change, telling in _CHANGES:
+        if not telling.isdisjoint(words) and (changed := change(tokens, words)) is not None:
             tokens = changed
             words = [token.word for token in tokens]
     return tokens
@@ -245,19 +247,41 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
-_CHANGES = (all_as_before, answers_wanted, respelling, bare_sides, one_side_each, own_color, told_in_total, halves_told,
-            no_two, but_turned, any_other, every_other, in_pairs, utmost_number, _furthest, _seen, _is, _resumed,
-            _have_done, _hedged, _tidied, _freely, _around, _like_a_grid, _finished_off, by_again, heights_told,
-            sizes_compared, dealt_out, between_them, without_stacking, anywhere_but, number_made,
-            said_loosely)  # fmt: skip
-_TELLING = (
-    frozenset({"know", "see", "remember", "notice", "spot", "?", "'s", "those", "these", "they", "have", "roughly",
-               "rows", "approximately", "or", "more", "about", "give", "ish", "like", "but", "as", "half", "each",
-               "equation", "sum", "right", "no", "pairs", "unscramble", "turn", "change", "rearrange", "currently",
-               "spell", "say", "says", "spelling", "word", "reads", "becomes", "become", "number", "=", "match",
-               "every", "side", "total", "altogether", "answer", "result", "solution", "of", "want", "has", "with",
-               "by", "in", "towers", "stacks", "everything", "all", "between",
-               "stacking", "anywhere", "somewhere", "digit", "numbers", "digits"})
-    | TELLING | LOOSE | _TIDIED | _LEFT_OUT | _TOPPED | _FAR
-)  # fmt: skip
-"""Words without one of which there is nothing of all this."""
+_Change = Callable[[list[Token], list[str]], list[Token] | None]
+_CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
+    (all_as_before, frozenset({"everything", "all"})),
+    (answers_wanted, frozenset({"?", "=", "answer", "result", "solution", "missing"})),
+    (respelling, RESPELT),
+    (bare_sides, frozenset({"right"})),
+    (one_side_each, frozenset({"side"})),
+    (own_color, frozenset({"match", "each", "every"})),
+    (told_in_total, frozenset({"total", "altogether", "all"})),
+    (halves_told, frozenset({"half"})),
+    (no_two, frozenset({"no"})),
+    (but_turned, frozenset({"but"})),
+    (any_other, frozenset({"any"})),
+    (every_other, frozenset({"every"})),
+    (in_pairs, frozenset({"pairs"})),
+    (utmost_number, frozenset({"number"})),
+    (_furthest, _FAR),
+    (_seen, frozenset({"?", *(word for lead in _SEEN for word in lead)})),
+    (_is, frozenset({"'s"})),
+    (_resumed, frozenset({"those", "these", "they"})),
+    (_have_done, frozenset({"have"})),
+    (_hedged, _HEDGING),
+    (_tidied, _TIDIED),
+    (_freely, frozenset({"as", "but", "provided"})),
+    (_around, _LEFT_OUT),
+    (_like_a_grid, frozenset({"rows"})),
+    (_finished_off, _TOPPED),
+    (by_again, frozenset({"by"})),
+    (heights_told, frozenset({"towers", "stacks"})),
+    (sizes_compared, TELLING),
+    (dealt_out, frozenset({"half", "towers", "stacks", "each", "equation", "sum", "of"})),
+    (between_them, frozenset({"between"})),
+    (without_stacking, frozenset({"stacking"})),
+    (anywhere_but, frozenset({"anywhere", "somewhere"})),
+    (number_made, frozenset({"digit", "digits", "number", "numbers"})),
+    (said_loosely, LOOSE),
+)
+"""The changes, in their order, and words without one of which there is nothing for each to change."""

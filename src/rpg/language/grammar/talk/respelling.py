@@ -13,6 +13,8 @@ _SPELT = frozenset({"please", "wrong", "mistake", "typo", "spelled", "spelt", "m
 _BEFORE = _TURN | _SHOWN | _WHAT | _NOW | _MARKS | _SPELT
 _TO_BE = frozenset({"make", "becomes", "should", "must", "into", "to", "become", "needs", "need", "so", "let", *_TURN})
 _BETWEEN = _BEFORE | _TO_BE | {"but", "and", "be", "that", "has", "have", "instead", "really", "actually"}
+RESPELT = frozenset({"unscramble", "become", "becomes", *_TURN, *_SHOWN})
+"""Words without one of which no word is made of another."""
 _BEHIND = frozenset({"instead", ".", "!", "please", "now"})
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 
@@ -14,11 +16,15 @@ _SINGLE = frozenset(lexicon.STRUCTURE) - _PLURAL
 _ENDS = frozenset({"bottom", "top", "left", "right", "front", "back"})
 _HAVING = (("has",), ("consists", "of"), ("contains",), ("is", "made", "of"))
 _TOWERS = frozenset({"towers", "stacks", "piles"})
+_Change = Callable[[list[Token], list[str]], list[Token] | None]
 
 
 def said_loosely(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """The tokens with one such construction in plainer words."""
-    return next((found for change in _CHANGES if (found := change(tokens, words)) is not None), None)
+    for change, telling in _CHANGES:
+        if not telling.isdisjoint(words) and (found := change(tokens, words)) is not None:
+            return found
+    return None
 
 
 def _counted(tokens: list[Token], at: int) -> int:
@@ -183,9 +189,20 @@ def _taken(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return [*there, *tokens[at:end], tokens[end].saying(":"), *rest]
 
 
-_CHANGES = (_it, _anywhere_else, _of_the_same, _formed_there, _in_towers, _touched, _going_down, _having, _dealt,
-            _alone, _also_called, _wanted, _taken)  # fmt: skip
-LOOSE = frozenset({"it", "anywhere", "least", "most", "exactly", "so", "each", "alternating", "touched", "going",
-                   "running", "apart", "which", "that", "distribute", "spread", "divide", "alone", "like",
-                   "take"})  # fmt: skip
-"""Words without one of which there is nothing of all this."""
+_CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
+    (_it, frozenset({"it"})),
+    (_anywhere_else, frozenset({"anywhere"})),
+    (_of_the_same, frozenset({"least", "most", "exactly"})),
+    (_formed_there, frozenset({"so"})),
+    (_in_towers, frozenset({"each", "alternating"})),
+    (_touched, frozenset({"touched"})),
+    (_going_down, frozenset({"going", "running", "apart"})),
+    (_having, frozenset({"which", "that"})),
+    (_dealt, frozenset({"distribute", "spread", "divide"})),
+    (_alone, frozenset({"alone"})),
+    (_also_called, frozenset({"that"})),
+    (_wanted, frozenset({"like"})),
+    (_taken, frozenset({"take"})),
+)
+"""The changes, and words without one of which there is nothing for each to change."""
+LOOSE = frozenset(word for _, telling in _CHANGES for word in telling)

@@ -71,8 +71,7 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
             j = p.opt(j, "all", "both", "each") if j else j
             for marks, k in adjectives(p, j):
                 if marks and head in ("block", "any", "patch"):
-                    yield Traits(**marks), k
-                    yield from _and_more(p, k, marks)
+                    yield from list(_and_more(p, k, marks)) or [(Traits(**marks), k)]
             for marks, k in of_quality(p, j, head):
                 yield Traits(**marks), k
             j = p.one(j, _AT_FIRST) or j

@@ -43,7 +43,7 @@ UNITS = {
 DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
-LOOSE_BLOCK_NOUNS = "object item piece thing"
+LOOSE_BLOCK_NOUNS = "object item piece thing sample workpiece specimen"
 PATCH_NOUNS = "patch target goal mat spot zone area pad marker mark"
 TABLE_NOUNS = "table tabletop workspace desk surface"
 LETTER_NOUNS = "letter character"

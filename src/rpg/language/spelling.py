@@ -102,6 +102,8 @@ def vocabulary() -> frozenset[str]:
                 words |= value.words
             elif isinstance(value, dict | tuple | frozenset):
                 words |= _words_of(value)
+            if isinstance(value, dict):
+                words = words.union(*(kept.words for kept in value.values() if isinstance(kept, Patterns)))
     words -= _FIELDS
     return frozenset(w for w in words if (w.isalpha() and w.islower()) or w in lexicon.ORDINAL)
 

@@ -16,7 +16,7 @@ from rpg.blocks.traits import VOWELS
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import On, OnPatch
-from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, REPLACED, TaskSchema
+from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, EXCHANGED_LATER, REPLACED, TaskSchema
 from rpg.ir.structures import Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
@@ -149,16 +149,17 @@ def _below(words: Sequence[Token], index: int) -> bool:
 def _nowhere(words: Sequence[Token], index: int, terms: Collection[str]) -> bool:
     """Whether a word that means one thing alone comes to nothing; "a column three blocks high" is a tower."""
     word = words[index].word
-    high = word == "column" and not _HIGH.isdisjoint(t.word for t in words[max(index - 6, 0) : index + 7])
-    return word in PLAIN and PLAIN[word].isdisjoint(terms) and not (high and "stack" in terms)
+    column = word in ("column", "columns") and "stack" in terms
+    high = column and not _HIGH.isdisjoint(t.word for t in words[max(index - 6, 0) : index + 13])
+    return word in PLAIN and PLAIN[word].isdisjoint(terms) and not high
 
 
-_HIGH = frozenset({"high", "tall", "height"})
+_HIGH = frozenset({"high", "tall", "height", "heights"})
 
 
 def _beside_goals(task: TaskSchema) -> set[str]:
     """What a task has that stands in no condition: heaps, and a swap that is told by its result."""
-    swapped = task.assumed(EXCHANGED) or task.assumed(REPLACED)
+    swapped = any(map(task.assumed, (EXCHANGED, EXCHANGED_LATER, REPLACED)))
     return {"heaps" for _ in task.init.heaps} | ({"swapped"} if swapped else set())
 
 

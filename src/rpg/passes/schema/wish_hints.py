@@ -36,7 +36,9 @@ _UNCHECKED = (
     ),
     _Wish(
         re.compile(
-            r"\bhold(?:s|ing)? (?:it|them|the|this|that|up|still|an?)\b|\b(?:in|into|through) the air\b|\bhover", re.I
+            r"\bhold(?:s|ing)? (?:it|them|the(?! most| fewest| least)|this|that|up|still|an?)\b|"
+            r"\b(?:in|into|through) the air\b|\bhover",
+            re.I,
         ),
         "a block that is held has no place at the end: what is checked is how blocks lie when nothing holds them",
         "say where it is put down, as in 'put the red block on the blue block'",
@@ -64,6 +66,16 @@ _UNCHECKED = (
         ),
         "which block or patch that is depends on how the blocks lie at the start, and may change",
         "name it by its colour, as in 'put the red block on the blue patch'",
+    ),
+    _Wish(
+        re.compile(r"\b(?:most|fewest|least) (?:cubes|blocks|boxes|bricks)\b(?! that can)", re.I),
+        "on what the most or the fewest blocks lie depends on how they lie at the start, and may change",
+        "name it by its colour, as in 'clear the red patch'",
+    ),
+    _Wish(
+        re.compile(r"\b(?:completely|fully|entirely|totally|wholly) (?:covered|cover|hidden|filled|fill)\b", re.I),
+        "how much of something is covered is not checked, but only which blocks lie on it",
+        "say how many lie there, as in 'put four blocks on the white patch'",
     ),
     _Wish(
         re.compile(r"\balready\b|\bkeep stacking until\b", re.I),

@@ -18,6 +18,7 @@ from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, 
 from rpg.language.grammar.things.labels import label_list, literal, once_more
 from rpg.language.grammar.things.of_both import counted_kinds
 from rpg.language.grammar.things.of_listed import wholes
+from rpg.language.grammar.things.patch_nouns import patch_noun
 from rpg.language.grammar.things.printed import printed, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
@@ -218,11 +219,9 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
         if (plural := p.lex(i, table)) is not None:
             yield ("block", plural, {}), i + 1
     start = p.one(i, _APART) or i
-    j = start
-    while p.lex(j, lexicon.PATCH) is not None:
-        j += 1
+    j, plural = patch_noun(p, start)
     if j > start:
-        yield ("patch", bool(p.lex(j - 1, lexicon.PATCH)), {"scheme": "different"} if start > i else {}), j
+        yield ("patch", plural, {"scheme": "different"} if start > i else {}), j
     for table, kind in ((lexicon.LETTER, "letter"), (lexicon.DIGIT, "digit"), (lexicon.SYMBOL, "symbol")):
         plural = p.lex(i, table)
         if plural is not None:

@@ -72,10 +72,9 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                 case Manner(kind="diagonal"):
                     raise refuse("unsupported-structure", "no line is asked for that lies diagonally", part.span,
                                  "say 'a line', which may lie in any direction, 'a row' or 'a column'")  # fmt: skip
-                case Manner(kind="shift"):
-                    raise _unfit(
-                        _WHICH_WAY, part.span, "say where to: 'to the left side', or how far: 'at least 10 cm'"
-                    )
+                case Manner(kind="shift", value=str(said)):
+                    raise _unfit(f"it is not clear how far which way {said!r} is", part.span,
+                                 "say '10 cm to the left', or 'a bit closer to the robot'")  # fmt: skip
                 case Manner(kind="idle", value=str(said)):
                     _idle(said, told, part.span, scene)
                 case Manner(value=way) if way == SOME_WAY:
@@ -83,7 +82,6 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
         told = True
 
 
-_WHICH_WAY = "how far something moves which way, seen from where it starts, is no goal here"
 _TALL = frozenset({"tall", "long", "big", "large", "huge", "giant"})
 _SHORT = frozenset({"short", "small", "little", "tiny", "mini"})
 

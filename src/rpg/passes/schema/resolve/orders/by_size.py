@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from rpg.language.later import later
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Amount, Noun, Traits, replace
+from rpg.passes.schema.resolve.places.patch_sizes import of_patches, patch_by_size
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
@@ -24,6 +25,8 @@ _MANY = {2: "two", 3: "three"}
 
 def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The one that is so, of those that are named or of all that look so."""
+    if of_patches(noun, scene, scope):
+        return patch_by_size(noun, scene, scope)
     rank = noun.traits.rank or ""
     if rank.endswith("er") and noun.det in ("a", "any", "no", "each"):
         raise refuse("ambiguous", f"it is not said which block a {rank} one is {rank} than", noun.span,
@@ -48,7 +51,7 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 def _unheard_of(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
     """ "Put the biggest block on the mat", where no block was told of: as many as differ in size, and no others."""
     marks = replace(noun.traits, rank=None)
-    plain = noun.head != "patch" and marks == Traits(colors=marks.colors) and len(marks.colors) < 2
+    plain = marks == Traits(colors=marks.colors) and len(marks.colors) < 2
     if not plain or scope.start or any(scene.blocks()):
         return []
     count = min(_EDGES) if (noun.traits.rank or "").endswith("er") else max(_EDGES)

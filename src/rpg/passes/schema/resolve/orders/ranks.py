@@ -292,7 +292,7 @@ def _in(built: Built, rank: str) -> str | None:
         return None
     count, _, side = rank.partition(" ")
     if count.isdigit() and side:
-        counted = members if side == first else members[::-1] if side == opposite else ()
+        counted = members if side == first else members[::-1] if side in (opposite, "last") else ()
         return counted[int(count) - 1] if int(count) <= len(counted) else None
     if rank == first:
         return members[0]

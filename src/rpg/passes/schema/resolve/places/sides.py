@@ -385,6 +385,7 @@ def _region(item: Loose) -> g.Goal:
     side = at_.side if isinstance(at_, At) else ""
     if isinstance(at_, At) and at_.own:
         raise refuse("no-referent", "it is not said of which blocks this is one", at_.span, "name the others")
+    side = "end" if side == "first" and isinstance(at_, At) and (at_.index or 0) < 0 else side
     if side not in REGION or (isinstance(at_, At) and at_.index) or ref.quant is not None:
         raise refuse(
             "no-referent", f"it is not clear of what this is the {side}", at_.span, "name the tower or the row"

@@ -12,7 +12,7 @@ from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID
 from rpg.ir.walk import rename
 from rpg.passes.schema.resolve.things.sized import size_all
 from rpg.passes.schema.resolve.things.strangers import no_strangers
-from rpg.passes.schema.resolve.things.things import EDGES, VOWELS
+from rpg.passes.schema.resolve.things.things import EDGES, PATCH_SCALE, VOWELS
 from rpg.passes.schema.resolve.things.world import Scene, Thing, refuse
 
 BLOCK_COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink", "brown", "white", "black", "gray")
@@ -188,7 +188,7 @@ def _asset(thing: Thing, name: str) -> Asset:
             width, shape = (PATCH_SIDE, round(PATCH_SIDE * LONG, 4)), "rectangle"
         elif shape == "rectangle" and thing.extent is None:
             width = (PATCH_SIDE, round(PATCH_SIDE * 1.5, 4))
-        scale = {"big": 1.5, "small": 0.7}.get(thing.size or "", 1.0)
+        scale = PATCH_SCALE.get(thing.size or "", 1.0)
         size = (round(width[0] * scale, 4), round(width[1] * scale, 4))
         return GoalPatch(name=name, color=thing.color or "gray", shape=shape, size=size)  # type: ignore[arg-type]
     edge = thing.edge or EDGES.get(thing.size or "", 0.04)

@@ -8,6 +8,8 @@ from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Amount, Coord, Loc, Manner, Meaning, Noun, Traits, parts_of, record, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
+PATCH_SCALE = {"big": 1.5, "small": 0.7}
+"""How much larger a patch is than one of which nothing is said."""
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
 
 

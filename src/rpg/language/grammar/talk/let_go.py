@@ -4,7 +4,9 @@ anyway. How long it lasts is not said here, nor is a block that is named kept wh
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.framing import CLOSING
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.grammar.talk.wishes import TAGS
 from rpg.language.phrases import Classes
 
 _BLOCK = "block|cube|brick|box"
@@ -74,3 +76,5 @@ _RESTING = (
 
 LET_GO = Patterns(*_RELEASED, *_RESTING, classes=_CLASSES)
 """What may stand behind what is to be done, or in a sentence of its own."""
+ENDINGS = (TAGS, CLOSING, LET_GO)
+"""What carries nothing at the end of what is said."""

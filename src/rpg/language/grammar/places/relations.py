@@ -15,6 +15,7 @@ from rpg.language.grammar.places.other_side import other_side
 from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
+from rpg.language.grammar.places.side_lengths import side_length
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, replace
 
@@ -291,7 +292,7 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
 @choice
 def _bare(p: Parser, i: int) -> Results[Meaning]:
     """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
-    yield from measured_bare(p, i)
+    yield from (*measured_bare(p, i), *side_length(p, i))
     for phrase, j in p.standing(i, _UNSAID) if not _on_two_patches(p, i) else ():
         landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
         yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j

@@ -31,18 +31,24 @@ _BEFORE = Patterns(",? with|of|that_is|which_is|having|measuring|each|about?")
 @choice
 def side_length(p: Parser, i: int) -> Results[Loc]:
     """ "(a square) with sides of 20 cm", ", 20 cm on each side", "(a circle) 20 cm across"."""
-    named = [k for k in range(i) if p.words[k] in _OUTLINES] if p.anywhere(_OUTLINES) else []
-    if not named or p.words[named[-1] + 1] in lexicon.PATCH:
+    if not p.rarely(_OUTLINES):
         return
     for measure, leads in _LEADS:
         for j in leads.matches(p, i):
-            for (low, high), k in bounds(p, j):
-                yield _size(p, i, p.opt(k, "long", "each"), low, high, measure), p.opt(k, "long", "each")
+            for (low, high), k in bounds(p, j) if _of_an_outline(p, i) else ():
+                end = p.opt(k, "long", "each")
+                yield _size(p, i, end, low, high, measure), end
     for begin in {i, p.opt(i, ","), *_BEFORE.matches(p, i)}:
         for (low, high), j in bounds(p, begin):
-            for measure, behind in _BEHIND:
+            for measure, behind in _BEHIND if _of_an_outline(p, i) else ():
                 for k in behind.matches(p, j):
                     yield _size(p, i, k, low, high, measure), k
+
+
+def _of_an_outline(p: Parser, i: int) -> bool:
+    """Whether the last figure named before is one, and no patch."""
+    named = [k for k in range(i) if p.words[k] in _OUTLINES]
+    return bool(named) and p.words[named[-1] + 1] not in lexicon.PATCH
 
 
 def _size(p: Parser, i: int, j: int, low: float | None, high: float | None, measure: str) -> Loc:

@@ -18,6 +18,7 @@ from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
 from rpg.language.grammar.places.side_lengths import side_length
+from rpg.language.grammar.places.where_was import where_was
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, replace
 
@@ -80,7 +81,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from neither(p, i)
     yield from flanking(p, i)
     yield from diagonal(p, i)
-    yield from across(p, i)
+    yield from (*across(p, i), *where_was(p, i))
     yield from compared(p, i)
     if p.stands(i, ("per",)) and p.peek(i + 1, lexicon.PATCH) is False:
         each = Noun(head="patch", det="each", span=p.span(i, i + 2))

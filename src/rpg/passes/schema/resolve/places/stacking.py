@@ -10,7 +10,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import EACH, Highest, Lowest, Operand
-from rpg.ir.order import Order
+from rpg.ir.order import Order, Pattern
 from rpg.language.meaning import Loc, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj
@@ -113,7 +113,7 @@ def across(top: str, below: tuple[str, ...], scene: Scene, span: Span) -> g.Goal
     """ "The black block rests on both white ones": two side by side and one on them both."""
     scene.assume("a block on two others lies across them, as in a pyramid")
     order = Order(by="given", ranks=((top,), below))
-    return s.Pyramid(blocks=(*below, top), base=(_ACROSS, 1), pattern=s.Pattern(kind="reading", order=order), span=span)
+    return s.Pyramid(blocks=(*below, top), base=(_ACROSS, 1), pattern=Pattern(kind="reading", order=order), span=span)
 
 
 def _as_a_tower(mark: Ref, scene: Scene) -> Ref:

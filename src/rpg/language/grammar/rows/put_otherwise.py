@@ -33,7 +33,7 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     (f"^two words , one (?:per|in each) row : (\\S+) in the ({_ROW}) (?:one|row)(?: ,| and)+ (\\S+) in the ({_ROW}) "
      "(?:one|row)$", "{1} in the {2} row and {3} in the {4} row"),
     # what is left open anyway
-    ("^(?:i|we) do not (?:care|mind) how (?:far|close|near|high) .+$", ""),
+    ("^(?:i|we) do not (?:care|mind) how (?:far|close|near|high) [^,]+$", ""),
     # "a red block on the left, to the right of it a blue one": which is the left one follows
     ("(^|: )(an? [^,:]+?) (?:on|at|to) the left(?: ,| and| , and) to the right of it (?=an? )",
      "{1} {2} , to the right of it"),

@@ -96,7 +96,7 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
         if drawn and (_made_of(p, i + 1) or p.any_of(i + 1, _WITH_LIMBS) or _so_many(p, p.any_of(i + 1, _SET_OFF))):
             yield (letter, False), p.reach(i + 1)
         if (
-            (p.words[i - 1 : i] in (["a"], ["an"]) or (_described(p, i) and _made_of(p, i + 1)))
+            (p.words[i - 1 : i] in (["a"], ["an"]) or ((_described(p, i) or _turned(p, i)) and _made_of(p, i + 1)))
             and i > 0
             and not (i + 1 < p.end and p.words[i + 1] in lexicon.BLOCK)
             and p.tokens[i].raw.isupper()
@@ -128,6 +128,22 @@ _KINDS = frozenset({*lexicon.SIZE, "capital", "flat", "simple"})
 
 def _described(p: Parser, i: int) -> bool:
     return p.follows(i, _KINDS) and p.follows(i - 1, ("a", "an"))
+
+
+UPSIDE_DOWN = ("upside down", "reversed")
+"""As "inverted" is read, too."""
+_POINTED = frozenset({"T", "U", "V"})
+"""Letters of which this tells one way to lie: an L may be mirrored."""
+
+
+def upside_down(p: Parser, i: int) -> int:
+    """The position behind "upside-down" in "an upside-down T of five blocks", or 0."""
+    j = p.any_of(i, UPSIDE_DOWN)
+    return j if j and _letter_at(p, j) in _POINTED and _made_of(p, j + 1) else 0
+
+
+def _turned(p: Parser, i: int) -> bool:
+    return any(p.words[i - n : i] == said.split() for said in UPSIDE_DOWN for n in (len(said.split()),) if i > n)
 
 
 def _made_of(p: Parser, i: int) -> bool:

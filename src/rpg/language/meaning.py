@@ -316,7 +316,8 @@ class That(Meaning):
 
 @record
 class Clause(Meaning):
-    """A verb with its theme and adjuncts. `verb` is a sense of the lexicon, "be" for states, "exist" for "there is"."""
+    """A verb with its theme and adjuncts. `verb` is a sense of the lexicon, "be" for states, "exist" for "there is".
+    `subject` is whom it tells of, where that is not the theme: "red has blue on it (and is on the mat)"."""
 
     verb: str
     lemma: str = ""
@@ -325,6 +326,7 @@ class Clause(Meaning):
     negated: bool = False
     mode: str = "command"
     word: Span | None = None
+    subject: Meaning | None = None
 
 
 @record

@@ -15,6 +15,8 @@ from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.stock_ahead import stock_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.inventories import told_plainly
+from rpg.language.nicknames import without_nicknames
+from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import tokenize
@@ -71,7 +73,12 @@ class BuiltinFrontEnd:
         if over := title(tokens):
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
         tokens, named = without_names(untitled(tokens[over:]))
+        tokens, nicknames = without_nicknames(tokens)
+        named = [*named, *nicknames]
         words, notes, wrong = read_words(tokens)
+        if wrong and (plain := without_remarks(words, wrong)) is not None:
+            (words, remarks), wrong = plain, []
+            named = [*named, *remarks]
         if wrong or strays:
             return None, explained(text, (*wrong, *(_stray(s.text, s.span) for s in strays)))
         if notes and mended is None:

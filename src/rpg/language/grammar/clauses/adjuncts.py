@@ -7,7 +7,7 @@ from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.clauses.nowhere import not_there
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import absolute
-from rpg.language.grammar.places.held import BORNE, held
+from rpg.language.grammar.places.held import BORNE, held, of_the_mark
 from rpg.language.grammar.places.offsets import offset
 from rpg.language.grammar.places.onto import piled_up
 from rpg.language.grammar.places.relations import loc
@@ -154,7 +154,7 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
                 continue
             if rest and (lying := held(p, j, first, rest[0])) is not None:
                 rest = (lying, *rest[1:])
-            elif rest and isinstance(first, Loc) and p.stands(j, BORNE):
+            elif rest and ((isinstance(first, Loc) and p.stands(j, BORNE)) or of_the_mark(p, j, first, rest[0])):
                 continue  # "on the blue block carrying a white one": on which of the two?
             unlikely = rest and (isinstance(first, That) or _next_clause(first, rest[0]))
             yield ((replace(first, cost=first.cost + 1), *rest) if unlikely else (first, *rest)), k

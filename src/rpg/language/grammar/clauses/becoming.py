@@ -12,6 +12,7 @@ from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.rising import they_rise
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.retold import told_of
 from rpg.language.meaning import (
     Clause,
     Coord,
@@ -246,5 +247,4 @@ def touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool)
 def and_touches(p: Parser, i: int, before: Clause) -> Results[Clause]:
     """ "(the two stand side by side) and touch each other": a further predicate of the same subject."""
     if before.verb == "be" and before.theme is not None and not before.negated and before.mode != "start":
-        same = Pronoun(word="same", span=before.theme.span)
-        yield from touches(p, i, i, same, before.mode, False)
+        yield from touches(p, i, i, told_of(before), before.mode, False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
-from rpg.language.grammar.clauses.each_has import may_have, said_of_each
+from rpg.language.grammar.clauses.each_has import denied, is_owner, may_have, said_of_each
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import part_list
 from rpg.language.grammar.places.gaps import apart_by
@@ -32,7 +32,6 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     OrderBy,
-    PartOf,
     Places,
     Pronoun,
     Size,
@@ -52,6 +51,7 @@ _HAS = (
     *(f"{must} {so} have" for must in ("should", "must", "shall", "has to", "is to") for so in ("finally", "also")),
     "is to have",
 )  # fmt: skip
+_GIVE = ("give",)
 _IS_FOR = ("is for", "are for", "is reserved for", "is meant for", "is the place for", "takes", "should take", "for")
 _SHARE = ("share", "shares", "should share", "must share", "have to share", "are to share", "shall share")
 _CARRIES = (
@@ -77,18 +77,22 @@ _MEMBERS = frozenset({"blocks", "cubes", "bricks", "boxes", "colors", "letters",
 
 @rule
 def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
-    """ "the red block should have the blue one on it", "the patch must contain two blocks", "A has B to its left"."""
-    for owner, j in noun_phrase(p, i):
+    """ "the red block should have the blue one on it", "the patch must contain two blocks", "A has B to its left",
+    "give each patch two blocks"."""
+    given = p.any_of(i, _GIVE)
+    for owner, j in noun_phrase(p, given or i):
         yield from _it_has(p, i, j, owner, mode) if isinstance(owner, Pronoun) and owner.word == "it" else ()
         if isinstance(owner, TableTop) or (isinstance(owner, Pronoun) and owner.word not in _OF_TWO):
             continue
         yield from _made_up(p, i, j, owner, mode)
+        yield from denied(p, i, j, owner, mode)
         for mark, end in simple(p, k) if (k := p.any_of(j, _SHARE)) else ():
             if isinstance(mark, Noun) and mark.head == "patch" and not mark.plural:
                 on = Loc(rel="on", landmark=mark, span=p.span(j, end))
                 yield _stated(p, i, end, owner, (on,), mode), end
         patch = isinstance(owner, Noun) and owner.head == "patch"
-        if k := p.any_of(j, _HAS) or may_have(p, owner, j) or (p.any_of(j, _IS_FOR) if patch else 0):
+        had = p.any_of(j, _HAS) or may_have(p, owner, j) or (p.any_of(j, _IS_FOR) if patch else 0)
+        if k := j if given else had:
             yield from ((replace(far, mode=mode), end) for far, end in apart_by(p, i, k, owner))
             for theme, start in noun_phrase(p, k):
                 if (told := _of_its_color(owner, theme, p.span(i, start))) is not None:
@@ -108,6 +112,7 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                     if places is not None:
                         said, places = said_of_each(theme, places, owner)
                         stated = _as_told(p, j, k, _stated(p, i, end, said, places, mode))
+                        stated = replace(stated, subject=owner)
                         yield stated, end
                         yield from _another(p, i, end, owner, stated, mode)
         if i and patch and (k := p.any_of(j, _CARRIES) or p.any_of(j, _HAS)) and (end := p.any_of(k, _NONE)):
@@ -118,7 +123,7 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 for found, end in adjuncts(p, start):
                     if not found or _owned(found, owner) is not None:
                         place = Loc(rel="on", landmark=owner, span=p.span(i, j))
-                        yield _stated(p, i, end, theme, (place,), mode), end
+                        yield replace(_stated(p, i, end, theme, (place,), mode), subject=owner), end
 
 
 def _it_has(p: Parser, i: int, j: int, it: Pronoun, mode: str) -> Results[Clause]:
@@ -299,7 +304,7 @@ def _owned(found: tuple[Meaning, ...], owner: Meaning) -> tuple[Meaning, ...] | 
         return None
     places: list[Meaning] = []
     for part in found:
-        if isinstance(part, Loc) and _is_owner(part.landmark):
+        if isinstance(part, Loc) and is_owner(part.landmark):
             places.append(replace(part, landmark=owner))
         elif isinstance(part, At) and part.side in ("top", "left", "right") and part.index is None:
             places.append(Loc(rel={"top": "on"}.get(part.side, part.side), landmark=owner, span=part.span))
@@ -310,12 +315,6 @@ def _owned(found: tuple[Meaning, ...], owner: Meaning) -> tuple[Meaning, ...] | 
         else:
             return None
     return tuple(places) if any(isinstance(part, Loc) and part.landmark is owner for part in places) else None
-
-
-def _is_owner(landmark: Meaning | None) -> bool:
-    if isinstance(landmark, PartOf) and landmark.part == "top":
-        return _is_owner(landmark.whole)
-    return landmark is None or (isinstance(landmark, Pronoun) and landmark.word in ("it", "them", "itself"))
 
 
 def _stated(p: Parser, i: int, end: int, theme: Meaning, places: tuple[Meaning, ...], mode: str) -> Clause:

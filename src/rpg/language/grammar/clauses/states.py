@@ -26,7 +26,7 @@ from rpg.language.grammar.things.adjectives import adjectives, of_quality
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.grammar.things.of_listed import one_of_more
 from rpg.language.grammar.things.printed import colored_cubes
-from rpg.language.grammar.things.retold import none_of, one_heap, some_of_which
+from rpg.language.grammar.things.retold import none_of, one_heap, some_of_which, told_of
 from rpg.language.meaning import (
     At,
     Clause,
@@ -34,7 +34,6 @@ from rpg.language.meaning import (
     Manner,
     Meaning,
     Noun,
-    Pronoun,
     Quality,
     Structure,
     Traits,
@@ -393,7 +392,7 @@ def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     if k == i and not later and not onward and p.words[i : i + 1] not in (["is"], ["are"]):
         return
     both = "both" in words or p.words[i - 1] == "both"
-    same = Pronoun(word="both the same" if both else "same", span=before.theme.span)
+    same = told_of(before, both)
     mode = "goal" if later or words & (_MODALS | _ENDS) else before.mode
     for found, j in _predicate_after_be(p, i, k, same, mode, bool(words & _NOT)):
         if isinstance(found, Clause):

@@ -35,9 +35,10 @@ def held(p: Parser, j: int, first: Meaning, second: Meaning) -> Absolute | None:
     mark = first.landmark if isinstance(first, Loc) and not first.negated else None
     if not isinstance(first, Loc) or not isinstance(mark, Noun) or mark.plural:
         return None
-    if mark.head == "patch" and first.rel not in SIDES:
+    that = p.stands(j, _THAT)
+    if (mark.head == "patch" and first.rel not in SIDES and not that) or not p.stands(j, LEADS):
         return None
-    if not p.stands(j, LEADS) or not (first.rel in SIDES or p.stands(j, _THAT)):
+    if not (first.rel in SIDES or that):
         return None
     if not isinstance(second, Absolute) or len(second.adjuncts) != 1 or mark.amount not in (None, Amount(1, 1)):
         return None
@@ -46,9 +47,16 @@ def held(p: Parser, j: int, first: Meaning, second: Meaning) -> Absolute | None:
     if isinstance(place, At) and (place.side, place.index, place.whole) == ("top", None, None) and mark.det != "bare":
         on = Loc(rel="on", landmark=it, span=place.span)  # "next to a blue block with a white one on top"
         return replace(second, adjuncts=(on,), cost=0)
-    if not isinstance(place, Loc) or place.rel != "on" or not isinstance(place.landmark, Pronoun):
+    there = isinstance(place, Loc) and (place.rel == "on" or (place.rel in SIDES and mark.head == "patch" and that))
+    if not there or not isinstance(place, Loc) or not isinstance(place.landmark, Pronoun):
         return None
     return replace(second, adjuncts=(replace(place, landmark=it),)) if place.landmark.word == "it" else None
+
+
+def of_the_mark(p: Parser, j: int, first: Meaning, second: Meaning) -> bool:
+    """ "(on each patch) that has a blue block beside it": what is said of a patch, and not of what lies on it."""
+    patch = isinstance(first, Loc) and isinstance(first.landmark, Noun) and first.landmark.head == "patch"
+    return patch and isinstance(second, Absolute) and p.stands(j, _THAT)
 
 
 THE_ONE = ("the block", "the cube", "the one")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.across import across
 from rpg.language.grammar.places.against import against_side
 from rpg.language.grammar.places.compared import compared
 from rpg.language.grammar.places.diagonals import diagonal
@@ -77,6 +78,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from neither(p, i)
     yield from flanking(p, i)
     yield from diagonal(p, i)
+    yield from across(p, i)
     yield from compared(p, i)
     if p.stands(i, ("per",)) and p.peek(i + 1, lexicon.PATCH) is False:
         each = Noun(head="patch", det="each", span=p.span(i, i + 2))

@@ -52,7 +52,7 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "{1} , {2}"),
     # places
     (f"\\bbetween {_A} ([^,]+?) (?:on|to) (?:its|the) (left|right)(?: side)? and {_A} ([^,]+?) (?:on|to) (?:its|the) "
-     "(?:left|right)(?: side)?$", "between a {1} and a {3} , the {1} on its {2}"),
+     "(?!\\2)(?:left|right)(?: side)?$", "between a {1} and a {3} , the {1} on its {2}"),
     (f"^(.+? to the (?:left|right) of) (it|them) and ({_A} .+?) (?:to|on) the (left|right)$",
      "{1} {2} and {3} to the {4} of {2}"),
     ("^(the [^,]+?) has ([^,]+?) on its (left|right) , ([^,]+?) on its (left|right) and ([^,]+?) on top(?: of it)?$",

@@ -292,6 +292,14 @@ def none_of(theme: Meaning) -> bool:
     return getattr(theme, "det", "") == "no" or word in ("nothing", "nothing else") or word.startswith("none of")
 
 
+def told_of(before: Clause, both: bool = False) -> Meaning:
+    """Whom a clause tells of, where a further one says no more than "and is ..."."""
+    if before.subject is not None:
+        again = isinstance(before.subject, Noun) and before.subject.det in ("a", "any", "bare")
+        return replace(before.subject, det="the") if again else before.subject
+    return Pronoun(word="both the same" if both else "same", span=before.theme.span if before.theme else before.span)
+
+
 def begins_anew(theme: Meaning) -> bool:
     """ "red, green, blue, red (leftmost)": behind different looks one of them again is told of by itself."""
     looks: tuple[Meaning | str, ...] = ()

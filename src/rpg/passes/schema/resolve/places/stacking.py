@@ -87,13 +87,13 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
     if not isinstance(b, Lowest | Highest) and len(b) > 1:
         if loc.negated and mark.quant is None and mark.op == "and" and len(theme.names) == 1:  # "not on them": on none
             return conj([_on_operand(theme.names, (one,), scene, span) for one in b], span)
+        if mark.quant is None and mark.op == "and" and not loc.negated and _both(loc) and _bears(theme, b, scene):
+            return across(theme.names[0], b, scene, span)
         raise refuse(
             "ambiguous",
             "one block cannot lie on several blocks; it is not clear which is meant",
             loc.span,
-            "name one of them, or say 'a pyramid with two red blocks at the bottom and a blue block on top'"
-            if len(b) == len(theme.names) + 1 == _ACROSS
-            else "name one of them",
+            "name one of them, or say 'on both blue blocks'" if len(b) == _ACROSS else "name one of them",
         )
     return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
 
@@ -111,6 +111,27 @@ def _so_many_on(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.
 
 _ACROSS = 2
 """So many blocks a single one may lie across."""
+
+
+def _bears(theme: Ref, below: tuple[str, ...], scene: Scene) -> bool:
+    """Whether one block may lie across these: two on the table, as large as it is."""
+    single = len(theme.names) == 1 and not theme.built and len(below) == _ACROSS and EACH not in (*below, *theme.names)
+    sizes = {scene.things[name].size for name in (*theme.names, *below)} if single else set()
+    return len(sizes) == 1 and scene.on_top.keys().isdisjoint(below) and not {*below} & {*scene.on_top.values()}
+
+
+def _both(loc: Loc) -> bool:
+    """ "On both white blocks", "on both (of them)", "across the two"."""
+    mark = loc.landmark
+    both = getattr(mark, "det", "") == "both" or getattr(mark, "word", "").startswith("both")
+    return both or "across" in loc.mods
+
+
+def across(top: str, below: tuple[str, ...], scene: Scene, span: Span) -> g.Goal:
+    """ "The black block rests on both white ones": two side by side and one on them both."""
+    scene.assume("a block on two others lies across them, as in a pyramid")
+    order = Order(by="given", ranks=((top,), below))
+    return s.Pyramid(blocks=(*below, top), base=(_ACROSS, 1), pattern=s.Pattern(kind="reading", order=order), span=span)
 
 
 def _as_a_tower(mark: Ref, scene: Scene) -> Ref:

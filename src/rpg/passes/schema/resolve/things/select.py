@@ -6,6 +6,7 @@ import string
 
 from rpg.ir import structures as s
 from rpg.ir.walk import names as names_in
+from rpg.language import lexicon
 from rpg.language.meaning import Noun, Traits
 from rpg.passes.schema.resolve.things.things import alike, create, elastic, further, give, is_open, matching, open_to
 from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse, said
@@ -325,5 +326,5 @@ def _pick(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> Thing:
         "ambiguous",
         f"there are {len(found)} of them: it could be any {what}",
         noun.span,
-        f"say 'one of the {what}s' or 'a {what}'",
+        f"say 'one of the {lexicon.plural_of(what)}' or 'a {what}'",
     )

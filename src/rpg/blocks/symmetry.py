@@ -24,7 +24,7 @@ Cells = tuple[tuple[tuple[str, ...], ...], ...]
 """Per class of look-alikes that the goal tells apart, its cells; the goal uses the members of one cell alike."""
 
 MAX_NAMINGS = 5000
-SYMMETRIC = frozenset({"beside", "adjacent", "touching", "near", "apart", "distance"})
+SYMMETRIC = frozenset({"beside", "adjacent", "touching", "near", "apart", "distance", "approached", "receded"})
 """Relations whose `a` and `b` may change places."""
 
 

@@ -26,6 +26,7 @@ SYMBOLS_UNSAID = "the symbols are not said"
 REPLACED = "a block that is replaced goes anywhere else"
 """How the place of a block is told that gives its own to another."""
 EXCHANGED = "the two are exchanged when what is told of the start is so the other way round"
+EXCHANGED_LATER = "the two are exchanged when what is built first is so with each in the place of the other"
 
 
 def slug(text: str) -> str:

@@ -23,6 +23,8 @@ PLACES = frozenset(
         "between",
         "closer",
         "equidistant",
+        "approached",
+        "receded",
     }
 )
 """Relations that patches may stand in; of all others, only the fields `patch` and `matching` name patches."""

@@ -12,7 +12,9 @@ from pydantic import BaseModel
 
 from rpg.ir.assets import FACES, Asset, SemanticCube
 from rpg.ir.goal import All, Not
-from rpg.ir.schema import TaskSchema
+from rpg.ir.node import members
+from rpg.ir.relations import Clear, Ranged, Shifted, Swapped
+from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Stack, Staircase
 from rpg.ir.walk import atoms, names
 
@@ -71,15 +73,21 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     parts = task.goal.goals if isinstance(task.goal, All) else (task.goal,)
     denied = [part.goal for part in parts if isinstance(part, Not)]
     yield from Counter((x.kind, getattr(x, "patch", getattr(x, "b", None))) for x in denied).values()  # "three off it"
+    if task.assumed(EXCHANGED_LATER):
+        yield 2  # of what was built before
     colors = {asset.name: asset.color for asset in task.assets}
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()
+    alone = [atom for atom in atoms(task.goal) if isinstance(atom, Clear) and len(members(atom.a)) == 1]
+    yield len(alone) + sum(isinstance(line, Stack) for line in lines)  # "three towers: 1, 2 and 4 blocks high"
     for line in lines:
         yield from Counter(map(colors.get, line.blocks)).values()  # "each of three red blocks and a blue one"
         if line.order.by == "given":  # "with three pink cubes on each side of it"
             yield from (len([*run]) for _, run in groupby(line.order.ranks, lambda rank: {*map(colors.get, rank)}))
     for atom in atoms(task.goal):
         yield from Counter(colors.get(name) for name in set(names(atom))).values()  # "three of the six red blocks"
+        if isinstance(atom, Swapped):
+            yield len({*members(atom.a), *members(atom.b)})  # "swap the top two"
         if isinstance(atom, GroupBy):
             yield from (len(group) - atom.outliers for group in atom.groups)
         if isinstance(atom, Figure) and atom.shape == "T" and atom.sides is not None:
@@ -97,6 +105,8 @@ def edges_of(task: TaskSchema) -> set[float]:
 def _inside(value: object) -> Iterator[float]:
     if isinstance(value, BaseModel):
         low, high = getattr(value, "minimum", None), getattr(value, "maximum", None)
+        if isinstance(value, Shifted | Ranged):
+            low, high = value.at_least, value.at_most
         if low is not None and high is not None:
             yield from (*_inside((low + high) / 2), *_inside((high - low) / 2))
         if isinstance(value, Row) and value.gap is not None:  # "gaps of at most 5 mm"

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.made import made
+from rpg.language.grammar.clauses.ranked_anew import becomes_first
+from rpg.language.grammar.clauses.told_piled import told_piled
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.rising import they_rise
@@ -77,6 +79,7 @@ _GATHERS = frozenset({"gather", "cluster", "assemble", "group", "line", "align",
 def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
     """Clauses from i on, with their subject before k and its auxiliaries behind it."""
     yield from _there(p, i, k, theme, mode)
+    yield from told_piled(p, i, k, theme, mode)
     if isinstance(theme, Structure):
         yield from _consists(p, i, k, theme, mode)
         yield from _becomes(p, i, k, theme, mode)
@@ -90,6 +93,7 @@ def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
         yield from they_rise(p, i, k, theme, mode)
         yield from _visits(p, i, k, theme, mode) if p.rarely(_VISIT) else ()
         yield from _becomes(p, i, k, theme, mode)
+        yield from becomes_first(p, i, k, theme)
         yield from _gathers(p, i, k, theme, mode)
 
 

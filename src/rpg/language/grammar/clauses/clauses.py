@@ -20,10 +20,15 @@ from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
+from rpg.language.grammar.clauses.each_kind import each_kind
+from rpg.language.grammar.clauses.equal_numbers import equal_numbers
+from rpg.language.grammar.clauses.given_own import given_own
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there, what_carries
 from rpg.language.grammar.clauses.made import told_before
+from rpg.language.grammar.clauses.none_empty import none_empty
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.replaced import replaced
+from rpg.language.grammar.clauses.reversed_end import reverse_of_it
 from rpg.language.grammar.clauses.shared import shared
 from rpg.language.grammar.clauses.sole import just_these
 from rpg.language.grammar.clauses.states import state
@@ -36,6 +41,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.gaps import gap
 from rpg.language.grammar.places.held import LEADS, THE_ONE, by_block, held, of_its
 from rpg.language.grammar.places.piled import piled
+from rpg.language.grammar.places.widened import widened
 from rpg.language.grammar.structures.details import part_clause
 from rpg.language.grammar.structures.each_color import of_each_color
 from rpg.language.grammar.talk.chatter import CHATTER
@@ -101,8 +107,8 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     when = "start" if mode == "start" else "goal"
     if mode in ("command", "any", "end"):
         yield from (*_command(p, i), *covered(p, i), *addressed(p, i), *replaced(p, i), *shared(p, i))
-    yield from gap(p, i)
-    yield from measuring(p, i, when)
+        yield from (*given_own(p, i), *each_kind(p, i))
+    yield from (*gap(p, i), *widened(p, i), *measuring(p, i, when))
     yield from trading_places(p, i)
     yield from state(p, i, when)
     for there, j in exists(p, i):
@@ -112,6 +118,8 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _describe(p, i, when)
     yield from having(p, i, when)
     yield from occupied(p, i, when)
+    yield from none_empty(p, i, when)
+    yield from equal_numbers(p, i) if mode != "start" else ()
     yield from on_what_is_named(p, i, when)
     yield from told_before(p, i, when)
     if mode != "start":
@@ -124,6 +132,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from spare(p, i)
     yield from of_each_color(p, i)
     yield from all_alike(p, i)
+    yield from reverse_of_it(p, i)
     yield from terse(p, i, when)
     for (theme, start), _ in about(p, i):
         for found, j in _command(p, start):

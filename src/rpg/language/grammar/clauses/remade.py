@@ -5,6 +5,10 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
+from rpg.language.grammar.clauses.exchanged import exchanged
+from rpg.language.grammar.clauses.out_of_line import out_of_line
+from rpg.language.grammar.clauses.ranked_anew import PUT, made_first
+from rpg.language.grammar.clauses.told_piled import made_piled
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.structures.structures import structure
 from rpg.language.grammar.things.amounts import amount
@@ -59,6 +63,10 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
         yield from _turned_into(p, i, j)
     if sense == "turn" and lemma in ("turn", "flip"):
         yield from _flipped(p, i, j)
+    if lemma in _RESPELLED or sense in ("build", "stack"):
+        yield from made_piled(p, i, j)
+    if sense == "swap":
+        yield from exchanged(p, i, j)
     if lemma in _RESPELLED:
         yield from _respelled(p, i, j)
         yield from _in_new_order(p, i, j)
@@ -67,6 +75,8 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
     if lemma in ("make", "build"):
         yield from _heightened(p, i, j)
         yield from _straightened(p, i, j)
+    if lemma in ("make", *PUT):
+        yield from made_first(p, i, j, lemma)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):
             told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
@@ -224,6 +234,7 @@ def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
     """ "Take it off": from where it was said to be. "Remove everything from the mat": it is cleared. "Pull the red
     block out of the tower (and put it on top)": where it is at the start."""
     lemma = p.words[i]
+    yield from ((replace(found, cost=1), end) for found, end in out_of_line(p, i, k, theme))
     for whole, end in noun_phrase(p, out) if (out := p.any_of(k, _OUT_OF)) else ():
         inside = whole.whole if isinstance(whole, PartOf) else whole
         known = isinstance(inside, Structure) and inside.det in ("the", "its") and not inside.plural

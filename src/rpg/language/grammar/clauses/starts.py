@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.told_piled import begun_piled
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.piled import piled
 from rpg.language.grammar.things.labels import literal
@@ -20,6 +21,7 @@ def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:
     it = isinstance(theme, Pronoun) and theme.word == "it"
     the = isinstance(theme, Structure) and theme.det == "the" and theme.members is None
     yield from _as_a_word(p, i, j, theme)
+    yield from begun_piled(p, i, at, theme)
     for first, k in simple(p, j) if j and (it or the) else ():
         for found, end in adjuncts(p, k):
             if isinstance(first, Structure) and first.members is not None:

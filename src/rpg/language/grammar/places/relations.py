@@ -11,6 +11,7 @@ from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
 from rpg.language.grammar.places.measures import bounds, limited, measured, measured_bare, measured_so
 from rpg.language.grammar.places.near_enough import near_enough
+from rpg.language.grammar.places.nearer_one import nearer_one
 from rpg.language.grammar.places.offsets import centred_on
 from rpg.language.grammar.places.other_side import other_side
 from rpg.language.grammar.places.outside import neither, outside
@@ -124,7 +125,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from near_enough(p, i)
     yield from other_side(p, i)
     yield from _either_place(p, i)
-    yield from _between(p, i)
+    yield from _between_two(p, i)
     yield from _possessive(p, i)
     yield from _bare(p, i)
 
@@ -232,6 +233,14 @@ def on_its_own(place: Meaning) -> bool:
         told = isinstance(place, In) and place.region not in ("corner", "edge")
         return told or (isinstance(mark, Noun) and (mark.head, mark.det) == ("block", "a"))
     return mark.traits.scheme == "different" or mark.traits.matching
+
+
+@choice
+def _between_two(p: Parser, i: int) -> Results[Meaning]:
+    """A place between others, with what it is closer to."""
+    for found, j in _between(p, i):
+        yield found, j
+        yield from nearer_one(p, j, i, found) if isinstance(found, Loc) else ()
 
 
 @choice

@@ -2,6 +2,15 @@
 
 from __future__ import annotations
 
+KEPT = (
+    *(f"{lead} {order}" for order in ("the same order as before", "the same order", "the order", "their order",
+                                      "its order", "the order of the blocks", "the order of the cubes")
+      for lead in ("keeping", "while keeping", "preserving", "maintaining", "keep", "without changing", "retaining")),
+    "in the same order as before", "in the same order", "in the same order as at the start", "with the same order",
+    "in unchanged order", "with the order unchanged", "so that the order stays the same", "so the order stays the same",
+    "so that the order is kept", "so the order is kept",
+)  # fmt: skip
+"""The order that a line has at the start."""
 NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("in alphabetical order", "label", {}), ("alphabetically", "label", {}), ("in alphabetic order", "label", {}),
     ("in reverse alphabetical order", "label", {"descending": True}), ("in order of the alphabet", "label", {}),
@@ -32,6 +41,9 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("from biggest to smallest", "ascending", {"descending": True}),
     ("from small to large", "ascending", {}), ("from big to small", "ascending", {"descending": True}),
     ("from small to big", "ascending", {}),
+    *((f"from {a} {to} {b}", "ascending", {"descending": down}) for to in ("until", "till", "down to", "up to")
+      for a, b, down in (("big", "small", True), ("large", "small", True), ("small", "big", False),
+                         ("small", "large", False), ("biggest", "smallest", True), ("smallest", "biggest", False))),
     ("from large to small", "ascending", {"descending": True}), ("from smallest to biggest", "ascending", {}),
     ("in order of size", "size", {}),  ("in size order", "size", {}), ("in order of increasing size", "size", {}),
     ("in order of decreasing size", "size", {"descending": True}), ("by increasing size", "size", {}),
@@ -73,6 +85,8 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     (", no matter the order", "any", {}), ("no matter the order", "any", {}), (", whatever the order", "any", {}),
     (", in which order does not matter", "any", {}),
     (", in any order", "any", {}), (", any order", "any", {}),
+    *((f"{lead}does not matter in {which} order", "any", {}) for lead in (", it ", ", ", "and it ", "it ", "")
+      for which in ("which", "what")),
     ("the order does not matter", "any", {}), (", the order does not matter", "any", {}),
     ("in whatever order", "any", {}),
     (", order does not matter", "any", {}), ("no matter the order", "any", {}), ("in random order", "any", {}),
@@ -142,6 +156,7 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     *((f"in {the}{word} order", "reverse", {}) for the in ("", "the ", "an ", "exactly the ")
       for word in ("reversed", "opposite", "inverse", "inverted")),
     ("in the reverse order", "reverse", {}), ("in exactly the reverse order", "reverse", {}),
+    *((phrase, "kept", {}) for phrase in KEPT),
     ("in that order", "given", {}), ("in this order", "given", {}), ("in the order given", "given", {}),
     ("in order", "in_order", {}),
     ("in sequence", "in_order", {}), ("in the right order", "in_order", {}), ("in the given order", "given", {}),

@@ -12,6 +12,7 @@ FREE = (
     "the order does not matter", "order does not matter", "no matter the order",
     *(f"the order{of} {free}" for of in ("", " of the rows", " of the columns", " of the layers", " of the colors")
       for free in ("does not matter", "is up to you", "is free", "is your choice", "is irrelevant", "is open")),
+    *(f"{it}does not matter {which} order" for it in ("it ", "") for which in ("in which", "in what", "which", "what")),
     "no particular order", "in no particular order", "whichever way", "whichever way you like",
     "any way you like", "however you like", "whichever direction", "in whichever direction",
     "direction does not matter", "the direction does not matter", "in no particular direction",

@@ -274,7 +274,7 @@ _MATCHING = tuple(
 """What is said of a patch that has the colour of what goes on it."""
 _LIKE_THE_BLOCK = Patterns(
     "of|with|in|having|that_has|which_has|that_have|that_is|that_is_of the|a? same|matching|corresponding "
-    "color|colors as the|that|each|its? block|cube|it|them|blocks|cubes|itself|themselves|brick|box",
+    "color|colors as|like the|that|each|its? block|cube|it|them|blocks|cubes|itself|themselves|brick|box",
     "that|which matches|match it|them|the_block|the_cube|the_blocks|the_cubes in? color?",
     "whose color matches|equals it|them|the_block|the_cube|the_block_'s|the_cube_'s|that_of_the_block",
     "colored|painted like|the_same_as it|them|the_block|the_cube|the_blocks",

@@ -26,7 +26,7 @@ _THERE = {
                          "far left": "left", "far right": "right", "left": "left", "right": "right"}.items()
        for at in ("at", "on")},
 }  # fmt: skip
-_OF_LINE = ("of it", "of them", "of these", "of those", "of which", "of the row", "of the line", "of the column",
+OF_LINE = ("of it", "of them", "of these", "of those", "of which", "of the row", "of the line", "of the column",
             "of that row", "in the row", "in the line", "of the word", "of this row",
             "of the letters", "of the blocks", "of the cubes")  # fmt: skip
 _ENDS_THERE = frozenset({"of", "half", "side", "corner", "hand", "edge", "block", "cube", "one"})
@@ -45,14 +45,14 @@ def in_line(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
         return
     if rank is None and noun.traits == Traits() and noun.amount is None and p.stands(j - 1, _ONE):
         for phrase, k in p.standing(j, _THERE):
-            end = p.any_of(k, _OF_LINE) or k
+            end = p.any_of(k, OF_LINE) or k
             if end > k or not p.stands(k, _ENDS_THERE):
                 yield replace(noun, traits=Traits(rank=_THERE[phrase]), span=p.span(i, end)), end
     elif rank is not None and rank.isdigit():
         for phrase, k in p.standing(j, _FROM):
-            end = p.any_of(k, _OF_LINE) or k
+            end = p.any_of(k, OF_LINE) or k
             yield replace(noun, traits=replace(noun.traits, rank=f"{rank} {_FROM[phrase]}"), span=p.span(i, end)), end
-    if rank is not None and (rank in _TOLD_SIDES or rank.isdigit()) and (end := p.any_of(j, _OF_LINE)):
+    if rank is not None and (rank in _TOLD_SIDES or rank.isdigit()) and (end := p.any_of(j, OF_LINE)):
         yield replace(noun, span=p.span(i, end)), end
 
 

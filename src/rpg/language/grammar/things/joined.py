@@ -129,11 +129,14 @@ def _of_which(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
         at = p.opt(p.opt(at, ",", ";", "/"), "and", "&")
 
 
-def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
-    """ "four blocks, red, blue, red, blue": a list of just as many."""
+def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
+    """ "four blocks, red, blue, red, blue", "four blocks, numbers 1 to 4": a list of just as many."""
     yield from _of_which(p, i, j, count)
     start = p.opt(j, "namely")
     for first, k in simple(p, start):
+        named = first.traits.labels if isinstance(first, Noun) and first.det == "bare" and first.plural else ()
+        if len(named) == count:
+            yield first, k
         for found, end in more(p, i, (first,), k, None):
             if isinstance(found, Coord) and found.op in ("and", "then") and tally(found.items) == count:
                 yield replace(found, cost=0), end
@@ -187,7 +190,9 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     plain = isinstance(whole, Noun) and whole.traits in (Traits(), Traits(kind="plain"))
     if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and plain:
         for listed, k in _list_of(p, i, j + 1, whole.amount.low):
-            named = replace(listed, items=tuple(_of_kind(item, whole) for item in listed.items))
+            named = listed
+            if isinstance(listed, Coord):
+                named = replace(listed, items=tuple(_of_kind(item, whole) for item in listed.items))
             yield named, k
             if p.one(k, ","):
                 yield named, k + 1

@@ -24,11 +24,13 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.again_later import comes_later
 from rpg.passes.schema.resolve.clauses.as_one import each_by_itself, put_at_once
+from rpg.passes.schema.resolve.clauses.changed_after import exchanged_in_line
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
 from rpg.passes.schema.resolve.goals.conflicts import required, undoes
 from rpg.passes.schema.resolve.goals.logic import conj, disj
+from rpg.passes.schema.resolve.goals.two_ways import across
 from rpg.passes.schema.resolve.orders.loose import settle
 from rpg.passes.schema.resolve.places.stacking import Towers
 from rpg.passes.schema.resolve.things.world import Scene, refuse
@@ -296,7 +298,7 @@ def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
     stages = [stage for stage in stages if stage]
     if len(stages) < 2:
         return stages[0] if stages else []
-    goals = [conj(stage) for stage in stages]
+    goals = exchanged_in_line([conj(stage) for stage in stages], scene)
     _still_later(goals, scene, chain.span)
     _swaps_later(goals, chain.span)
     made = []
@@ -316,7 +318,17 @@ def _swaps_later(goals: list[g.Goal], span: tuple[int, int]) -> None:
             if placed & set(names_in(swap)):
                 raise refuse("ambiguous", "blocks that were moved before swap other places than those of the start",
                              swap.span or span, "say where each of them should be at the end")  # fmt: skip
+        for shift in (x for x in required(goal) if isinstance(x, r.Shifted | r.Ranged)):
+            if placed & set(names_in(shift)) and not _further_across(shift, goals):
+                raise refuse("ambiguous", "seen from where it is by then, or from where it started?",
+                             shift.span or span, "say where it should be at the end")  # fmt: skip
         placed |= {n for x in required(goal) for n in (names_in(x) if getattr(x, "blocks", ()) else _subjects(x))}
+
+
+def _further_across(shift: g.Goal, goals: list[g.Goal]) -> bool:
+    """Whether all else that becomes of a block is that it goes along the other axis: "forward, then to the left"."""
+    rest = [x for goal in goals for x in required(goal) if x is not shift and {*names_in(x)} & {*names_in(shift)}]
+    return isinstance(shift, r.Shifted) and all(across(shift, x) for x in rest)
 
 
 def _lasts(goal: g.Goal, undone: bool, span: tuple[int, int] | None) -> None:
@@ -365,12 +377,13 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
     stages += _stages(now)
     if len(stages) > 1:
         fixed = []
-        _still_later([stage.goal for stage in stages], scene, span)
-        _swaps_later([stage.goal for stage in stages], span)
-        for index, stage in enumerate(stages):
-            undone = any(_undone(after.goal, stage.goal, scene) for after in stages[index + 1 :])
-            _lasts(stage.goal, undone, span)
-            fixed.append(g.Stage(goal=stage.goal, undone=undone))
+        steps = exchanged_in_line([stage.goal for stage in stages], scene)
+        _still_later(steps, scene, span)
+        _swaps_later(steps, span)
+        for index, step in enumerate(steps):
+            undone = any(_undone(after, step, scene) for after in steps[index + 1 :])
+            _lasts(step, undone, span)
+            fixed.append(g.Stage(goal=step, undone=undone))
         return settle(g.Sequence(stages=tuple(fixed), span=span), scene)
     goals = [stages[0].goal] if stages else []
     return settle(conj(goals, span) if goals else g.All(goals=()), scene)

@@ -12,8 +12,9 @@ Told = tuple[list[str], tuple[Chain, ...], tuple[str, ...]]
 _USUAL = 4
 """So many blocks has a row of which it is not said how many it has."""
 _WITH_MIDDLE = 3
-_PLACING = ("place", "use", "pick", "swap", "stack")
+_PLACING = ("place", "use", "pick", "swap", "stack", "reverse")
 _SIDES = ("left", "right")
+_COUNTED_FROM = ("", *_SIDES, "last")
 _PLACES = ("left", "right", "middle", "first", "last")
 _LINES = ("row", "line")
 _IN_LINE = re.compile(r"\b(?:row|line)\b", re.I)
@@ -28,14 +29,16 @@ def row_granted(links: list[str], chains: tuple[Chain, ...], text: str) -> Told 
     parts = parts_of(clauses)
     blocks = [part for part in parts if isinstance(part, Noun) and part.head != "patch"]
     ranks = [rank for noun in blocks if (rank := _place(noun))]
-    if not ranks or len(ranks) < len(blocks) or not all(map(_known, parts)):
+    reversed_ = [c.theme for c in clauses if isinstance(c, Clause) and c.verb == "reverse"]
+    whole = bool(reversed_) and all(isinstance(x, Structure) for x in reversed_)
+    if not (ranks or whole) or len(ranks) < len(blocks) or not all(map(_known, parts)):
         return None
     if not _IN_LINE.search(text) and not any(side in rank.split() for rank in ranks for side in _SIDES):
         return None
     counts = [int(rank.split()[0]) for rank in ranks if rank.split()[0].isdigit()]
     many = max([_WITH_MIDDLE if "middle" in ranks else _USUAL, *counts])
     many += "middle" in ranks and many % 2 == 0
-    span = blocks[0].span
+    span = blocks[0].span if blocks else clauses[0].span
     members = Noun(head="block", amount=Amount(many, many), plural=True, span=span)
     row = Structure(kind="row", det="a", amount=Amount(1, 1), members=members, span=span)
     given = Clause(verb="exist", mode="given", theme=row, span=span)
@@ -47,7 +50,7 @@ def _place(noun: Noun) -> str:
     """Where in a row a block stands, if that is all that is told of it."""
     rank = noun.traits.rank or ""
     first, _, side = rank.partition(" ")
-    counted = first.isdigit() and side in ("", *_SIDES)
+    counted = first.isdigit() and side in _COUNTED_FROM
     plain = noun.traits == Traits(rank=rank) and noun.det == "the" and not noun.plural and noun.part_of is None
     return rank if plain and (rank in _PLACES or counted) else ""
 

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 from rpg.ir import relations as r
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Absolute, At, Chain, Clause, Into, Manner, Meaning, Pronoun, Structure, That
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.order_kept import note_what_is_kept
+from rpg.passes.schema.resolve.orders.out_of_line import out_of_its_line
 from rpg.passes.schema.resolve.orders.reordered import reverse
 from rpg.passes.schema.resolve.places.placing import Goals, places
 from rpg.passes.schema.resolve.things.refer import refer
@@ -18,6 +22,9 @@ _LINES = ("stack", "row", "line", "column")
 
 def once_more(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
     """A structure that is there, built again the other way round or otherwise; None for other clauses."""
+    note_what_is_kept(spec, scene, clause.span)
+    if (left := out_of_its_line(clause, spec, scene, scope)) is not None:
+        return left
     turned = _the_other_way(clause, spec, scene, scope)
     return turned if turned is not None else _rebuilt(clause, spec, scene, scope)
 
@@ -44,7 +51,11 @@ def _the_other_way(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Go
         scene.mentions.pop()
         return None
     spec.orders, spec.manners = [], [m for m in spec.manners if m.kind != "backwards" and not _over(m)]
-    return [*reverse(theme, scene, clause.span), *places(theme, spec, scene, scope, clause.span)]
+    goals = reverse(theme, scene, clause.span, spec)
+    again = scene.built[-1]
+    theme = dataclasses.replace(theme, names=again.members, built=(again,))
+    there = places(theme, spec, scene, scope, clause.span)
+    return [*goals, *(x for x in there if x not in scene.start_goals)]  # it is no longer as it was
 
 
 def _other_pair(clause: Clause, spec: Spec, scene: Scene) -> Goals | None:

@@ -10,6 +10,7 @@ from rpg.ir.order import Order
 from rpg.language.meaning import At
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms
+from rpg.passes.schema.resolve.orders.turned_over import comes_of_reversing
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
@@ -17,8 +18,9 @@ FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front"}
 LAST = {"bottom": "top", "left": "right", "front": "back", "top": "bottom", "right": "left", "back": "front"}
 
 
-def reverse(theme: Ref, scene: Scene, span: Span, around: bool = False) -> Atoms:
+def reverse(theme: Ref, scene: Scene, span: Span, spec: Spec, around: bool = False) -> Atoms:
     """ "reverse the tower": the same blocks, the other way round. `around`: it is turned, and its symbols as well?"""
+    spec.thats = [that for that in spec.thats if not comes_of_reversing(that)]
     built = _ordered(theme, scene, span)
     if around and any(scene.things[n].label for n in built.members):
         raise refuse("ambiguous", "are the cubes turned, or is their order?", span, "say 'reverse the order'")
@@ -30,28 +32,87 @@ def reverse(theme: Ref, scene: Scene, span: Span, around: bool = False) -> Atoms
 
 def within(theme: Ref, verb: str, spec: Spec, scene: Scene, span: Span) -> Atoms | None:
     """A block put at an end of the structure that it is part of, or on top of the one spoken of last."""
+    if verb == "place" and not spec.ats:
+        _end_of_its_line(theme, spec, scene)
     if len(spec.ats) != 1:
         return None
     again = moved_within(theme, spec.ats[0], scene, span) if verb != "be" else None
+    if again is None and spec.ats[0].own and spec.ats[0].side == "first":
+        raise refuse("no-referent", "it is not clear in which row this is", span, "say 'there is a row' of its blocks")
     if again is None and verb in ("place", "be") and not spec.intos:
         again = topped(theme, spec.ats[0], scene, span)
     return again
 
 
+def _end_of_its_line(theme: Ref, spec: Spec, scene: Scene) -> None:
+    """ "Put the green one last", "put it at the end" of a block in a row: a place there, and no time."""
+    home = _home(theme, scene)
+    more = spec.places or spec.intos or spec.orders or spec.absolutes or spec.thats or spec.usings or spec.toward
+    told = [m for m in spec.manners if (m.kind, m.value) in _WHEN]
+    if home is None or home.kind == "stack" or more or len(told) != 1 or len(spec.manners) != 1:
+        return
+    spec.manners = []
+    spec.ats = [At(side="first", index=_WHEN[told[0].kind, told[0].value], span=told[0].span)]
+
+
+_WHEN: dict[tuple[str, str | float | None], int] = {
+    ("finally", None): -1, ("time", 99.0): -1, ("time", 1.0): 1, ("start", None): 1,
+}  # fmt: skip
+"""Words of time that are places in a line as well."""
+
+
+def _home(theme: Ref, scene: Scene) -> Built | None:
+    """The one structure of the start that a block is part of."""
+    home = [b for b in scene.built if b.kind in FIRST and set(theme.names) < set(b.members)]
+    alone = len(home) == len(theme.names) == 1 and theme.quant is None
+    return home[0] if alone and _begun(home[0], scene) is not None else None
+
+
+def lines_of_the_start(scene: Scene) -> list[Built]:
+    """The rows and towers that are there at the start, each as what it is then."""
+    begun = [(b, _begun(b, scene)) for b in scene.built if b.kind in FIRST]
+    return [b for b, node in begun if node is not None and isinstance(node, s.Stack) == (b.kind == "stack")]
+
+
+def line_of_the_start(scene: Scene, span: Span) -> Built:
+    """The one row or tower that is there at the start, in its order."""
+    there = lines_of_the_start(scene)
+    if len({frozenset(b.members) for b in there}) != 1:
+        hint = "say which row or tower is there at the start: 'there is a tower of red, green and blue'"
+        raise refuse("no-referent", "it is not clear which order this is", span, hint)
+    return _ordered(Ref(names=there[0].members, built=(there[0],), span=span), scene, span)
+
+
 def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
     """ "move the red block to the top" of the tower that is there: the others keep their order."""
-    home = [b for b in scene.built if b.kind in FIRST and set(theme.names) < set(b.members)]
-    if len(home) != 1 or len(theme.names) != 1 or at_.index is not None or _begun(home[0], scene) is None:
+    home = _home(theme, scene)
+    if home is None:
         return None
-    built = _ordered(Ref(names=home[0].members, built=(home[0],), span=theme.span), scene, span)
-    first = built.side or FIRST[built.kind]
+    built = _ordered(Ref(names=home.members, built=(home,), span=theme.span), scene, span)
     rest = tuple(n for n in built.members if n not in theme.names)
-    if at_.side not in (first, LAST[first]):
+    index = _place_among(built, at_)
+    if index is None or not -1 <= index <= len(rest):
         return None
-    if scene.things[theme.names[0]].claims:  # of blocks of no told look, one is said to look so only here
+    others = [scene.things[n] for n in rest]
+    if scene.things[theme.names[0]].claims and any(
+        (t.color, t.label) == (None, None) for t in others
+    ):  # of blocks of no told look, one is said to look so only here
         raise refuse("ambiguous", f"this could be a block of the {built.kind} or a further one", theme.span,
                      "say what the blocks look like that are there at the start")  # fmt: skip
-    return [_again(built, (*theme.names, *rest) if at_.side == first else (*rest, *theme.names), scene, span)]
+    index = len(rest) if index < 0 else index
+    if (*rest[:index], *theme.names, *rest[index:]) == built.members:
+        raise refuse("no-goal", "it is there at the start", at_.span, "say where else it should be")
+    return [_again(built, (*rest[:index], *theme.names, *rest[index:]), scene, span)]
+
+
+def _place_among(built: Built, at_: At) -> int | None:
+    """How many of the others are before a place of a structure; -1: all of them."""
+    first = built.side or FIRST[built.kind]
+    if at_.index is None:
+        return {first: 0, LAST[first]: -1}.get(at_.side)
+    if at_.side != "first" or built.kind == "stack":
+        return None
+    return at_.index - 1 if at_.index > 0 else -1
 
 
 def topped(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:

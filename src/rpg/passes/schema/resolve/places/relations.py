@@ -279,7 +279,7 @@ def _check_self(theme: Ref, mark: Ref, loc: Loc) -> None:
     if mark.built and any(part.names == mark.names for part in theme.parts):
         raise refuse("self-reference", "a structure cannot be placed relative to itself", loc.span, "use two sentences")
     inside = {b.kind for b in mark.built} & {"row", "line", "column"} and len(mark.built) == 1 and not theme.built
-    if inside and shared == set(theme.names) < set(mark.names) and loc.rel in ("front", "behind", *LEVEL):
+    if inside and shared == set(theme.names) < set(mark.names) and loc.rel in ("front", "behind", "distance", *LEVEL):
         told = "nothing is placed relative to itself: this is one of the blocks of the row"
         raise refuse("ambiguous", told, loc.span, "name the other blocks of the row, or say at which end")
     parts = (mark.built or theme.built) and theme.names != mark.names
@@ -388,7 +388,7 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         if mark.part == "middle":
             if len(theme.names) != 1:
                 raise refuse("ambiguous", "only one block fits in the middle of a patch", span, "name one block")
-            near = r.Distance(a=theme.names, b=patches, maximum=PATCH_MIDDLE, span=span)
+            near = r.Distance(a=theme.names, b=patches, maximum=loc.high or PATCH_MIDDLE, span=span)
             return [on_patches(theme, mark, scene, span), near]
         return [on_patches(theme, mark, scene, span)]
     if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):

@@ -75,7 +75,7 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     whole_grids = (a for a in atoms(goal) if isinstance(a, s.Grid) or (isinstance(a, s.Figure) and has_centre(a)))
     for grid in (a for a in whole_grids if len(loose) == 1 and set(names) < set(a.blocks)):
         return in_grid(goal, grid, loose[0], scene)
-    for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) <= set(a.blocks)):
+    for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) < set(a.blocks)):
         check_word(word, loose, scene)
         return goal
     rows = any(isinstance(a, s.Row) for a in atoms(goal))
@@ -385,6 +385,7 @@ def _region(item: Loose) -> g.Goal:
     side = at_.side if isinstance(at_, At) else ""
     if isinstance(at_, At) and at_.own:
         raise refuse("no-referent", "it is not said of which blocks this is one", at_.span, "name the others")
+    side = "end" if side == "first" and isinstance(at_, At) and (at_.index or 0) < 0 else side
     if side not in REGION or (isinstance(at_, At) and at_.index) or ref.quant is not None:
         raise refuse(
             "no-referent", f"it is not clear of what this is the {side}", at_.span, "name the tower or the row"

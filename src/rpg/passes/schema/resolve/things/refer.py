@@ -142,6 +142,13 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
     built = whole.built[0] if len(whole.built) == 1 and whole.built[0].ordered else None
     if meaning.part == "top" or (meaning.part == "middle" and whole.patch and len(whole.names) == 1):
         return replace(whole, part=meaning.part)
+    if (
+        meaning.part == "middle"
+        and scope.role == "theme"
+        and len(whole.names) == 1
+        and not (whole.built or whole.patch)
+    ):
+        return whole  # "its centre lies on the mat": a block is where its middle is
     if built is not None and meaning.part == "middle" and len(built.members) % 2:
         return Ref(names=(built.members[len(built.members) // 2],))
     if built is not None and built.kind == "stack" and meaning.part == "bottom":
@@ -244,7 +251,11 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.det == "no" and noun.amount == Amount(PAIR, PAIR) and noun.traits.colors and not patch:
         those = replace(noun, det="the", amount=None)  # "no two red ones": of the red ones that there are
         return _partitive(replace(noun, head="any", traits=Traits(), part_of=those), scene, scope)
-    names = denied(noun, scene, scope, patch) or counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
+    names = (
+        denied(noun, scene, scope, patch)
+        or counted_among(noun, scene, scope, patch)
+        or select(noun, scene, scope, patch)
+    )
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
     return quantified(found, noun)
 

@@ -151,6 +151,7 @@ class Scene:
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
     `others_open`: where all others are spoken of, of which it is not said how many they are.
     `untouched`: blocks that are left as they are, which is more than where they are.
+    `same_order`: lines that keep the order of the start, each with the side where it begins if that is told.
     `names_blocks`: whether some sentence says how blocks look or how many there are.
     `looks`: how many different looks of blocks are named.
     `sized`: the size that is said of all blocks, with its words.
@@ -198,6 +199,7 @@ class Scene:
     tallied: set[str] = field(default_factory=set)
     stocked: set[str] = field(default_factory=set)
     untouched: set[str] = field(default_factory=set)
+    same_order: list[tuple[tuple[str, ...], str | None, Span]] = field(default_factory=list)
     each: tuple[int, Span] | None = None
     each_in: int = 0
     spare: set[str] = field(default_factory=set)
@@ -223,6 +225,7 @@ class Scene:
     surveyed: list[tuple[Traits, tuple[str, ...], Span]] = field(default_factory=list)
     kept: list[tuple[Goal, list[Goal]]] = field(default_factory=list)
     names_blocks: bool = False
+    opposites: bool = False
     looks: int = 0
     sized: tuple[Traits, Span] | None = None
     ignored: dict[str, Span] = field(default_factory=dict)

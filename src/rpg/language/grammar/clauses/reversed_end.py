@@ -1,0 +1,32 @@
+""" "(End with) the reverse": what was told before, the other way round."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.meaning import Clause, Pronoun
+
+_ENDED = frozenset({"with", "as", "be", ":", "up", "finally"})
+"""What stands before how it ends."""
+_REVERSE = Patterns(
+    "the|its|their exact? reverse|opposite|inverse order|sequence?",
+    "the reversed|opposite order|sequence|tower|stack|row|line",
+    "the|its|their reverse|opposite of_it|of_that|of_this|of_them?",
+    "in? reverse|reversed|opposite order?",
+    "the order reversed", "everything|all reversed",
+)  # fmt: skip
+"""What something is the other way round."""
+_ORDER_IS = Patterns(
+    "the|its|their order should|must|shall|has_to|needs_to be reversed|inverted|flipped",
+    "the|its|their order is to_be reversed|inverted|flipped",
+)  # fmt: skip
+
+
+@rule
+def reverse_of_it(p: Parser, i: int) -> Results[Clause]:
+    """ "The reverse (order)", behind "end with"; "the order should be reversed"."""
+    told = list(_ORDER_IS.matches(p, i))
+    for j in [*told, *_REVERSE.matches(p, i)] if told or p.follows(i, _ENDED) else ():
+        if j >= p.end:
+            it = Pronoun(word="it", span=p.span(i, j))
+            yield Clause(verb="reverse", lemma="reverse", theme=it, span=p.span(i, j), word=p.span(i, j)), j

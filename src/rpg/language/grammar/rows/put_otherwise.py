@@ -65,7 +65,8 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(an?|the|one) ({LINE}|checkerboard|grid|wall|pyramid) in ({COLOR} and {COLOR}) (with|of)\\b",
      "{1} {3} {2} {4}"),
     # how a letter is turned
-    (f"\\b(an?|the) ({_TURNED}) (?:letter )?(\\w)(?= {_SIDE}| {_ON}|$)(.*)$", "{1} {3} {4} . the {3} must be {2}"),
+    (f"(?<!as )(?<!into )\\b(an?|the) ({_TURNED}) (?:letter )?(\\w)(?= {_SIDE}| {_ON}|$)(.*)$",
+     "{1} {3} {4} . the {3} must be {2}"),
     (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:({_TURNED})(?= {_SIDE}| {_ON})|(?:that|which) (?:is|stands|lies) "
      f"({_TURNED})(?= {_SIDE}| {_ON}|$))(.*)$", "{1} {2} {5} . the {2} must be {3} {4}"),
     # one on either side

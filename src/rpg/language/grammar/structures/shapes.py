@@ -137,7 +137,7 @@ _POINTED = frozenset({"T", "U", "V"})
 
 
 def upside_down(p: Parser, i: int) -> int:
-    """The position behind "upside-down" in "an upside-down T of five blocks", "(five blocks) as an inverted V", or 0."""
+    """The position behind "upside-down" in "an upside-down T of five", "(five blocks) as an inverted V", or 0."""
     j = p.any_of(i, UPSIDE_DOWN)
     if not j or _letter_at(p, j) not in _POINTED:
         return 0

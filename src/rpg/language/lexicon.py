@@ -60,7 +60,7 @@ STRUCTURES = {
     "wall": "wall",
     "pyramid": "pyramid",
     "staircase": "staircase stair stairway step stairs steps",
-    "square": "square",
+    "square": "square frame",
     "rectangle": "rectangle oblong",
     "triangle": "triangle",
     "circle": "circle ring loop",

@@ -142,8 +142,8 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    told = told_first(with_answers(legible(split(as_steps(tokens)))))
-    parts = in_one_sentence(in_one(_with_predicates(told)))
+    parts = in_one(_with_predicates(told_first(with_answers(legible(split(as_steps(tokens)))))))
+    parts = in_one_sentence(parts)
     read: Parts = []
     headed: int | None = None
     for part in [part for part in parts if not idle(part)] or parts:
@@ -171,16 +171,8 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
         if sentence.link == "then" and any(AFTER_THAT.matches(Parser(part), 0)) and not any(map(_asks, sentences[:n])):
             raise Refusal([stuck(Parser(part))])
     if not sentences:
-        raise Refusal(
-            [
-                Diagnostic(
-                    code="no-words",
-                    message="there are no words in this",
-                    hint="say what should be done with which blocks",
-                    origin="schema",
-                )
-            ]
-        )
+        hint = "say what should be done with which blocks"
+        raise Refusal([Diagnostic(code="no-words", message="there are no words in this", hint=hint, origin="schema")])
     return sentences
 
 

@@ -27,6 +27,16 @@ class _Wish:
 _UNCHECKED = (
     _Wish(
         re.compile(
+            r"\b(?:hold|keep|stays?|remains?|stands?|stable|wait|leave|lift|there|block|cube|one)\b.*"
+            r"\b(?:for|during|over)(?: at least| about| more than)? (?:\w+|\d+(?:\.\d+)?) ?"
+            r"(?:s|secs?|seconds?|minutes?|min)\b",
+            re.I,
+        ),
+        "how long it stays so is not measured: it is so at the end, when nothing holds or moves the blocks",
+        "leave the time out, as in 'stack the red block on the blue block and let go'",
+    ),
+    _Wish(
+        re.compile(
             r"\bhold(?:s|ing)? (?:it|them|the(?! most| fewest| least)|this|that|up|still|an?)\b|"
             r"\b(?:in|into|through) the air\b|\bhover",
             re.I,

@@ -40,6 +40,7 @@ from rpg.passes.schema.resolve.places.patches import (
     on_separate_patches,
     one_lot_each,
 )
+from rpg.passes.schema.resolve.places.side_lengths import MEASURES, so_large
 from rpg.passes.schema.resolve.places.some_of_them import to_each_other, to_others
 from rpg.passes.schema.resolve.places.stacking import Towers, check_bodies, vertical
 from rpg.passes.schema.resolve.things.none_of import one_and_all
@@ -105,6 +106,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             return place(theme, Coord(op=op, items=both, span=meaning.span), scene, scope, span)
         case Loc(landmark=Pronoun(word="there")) if scene.region_at > scene.last_landmark_at:
             return place(theme, In(region=scene.region, negated=meaning.negated, span=meaning.span), scene, scope, span)
+        case Loc(measure=measure) if measure in MEASURES:
+            return [so_large(theme, meaning, scene)]
         case Loc():
             towers = Towers.of(scene)
             goals = _loc(theme, meaning, scene, scope, span)

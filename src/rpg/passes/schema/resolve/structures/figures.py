@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said
 from rpg.passes.schema.resolve.structures.grids import grid
 from rpg.passes.schema.resolve.structures.hubs import hub_of, with_hub
 from rpg.passes.schema.resolve.structures.limbs import limbs_of
+from rpg.passes.schema.resolve.structures.measured import with_length
 from rpg.passes.schema.resolve.structures.patterns import pattern_of
 from rpg.passes.schema.resolve.things.members import members_of
 from rpg.passes.schema.resolve.things.things import amount_of
@@ -38,6 +39,7 @@ def _bare(shape: Structure) -> bool:
 def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Outlines, filled figures and letter shapes on the table."""
     plain(shape)
+    shape = with_length(shape, spec)
     if shape.kind == "square" and theme is None and _bare(shape) and any(b.kind == "grid" for b in scene.built):
         raise refuse("ambiguous", "this could be a place of the grid, or a figure of its own", shape.span,
                      "say 'the block', or of how many blocks the square is built")  # fmt: skip

@@ -69,7 +69,7 @@ _PLAIN = {
     "swap swapped exchange": "swapped",
     "tower towers stacks": "stack towers on grid pyramid",
     "triangle": "triangle",
-    "upside": "facing stack",
+    "upside": "facing stack figure",
 }
 PLAIN = {word: frozenset(terms.split()) for words, terms in _PLAIN.items() for word in words.split()}
 """Words whose meaning depends on no other word, with the terms of a goal one of which they come to."""

@@ -166,10 +166,12 @@ def once_more(p: Parser, i: int, j: int) -> Results[tuple[str, ...]]:
 
 def look_at(p: Parser, i: int) -> bool:
     """Whether a look stands at i: "red block number 2" is the second of the red ones."""
-    if i < 0:
-        return False
-    letter = len(p.tokens[i].raw) == 1 and p.tokens[i].raw.isupper()
-    return letter or p.tokens[i].kind != "word" or p.words[i] in lexicon.COLOR
+    return symbol_at(p, i) or (i >= 0 and p.words[i] in lexicon.COLOR)
+
+
+def symbol_at(p: Parser, i: int) -> bool:
+    """Whether a letter or a number stands at i: in "(stack A, B and) C with the C at the bottom" it needs no other."""
+    return i >= 0 and (p.tokens[i].kind != "word" or (len(p.tokens[i].raw) == 1 and p.tokens[i].raw.isupper()))
 
 
 _UPON = frozenset({"on", "onto", "above", "over", "below", "under", "beside", "next", "behind", "atop"})

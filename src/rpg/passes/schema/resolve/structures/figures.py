@@ -169,10 +169,13 @@ def _pointing(shape: Structure, spec: Spec) -> str | None:
     kind = shape.kind
     told = [m for m in spec.manners if m.kind.startswith("pointing:") or m.kind == "facing"]
     upright = kind in _POINTERS and any((m.kind, m.value) == ("turn", 0.0) for m in spec.manners)
-    used = [*told, *(m for m in spec.manners if upright and (m.kind, m.value) == ("turn", 0.0))]
+    over = kind in _POINTERS and kind != "L" and any((m.kind, m.value) == ("turn", 180.0) for m in spec.manners)
+    turns = (*((("turn", 0.0),) if upright else ()), *((("turn", 180.0),) if over else ()))
+    used = [*told, *(m for m in spec.manners if (m.kind, m.value) in turns)]
     spec.manners = [m for m in spec.manners if m not in used]
     sides = {_side(kind, m) for m in told if m.kind != "pointing:long"}
     sides |= {NATURAL.get(kind, "front")} if upright and not told else set()
+    sides |= {OPPOSITE[NATURAL.get(kind, "front")]} if over else set()
     for long in (m for m in told if m.kind == "pointing:long"):
         if kind != "L" or not sides or sides - {"left", "right"}:
             raise refuse("misplaced", "this does not tell how the figure lies", long.span,

@@ -46,10 +46,11 @@ from rpg.language.grammar.structures.details import part_clause
 from rpg.language.grammar.structures.each_color import of_each_color
 from rpg.language.grammar.talk.chatter import CHATTER
 from rpg.language.grammar.talk.commands import COMMANDS, DONT, FIRST, HANDS_OFF
-from rpg.language.grammar.talk.framing import CLOSING, FRAMES
+from rpg.language.grammar.talk.framing import FRAMES
+from rpg.language.grammar.talk.let_go import ENDINGS
 from rpg.language.grammar.talk.people import AGENTS, DOERS, WORKERS
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.talk.wishes import DENIALS, STARTS, STATES, TAGS
+from rpg.language.grammar.talk.wishes import DENIALS, STARTS, STATES
 from rpg.language.grammar.things.alike import all_alike
 from rpg.language.grammar.things.inventory import inventory
 from rpg.language.grammar.things.nouns import noun_phrase, simple
@@ -392,9 +393,6 @@ def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results
 
 def tail(p: Parser, i: int) -> int:
     """The position after closing words that carry nothing ("please", "thanks")."""
-    while True:
-        j = p.opt(i, ",")
-        k = max((m for tags in (TAGS, CLOSING) for m in tags.matches(p, j)), default=0)
-        if not k:
-            return i
+    while k := max((m for tags in ENDINGS for m in tags.matches(p, p.opt(i, ","))), default=0):
         i = k
+    return i

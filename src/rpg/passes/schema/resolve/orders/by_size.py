@@ -26,6 +26,7 @@ _EDGES: dict[int, tuple[float, ...]] = {
 }
 _EDGES[4] = (SMALL_EDGE, 0.035, 0.045, BIG_EDGE)
 """What so many blocks measure of which no more is said than that they differ in size."""
+_BLOCK = ("block", "name its colour")
 _MANY = {many: word for word, many in NUMBER.items() if 1 < many <= _MOST}
 
 
@@ -56,7 +57,8 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     many = noun.amount.low if noun.amount is not None else 1
     if len(sized) > many and sized[many - 1][0] != sized[many][0]:
         return Ref(names=tuple(name for _, name in sized[:many]), plural=many > 1, listed=many > 1)
-    raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
+    what, hint = ("number", "name it, as in 'put the 7 on the patch'") if noun.traits.kind == "digit" else _BLOCK
+    raise refuse("no-referent", f"no {what} is the {rank}", noun.span, hint)
 
 
 _FEW = 3

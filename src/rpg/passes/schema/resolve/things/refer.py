@@ -61,6 +61,15 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
     return found
 
 
+def _all_such(item: Meaning) -> bool:
+    return isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None
+
+
+def _colored(item: Meaning) -> bool:
+    """ "All the red ones (and all the blue ones)": told in the same way, so that neither describes the other."""
+    return isinstance(item, Noun) and item.traits == Traits(colors=item.traits.colors) and bool(item.traits.colors)
+
+
 def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "except":
         return excepted(meaning, scene, scope)
@@ -90,7 +99,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     for item in bounded(meaning):
         if isinstance(item, Noun) and repeats(item, seen, scope.role == "member"):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))
-        if parts and isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None:
+        if parts and _all_such(item) and not all(_all_such(x) and _colored(x) for x in meaning.items):
             raise refuse("misplaced", "this could describe the blocks before it", item.span, "say it in front of them")
         if isinstance(item, Noun):
             seen.append(item.traits)

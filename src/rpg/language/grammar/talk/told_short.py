@@ -77,7 +77,13 @@ def in_pairs(tokens: list[Token], words: list[str]) -> list[Token] | None:
     at = next((n for n in range(2, len(words) - 1) if words[n + 1] == "pairs" and words[n] in ("in", "into")), 0)
     behind_it = tuple(words[at + 2 : at + 5])
     ends = not behind_it or behind_it[0] in _STOPS or behind_it in _OF_ONE_COLOR or behind_it[:2] in _OF_EACH
-    if not at or not ends or _GROUPING.isdisjoint(words[:at]) or words[at - 1] not in lexicon.BLOCK or "," in words[:at]:
+    if (
+        not at
+        or not ends
+        or _GROUPING.isdisjoint(words[:at])
+        or words[at - 1] not in lexicon.BLOCK
+        or "," in words[:at]
+    ):
         return None
     groups = [tokens[at].saying(word) for word in ("into", "groups", "of", "two")]
     behind = [

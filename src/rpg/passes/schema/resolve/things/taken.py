@@ -22,6 +22,7 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.among_all import among_all
 from rpg.passes.schema.resolve.structures.another_such import another_such
 from rpg.passes.schema.resolve.structures.by_looks import by_looks
+from rpg.passes.schema.resolve.structures.capped import capped
 from rpg.passes.schema.resolve.structures.stacked_groups import stacked_groups
 from rpg.passes.schema.resolve.things.lots_open import lots_open
 from rpg.passes.schema.resolve.things.named_behind import named_behind
@@ -42,7 +43,7 @@ def all_plainly(chains: tuple[Chain, ...], scene: Scene) -> tuple[Chain, ...]:
 
 def plainly(chain: Chain) -> Chain:
     """The sentence with such clauses."""
-    return by_looks(_another(_taken(_listed_apart(_no_block(stacked_groups(chain))))))
+    return by_looks(_another(_taken(_listed_apart(_no_block(stacked_groups(capped(chain)))))))
 
 
 def _no_block(chain: Chain) -> Chain:

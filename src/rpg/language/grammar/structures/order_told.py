@@ -45,13 +45,12 @@ def order_told(p: Parser, i: int) -> Results[Clause]:
 def _of_a_line(p: Parser, i: int) -> Results[Clause]:
     """ "The order in the tower should be red, green, blue (from bottom to top)"."""
     for j in _INSIDE.matches(p, i):
-        kind = p.lex(j, _LINES)
-        for told in sorted(_IS.matches(p, j + 1)) if kind else ():
+        if (kind := p.lex(j, _LINES)) is None:
+            continue
+        for told in sorted(_IS.matches(p, j + 1)):
             for items, k in listed(p, told):
-                if kind:
-                    yield _built(p, i, k, kind, items), k
-                ways = ((w, e) for w, e in toward(p, p.opt(k, ",")) if isinstance(w, Toward) and w.first)
-                for way, end in ways if kind else ():
+                yield _built(p, i, k, kind, items), k
+                for way, end in ((w, e) for w, e in toward(p, p.opt(k, ",")) if isinstance(w, Toward) and w.first):
                     built = _built(p, i, end, kind, items)
                     yield replace(built, adjuncts=(way, *built.adjuncts)), end
 

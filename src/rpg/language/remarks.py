@@ -15,7 +15,8 @@ from rpg.language.tokens import Token
 _ENDS = frozenset({".", "!", "?", ";", "…"})
 _BREAKS = _ENDS | {",", ":", "(", ")", "-"}
 _LIKE = (("like",), ("just", "like"), ("a", "bit", "like"), ("sort", "of", "like"), ("kind", "of", "like"),
-         ("as", "in"), ("as", "on"), ("as", "if"), ("as", "though"), ("looking", "like"), ("similar", "to"),
+         ("as", "in"), ("as", "on"), ("as", "if"), ("as", "though"), ("as", "one", "would"), ("as", "you", "would"),
+         ("looking", "like"), ("similar", "to"),
          ("resembling",),
          *(("so", *that, who, *look, "like") for that in (("that",), ()) for who in ("it", "they", "this")
            for look in (("looks",), ("look",), ("looks", "a", "bit"), ("will", "look"))))  # fmt: skip

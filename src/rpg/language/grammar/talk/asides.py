@@ -33,6 +33,7 @@ _ANYWHERE = (
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
     "kinda", "possibly", "while you are at it", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
     "my dear", "dear", "sweetheart", "darling", "honey", "hereby", "by contrast", "in contrast",
+    "grazie", "merci", "danke", "gracias", "bitte", "por favor", "nah", "nope", "asap",
     "bro", "gg", "gl", "hf", "noob", "if you would", "sorry about the mess", "easy one", "tada",
     "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
     "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",

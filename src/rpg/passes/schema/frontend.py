@@ -10,9 +10,9 @@ from typing import Protocol
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.called import without_names
+from rpg.language.fondness import without_feelings
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
-from rpg.language.fondness import without_feelings
 from rpg.language.grammar.talk.stock_ahead import stock_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.inventories import told_plainly

@@ -55,7 +55,13 @@ GOALS = [
     goal("facing", block="A", face="top", toward="up", turn=180.0),
     goal("stayed", a="blue"),
     goal("moved", a="blue"),
+    *(goal("shifted", a="blue", toward=way) for way in ("left", "right", "front", "back")),
+    goal("shifted", a="blue", toward="left", at_least=0.09, at_most=0.11, across=0.02),
+    *(goal(kind, **PAIR) for kind in ("approached", "receded")),
+    goal("approached", a=("blue", "green", "yellow"), b=("blue", "green", "yellow")),
+    goal("receded", a="blue", b="mat", at_least=0.04, at_most=0.06),
     goal("swapped", a="blue", b="green"),
+    goal("took_place", a="blue", b="green"),
     goal("turned", block="blue", degrees=90.0),
 ]
 

@@ -31,6 +31,57 @@ def test_lifting_is_moving() -> None:
     assert judge("moved", {"a": "red"}, red=At(X, 0.0, 0.05))
 
 
+SHIFTED: list[tuple[dict[str, Any], tuple[float, float], bool]] = [
+    ({"toward": "left"}, (0.0, 0.05), True),
+    ({"toward": "left"}, (0.0, 0.0499), False),
+    ({"toward": "left"}, (0.0, -0.05), False),
+    ({"toward": "left"}, (0.05, 0.0501), True),
+    ({"toward": "left"}, (0.0502, 0.0501), False),
+    ({"toward": "right"}, (0.0, -0.2), True),
+    ({"toward": "front"}, (-0.06, 0.02), True),
+    ({"toward": "back"}, (0.06, -0.02), True),
+    ({"toward": "back"}, (-0.06, 0.0), False),
+    ({"toward": "left", "at_least": 0.09, "at_most": 0.11, "across": 0.02}, (0.0199, 0.1099), True),
+    ({"toward": "left", "at_least": 0.09, "at_most": 0.11, "across": 0.02}, (0.0, 0.1101), False),
+    ({"toward": "left", "at_least": 0.09, "at_most": 0.11, "across": 0.02}, (-0.0201, 0.1), False),
+]
+
+
+@pytest.mark.parametrize(("fields", "by", "holds"), SHIFTED)
+def test_shifted(fields: dict[str, Any], by: tuple[float, float], holds: bool) -> None:
+    assert judge("shifted", {"a": "red", **fields}, red=At(X + by[0], by[1])) is holds
+
+
+def test_each_block_is_shifted() -> None:
+    both = {"a": ["red", "blue"], "toward": "back"}
+    assert judge("shifted", both, red=At(X + 0.06, 0.0), blue=At(X + 0.06, 0.1))
+    assert not judge("shifted", both, red=At(X + 0.06, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("dy", "closer", "farther"), [(0.0, 0, 0), (0.02, 1, 0), (0.0199, 0, 0), (-0.0201, 0, 1), (0.05, 1, 0)]
+)
+def test_approached_and_receded(dy: float, closer: int, farther: int) -> None:
+    both = {"a": "red", "b": "blue"}
+    assert judge("approached", both, red=At(X, dy)) is bool(closer)
+    assert judge("receded", both, red=At(X, dy)) is bool(farther)
+
+
+def test_blocks_come_closer_together_two_by_two() -> None:
+    three = {"a": ["red", "blue", "green"], "b": ["red", "blue", "green"]}
+    assert judge("approached", three, blue=At(X, 0.07), green=At(X, -0.07))
+    assert not judge("approached", three, blue=At(X, 0.07))
+    assert not judge("receded", three, blue=At(X, 0.07), green=At(X, -0.07))
+    assert judge("receded", three, blue=At(X, 0.13), green=At(X, -0.13))
+
+
+def test_a_distance_that_changed_by_so_much() -> None:
+    some = {"a": "red", "b": "blue", "at_least": 0.04, "at_most": 0.06}
+    assert judge("approached", some, red=At(X, 0.05))
+    assert not judge("approached", some, red=At(X, 0.0601))
+    assert judge("receded", some, red=At(X, -0.05))
+
+
 def test_swapped() -> None:
     both = {"a": "red", "b": "blue"}
     assert judge("swapped", both, red=At(X, 0.1), blue=At(X, 0.0))
@@ -38,6 +89,16 @@ def test_swapped() -> None:
     assert not judge("swapped", both, red=At(X, 0.1301), blue=At(X, 0.0))
     assert not judge("swapped", both, red=At(X, 0.1), blue=At(X, 0.2))
     assert not judge("swapped", both)
+
+
+def test_took_place() -> None:
+    where = {"a": "red", "b": "blue"}
+    assert judge("took_place", where, red=At(X, 0.1), blue=At(X, 0.2))
+    assert judge("took_place", where, red=At(X, 0.1299), blue=At(X, 0.0))
+    assert not judge("took_place", where, red=At(X, 0.1301), blue=At(X, 0.0))
+    assert not judge("took_place", where, red=At(X, 0.0), blue=At(X, 0.2))
+    assert not judge("took_place", where, red=At(X, 0.2), blue=At(X, 0.0))
+    assert not judge("took_place", where)
 
 
 def test_groups_swap_in_any_pairing() -> None:

@@ -97,7 +97,9 @@ def _relation(rng: Random, free: list[Block], patches: list[GoalPatch]) -> g.Goa
         lambda: g.Behind(a=a, b=b), lambda: g.InFrontOf(a=a, b=b, directly=True, immediate=True),
         lambda: g.LeftOf(a=a, b=b, somewhere=True),
         lambda: g.Distance(a=a, b=b, minimum=0.11, maximum=0.13), lambda: g.Distance(a=a, b=b, minimum=0.15),
-        lambda: g.Swapped(a=a, b=b), lambda: g.Not(goal=g.Touching(a=a, b=b)), lambda: g.Not(goal=g.On(a=a, b=b)),
+        lambda: g.Swapped(a=a, b=b), lambda: g.Approached(a=a, b=b), lambda: g.Receded(a=a, b=b, at_least=0.05),
+        lambda: g.TookPlace(a=a, b=b),
+        lambda: g.Not(goal=g.Touching(a=a, b=b)), lambda: g.Not(goal=g.On(a=a, b=b)),
         lambda: g.Any(goals=(g.LeftOf(a=a, b=b), g.Behind(a=a, b=b))),
     ]  # fmt: skip
     return rng.choice(kinds)()
@@ -111,7 +113,8 @@ def _place(rng: Random, free: list[Block], patches: list[GoalPatch]) -> g.Goal |
     kinds: list[Callable[[], g.Goal]] = [
         lambda: g.OnPatch(a=a, patch=patches[0].name), lambda: g.InRegion(a=a, region="left_half"),
         lambda: g.InRegion(a=a, region="middle"), lambda: g.InRegion(a=a, region="far_left_corner"),
-        lambda: g.Stayed(a=a), lambda: g.Moved(a=a, at_least=0.1), lambda: g.OnTable(a=a),
+        lambda: g.Stayed(a=a), lambda: g.Moved(a=a, at_least=0.1), lambda: g.Shifted(a=a, toward="left"),
+        lambda: g.Shifted(a=a, toward="back", at_least=0.09, at_most=0.11, across=0.02), lambda: g.OnTable(a=a),
         lambda: g.Not(goal=g.OnPatch(a=a, patch=patches[1].name)),
         lambda: g.Turned(block=a, degrees=90.0), lambda: g.Turned(block=a, degrees=-45.0),
     ]  # fmt: skip

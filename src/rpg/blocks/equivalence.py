@@ -17,7 +17,7 @@ from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import instances, rename, transform
 
-EACH_FOR_ITSELF = frozenset({"on_patch", "on_table", "in_region", "clear", "stayed", "moved", "equidistant"})
+EACH_FOR_ITSELF = frozenset({"on_patch", "on_table", "in_region", "clear", "stayed", "moved", "shifted", "equidistant"})
 """Atoms that say the same of each of their blocks."""
 
 

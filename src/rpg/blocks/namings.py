@@ -15,7 +15,7 @@ from rpg.ir import goal as g
 from rpg.ir.structures import Row, Towers
 from rpg.ir.walk import names, rename
 
-ANY_ORDER = frozenset({"on_table", "on_patch", "in_region", "clear", "stayed", "moved"})
+ANY_ORDER = frozenset({"on_table", "on_patch", "in_region", "clear", "stayed", "moved", "shifted"})
 """Atoms that say the same of each of their blocks."""
 MANY = 24
 """So many different things are first ruled out by the centres of blocks."""

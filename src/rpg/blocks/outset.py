@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from rpg.ir import goal as g
 from rpg.ir.node import members
-from rpg.ir.relations import Above, Empty, Moved, On, OnPatch, OnTable, Stayed
+from rpg.ir.relations import Above, Empty, Moved, On, OnPatch, OnTable, Ranged, Shifted, Stayed
 from rpg.ir.schema import InitialState
 from rpg.ir.walk import names, plain
 
@@ -50,7 +50,7 @@ def _judged(goal: g.Goal, outset: _Outset) -> bool | None:
             return _not(_judged(goal.goal, outset))
         case Stayed():
             return True
-        case Moved():
+        case Moved() | Shifted() | Ranged():
             return False
         case OnTable():
             return True if outset.built.isdisjoint(members(goal.a)) else None

@@ -7,10 +7,12 @@ from typing import Literal
 from rpg.blocks.verdict import Verdict
 from rpg.env.surface import Atoms, Names, Where
 from rpg.ir.assets import Face
+from rpg.ir.node import Direction
 from rpg.ir.relations import (
     Above,
     Adjacent,
     Apart,
+    Approached,
     Behind,
     Beside,
     Between,
@@ -28,10 +30,13 @@ from rpg.ir.relations import (
     On,
     OnPatch,
     OnTable,
+    Receded,
     Region,
     RightOf,
+    Shifted,
     Stayed,
     Swapped,
+    TookPlace,
     Touching,
     Turned,
 )
@@ -266,9 +271,42 @@ class Relations(Atoms):
         """Each of `a` is at least `at_least` from where the episode found it."""
         return self._atom(Moved, a=a, at_least=at_least)
 
+    def shifted(
+        self,
+        a: Where,
+        toward: Direction,
+        *,
+        at_least: float = 0.05,
+        at_most: float | None = None,
+        across: float | None = None,
+    ) -> Verdict:
+        """Each of `a` is on one side of where the episode found it, by at least `at_least` and at most `at_most`.
+
+        It is off the axis by at most `across`; where that is left out, by no more than it went along it.
+        """
+        return self._atom(Shifted, a=a, toward=toward, at_least=at_least, at_most=at_most, across=across)
+
+    def approached(self, a: Where, b: Where, *, at_least: float = 0.02, at_most: float | None = None) -> Verdict:
+        """Each of `a` is closer to each of `b` than at the start: between centres, by at least `at_least`.
+
+        Where `a` and `b` are the same blocks, every two of them are.
+        """
+        return self._atom(Approached, a=a, b=b, at_least=at_least, at_most=at_most)
+
+    def receded(self, a: Where, b: Where, *, at_least: float = 0.02, at_most: float | None = None) -> Verdict:
+        """Each of `a` is farther from each of `b` than at the start: between centres, by at least `at_least`.
+
+        Where `a` and `b` are the same blocks, every two of them are.
+        """
+        return self._atom(Receded, a=a, b=b, at_least=at_least, at_most=at_most)
+
     def swapped(self, a: Names, b: Names, *, tolerance: float = 0.03) -> Verdict:
         """`a` and `b` each stand within `tolerance` of where the other started."""
         return self._atom(Swapped, a=a, b=b, tolerance=tolerance)
+
+    def took_place(self, a: Names, b: Names, *, tolerance: float = 0.03) -> Verdict:
+        """`a` stand within `tolerance` of where `b` started, one for one."""
+        return self._atom(TookPlace, a=a, b=b, tolerance=tolerance)
 
     def turned(self, block: str, degrees: float, *, either_way: bool = False, tolerance: float = 15.0) -> Verdict:
         """`block` has turned about the vertical by `degrees` since the start.

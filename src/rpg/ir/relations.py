@@ -10,7 +10,7 @@ from typing import Literal
 
 from rpg.ir.assets import Face
 from rpg.ir.base import Names
-from rpg.ir.node import Cosine, Edges, Length, Metres, Node, Operand, Tilt, Turn
+from rpg.ir.node import Cosine, Direction, Edges, Length, Metres, Node, Operand, Tilt, Turn
 
 Region = Literal[
     "left_half", "right_half", "near_half", "far_half", "middle", "corner", "edge",
@@ -236,10 +236,64 @@ class Moved(Node):
     at_least: Length = 0.05
 
 
+class Shifted(Node):
+    """Each of `a` is on one side of where the episode found it, by at least `at_least` and at most `at_most`.
+
+    It is off the axis by at most `across`; where that is left out, by no more than it went along it.
+    """
+
+    kind: Literal["shifted"] = "shifted"
+    a: Operand
+    toward: Direction
+    at_least: Length = 0.05
+    at_most: Length | None = None
+    across: Length | None = None
+
+
+class Ranged(Node):
+    """The distance of each of `a` from each of `b` is another than at the start, by at least `at_least`.
+
+    Between centres in the plane, and by at most `at_most`, where that is said. Where `a` and `b` are the same blocks,
+    this is so of every two of them.
+    """
+
+    a: Operand
+    b: Operand
+    at_least: Length = 0.02
+    at_most: Length | None = None
+
+
+class Approached(Ranged):
+    """Each of `a` is closer to each of `b` than at the start: in the plane, between centres, by at least `at_least`.
+
+    Where `a` and `b` are the same blocks, every two of them are.
+    """
+
+    kind: Literal["approached"] = "approached"
+
+
+class Receded(Ranged):
+    """Each of `a` is farther from each of `b` than at the start: in the plane, between centres, by at least `at_least`.
+
+    Where `a` and `b` are the same blocks, every two of them are.
+    """
+
+    kind: Literal["receded"] = "receded"
+
+
 class Swapped(Node):
     """`a` and `b` each stand within `tolerance` of where the other started."""
 
     kind: Literal["swapped"] = "swapped"
+    a: Names
+    b: Names
+    tolerance: Metres = 0.03
+
+
+class TookPlace(Node):
+    """`a` stand within `tolerance` of where `b` started, one for one."""
+
+    kind: Literal["took_place"] = "took_place"
     a: Names
     b: Names
     tolerance: Metres = 0.03

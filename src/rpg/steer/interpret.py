@@ -312,7 +312,7 @@ def _reused(request: str, history: History, read: Reader) -> Interpretation:
     return finish(request, draft, past)
 
 
-_OF_A_BLOCK = frozenset({"facing", "turned", "moved", "stayed", "clear"})
+_OF_A_BLOCK = frozenset({"facing", "turned", "moved", "shifted", "stayed", "clear"})
 """What a goal asks of a block by itself: said of one that is there, it is said of the task at hand."""
 
 

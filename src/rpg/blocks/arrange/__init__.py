@@ -12,8 +12,10 @@ from rpg.ir.walk import atoms
 
 __all__ = ["CHANGES", "Impossible", "arrange"]
 
-CHANGES = frozenset({"stayed", "moved", "swapped", "turned"})
+CHANGES = frozenset({"stayed", "moved", "shifted", "approached", "receded", "swapped", "took_place", "turned"})
 """Atoms that compare with the start of the episode."""
+IMAGINED = 4
+"""Starts that are imagined: a block at the edge of the table has no room to go on that way."""
 
 
 def arrange(
@@ -31,7 +33,18 @@ def arrange(
     begins, for conditions relative to it (imagined where it is not given); the states carry it. Raises Impossible.
     """
     if start is None and any(atom.kind in CHANGES for atom in atoms(goal)):
+        for _ in range(IMAGINED - 1):
+            try:
+                return _arranged(goal, world, rng, imagined_start(world, rng), count, natural)
+            except Impossible:
+                continue
         start = imagined_start(world, rng)
+    return _arranged(goal, world, rng, start, count, natural)
+
+
+def _arranged(
+    goal: g.Goal, world: World, rng: Random, start: BlockState | None, count: int, natural: bool
+) -> list[BlockState]:
     solver = Solver(goal, world, start)
     found: list[BlockState] = []
     for k in range(count):

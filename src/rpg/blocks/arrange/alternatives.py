@@ -28,6 +28,7 @@ from rpg.ir.relations import (
     OnPatch,
     OnTable,
     RightOf,
+    Shifted,
     Stayed,
     Touching,
 )
@@ -127,7 +128,7 @@ def _place(atom: OnPatch | InRegion) -> str:
 def _parts(atom: g.Atom) -> Iterator[g.Atom]:
     """An atom about groups as atoms about single blocks, where it is a plain conjunction of those."""
     match atom:
-        case OnPatch() | InRegion() | OnTable() | Stayed() | Moved() | Clear():
+        case OnPatch() | InRegion() | OnTable() | Stayed() | Moved() | Shifted() | Clear():
             if not isinstance(atom.a, Lowest | Highest):
                 yield from (atom.model_copy(update={"a": (name,)}) for name in atom.a)
         case LeftOf() | RightOf() | InFrontOf() | Behind() | Apart():

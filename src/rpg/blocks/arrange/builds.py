@@ -12,10 +12,11 @@ from rpg.blocks.predicate import Cluster
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.predicates.common import SPANS
 from rpg.blocks.predicates.row import lay
-from rpg.blocks.state import World
+from rpg.blocks.state import BlockState, World
 from rpg.ir import goal as g
 from rpg.ir import structures
-from rpg.ir.node import Node
+from rpg.ir.node import Node, members
+from rpg.ir.relations import Shifted
 from rpg.ir.walk import names
 
 STRUCTURES = frozenset(
@@ -23,7 +24,12 @@ STRUCTURES = frozenset(
     for model in vars(structures).values()
     if isinstance(model, type) and issubclass(model, Node) and "kind" in model.model_fields
 )
-ABSOLUTE = frozenset({"in_region", "on_patch", "empty", "facing", "stayed", "moved", "swapped", "turned"})
+ABSOLUTE = frozenset(
+    {
+        *("in_region", "on_patch", "empty", "facing", "stayed", "moved", "shifted", "approached", "receded"),
+        *("swapped", "took_place", "turned"),
+    }
+)
 """Atoms about places in the world, even where their blocks are of one piece."""
 TEXTS = frozenset({"spells", "equation"})
 MOST_RESEATED = 3
@@ -34,7 +40,7 @@ STRETCHES = (1.5, 1.25)
 
 
 def layouts_of(
-    literals: Conjunction, world: World, rng: Random, thorough: bool
+    literals: Conjunction, world: World, rng: Random, thorough: bool, start: BlockState | None = None
 ) -> Iterator[tuple[g.Atom, list[list[Cluster]]]]:
     """For every structure that must be, ways to lay it out, most natural first. `thorough`: unusual ones as well.
 
@@ -45,6 +51,9 @@ def layouts_of(
     lines = [atom for atom in wanted if isinstance(atom, structures.Row) and atom.order.by == "any"]
     found = [(atom, *_builds(atom, lines, world, rng, thorough)) for atom in wanted if atom.kind in STRUCTURES]
     for atom, usual, wide in found:
+        if start is not None and _moves_as_one(atom, wanted) and PREDICATES[atom.kind].evaluate(atom, start).value:
+            yield atom, [[_as_begun(atom, start)], *usual]
+            continue
         inside = set(names(atom))
         asked = [part for part in literals if part.atom is not atom and _within(part.atom, inside)]
         if any(_covers(other, atom) or _parts_of(other, atom) for other, *_ in found):
@@ -53,6 +62,26 @@ def layouts_of(
         first = [*usual[: MOST_RESEATED if thorough else 1], *wide[:MOST_RESEATED]] if asked else []
         seated = [reseated(atom, clusters, asked, world, thorough) for clusters in first]
         yield atom, [*(clusters for clusters in seated if clusters is not None), *usual, *wide]
+
+
+def _moves_as_one(atom: g.Atom, wanted: list[g.Atom]) -> bool:
+    """Is every block of a structure to go the same way, and as far?"""
+    shifts = [part for part in wanted if isinstance(part, Shifted)]
+    ways = {(part.toward, part.at_least, part.at_most) for part in shifts}
+    return len(ways) == 1 and {*names(atom)} <= {name for part in shifts for name in members(part.a)}
+
+
+def _as_begun(atom: g.Atom, start: BlockState) -> Cluster:
+    """The blocks of a structure as they stand at the start."""
+    blocks = names(atom)
+    (x, y, _), low = start.position[blocks[0]], min(map(start.bottom, blocks))
+    return Cluster(
+        {
+            name: ((u - x, v - y, w - low), start.orientation.get(name))
+            for name in blocks
+            for u, v, w in (start.position[name],)
+        }
+    )
 
 
 def _covers(other: g.Atom, atom: g.Atom) -> bool:

@@ -134,7 +134,7 @@ class Solver:
         fixed = fixed_poses(way.wanted, self.world, self.start)
         if fixed is None:
             return
-        layouts = [builds for _, builds in layouts_of(way.literals, self.world, rng, effort.thorough)]
+        layouts = [builds for _, builds in layouts_of(way.literals, self.world, rng, effort.thorough, self.start)]
         budget.spend(LAYOUT_COST * sum(map(len, layouts)))
         if vary:
             for clusters in layouts:

@@ -216,10 +216,44 @@ def moved(node: r.Moved, say: Speaker) -> str:
     return f"{say.the(node.a)} {say.be(node.a)} moved by at least {cm(node.at_least)}"
 
 
+WAYS = {
+    "left": "to the left",
+    "right": "to the right",
+    "front": "toward the robot",
+    "back": "away from the robot",
+}
+"""Which way something moves, seen from where it was."""
+
+
+def shifted(node: r.Shifted, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.be(node.a)} moved {span(node.at_least, node.at_most)} {WAYS[node.toward]}"
+
+
+def approached(node: r.Approached, say: Speaker) -> str:
+    return _ranged(node, say, "closer together", "closer to")
+
+
+def receded(node: r.Receded, say: Speaker) -> str:
+    return _ranged(node, say, "farther apart", "farther from")
+
+
+def _ranged(node: r.Ranged, say: Speaker, mutual: str, how: str) -> str:
+    far = span(node.at_least, node.at_most)
+    together = node.a if node.a == node.b else _look_alikes(node.a, node.b, say)
+    if together is not None:
+        return f"{say.the(together)} {say.be(together)} moved {far} {mutual}"
+    return f"{say.the(node.a)} {say.be(node.a)} moved {far} {how} {say.the(node.b)}"
+
+
 def swapped(node: r.Swapped, say: Speaker) -> str:
     if say.negated:
         return f"{say.the(node.a)} {say.be(node.a)} swapped with {say.the(node.b)}"
     return f"{say.the(node.a)} and {say.the(node.b)} {say.do((*node.a, *node.b), 'swap', 'swaps')} places"
+
+
+def took_place(node: r.TookPlace, say: Speaker) -> str:
+    was = "were" if len(node.b) > 1 else "was"
+    return f"{say.the(node.a)} {say.be(node.a)} where {say.the(node.b)} {was} at the start"
 
 
 def turned(node: r.Turned, say: Speaker) -> str:
@@ -256,6 +290,10 @@ TABLE: dict[str, Any] = {
     "facing": facing,
     "stayed": stayed,
     "moved": moved,
+    "shifted": shifted,
+    "approached": approached,
+    "receded": receded,
     "swapped": swapped,
+    "took_place": took_place,
     "turned": turned,
 }

@@ -29,7 +29,9 @@ TEMPLATES = {
     "equidistant": "{a}_as_far_from_{b}_as_{c}",
     "in_region": "{a}_in_{region}",
     "facing": "{block}_facing_{toward}",
+    "shifted": "{a}_shifted_{toward}",
     "swapped": "{a}_and_{b}_swapped",
+    "took_place": "{a}_in_place_of_{b}",
     "turned": "{block}_turned",
     "stack": "{blocks}_stacked",
     "towers": "{blocks}_in_towers",
@@ -105,7 +107,11 @@ def _atom_name(atom: g.Atom) -> str:
     fields = vars(atom)
     template = TEMPLATES.get(atom.kind)
     if template is None:
-        template = "{a}_" + atom.kind + ("_{b}" if "b" in fields else "") if "a" in fields else atom.kind
+        template = (
+            "{a}_" + atom.kind + ("_{b}" if fields.get("b", fields["a"]) != fields["a"] else "")
+            if "a" in fields
+            else atom.kind
+        )
     if isinstance(atom, Facing) and atom.turn in TURNS and atom.toward in ("up", "viewer"):
         template = "{block}_" + TURNS[atom.turn]
     if isinstance(atom, Row | Stack):

@@ -65,4 +65,4 @@ def _part(atom: g.Goal) -> str:
         return f"{_short((atom.block,))}-{'facing' if atom.kind == 'facing' else 'turned'}"
     a = _short(getattr(atom, "a", None) or (getattr(atom, "patch", ""),))
     b = getattr(atom, "b", None)
-    return f"{a}-{atom.kind}-{_short(b)}" if b is not None else f"{a}-{atom.kind}"
+    return f"{a}-{atom.kind}-{_short(b)}" if b is not None and b != getattr(atom, "a", None) else f"{a}-{atom.kind}"

@@ -13,7 +13,7 @@ from pydantic import BaseModel
 from rpg.ir.assets import EDGE, FACES, Asset, SemanticCube
 from rpg.ir.goal import All, Not
 from rpg.ir.node import members
-from rpg.ir.relations import Swapped
+from rpg.ir.relations import Clear, Ranged, Shifted, Swapped
 from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Stack, Staircase
 from rpg.ir.walk import atoms, names
@@ -78,11 +78,15 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     colors = {asset.name: asset.color for asset in task.assets}
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()
+    alone = [atom for atom in atoms(task.goal) if isinstance(atom, Clear) and len(members(atom.a)) == 1]
+    yield len(alone) + sum(isinstance(line, Stack) for line in lines)  # "three towers: 1, 2 and 4 blocks high"
     for line in lines:
         yield from Counter(map(colors.get, line.blocks)).values()  # "each of three red blocks and a blue one"
         if line.order.by == "given":  # "with three pink cubes on each side of it"
             yield from (len([*run]) for _, run in groupby(line.order.ranks, lambda rank: {*map(colors.get, rank)}))
     for atom in atoms(task.goal):
+        if isinstance(atom, Figure) and atom.gap is not None:
+            yield from _how_large(atom, max(asset.size for asset in task.blocks if asset.name in atom.blocks))
         yield from Counter(colors.get(name) for name in set(names(atom))).values()  # "three of the six red blocks"
         if isinstance(atom, Swapped):
             yield len({*members(atom.a), *members(atom.b)})  # "swap the top two"
@@ -95,6 +99,15 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
             yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)
 
 
+def _how_large(figure: Figure, edge: float) -> Iterator[float]:
+    """The distance of neighbours' centres in an outline, and the length of its side, in all units."""
+    spacing = (figure.gap or 0.0) + edge
+    yield from _inside(spacing)
+    yield from _inside(
+        spacing * len(figure.blocks) / {"square": 4, "triangle": 3}.get(figure.shape, len(figure.blocks))
+    )
+
+
 def edges_of(task: TaskSchema) -> set[float]:
     """The extents of all objects, in all units."""
     return {number for asset in task.assets for number in _inside(asset.size)}
@@ -103,6 +116,8 @@ def edges_of(task: TaskSchema) -> set[float]:
 def _inside(value: object) -> Iterator[float]:
     if isinstance(value, BaseModel):
         low, high = getattr(value, "minimum", None), getattr(value, "maximum", None)
+        if isinstance(value, Shifted | Ranged):
+            low, high = value.at_least, value.at_most
         if low is not None and high is not None:
             yield from (*_inside((low + high) / 2), *_inside((high - low) / 2))
         if isinstance(value, Row) and value.gap is not None:  # "gaps of at most 5 mm"

@@ -11,7 +11,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir.edits import ChangeCondition, Permute, SetField, SetGoal
 from rpg.ir.goal import All
 from rpg.ir.order import Order, Pattern
-from rpg.ir.relations import Between, Facing, Moved, Stayed, Turned
+from rpg.ir.relations import Between, Facing, Moved, Shifted, Stayed, Turned
 from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Staircase
 from rpg.ir.walk import names as names_in
 from rpg.steer.draft import Draft
@@ -168,7 +168,7 @@ def permute(draft: Draft, parts: dict[str, str], span: Span) -> None:
             draft.do(ChangeCondition(at=path, to=atom), span)
 
 
-_OWN = (Facing, Turned, Stayed, Moved)
+_OWN = (Facing, Turned, Stayed, Moved, Shifted)
 """What is asked of a block and not of its place: it does not go over to the block that takes the place."""
 
 

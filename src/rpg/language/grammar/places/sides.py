@@ -37,8 +37,9 @@ _DEEPWARDS = Patterns(f"running? parallel to|with {_OF_TABLE} left|right {_EDGE}
 """Lines by the edges of the table."""
 _ENDS = {"left": "y", "right": "y", "bottom": "z", "top": "z", "front": "x", "back": "x"}
 _BEGINNING = {
-    **{f"{starting} {at} the {side}{end}": (side, axis) for starting in ("starting", "beginning")
-       for at in ("from", "at", "on") for side, axis in _ENDS.items() for end in ("", " end", " side", " edge")},
+    **{f"{starting} {at} {the}{side}{end}": (side, axis) for starting in ("starting", "beginning", "begin", "start")
+       for at in ("from", "at", "on") for side, axis in _ENDS.items() for the in ("the ", "")
+       for end in ("", " end", " side", " edge")},
     **{f"{starting} {near} me": (side, "x") for starting in ("starting", "beginning") for near, side in
        (("nearest to", "front"), ("closest to", "front"), ("farthest from", "back"), ("furthest from", "back"))},
     "upwards": ("bottom", "z"), "going right": ("left", "y"),
@@ -55,6 +56,8 @@ _BEGINNING = {
     "from far to near": ("back", "x"), "away from the robot": ("front", "x"), "towards the robot": ("back", "x"),
 }  # fmt: skip
 """Where an order begins, and its axis."""
+_BIDDING = ("begin", "start")
+_SET_OFF = (",", "and")
 _ALONG = {
     "horizontally": "y", "vertically": "z", "upright": "z", "along the y axis": "y", "along the x axis": "x",
     "across the table": "y", "lengthwise": "x", "along the left right direction": "y",
@@ -128,6 +131,8 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
         side, axis = _BEGINNING[phrase]
         if p.words[i] in ("highest", "lowest") and any(token.kind == "number" for token in p.tokens):
             continue  # that of the numbers
+        if p.words[i] in _BIDDING and not p.follows(i, _SET_OFF):
+            continue  # "the blocks start at the left"
         yield Toward(first=side, axis=axis, span=p.span(i, k)), k
     for ways, side in ((_AWAY, "front"), (_NEARER, "back")):
         yield from ((Toward(first=side, axis="x", span=p.span(i, k)), k) for k in ways.matches(p, i))

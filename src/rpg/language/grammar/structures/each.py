@@ -7,9 +7,8 @@ from operator import itemgetter
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Size, Structure, replace
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, replace
 
 _LEADS = (
     *(f"{each} {made}"
@@ -19,6 +18,9 @@ _LEADS = (
     "in each of which there is", "in each of which there are", "each being",
     "in each of which", "all of", "both with", "both of", "where each has", "where each one has", "and each has",
     "so that each has", "so that each one has", "such that each has", "of which each has",
+    *(f"each of which {has}"
+      for has in ("has", "should have", "must have", "is to have", "has to have", "contains", "consists of",
+                  "is made of", "is built of", "is made up of")),
 )  # fmt: skip
 _COLON = ("that is", "is")
 _ALIKE = tuple(
@@ -82,13 +84,13 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
     """As an adjunct: ", each of a red and a blue block", ", green under yellow both times"."""
     comma = p.opt(i, ",", ":")
     if j := p.any_of(comma, _LEADS):
-        yield from _made_of(p, i, j)
+        yield from made_of(p, i, j)
     if j := p.any_of(comma, _EVERY):
         named = p.opt(p.any_of(j, _COLON) or j, ":")
         every = p.stands(named, lexicon.COLOR) and not p.anywhere(_STACKS)  # "each red on a blue": every red one
-        yield from (x for x in _made_of(p, i, named) if x[0].first and not every)
+        yield from (x for x in made_of(p, i, named) if x[0].first and not every)
     if j := p.any_of(comma, _ALIKE):
-        yield from (x for x in _made_of(p, i, j) if x[0].first)
+        yield from (x for x in made_of(p, i, j) if x[0].first)
     for found, j in _lot(p, i, comma) if comma > i and p.anywhere(_TIMES_WORDS) else ():
         if found.first and (k := p.any_of(j, _TIMES)):
             yield replace(found, span=p.span(i, k)), k
@@ -106,11 +108,11 @@ def each_clause(p: Parser, i: int) -> Results[Clause]:
     if not j:
         return
     start = p.any_of(p.opt(j, ","), ("there is", "there are", "there should be", "there must be")) or p.opt(j, ",")
-    for found, k in _made_of(p, i, start if inside else p.any_of(j, _HAS)) if inside or p.any_of(j, _HAS) else ():
+    for found, k in made_of(p, i, start if inside else p.any_of(j, _HAS)) if inside or p.any_of(j, _HAS) else ():
         yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, k)), k
 
 
-def _made_of(p: Parser, i: int, j: int) -> Results[OrderBy]:
+def made_of(p: Parser, i: int, j: int) -> Results[OrderBy]:
     """What each of several structures has: so many blocks, or one on another, or blocks at its places."""
     yield from _lot(p, i, j)
     yield from _layered(p, i, j)
@@ -122,7 +124,7 @@ def _made_of(p: Parser, i: int, j: int) -> Results[OrderBy]:
                 end if p.words[with_ - 2] in ("topped", "on") or p.words[with_ - 1] in ("it", "them") else 0
             )
             if last and _of_one_look(above):
-                pair = (*_items(below, below.span), *_items(above, above.span))
+                pair = (*items_of(below, below.span), *items_of(above, above.span))
                 yield OrderBy(by="each", items=pair, first="bottom", span=p.span(i, last)), last
 
 
@@ -133,7 +135,7 @@ _ABOVE = ("on top", "on it", "on top of it", "above it", "above", "on them", "on
 
 def _of_one_look(meaning: Meaning) -> bool:
     """ "a red block", "two red blocks"."""
-    return len(set(map(_look, _items(meaning, meaning.span)))) == 1
+    return len(set(map(_look, items_of(meaning, meaning.span)))) == 1
 
 
 def _of_so_many(p: Parser, i: int) -> Results[Clause]:
@@ -145,50 +147,21 @@ def _of_so_many(p: Parser, i: int) -> Results[Clause]:
         return
     has = p.any_of(p.reach(j + 1), _HAVE)
     towers = Structure(kind="stack", det="bare", amount=Amount(number, number), plural=True, span=p.span(i, j + 1))
-    for found, k in _made_of(p, i, has) if has else ():
+    for found, k in made_of(p, i, has) if has else ():
         yield Clause(verb="part", theme=towers, adjuncts=(found,), mode="goal", span=p.span(i, k)), k
-
-
-_HEIGHTS = ("of heights", "with heights", "with heights of", "with the heights", "having heights", "heights :",
-            "of height", "with the heights of", "of the heights", "whose heights are", "with heights :")  # fmt: skip
-_TALL = (*(f"{blocks}{tall}" for blocks in ("blocks", "cubes", "block", "cube")
-           for tall in (" high", " tall", " each", "")), "high", "tall")  # fmt: skip
-
-
-@rule
-def heights(p: Parser, i: int, count: int) -> Results[tuple[Size, tuple[str, ...]]]:
-    """Behind `count` towers: "of heights 2, 3 and 4", "with two and three (red) blocks", with the blocks' colour."""
-    comma = p.opt(i, ",")
-    lead = p.any_of(comma, _HEIGHTS)
-    j = lead or p.any_of(comma, ("of", "with", "that are", "having", "which are")) or (comma if comma > i else 0)
-    listed: list[int] = []
-    while j and (n := p.number(j)) is not None:
-        listed.append(n)
-        ends: list[tuple[tuple[str, ...], int]] = [
-            ((), e) for e in (p.any_of(j + 1, _TALL), j + 1 if lead or count == len(listed) else 0) if e
-        ]
-        ends += [((named,), e) for named, k in color(p, j + 1) if (e := p.one(k, ("blocks", "cubes")))]
-        after = p.opt(p.opt(j + 1, ","), "and")
-        on = after > j + 1 and p.number(after) is not None
-        for named, end in ends if len(listed) > 1 else ():
-            if on and end == j + 1:
-                continue  # the list goes on
-            end = p.any_of(end, (", respectively", "respectively")) or end
-            yield (Size(what="heights", dims=tuple(listed), span=p.span(i, end)), named), end
-        j = after if after > j + 1 else 0
 
 
 def _lot(p: Parser, i: int, j: int) -> Results[OrderBy]:
     """A list of counted blocks, or one block on another."""
     for members, k in noun_phrase(p, j):
-        items = _items(members, p.span(j, k))
+        items = items_of(members, p.span(j, k))
         if len({item.traits for item in items}) > 1:
             yield OrderBy(by="each", items=items, span=p.span(i, k)), k
     for first, k in simple(p, j):
-        one = _items(first, first.span)
+        one = items_of(first, first.span)
         for phrase, at in p.standing(k, _ON) if len(one) == 1 else ():
             for second, end in simple(p, at):
-                two = _items(second, second.span)
+                two = items_of(second, second.span)
                 if len(two) == 1:
                     pair = (*two, *one) if _ON[phrase] else (*one, *two)
                     yield OrderBy(by="each", items=pair, first="bottom", span=p.span(i, end)), end
@@ -238,7 +211,7 @@ def _layered(p: Parser, i: int, j: int) -> Results[OrderBy]:
     held: dict[str, tuple[Noun, ...]] = {}
     while len(held) < 3:
         for theme, k in simple(p, j):
-            one = _items(theme, theme.span)
+            one = items_of(theme, theme.span)
             k = p.opt(k, "is", "are", "being", "lies", "sits", "goes", "comes")
             at, end = max(
                 ((_AT[phrase], end) for phrase, end in p.standing(k, _AT)), key=itemgetter(1), default=("", 0)
@@ -268,7 +241,7 @@ def _by_layers(p: Parser, i: int, j: int) -> Results[OrderBy]:
         k = p.opt(p.opt(j, "the", "its", "a") + 1, "block", "cube", "one") if level else 0
         k = p.any_of(k, ("is", "being", "must be", "should be")) or k
         look = (
-            next(((_items(x, x.span), end) for x, end in simple(p, k) if p.peek(k, lexicon.COLOR)), ((), 0))
+            next(((items_of(x, x.span), end) for x, end in simple(p, k) if p.peek(k, lexicon.COLOR)), ((), 0))
             if k
             else ((), 0)
         )
@@ -287,10 +260,10 @@ def _look(item: Meaning) -> Meaning | object:
     return item.traits if isinstance(item, Noun) else item
 
 
-def _items(meaning: Meaning, span: Span) -> tuple[Noun, ...]:
+def items_of(meaning: Meaning, span: Span) -> tuple[Noun, ...]:
     """The blocks of a list one by one; none where it is not such a list."""
     if isinstance(meaning, Coord):
-        lots = [_items(item, item.span) for item in meaning.items] if meaning.op == "and" else [()]
+        lots = [items_of(item, item.span) for item in meaning.items] if meaning.op == "and" else [()]
         return tuple(x for lot in lots for x in lot) if all(lots) else ()
     if not isinstance(meaning, Noun) or meaning.head == "patch" or meaning.conditions or meaning.part_of is not None:
         return ()

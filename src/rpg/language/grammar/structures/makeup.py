@@ -20,6 +20,7 @@ from rpg.language.grammar.structures.apposed import (
 from rpg.language.grammar.structures.ascents import measures
 from rpg.language.grammar.structures.each_line import one_line_each
 from rpg.language.grammar.structures.gradients import gradient
+from rpg.language.grammar.structures.heights import with_heights
 from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
 from rpg.language.grammar.structures.sizes import IN_TOTAL, as_high, each_told, ends_in_lines, lines_of, size_phrase
@@ -48,13 +49,13 @@ from rpg.language.meaning import (
 if TYPE_CHECKING:
     from rpg.language.grammar.places.absolutes import one_more, sided
     from rpg.language.grammar.places.onto import counted_pile, one_on_another
-    from rpg.language.grammar.structures.each import each_of, heights
+    from rpg.language.grammar.structures.each import each_of
     from rpg.language.grammar.structures.wholes import wholes, with_stranger
     from rpg.language.grammar.things.nouns import noun_phrase
 else:
     one_more, sided = later(__name__, "rpg.language.grammar.places.absolutes", "one_more", "sided")
     counted_pile, one_on_another = later(__name__, "rpg.language.grammar.places.onto", "counted_pile", "one_on_another")
-    each_of, heights = later(__name__, "rpg.language.grammar.structures.each", "each_of", "heights")
+    (each_of,) = later(__name__, "rpg.language.grammar.structures.each", "each_of")
     wholes, with_stranger = later(__name__, "rpg.language.grammar.structures.wholes", "wholes", "with_stranger")
     (noun_phrase,) = later(__name__, "rpg.language.grammar.things.nouns", "noun_phrase")
 
@@ -65,16 +66,13 @@ def sized_members(p: Parser, i: int, j: int, base: Structure, by: bool = False) 
     """A structure with what is said of its size, of its blocks, and of single ones among them.
 
     `by`: "by" is what leads to its blocks, as behind "a tower shall be formed"."""
-    many = base.amount.low if base.amount is not None else 0
     if base.plural and base.kind == "stack" and not base.details and (row := p.any_of(j, _IN_A_ROW)):
         into = Into(structure=Structure(kind="row", span=p.span(j, row)), span=p.span(j, row))
         lined = sized_members(p, i, row, replace(base, details=(into,)))
         yield from (
             (whole, end) for whole, end in lined if end > row
         )  # "three towers in a row, each of two red blocks"
-    for (tall, named), k in heights(p, j, many) if base.plural and base.kind == "stack" else ():
-        traits = replace(base.traits, colors=base.traits.colors or named)
-        yield replace(base, sizes=(*base.sizes, tall), traits=traits, span=p.span(i, k)), k
+    yield from with_heights(p, i, j, base) if base.plural else ()
     if base.kind == "staircase" and not base.sizes:
         for (steps, rising, named), k in steps_told(p, j):
             traits = replace(base.traits, colors=base.traits.colors or named)
@@ -310,7 +308,8 @@ _EACH = ("each", "apiece", "in each one", "in each", "in each of them", "in ever
          "per stack", "in each stack")  # fmt: skip
 """What says that a number of blocks is that of each of several structures."""
 _OF_EACH = (
-    *(f"each {of}" for of in ("of", "consisting of", "composed of", "with", *_MADE)),
+    *(f"{each} {of}" for each in ("each", "every", "every one") for of in ("of", "consisting of", "composed of", "with",
+                                                                           *_MADE)),
     *(f"{lead}each{one} {has}" for lead in ("", "and ") for one in ("", " of them", " one", " one of them", " tower")
       for has in ("has", "having", "should have", "must have", "consists of", "contains", "is made of")),
 )  # fmt: skip
@@ -391,7 +390,7 @@ def _number_of_each(p: Parser, j: int, k: int, base: Structure, members: Meaning
     if members_amount(members) is None or not base.plural:
         return False
     of = p.words[k - 1] == "of" and p.words[j] != "out"
-    of = of or "each" in p.words[j:k]
+    of = of or "each" in p.words[j:k] or "every" in p.words[j:k]
     return of or p.words[k - 1] in ("with", "containing") or p.one(end, ("each", "apiece")) > 0
 
 

@@ -43,7 +43,7 @@ DETAILS: dict[str, OrderBy | Spacing | Manner] = {
     "ascending": OrderBy(by="ascending", span=NOWHERE),
     "descending": OrderBy(by="ascending", descending=True, span=NOWHERE),
     "alphabetical": OrderBy(by="label", span=NOWHERE), "alphabetically sorted": OrderBy(by="label", span=NOWHERE),
-    "palindromic": OrderBy(by="mirrored", span=NOWHERE),
+    "palindromic": OrderBy(by="mirrored", span=NOWHERE), "palindrome": OrderBy(by="mirrored", span=NOWHERE),
     **{
         f"{shade}{word}": OrderBy(by="rainbow", span=NOWHERE)
         for shade in ("", "color ", "rainbow ")

@@ -41,6 +41,9 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("from biggest to smallest", "ascending", {"descending": True}),
     ("from small to large", "ascending", {}), ("from big to small", "ascending", {"descending": True}),
     ("from small to big", "ascending", {}),
+    *((f"from {a} {to} {b}", "ascending", {"descending": down}) for to in ("until", "till", "down to", "up to")
+      for a, b, down in (("big", "small", True), ("large", "small", True), ("small", "big", False),
+                         ("small", "large", False), ("biggest", "smallest", True), ("smallest", "biggest", False))),
     ("from large to small", "ascending", {"descending": True}), ("from smallest to biggest", "ascending", {}),
     ("in order of size", "size", {}),  ("in size order", "size", {}), ("in order of increasing size", "size", {}),
     ("in order of decreasing size", "size", {"descending": True}), ("by increasing size", "size", {}),
@@ -82,6 +85,8 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     (", no matter the order", "any", {}), ("no matter the order", "any", {}), (", whatever the order", "any", {}),
     (", in which order does not matter", "any", {}),
     (", in any order", "any", {}), (", any order", "any", {}),
+    *((f"{lead}does not matter in {which} order", "any", {}) for lead in (", it ", ", ", "and it ", "it ", "")
+      for which in ("which", "what")),
     ("the order does not matter", "any", {}), (", the order does not matter", "any", {}),
     ("in whatever order", "any", {}),
     (", order does not matter", "any", {}), ("no matter the order", "any", {}), ("in random order", "any", {}),

@@ -17,7 +17,9 @@ _LEADS = Patterns(
     ",|:",
 )
 _UNITS = ("blocks high", "blocks tall", "block high", "block tall", "cubes high", "cube high", "high", "tall",
-          "blocks", "block", "cubes", "cube", "bricks", "brick")  # fmt: skip
+          *(f"{blocks}{piled}" for blocks in ("blocks ", "cubes ", "ones ", "")
+           for piled in ("stacked", "on top of each other", "stacked on top of each other", "stacked up")),
+         "stacked blocks", "stacked cubes", "blocks", "block", "cubes", "cube", "bricks", "brick")  # fmt: skip
 _NEXT = ("and then", "then", "and finally", "and")
 _PARTS = frozenset({"steps", "step", "columns", "column", "stairs", "stair", "towers", "tower"})
 _NAMES = frozenset({"stairs", "staircase", "stairway", "steps"})

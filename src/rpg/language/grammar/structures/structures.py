@@ -8,11 +8,13 @@ from dataclasses import dataclass
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import SIDES, toward
+from rpg.language.grammar.structures.copies import copies
 from rpg.language.grammar.structures.equations import equation, promised, unequal
+from rpg.language.grammar.structures.heights import bar_chart
 from rpg.language.grammar.structures.makeup import per_color, sized_members
 from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.structures.ring_around import ring_around
-from rpg.language.grammar.structures.shapes import noun
+from rpg.language.grammar.structures.shapes import noun, upside_down
 from rpg.language.grammar.structures.sizes import dimensions, layers_of, rows_and_columns
 from rpg.language.grammar.structures.superlatives import largest
 from rpg.language.grammar.things import amounts
@@ -75,6 +77,8 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
         yield from _tail(p, i, j, Structure(kind="grid", dims=dims, span=p.span(i, j)))
         return
     yield from _as_many_symbols(p, i)
+    yield from bar_chart(p, i)
+    yield from copies(p, i)
     for base, j in largest(p, i):
         yield from _tail(p, i, j, base)
     for quantity, j in _quantities(p, i):
@@ -174,6 +178,8 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         yield _Before(details=(replace(DETAILS[word], span=p.span(i, j)),)), j
     if (j := p.one(i, ("diagonal", "slanted", "slanting"))) and p.lex(j, lexicon.STRUCTURE) in _OF_SO_MANY:
         yield _Before(details=(Manner(kind="diagonal", span=p.span(i, j)),)), j
+    if j := upside_down(p, i):
+        yield _Before(details=(Manner(kind="turn", value=180.0, span=p.span(i, j)),)), j
     yield from _colors_before(p, i)
     yield from _laid_before(p, i)
     for found, j in dimensions(p, i):
@@ -251,7 +257,9 @@ _ON = _UPON | {"under", "below"}
 _STRUCTURES = frozenset(lexicon.STRUCTURE)
 _RANKS = {
     "left": "left", "right": "right", "front": "front", "back": "back", "middle": "middle", "last": "last",
-    "near": "front", "far": "back", **{word: str(n) for word, n in lexicon.ORDINAL.items()},
+    "near": "front", "far": "back",
+    **dict.fromkeys(("taller", "tallest", "higher", "highest", "longer", "longest"), "most"),
+    **dict.fromkeys(("shorter", "shortest"), "least"), **{word: str(n) for word, n in lexicon.ORDINAL.items()},
 }  # fmt: skip
 """Which of several structures is meant."""
 
@@ -300,6 +308,8 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             before, quantity = replace(before, marks=marks), Quantity("another", quantity.amount)
         if plural and kind in ("row", "column") and p.anywhere(_GRIDS) and i > 2 and rows_and_columns(p, i - 3):
             continue  # "a grid of two rows and three columns"
+        if not plural and quantity.amount is not None and quantity.amount.low > 1 and p.words[k - 1] == "tower":
+            plural = True  # "two tower"
         if (plural and quantity.det in ("a", "each")) or (quantity.amount and quantity.amount.low > 1 and not plural):
             continue
         if p.words[k - 1] in ("stairs", "steps") and quantity.amount is not None and quantity.amount.low > 1:

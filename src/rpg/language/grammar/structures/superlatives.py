@@ -9,7 +9,7 @@ from rpg.language.grammar.core import Parser
 from rpg.language.grammar.structures.shapes import noun
 from rpg.language.grammar.structures.sizes import OF_WHAT
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.meaning import Amount, Structure
+from rpg.language.meaning import Amount, Noun, Structure
 
 _MOST = {"stack": frozenset({"tallest", "highest", "biggest", "largest"}),
          **dict.fromkeys(("row", "line"), frozenset({"longest", "biggest", "largest"}))}  # fmt: skip
@@ -19,6 +19,11 @@ _CAN = Patterns(
     "that|which? you|we|it can possibly? build|make|manage|create|construct|be|get?",
     "that|which is possible",
 )
+_OF_ALL = Patterns(
+    "with|from|out_of|using|of what|whatever|everything|all|all_that that? "
+    "is|you_have|we_have|there_is|is_there|i_have there|here|available|on_the_table|got?",
+)
+"""That it is to be made of all that is there, which goes without saying where nothing else is said."""
 _MADE = frozenset({"build", "make", "create", "construct"})
 _MADE_OF = frozenset({"with", "from", "out", "using"})
 
@@ -28,7 +33,7 @@ def largest(p: Parser, i: int) -> Iterator[tuple[Structure, int]]:
     if not p.anywhere(_MARKS):
         return
     j = p.opt(i, "the", "a", "my", "your")
-    if not p.stands(j, _MARKS) or p.all.isdisjoint(OF_WHAT):
+    if not p.stands(j, _MARKS):
         return
     most = j
     j = possible = p.opt(j + 1, "possible")
@@ -36,5 +41,11 @@ def largest(p: Parser, i: int) -> Iterator[tuple[Structure, int]]:
         if plural or p.words[most] not in _MOST.get(kind, ()):
             continue
         end = max(_CAN.matches(p, k), default=k)
+        told = end > k or possible > most + 1
+        if last := max(_OF_ALL.matches(p, end), default=end if told and end >= p.end else 0):
+            blocks = Noun(head="block", det="all", plural=True, span=p.span(i, last))
+            yield Structure(kind=kind, det="a", amount=Amount(1, 1), members=blocks, span=p.span(i, last)), last
+        elif p.all.isdisjoint(OF_WHAT):
+            continue
         if end > k or possible > most + 1 or (p.follows(i, _MADE) and p.stands(end, _MADE_OF)):
             yield Structure(kind=kind, det="a", amount=Amount(1, 1), span=p.span(i, end)), end

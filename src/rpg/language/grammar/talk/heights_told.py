@@ -5,7 +5,8 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 
-_TOWERS = frozenset({"towers", "stacks"})
+_TOWERS = frozenset({"towers", "stacks", "columns"})
+_HIGH = frozenset({"high", "tall", "heights"})
 _WAYS = tuple(("from", one, "to", other) for one, other in (
     ("left", "right"), ("right", "left"), ("front", "back"), ("back", "front"), ("near", "far"), ("far", "near")
 ))  # fmt: skip
@@ -33,6 +34,8 @@ def heights_told(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if told is None:
             continue
         heights, way, last = told
+        if words[at] == "columns" and _HIGH.isdisjoint(words[at:last]):
+            continue  # these lie on the table
         if sum(_number(t) is not None for t in heights) != _number(tokens[begin]):
             continue
         before = begin - (words[begin - 1 : begin] == ["the"])
@@ -40,8 +43,8 @@ def heights_told(tokens: list[Token], words: list[str]) -> list[Token] | None:
             continue  # those that were spoken of before
         before -= 3 if words[max(0, before - 3) : before] == ["the", "heights", "of"] else 0
         color = [tokens[at + 2]] if colored else tokens[begin + 1 : at]
-        of_heights = [tokens[at].saying(word) for word in ("of", "heights")]
-        return [*tokens[:before], tokens[begin], *color, tokens[at], *of_heights, *heights, *way, *tokens[last:]]
+        towers = [tokens[at].saying(word) for word in ("towers", "of", "heights")]
+        return [*tokens[:before], tokens[begin], *color, *towers, *heights, *way, *tokens[last:]]
     return None
 
 

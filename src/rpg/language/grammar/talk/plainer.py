@@ -275,7 +275,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_like_a_grid, frozenset({"rows"})),
     (_finished_off, _TOPPED),
     (by_again, frozenset({"by"})),
-    (heights_told, frozenset({"towers", "stacks"})),
+    (heights_told, frozenset({"towers", "stacks", "columns"})),
     (sizes_compared, TELLING),
     (dealt_out, frozenset({"half", "towers", "stacks", "each", "equation", "sum", "of"})),
     (between_them, frozenset({"between"})),

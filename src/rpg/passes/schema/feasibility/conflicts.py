@@ -9,13 +9,12 @@ from itertools import combinations
 
 from rpg.blocks.constants import HAND
 from rpg.core.diagnostics import Diagnostic
-from rpg.ir.relations import Above, On
+from rpg.ir.relations import Above, On, Shifted
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Grid, Stack, Towers
 from rpg.ir.walk import names
 from rpg.passes.schema.feasibility.inventory import Excess, Inventory
 from rpg.passes.schema.feasibility.requirements import (
-    DIAGONAL,
     Grip,
     Ordering,
     Reach,
@@ -53,7 +52,7 @@ def _wrong(need: Requirement, stock: Inventory) -> Iterator[Diagnostic]:
     match need:
         case Room() if need.extent_m > need.room_m + 1e-9:
             yield _too_long(need)
-        case Reach() if need.low > DIAGONAL:
+        case Reach() if need.low > need.room:
             yield _too_far(need)
         case Symbols():
             yield from _missing(need, stock)
@@ -99,12 +98,13 @@ def _too_long(need: Room) -> Diagnostic:
 
 
 def _too_far(need: Reach) -> Diagnostic:
+    limit = "than a block can go that way" if isinstance(need.atom, Shifted) else "than the table is wide"
     return Diagnostic(
         code="does-not-fit",
-        message=f"{need.low * 100:.0f} cm is farther than the table is wide",
+        message=f"{need.low * 100:.0f} cm is farther {limit}",
         span=need.atom.span,
-        hint=f"at most {DIAGONAL * 100:.0f} cm fit",
-        facts={"distance_m": need.low, "room_m": round(DIAGONAL, 4)},
+        hint=f"at most {need.room * 100:.0f} cm fit",
+        facts={"distance_m": need.low, "room_m": round(need.room, 4)},
         origin="schema",
     )
 

@@ -10,7 +10,7 @@ from typing import Literal
 
 from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.figures import ring_width
-from rpg.blocks.predicates.common import BORDER
+from rpg.blocks.predicates.common import BORDER, SPANS
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
@@ -44,7 +44,7 @@ class Room:
 class Reach:
     """The centres of two blocks, or one block's places before and after, are to be `low` to `high` metres apart.
 
-    `least`: how far apart the two are side by side, where it is said how far.
+    `least`: how far apart the two are side by side, where it is said how far; `room`: how far apart they can be.
     """
 
     atom: g.Goal
@@ -52,6 +52,7 @@ class Reach:
     low: float
     high: float
     least: float = 0.0
+    room: float = DIAGONAL
 
 
 @dataclass(frozen=True)
@@ -142,6 +143,11 @@ def _reaches(atom: g.Goal, edges: Mapping[str, float]) -> Iterator[Reach]:
     """The least and greatest distance of centres that a relation of two blocks allows, or a move of one."""
     if isinstance(atom, r.Moved):
         yield Reach(atom, frozenset(members(atom.a)), atom.at_least, math.inf)
+    if isinstance(atom, r.Shifted):
+        room = SPANS["y" if atom.toward in ("left", "right") else "x"]
+        yield Reach(atom, frozenset(members(atom.a)), atom.at_least, math.inf, room=room)
+    if isinstance(atom, r.Ranged):
+        return
     if isinstance(atom, s.Row) and atom.spacing:
         least = sum(edges[n] for n in atom.blocks) / len(atom.blocks)
         yield Reach(atom, frozenset(atom.blocks), 0.0, atom.spacing + atom.tolerance, least)

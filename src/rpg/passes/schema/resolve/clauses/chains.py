@@ -30,6 +30,7 @@ from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
 from rpg.passes.schema.resolve.goals.conflicts import required, undoes
 from rpg.passes.schema.resolve.goals.logic import conj, disj
+from rpg.passes.schema.resolve.goals.two_ways import across
 from rpg.passes.schema.resolve.orders.loose import settle
 from rpg.passes.schema.resolve.places.stacking import Towers
 from rpg.passes.schema.resolve.things.world import Scene, refuse
@@ -317,7 +318,17 @@ def _swaps_later(goals: list[g.Goal], span: tuple[int, int]) -> None:
             if placed & set(names_in(swap)):
                 raise refuse("ambiguous", "blocks that were moved before swap other places than those of the start",
                              swap.span or span, "say where each of them should be at the end")  # fmt: skip
+        for shift in (x for x in required(goal) if isinstance(x, r.Shifted | r.Ranged)):
+            if placed & set(names_in(shift)) and not _further_across(shift, goals):
+                raise refuse("ambiguous", "seen from where it is by then, or from where it started?",
+                             shift.span or span, "say where it should be at the end")  # fmt: skip
         placed |= {n for x in required(goal) for n in (names_in(x) if getattr(x, "blocks", ()) else _subjects(x))}
+
+
+def _further_across(shift: g.Goal, goals: list[g.Goal]) -> bool:
+    """Whether all else that becomes of a block is that it goes along the other axis: "forward, then to the left"."""
+    rest = [x for goal in goals for x in required(goal) if x is not shift and {*names_in(x)} & {*names_in(shift)}]
+    return isinstance(shift, r.Shifted) and all(across(shift, x) for x in rest)
 
 
 def _lasts(goal: g.Goal, undone: bool, span: tuple[int, int] | None) -> None:

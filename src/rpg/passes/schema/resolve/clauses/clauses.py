@@ -47,7 +47,7 @@ from rpg.passes.schema.resolve.places.alone import kept_away, none_further, told
 from rpg.passes.schema.resolve.places.between import by_sandwiching
 from rpg.passes.schema.resolve.places.centred import by_centring, centred
 from rpg.passes.schema.resolve.places.corners import one_for_each_corner
-from rpg.passes.schema.resolve.places.moved import is_moved
+from rpg.passes.schema.resolve.places.moved import MOVES, is_moved
 from rpg.passes.schema.resolve.places.moved import moved as far_moved
 from rpg.passes.schema.resolve.places.patches import one_for_each_patch
 from rpg.passes.schema.resolve.places.placing import Goals, absolutes, distractors, is_shape, parts_alone, places
@@ -163,7 +163,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     place_of_which(clause, clause.lemma in LEAVING)
-    by_centring(clause, spec)
+    by_centring(clause, spec, scene)
     _at_a_distance(spec)
     clause = heaped_up(clause, spec)
     clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)
@@ -238,7 +238,7 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
     if clause.lemma == "move" and clause.theme and [getattr(a, "kind", "") for a in clause.adjuncts] == ["only"]:
         refer(clause.theme, scene, scope)  # "Only move the red block. It goes ...": nothing of where it goes
         return []
-    moved = [p for p in spec.places if isinstance(p, Loc) and p.rel == "moved"]
+    moved = [p for p in spec.places if isinstance(p, Loc) and p.rel in MOVES]
     if clause.verb == "place" and clause.negated and moved and "here" in moved[0].mods and len(spec.places) == 1:
         spec.places = []
         return turning.stay(clause, spec, scene, scope, stays=True)

@@ -72,10 +72,9 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                 case Manner(kind="diagonal"):
                     raise refuse("unsupported-structure", "no line is asked for that lies diagonally", part.span,
                                  "say 'a line', which may lie in any direction, 'a row' or 'a column'")  # fmt: skip
-                case Manner(kind="shift"):
-                    raise _unfit(
-                        _WHICH_WAY, part.span, "say where to: 'to the left side', or how far: 'at least 10 cm'"
-                    )
+                case Manner(kind="shift", value=str(said)):
+                    raise _unfit(f"it is not clear how far which way {said!r} is", part.span,
+                                 "say '10 cm to the left', or 'a bit closer to the robot'")  # fmt: skip
                 case Manner(kind="idle", value=str(said)):
                     _idle(said, told, part.span, scene)
                 case Manner(value=way) if way == SOME_WAY:
@@ -83,7 +82,6 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
         told = True
 
 
-_WHICH_WAY = "how far something moves which way, seen from where it starts, is no goal here"
 _TALL = frozenset({"tall", "long", "big", "large", "huge", "giant"})
 _SHORT = frozenset({"short", "small", "little", "tiny", "mini"})
 
@@ -177,7 +175,8 @@ def _all_such(labels: tuple[str, ...], quality: str | None, span: Span) -> None:
     """Refuse "the even digits 2 to 8", of which some are odd."""
     for label in labels if quality else ():
         if quality and not quality_fits(Thing(name="", label=label), quality):
-            raise _unfit(f"{label} is not {_QUALITY[quality]}", span, "name those that are meant one by one")
+            what = _QUALITY.get(quality, "such a number")
+            raise _unfit(f"{label} is not {what}", span, "name those that are meant one by one")
 
 
 def _clause(clause: Clause) -> None:
@@ -308,7 +307,8 @@ def _structure(shape: Structure) -> None:
     if isinstance(shape.members, Noun):
         _members(shape, shape.members)
     if shape.members is not None and traits.quality:
-        raise _unfit(f"{traits.quality!r} says nothing of this structure", shape.span, "say it of its blocks")
+        said = traits.quality if traits.quality in _QUALITY else "which numbers these are"
+        raise _unfit(f"{said!r} says nothing of this structure", shape.span, "say it of its blocks")
     if shape.upright is False and shape.kind in _LYING:
         raise _unfit("this structure stands upright", shape.span, "say 'a row' for blocks side by side")
     if shape.filled is False and shape.kind not in _OUTLINED:

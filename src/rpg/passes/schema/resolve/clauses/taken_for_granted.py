@@ -28,11 +28,12 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.changed_after import in_their_order
 from rpg.passes.schema.resolve.clauses.lined_there import lined_there
 from rpg.passes.schema.resolve.clauses.row_granted import Told, row_granted
+from rpg.passes.schema.resolve.places.shifted import RELS
 
 T = TypeVar("T")
 
 _USUAL = 3
-"""So many blocks has a tower of which it is not said how many it has."""
+"""So many blocks has a tower, or a row that moves as a whole, of which it is not said how many it has."""
 _FURTHER = ("yellow", "orange", "purple", "cyan", "pink")
 """Colours for a block that is put on such a tower and of which no look is said."""
 _PLACING = ("place", "use", "pick", "remove", "swap", "reverse", "turn", "keep")
@@ -77,9 +78,10 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
     whole = _whole(chains, first)
     if whole is None or _spoken_elsewhere(clauses, first, whole):
         return None
-    notes = [f"{'the tower' if whole.det == 'the' else 'a tower'} is there at the start"]
+    what = "tower" if whole.kind == "stack" else "row"
+    notes = [f"{'the' if whole.det == 'the' else 'a'} {what} is there at the start"]
     if whole.members is None:
-        notes.append(f"how many blocks the tower has is not said: {_USUAL}")
+        notes.append(f"how many blocks the {what} has is not said: {_USUAL}")
         whole = replace(whole, members=_blocks(whole, _USUAL), sizes=())
     there = replace(whole, det="a", amount=Amount(1, 1), traits=Traits(), sizes=())
     spot = _source(first)
@@ -116,7 +118,8 @@ def _whole(chains: tuple[Chain, ...], first: Clause) -> Structure | None:
         ends = [part for part in parts_of(first) if isinstance(part, Noun) and part.traits.rank in _ENDS]
         alone = [noun for noun in ends if noun.head != "patch" and noun.part_of is None]
         return Structure(kind="stack", span=ends[0].span) if ends and len(alone) == len(ends) else None
-    known = [shape for shape in shapes if shape.kind == "stack" and shape.det == "the" and not shape.plural]
+    kinds = ("stack", "row") if _is_shifted(first) else ("stack",)
+    known = [shape for shape in shapes if shape.kind in kinds and shape.det == "the" and not shape.plural]
     mine = [part for part in parts_of(first) if isinstance(part, Structure)]
     if len(known) < len(shapes) or not mine or not all(map(_plain, shapes)):
         return None
@@ -150,7 +153,7 @@ def _spoken_elsewhere(clauses: tuple[Meaning, ...], first: Clause, whole: Struct
     taken_of = any(isinstance(part, Noun) and isinstance(part.part_of, Structure) for part in parts_of(clauses))
     taken_of = taken_of or first.verb in ("reverse", "turn", "swap") or any(map(_is_off, first.adjuncts))
     looks_told = bool(whole.traits.colors) or (whole.members is not None and not _mere_number(whole))
-    if looks_told and not taken_of:
+    if looks_told and not taken_of and not _is_shifted(first):
         return True
     together = any(isinstance(x, Loc) and getattr(x.landmark, "word", "") == "each other" for x in first.adjuncts)
     if together or any(isinstance(part, Manner) and part.kind == "time" for part in first.adjuncts):
@@ -162,6 +165,11 @@ def _spoken_elsewhere(clauses: tuple[Meaning, ...], first: Clause, whole: Struct
     lowest = isinstance(first.theme, Noun) and first.theme.traits.rank == "bottom"
     swapped = any(isinstance(clause, Clause) and clause.verb == "swap" for clause in clauses)
     return (len(looks) > 1 or lowest) if off else bool(looks) and swapped  # are these of the tower, or beside it?
+
+
+def _is_shifted(first: Clause) -> bool:
+    """Whether something is moved so far from where it is, so that it is there."""
+    return any(isinstance(place, Loc) and place.rel in RELS for place in first.adjuncts)
 
 
 def _is_off(place: Meaning) -> bool:

@@ -76,6 +76,10 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
         case (r.InRegion(), r.InRegion()):
             same = bool({*members(a.a)} & {*members(b.a)})
             return same and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})
+    if isinstance(a, r.Stayed | r.Shifted) and isinstance(b, r.Stayed | r.Shifted):
+        return _other_way(a, b) and bool({*members(a.a)} & {*members(b.a)})
+    if isinstance(a, r.Approached | r.Receded) and isinstance(b, r.Approached | r.Receded) and a.kind != b.kind:
+        return {*members(a.a), *members(a.b)} == {*members(b.a), *members(b.b)}
     if isinstance(a, s.Stack | s.Row) and isinstance(b, s.Stack | s.Row) and a.kind == b.kind:
         return _orders_differ(a, b)
     if isinstance(a, s.Spells) and isinstance(b, s.Spells):
@@ -87,6 +91,13 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     if _flat_and_upright(a, b) or _flat_and_upright(b, a) or _of_other_shape(a, b) or _of_other_shape(b, a):
         return True
     return _opposite(a, b) if isinstance(a, r.Directional) and isinstance(b, r.Directional) else False
+
+
+def _other_way(a: r.Stayed | r.Shifted, b: r.Stayed | r.Shifted) -> bool:
+    """Whether a block cannot have gone both ways, or stays where it is."""
+    if isinstance(a, r.Stayed) or isinstance(b, r.Stayed):
+        return a.kind != b.kind
+    return {a.toward, b.toward} in ({"left", "right"}, {"front", "back"})
 
 
 def _along_and_across(read: g.Goal, line: g.Goal) -> bool:

@@ -31,7 +31,9 @@ def denied(goal: g.Goal, span: Span | None = None) -> g.Goal:
     return goal.goal if isinstance(goal, g.Not) else g.Not(goal=goal, span=span)
 
 
-_OF_EACH = r.OnPatch | r.OnTable | r.InRegion | r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.Stayed | r.Moved
+_OF_EACH = (
+    r.OnPatch | r.OnTable | r.InRegion | r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.Stayed | r.Moved | r.Shifted
+)
 """Relations that hold of several blocks where they hold of each."""
 
 

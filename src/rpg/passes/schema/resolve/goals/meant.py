@@ -8,6 +8,7 @@ from rpg.passes.schema.resolve.clauses.kept import brought_about
 from rpg.passes.schema.resolve.goals.inserted import into_their_tower
 from rpg.passes.schema.resolve.goals.lasting import beside_what_is_done
 from rpg.passes.schema.resolve.goals.standing import none_left_out_on_top, still_standing
+from rpg.passes.schema.resolve.goals.two_ways import two_ways
 from rpg.passes.schema.resolve.orders.as_listed import both_as_listed
 from rpg.passes.schema.resolve.orders.order_kept import with_order_kept
 from rpg.passes.schema.resolve.places.bare_table import besides_their_patches, off_their_patches
@@ -24,5 +25,5 @@ def with_what_is_meant(goal: g.Goal, scene: Scene) -> g.Goal:
     goal = transform(one_by_one(goal, scene), besides_their_patches)
     goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
     goal = into_their_tower(beside_what_is_done(goal, scene), scene)
-    goal = no_two_in_one_line(still_standing(goal, scene))
+    goal = no_two_in_one_line(still_standing(two_ways(goal), scene))
     return none_left_out_on_top(goal, scene.left_out)

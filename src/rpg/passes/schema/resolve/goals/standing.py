@@ -76,11 +76,13 @@ def _moved(goal: g.Goal, scene: Scene) -> Iterator[g.Goal]:
     for start in (x for x in scene.start_goals if isinstance(x, s.Stack | s.Row | s.Grid | s.Figure | s.Spells)):
         blocks = set(names(start))
         about = [atom for atom in atoms(goal) if blocks & set(names(atom))]
-        whole = all(isinstance(atom, r.InRegion) and blocks <= set(names(atom)) for atom in about)
+        whole = all(isinstance(atom, _OF_A_WHOLE) and blocks <= set(names(atom)) for atom in about)
         if about and whole and any(blocks == {*built.members} for ref in themes for built in ref.built):
             yield _covered(start, True) if isinstance(start, s.Stack) else start
 
 
+_OF_A_WHOLE = r.InRegion | r.Shifted | r.Ranged
+"""What may be said of a structure and leaves it as it is."""
 RELATIONS = frozenset(
     {"on", "above", "under", "left", "right", "front", "behind", "beside", "adjacent", "near", "touching", "apart",
      "distance"}

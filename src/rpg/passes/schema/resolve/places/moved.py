@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Clause, Loc, Pronoun
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.places.shifted import RELS, shifted, told_shift
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -16,8 +17,14 @@ from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 Goals = list[g.Goal]
 
 
+MOVES = RELS | {"moved"}
+"""What places say of where something is moved, seen from where it is."""
+
+
 def is_moved(clause: Clause, moves: list[Loc]) -> bool:
     """Whether a clause says that something is to be moved so far, or to be "somewhere else"."""
+    if any(p.rel in RELS for p in moves):
+        return True
     if clause.verb == "be" and clause.mode == "goal" and any("else" in p.mods for p in moves):
         if clause.negated or clause.lemma == "fact":
             hint = "say 'move ... somewhere else'"
@@ -28,6 +35,8 @@ def is_moved(clause: Clause, moves: list[Loc]) -> bool:
 
 def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "move the red block by at least 10 cm"; "somewhere else" is also off what it starts on."""
+    if (told := told_shift(spec)) is not None:
+        return shifted(clause, told, spec, scene, scope)
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     far = next(p for p in spec.places if isinstance(p, Loc) and p.rel == "moved")
     spec.places.remove(far)
@@ -35,8 +44,8 @@ def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         raise refuse("misplaced", "a move is at least so far", far.span, "say 'by at least 10 cm'")
     begun = scene.start_goals if "else" in far.mods else []
     left = [g.Not(goal=x, span=clause.span) for x in begun if _lies_there(x) and set(x.a) <= {*theme.names}]
-    told = "else" in far.mods and clause.verb == "be" and any(m.role == "landmark" for m in scene.mentions)
-    if told and not left:
+    denied = "else" in far.mods and clause.verb == "be" and any(m.role == "landmark" for m in scene.mentions)
+    if denied and not left:
         raise refuse("ambiguous", "not there, or away from where it is now?", far.span, "say where it should not be")
     return [r.Moved(a=theme.names, at_least=far.low, span=clause.span), *left]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.language.meaning import Coord, Meaning, Structure
+from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import amount_of
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
@@ -51,6 +52,11 @@ def _tally(members: Meaning | None) -> int | None:
         return amount_of(members)
     counts = [_tally(item) for item in members.items]
     return sum(n for n in counts if n) if all(counts) else None
+
+
+def used_count(spec: Spec) -> int | None:
+    """ "with four red and four white blocks": how many are to be used."""
+    return _tally(spec.usings[0].members) if len(spec.usings) == 1 else None
 
 
 def said_count(shape: Structure, theme: Ref | None, scene: Scene) -> int | None:

@@ -8,10 +8,10 @@ from rpg.ir import structures as s
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Places, Size, Structure, Traits, replace
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.checkered import taking_turns
+from rpg.passes.schema.resolve.orders.checkered import in_its_colors, taking_turns
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
 from rpg.passes.schema.resolve.structures.boards import one_more
-from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
+from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count, used_count
 from rpg.passes.schema.resolve.structures.patterns import pattern_of
 from rpg.passes.schema.resolve.things.members import members_of
 from rpg.passes.schema.resolve.things.things import bare_colors, plain_colors
@@ -33,7 +33,8 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
     if any(p.unit == "checkerboard" for p in spec.patterns):
-        shape = _colors_told(shape, spec) if theme is None and not spec.usings else shape
+        bare = theme is None and not spec.usings
+        shape = _colors_told(shape, spec) if bare else in_its_colors(shape, spec, theme)
         shape = _cornered(shape, spec, rows * columns if rows % 2 and columns % 2 else 0)
     elif any(p.values for p in spec.patterns) and theme is None:
         shape = _colors_told(shape, spec)
@@ -125,7 +126,7 @@ def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
     if len(shape.dims) == 2:
         return shape.dims[0], shape.dims[1], layers
     rows, columns = shape.extent("rows", "deep"), shape.extent("columns", "wide", "long")
-    total = said_count(shape, theme, scene)
+    total = said_count(shape, theme, scene) or used_count(spec)
     side = shape.extent("side") or (_only_side(shape) if shape.kind == "square" else None)
     if side is not None:
         return side, side, side if shape.kind == "cube" else layers
@@ -194,7 +195,7 @@ def _fill(shape: Structure, total: int, scene: Scene) -> tuple[int, int, int]:
             )
         return edge, edge, edge
     side = math.isqrt(total)
-    if shape.kind in ("square", "checkerboard") and side * side != total:
+    if shape.kind == "square" and side * side != total:
         raise refuse(
             "count-mismatch",
             f"{total} blocks do not fill a square",
@@ -203,7 +204,7 @@ def _fill(shape: Structure, total: int, scene: Scene) -> tuple[int, int, int]:
             blocks=total,
         )
     rows = next(r for r in range(side, 0, -1) if total % r == 0)
-    if rows == 1 and total > 3:
+    if rows == 1 and (total > 3 or shape.kind == "checkerboard"):
         raise refuse(
             "count-mismatch",
             f"{total} blocks do not fill a grid of several rows",

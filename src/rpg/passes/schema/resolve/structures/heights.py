@@ -8,7 +8,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Lowest
-from rpg.language.meaning import Noun, Places, Size, Structure, Traits, replace
+from rpg.language.meaning import Loc, Noun, Places, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.members import certain, declared, new_members
 from rpg.passes.schema.resolve.things.refer import refer
@@ -26,15 +26,19 @@ def of_heights(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
         raise refuse("count-mismatch", f"{len(heights)} heights are said, but not of as many towers", said.span,
                      "say the height of each tower", heights=len(heights), towers=count)  # fmt: skip
     way = spec.first("left", "right", "front", "back")
-    if min(heights) < 2 and (way is None or max(heights) < 2):
+    if way is None and any(t.axis == "y" for t in spec.toward):
+        scene.assume("the heights are read from left to right")
+        way = "left"
+    if max(heights) < 2:
         raise refuse("too-few", "a lone block is no tower", said.span, "say at least two blocks for each")
     names = _blocks(shape, spec, theme, total, scene)
     if len(names) != total:
         raise refuse("count-mismatch", f"these towers take {total} blocks, but {len(names)} are named", said.span,
                      f"use {total}", needed=total, named=len(names))  # fmt: skip
-    if way is not None:
+    to_each_other = any(getattr(p.landmark, "word", "") == "each other" for p in spec.places if isinstance(p, Loc))
+    if way is not None or min(heights) < 2 or to_each_other:
         spec.toward = []
-        return _in_order(heights if way in ("left", "front") else heights[::-1], way, names, said, scene)
+        return _in_order(heights if way in ("left", "front", None) else heights[::-1], way, names, said, scene)
     node = s.Towers(blocks=names, count=count, heights=heights, span=shape.span)
     scene.heights[names] = heights
     return [scene.add_built("towers", names, False, node.span or (0, 0))], [node]
@@ -48,7 +52,9 @@ def as_heights(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
     mere = all(isinstance(x, Noun) and x.traits == Traits() and x.part_of is None for x in looks)
     one_each = all(isinstance(x, Places) and x.side == "one" and x.unit.startswith("whole") for x in places)
     many = shape.amount.low if shape.amount is not None else 0
-    if shape.kind != "stack" or theme is None or not mere or not one_each or shape.sizes or shape.members is not None:
+    if shape.kind != "stack" or not mere or not one_each or shape.sizes or shape.members is not None:
+        return shape
+    if theme is None and 1 not in told:
         return shape
     if len(told) < 2 or not len(told) == len(looks) == len(places) == many:
         return shape
@@ -64,8 +70,9 @@ def _blocks(shape: Structure, spec: Spec, theme: Ref | None, total: int, scene: 
     return scene.fit(names, total) if names else new_members(shape.traits, total, None, scene)
 
 
-def _in_order(heights: tuple[int, ...], way: str, names: tuple[str, ...], said: Size, scene: Scene) -> Made:
-    """Each beside the next one: "3, 2 and 1 blocks from left to right", where one block stands by itself."""
+def _in_order(heights: tuple[int, ...], way: str | None, names: tuple[str, ...], said: Size, scene: Scene) -> Made:
+    """Each beside the next one: "3, 2 and 1 blocks from left to right", where one block stands by itself; with no way
+    told, wherever each stands."""
     things = [scene.things[name] for name in names]
     if len({(t.color, t.label, t.kind, t.size, t.edge) for t in things}) > 1:
         raise refuse("ambiguous", "it is not said which blocks are in which tower", said.span,
@@ -77,10 +84,12 @@ def _in_order(heights: tuple[int, ...], way: str, names: tuple[str, ...], said: 
     for lot in lots:
         alone: list[g.Goal] = [r.OnTable(a=lot, span=said.span), r.Clear(a=lot, span=said.span)]
         goals += alone if len(lot) == 1 else [s.Stack(blocks=lot, exact=True, span=said.span)]
+    built = [scene.add_built("stack", lot, False, said.span) for lot in lots]
+    if way is None:
+        return built, goals
     node: type[r.LeftOf | r.InFrontOf] = r.LeftOf if way in ("left", "right") else r.InFrontOf
     feet = [lot if len(lot) == 1 else Lowest(lowest=lot) for lot in lots]
     goals += [node(a=a, b=b, span=said.span) for a, b in pairwise(feet)]
-    built = [scene.add_built("stack", lot, False, said.span) for lot in lots]
     ends = ("left", "right") if way in ("left", "right") else ("front", "back")
     scene.sides.update({built[0].key: ends[0], built[-1].key: ends[1]})
     return built, goals

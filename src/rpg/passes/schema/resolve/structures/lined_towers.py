@@ -52,7 +52,7 @@ def lined_up(shape: Structure, spec: Spec) -> Structure:
         return shape
     if heights := next((z for z in shape.sizes if z.what == "heights"), None):
         raise refuse("ambiguous", "it is not said which of the towers in the row has which height", heights.span,
-                     "say of which blocks each tower is, one by one")  # fmt: skip
+                     "say how high each is 'from left to right', or of which blocks each tower is")  # fmt: skip
     spec.intos = []
     spec.lined = True
     own = tuple(a for a in shape.details if not isinstance(a, Into))

@@ -5,14 +5,17 @@ from __future__ import annotations
 from copy import copy
 
 from rpg.ir import goal as g
+from rpg.language.grammar.structures.copies import ALIKE, LISTED, SHARED
 from rpg.language.meaning import Amount, Noun, OrderBy, Pronoun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.copies import equal_share, in_one_order
 from rpg.passes.schema.resolve.structures.several import MOST, Maker
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import create, give, matching, open_to
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
 
 Made = tuple[list[Built], list[g.Goal]]
+_ENDS = {"bottom": "top", "left": "right", "front": "back", "top": "bottom", "right": "left", "back": "front"}
 KINDS = ("stack", "row", "line", "column")
 
 
@@ -23,8 +26,18 @@ def each_made_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, 
     spec.orders = [o for o in spec.orders if o.by != "each"]
     if len(said) > 1 or shape.kind not in KINDS or spec.absolutes or spec.patterns:
         raise refuse("misplaced", "this does not go together with what else is said", lot.span, "say it of each alone")
+    if not lot.items:
+        raise refuse("ambiguous", "it is not said which blocks each of these has", lot.span,
+                     "list them behind a colon, as in 'two identical towers: red, blue, green'")  # fmt: skip
     pool = _pool(shape, spec, theme, scene)
     count = _count(shape, lot, pool)
+    if lot.values == SHARED:
+        lot = replace(lot, items=equal_share(lot, count))
+    if lot.attribute == LISTED:
+        way = spec.first(*_ENDS)
+        lot = replace(lot, first=way or lot.first)
+        if way is None:
+            scene.assume(f"the order is read from {lot.first} to {_ENDS[lot.first or '']}")
     sizes = {z.amount for z in shape.sizes} | ({getattr(shape.members, "amount", None)} if shape.each_size else set())
     if sizes - {Amount(len(lot.items), len(lot.items)), None}:
         raise refuse("count-mismatch", f"of each {len(lot.items)} blocks are named, but another number is said",
@@ -49,7 +62,7 @@ def each_made_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, 
         raise refuse("count-mismatch", f"{len(left)} of the blocks are in none of them", lot.span,
                      "say what each has so that all are used", left=len(left))  # fmt: skip
     spec.orders, spec.toward, spec.spacings = [], [], []
-    return built, goals
+    return built, in_one_order(goals, scene) if lot.attribute == ALIKE else goals
 
 
 def _pool(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> list[Thing] | None:

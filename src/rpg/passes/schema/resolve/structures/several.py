@@ -56,6 +56,8 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
         return False
     if shape.kind != "stack":
         return shape.kind not in APART
+    if any(z.what == "heights" for z in shape.sizes):
+        return False  # which are told apart by these
     apart = _to_each_other(spec) or ((spec.lined or _own_patches(spec)) and not spec.patterns)
     return _sided(spec) is not None or any(map(_whole, spec.absolutes)) or apart
 

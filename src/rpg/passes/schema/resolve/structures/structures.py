@@ -60,9 +60,8 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
         figures.check_built(shape)
     spec = Spec()
     built, goals = make(shape, spec, None, scene, scope)
-    ref = Ref(
-        names=tuple(dict.fromkeys(n for b in built for n in b.members)), built=tuple(built), plural=len(built) > 1
-    )
+    names = tuple(dict.fromkeys(n for b in built for n in b.members))
+    ref = Ref(names=names, built=tuple(built), plural=len(built) > 1)
     if spec.absolutes:
         from rpg.passes.schema.resolve.places.placing import absolutes
 
@@ -77,7 +76,8 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
 def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Build a structure (or several) from `theme`, its own members, or new blocks."""
     if (shape.det == "other" and theme is None) or shape.traits.rank is not None:
-        raise refuse("no-referent", "it is not clear what this is one of", shape.span, "say what the others are")
+        raise refuse("no-referent", "it is not clear what this is one of", shape.span,
+                     "tell of all of them, as in 'there is a red tower of three and a blue tower of two'")  # fmt: skip
     shape = replace(
         shape,
         sizes=(*shape.sizes, *spec.sizes),

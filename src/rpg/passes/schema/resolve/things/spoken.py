@@ -171,13 +171,17 @@ def _group_of(noun: Noun, scene: Scene) -> Ref | None:
 
 
 def _ranked(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
-    """ "the first tower", "the left stack": the one of those built that is meant."""
+    """ "the first tower", "the left stack", "the taller tower": the one of those built that is meant."""
     rank = shape.traits.rank
     if rank is None:
         return found
     if len(found) > 1 and (rank.isdigit() or rank == "last"):
         index = len(found) if rank == "last" else int(rank)
         return found[index - 1 : index]
+    if rank in ("most", "least"):
+        long = sorted({len(built.members) for built in found})
+        utmost = long[-1 if rank == "most" else 0] if len(long) > 1 else None
+        return [built for built in found if len(built.members) == utmost]
     return on_their_sides(rank, found, scene)
 
 

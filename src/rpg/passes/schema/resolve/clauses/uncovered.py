@@ -45,7 +45,9 @@ def _off_which(said: Clause, known: Sequence[tuple[Noun, Noun]]) -> Clause:
         return said
     mark = place.landmark
     upon = [top for top, below in known if isinstance(mark, Noun) and below.traits == mark.traits]
-    return replace(said, theme=replace(upon[0], det="the", amount=None)) if len(upon) == 1 else said
+    if len(upon) != 1 or said.theme is None:
+        return said
+    return replace(said, theme=replace(upon[0], det="the", amount=None, span=said.theme.span))
 
 
 def _one(meaning: Meaning | None) -> bool:

@@ -327,7 +327,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
         left = more
     elif noun.det == "another" or not left:
-        second = patch and noun.det == "other" and not noun.plural and one_alone(noun, scene)
+        second = noun.det == "other" and not noun.plural and one_alone(noun, scene, patch)
         if noun.det == "other" and not left and not noun.traits.colors and not second:
             known = any(t.declared for t in scene.things.values())
             told = "every block is spoken for already" if known else "it is not said which other block"

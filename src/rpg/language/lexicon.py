@@ -100,7 +100,7 @@ VERBS = {
     "reverse": "reverse",
     "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",
-    "unstack": "unstack unload dismantle disassemble topple destack",
+    "unstack": "unstack unload dismantle disassemble topple destack unpile",
     "use": "use take",
     "touch": "touch disturb bump knock jostle",
     "ignore": "ignore",

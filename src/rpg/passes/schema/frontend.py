@@ -10,6 +10,7 @@ from typing import Protocol
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.called import without_names
+from rpg.language.fondness import without_feelings
 from rpg.language.formulas import formulas_told
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
@@ -75,7 +76,8 @@ class BuiltinFrontEnd:
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
         tokens, named = without_names(untitled(tokens[over:]))
         tokens, nicknames = without_nicknames(tokens)
-        named = [*named, *nicknames]
+        tokens, feelings = without_feelings(tokens)
+        named = [*named, *nicknames, *feelings]
         words, notes, wrong = read_words(tokens)
         if wrong and (plain := without_remarks(words, wrong)) is not None:
             (words, remarks), wrong = plain, []

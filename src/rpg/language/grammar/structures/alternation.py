@@ -123,6 +123,14 @@ _AFTER = (
     "in turns",
     "in turn",
 )
+_CHOSEN = "of_your_choice|of_your_choosing|you_like|that_you_like|you_choose|of_any_kind|whichever|as_you_like"
+_ANY_TWO = Patterns(
+    f"that|which? alternate|alternates|alternating|switching between? any|some? two|2 different? colors {_CHOSEN}?",
+    f"in|with|of|using? two|2? alternating colors {_CHOSEN}",
+    "with|in|using|of any|some? two|2 different? colors alternating|that_alternate|which_alternate|in_alternation|"
+    "in_turn",
+)
+"""Two colours, whichever, alternate."""
 _WITH = ("alternate with", "alternates with", "take turns with", "are alternating with")
 _TURNING = frozenset(phrase.split()[-1] for phrase in _AFTER) | {"alternates"}
 _WHERE = ("in which", "where", "with", "so that", "such that", "so", ",")
@@ -144,8 +152,9 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
             if p.words[j] != "," or not any(isinstance(x, Noun) and x.amount for x in parts_of(found)):
                 yield found, k
     lined = p.anywhere(_LINES)
-    for patterns, by in (*_KEPT_APART[: 1 + lined], (_MIRRORED, "mirrored")):
-        yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
+    for patterns, by in (*_KEPT_APART[: 1 + lined], (_ANY_TWO, "alternating"), (_MIRRORED, "mirrored")):
+        start = p.opt(i, ",") if patterns is _ANY_TWO else i
+        yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, start))
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
         set_off = p.one(j, (",", ":")) if p.follows(j, ("colors",)) else 0

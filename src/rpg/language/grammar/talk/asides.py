@@ -11,7 +11,7 @@ from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
-from rpg.language.grammar.talk.left_open import FREE, LOOSE
+from rpg.language.grammar.talk.left_open import FOREIGN, FREE, LOOSE
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
@@ -33,6 +33,7 @@ _ANYWHERE = (
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
     "kinda", "possibly", "while you are at it", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
     "my dear", "dear", "sweetheart", "darling", "honey", "hereby", "by contrast", "in contrast",
+    "grazie", "merci", "danke", "gracias", "bitte", "por favor", "nah", "nope", "asap",
     "bro", "gg", "gl", "hf", "noob", "if you would", "sorry about the mess", "easy one", "tada",
     "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
     "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",
@@ -314,6 +315,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_ANYWHERE, lambda words, first, last: True),
     (_EMPHASIS, lambda words, first, last: _emphatic(words, last)),
     (FREE, _set_off),
+    (FOREIGN, lambda words, first, last: True),
     (LOOSE, lambda words, first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
     (_ANYPLACE, _anyplace),
     (_ALL_OVER, _all_over),

@@ -55,7 +55,8 @@ _SWAPPED = tuple(
 _SWAP = (
     *_SWAPPED, "be swapped", "swap", "swaps",
     *(f"{swap}{s} {places}" for swap in ("swap", "trade", "change", "exchange", "switch") for s in ("", "s")
-      for places in ("places", "positions", "place", "their places", "their positions", "its place")),
+      for places in ("places", "positions", "place", "their places", "their positions", "its place",
+                    "the place", "the places", "the positions", "the position")),
 )  # fmt: skip
 _MOVE = frozenset({"move", "shift", "budge"})
 _HAVE = frozenset({"have", "has"})

@@ -11,7 +11,7 @@ from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
-from rpg.language.grammar.talk.left_open import FOREIGN, FREE, LOOSE
+from rpg.language.grammar.talk.left_open import ANY_OF_THEM, FOREIGN, FREE, LOOSE
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
@@ -30,7 +30,8 @@ _ANYWHERE = (
     "idk", "tbh", "btw", "by the way", "imo", "fyi", "i guess", "i suppose", "you know", "dunno", "i do not know",
     "basically", "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
     "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
-    "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
+    "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush",
+    "no hurry", "asap", "as soon as possible",
     "kinda", "possibly", "while you are at it", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
     "my dear", "dear", "sweetheart", "darling", "honey", "hereby", "by contrast", "in contrast",
     "grazie", "merci", "danke", "gracias", "bitte", "por favor", "nah", "nope", "asap",
@@ -310,11 +311,19 @@ def _meant(tokens: list[Token], at: int) -> list[Token]:
     return [replace(token, word="and") if thing or place or letter else token]
 
 
+def _of_so_many(words: list[str], first: int, last: int) -> bool:
+    """ "A tower of three on the patch, any cubes": at the end, where it was said how many there are."""
+    ends = last == len(words) or words[last] in _STOPS
+    counted = any(not word or lexicon.NUMBER.get(word, 0) > 1 for word in words[:first])  # digits are no words
+    return ends and first > 0 and words[first - 1] == "," and counted
+
+
 _Fits = Callable[[list[str], int, int], bool]
 _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_ANYWHERE, lambda words, first, last: True),
     (_EMPHASIS, lambda words, first, last: _emphatic(words, last)),
     (FREE, _set_off),
+    (ANY_OF_THEM, _of_so_many),
     (FOREIGN, lambda words, first, last: True),
     (LOOSE, lambda words, first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
     (_ANYPLACE, _anyplace),

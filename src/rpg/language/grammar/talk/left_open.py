@@ -50,6 +50,16 @@ FREE = (
         for hue in ("color", "colors")
         for have in ("", " they have", " they are", " you use", " you take", " it has", " it is")
     ),
+    *(f"{lead} {which} {blocks}{use}"
+      for lead in ("it does not matter", "does not matter", "no matter", "i do not care", "do not care",
+                   "i do not mind")
+      for which in ("which", "what")
+      for blocks in ("blocks", "cubes", "ones")
+      for use in ("", " you use", " you take")),
+    *(f"{lead} {hues}"
+      for lead in ("i do not care about", "do not care about", "never mind", "no matter", "i do not mind")
+      for hues in ("colors", "the colors", "the color")),
+    "colors random", "color random",
     "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
     "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
     "that is all", "that is it", "i think",
@@ -84,6 +94,13 @@ FREE = (
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
+ANY_OF_THEM = tuple(
+    f"{which} {blocks}{free}"
+    for which in ("any", "whichever", "whatever", "just any", "any old", "random")
+    for blocks in ("blocks", "cubes", "bricks", "ones")
+    for free in ("", " you like", " you want", " will do", " are fine", " do")
+)
+"""Behind so many blocks, at the end of their sentence, that it may be any."""
 FOREIGN = (
     "grazie", "grazie mille", "merci", "merci beaucoup", "merci bien", "danke", "danke schon", "vielen dank",
     "bitte", "gracias", "muchas gracias", "por favor", "obrigado", "obrigada", "muito obrigado", "per favore",

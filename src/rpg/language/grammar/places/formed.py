@@ -15,7 +15,8 @@ def formed(p: Parser, k: int, theme: Meaning) -> Results[Structure]:
     """ "(a mat with) three white blocks in a row (on it)": a row of them."""
     counted = isinstance(theme, Noun) and theme.head != "patch" and theme.amount is not None and theme.amount.low > 1
     for phrase, end in p.standing(k, _SHAPES) if counted else ():
-        yield Structure(kind=_SHAPES[phrase], members=theme, span=(theme.span[0], p.span(k, end)[1])), end
+        span = (theme.span[0], p.span(k, end)[1])
+        yield Structure(kind=_SHAPES[phrase], members=theme, span=span, cost=1), end  # dearer than "these are stacked"
 
 
 _SIDES = frozenset({"left", "right", "front", "behind"})

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from rpg.core.diagnostics import Diagnostic
+from rpg.passes.schema.figure_hints import FIGURE_WISHES
 from rpg.passes.schema.symbol_hints import about_symbols
 
 _VAGUE = frozenset({"incomplete", "misplaced-word", "no-goal", "unknown-word"})
@@ -127,6 +128,7 @@ _WISHES = (
         "say all of it, as in 'make 4 + 6 = 10'",
     ),
     *_UNCHECKED,
+    *(_Wish(*told) for told in FIGURE_WISHES),
     _Wish(
         re.compile(rf"\b(?:letter|shape of an?|shape of the letter) [{_UNLAID}]\b(?! (?:block|cube|on\b))"),
         f"blocks are laid out as {_LAID}, and as no other letter",

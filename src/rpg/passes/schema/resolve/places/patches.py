@@ -343,6 +343,8 @@ def dealt(units: list[tuple[str, ...]], patches: tuple[str, ...], span: Span) ->
         counted = [_so_many(names, p, least, 1, span) for p in patches]
         placed = [disj([r.OnPatch(a=(n,), patch=p, span=span) for p in patches], span) for n in names]
         return conj(counted if least else [*placed, *counted], span)
+    if len(patches) > MAX_SHARED and len(units) == len(patches):  # one on each, so that each is on one
+        return conj([disj([r.OnPatch(a=u, patch=p, span=span) for u in units], span) for p in patches], span)
     if len(patches) > MAX_SHARED:
         raise refuse("ambiguous", "it is not said which go on which patch", span, "name the patch of each")
     ways = permutations(patches, len(units))

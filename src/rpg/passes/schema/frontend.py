@@ -10,6 +10,7 @@ from typing import Protocol
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.called import without_names
+from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.stock_ahead import stock_ahead
@@ -73,8 +74,9 @@ class BuiltinFrontEnd:
         if over := title(tokens):
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
         tokens, named = without_names(untitled(tokens[over:]))
+        tokens, glosses = without_glosses(tokens)
         tokens, nicknames = without_nicknames(tokens)
-        named = [*named, *nicknames]
+        named = [*named, *glosses, *nicknames]
         words, notes, wrong = read_words(tokens)
         if wrong and (plain := without_remarks(words, wrong)) is not None:
             (words, remarks), wrong = plain, []

@@ -44,7 +44,7 @@ def stacked_on_each(clause: Clause, spec: Spec) -> Clause:
     blocks = clause.theme
     if clause.verb != "stack" or clause.negated or clause.mode == "start" or not isinstance(blocks, Noun):
         return clause
-    several = blocks.det == "bare" and blocks.amount is not None and blocks.amount.low == blocks.amount.high > 1
+    several = blocks.det == "bare" and blocks.amount is not None and blocks.amount.high == blocks.amount.low > 1
     each = any(isinstance(p, Loc) and p.rel == "on" and not p.negated and _on_each(p.landmark) for p in spec.places)
     if not (several and each) or blocks.part_of is not None or spec.intos:
         return clause

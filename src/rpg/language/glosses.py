@@ -98,6 +98,8 @@ def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
     begins = at == 0 or words[at - 1] in _BEFORE
     noun = at + (words[at] in ("each", "every", "the", "all"))
     noun += words[noun - 1 : noun + 1] == ["all", "the"]
+    many = noun if words[noun : noun + 1] != [] and words[noun] in lexicon.NUMBER else None
+    noun += many is not None
     plural = _KINDS.get(words[noun]) if begins and noun < len(words) else None
     if plural is None or not (plural or words[at] in ("each", "every")):
         return
@@ -105,7 +107,9 @@ def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
     end = _name(tokens, name) if words[noun + 1 : noun + 2] == ["are" if plural else "is"] else name
     if end == name + 1 and (end == len(words) or words[end] in _CLOSED) and _elsewhere(words, name, end, plural):
         end += words[end : end + 1] != []
-        yield _Gloss(at, end, words[name : name + 1], [], [tokens[noun]])
+        there = [tokens[at].saying(word) for word in ("there", "are")]
+        here = [*there, tokens[many], tokens[noun], tokens[noun].saying(".")] if many is not None else []
+        yield _Gloss(at, end, words[name : name + 1], here, [tokens[noun]])
 
 
 def _several(gloss: _Gloss) -> Iterator[tuple[list[str], list[Token]]]:

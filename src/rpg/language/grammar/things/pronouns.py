@@ -21,7 +21,7 @@ _ON = frozenset({"on", "onto"})
 _OR = frozenset({"or", "like", "make", "build"})
 """Behind these "something" is no block."""
 _CLOSED = frozenset({".", ",", ";"})
-_NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next", "stacked"}
+_NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next", "stacked", "left"}
 _OF_THEM = ("of them", "of these", "of those")
 
 

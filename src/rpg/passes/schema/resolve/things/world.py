@@ -185,6 +185,7 @@ class Scene:
     told: set[str] = field(default_factory=set)
     on_top: dict[str, str] = field(default_factory=dict)
     begun_on: set[str] = field(default_factory=set)
+    on_bare: set[str] = field(default_factory=set)
     placing: bool = False
     denying: bool = False
     describing: bool = False

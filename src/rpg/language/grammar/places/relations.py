@@ -14,6 +14,7 @@ from rpg.language.grammar.places.near_enough import near_enough
 from rpg.language.grammar.places.offsets import centred_on
 from rpg.language.grammar.places.other_side import other_side
 from rpg.language.grammar.places.outside import neither, outside
+from rpg.language.grammar.places.own_color import on_its_color
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
 from rpg.language.grammar.things.nouns import noun_phrase
@@ -76,6 +77,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from centred_on(p, i)
     yield from outside(p, i)
     yield from neither(p, i)
+    yield from on_its_color(p, i)
     yield from flanking(p, i)
     yield from diagonal(p, i)
     yield from across(p, i)

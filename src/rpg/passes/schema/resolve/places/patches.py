@@ -7,7 +7,7 @@ from itertools import permutations
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.ir.node import EACH
+from rpg.ir.node import EACH, members
 from rpg.ir.schema import COLORS_UNSAID
 from rpg.language.meaning import Amount, Loc, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
@@ -263,6 +263,15 @@ def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
         members = tuple(b.name for b in blocks if b.color == color)
         goals.append(r.OnPatch(a=members, patch=patch.name, span=span))
     return goals
+
+
+def none_matching(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
+    """ "no block on the patch of its colour": there is one of every colour, and none of the blocks is on its own."""
+    if not theme.names:
+        raise refuse("no-referent", "it is not said which blocks there are", span, "say first which blocks there are")
+    there = matching_patches(replace(theme, quant=None), mark, scene, span)
+    own = [(n, x) for x in there if isinstance(x, r.OnPatch) for n in members(x.a)]
+    return [g.Not(goal=x.model_copy(update={"a": (n,)}), span=span) for n, x in own]
 
 
 def any_of_the_rest(mark: Ref, loc: Loc) -> Ref:

@@ -29,7 +29,7 @@ OTHER = {
 """Words and what would mean something else in their place."""
 PASSING = re.compile(
     r"step|stage|other two|twice|or more|\d\)|both ends|back (?:again|to)|the two|its two|symm|mirror"
-    r"|\b(?:er|um|uh|sorry)\b|except that|be left (?:on|there)|second (?:one )?from the|across the top|actually"
+    r"|\b(?:er|um|uh|sorry)\b|except that|(?:be|is) left (?:on|there)|second (?:one )?from the|across the top|actually"
     r"|\bI mean\b",
     re.I,
 )

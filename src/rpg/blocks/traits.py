@@ -12,6 +12,8 @@ from rpg.ir.order import Attribute
 GRADIENT = ("red", "orange", "yellow", "green", "cyan", "blue", "purple", "pink")
 """The colours of a gradient or rainbow, in order."""
 VOWELS = frozenset("AEIOU")
+QUALITIES = {"vowel": "AEIOU", "consonant": "BCDFGHJKLMNPQRSTVWXYZ", "even": "24680", "odd": "13579"}
+"""What symbols are called together, and which these are, in the order in which they are chosen."""
 UP: Vec3 = (0.0, 0.0, 1.0)
 AWAY: Vec3 = (1.0, 0.0, 0.0)
 TO_VIEWER: Vec3 = (-1.0, 0.0, 0.0)
@@ -34,6 +36,11 @@ def symbols_shown(state: BlockState, names: tuple[str, ...], normal: Vec3) -> di
         if isinstance(block, SemanticCube) and block.labels is not None:
             found[name] = reads(state, name, normal, None)[0]
     return found
+
+
+def symbols_of(quality: str) -> str:
+    """The symbols of a quality, which names them together or lists them: "odd", "789"."""
+    return QUALITIES.get(quality, quality)
 
 
 def kind_of(symbol: str) -> str:

@@ -9,17 +9,27 @@ from rpg.language.grammar.core import Parser
 _CONDITIONS = (("if",), ("unless",), ("in", "case"), ("depending", "on"), ("otherwise",), ("else",), ("whenever",),
                ("only", "if"), ("even", "if"), ("provided",), ("on", "condition"), ("in", "the", "event"),
                ("except", "if"), ("or", "else"))  # fmt: skip
+_ANY_BLOCK = frozenset({"a", "any", "each", "every", "it", "block", "cube", "box", "is", "has"})
+_LONGEST = 3
 _STOPS = (",", ":", ";", "then")
 _NO_SUBJECT = frozenset({"be", "have", "look", "also", "only", "not", "i", "we", "you", "end", "get", "form"})
 
 
 def conditional(p: Parser, at: int) -> Diagnostic | None:
     """The refusal of a condition, where the reading came to a halt at one."""
-    for begin in range(max(0, at - 2), min(at + 1, p.end)):
+    for begin in range(max(0, at - 2 - _LONGEST), min(at + 1, p.end)):
         said = max((len(x) for x in _CONDITIONS if tuple(p.words[begin : begin + len(x)]) == x), default=0)
-        if said and begin <= at <= begin + said:
+        if said and begin <= at <= begin + said + _subject(p, begin + said):
             return _refused(p, begin)
     return None
+
+
+def _subject(p: Parser, i: int) -> int:
+    """How many words of a subject without looks stand there, "a block is": a reading may come as far as that."""
+    end = i
+    while end - i < _LONGEST and p.stands(end, _ANY_BLOCK):
+        end += 1
+    return end - i
 
 
 def inverted(p: Parser, i: int) -> Diagnostic | None:

@@ -43,7 +43,7 @@ UNITS = {
 DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
-LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece"
+LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen"
 PATCH_NOUNS = "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster"
 TABLE_NOUNS = "table tabletop workspace desk surface"
 LETTER_NOUNS = "letter character"
@@ -60,7 +60,7 @@ STRUCTURES = {
     "wall": "wall",
     "pyramid": "pyramid",
     "staircase": "staircase stair stairway step stairs steps",
-    "square": "square",
+    "square": "square frame",
     "rectangle": "rectangle oblong",
     "triangle": "triangle",
     "circle": "circle ring loop",
@@ -199,7 +199,7 @@ BLOCK = _nouns(BLOCK_NOUNS)
 LOOSE_BLOCK = _nouns(LOOSE_BLOCK_NOUNS)
 PATCH = _nouns(PATCH_NOUNS)
 TABLE = _nouns(TABLE_NOUNS)
-LETTER = _nouns(LETTER_NOUNS)
+LETTER = _nouns(LETTER_NOUNS) | {"initials": True}
 DIGIT = _nouns(DIGIT_NOUNS)
 SYMBOL = _nouns(SYMBOL_NOUNS)
 STRUCTURE = _structures()

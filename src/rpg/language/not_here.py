@@ -16,11 +16,18 @@ _DOINGS = """
     poke poking throw throwing toss roll rolling shake shaking kick kiss hug juggle bounce tap tapping trace tracing
     hover wiggle wobble wave squeeze catch fling swing lick tickle knock spill pour hammer bump nudge prod scratch
 """
+_FEELINGS = "scared afraid frightened lonely shy sad jealous angry bored hungry sleepy happy"
+_STREWN = "scatter strew"
+_CENTRES = "centroid barycenter"
 _KINDS = (
     (_THINGS, "tasks are made of blocks (cubes, plain or with a letter or digit) and flat patches: use one of these"),
     (_BUILT, "say how its blocks lie, as in 'a row of three blocks', 'a tower', 'a pyramid', 'stairs' or 'an L'"),
     (_DOINGS, "only what is so at the end is checked: say where the block should be then, as in 'move the red block "
               "to the left'"),
+    (_FEELINGS, "blocks feel nothing: say where they should be, as in 'put the red block far from the blue block', "
+                "or 'next to' it"),
+    (_STREWN, "say 'spread the blocks out' where none should be near another one"),
+    (_CENTRES, "of two blocks a third can be halfway 'between' them; of more no middle is known"),
 )  # fmt: skip
 HINTS = {word: hint for words, hint in reversed(_KINDS) for word in words.split()}
 """What to say of such a word."""

@@ -52,7 +52,7 @@ _TEXT = """
     relieve relieved remarks repairs repeated replied replies reporting residents resolve restored resumed retained
     retaining retirement retiring retreat reunion rev revealed revealing revelation revenge revenue revenues revised
     rewarded rid rider ridge riding rig rodgers root roots rope rounder rugby ruin ruins ruler rung sad safer sake salt
-    samples san sand sands savings scatter scent scoring screaming screams sea seas sec secondary sections seeds seek
+    san sand sands savings scatter scent scoring screaming screams sea seas sec secondary sections seeds seek
     seeking seize seized selection selective sell selling sells sentence sentences sept serious servant server setback
     sevens seventeenth sew shades shadows shake shallow shelf shelter shirts shock shooter shopping shore shores shout
     shouting shuttle sick sigh signals simpler sims sincere sing sixteenth ski slanted sleepy slice slices slider

@@ -19,6 +19,7 @@ from rpg.language.grammar.talk.answered import with_answers
 from rpg.language.grammar.talk.asides import SOFT
 from rpg.language.grammar.talk.chatter import announces, idle
 from rpg.language.grammar.talk.commands import AFTER_THAT, WHEN_OVER
+from rpg.language.grammar.talk.legible import legible
 from rpg.language.grammar.talk.smalltalk import without_talk
 from rpg.language.grammar.things.lists import with_commas
 from rpg.language.meaning import Chain, Clause, cost_of
@@ -141,7 +142,8 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    parts = in_one_sentence(in_one(_with_predicates(told_first(with_answers(split(as_steps(tokens)))))))
+    parts = in_one(_with_predicates(told_first(with_answers(legible(split(as_steps(tokens)))))))
+    parts = in_one_sentence(parts)
     read: Parts = []
     headed: int | None = None
     for part in [part for part in parts if not idle(part)] or parts:
@@ -169,16 +171,8 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
         if sentence.link == "then" and any(AFTER_THAT.matches(Parser(part), 0)) and not any(map(_asks, sentences[:n])):
             raise Refusal([stuck(Parser(part))])
     if not sentences:
-        raise Refusal(
-            [
-                Diagnostic(
-                    code="no-words",
-                    message="there are no words in this",
-                    hint="say what should be done with which blocks",
-                    origin="schema",
-                )
-            ]
-        )
+        hint = "say what should be done with which blocks"
+        raise Refusal([Diagnostic(code="no-words", message="there are no words in this", hint=hint, origin="schema")])
     return sentences
 
 

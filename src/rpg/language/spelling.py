@@ -266,6 +266,8 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     if before == ":" and two in _WORD_LEADS | _SPELLERS:  # "word: robot", and no more
         alone = index + 1 == len(tokens) or tokens[index + 1].kind == "punct"
         return alone and word not in _NOT_LITERAL
+    if before == "is" and two == "name" and word not in known:  # "my name is Anna"
+        return True
     if before in _WORD_LEADS and two in ("the", "spell", "spells", "a", "out"):
         goes_on = index + 1 < len(tokens) and tokens[index + 1].kind == "word" and not tokens[index].raw.isupper()
         told = index > 2 and tokens[index - 3].word in _MAKERS

@@ -49,6 +49,8 @@ _ACTIVITIES = _words(
     "manipulation spelling tabletop blocks the a"
 )
 """What a text may be about, where it says more behind that."""
+_ERRANDS = (["pick", "and", "place"], ["pick", "place"], ["pick", "and", "stack"])
+"""Such a title alone."""
 _CALLS = _words("urgent important attention fyi hint tip ps nb todo update reminder warning announcement")
 _SPEAKERS = frozenset(PEOPLE.split("|")) | _words("me operator human speaker commander instructor")
 _MARKS = frozenset({":", "-", "–", "—"})
@@ -175,6 +177,10 @@ def _title(tokens: list[Token], at: int) -> int:
         return at
     if mark.raw in _MARKS and len(words) == 1 and (head.word in _CALLS or (mark.word == ":" and _speaks(head))):
         return end + 1
+    if [word.word for word in words] in _ERRANDS and mark.word == ":":
+        return end + 1
+    if mark.raw in _MARKS and len(words) == 1 and _one_name(head):
+        return end + 1
     if mark.word == "!" and len(words) == 1 and head.word in _CALLS:
         return end + 1
     sorts = words[:-1]
@@ -210,6 +216,12 @@ def _strange(token: Token) -> bool:
         return False
     near = nearest(token.word, 1 if len(token.word) < LONG_WORD else 2)
     return not any(len(known) > 2 and slip(token.word, known) for known in near)
+
+
+def _one_name(token: Token) -> bool:
+    """ "PushCube - ...": several words written as one."""
+    inside = token.raw[1:]
+    return token.raw[:1].isupper() and inside != inside.lower() and not token.raw.isupper() and _strange(token)
 
 
 def _speaks(token: Token) -> bool:

@@ -79,6 +79,7 @@ _EQUATION = re.compile(rf"\d+(?:\s*{_SIGN}\s*\d+)+\s*=\s*\d+|\d+\s*=\s*\d+(?:\s*
 _PIECES = re.compile(
     rf"""
     (?P<bullet>(?:(?<=\n)|^)\s*(?:[-*•]|\d{{1,2}}[.)])(?=\s)|(?<!\w)\d{{1,2}}\)(?=\s))
+  | (?P<smile>(?<![\w:;])[:;]-?[)(]+(?=\s*$|\s*[.!?,;]|\s+[A-Za-z]))
   | (?P<line>\n\s*(?=[A-Z][a-z]+\b|[a-z]+(?:\ [a-z]+)?\s*[:=]))
   | (?P<equation>(?:{_EQUATION.pattern})(?!\w))
   | (?P<aside>\b(?:i\.e\.|e\.g\.|viz\.)[,:]?)
@@ -130,6 +131,11 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
             at += 1
             continue
         raw, end = found.group(), found.end()
+        if found.lastgroup == "smile":  # in brackets it is a colon at their end
+            inside = text.count("(", 0, at) > text.count(")", 0, at)
+            tokens += [Token("punct", raw[0], raw[0], (at, at + 1))] if inside else []
+            at = at + 1 if inside else end
+            continue
         if found.lastgroup == "line":
             ended = tokens and tokens[-1].kind != "punct" and tokens[-1].word not in _GOES_ON
             tokens += [Token("punct", ";", raw, (at, end))] if ended else []

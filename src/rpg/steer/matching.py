@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.blocks.traits import VOWELS, kind_of, symbol_of
+from rpg.blocks.traits import kind_of, symbol_of, symbols_of
 from rpg.steer.requests.language import m
 from rpg.steer.view import View
 
@@ -21,7 +21,7 @@ def matches(view: View, name: str, traits: m.Traits) -> bool:
         return False
     if traits.scheme == "some" and symbol:
         return False
-    if traits.quality and not _of_quality(symbol, traits.quality):
+    if traits.quality and (not symbol or symbol not in symbols_of(traits.quality)):
         return False
     edge = view.world.edge[name]
     if traits.edge is not None and abs(edge - traits.edge) > 1e-6:
@@ -32,9 +32,3 @@ def matches(view: View, name: str, traits: m.Traits) -> bool:
     if traits.size == "small":
         return edge == min(edges) < max(edges) or edge < 0.04
     return True
-
-
-def _of_quality(symbol: str, quality: str) -> bool:
-    if quality in ("vowel", "consonant"):
-        return symbol.isalpha() and (symbol in VOWELS) == (quality == "vowel")
-    return symbol.isdigit() and (int(symbol) % 2 == 1) == (quality == "odd")

@@ -22,6 +22,7 @@ from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.numbers_had import Numbers, edges_of, numbers_of, symbols_of
+from rpg.passes.schema.worked_out import worked_out
 
 PASSING = frozenset({"the", "no", "any", "those", "these", "other", "all", "step", "stage", "row", "column", "level",
                      "layer", "floor", "tier"})  # fmt: skip
@@ -68,7 +69,7 @@ _PLAIN = {
     "swap swapped exchange": "swapped",
     "tower towers stacks": "stack towers on grid pyramid",
     "triangle": "triangle",
-    "upside": "facing stack",
+    "upside": "facing stack figure",
 }
 PLAIN = {word: frozenset(terms.split()) for words, terms in _PLAIN.items() for word in words.split()}
 """Words whose meaning depends on no other word, with the terms of a goal one of which they come to."""
@@ -100,7 +101,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         listed = index > 0 and words[index - 1].word in (",", "and")
         if token.kind == "sign" and listed and token.word in SIGNS and token.word not in shown:
             return token
-        if _nowhere(words, index, terms) and not _spelt(token, task):
+        if _nowhere(words, index, terms) and not (_spelt(token, task) or worked_out(words, index, shown)):
             return token
         if token.word in SYMBOLS and not any(map(SYMBOLS[token.word], shown)):
             return token
@@ -133,7 +134,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
             return token
         passing = _numbered(words, index, task) or (said == 2 and _in_passing(words, index))
-        if said is not None and said > 1 and not passing:
+        if said is not None and said > 1 and not (passing or worked_out(words, index, shown)):
             numbers = numbers or Numbers(numbers_of(task))
             told = numbers.among(said) or (_measured(words, index + 1) and Numbers(edges_of(task)).among(said))
             if not told and not (_below(words, index) and numbers.among(said - 1)):

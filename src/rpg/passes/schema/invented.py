@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import pairwise, zip_longest
+from itertools import pairwise
 
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
@@ -243,12 +243,21 @@ def _made_up_beside(words: Sequence[Token], task: TaskSchema) -> None:
         return
     shown = {getattr(block, "label", "") for block in task.blocks} - {"", "A", "I"}  # these are words as well
     looks = {block.color for block in task.blocks}
-    named = [t for t, after in zip_longest(words, words[1:]) if not (after and after.word in lexicon.PATCH)]
+    named = [t for n, t in enumerate(words) if not _of_patches(words[n + 1 :])]
     said = [t for t in named if t.raw in shown or lexicon.COLOR.get(t.word) in looks]
     told = [t for t in said if t.raw in shown or not task.assumed(SYMBOLS_UNSAID)]
     if told:
         raise refuse("ambiguous", "some blocks are named, and of others neither number nor look is said",
                      told[0].span, "say of all blocks how many there are, or name them")  # fmt: skip
+
+
+def _of_patches(behind: Sequence[Token]) -> bool:
+    """Whether a colour that stands before these words is that of a patch: "(red) and blue patches"."""
+    noun = next((t for t in behind if t.word not in _LISTED and t.word not in lexicon.COLOR), None)
+    return noun is not None and noun.word in lexicon.PATCH
+
+
+_LISTED = frozenset({"and", "the", "a", ","})
 
 
 def _spoken_of(words: Sequence[Token], task: TaskSchema) -> None:

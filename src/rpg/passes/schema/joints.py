@@ -18,6 +18,7 @@ from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.numbers_had import symbols_of
 from rpg.passes.schema.resolve.things.world import refuse
+from rpg.passes.schema.worked_out import asked_for
 
 _ANEW = frozenset({"other", "others", "another", "more", "further", "new", "separate", "second", "too", "also"})
 """What says that a second word is of other cubes than the first."""
@@ -34,7 +35,8 @@ def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
     _strangers(task)
 
 
-_NO_CHOICE = frozenset({"more", "less", "fewer", "higher", "longer", "farther", "further", "minus", "take", "so"})
+_NO_CHOICE = frozenset({"more", "less", "fewer", "higher", "longer", "farther", "further", "minus", "take", "so",
+                        "greater", "bigger", "larger", "smaller", "lower"})  # fmt: skip
 """What follows an "or" that is part of a measure: "20 cm or more", "give or take 5 mm"."""
 _SORTS = frozenset({"vowel", "parity", "kind"})
 
@@ -42,6 +44,7 @@ _SORTS = frozenset({"vowel", "parity", "kind"})
 def _left_open(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "put A and B on red or blue respectively" as both: what "or" leaves open, the goal must leave open too."""
     said = [one for one, then in pairwise(words) if one.word == "or" and then.word not in _NO_CHOICE]
+    said = [one for one in said if not asked_for(words, one)]
     if not said or any(isinstance(x, GroupBy) and x.by in _SORTS for x in atoms(task.goal)):
         return
     denied = any(not _DENIED.isdisjoint(t.word for t in _before(words, one)) for one in said)

@@ -85,6 +85,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
         if line.order.by == "given":  # "with three pink cubes on each side of it"
             yield from (len([*run]) for _, run in groupby(line.order.ranks, lambda rank: {*map(colors.get, rank)}))
     for atom in atoms(task.goal):
+        if isinstance(atom, Figure) and atom.gap is not None:
+            yield from _how_large(atom, max(asset.size for asset in task.blocks if asset.name in atom.blocks))
         yield from Counter(colors.get(name) for name in set(names(atom))).values()  # "three of the six red blocks"
         if isinstance(atom, Swapped):
             yield len({*members(atom.a), *members(atom.b)})  # "swap the top two"
@@ -95,6 +97,15 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
         # The columns of stairs and the layers of a pyramid have every height, or length, up to the largest.
         if isinstance(atom, Staircase | Pyramid):
             yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)
+
+
+def _how_large(figure: Figure, edge: float) -> Iterator[float]:
+    """The distance of neighbours' centres in an outline, and the length of its side, in all units."""
+    spacing = (figure.gap or 0.0) + edge
+    yield from _inside(spacing)
+    yield from _inside(
+        spacing * len(figure.blocks) / {"square": 4, "triangle": 3}.get(figure.shape, len(figure.blocks))
+    )
 
 
 def edges_of(task: TaskSchema) -> set[float]:

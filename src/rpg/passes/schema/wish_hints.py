@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from rpg.core.diagnostics import Diagnostic
+from rpg.passes.schema.symbol_hints import about_symbols
 
 _VAGUE = frozenset({"incomplete", "misplaced-word", "no-goal", "unknown-word"})
 """Codes of refusals that do not know what was wished."""
@@ -26,7 +27,19 @@ class _Wish:
 _UNCHECKED = (
     _Wish(
         re.compile(
-            r"\bhold(?:s|ing)? (?:it|them|the|this|that|up|still|an?)\b|\b(?:in|into|through) the air\b|\bhover", re.I
+            r"\b(?:hold|keep|stays?|remains?|stands?|stable|wait|leave|lift|there|block|cube|one)\b.*"
+            r"\b(?:for|during|over)(?: at least| about| more than)? (?:\w+|\d+(?:\.\d+)?) ?"
+            r"(?:s|secs?|seconds?|minutes?|min)\b",
+            re.I,
+        ),
+        "how long it stays so is not measured: it is so at the end, when nothing holds or moves the blocks",
+        "leave the time out, as in 'stack the red block on the blue block and let go'",
+    ),
+    _Wish(
+        re.compile(
+            r"\bhold(?:s|ing)? (?:it|them|the(?! most| fewest| least)|this|that|up|still|an?)\b|"
+            r"\b(?:in|into|through) the air\b|\bhover",
+            re.I,
         ),
         "a block that is held has no place at the end: what is checked is how blocks lie when nothing holds them",
         "say where it is put down, as in 'put the red block on the blue block'",
@@ -54,6 +67,16 @@ _UNCHECKED = (
         ),
         "which block or patch that is depends on how the blocks lie at the start, and may change",
         "name it by its colour, as in 'put the red block on the blue patch'",
+    ),
+    _Wish(
+        re.compile(r"\b(?:most|fewest|least) (?:cubes|blocks|boxes|bricks)\b(?! that can)", re.I),
+        "on what the most or the fewest blocks lie depends on how they lie at the start, and may change",
+        "name it by its colour, as in 'clear the red patch'",
+    ),
+    _Wish(
+        re.compile(r"\b(?:completely|fully|entirely|totally|wholly) (?:covered|cover|hidden|filled|fill)\b", re.I),
+        "how much of something is covered is not checked, but only which blocks lie on it",
+        "say how many lie there, as in 'put four blocks on the white patch'",
     ),
     _Wish(
         re.compile(r"\balready\b|\bkeep stacking until\b", re.I),
@@ -119,6 +142,8 @@ _NAMED = re.compile(
 
 def explained(text: str, found: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
     """The diagnostics of a refusal; one that only says that a word does not fit tells what is wrong with the wish."""
+    if told := about_symbols(text, found):
+        return told
     if not found or any(one.code not in _VAGUE for one in found):
         return tuple(found)
     wish = next((wish for wish in _WISHES if wish.pattern.search(text)), None) or _thing(text, found)

@@ -20,8 +20,12 @@ from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
+from rpg.language.grammar.clauses.each_kind import each_kind
+from rpg.language.grammar.clauses.equal_numbers import equal_numbers
+from rpg.language.grammar.clauses.given_own import given_own
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there, what_carries
 from rpg.language.grammar.clauses.made import told_before
+from rpg.language.grammar.clauses.none_empty import none_empty
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.replaced import replaced
 from rpg.language.grammar.clauses.reversed_end import reverse_of_it
@@ -42,10 +46,11 @@ from rpg.language.grammar.structures.details import part_clause
 from rpg.language.grammar.structures.each_color import of_each_color
 from rpg.language.grammar.talk.chatter import CHATTER
 from rpg.language.grammar.talk.commands import COMMANDS, DONT, FIRST, HANDS_OFF
-from rpg.language.grammar.talk.framing import CLOSING, FRAMES
+from rpg.language.grammar.talk.framing import FRAMES
+from rpg.language.grammar.talk.let_go import ENDINGS
 from rpg.language.grammar.talk.people import AGENTS, DOERS, WORKERS
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.talk.wishes import DENIALS, STARTS, STATES, TAGS
+from rpg.language.grammar.talk.wishes import DENIALS, STARTS, STATES
 from rpg.language.grammar.things.alike import all_alike
 from rpg.language.grammar.things.inventory import inventory
 from rpg.language.grammar.things.nouns import noun_phrase, simple
@@ -103,8 +108,8 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     when = "start" if mode == "start" else "goal"
     if mode in ("command", "any", "end"):
         yield from (*_command(p, i), *covered(p, i), *addressed(p, i), *replaced(p, i), *shared(p, i))
-    yield from (*gap(p, i), *widened(p, i))
-    yield from measuring(p, i, when)
+        yield from (*given_own(p, i), *each_kind(p, i))
+    yield from (*gap(p, i), *widened(p, i), *measuring(p, i, when))
     yield from trading_places(p, i)
     yield from state(p, i, when)
     for there, j in exists(p, i):
@@ -114,6 +119,8 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _describe(p, i, when)
     yield from having(p, i, when)
     yield from occupied(p, i, when)
+    yield from none_empty(p, i, when)
+    yield from equal_numbers(p, i) if mode != "start" else ()
     yield from on_what_is_named(p, i, when)
     yield from told_before(p, i, when)
     if mode != "start":
@@ -386,9 +393,6 @@ def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results
 
 def tail(p: Parser, i: int) -> int:
     """The position after closing words that carry nothing ("please", "thanks")."""
-    while True:
-        j = p.opt(i, ",")
-        k = max((m for tags in (TAGS, CLOSING) for m in tags.matches(p, j)), default=0)
-        if not k:
-            return i
+    while k := max((m for tags in ENDINGS for m in tags.matches(p, p.opt(i, ","))), default=0):
         i = k
+    return i

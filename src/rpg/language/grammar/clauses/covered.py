@@ -12,14 +12,21 @@ _ALONE = frozenset({"cover"})
 _BARE = frozenset({"uncover", "unload"})
 
 
+_FILL = frozenset({"fill", "occupy"})
+"""Of patches with one block each: how many fill one is not said."""
+
+
 @rule
 def covered(p: Parser, i: int) -> Results[Clause]:
     """Something is covered with a block."""
-    j = p.one(i, _COVER)
+    j = p.one(i, _COVER) or p.one(i, _FILL)
     yield from _with_anything(p, i)
+    yield from _emptied(p, i)
     for under, k in simple(p, j) if j else ():
         lead = p.one(k, "with")
         for over, end in simple(p, lead) if lead and isinstance(under, Noun | Pronoun | Structure) else ():
+            if p.words[i] in _FILL and not _one_there(under, over):
+                continue
             each = p.one(end, "each") if isinstance(under, Noun) and under.plural else 0
             if isinstance(over, Noun) and over.head != "patch":
                 if each and isinstance(under, Noun):
@@ -42,6 +49,32 @@ def _with_anything(p: Parser, i: int) -> Results[Clause]:
             verb, lemma = ("place", "put") if over else ("use", "take")
             span, word = p.span(i, k), p.span(i, j)
             yield Clause(verb=verb, lemma=lemma, theme=block, adjuncts=(place,), span=span, word=word), k
+
+
+def _one_there(under: Meaning, over: Meaning) -> bool:
+    patch = isinstance(under, Noun) and under.head == "patch"
+    return patch and isinstance(over, Noun) and over.amount == Amount(1, 1)
+
+
+_CLEAR = ("uncover", "unload", "empty", "clear", "vacate", "free up", "free", "empty out", "clear off")
+_LEFT = tuple(
+    f"{also}{leave} it {empty}{here}"
+    for also in ("and ", ", then ", "and then ", ", ", ", and ")
+    for leave in ("leave", "keep")
+    for empty in ("empty", "clear", "free", "uncovered", "bare", "unoccupied", "like that", "that way")
+    for here in ("", " at the end", " in the end")
+)
+
+
+def _emptied(p: Parser, i: int) -> Results[Clause]:
+    """ "Uncover the green patch", "clear the green patch and leave it empty": nothing is on it at the end."""
+    j = p.any_of(i, _CLEAR)
+    for patch, k in simple(p, j) if j else ():
+        left = p.any_of(k, _LEFT)
+        alone = p.words[j - 1] in _BARE and (k >= p.end or p.stands(k, _CLOSED))
+        if isinstance(patch, Noun) and patch.head == "patch" and (left or alone):
+            end, word = left or k, p.span(i, j)
+            yield Clause(verb="remove", lemma="clear", theme=patch, span=p.span(i, end), word=word), end
 
 
 _CLOSED = frozenset({",", ";", "and", "then", "."})

@@ -7,7 +7,7 @@ from rpg.language.grammar.places.regions import named_regions
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, Structure, That, replace
 
-_TOLD = frozenset({"occupied", "occupies", "occupy", "occupying", "taken", "reserved", "filled"})
+_TOLD = frozenset({"occupied", "occupies", "occupy", "occupying", "taken", "reserved", "filled", "covered"})
 _OCCUPIES = tuple(
     f"{must}{verb}"
     for must in ("", "should ", "must ", "shall ", "has to ", "have to ", "is to ", "are to ", "will ", "both ", "all ")
@@ -18,6 +18,12 @@ _BY = tuple(
     for be in ("", "is ", "are ", "should be ", "must be ", "shall be ", "has to be ", "is to be ", "will be ", "gets ")
     for verb in ("occupied by", "taken by", "taken up by", "reserved for", "filled by", "filled with")
 )
+_COVERED = tuple(
+    f"{be}{verb}"
+    for be in ("is ", "are ", "should be ", "must be ", "shall be ", "has to be ", "is to be ", "will be ", "gets ")
+    for verb in ("covered by", "covered with")
+)
+"""Of patches alone: what covers a block lies on it and on nothing else."""
 
 
 @choice
@@ -30,7 +36,7 @@ def occupied(p: Parser, i: int, mode: str) -> Results[Meaning]:
         for place, end in _place(p, start) if start else ():
             yield _there(p, i, end, theme, place, mode), end
     for place, j in _place(p, i):
-        start = p.any_of(j, _BY)
+        start = p.any_of(j, _BY) or (p.any_of(j, _COVERED) if isinstance(place, Loc) else 0)
         for theme, end in noun_phrase(p, start) if start else ():
             if isinstance(theme, Noun | Coord | Structure):
                 told = _there(p, i, end, theme, place, mode)

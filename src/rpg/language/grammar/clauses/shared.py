@@ -29,16 +29,16 @@ def shared(p: Parser, i: int) -> Results[Clause]:
         among = p.any_of(lead, _AMONG)
         for mark, k in noun_phrase(p, among) if among and isinstance(theme, Noun | Coord) else ():
             end = p.any_of(k, _EQUALLY) or k
-            if not _patches(mark) or (p.words[lead] not in _SHARING and not equally and end == k):
+            if not are_patches(mark) or (p.words[lead] not in _SHARING and not equally and end == k):
                 continue
-            on = Loc(rel="on", landmark=_all_patches(mark), span=p.span(lead, k))
+            on = Loc(rel="on", landmark=all_patches(mark), span=p.span(lead, k))
             yield (
                 Clause(verb="place", lemma=SHARE, theme=theme, adjuncts=(on,), mode="command", span=p.span(i, end)),
                 end,
             )
 
 
-def _patches(mark: Meaning) -> bool:
+def are_patches(mark: Meaning | None) -> bool:
     """Several patches, and nothing else."""
     if isinstance(mark, Coord) and mark.op == "and":
         return all(isinstance(x, Noun) and x.head in ("patch", "any") for x in mark.items) and any(
@@ -47,7 +47,7 @@ def _patches(mark: Meaning) -> bool:
     return isinstance(mark, Noun) and mark.head == "patch" and mark.plural and mark.part_of is None
 
 
-def _all_patches(mark: Meaning) -> Meaning:
+def all_patches(mark: Meaning) -> Meaning:
     """ "The red and the blue patch": two patches."""
     items = mark.items if isinstance(mark, Coord) else ()
     patches = tuple(replace(x, head="patch") if isinstance(x, Noun) else x for x in items)

@@ -15,8 +15,9 @@ from rpg.language.grammar.clauses.manners import direction, manner
 from rpg.language.grammar.clauses.nowhere import nowhere
 from rpg.language.grammar.clauses.reads import reads
 from rpg.language.grammar.clauses.sole import sole
+from rpg.language.grammar.clauses.spelt import spell
 from rpg.language.grammar.clauses.starts import STARTS, first_of_all, perhaps_first, starts_as
-from rpg.language.grammar.clauses.verbs import PARTICLES, ever, spell, with_theme
+from rpg.language.grammar.clauses.verbs import PARTICLES, ever, with_theme
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import UTMOST
 from rpg.language.grammar.structures.sizes import AS_HIGH
@@ -346,13 +347,9 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
     using = Using(members=theme, span=theme.span)
     for sense, lemma, form in p.lex(k, lexicon.VERB) or ():
         if form in ("base", "s") and lemma in ("form", "make", "spell", "build", "create", "compose"):
-            if sense == "spell":
-                readings = list(spell(p, i, k + 1, lemma))
-            else:
-                readings = [
-                    r for r in with_theme(p, i, k + 1, sense, lemma) if isinstance(r[0].theme, Structure | Coord)
-                ]
-            for found, end in readings:
+            spelt = sense == "spell"
+            readings = spell(p, i, k + 1, lemma) if spelt else with_theme(p, i, k + 1, sense, lemma)
+            for found, end in [r for r in readings if spelt or isinstance(r[0].theme, Structure | Coord)]:
                 yield replace(found, adjuncts=(using, *found.adjuncts), negated=negated, mode=mode), end
     if (j := p.any_of(k, _SWAP)) and not negated:
         for other, end in adjuncts(p, j) if p.stands(j, ("with",)) else [((), j)]:

@@ -13,15 +13,15 @@ from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.particles import WHITHER, across, added
 from rpg.language.grammar.clauses.remade import of_what_is_there, put_down, read_otherwise, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
+from rpg.language.grammar.clauses.spelt import spelling
 from rpg.language.grammar.clauses.turned import REST, not_turned
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.places.formed import beside_word
 from rpg.language.grammar.places.its_place import in_its_place
 from rpg.language.grammar.places.relations import on_its_own
 from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.structures.sizes import AS_HIGH
 from rpg.language.grammar.things.adjectives import adjectives
-from rpg.language.grammar.things.labels import digits_of, literal
+from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.likes import like_with_like
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import (
@@ -93,8 +93,7 @@ def _its_own_way(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[C
     word = p.span(i, i + 1)
     if sense == "turn":
         yield from _turn(p, i, j, lemma)
-    if sense == "spell" or (sense == "build" and j < p.end and p.tokens[j].kind == "literal"):
-        yield from spell(p, i, j, lemma)  # "build CAT out of letter cubes"
+    yield from spelling(p, i, j, sense, lemma)
     if sense == "reverse":
         yield from reverse(p, i, j)
     if sense == "unstack" and j >= p.end:
@@ -193,34 +192,6 @@ def _use(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
     for inner, end in verb_phrase(p, j, ("base", "ing")):
         using = replace(inner, adjuncts=(Using(members=theme, span=theme.span), *inner.adjuncts))
         yield replace(of_what_is_there(theme, inner) or using, span=p.span(i, end)), end
-
-
-def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
-    """ "spell CAT with letter blocks", "spell the word 'ROBOT'", "spell a word"."""
-    j = p.opt(j, "out")
-    text = literal(p, j) or digits_of(p, j)
-    themes: list[tuple[Meaning, int]] = []
-    if text is not None:
-        themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
-    themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind in ("word", "equation")]
-    if lemma == "write":
-        yield from _written(p, i, j)
-    for theme, k in themes:
-        beside = [((word, *more), e) for word, m in beside_word(p, k) for more, e in adjuncts(p, m)]
-        for found, end in [*adjuncts(p, k), *beside]:
-            span, word = p.span(i, end), p.span(i, i + 1)
-            yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=span, word=word), end
-
-
-def _written(p: Parser, i: int, j: int) -> Results[Clause]:
-    """ "write the digits 1 to 9 into a 3x3 grid": symbols that are put there."""
-    for theme, k in noun_phrase(p, j):
-        if not isinstance(theme, Noun) or len(theme.traits.labels) < 2:
-            continue
-        for found, end in adjuncts(p, k):
-            if any(isinstance(x, Into) for x in found):
-                word = p.span(i, i + 1)
-                yield Clause(verb="arrange", theme=theme, adjuncts=found, span=p.span(i, end), word=word), end
 
 
 def _turn(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.later import later
@@ -15,6 +16,7 @@ from rpg.language.meaning import (
     Clause,
     Coord,
     Loc,
+    Manner,
     Meaning,
     Noun,
     Places,
@@ -111,9 +113,9 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
             yield _between(p, i, k, hub, sides), k
     ringed = p.any_of(begin, ("a ring of", "a circle of"))
     others = p.any_of(begin, _OTHERS)
-    for hub, k in _hubs(p, p.any_of(others, ("around", "all around")) or p.end) if others else ():
-        rest = Noun(head="block", det="the", plural=True, span=p.span(begin, others))
-        yield _outlined(p, i, k, hub, rest, "circle"), k
+    for hub, k in _hubs(p, p.any_of(others, _ROUND) or p.end) if others else ():
+        yield _with_all_others(p, i, k, hub, p.span(begin, others)), k
+    yield from _kept_inside(p, i)
     for ring, j in _rings_at(p, ringed or begin):
         mark = p.any_of(j, ("around", "all around", "round", "surrounding"))
         for hub, k in _hubs(p, mark) if mark else ():
@@ -123,7 +125,41 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
                 yield from _shaped(p, i, k, hub, ring)
 
 
-_OTHERS = ("all the blocks", "all blocks", "everything", "all of the blocks")
+_KEEP = ("keep", "leave", "do not move", "don't move")
+_WHERE_IT_IS = ("where it is", "in place", "in its place", "at its place", "there")
+_ALL_OTHERS = ("the others", "all the others", "all others", "the other blocks", "the other cubes", "the rest",
+               "all other blocks", "all other cubes", "all the other blocks", "all the other cubes", "everything else",
+               "all the rest", "the other ones", "the rest of the blocks", "the rest of the cubes")  # fmt: skip
+_REST = tuple(f"{put}{rest}" for put in ("put ", "place ", "arrange ", "move ", "set ", "") for rest in _ALL_OTHERS)
+_ROUND_IT = (*_AROUND, "in a circle around it", "in a ring around it")
+
+
+def _kept_inside(p: Parser, i: int) -> Results[Clause]:
+    """ "Keep the yellow block where it is and put the others around it": all others, and that one is not moved."""
+    kept = p.any_of(i, _KEEP)
+    begin = kept or p.any_of(i, _COMMANDS) or i
+    for hub, j in _hubs(p, begin):
+        there = p.any_of(j, _WHERE_IT_IS) if kept else p.any_of(j, _MIDDLE)
+        there = there or (j if kept and "move" in p.words[i:begin] else 0)
+        rest = p.any_of(
+            p.any_of(there, (", and", "and", ", with", ",", "with", "but", ";", ", then", "and then")), _REST
+        )
+        end = p.any_of(rest, _ROUND_IT)
+        if not (there and rest and end):
+            continue
+        whole = _with_all_others(p, i, end, hub, p.span(there, rest))
+        stays = Clause(verb="keep", lemma="leave", theme=replace(hub, det="the"), mode="command",
+                       adjuncts=(Manner(kind="stay", span=p.span(j, there)),), span=p.span(i, there))  # fmt: skip
+        so = That(kind="so", clauses=Chain(clauses=(stays,), links=("and",), span=stays.span), span=stays.span)
+        yield replace(whole, adjuncts=(*whole.adjuncts, so)) if kept else whole, end
+
+
+def _with_all_others(p: Parser, i: int, j: int, hub: Noun, span: Span) -> Clause:
+    """A circle of whatever other blocks there are."""
+    return _outlined(p, i, j, hub, Noun(head="block", det="the", plural=True, span=span), "circle")
+
+
+_OTHERS = ("all the blocks", "all blocks", "everything", "all of the blocks", *_ALL_OTHERS)
 """Around one of them go all the others."""
 _BY_THE_FACE = frozenset({"touching", "touch", "touches"})
 """Sides that are touched: a plus of touching blocks might touch by its edges alone."""
@@ -190,7 +226,7 @@ def _shaped(p: Parser, i: int, j: int, hub: Noun, ring: Noun) -> Results[Clause]
 
 def _of_any_look(ring: Noun) -> bool:
     """ "(put) the blocks (around the red one)", "six blocks"."""
-    mere = ring.head == "block" and ring.traits == Traits() and ring.plural
+    mere = ring.head == "block" and ring.traits == Traits(size=ring.traits.size) and ring.plural
     return mere and ring.part_of is None and not ring.conditions
 
 
@@ -242,7 +278,7 @@ def around_told(p: Parser, i: int) -> Results[Clause]:
                 yield replace(told[0], adjuncts=(*told[0].adjuncts, so), span=p.span(i, k)), k
 
 
-_ROUND = ("around", "all around", "round")
+_ROUND = ("around", "all around", "round", "in a circle around", "in a ring around")
 
 
 def _bare_blocks(p: Parser, i: int) -> Results[Noun]:

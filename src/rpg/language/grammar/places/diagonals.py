@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, choice
-from rpg.language.grammar.places.prepositions import relation
+from rpg.language.grammar.places.prepositions import relation, side_relation
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import Coord, Loc, TableTop, replace
 
@@ -33,6 +33,7 @@ def diagonal(p: Parser, i: int) -> Results[Coord]:
 def _diagonally(p: Parser, i: int) -> Results[Coord]:
     """ "diagonally behind the white block, to the right"; without a side, to either."""
     start = p.any_of(i, ("diagonally", "at an angle"))
+    yield from _along_both(p, i, start) if start else ()
     for (name, mods), j in relation(p, start) if start else ():
         for mark, k in simple(p, j) if name in _EITHER_WAY and not mods else ():
             if isinstance(mark, TableTop):
@@ -44,3 +45,16 @@ def _diagonally(p: Parser, i: int) -> Results[Coord]:
             if end := p.any_of(k, _TO_SIDE) if name in ("front", "behind") else 0:
                 there = replace(placed, rel=p.words[end - 1])
                 yield Coord(op="and", items=(placed, there), span=p.span(i, end), cost=-1), end
+
+
+def _along_both(p: Parser, i: int, start: int) -> Results[Coord]:
+    """ "diagonally behind and to the left of the orange block"."""
+    firsts = [(name, j) for (name, _), j in relation(p, start)]
+    firsts += [(side.rstrip("?"), j) for (side, _), j in side_relation(p, start)]
+    firsts += [("front", j)] if (j := p.any_of(start, ("in front", "to the front"))) else []
+    for first, j in firsts:
+        for (second, _), m in relation(p, j + 1) if p.stands(j, ("and",)) else ():
+            for mark, k in simple(p, m) if second in _EITHER_WAY.get(first, ()) else ():
+                if not isinstance(mark, TableTop):
+                    sides = tuple(Loc(rel=x, landmark=mark, span=p.span(i, k)) for x in (first, second))
+                    yield Coord(op="and", items=sides, span=p.span(i, k)), k

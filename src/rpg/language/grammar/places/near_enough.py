@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Loc
+from rpg.language.meaning import Loc, Pronoun
 
 _NEAR = ("close enough to", "near enough to", "so close to", "so near to", "sufficiently close to")
 _TOUCH = Patterns(
@@ -13,6 +13,18 @@ _TOUCH = Patterns(
     "to be|come? just? touch|touching it|each_other|one_another?",
     "for them|it|the_two to touch it|each_other|one_another?",
 )
+
+
+_CLOSE_BY = ("close", "near", "close by", "very close", "quite close", "really close")
+_UNTOUCHED = frozenset({"but", "without", "yet", "though", "not"})
+
+
+@choice
+def close_by(p: Parser, i: int) -> Results[Loc]:
+    """ "(in front of the red one,) close but not touching": near what is spoken of there."""
+    j = p.any_of(i, _CLOSE_BY)
+    if j and p.stands(p.opt(j, ","), _UNTOUCHED):
+        yield Loc(rel="near", landmark=Pronoun(word="each other", span=p.span(i, j)), span=p.span(i, j)), j
 
 
 @choice

@@ -15,8 +15,12 @@ _WITHIN = (
     "within a tolerance of",
 )  # fmt: skip
 _TOLERANCE = (
-    *(f"{within} a {what} of" for within in ("within", "with", "to") for what in ("tolerance", "precision")),
-    "with tolerance", "with tolerance of", "tolerance", "tolerance of", "tolerance :",
+    *(f"{within} {what} of"
+      for within in ("within", "with", "to")
+      for what in ("a tolerance", "a precision", "an accuracy", "a margin", "an error", "a position tolerance")),
+    *(f"{what}{of}" for what in ("tolerance", "precision", "accuracy") for of in ("", " of", " :", " is")),
+    "with tolerance", "with tolerance of", "accurate to", "accurate to within", "exact to", "exact to within",
+    "precise to", "precise to within", "plus or minus",
 )  # fmt: skip
 _OFFSET = ("offset", "misalignment", "displacement", "deviation")
 _SIDEWAYS = ("horizontal", "lateral", "sideways", "center")
@@ -150,7 +154,8 @@ def centred_on(p: Parser, i: int) -> Results[Loc]:
     on = p.any_of(start, _ON) if start else 0
     for mark, j in simple(p, on) if on else ():
         if isinstance(mark, Noun) and mark.head == "patch":
-            yield Loc(rel="on", landmark=PartOf(part="middle", whole=mark, span=mark.span), span=p.span(i, j)), j
+            mark = PartOf(part="middle", whole=mark, span=mark.span)
+            yield Loc(rel="on", landmark=mark, span=p.span(i, j)), j
         lead = p.any_of(p.opt(j, ","), _WITHIN)
         found = [*_most(p, p.opt(j, ",")), *(_most(p, p.any_of(p.opt(j, ","), ("with", "within", "by")) or j))]
         found += length(p, lead) if lead else ()

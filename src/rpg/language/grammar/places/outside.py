@@ -29,6 +29,14 @@ _NOT_ON = tuple(
 """Behind these is no place for it: "anywhere that is not a patch"."""
 
 
+_BOUNDS = tuple(
+    f"{within}{the}{bounds} of"
+    for within in ("within ", "inside ", "inside of ", "in ", "into ")
+    for the in ("the ", "")
+    for bounds in ("boundary", "boundaries", "bounds", "border", "borders", "confines", "limits", "outline",
+                   "perimeter", "area", "square", "frame")
+)  # fmt: skip
+"""Of a patch these say no more than that it is on it."""
 _OFF = ("off", "outside", "inside")
 """Behind these the patch that was spoken of may be left out: "red on the mat, blue and green off"."""
 _ENDS = frozenset({",", ";", "and", "but", "please", "at"})
@@ -49,6 +57,10 @@ def outside(p: Parser, i: int) -> Results[Meaning]:
         rel, mods = ("in", ()) if p.words[i] == "inside" else ("off", ("outside",))
         yield Loc(rel=rel, landmark=there, mods=mods, span=p.span(i, j), cost=2), j
     yield from _not_on(p, i)
+    within = p.any_of(i, _BOUNDS)
+    for mark, k in simple(p, within) if within else ():
+        if isinstance(mark, Noun) and mark.head == "patch":
+            yield Loc(rel="in", landmark=mark, span=p.span(i, k)), k
     j = p.any_of(i, _OUT)
     if not j:
         return

@@ -10,13 +10,16 @@ from rpg.language.grammar.places.compared import compared
 from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
 from rpg.language.grammar.places.measures import bounds, limited, measured, measured_bare, measured_so
-from rpg.language.grammar.places.near_enough import near_enough
+from rpg.language.grammar.places.near_enough import close_by, near_enough
+from rpg.language.grammar.places.nearer_one import nearer_one
 from rpg.language.grammar.places.offsets import centred_on
 from rpg.language.grammar.places.other_side import other_side
 from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.own_color import on_its_color
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
+from rpg.language.grammar.places.side_lengths import side_length
+from rpg.language.grammar.places.where_was import where_was
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, replace
 
@@ -80,7 +83,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from on_its_color(p, i)
     yield from flanking(p, i)
     yield from diagonal(p, i)
-    yield from across(p, i)
+    yield from (*across(p, i), *where_was(p, i))
     yield from compared(p, i)
     if p.stands(i, ("per",)) and p.peek(i + 1, lexicon.PATCH) is False:
         each = Noun(head="patch", det="each", span=p.span(i, i + 2))
@@ -126,7 +129,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from near_enough(p, i)
     yield from other_side(p, i)
     yield from _either_place(p, i)
-    yield from _between(p, i)
+    yield from _between_two(p, i)
     yield from _possessive(p, i)
     yield from _bare(p, i)
 
@@ -237,6 +240,14 @@ def on_its_own(place: Meaning) -> bool:
 
 
 @choice
+def _between_two(p: Parser, i: int) -> Results[Meaning]:
+    """A place between others, with what it is closer to."""
+    for found, j in _between(p, i):
+        yield found, j
+        yield from nearer_one(p, j, i, found) if isinstance(found, Loc) else ()
+
+
+@choice
 def _between(p: Parser, i: int) -> Results[Meaning]:
     mods: tuple[str, ...] = ()
     j = i
@@ -295,7 +306,7 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
 @choice
 def _bare(p: Parser, i: int) -> Results[Meaning]:
     """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
-    yield from measured_bare(p, i)
+    yield from (*measured_bare(p, i), *side_length(p, i), *close_by(p, i))
     for phrase, j in p.standing(i, _UNSAID) if not _on_two_patches(p, i) else ():
         landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
         yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
@@ -327,7 +338,7 @@ _UNSAID = {
     "close together": "near", "together": "together", "near each other": "near",
     "close to each other": "near",
     "touching": "touching", "in contact": "touching", "into contact": "touching",
-    "adjacent": "adjacent", "nearby": "near",
+    "adjacent": "adjacent", "nearby": "near", "flush": "touching", "flush with each other": "touching",
     "neighbors": "side_by_side", "direct neighbors": "adjacent", "immediate neighbors": "adjacent",
     "shoulder to shoulder": "side_by_side", "in one place": "together", "spread out": "apart",
     "touching each other": "touching", "touching one another": "touching", "all touching": "touching",

@@ -18,6 +18,9 @@ _LEADS = (
     "in each of which there is", "in each of which there are", "each being",
     "in each of which", "all of", "both with", "both of", "where each has", "where each one has", "and each has",
     "so that each has", "so that each one has", "such that each has", "of which each has",
+    *(f"each of which {has}"
+      for has in ("has", "should have", "must have", "is to have", "has to have", "contains", "consists of",
+                  "is made of", "is built of", "is made up of")),
 )  # fmt: skip
 _COLON = ("that is", "is")
 _ALIKE = tuple(

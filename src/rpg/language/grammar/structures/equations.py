@@ -73,7 +73,7 @@ _SOLVE = Patterns(
 def solved(p: Parser, i: int) -> Results[str]:
     """ "solve 8/2", "work out six minus two": the equation with its result, if that is a whole number."""
     for j in _SOLVE.matches(p, i):
-        side, k = _operation(p, p.opt(j, ":", "of"))
+        side, k = operation(p, p.opt(j, ":", "of"))
         result = value_of(side) if k else None
         if result is not None and result.denominator == 1 and result >= 0:
             yield f"{side}={result}", p.opt(p.opt(k, "is", "equals", "gives", "makes", "="), "?")
@@ -82,7 +82,7 @@ def solved(p: Parser, i: int) -> Results[str]:
 _SIGNS = {"+": "+", "-": "-", "–": "-", "−": "-", "*": "*", "×": "*", "/": "/", "÷": "/"}
 
 
-def _operation(p: Parser, i: int) -> tuple[str, int]:
+def operation(p: Parser, i: int) -> tuple[str, int]:
     """ "6 - 2", "three plus five", "8/2": the text of a calculation, and the position after it."""
     text, at = "", i
     token = p.token(at)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from rpg.language.grammar.talk.asked_first import about_numbers
+from rpg.language.grammar.talk.named_first import with_names
 from rpg.language.tokens import Token
 
 _DOES = frozenset({"does", "do", "should", "must", "shall", "will"})
@@ -25,7 +27,7 @@ _MOST = 8
 def with_answers(parts: list[list[Token]]) -> list[list[Token]]:
     """Sentences, each question that is answered with what answers it."""
     out: list[list[Token]] = []
-    for part in parts:
+    for part in with_names(parts):
         told = _answered(out[-1], part) if out else None
         out[-1:] = [told] if told is not None else [*out[-1:], part]
     return out
@@ -35,7 +37,11 @@ def _answered(question: Sequence[Token], answer: Sequence[Token]) -> list[Token]
     """The statement that a question and the sentence behind it make; None where they make none."""
     question = question[1:] if question[0].word == "and" else question
     words = [token.word for token in question]
-    if len(words) < 4 or not answer:
+    if len(words) < 3 or not answer:
+        return None
+    if (told := about_numbers(question, answer)) is not None:
+        return told
+    if len(words) < 4:
         return None
     if words[0] == "where" and words[1] in _DOES and words[-1] in _GOES:
         return _told_of(question[2:-1], question[-1], question[-1:], answer, _PLACES)

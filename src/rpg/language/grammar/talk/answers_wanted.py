@@ -12,7 +12,8 @@ _PUT = frozenset({"put", "add", "place", "write", "set"})
 _SOLVE = frozenset({"solve", "complete", "finish", "fill", "find", "show", *_PUT})
 _BESIDE_WORDS = (
     "please the a right correct number digit block cube sum equation calculation problem behind after at end of to for "
-    "with by putting adding placing it its in out and then so that is true on using blocks makes : , ."
+    "with by putting adding placing it its in out and then so that is true on using blocks cubes makes equals equal "
+    "sign : , ."
 )
 _BESIDE = frozenset(_BESIDE_WORDS.split())
 _ALLOWED = _SOLVE | _ANSWER | _BESIDE
@@ -23,6 +24,7 @@ _CANDIDATES = range(100)
 
 def answers_wanted(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """The tokens of the whole equation: all that is said besides must ask for its number, and only one may fit."""
+    tokens = [_as_minus(tokens, n) for n in range(len(tokens))]
     begin = next((n for n in range(len(tokens)) if _operand(tokens, n)), -1)
     end = _calculation(tokens, begin) if begin >= 0 else 0
     rest = words[:begin] + words[end:]
@@ -65,6 +67,13 @@ def _operand(tokens: list[Token], at: int) -> bool:
         beside = (*tokens[max(at - 1, 0) : at], *tokens[at + 1 : at + 2])
         return any(x.kind == "sign" and x.word in _SIGNS for x in beside)
     return token.kind == "number" and isinstance(token.value, float) and token.value.is_integer()
+
+
+def _as_minus(tokens: list[Token], at: int) -> Token:
+    """The token there; a minus between numbers with spaces around it may have been taken for a dash."""
+    dash = tokens[at].kind == "punct" and tokens[at].raw in ("-", "–", "−")
+    minus = dash and 0 < at < len(tokens) - 1 and _operand(tokens, at - 1) and _operand(tokens, at + 1)
+    return replace(tokens[at], kind="sign", word="-") if minus else tokens[at]
 
 
 def _sign(behind: Token) -> Token:

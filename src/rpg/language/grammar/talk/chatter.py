@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.talk.framing import CLOSING, POINTING
+from rpg.language.grammar.talk.let_go import LET_GO
 from rpg.language.grammar.talk.people import FINE, PEOPLE
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.tokens import Token
@@ -88,7 +89,7 @@ NO_SLIPS = frozenset({"chain", "manner", "relation", "sided"})
 
 def idle(tokens: list[Token]) -> bool:
     """Whether a sentence asks for nothing."""
-    return _wholly(tokens, CHATTER, CLOSING, POINTING)
+    return _wholly(tokens, CHATTER, CLOSING, POINTING, LET_GO)
 
 
 def announces(tokens: list[Token]) -> bool:

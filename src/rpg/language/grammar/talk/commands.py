@@ -161,7 +161,7 @@ FIRST = Patterns(
     "like this",
     "as follows",
     "put|arrange it|everything all? like this",
-    "do this|the_following",
+    "do this|the_following|it_like_this :?",
     "it goes like this",
     "make it so that?",
 )

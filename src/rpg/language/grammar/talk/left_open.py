@@ -31,7 +31,7 @@ FREE = (
     *(f"{lead} {which}"
       for lead in ("it does not matter", "does not matter", "no matter", "i do not care", "do not care",
                    "i do not mind")
-      for which in ("which", "which one", "which ones", "where", "which side", "on which side")),
+      for which in ("which", "which one", "which ones", "where", "which side", "on which side", "how", "how exactly")),
     "distance does not matter", "the distance does not matter", "at whatever distance", "no matter how far",
     "any color", "any colors", "of any color", "whatever color", "whatever colors", "the color does not matter",
     "color does not matter", "colors do not matter", "the colors do not matter", "any color will do",
@@ -69,9 +69,11 @@ FREE = (
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
 LOOSE = tuple(
     f"{lead}{what}{free}"
-    for what in ("which way round", "which way it points", "how far", "how far away", "the distance", "the exact place",
+    for what in ("which way round", "which way it points", "how far", "how far away", "how far away it is",
+                 "how far away they are", "how far it is", "the distance", "the exact place",
                  "where exactly", "where on the table")
     for lead, free in (("it does not matter ", ""), ("does not matter ", ""), ("no matter ", ""),
-                       ("", " does not matter"), ("", " is up to you"), ("i do not mind ", ""))
+                       ("", " does not matter"), ("", " is up to you"),
+                       *((f"{who} do not {mind} ", "") for who in ("i", "we") for mind in ("mind", "care")))
 )  # fmt: skip
 """The same of places and ways round: what is told of a line or of a distance would not be so open."""

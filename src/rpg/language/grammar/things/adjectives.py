@@ -11,7 +11,7 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length, of_more
 from rpg.language.grammar.things.bare_labels import borne
 from rpg.language.grammar.things.edges import STANDARD, USUAL, each_long, edge_told
-from rpg.language.grammar.things.labels import from_to, label_list, look_at
+from rpg.language.grammar.things.labels import from_to, label_list, look_at, symbol_at
 from rpg.language.grammar.things.patch_sides import patch_side
 from rpg.language.meaning import Traits
 
@@ -274,7 +274,7 @@ _MATCHING = tuple(
 """What is said of a patch that has the colour of what goes on it."""
 _LIKE_THE_BLOCK = Patterns(
     "of|with|in|having|that_has|which_has|that_have|that_is|that_is_of the|a? same|matching|corresponding "
-    "color|colors as the|that|each|its? block|cube|it|them|blocks|cubes|itself|themselves|brick|box",
+    "color|colors as|like the|that|each|its? block|cube|it|them|blocks|cubes|itself|themselves|brick|box",
     "that|which matches|match it|them|the_block|the_cube|the_blocks|the_cubes in? color?",
     "whose color matches|equals it|them|the_block|the_cube|the_block_'s|the_cube_'s|that_of_the_block",
     "colored|painted like|the_same_as it|them|the_block|the_cube|the_blocks",
@@ -391,7 +391,7 @@ def _labelled(p: Parser, i: int) -> Results[Marks]:
     j = p.opt(j, "with", "as", "by")
     j = p.opt(j, "the", "an") if j < p.end and p.tokens[j].raw == "A" else p.opt(j, "the", "a", "an")
     noun = p.one(j, _LABEL_NOUNS)
-    if noun or p.words[i] not in ("with", "carrying") or j > p.any_of(i, ("with",)):
+    if noun or p.words[i] not in ("with", "carrying") or (j > p.any_of(i, ("with",)) and not symbol_at(p, i - 1)):
         read = not noun and p.words[i] in ("reading", "saying") and "of" in p.words[max(0, i - 3) : i]
         for (labels, more), k in label_list(p, noun or j, True):
             if len(labels) < 2 or not read:  # "a row of cubes reading C, A, B" is read from the left

@@ -17,6 +17,11 @@ _COUNTED = ("of them", "of those", "of these", "in total", "in all", "altogether
 _WIDE = ("each", "wide", "edge", "edges", "each side", "a side", "on each side", "on a side", "cubes", "cube", "large",
          "in size", "apiece", "edge length", "side length", "blocks", "block")  # fmt: skip
 
+_SHOWN = ("marked by", "marked in", "marked as", "shown as", "shown in", "shown by", "this is", "that is", "i e",
+          "namely", "marked with")  # fmt: skip
+_BY = ("marked by", "indicated by", "shown by", "given by", "marked as", "marked with")
+_FORMS = {"square": "square", "circle": "circle", "disc": "circle", "disk": "circle", "one": None}
+
 
 @choice
 def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
@@ -24,6 +29,7 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     "any red block of the three"."""
     yield from _of_so_many(p, i, j, noun)
     opened = p.one(j, "(")
+    yield from _patch_shown(p, i, opened or p.any_of(j, _BY), noun, not opened)
     if not opened and noun.head == "patch":
         yield from _patches_named(p, i, p.one(j, (",", ":")), noun)
     if not opened:
@@ -49,6 +55,20 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
         end = p.one(k, ")")
         if end and not either and not noun.traits.colors and _as_many(noun, len(listed)):
             yield replace(noun, traits=replace(noun.traits, colors=listed), span=p.span(i, end)), end
+
+
+def _patch_shown(p: Parser, i: int, at: int, noun: Noun, named: bool) -> Results[Noun]:
+    """ "the target zone (green square)", "the goal marked by the green mat": how the patch looks that was named before.
+    `named`: by another patch, and not in brackets."""
+    if not at or noun.head != "patch" or noun.plural or noun.traits.colors:
+        return
+    start = at if named else p.any_of(at, _SHOWN) or at
+    for (listed, either), k in colors(p, p.opt(start, "a", "the")):
+        form = p.one(k, lexicon.PATCH) or p.one(k, _FORMS)
+        end = form if named else p.one(form or k, ")")
+        if end and not either and len(listed) == 1:
+            shape = (_FORMS.get(p.words[k]) if form else None) or noun.traits.shape
+            yield replace(noun, traits=replace(noun.traits, colors=listed, shape=shape), span=p.span(i, end)), end
 
 
 def _patches_named(p: Parser, i: int, comma: int, noun: Noun) -> Results[Noun]:

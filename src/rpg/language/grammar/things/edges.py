@@ -47,9 +47,10 @@ def _of_so_many(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     of = p.one(j, "of") if ranked and noun.traits.rank in _RANKS and noun.part_of is None else 0
     for whole, k in simple(p, of) if of else ():
         them = isinstance(whole, Pronoun) and whole.word in ("them", "these", "those")
-        counted = isinstance(whole, Noun) and whole.plural and whole.amount is not None and whole.head != "patch"
+        counted = isinstance(whole, Noun) and whole.plural and whole.amount is not None
         if them or (counted and isinstance(whole, Noun) and whole.det in ("the", "bare") and not whole.part_of):
-            yield replace(noun, head="block", part_of=whole, span=p.span(i, k)), k
+            head = "patch" if isinstance(whole, Noun) and whole.head == "patch" else "block"
+            yield replace(noun, head=head, part_of=whole, span=p.span(i, k)), k
 
 
 _DIFFERENT = (

@@ -25,7 +25,7 @@ def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
     if token.kind in ("quote", "literal") and isinstance(token.value, str) and len(token.value) == 1:
         found = token.value.upper()
     elif token.kind == "word" and len(token.raw) == 1 and token.raw.isalpha():
-        if token.raw.isupper() or spoken or token.word not in ("a", "i", "x") or _among_letters(p, i):
+        if token.raw.isupper() or spoken or token.word not in _WORDS or _among_letters(p, i) or _in_letters(p, i):
             found = token.raw.upper()
     elif (token.kind == "number" and token.word in string.digits) or token.kind == "sign":
         found = token.word
@@ -40,19 +40,39 @@ def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
     return None
 
 
+_WORDS = frozenset({"a", "i", "x"})
+"""Letters that are words as well."""
+_RUN = 3
+"""So many letters in a row are a list, even of small ones."""
+
+
+def _in_letters(p: Parser, i: int) -> bool:
+    """ "a b c", "d c b a": one of a run of single letters."""
+    begin = end = i
+    while begin > 0 and _one_letter(p, begin - 1):
+        begin -= 1
+    while _one_letter(p, end):
+        end += 1
+    return end - begin >= _RUN
+
+
+def _one_letter(p: Parser, i: int) -> bool:
+    token = p.token(i)
+    return token is not None and token.kind == "word" and len(token.raw) == 1 and token.raw.isalpha()
+
+
 def _among_letters(p: Parser, i: int) -> bool:
-    """ "c, a and t": an "a" in a list of letters, where no article could stand."""
-    if p.words[i] != "a" or p.words[i + 1] not in _BEHIND_ONE:
+    """ "c, a and t", "put a on b", "the a cube": an "a" beside other letters, where no article could stand."""
+    if p.words[i] != "a":
         return False
-    others = [(i - 2, i - 1), (i + 2, i + 1)]
-    return any(
-        n >= 0 and p.words[joint] in _JOINTS and len(p.words[n]) == 1 and p.words[n].isalpha() and p.words[n] != "a"
-        for n, joint in others
-    )
+    called = i > 0 and p.words[i - 1] == "the" and p.words[i + 1] in lexicon.BLOCK
+    if not called and p.words[i + 1] not in _BEHIND_ONE:
+        return False
+    return any(_one_letter(p, n) and p.words[n] not in _WORDS for n in range(p.end))
 
 
-_JOINTS = frozenset({",", "and"})
-_BEHIND_ONE = frozenset({",", "and", "", ".", "on", "onto", "under", "in"})
+_BEHIND_ONE = frozenset({"and", "", ".", ",", "on", "onto", "under", "in", "at", "above", "below", "beside", "next",
+                         "behind", "is", "must", "should", "goes"})  # fmt: skip
 
 
 def _between(first: str, last: str) -> tuple[str, ...]:
@@ -103,7 +123,7 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
             break
         after = symbol(p, j, spoken)
         signed = after is not None and after in "+-*/=" and labels[-1].isalpha()  # "A/B": no list of three
-        if after is None or (j == at and (signed or not _bare_row(p, at))):
+        if after is None or (j == at and (signed or not _bare_row(p, at, spoken))):
             break
         if after == labels[-1] and p.stands(j + 1, _UPON):  # "1 on 2, 2 on 3": the next pair
             break
@@ -146,19 +166,23 @@ def once_more(p: Parser, i: int, j: int) -> Results[tuple[str, ...]]:
 
 def look_at(p: Parser, i: int) -> bool:
     """Whether a look stands at i: "red block number 2" is the second of the red ones."""
-    if i < 0:
-        return False
-    letter = len(p.tokens[i].raw) == 1 and p.tokens[i].raw.isupper()
-    return letter or p.tokens[i].kind != "word" or p.words[i] in lexicon.COLOR
+    return symbol_at(p, i) or (i >= 0 and p.words[i] in lexicon.COLOR)
+
+
+def symbol_at(p: Parser, i: int) -> bool:
+    """Whether a letter or a number stands at i: in "(stack A, B and) C with the C at the bottom" it needs no other."""
+    return i >= 0 and (p.tokens[i].kind != "word" or (len(p.tokens[i].raw) == 1 and p.tokens[i].raw.isupper()))
 
 
 _UPON = frozenset({"on", "onto", "above", "over", "below", "under", "beside", "next", "behind", "atop"})
 """What begins what is said of a symbol."""
 
 
-def _bare_row(p: Parser, at: int) -> bool:
-    """ "A B C", "7 8 9": symbols side by side without commas."""
+def _bare_row(p: Parser, at: int, spoken: bool) -> bool:
+    """ "A B C", "7 8 9", "a b c": symbols side by side without commas."""
     token = p.token(at)
+    if _one_letter(p, at) and (spoken or _in_letters(p, at)):
+        return True
     return token is not None and (token.kind in ("sign", "number") or (len(token.raw) == 1 and token.raw.isupper()))
 
 

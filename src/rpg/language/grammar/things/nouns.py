@@ -15,9 +15,10 @@ from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
 from rpg.language.grammar.things.excepted import alone_in_this
 from rpg.language.grammar.things.in_line import in_line, unnamed_ends
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
-from rpg.language.grammar.things.labels import label_list, literal, once_more
+from rpg.language.grammar.things.labels import label_list, once_more
 from rpg.language.grammar.things.of_both import counted_kinds
 from rpg.language.grammar.things.of_listed import wholes
+from rpg.language.grammar.things.patch_nouns import patch_noun
 from rpg.language.grammar.things.printed import printed, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
@@ -25,6 +26,7 @@ from rpg.language.grammar.things.so_many import so_many
 from rpg.language.grammar.things.standby import further_extras
 from rpg.language.grammar.things.strangers import STRANGERS
 from rpg.language.grammar.things.theirs import as_many_colors, of_patch
+from rpg.language.grammar.things.told_symbols import both_parities, told_symbols
 from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits, replace
 
@@ -91,7 +93,7 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
         yield from noun_phrase(p, j)
     if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
         yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
-    yield from _letters_of(p, i)
+    yield from told_symbols(p, i)
     yield from one_of_each_edge(p, i)
     for phrase, j in p.standing(i, _SIGNS):
         det = "the" if phrase.startswith("the") else "a"
@@ -129,17 +131,6 @@ _SIGNS = {
     for det in ("the", "an" if name[0] in "e" else "a", *(("one",) if name.endswith("sign") else ()))
 }  # fmt: skip
 """Blocks by the signs that they show; a plus sign may be a figure as well."""
-
-
-@choice
-def _letters_of(p: Parser, i: int) -> Results[Meaning]:
-    """ "the letters of the word LAMP": those letters, in no order yet."""
-    j = p.any_of(i, ("the letters of", "letters of", "all letters of", "all the letters of", "the letters in"))
-    k = p.any_of(j, ("the word", "the name", "word")) or j if j else 0
-    text = literal(p, k) if k else None
-    if text is not None and len(text) > 1 and text.isalpha():
-        marks = Traits(labels=tuple(text), kind="letter")
-        yield Noun(head="block", det="the", plural=True, traits=marks, span=p.span(i, k + 1)), k + 1
 
 
 def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
@@ -222,11 +213,9 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
         if (plural := p.lex(i, table)) is not None:
             yield ("block", plural, {}), i + 1
     start = p.one(i, _APART) or i
-    j = start
-    while p.lex(j, lexicon.PATCH) is not None:
-        j += 1
+    j, plural = patch_noun(p, start)
     if j > start:
-        yield ("patch", bool(p.lex(j - 1, lexicon.PATCH)), {"scheme": "different"} if start > i else {}), j
+        yield ("patch", plural, {"scheme": "different"} if start > i else {}), j
     for table, kind in ((lexicon.LETTER, "letter"), (lexicon.DIGIT, "digit"), (lexicon.SYMBOL, "symbol")):
         plural = p.lex(i, table)
         if plural is not None:
@@ -234,7 +223,7 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
         if j := p.one(i, frozenset({words, words + "s"})):
             yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
-    if j := p.one(i, ("odds", "evens")):
+    if j := p.one(i, ("odds", "evens")) or both_parities(p, i):
         yield ("block", True, {"kind": "digit", "quality": p.words[i].rstrip("s")}), j
     start = p.one(i, ("random", "arbitrary", "other")) or i
     if j := p.one(start, ("distractor", "distractors")):
@@ -395,10 +384,16 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
                 yield from ((told, last) for last in {end: None, k: None})
 
 
+_SIGNS_INSIDE = frozenset("+-*/=")
+"""Between symbols these make a calculation, which is not on one cube: "the cube that shows 2 + 3"."""
+
+
 def _with(noun: Noun, update: Mapping[str, Any], span: tuple[int, int]) -> Noun | None:
     """`noun` with more traits, unless they contradict those it has."""
     retold = set(update) == {"kind"} and noun.traits.kind is not None
-    if clash(noun.traits, update) or retold:
+    single = noun.head == "block" and not noun.plural and noun.amount is None
+    signs = single and not _SIGNS_INSIDE.isdisjoint(update.get("labels", ())[1:-1])
+    if clash(noun.traits, update) or retold or signs:
         return None
     plural = noun.plural or len(update.get("labels", ())) > 1
     return replace(noun, traits=replace(noun.traits, **update), span=span, plural=plural)

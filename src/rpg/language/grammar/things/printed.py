@@ -6,6 +6,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import label_list
+from rpg.language.grammar.things.values import by_value
 from rpg.language.meaning import Absolute, Clause, Loc, Meaning, Noun, Pronoun, Traits, replace
 
 _ON_IT = ("on it", "on them", "on its top", "on its top face", "on its faces", "on its sides", "on all sides",
@@ -19,6 +20,7 @@ _NAMED = frozenset({*lexicon.LETTER, *lexicon.DIGIT, *lexicon.SYMBOL})
 def with_symbols(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     """ "the cube with K on it": of no colour, besides which K could be a block that lies on it."""
     yield from _among(p, i, j, noun)
+    yield from by_value(p, i, j, noun)
     told = noun.traits.colors or noun.traits.labels or noun.head == "patch"
     start = p.one(j, "with") if not told else 0
     if not start:

@@ -71,7 +71,7 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
             j = p.opt(j, "all", "both", "each") if j else j
             for marks, k in adjectives(p, j):
                 if marks and head in ("block", "any", "patch"):
-                    yield Traits(**marks), k
+                    yield from list(_and_more(p, k, marks)) or [(Traits(**marks), k)]
             for marks, k in of_quality(p, j, head):
                 yield Traits(**marks), k
             j = p.one(j, _AT_FIRST) or j
@@ -91,6 +91,18 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
         yield from told_relative(p, i, 0, head, plural)
 
 
+def _and_more(p: Parser, i: int, marks: dict[str, Any]) -> Results[Traits]:
+    """ "(that is red) and small": a size behind a colour, or a colour behind a size; no noun of its own follows."""
+    if not (j := p.one(i, "and")):
+        return
+    for more, k in adjectives(p, j):
+        told = (set(marks), set(more))
+        if told in _COLOR_AND_SIZE and not any(p.stands(k, table) for table in (lexicon.BLOCK, lexicon.PATCH, _ONES)):
+            yield Traits(**marks, **more), k
+
+
+_COLOR_AND_SIZE = (({"colors"}, {"size"}), ({"size"}, {"colors"}))
+_ONES = frozenset({"one", "ones"})
 _AT_FIRST = frozenset({"currently", "already", "initially", "originally", "now", "presently"})
 _STAYING = frozenset({"stay", "stays", "remain", "remains"})
 _SINGULAR = frozenset({"is", "stands", "lies", "sits", "rests", "touches"})

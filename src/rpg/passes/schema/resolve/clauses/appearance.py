@@ -100,6 +100,8 @@ def _all_open(theme: Ref, scene: Scene) -> Ref:
 
 def _empty(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
     """ "the patch stays empty", "keep the top of the red block clear"."""
+    if _one_of_the_patches(clause.theme, scene):
+        scope = replace(scope, like_patch=True)
     theme = refer(clause.theme, scene, scope) if clause.theme is not None else Ref()
     spec.qualities = []
     if isinstance(clause.theme, Pronoun) and not theme.patch and any(m.ref.patch for m in scene.mentions):
@@ -111,6 +113,12 @@ def _empty(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
             "misplaced", "patches can be empty, and blocks clear on top", clause.span, "name a patch or a block"
         )
     return [r.Clear(a=crown(theme), span=clause.span)]
+
+
+def _one_of_the_patches(theme: Meaning | None, scene: Scene) -> bool:
+    """ "(Both go on the red patch,) and the black one stays empty": no block, where patches are spoken of."""
+    one = isinstance(theme, Noun) and theme.head == "any" and bool(theme.traits.colors)
+    return one and any(t.patch for t in scene.things.values())
 
 
 def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:

@@ -163,7 +163,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     place_of_which(clause, clause.lemma in LEAVING)
-    by_centring(clause, spec)
+    by_centring(clause, spec, scene)
     _at_a_distance(spec)
     clause = heaped_up(clause, spec)
     clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)

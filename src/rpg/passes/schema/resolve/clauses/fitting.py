@@ -175,7 +175,8 @@ def _all_such(labels: tuple[str, ...], quality: str | None, span: Span) -> None:
     """Refuse "the even digits 2 to 8", of which some are odd."""
     for label in labels if quality else ():
         if quality and not quality_fits(Thing(name="", label=label), quality):
-            raise _unfit(f"{label} is not {_QUALITY[quality]}", span, "name those that are meant one by one")
+            what = _QUALITY.get(quality, "such a number")
+            raise _unfit(f"{label} is not {what}", span, "name those that are meant one by one")
 
 
 def _clause(clause: Clause) -> None:
@@ -306,7 +307,8 @@ def _structure(shape: Structure) -> None:
     if isinstance(shape.members, Noun):
         _members(shape, shape.members)
     if shape.members is not None and traits.quality:
-        raise _unfit(f"{traits.quality!r} says nothing of this structure", shape.span, "say it of its blocks")
+        said = traits.quality if traits.quality in _QUALITY else "which numbers these are"
+        raise _unfit(f"{said!r} says nothing of this structure", shape.span, "say it of its blocks")
     if shape.upright is False and shape.kind in _LYING:
         raise _unfit("this structure stands upright", shape.span, "say 'a row' for blocks side by side")
     if shape.filled is False and shape.kind not in _OUTLINED:

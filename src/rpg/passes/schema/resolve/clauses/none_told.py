@@ -6,7 +6,9 @@ from rpg.language.meaning import (
     Amount,
     Chain,
     Clause,
+    In,
     Loc,
+    Manner,
     Meaning,
     Noun,
     Pronoun,
@@ -24,7 +26,7 @@ TWO = Amount(2, 2)
 def none_told(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """The sentences with the blocks that are meant: those on the patch that is to be cleared, or all that there are."""
     things = [part for chain in chains for part in parts_of(chain)]
-    if any(isinstance(x, Structure) or (isinstance(x, Noun) and x.head != "patch") for x in things):
+    if any(isinstance(x, Structure) or (isinstance(x, Noun) and x.head != "patch" and not _none(x)) for x in things):
         return chains
     clauses = [clause for chain in chains for clause in chain.clauses]
     if len(clauses) != 1:
@@ -36,6 +38,9 @@ def _of_blocks(clause: Meaning) -> Meaning:
     if not isinstance(clause, Clause) or clause.mode not in ("command", "goal"):
         return clause
     theme = clause.theme
+    if theme is not None and _none(theme) and _in_a_region(clause):
+        every = Noun(head="block", det="the", plural=True, span=theme.span)
+        return replace(clause, theme=Noun(head="block", det="no", plural=True, part_of=every, span=theme.span))
     if isinstance(theme, Noun) and _empties(clause, theme):
         every = Noun(head="block", det="all", plural=True, span=theme.span)
         place = Using(members=theme, lead="from", span=theme.span)
@@ -45,6 +50,18 @@ def _of_blocks(clause: Meaning) -> Meaning:
     if theme.word == "nothing" and any(map(_to_each_other, clause.adjuncts)):
         return replace(clause, theme=Noun(head="block", det="no", amount=TWO, plural=True, span=theme.span))
     return clause
+
+
+def _none(theme: Meaning) -> bool:
+    """ "No block (is in the front half)", where no other is spoken of: none of those that there are."""
+    if isinstance(theme, Noun):
+        return theme == Noun(head="block", det="no", plural=theme.plural, span=theme.span)
+    return isinstance(theme, Pronoun) and theme.word == "nothing"
+
+
+def _in_a_region(clause: Clause) -> bool:
+    places = [x for x in clause.adjuncts if not (isinstance(x, Manner) and x.kind == "allowed")]
+    return len(places) == 1 and isinstance(places[0], In) and not (places[0].negated or clause.negated)
 
 
 def _to_each_other(place: Meaning) -> bool:

@@ -91,7 +91,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if uses_orders(built):
         spec.orders = []
     goals += places(ref, spec, scene, scope, clause.span)
-    if len(built) == 1 and built[0].kind == "stack" and not scope.start and _sided(spec):
+    if len(built) == 1 and built[0].kind in ("stack", "word") and not scope.start and _sided(spec):
         goals += loose_ats(ref, spec, scene, scope, clause.span)
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)

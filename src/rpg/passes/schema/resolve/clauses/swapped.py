@@ -5,10 +5,12 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.schema import EXCHANGED
-from rpg.language.meaning import Clause, Coord, Loc, Meaning, Structure, replace
+from rpg.language.grammar.clauses.shared import are_patches
+from rpg.language.meaning import Clause, Coord, Loc, Meaning, Noun, Structure, replace
 from rpg.passes.schema.resolve.clauses.replacing import replace_there
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.conflicts import OPPOSITE
+from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import Premise
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -29,6 +31,8 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
         parts = (theme, other)
     elif len(theme.names) == 2 and not isinstance(clause.theme, Structure):
         parts = tuple(Ref(names=(n,)) for n in theme.names)
+    if len(parts) == 2:
+        _one_on_each(theme, clause, spec, scene, scope)
     scene.premises[told:] = [_as_it_begins(premise) for premise in scene.premises[told:]]
     spec.manners = [m for m in spec.manners if m.kind != "idle"]
     if len(parts) != 2 or len(parts[0].names) != len(parts[1].names):
@@ -41,6 +45,15 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
     if any(p.patch for p in parts):
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
     return [r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)]
+
+
+def _one_on_each(theme: Ref, clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> None:
+    """ "Swap the two cubes on the patches": each of them begins on one."""
+    lain = [p for p in spec.places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
+    plain = isinstance(clause.theme, Noun) and clause.theme.plural and not any(m.ref.patch for m in scene.mentions)
+    if plain and len(lain) == 1 and len(spec.places) == 1 and are_patches(lain[0].landmark):
+        scene.start_goals += place(theme, lain[0], scene, replace(scope, start=True), clause.span)
+        spec.places = []
 
 
 def mere_result(goals: list[g.Goal], results: list[g.Goal], scene: Scene) -> list[g.Goal]:

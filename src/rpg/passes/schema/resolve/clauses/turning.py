@@ -204,6 +204,8 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         goals = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
         spec.places = []
         return [*(as_it_stands(theme, scene) if theme.built else ()), *goals]
+    if isinstance(clause.theme, Noun) and clause.theme.det == "both":
+        _both_there(theme, scene)
     scene.picked = clause.span
     scene.held.update(dict.fromkeys(theme.names, clause.span))
     if len(spec.usings) == 1 and spec.usings[0].lead == "out of":
@@ -211,6 +213,13 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if len(spec.usings) == 1 and spec.usings[0].lead == "from":
         picked_from(theme, spec.usings.pop(0), scene, scope, clause.span)
     return []
+
+
+def _both_there(theme: Ref, scene: Scene) -> None:
+    """ "Take both yellow blocks, put one ...": these there are, and nothing is said of either yet."""
+    for name in theme.names:
+        scene.things[name].declared = True
+    scene.used.difference_update(theme.names)
 
 
 def _laid_on(spec: Spec) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from rpg.language.later import later
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Amount, Noun, Traits, replace
+from rpg.passes.schema.resolve.places.patch_sizes import of_patches, patch_by_size
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
@@ -19,11 +20,14 @@ else:
 BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller"})
 _EDGES = {2: (SMALL_EDGE, BIG_EDGE), 3: (SMALL_EDGE, MEDIUM_EDGE, BIG_EDGE)}
 """What so many blocks measure of which no more is said than that they differ in size."""
+_BLOCK = ("block", "name its colour")
 _MANY = {2: "two", 3: "three"}
 
 
 def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The one that is so, of those that are named or of all that look so."""
+    if of_patches(noun, scene, scope):
+        return patch_by_size(noun, scene, scope)
     rank = noun.traits.rank or ""
     if rank.endswith("er") and noun.det in ("a", "any", "no", "each"):
         raise refuse("ambiguous", f"it is not said which block a {rank} one is {rank} than", noun.span,
@@ -42,13 +46,14 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     many = noun.amount.low if noun.amount is not None else 1
     if len(sized) > many and sized[many - 1][0] != sized[many][0]:
         return Ref(names=tuple(name for _, name in sized[:many]), plural=many > 1, listed=many > 1)
-    raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
+    what, hint = ("number", "name it, as in 'put the 7 on the patch'") if noun.traits.kind == "digit" else _BLOCK
+    raise refuse("no-referent", f"no {what} is the {rank}", noun.span, hint)
 
 
 def _unheard_of(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
     """ "Put the biggest block on the mat", where no block was told of: as many as differ in size, and no others."""
     marks = replace(noun.traits, rank=None)
-    plain = noun.head != "patch" and marks == Traits(colors=marks.colors) and len(marks.colors) < 2
+    plain = marks == Traits(colors=marks.colors) and len(marks.colors) < 2
     if not plain or scope.start or any(scene.blocks()):
         return []
     count = min(_EDGES) if (noun.traits.rank or "").endswith("er") else max(_EDGES)

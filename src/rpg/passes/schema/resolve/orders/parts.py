@@ -336,6 +336,8 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
         if len(blocks) != len(places) or set(blocks) & set(held.values()) or set(places) & set(held):
             raise refuse("contradiction", "two different blocks are given the same place", item.span,
                          "give each part one colour")  # fmt: skip
+        for thing in (scene.things[n] for n in blocks if len(places) > 1):  # else their colours would tell an order
+            thing.scheme = thing.scheme or (None if thing.color or thing.label or thing.kind else "same")
         held.update(zip(places, blocks, strict=True))
         mixed.update(dict.fromkeys(places, len(held)) if len({scene.things[n].color for n in blocks}) > 1 else {})
     if not held:

@@ -6,6 +6,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, At, Noun, Traits, replace
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
+from rpg.passes.schema.resolve.orders.by_value import HIGHEST, by_value, highest
 from rpg.passes.schema.resolve.orders.in_grids import CELLS
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
@@ -26,8 +27,10 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return sided_patch(noun, rank[1:], scene, scope)
     if rank.startswith("#"):
         return _numbered(noun, rank[1:], scene)
+    if rank in HIGHEST:
+        return highest(noun, scene)
     if rank in BY_SIZE:
-        return by_size(noun, scene, scope)
+        return by_value(noun, scene) or by_size(noun, scene, scope)
     if rank == "outer":
         return _outer(noun, scene)
     if (left := _left_of_so_many(noun, rank, scene)) is not None:

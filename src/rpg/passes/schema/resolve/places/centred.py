@@ -40,8 +40,9 @@ def _alike(scene: Scene, names: tuple[str, ...] | None) -> list[tuple[str, str]]
     return [(upper, lower) for members in towers for lower, upper in pairwise(members)]
 
 
-def by_centring(clause: Clause, spec: Spec) -> None:
+def by_centring(clause: Clause, spec: Spec, scene: Scene) -> None:
     """ "center the red block on the mat": in its middle; on another block it is to be said how well."""
+    _well_on_a_patch(spec, scene)
     if clause.lemma != "center":
         return
     told = any(isinstance(p, Loc) and p.rel == "offset" for p in spec.places)
@@ -56,6 +57,30 @@ def by_centring(clause: Clause, spec: Spec) -> None:
             spec.places[n] = replace(place, rel="on", landmark=middle)
         elif not told and place.high is None:
             raise refuse("ambiguous", "it is not said how well it is to be centred", place.span, "say 'to within 5 mm'")
+
+
+def _well_on_a_patch(spec: Spec, scene: Scene) -> None:
+    """ "on the green patch, tolerance 1 cm": so near its middle."""
+    offsets = [p for p in spec.places if isinstance(p, Loc) and p.rel == "offset"]
+    lain = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "in") and not p.negated]
+    if len(offsets) != 1 or len(lain) != 1 or scene.denying or _of_several(scene):
+        return
+    mark = lain[0].landmark
+    middle = mark if isinstance(mark, PartOf) and mark.part == "middle" else None
+    patch = middle.whole if middle else mark
+    if not isinstance(patch, Noun) or patch.head != "patch":
+        return
+    if middle is None:
+        scene.assume("from where the tolerance is measured is not said: from the middle of the patch")
+        middle = PartOf(part="middle", whole=patch, span=patch.span)
+    spec.places.remove(offsets[0])
+    spec.places[spec.places.index(lain[0])] = replace(lain[0], rel="on", landmark=middle, high=offsets[0].high)
+
+
+def _of_several(scene: Scene) -> bool:
+    """Whether another block was placed in the same sentence, of which the tolerance may be said as well."""
+    before = [m for m in scene.mentions if m.sentence == scene.sentence and m.clause < scene.clause]
+    return any(not m.ref.patch for m in before)
 
 
 def centred_on(theme: Ref, mark: Ref, loc: Loc, span: Span) -> Atoms:

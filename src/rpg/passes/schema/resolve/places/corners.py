@@ -67,15 +67,20 @@ def _some_in(names: tuple[str, ...], where: str, span: Span) -> g.Goal:
 
 
 def one_for_each_corner(theme: Meaning, places: list[Meaning], scene: Scene) -> Meaning:
-    """ "one block in each corner: red, green, blue and white": the four blocks that there are."""
+    """ "one block in each corner: red, green, blue and white", "four blocks. One in each corner": the four of them."""
     corner = any(isinstance(p, In) and p.region.startswith("each_corner") and not p.negated for p in places)
-    one = (
-        isinstance(theme, Noun) and theme.amount == Amount(1, 1) and theme.traits == Traits() and theme.head == "block"
-    )
+    one = isinstance(theme, Noun) and theme.traits == Traits() and theme.part_of is None and not theme.conditions
+    one = one and isinstance(theme, Noun) and _single(theme)
     there = [t for t in scene.blocks() if t.declared and not t.extra]
     if corner and one and len(there) == len(CORNERS):
         return Pronoun(word="everything", span=theme.span)
     return theme
+
+
+def _single(noun: Noun) -> bool:
+    """Whether this is "one block", or "one" with a number or without, as in "put one in each corner"."""
+    bare = noun.head == "any" and noun.det == "bare" and noun.amount is None and not noun.plural
+    return bare or (noun.head in ("block", "any") and noun.amount == Amount(1, 1))
 
 
 _DIAGONAL = {

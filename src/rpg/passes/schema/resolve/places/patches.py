@@ -196,7 +196,8 @@ def each_its_own(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> list[tuple[Re
     """ "on each of the three blue blocks there is one of the three red ones": one on each, as there are as many."""
     if theme.quant != Amount(1, 1, True) or not mark.each or mark.built or mark.quant is not None or loc.rel != "on":
         return None
-    alike_ = len({(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in theme.names)}) == 1
+    looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in theme.names)}
+    alike_ = len(looks) == 1 and looks != {(None, None, None, None)}  # those come to differ where nothing is said
     if len(theme.names) != len(mark.names) or len(mark.names) < 2 or not alike_ or loc.negated:
         return None
     pairs = zip(theme.names, mark.names, strict=True)

@@ -41,8 +41,10 @@ from rpg.passes.schema.resolve.places.patches import (
     on_separate_patches,
     one_lot_each,
 )
+from rpg.passes.schema.resolve.places.side_lengths import MEASURES, so_large
 from rpg.passes.schema.resolve.places.some_of_them import to_each_other, to_others
 from rpg.passes.schema.resolve.places.stacking import Towers, check_bodies, vertical
+from rpg.passes.schema.resolve.places.where_was import took_place
 from rpg.passes.schema.resolve.things.none_of import one_and_all
 from rpg.passes.schema.resolve.things.operands import (
     DIRECTIONS,
@@ -86,16 +88,14 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",
                          meaning.span, "say 'of the table', or name the structure's blocks")  # fmt: skip
         case In(region="other_half"):
-            opposite = replace(meaning, region=the_other_half(scene, meaning.span))
-            return place(theme, opposite, scene, scope, span)
+            return place(theme, replace(meaning, region=the_other_half(scene, meaning.span)), scene, scope, span)
         case In():
             scene.region, scene.region_at = meaning.region, meaning.span[0]
             scene.regions[scene.clause] = meaning.region
             return [negate(_region(theme, meaning.region, span), meaning.negated, span)]
         case Coord():
             if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:
-                apart = [Ref(names=(n,)) for n in theme.names]
-                return [x for one in apart for x in place(one, meaning, scene, scope, span)]
+                return [x for n in theme.names for x in place(Ref(names=(n,)), meaning, scene, scope, span)]
             if meaning.op == "or":
                 return [disj([_alternative(theme, x, scene, scope, span) for x in meaning.items], span)]
             return [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
@@ -106,6 +106,10 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             return place(theme, Coord(op=op, items=both, span=meaning.span), scene, scope, span)
         case Loc(landmark=Pronoun(word="there")) if scene.region_at > scene.last_landmark_at:
             return place(theme, In(region=scene.region, negated=meaning.negated, span=meaning.span), scene, scope, span)
+        case Loc(measure=measure) if measure in MEASURES:
+            return [so_large(theme, meaning, scene)]
+        case Loc(rel="where was"):
+            return took_place(theme, meaning, scene, scope, span)
         case Loc():
             towers = Towers.of(scene)
             goals = _loc(theme, meaning, scene, scope, span)
@@ -391,7 +395,7 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         if mark.part == "middle":
             if len(theme.names) != 1:
                 raise refuse("ambiguous", "only one block fits in the middle of a patch", span, "name one block")
-            near = r.Distance(a=theme.names, b=patches, maximum=PATCH_MIDDLE, span=span)
+            near = r.Distance(a=theme.names, b=patches, maximum=loc.high or PATCH_MIDDLE, span=span)
             return [on_patches(theme, mark, scene, span), near]
         return [on_patches(theme, mark, scene, span)]
     if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):

@@ -75,7 +75,7 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     whole_grids = (a for a in atoms(goal) if isinstance(a, s.Grid) or (isinstance(a, s.Figure) and has_centre(a)))
     for grid in (a for a in whole_grids if len(loose) == 1 and set(names) < set(a.blocks)):
         return in_grid(goal, grid, loose[0], scene)
-    for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) <= set(a.blocks)):
+    for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) < set(a.blocks)):
         check_word(word, loose, scene)
         return goal
     rows = any(isinstance(a, s.Row) for a in atoms(goal))

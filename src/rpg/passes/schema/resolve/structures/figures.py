@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said
 from rpg.passes.schema.resolve.structures.grids import grid
 from rpg.passes.schema.resolve.structures.hubs import hub_of, with_hub
 from rpg.passes.schema.resolve.structures.limbs import limbs_of
+from rpg.passes.schema.resolve.structures.measured import with_length
 from rpg.passes.schema.resolve.structures.patterns import pattern_of
 from rpg.passes.schema.resolve.things.members import members_of
 from rpg.passes.schema.resolve.things.things import amount_of
@@ -38,6 +39,7 @@ def _bare(shape: Structure) -> bool:
 def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Outlines, filled figures and letter shapes on the table."""
     plain(shape)
+    shape = with_length(shape, spec)
     if shape.kind == "square" and theme is None and _bare(shape) and any(b.kind == "grid" for b in scene.built):
         raise refuse("ambiguous", "this could be a place of the grid, or a figure of its own", shape.span,
                      "say 'the block', or of how many blocks the square is built")  # fmt: skip
@@ -167,10 +169,13 @@ def _pointing(shape: Structure, spec: Spec) -> str | None:
     kind = shape.kind
     told = [m for m in spec.manners if m.kind.startswith("pointing:") or m.kind == "facing"]
     upright = kind in _POINTERS and any((m.kind, m.value) == ("turn", 0.0) for m in spec.manners)
-    used = [*told, *(m for m in spec.manners if upright and (m.kind, m.value) == ("turn", 0.0))]
+    over = kind in _POINTERS and kind != "L" and any((m.kind, m.value) == ("turn", 180.0) for m in spec.manners)
+    turns = (*((("turn", 0.0),) if upright else ()), *((("turn", 180.0),) if over else ()))
+    used = [*told, *(m for m in spec.manners if (m.kind, m.value) in turns)]
     spec.manners = [m for m in spec.manners if m not in used]
     sides = {_side(kind, m) for m in told if m.kind != "pointing:long"}
     sides |= {NATURAL.get(kind, "front")} if upright and not told else set()
+    sides |= {OPPOSITE[NATURAL.get(kind, "front")]} if over else set()
     for long in (m for m in told if m.kind == "pointing:long"):
         if kind != "L" or not sides or sides - {"left", "right"}:
             raise refuse("misplaced", "this does not tell how the figure lies", long.span,

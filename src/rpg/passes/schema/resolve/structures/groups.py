@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rpg.blocks.traits import QUALITIES
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
@@ -14,7 +15,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.grouped import equal, group_size, told_lots
 from rpg.passes.schema.resolve.structures.towers import STACK_COLORS
 from rpg.passes.schema.resolve.things.members import declared, members_of, new_members
-from rpg.passes.schema.resolve.things.things import VOWELS, alike
+from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse, said
 
 if TYPE_CHECKING:
@@ -234,7 +235,7 @@ def value_of(thing: Thing, attribute: str) -> str:
         case "label":
             return thing.label or ""
         case "vowel":
-            return "vowel" if (thing.label or "") in VOWELS else "consonant"
+            return "vowel" if (thing.label or "") in QUALITIES["vowel"] else "consonant"
         case "parity":
             return "even" if (thing.label or "1") in "02468" else "odd"
         case _:

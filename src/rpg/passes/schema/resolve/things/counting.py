@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Noun, Traits
+from dataclasses import replace as changed
+from typing import TYPE_CHECKING
+
+from rpg.language.later import later
+from rpg.language.meaning import Amount, Noun, Traits, replace
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.things.refer import refer
+else:
+    (refer,) = later(__name__, "rpg.passes.schema.resolve.things.refer", "refer")
 
 
 def elliptical(noun: Noun, scene: Scene, scope: Scope) -> bool:
@@ -40,12 +49,35 @@ def denied(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ..
     return tuple(name for name in there if name in scope.pool) or there
 
 
-def counted_among(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
+def _none_told(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
+    """ "At most one block is on the mat", where no block was told of: there are more of them than may be there."""
+    amount, marks = noun.amount, noun.traits
+    plain = noun.head == "block" and not patch and marks == Traits(colors=marks.colors) and len(marks.colors) < 2
+    if not plain or amount is None or not amount.high or scope.start or any(scene.blocks()):
+        return ()
+    count = amount.high + MORE
+    lot = replace(noun, det="bare", amount=Amount(count, count), plural=True)
+    those = refer(lot, scene, changed(scope, role="part"))
+    scene.mentions.pop()
+    color = f"{marks.colors[0]} " if marks.colors else ""
+    scene.assume(f"the number of {color}blocks is not said: {count}")
+    for name in those.names:
+        scene.things[name].declared = True
+    return those.names
+
+
+MORE = 2
+"""So many more blocks there are than may be somewhere."""
+
+
+def counted_among(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
     """ "at most one white block" counts all the white blocks there are."""
     amount = noun.amount
     if amount is None or not amount.strict or noun.det not in ("bare", "some"):
         return ()
     there = [t for t in matching(noun.traits, scene, patch) if t.declared or t.name in scene.told]
+    if amount.low == 0 and (invented := _none_told(noun, scene, scope, patch)):
+        return invented
     if amount.low == 0 and len(there) <= (amount.high or 0):
         raise refuse(
             "ambiguous",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import string
 from collections import Counter
 
+from rpg.blocks.traits import QUALITIES, symbols_of
 from rpg.ir import goal as g
 from rpg.ir.assets import PATCH_SIDE, Asset, ColoredCube, Faces, GoalPatch, SemanticCube
 from rpg.ir.goal import Goal
@@ -12,7 +13,7 @@ from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID
 from rpg.ir.walk import rename
 from rpg.passes.schema.resolve.things.sized import size_all
 from rpg.passes.schema.resolve.things.strangers import no_strangers
-from rpg.passes.schema.resolve.things.things import EDGES, VOWELS
+from rpg.passes.schema.resolve.things.things import EDGES, PATCH_SCALE
 from rpg.passes.schema.resolve.things.world import Scene, Thing, refuse
 
 BLOCK_COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink", "brown", "white", "black", "gray")
@@ -37,6 +38,9 @@ def label_of(thing: Thing, scene: Scene) -> str:
                 f"use at most {len(choice)} blocks of different symbols",
                 symbols=len(choice),
             )
+        if taken[fresh] and thing.quality and thing.quality not in QUALITIES:
+            raise refuse("too-many-labels", f"of such digits there are no more than {', '.join(choice)}", None,
+                         "name the cubes, as in 'put 7, 8 and 9 in a row'", symbols=len(choice))  # fmt: skip
         thing.label = fresh
         thing.open = string.ascii_uppercase + DIGITS if thing.kind == "symbol" else choice
         scene.assume(f"{SYMBOLS_UNSAID}: chosen in order")
@@ -47,15 +51,8 @@ def label_of(thing: Thing, scene: Scene) -> str:
 
 def _symbols_for(thing: Thing) -> str:
     """The symbols that a block may show, in the order in which they are chosen."""
-    match thing.quality:
-        case "vowel":
-            return VOWELS
-        case "consonant":
-            return "".join(letter for letter in string.ascii_uppercase if letter not in VOWELS)
-        case "even":
-            return "24680"
-        case "odd":
-            return "13579"
+    if thing.quality:
+        return symbols_of(thing.quality)
     return DIGITS if thing.kind == "digit" else string.ascii_uppercase
 
 
@@ -189,7 +186,7 @@ def _asset(thing: Thing, name: str) -> Asset:
             width, shape = (PATCH_SIDE, round(PATCH_SIDE * LONG, 4)), "rectangle"
         elif shape == "rectangle" and thing.extent is None:
             width = (PATCH_SIDE, round(PATCH_SIDE * 1.5, 4))
-        scale = {"big": 1.5, "small": 0.7}.get(thing.size or "", 1.0)
+        scale = PATCH_SCALE.get(thing.size or "", 1.0)
         size = (round(width[0] * scale, 4), round(width[1] * scale, 4))
         return GoalPatch(name=name, color=thing.color or "gray", shape=shape, size=size)  # type: ignore[arg-type]
     edge = thing.edge or EDGES.get(thing.size or "", 0.04)

@@ -4,13 +4,14 @@ blue one, put the rest on the mat". As of "all the blocks", their number is assu
 from __future__ import annotations
 
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Traits, parts_of
+from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, That, Traits, parts_of
 from rpg.passes.schema.resolve.things.things import create
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing
 
 _ALL = frozenset({"all others", "all the others", "all the rest", "everything else"})
 _REST = frozenset({"the others", "the rest", "the other ones", "the remaining ones", "others"})
 _LEFT = ("keep", "touch")
+_DISTURB = frozenset({"move", "touch"})
 OTHERS = 3
 """So many are "all the others"."""
 
@@ -33,7 +34,7 @@ def others_left_open(chains: tuple[Chain, ...]) -> Span | None:
     if own and any(isinstance(part, Noun) and part in named for part in before):
         return None  # "red, green and blue are on the mat; red is left of all others" is of these
     alone = any(map(_stays, clauses[:here])) or _stays(clauses[here])
-    return rest.span if _all_others(rest) or (alone and not own) else None
+    return rest.span if _all_others(rest) or (alone and not own) or _spared(clauses[here], rest) else None
 
 
 def made_up(span: Span, left: list[Thing], scene: Scene, patch: bool) -> Ref | None:
@@ -78,4 +79,14 @@ def _stays(clause: Meaning) -> bool:
     if not isinstance(clause, Clause):
         return False
     stays = any(isinstance(part, Manner) and part.kind == "stay" for part in clause.adjuncts)
-    return stays or (clause.verb in _LEFT and clause.negated == (clause.verb == "touch"))
+    unmoved = clause.lemma == "move" and clause.negated and not clause.adjuncts
+    return stays or unmoved or (clause.verb in _LEFT and clause.negated == (clause.verb == "touch"))
+
+
+def _spared(clause: Meaning, rest: Meaning) -> bool:
+    """ "Put the red one on the mat without touching any other block"."""
+    if not isinstance(clause, Clause) or clause.mode != "command":
+        return False  # "it should be on the mat without touching any other block": of how it stands there
+    behind = [part for part in clause.adjuncts if isinstance(part, That)]
+    told = [one for that in behind if that.kind == "without" for one in parts_of(that) if isinstance(one, Clause)]
+    return any(one.theme is rest and not one.adjuncts and one.lemma in _DISTURB for one in told)

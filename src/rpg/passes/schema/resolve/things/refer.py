@@ -61,6 +61,15 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
     return found
 
 
+def _all_such(item: Meaning) -> bool:
+    return isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None
+
+
+def _colored(item: Meaning) -> bool:
+    """ "All the red ones (and all the blue ones)": told in the same way, so that neither describes the other."""
+    return isinstance(item, Noun) and item.traits == Traits(colors=item.traits.colors) and bool(item.traits.colors)
+
+
 def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "except":
         return excepted(meaning, scene, scope)
@@ -90,7 +99,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     for item in bounded(meaning):
         if isinstance(item, Noun) and repeats(item, seen, scope.role == "member"):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))
-        if parts and isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None:
+        if parts and _all_such(item) and not all(_all_such(x) and _colored(x) for x in meaning.items):
             raise refuse("misplaced", "this could describe the blocks before it", item.span, "say it in front of them")
         if isinstance(item, Noun):
             seen.append(item.traits)
@@ -142,6 +151,13 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
     built = whole.built[0] if len(whole.built) == 1 and whole.built[0].ordered else None
     if meaning.part == "top" or (meaning.part == "middle" and whole.patch and len(whole.names) == 1):
         return replace(whole, part=meaning.part)
+    if (
+        meaning.part == "middle"
+        and scope.role == "theme"
+        and len(whole.names) == 1
+        and not (whole.built or whole.patch)
+    ):
+        return whole  # "its centre lies on the mat": a block is where its middle is
     if built is not None and meaning.part == "middle" and len(built.members) % 2:
         return Ref(names=(built.members[len(built.members) // 2],))
     if built is not None and built.kind == "stack" and meaning.part == "bottom":
@@ -244,7 +260,11 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.det == "no" and noun.amount == Amount(PAIR, PAIR) and noun.traits.colors and not patch:
         those = replace(noun, det="the", amount=None)  # "no two red ones": of the red ones that there are
         return _partitive(replace(noun, head="any", traits=Traits(), part_of=those), scene, scope)
-    names = denied(noun, scene, scope, patch) or counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
+    names = (
+        denied(noun, scene, scope, patch)
+        or counted_among(noun, scene, scope, patch)
+        or select(noun, scene, scope, patch)
+    )
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
     return quantified(found, noun)
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import string
 
+from rpg.blocks.traits import symbols_of
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Amount, Coord, Loc, Manner, Meaning, Noun, Traits, parts_of, record, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
+PATCH_SCALE = {"big": 1.5, "small": 0.7}
+"""How much larger a patch is than one of which nothing is said."""
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
-
-
-VOWELS = "AEIOU"
 
 
 def fits(thing: Thing, traits: Traits) -> bool:
@@ -42,17 +42,8 @@ def _kind_fits(thing: Thing, kind: str) -> bool:
 
 
 def quality_fits(thing: Thing, quality: str) -> bool:
-    """Vowel, consonant, even, odd."""
-    label = thing.label or ""
-    match quality:
-        case "vowel":
-            return label != "" and label in VOWELS
-        case "consonant":
-            return label != "" and label in string.ascii_uppercase and label not in VOWELS
-        case "even":
-            return label in "02468" and label != ""
-        case _:
-            return label in "13579" and label != ""
+    """Vowel, consonant, even, odd, or one of some symbols."""
+    return thing.label is not None and thing.label in symbols_of(quality)
 
 
 def matching(traits: Traits, scene: Scene, patch: bool) -> list[Thing]:
@@ -75,7 +66,7 @@ def create(traits: Traits, scene: Scene, patch: bool) -> Thing:
     label = traits.labels[0] if traits.labels else None
     kind = _kind_of(label) if label else (traits.kind if traits.kind != "plain" else None)
     if traits.quality and not kind:
-        kind = "digit" if traits.quality in ("even", "odd") else "letter"
+        kind = _kind_of(symbols_of(traits.quality)[0])
     return scene.fresh(
         patch=patch, color=traits.colors[0] if traits.colors else None, label=label, kind=kind, quality=traits.quality,
         edge=traits.edge if not patch else None, size=traits.size, shape=traits.shape if patch else None,
@@ -210,8 +201,11 @@ def looks_said(noun: Noun, names: tuple[str, ...], there: dict[str, bool], scene
     "Two red blocks on the mat and three on the table": three more red ones, not three of whatever look.
     """
     new = [scene.things[name] for name in names if name not in there]
-    if noun.det == "all" and noun.traits.quality and not noun.traits.labels and len(new) == len(names):
-        raise refuse("ambiguous", "it is not said which symbols there are", noun.span, "name them")
+    alone = noun.det == "all" and not noun.traits.labels and len(new) == len(names) and not scene.opposites
+    if alone and noun.traits.quality:
+        which = "letters A to F" if symbols_of(noun.traits.quality)[0].isalpha() else "digits 1 to 8"
+        raise refuse("ambiguous", "it is not said which symbols there are", noun.span,
+                     f"say it first, as in 'There are the {which}.'")  # fmt: skip
     many = noun.amount
     if many is not None and many.strict and many.low != many.high and noun.traits == Traits():
         scene.vague.update(thing.name for thing in new if noun.head == "block" and noun.part_of is None)
@@ -251,8 +245,12 @@ def of_no_look(meaning: Meaning) -> bool:
 
 
 def note_named(chains: tuple[Meaning, ...], scene: Scene) -> None:
-    """Note whether the sentences say how blocks look or how many there are."""
+    """Note whether the sentences say how blocks look or how many there are, and whether they tell of both of two
+    opposites: "all odd numbers left, all even ones right"."""
     blocks = [x for chain in chains for x in parts_of(chain) if isinstance(x, Noun) and x.head != "patch"]
     looks = {(x.traits.colors, x.traits.labels) for x in blocks} - {((), ())}
     scene.looks = len(looks)
+    joined = {item for chain in chains for x in parts_of(chain) if isinstance(x, Coord) for item in x.items}
+    qualities = {x.traits.quality for x in blocks if x not in joined}
+    scene.opposites = qualities >= {"odd", "even"} or qualities >= {"vowel", "consonant"}
     scene.names_blocks = bool(looks) or any(x.amount is not None and x.head == "block" for x in blocks)

@@ -227,6 +227,7 @@ class Scene:
     surveyed: list[tuple[Traits, tuple[str, ...], Span]] = field(default_factory=list)
     kept: list[tuple[Goal, list[Goal]]] = field(default_factory=list)
     names_blocks: bool = False
+    opposites: bool = False
     looks: int = 0
     sized: tuple[Traits, Span] | None = None
     ignored: dict[str, Span] = field(default_factory=dict)

@@ -1,0 +1,56 @@
+"""Words that are to be spelt: "spell CAT with letter blocks", "make the words CAT and DOG"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.places.formed import beside_word
+from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.grammar.things.labels import digits_of, literal
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.meaning import Clause, Into, Meaning, Noun, Structure
+
+_WORDS = Patterns("the|these|both? two|three|four? words|names :?", ":")
+
+
+def spelling(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
+    """What a verb at i spells or builds of letters: "build CAT out of letter cubes", "make words: CAT and DOG"."""
+    if sense == "spell" or (sense == "build" and j < p.end and p.tokens[j].kind == "literal"):
+        yield from spell(p, i, j, lemma)
+    for k in _WORDS.matches(p, j) if sense in ("spell", "build") else ():
+        if k < p.end and p.tokens[k].kind == "literal" and _so_many(p, j, k):
+            yield from spell(p, i, k, lemma)
+
+
+def _so_many(p: Parser, j: int, k: int) -> bool:
+    """Whether there are as many words from k on as are counted between j and k, if they are."""
+    told = [many for n in range(j, k) if (many := p.number(n)) is not None]
+    return told in ([], [sum(literal(p, n) is not None for n in range(k, p.end))])
+
+
+def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
+    """ "spell CAT with letter blocks", "spell the word 'ROBOT'", "spell a word"."""
+    j = p.opt(j, "out")
+    text = literal(p, j) or digits_of(p, j)
+    themes: list[tuple[Meaning, int]] = []
+    if text is not None:
+        themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
+    themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind in ("word", "equation")]
+    if lemma == "write":
+        yield from _written(p, i, j)
+    for theme, k in themes:
+        beside = [((word, *more), e) for word, m in beside_word(p, k) for more, e in adjuncts(p, m)]
+        for found, end in [*adjuncts(p, k), *beside]:
+            span, word = p.span(i, end), p.span(i, i + 1)
+            yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=span, word=word), end
+
+
+def _written(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "write the digits 1 to 9 into a 3x3 grid": symbols that are put there."""
+    for theme, k in noun_phrase(p, j):
+        if not isinstance(theme, Noun) or len(theme.traits.labels) < 2:
+            continue
+        for found, end in adjuncts(p, k):
+            if any(isinstance(x, Into) for x in found):
+                word = p.span(i, i + 1)
+                yield Clause(verb="arrange", theme=theme, adjuncts=found, span=p.span(i, end), word=word), end

@@ -8,6 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.things.labels import label_list
+from rpg.language.grammar.things.out_of_region import out_of_region
 from rpg.language.grammar.things.standby import NO_ROLE
 from rpg.language.grammar.things.told_relatives import told_relative
 from rpg.language.later import later
@@ -89,6 +90,8 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
             yield (tuple(That(kind="whole", clauses=x, span=x.span) for x in places) if whole else places), k
     else:
         yield from told_relative(p, i, 0, head, plural)
+        if head == "block":
+            yield from out_of_region(p, i)
 
 
 def _and_more(p: Parser, i: int, marks: dict[str, Any]) -> Results[Traits]:

@@ -9,6 +9,7 @@ from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
+from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
@@ -76,7 +77,8 @@ class BuiltinFrontEnd:
         tokens, named = without_names(untitled(tokens[over:]))
         tokens, glosses = without_glosses(tokens)
         tokens, nicknames = without_nicknames(tokens)
-        named = [*named, *glosses, *nicknames]
+        tokens, widths = in_centimetres(tokens)
+        named = [*named, *glosses, *nicknames, *widths]
         words, notes, wrong = read_words(tokens)
         if wrong and (plain := without_remarks(words, wrong)) is not None:
             (words, remarks), wrong = plain, []

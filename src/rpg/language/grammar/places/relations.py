@@ -6,6 +6,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.across import across
 from rpg.language.grammar.places.against import against_side
+from rpg.language.grammar.places.as_neighbor import as_neighbor
 from rpg.language.grammar.places.compared import compared
 from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
@@ -81,6 +82,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from outside(p, i)
     yield from neither(p, i)
     yield from on_its_color(p, i)
+    yield from as_neighbor(p, i)
     yield from flanking(p, i)
     yield from diagonal(p, i)
     yield from (*across(p, i), *where_was(p, i))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
+from rpg.language.grammar.things.blank import blank
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.out_of_region import out_of_region
 from rpg.language.grammar.things.standby import NO_ROLE
@@ -56,6 +57,8 @@ _WHOSE_COLOR = ("whose color is", "which color is", "that color is", "where the 
 def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
     """Traits, or a tuple of conditions: places, or `That` of kind "whole" where a verb in the singular behind several
     blocks is of the structure that they form."""
+    if head == "block":
+        yield from blank(p, i)
     comma = p.opt(i, ",")
     if j := p.any_of(comma, _WHOSE_COLOR):
         for named, k in color(p, j):

@@ -216,6 +216,7 @@ def one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
                 continue
             new = scene.fresh(color=like.color, kind=like.kind, size=like.size, edge=like.edge, scheme=like.scheme)
             new.batch = like.batch
+            scene.used.add(new.name)
             more.append(new.name)
         made.append(tuple(more))
     for mention in (m for m in scene.mentions if m.clause == scene.clause and m.ref.names == theme.names):

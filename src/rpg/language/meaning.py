@@ -163,7 +163,9 @@ OWNER = "it that has"
 
 @record
 class TableTop(Meaning):
-    """The table."""
+    """The table. `bare`: beside the patches on it."""
+
+    bare: bool = False
 
 
 @record

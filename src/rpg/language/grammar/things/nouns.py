@@ -146,11 +146,15 @@ def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
 @choice
 def _table(p: Parser, i: int) -> Results[Meaning]:
     j = p.opt(i, "the", "a", "this", "your", "my")
-    j = p.opt(j, "work", "wooden")
+    bare = p.one(j, _BARE)
+    j = p.opt(bare or j, "work", "wooden")
     if p.lex(j, lexicon.TABLE) is False:
         end = j + 1
         end = p.opt(end, "top", "surface")
-        yield TableTop(span=p.span(i, end)), end
+        yield TableTop(bare=bool(bare), span=p.span(i, end)), end
+
+
+_BARE = frozenset({"bare", "naked", "uncovered"})
 
 
 _PARTS = {

@@ -36,6 +36,7 @@ from rpg.passes.schema.resolve.places.patches import (
     indefinite,
     like_the_last,
     matching_patches,
+    none_matching,
     on_patches,
     on_separate_patches,
     one_lot_each,
@@ -228,6 +229,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [x for one, other in shared for x in related(one, other, loc, scene, span)]
     if loc.rel in ("between", "sandwiched", "flank"):
         return [(flanked if loc.rel == "flank" else between)(theme, mark, loc, scene, span)]
+    if mark.matching and theme.quant is not None and theme.quant.high == 0:
+        return none_matching(theme, mark, scene, span)
     if (
         theme.quant is not None
         and theme.quant.high == 0

@@ -331,7 +331,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         if noun.det == "other" and not left and not noun.traits.colors and not second:
             known = any(t.declared for t in scene.things.values())
             told = "every block is spoken for already" if known else "it is not said which other block"
-            raise refuse("no-referent", told, noun.span, "name the block, or add one")
+            raise refuse("no-referent", told, noun.span, "say how many there are: 'there are five red blocks'")
         _some_other(noun, count, scene, patch)
         scene.new_batch()
         made = [create(noun.traits, scene, patch) for _ in range(count or (2 if noun.plural else 1))]

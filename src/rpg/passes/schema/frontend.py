@@ -12,6 +12,7 @@ from rpg.ir.schema import TaskSchema
 from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
 from rpg.language.fondness import without_feelings
+from rpg.language.formulas import formulas_told
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
@@ -72,7 +73,7 @@ class BuiltinFrontEnd:
     ) -> Reading:
         """`mended`: notes of the misspelt words that were mended in the text."""
         guard(text)
-        tokens, strays = tokenize(text)
+        tokens, strays = formulas_told(*tokenize(text))
         if over := title(tokens):
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
         tokens, named = untitled(tokens[over:]), list[str]()

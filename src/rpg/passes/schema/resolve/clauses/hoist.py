@@ -47,7 +47,7 @@ from rpg.passes.schema.resolve.structures.told_towers import (
     told_after,
     told_towers,
 )
-from rpg.passes.schema.resolve.things.listed_after import built_first, filled, shapes_pictured
+from rpg.passes.schema.resolve.things.listed_after import built_first, filled, listed_inside, shapes_pictured
 from rpg.passes.schema.resolve.things.world import refuse
 
 _VERBS = ("stack", "arrange")
@@ -61,7 +61,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
     """The sentences, with "the top block is red" said where the tower is built; sentences that say no more are gone."""
     found: list[list[tuple[str, Meaning]]] = []
     chains = standing_there(opposite_sides(chains))
-    for chain in shapes_pictured(built_first(chains)):
+    for chain in shapes_pictured(built_first(listed_inside(chains))):
         of_all_that_follows(chain)
         kept: list[tuple[str, Meaning]] = []
         found.append(kept)

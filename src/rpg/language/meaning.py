@@ -318,7 +318,7 @@ class That(Meaning):
 
 @record
 class Clause(Meaning):
-    """A verb (a sense of the lexicon, "be", "exist") with theme and adjuncts; `subject`: of whom it tells, if not it."""
+    """A verb (of the lexicon, "be", "exist") with its theme and adjuncts; `subject`: of whom it tells, if not it."""
 
     verb: str
     lemma: str = ""

@@ -61,7 +61,7 @@ _BESIDE = frozenset({"of", "from", "behind"})
 def every_other(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "To the right of every other block": of all others."""
     for at in range(2, len(words) - 2):
-        ones = words[at + 2] in (*lexicon.BLOCK, "one")
+        ones = words[at + 2] in (*lexicon.BLOCK, *lexicon.LOOSE_BLOCK, "one")
         if words[at : at + 2] == ["every", "other"] and ones and words[at - 1] in _BESIDE:
             others = [tokens[at].saying(word) for word in ("all", "others")]
             return [*tokens[:at], *others, *tokens[at + 3 :]]

@@ -28,8 +28,8 @@ EMPTY = Marks()
 
 _PLAIN = {
     "empty": ("empty", True), "free": ("empty", True), "vacant": ("empty", True), "unoccupied": ("empty", True),
-    "long": ("long", True), "elongated": ("long", True), "plain": ("kind", "plain"), "ordinary": ("kind", "plain"),
-    "semantic": ("kind", "symbol"), "symbol": ("kind", "symbol"), "symbols": ("kind", "symbol"),
+    "long": ("long", True), "elongated": ("long", True), "semantic": ("kind", "symbol"), "symbol": ("kind", "symbol"),
+    **dict.fromkeys(("plain", "ordinary", "blank", "unmarked"), ("kind", "plain")), "symbols": ("kind", "symbol"),
     "extra": ("extra", True), "distractor": ("extra", True),
     "additional": ("extra", True), "unused": ("extra", True), "superfluous": ("extra", True),
     "irrelevant": ("extra", True), "spare": ("extra", True), "unneeded": ("extra", True),

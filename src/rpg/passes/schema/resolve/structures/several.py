@@ -65,7 +65,11 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
 def _own_patches(spec: Spec) -> bool:
     """ "Three stacks of two, each on its own patch": each of them is somewhere else."""
     marks = [p.landmark for p in spec.places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
-    return any(isinstance(m, Noun) and m.traits.scheme == "different" and not m.traits.colors for m in marks)
+    return any(isinstance(m, Noun) and (m.det == "each" or _own(m)) and m.head == "patch" for m in marks)
+
+
+def _own(mark: Noun) -> bool:
+    return mark.traits.scheme == "different" and not mark.traits.colors
 
 
 def _to_each_other(spec: Spec) -> bool:
@@ -306,6 +310,8 @@ def _unsized(members: Meaning) -> bool:
 def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], scene: Scene) -> tuple[str, ...]:
     """A colour of its own for each, where nothing is said of the blocks' looks."""
     members = shape.members
+    if isinstance(members, Coord):
+        return ()  # "three towers of a big and a small cube"
     said = members.traits if isinstance(members, Noun) else Traits()
     plain = (
         replace(said, scheme=None) == Traits() and shape.traits == Traits() and (members is None or said == Traits())

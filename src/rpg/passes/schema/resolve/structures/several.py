@@ -149,10 +149,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         if color and not sized:
             scene.vague.update(n for b in more for n in b.members)
     members = [n for b in built for n in b.members]
-    if (unequal := own.manner("unequal")) is not None and len({len(b.members) for b in built}) < count:
-        raise refuse("contradiction", f"these {shape.kind}s are not told to differ so", unequal.span, "leave it out")
-    if (equal := own.manner("equal")) is not None and len({len(b.members) for b in built}) > 1:
-        raise refuse("contradiction", f"these {shape.kind}s are not equally long", equal.span, "leave it out")
+    _as_long_as_told(built, own, shape)
     if len(set(members)) < len(members):
         raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
                      f"say how many blocks each {shape.kind} has")  # fmt: skip
@@ -165,6 +162,15 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     if axis is not None:
         return built, goals + _side_by_side(built, axis, shape, scene)
     return built, goals + not_one_line(goals, on_the_table(shape, scene))
+
+
+def _as_long_as_told(built: list[Built], own: Spec, shape: Structure) -> None:
+    """Refuse "of different lengths" of structures that are equally long, and the other way round."""
+    lengths = {len(b.members) for b in built}
+    if (unequal := own.manner("unequal")) is not None and len(lengths) < len(built):
+        raise refuse("contradiction", f"these {shape.kind}s are not told to differ so", unequal.span, "leave it out")
+    if (equal := own.manner("equal")) is not None and len(lengths) > 1:
+        raise refuse("contradiction", f"these {shape.kind}s are not equally long", equal.span, "leave it out")
 
 
 def _side_by_side(built: list[Built], axis: str, shape: Structure, scene: Scene) -> list[g.Goal]:

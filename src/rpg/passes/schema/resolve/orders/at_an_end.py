@@ -16,6 +16,8 @@ def several_at_an_end(noun: Noun, wholes: Sequence[Built], scene: Scene, one: On
     rank, many = noun.traits.rank or "", noun.amount
     if not noun.plural or noun.head == "patch" or rank not in _ENDS:
         return None
+    if many is None and noun.det == "bare":
+        return None  # "the top and bottom blocks"
     if many is None and len(wholes) > 1:
         return _of_each(noun, wholes, scene, one)
     if many is None or many.low != many.high:

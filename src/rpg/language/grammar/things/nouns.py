@@ -354,6 +354,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
     for update, k in of_quality(p, j, noun.head):
         if noun.head == "patch" and noun.det == "the" and noun.amount is None and update == {"scheme": "same"}:
             continue
+        if noun.head == "patch" and p.stands(j, (",",)) and "scheme" in update and p.follows(i, ("of", "on", "onto")):
+            continue  # "a block on each of the three mats, all of different colours": that is said of the blocks
         if "edge" in update and not noun.plural and not _EVERY.isdisjoint(p.words[j : j + 2]):
             continue
         changed = _numbered(p, i, j, noun) if k == j + 1 else None

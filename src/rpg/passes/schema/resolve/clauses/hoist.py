@@ -27,6 +27,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.but_swapped import but_swapped
+from rpg.passes.schema.resolve.clauses.colors_told import colors_told
 from rpg.passes.schema.resolve.clauses.enough import as_many_as_it_takes
 from rpg.passes.schema.resolve.clauses.left_alone import left_alone
 from rpg.passes.schema.resolve.clauses.leftovers import all_used
@@ -55,7 +56,7 @@ from rpg.passes.schema.resolve.things.world import refuse
 _VERBS = ("stack", "arrange")
 
 
-_IN_OTHER_WORDS = (at_that_end, others_beyond, as_many_as_it_takes, left_alone, plainly, drawn)
+_IN_OTHER_WORDS = (at_that_end, others_beyond, as_many_as_it_takes, left_alone, plainly, drawn, colors_told)
 """What a clause says for all of its blocks, as it is said elsewhere."""
 
 

@@ -95,7 +95,7 @@ _PIECES = re.compile(
   | (?P<arrow>[-–—=]+>|[→⇒➔➜]|>)
   | (?P<sign>[-+*/×÷=−–—])
   | (?P<spread>±)
-  | (?P<punct>[.,;:!?()\[\]&°%~])
+  | (?P<punct>[.,;:!?()\[\]&∧°%~])
     """,
     re.VERBOSE,
 )

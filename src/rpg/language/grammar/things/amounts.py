@@ -212,7 +212,7 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
         of = p.one(j, "of")
         if of:
             yield Quantity(det, Amount(1, 1) if word in ("one", "whichever") else fixed, True, partitive=True), of
-        if word == "any" and (of := next((p.one(k, "of") for _, k in count(p, j)), 0)):
+        if word in ("any", "whichever") and (of := next((p.one(k, "of") for _, k in count(p, j)), 0)):
             yield from ((Quantity("some", Amount(n, n), True, partitive=True), of) for n, _ in count(p, j) if n > 1)
         if word in ("each", "every", "any") and (of := p.seq(j, "one of")):
             yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of

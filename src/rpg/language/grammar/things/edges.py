@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.amounts import length
+from rpg.language.grammar.things.nth_largest import NTH_LARGEST
 from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Noun, Pronoun, Traits, replace
 
@@ -39,7 +40,7 @@ def of_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord | Noun]:
 
 
 _UTMOST = frozenset({"largest", "smallest"})
-_RANKS = _UTMOST | {"larger", "smaller"}
+_RANKS = _UTMOST | {"larger", "smaller", *(rank for _, rank in NTH_LARGEST.values())}
 
 
 def _of_so_many(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:

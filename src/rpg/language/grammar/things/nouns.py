@@ -45,6 +45,7 @@ _PRESENT = ("present", "in the scene", "lying around", "around", "in view", "als
 _YOU_LIKE = ("you like", "you want", "you prefer", "you choose", "you wish", "that you like", "that you want",
              "that you prefer", "that you choose", "of your choice", "of your choosing", "you please")  # fmt: skip
 _EVERYTHING = ("everything", "everything that is", "everything which is", "all that is", "anything that is")
+_BARE = frozenset({"bare", "naked", "uncovered"})
 _LISTING = frozenset({"bare", "the", "all", "both"})
 _EVERY = frozenset({"each", "all", "both"})
 """These speak of several: "red on blue, both 5 cm" says nothing of the blue one alone."""
@@ -146,11 +147,12 @@ def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
 @choice
 def _table(p: Parser, i: int) -> Results[Meaning]:
     j = p.opt(i, "the", "a", "this", "your", "my")
-    j = p.opt(j, "work", "wooden")
+    bare = p.one(j, _BARE)
+    j = p.opt(bare or j, "work", "wooden")
     if p.lex(j, lexicon.TABLE) is False:
         end = j + 1
         end = p.opt(end, "top", "surface")
-        yield TableTop(span=p.span(i, end)), end
+        yield TableTop(bare=bool(bare), span=p.span(i, end)), end
 
 
 _PARTS = {

@@ -42,6 +42,7 @@ from rpg.passes.schema.resolve.places.overs import in_one_tower
 from rpg.passes.schema.resolve.structures.grouped import groups_joined, sorted_with_strangers, told_apart
 from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_first, told_inside
 from rpg.passes.schema.resolve.structures.lined_towers import of_all_that_follows
+from rpg.passes.schema.resolve.structures.named_again import named_again
 from rpg.passes.schema.resolve.structures.told_towers import (
     one_more_tower,
     other_side,
@@ -49,7 +50,7 @@ from rpg.passes.schema.resolve.structures.told_towers import (
     told_after,
     told_towers,
 )
-from rpg.passes.schema.resolve.things.listed_after import built_first, filled, shapes_pictured
+from rpg.passes.schema.resolve.things.listed_after import built_first, filled, listed_inside, shapes_pictured
 from rpg.passes.schema.resolve.things.world import refuse
 
 _VERBS = ("stack", "arrange")
@@ -63,7 +64,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
     """The sentences, with "the top block is red" said where the tower is built; sentences that say no more are gone."""
     found: list[list[tuple[str, Meaning]]] = []
     chains = standing_there(opposite_sides(told_fully(chains)))
-    for chain in shapes_pictured(built_first(chains)):
+    for chain in shapes_pictured(built_first(listed_inside(named_again(chains)))):
         of_all_that_follows(chain)
         kept: list[tuple[str, Meaning]] = []
         found.append(kept)

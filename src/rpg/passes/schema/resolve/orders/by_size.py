@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 else:
     (refer,) = later(__name__, "rpg.passes.schema.resolve.things.refer", "refer")
 
-BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller"})
+BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller",
+                     *(f"{nth} {most}" for nth in range(2, 7) for most in ("largest", "smallest"))})  # fmt: skip
 _TOLD_APART = range(2, 7)
 """So many blocks differ plainly in size, where no more is said than that they do."""
 _BLOCK = ("block", "name its colour")
@@ -41,7 +42,12 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
             thing.edge = edge
         told = f"{', '.join(f'{edge * 100:g}' for edge in edges[:-1])} and {BIG_EDGE * 100:g} cm"
         scene.assume(f"the sizes of the {number(len(those))} blocks are not said: {told}")
-    sized = sorted(((edge_of(t), t.name) for t in those), reverse=rank.startswith("large"))
+    sized = sorted(((edge_of(t), t.name) for t in those), reverse="large" in rank)
+    if (nth := _nth(rank)) > 1:
+        apart = len({edge for edge, _ in sized[nth - 2 : nth + 1]}) == len(sized[nth - 2 : nth + 1])
+        if nth <= len(sized) and apart and not noun.plural:
+            return Ref(names=(sized[nth - 1][1],))
+        raise refuse("no-referent", f"no block is the one that is the {rank}", noun.span, "name its colour")
     if noun.plural and noun.amount is None:
         raise refuse("ambiguous", f"it is not said how many the {rank} ones are", noun.span, "say 'the two ...'")
     many = noun.amount.low if noun.amount is not None else 1
@@ -51,13 +57,26 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     raise refuse("no-referent", f"no {what} is the {rank}", noun.span, hint)
 
 
+_FEW = 3
+"""So many blocks there are at least, where one is the largest and no more is said."""
+
+
+def _nth(rank: str) -> int:
+    """Which one in the order of sizes: 2 for the second largest."""
+    return int(rank.split()[0]) if rank[:1].isdigit() else 1
+
+
 def _unheard_of(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
     """ "Put the biggest block on the mat", where no block was told of: as many as differ in size, and no others."""
     marks = replace(noun.traits, rank=None)
     plain = marks == Traits(colors=marks.colors) and len(marks.colors) < 2
     if not plain or scope.start or any(scene.blocks()):
         return []
-    count = 2 if (noun.traits.rank or "").endswith("er") else 3
+    rank = noun.traits.rank or ""
+    least = max(_nth(rank), noun.amount.low + 1 if noun.plural and noun.amount is not None else 1)
+    count = min(_TOLD_APART) if rank.endswith("er") else max(_FEW, least)
+    if count not in _TOLD_APART:
+        return []
     lot = Noun(head="block", amount=Amount(count, count), plural=True, traits=marks, span=noun.span)
     scene.assume(f"the number of blocks is not said: {count}")
     return _those(replace(noun, part_of=lot), scene, scope)

@@ -236,6 +236,8 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     if index is not None and not -1 <= index <= len(built.members):
         return None
     if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
+        if built.kind == "stack" and side == "top" and index is None:
+            return Ref(names=built.members[-1:], span=noun.span)  # whichever is moved, it was on top
         raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start",
                      noun.span, "give them colours, or say what is where at the end")  # fmt: skip
     if there and (index is not None or side not in _ENDS):

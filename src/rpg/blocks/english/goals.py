@@ -151,6 +151,15 @@ def _of_other_numbers(goal: g.Count) -> list[g.Goal]:
 _NOT = re.compile(r"\b(not|never)\b")
 
 
+def _on_whichever(goal: g.Count, say: Speaker) -> str | None:
+    """ "Two are on any of the patches": it is counted over all of them, and not on each by itself."""
+    parts = goal.goal.goals if isinstance(goal.goal, g.Any) else ()
+    on = [part for part in parts if isinstance(part, OnPatch) and part.a == (goal.var,)]
+    if not on or len(on) < len(parts) or len({part.patch for part in on}) < len(on):
+        return None
+    return f"{say.the((goal.var,))} {say.be((goal.var,))} on any of {say.the(tuple(part.patch for part in on))}"
+
+
 def _counted(goal: g.Count, say: Speaker) -> str:
     low, high, total = goal.at_least, goal.at_most, len(goal.over)
     if high == 0:
@@ -167,7 +176,7 @@ def _counted(goal: g.Count, say: Speaker) -> str:
     say.aliases[goal.var] = one or f"{many} of {say.the(goal.over)}"
     if many != "exactly one" and not one:
         say.plural.add(goal.var)
-    text = spoken(goal.goal, say)
+    text = _on_whichever(goal, say) or spoken(goal.goal, say)
     say.plural.discard(goal.var)
     del say.aliases[goal.var]
     return text

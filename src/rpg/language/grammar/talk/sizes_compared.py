@@ -169,7 +169,7 @@ def _pair(text: _Text) -> list[Token] | None:
         return None  # of so many each?
     if len(totals) != 1:
         message = f"it is not said how many blocks there are for the two {kind}s"
-        raise _refusal("ambiguous", message, text, clause.span(), "say 'from seven blocks'")
+        raise _refusal("ambiguous", message, text, clause.span(), f"say 'from {_word(_enough(rel))} blocks'")
     total = totals[0]
     a, b = _shared(rel, _number(total["total"]), kind, text, total.span())
     if min(a, b) < 2 and kind in ("tower", "stack"):
@@ -183,6 +183,12 @@ def _pair(text: _Text) -> list[Token] | None:
         said = f"two {color + ' ' if color else ''}{kind}s of heights {_word(a)} and {_word(b)}"
     there = [] if _there(text, total) else [(*total.span(), "")]
     return text.changed([(*pair.span(), said), *there, (*clause.span(), "")])
+
+
+def _enough(rel: _Rel) -> int:
+    """So many blocks as can be shared between the two in that way."""
+    shared = ((other * rel.times + rel.more, other) for other in (3, 2, 4, 2 - rel.more))
+    return next(int(one + other) for one, other in shared if one == int(one) and one > 1)
 
 
 def _goes_on(text: _Text, end: int) -> bool:

@@ -22,6 +22,7 @@ _ENDS = {
     "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "bottom": "bottom", "lower": "bottom",
     "bottommost": "bottom", "lowest": "bottom", "left": "left", "leftmost": "left", "right": "right",
     "rightmost": "right", "first": "1", "last": "last", "front": "front", "back": "back",
+    "middle": "middle", "central": "middle", "inner": "middle",
 }  # fmt: skip
 _ONES = frozenset({"ones", *(word for word, several in BLOCK.items() if several), "letters", "digits"})
 _OF_EACH = Patterns("of|in the|both|all|these|those two|2|three|3|four|4? towers|stacks|piles|rows|lines|columns",
@@ -32,16 +33,19 @@ _LINES = ("stack", "row", "line", "column")
 def at_an_end(p: Parser, i: int) -> Results[Noun]:
     """So many blocks from an end on."""
     j = p.one(i, _THE)
-    rank = p.lex(j, _ENDS) if j else None
-    if rank is not None:
-        yield from _of_each(p, i, j + 1, rank)
-    many = p.number(j + 1) if rank is not None else None
-    k = p.one(j + 2, _ONES) or j + 2
-    if rank is None or many is None or many < 2:
+    ahead = p.number(j) if j else None  # "the two top blocks"
+    rank = p.lex(j + (ahead is not None), _ENDS) if j else None
+    if rank is None:
         return
+    if ahead is None:
+        yield from _of_each(p, i, j + 1, rank)
+    many = p.number(j + 1) if ahead is None else ahead
+    if many is None or many < 2:
+        return
+    k = p.one(j + 2, _ONES) or j + 2
     noun = Noun(head="block", det="the", amount=Amount(many, many), plural=True, traits=Traits(rank=rank),
                 span=p.span(i, k), cost=1)  # fmt: skip
-    if k > j + 2:
+    if k > j + 2 and ahead is None:
         yield noun, k
     if end := p.any_of(k, OF_LINE):
         yield replace(noun, span=p.span(i, end)), end

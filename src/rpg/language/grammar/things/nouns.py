@@ -96,8 +96,7 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
         yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
     yield from told_symbols(p, i)
-    yield from one_of_each_edge(p, i)
-    yield from at_an_end(p, i)
+    yield from (*one_of_each_edge(p, i), *at_an_end(p, i))
     for phrase, j in p.standing(i, _SIGNS):
         det = "the" if phrase.startswith("the") else "a"
         sign = Traits(labels=(_SIGNS[phrase],), kind="symbol")
@@ -354,7 +353,9 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         if (told := _with(noun, update, p.span(i, k))) is not None:
             yield told, k
     for update, k in of_quality(p, j, noun.head):
-        if noun.head == "patch" and noun.det == "the" and noun.amount is None and update == {"scheme": "same"}:
+        behind = p.stands(j, (",",)) and p.follows(i, ("of", "on", "onto"))  # "a block on each mat, all different"
+        alone = noun.det == "the" and noun.amount is None and update == {"scheme": "same"}
+        if noun.head == "patch" and "scheme" in update and (behind or alone):
             continue
         if "edge" in update and not noun.plural and not _EVERY.isdisjoint(p.words[j : j + 2]):
             continue

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from rpg.blocks.nouns import number
 from rpg.language.meaning import Noun, replace
+from rpg.passes.schema.resolve.orders.reordered import begun_in_order
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
 _ENDS = frozenset({"top", "bottom", "left", "right", "front", "back", "1", "last"})
@@ -14,8 +16,12 @@ One = Callable[[Noun], Ref]
 def several_at_an_end(noun: Noun, wholes: Sequence[Built], scene: Scene, one: One) -> Ref | None:
     """So many from that end on, or the one that is there of each of several structures; None where one is meant."""
     rank, many = noun.traits.rank or "", noun.amount
+    if rank == "middle" and noun.plural and noun.head != "patch" and many is not None and many.low > 1:
+        return _inside(noun, many.low, wholes, scene)
     if not noun.plural or noun.head == "patch" or rank not in _ENDS:
         return None
+    if many is None and noun.det == "bare":
+        return None  # "the top and bottom blocks"
     if many is None and len(wholes) > 1:
         return _of_each(noun, wholes, scene, one)
     if many is None or many.low != many.high:
@@ -26,6 +32,20 @@ def several_at_an_end(noun: Noun, wholes: Sequence[Built], scene: Scene, one: On
     if len(set(names)) != many.low:
         raise refuse("no-referent", "it is not clear which blocks these are", noun.span, "name them")
     return Ref(names=tuple(names), plural=True)
+
+
+def _inside(noun: Noun, many: int, wholes: Sequence[Built], scene: Scene) -> Ref:
+    """ "The two middle ones": as many on either side of them."""
+    whole = wholes[0] if len(wholes) == 1 else None
+    known = whole if whole is None or whole.ordered else begun_in_order(whole, scene)
+    members = known.members if known is not None else ()
+    beside, uneven = divmod(len(members) - many, 2)
+    if members and (beside < 1 or uneven):
+        told = f"{number(len(members))} blocks have no {number(many)} in their middle"
+        raise refuse("count-mismatch", told, noun.span, "name the blocks")
+    if not members:
+        raise refuse("no-referent", f"it is not clear which the {number(many)} middle ones are", noun.span, "name them")
+    return Ref(names=members[beside : beside + many], plural=True)
 
 
 def _places(rank: str, many: int) -> list[str]:

@@ -33,7 +33,7 @@ class Towers:
     def after(self, scene: Scene, *, start: bool, denied: bool) -> None:
         """Towers of the start may be gone at the end; what is denied makes none."""
         if denied:
-            scene.on_top, scene.built = dict(self.on_top), self.built
+            scene.on_top, scene.built = dict(self.on_top), [*self.built]
         new = {name for name, below in scene.on_top.items() if self.on_top.get(name) != below}
         scene.begun_on = scene.begun_on | new if start else scene.begun_on - new
 

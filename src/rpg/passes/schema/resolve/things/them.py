@@ -40,9 +40,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     for mention in reversed(scene.mentions):
         if mention in own and (before or (earlier and mention.ref.span[1] >= word.span[1])):
             continue  # "to the right of them put green on yellow" is not of these two
-        if word.word in _THEY and scope.role == "theme" and _beside_blocks(mention, scene):
-            continue
-        if _left_behind(mention, scene):
+        if _left_behind(mention, scene) or (scope.role == "theme" and _beside_blocks(word, mention, scene)):
             continue
         if len(mention.ref.names) > 1 and not _idle(mention, scene):
             ref = mention.ref
@@ -101,11 +99,12 @@ _EACH = ("each", "each one", "each of them", "either of them")
 _THEY = frozenset({"them", "they", "all of them"})
 
 
-def _beside_blocks(patches: Mention, scene: Scene) -> bool:
+def _beside_blocks(word: Pronoun, patches: Mention, scene: Scene) -> bool:
     """ "There are three green blocks and two mats. Two of them should be on the red mat": those that can be moved."""
     verb = scene.verbs.get(scene.clause, (None, False, ""))[2]
     told = [m for m in scene.mentions if m.clause == patches.clause and m.role == "given" and not m.ref.patch]
-    return patches.ref.patch and patches.role == "given" and bool(told) and verb in ("be", "place", "stack")
+    given = patches.ref.patch and patches.role == "given" and word.word in _THEY
+    return given and bool(told) and verb in ("be", "place", "stack")
 
 
 def _patches_of_each(scene: Scene) -> tuple[str, ...]:

@@ -241,6 +241,17 @@ def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:
 
 
 def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
+    """ "(no) block on the patch of its colour"."""
+    if theme.quant is None or theme.quant.high != 0:
+        return _of_their_colors(theme, scene, span)
+    if not theme.names:
+        raise refuse("no-referent", "it is not said which blocks there are", span, "say first which blocks there are")
+    own = _of_their_colors(replace(theme, quant=None), scene, span)
+    there = [(n, x) for x in own if isinstance(x, r.OnPatch) for n in members(x.a)]
+    return [g.Not(goal=x.model_copy(update={"a": (n,)}), span=span) for n, x in there]
+
+
+def _of_their_colors(theme: Ref, scene: Scene, span: Span) -> Atoms:
     """ "each block on the patch of its colour": one patch for every colour among the theme."""
     blocks = [scene.things[n] for n in theme.names]
     if any(b.kind == "towers" and set(b.members) >= set(theme.names) for b in scene.built):
@@ -265,15 +276,6 @@ def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
         members = tuple(b.name for b in blocks if b.color == color)
         goals.append(r.OnPatch(a=members, patch=patch.name, span=span))
     return goals
-
-
-def none_matching(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
-    """ "no block on the patch of its colour": there is one of every colour, and none of the blocks is on its own."""
-    if not theme.names:
-        raise refuse("no-referent", "it is not said which blocks there are", span, "say first which blocks there are")
-    there = matching_patches(replace(theme, quant=None), mark, scene, span)
-    own = [(n, x) for x in there if isinstance(x, r.OnPatch) for n in members(x.a)]
-    return [g.Not(goal=x.model_copy(update={"a": (n,)}), span=span) for n, x in own]
 
 
 def any_of_the_rest(mark: Ref, loc: Loc) -> Ref:

@@ -58,7 +58,7 @@ _PLAIN = {
     "equation": "equation",
     "evenly": "evenly spacing count",
     "grid wall": "grid",
-    "groups": "group_by",
+    "groups": "group_by towers",
     "heap": "heaps group_by",
     "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored given",
     "neither nor": "not count stayed turned empty clear",

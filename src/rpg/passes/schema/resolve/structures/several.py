@@ -151,6 +151,8 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     members = [n for b in built for n in b.members]
     if (unequal := own.manner("unequal")) is not None and len({len(b.members) for b in built}) < count:
         raise refuse("contradiction", f"these {shape.kind}s are not told to differ so", unequal.span, "leave it out")
+    if (equal := own.manner("equal")) is not None and len({len(b.members) for b in built}) > 1:
+        raise refuse("contradiction", f"these {shape.kind}s are not equally long", equal.span, "leave it out")
     if len(set(members)) < len(members):
         raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
                      f"say how many blocks each {shape.kind} has")  # fmt: skip

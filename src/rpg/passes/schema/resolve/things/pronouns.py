@@ -177,7 +177,7 @@ def _parallel(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) 
     """What "it" is where the clause before says something of just that kind; None where nothing settles it.
 
     "Brown goes left of it and black right of it" is one thing in one sentence. "Red must be on the patch, and blue must
-    not be on it", "a red block left of the patch and a blue one right of it": of the patch again. "To the left of red
+    not be on it", "a red block left of green and another red one right of it": of the same again. "To the left of red
     put blue; to its right green": of what came first in the sentence.
     """
     marks = [m for m in rivals if m.role == "landmark"]
@@ -197,7 +197,16 @@ def _parallel(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) 
     if marks[0].sentence != scene.sentence:
         return None
     same = marks[0].word == "it" and before in DIRECTIONS and again in DIRECTIONS
-    return marks[0].ref if same or (marks[0].ref.patch and {before, again} in _ACROSS) else None
+    across = {before, again} in _ACROSS and (marks[0].ref.patch or _alike(others, scene))
+    return marks[0].ref if same or across else None
+
+
+def _alike(others: list[Mention], scene: Scene) -> bool:
+    """ "A pink block left of the yellow one and another pink one right of it": what stands there looks the same."""
+    now = [n for m in scene.mentions if m.clause == scene.clause and m.role == "theme" for n in m.ref.names]
+    before = [n for m in others for n in m.ref.names]
+    looks = {(scene.things[n].color, scene.things[n].label, scene.things[n].size) for n in (*now, *before)}
+    return bool(now) and bool(before) and len(looks) == 1
 
 
 _ACROSS = ({"left", "right"}, {"front", "behind"})
@@ -318,7 +327,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
         left = more
     elif noun.det == "another" or not left:
-        second = patch and noun.det == "other" and not noun.plural and one_alone(noun, scene)
+        second = noun.det == "other" and not noun.plural and one_alone(noun, scene, patch)
         if noun.det == "other" and not left and not noun.traits.colors and not second:
             known = any(t.declared for t in scene.things.values())
             told = "every block is spoken for already" if known else "it is not said which other block"

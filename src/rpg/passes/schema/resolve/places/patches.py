@@ -55,7 +55,9 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
             return conj([_so_many(names, p, each, each, span) for p in patches], span)
         return conj([r.OnPatch(a=lot, patch=p, span=span) for lot, p in zip(lots, patches, strict=True)], span)
     units = theme.built if len(theme.built) == len(patches) else ()
-    if not _in_turn(theme, mark, scene) and (units or len(theme.names) == len(patches)):
+    whole = not units and len(theme.built) == 1 and (mark.each or theme.built[0].kind == "stack")
+    as_many = units or (len(theme.names) == len(patches) and not whole)
+    if as_many and not _in_turn(theme, mark, scene):
         return dealt([b.members for b in units] or [(name,) for name in theme.names], patches, span)
     if units:
         return conj(
@@ -65,7 +67,7 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse("ambiguous", "this cannot be on each of several patches at once", span, "name what each one gets")
     if theme.quant is not None and not mark.each:
         return _on_any(theme, patches, span)
-    if len(theme.names) == len(patches):
+    if len(theme.names) == len(patches) and not whole:
         pairs = zip(theme.names, patches, strict=True)
         return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
     if len(theme.names) > len(patches) and all(scene.things[p].elastic is not None for p in patches):
@@ -79,7 +81,8 @@ def _in_turn(theme: Ref, mark: Ref, scene: Scene) -> bool:
     two patches" leaves it open."""
     looks = {(t.color, t.label, t.kind, t.size, t.edge) for t in (scene.things[name] for name in theme.names)}
     alike = len(looks) == 1 and looks != {(None, None, None, None, None)}
-    return len(mark.parts) > 1 or mark.listed or alike
+    one_each = mark.each and bool(theme.built)  # "a tower on each of the red and the blue patch"
+    return alike or (not one_each and (len(mark.parts) > 1 or mark.listed))
 
 
 def _on_any(theme: Ref, patches: tuple[str, ...], span: Span) -> g.Goal:

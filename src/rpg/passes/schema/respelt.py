@@ -21,8 +21,8 @@ class Respelt:
 
     @classmethod
     def of(cls, text: str, words: Iterable[Token], typed: Iterable[Token]) -> Respelt:
-        """The text of words of which some are mended. `typed`: as they were before; what stands there in place of a name
-        is no mended word."""
+        """The text of words of which some are mended. `typed`: as they were before, where what stands in place of a
+        name is no misspelt word."""
         found = [*typed]
         many = Counter(token.span for token in found)
         own = {t.span for t in found if many[t.span] == 1 and t.raw.lower() == text[slice(*t.span)].lower()}

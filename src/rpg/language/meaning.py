@@ -316,8 +316,7 @@ class That(Meaning):
 
 @record
 class Clause(Meaning):
-    """A verb with its theme and adjuncts. `verb` is a sense of the lexicon, "be" for states, "exist" for "there is".
-    `subject` is whom it tells of, where that is not the theme: "red has blue on it (and is on the mat)"."""
+    """A verb (of the lexicon, "be", "exist") with its theme and adjuncts; `subject`: of whom it tells, if not it."""
 
     verb: str
     lemma: str = ""

@@ -45,6 +45,7 @@ _PRESENT = ("present", "in the scene", "lying around", "around", "in view", "als
 _YOU_LIKE = ("you like", "you want", "you prefer", "you choose", "you wish", "that you like", "that you want",
              "that you prefer", "that you choose", "of your choice", "of your choosing", "you please")  # fmt: skip
 _EVERYTHING = ("everything", "everything that is", "everything which is", "all that is", "anything that is")
+_BARE = frozenset({"bare", "naked", "uncovered"})
 _LISTING = frozenset({"bare", "the", "all", "both"})
 _EVERY = frozenset({"each", "all", "both"})
 """These speak of several: "red on blue, both 5 cm" says nothing of the blue one alone."""
@@ -152,9 +153,6 @@ def _table(p: Parser, i: int) -> Results[Meaning]:
         end = j + 1
         end = p.opt(end, "top", "surface")
         yield TableTop(bare=bool(bare), span=p.span(i, end)), end
-
-
-_BARE = frozenset({"bare", "naked", "uncovered"})
 
 
 _PARTS = {

@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.ir.node import EACH
+from rpg.ir.node import EACH, Operand
 from rpg.language.meaning import Amount, In, Meaning, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.places.patches import indefinite, one_lot_each
@@ -159,3 +159,12 @@ def _on_a_patch(theme: Ref, scene: Scene) -> bool:
     """Whether the blocks were put on a patch by a clause before."""
     patched = {m.clause for m in scene.mentions if m.ref.patch and m.rel in ("on", "in") and m.clause < scene.clause}
     return any(m.clause in patched and m.role == "theme" and {*theme.names} <= {*m.ref.names} for m in scene.mentions)
+
+
+def in_region(theme: Ref, region: str, span: Span) -> g.Goal:
+    """What is spoken of lies in a part of the table."""
+
+    def one(a: Operand) -> g.Goal:
+        return r.InRegion(a=a, region=region, span=span)  # type: ignore[arg-type]
+
+    return spread(theme, one, span, together=True)

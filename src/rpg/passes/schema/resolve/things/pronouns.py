@@ -8,8 +8,8 @@ from rpg.language.later import later
 from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.off_it import check_off_it
-from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.others_open import made_up
+from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone
 from rpg.passes.schema.resolve.things.them import them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
@@ -150,7 +150,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return again[-1].ref
     rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
     if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
-        return _parallel(word, list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
+        return parallel(word, list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
     return _built_there(word, list(rivals.values()), scene, scope) or single[-1].ref
 
 
@@ -162,7 +162,7 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
     """
     last = max((m.ref.span for m in rivals), default=(0, 0))
     fronted = next((m for m in rivals if m.ref.built and m.role == "landmark" and m.ref.span < last), None)
-    if fronted is not None and not {fronted.rel, scope.rel} <= set().union(*_ACROSS):
+    if fronted is not None and not {fronted.rel, scope.rel} <= set().union(*ACROSS):
         return _decide(word, scene, rivals)
     built = [m for m in rivals if m.ref.built and m.role == "theme"]
     marks = [m for m in rivals if m.role == "landmark"]
@@ -171,45 +171,6 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
     if all(m.ref.patch for m in marks) and scope.rel.removeprefix("not ") not in ("on", "in", "off", ""):
         return built[0].ref
     return _decide(word, scene, rivals)
-
-
-def _parallel(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
-    """What "it" is where the clause before says something of just that kind; None where nothing settles it.
-
-    "Brown goes left of it and black right of it" is one thing in one sentence. "Red must be on the patch, and blue must
-    not be on it", "a red block left of green and another red one right of it": of the same again. "To the left of red
-    put blue; to its right green": of what came first in the sentence.
-    """
-    marks = [m for m in rivals if m.role == "landmark"]
-    if len(marks) != 1 or not scope.rel:
-        return None
-    before, again = marks[0].rel, scope.rel
-    kept_off = before in ("on", "in") and again in ("not on", "not in", "not above", "off")
-    kept_off = kept_off or (before in ("off", "not on", "not in") and again in ("on", "in"))
-    if marks[0].ref.patch and kept_off:
-        return marks[0].ref
-    others = [m for m in rivals if m is not marks[0]]
-    first = all(marks[0].ref.span < m.ref.span for m in others) and not any(
-        m.ref.span < word.span for m in scene.mentions if m.clause == scene.clause and m.role == "theme"
-    )
-    if first and {before, again} in _ACROSS:
-        return marks[0].ref
-    if marks[0].sentence != scene.sentence:
-        return None
-    same = marks[0].word == "it" and before in DIRECTIONS and again in DIRECTIONS
-    across = {before, again} in _ACROSS and (marks[0].ref.patch or _alike(others, scene))
-    return marks[0].ref if same or across else None
-
-
-def _alike(others: list[Mention], scene: Scene) -> bool:
-    """ "A pink block left of the yellow one and another pink one right of it": what stands there looks the same."""
-    now = [n for m in scene.mentions if m.clause == scene.clause and m.role == "theme" for n in m.ref.names]
-    before = [n for m in others for n in m.ref.names]
-    looks = {(scene.things[n].color, scene.things[n].label, scene.things[n].size) for n in (*now, *before)}
-    return bool(now) and bool(before) and len(looks) == 1
-
-
-_ACROSS = ({"left", "right"}, {"front", "behind"})
 
 
 def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:

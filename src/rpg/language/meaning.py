@@ -155,8 +155,6 @@ class Pronoun(Meaning):
 
 TOLD_HERE = "all told here"
 """A pronoun for all blocks that the sentence brought up so far: "put red on blue, but do it in the left half"."""
-
-
 OWNER = "it that has"
 """A pronoun for what the clause before spoke of: "it has a gray block on it"."""
 

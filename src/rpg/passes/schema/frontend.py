@@ -87,7 +87,7 @@ class BuiltinFrontEnd:
         if wrong or strays:
             return None, explained(text, (*wrong, *(_stray(s.text, s.span) for s in strays)))
         if notes and mended is None:
-            return self._as_meant(Respelt.of(text, words), name, seed, author, notes)
+            return self._as_meant(Respelt.of(text, words, tokens), name, seed, author, notes)
         notes = [*(mended or notes), *named]
         words, told = told_plainly(rows_in_words(without_asides(words)))
         try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -19,9 +20,13 @@ class Respelt:
     edits: tuple[tuple[Span, str], ...]
 
     @classmethod
-    def of(cls, text: str, words: Iterable[Token]) -> Respelt:
-        """The text of words of which some are mended."""
-        plain = (w for w in words if w.kind == "word")
+    def of(cls, text: str, words: Iterable[Token], typed: Iterable[Token]) -> Respelt:
+        """The text of words of which some are mended. `typed`: as they were before, where what stands in place of a
+        name is no misspelt word."""
+        found = [*typed]
+        many = Counter(token.span for token in found)
+        own = {t.span for t in found if many[t.span] == 1 and t.raw.lower() == text[slice(*t.span)].lower()}
+        plain = (w for w in words if w.kind == "word" and w.span in own)
         return cls(text, tuple((w.span, w.raw) for w in plain if w.raw.lower() != text[slice(*w.span)].lower()))
 
     @property

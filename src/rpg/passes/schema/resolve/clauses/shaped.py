@@ -43,14 +43,13 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """A structure as the theme ("build a tower of ..."), or what the clause is to form ("arrange in a circle")."""
     if (goals := _remade(clause, spec, scene, scope)) is not None:
         return goals
-    clause = replace(clause, theme=on_each_patch(clause.theme, spec.places, scene))
     _of_them_all(clause, spec)
     spec.usings = [using for using in spec.usings if not _first_named(using.members, clause.theme, scene)]
     if clause.lemma == "line" and not spec.intos and getattr(clause.theme, "kind", "") == "stack":
         spec.intos.append(Into(structure=Structure(kind="line", span=clause.span), span=clause.span))
     elif clause.lemma == "line" and isinstance(clause.theme, Coord) and not spec.toward:
         raise refuse("misplaced", "it is not clear what is lined up", clause.span, "say '... from left to right'")
-    clause = _where_all_of_it_is(clause, spec, scope)
+    clause = _where_all_of_it_is(on_each_patch(clause, spec.places, scene), spec, scope)
     shapes: list[Meaning]
     if clause.theme is None:
         shapes = [spec.intos.pop(0).structure]

@@ -55,7 +55,9 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
             return conj([_so_many(names, p, each, each, span) for p in patches], span)
         return conj([r.OnPatch(a=lot, patch=p, span=span) for lot, p in zip(lots, patches, strict=True)], span)
     units = theme.built if len(theme.built) == len(patches) else ()
-    if not _in_turn(theme, mark, scene) and (units or len(theme.names) == len(patches)):
+    whole = not units and len(theme.built) == 1 and (mark.each or theme.built[0].kind == "stack")
+    as_many = units or (len(theme.names) == len(patches) and not whole)
+    if as_many and not _in_turn(theme, mark, scene):
         return dealt([b.members for b in units] or [(name,) for name in theme.names], patches, span)
     if units:
         return conj(
@@ -65,7 +67,7 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse("ambiguous", "this cannot be on each of several patches at once", span, "name what each one gets")
     if theme.quant is not None and not mark.each:
         return _on_any(theme, patches, span)
-    if len(theme.names) == len(patches):
+    if len(theme.names) == len(patches) and not whole:
         pairs = zip(theme.names, patches, strict=True)
         return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
     if len(theme.names) > len(patches) and all(scene.things[p].elastic is not None for p in patches):
@@ -79,7 +81,8 @@ def _in_turn(theme: Ref, mark: Ref, scene: Scene) -> bool:
     two patches" leaves it open."""
     looks = {(t.color, t.label, t.kind, t.size, t.edge) for t in (scene.things[name] for name in theme.names)}
     alike = len(looks) == 1 and looks != {(None, None, None, None, None)}
-    return len(mark.parts) > 1 or mark.listed or alike
+    one_each = mark.each and bool(theme.built)  # "a tower on each of the red and the blue patch"
+    return alike or (not one_each and (len(mark.parts) > 1 or mark.listed))
 
 
 def _on_any(theme: Ref, patches: tuple[str, ...], span: Span) -> g.Goal:
@@ -241,6 +244,17 @@ def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:
 
 
 def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
+    """ "(no) block on the patch of its colour"."""
+    if theme.quant is None or theme.quant.high != 0:
+        return _of_their_colors(theme, scene, span)
+    if not theme.names:
+        raise refuse("no-referent", "it is not said which blocks there are", span, "say first which blocks there are")
+    own = _of_their_colors(replace(theme, quant=None), scene, span)
+    there = [(n, x) for x in own if isinstance(x, r.OnPatch) for n in members(x.a)]
+    return [g.Not(goal=x.model_copy(update={"a": (n,)}), span=span) for n, x in there]
+
+
+def _of_their_colors(theme: Ref, scene: Scene, span: Span) -> Atoms:
     """ "each block on the patch of its colour": one patch for every colour among the theme."""
     blocks = [scene.things[n] for n in theme.names]
     if any(b.kind == "towers" and set(b.members) >= set(theme.names) for b in scene.built):
@@ -265,15 +279,6 @@ def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
         members = tuple(b.name for b in blocks if b.color == color)
         goals.append(r.OnPatch(a=members, patch=patch.name, span=span))
     return goals
-
-
-def none_matching(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
-    """ "no block on the patch of its colour": there is one of every colour, and none of the blocks is on its own."""
-    if not theme.names:
-        raise refuse("no-referent", "it is not said which blocks there are", span, "say first which blocks there are")
-    there = matching_patches(replace(theme, quant=None), mark, scene, span)
-    own = [(n, x) for x in there if isinstance(x, r.OnPatch) for n in members(x.a)]
-    return [g.Not(goal=x.model_copy(update={"a": (n,)}), span=span) for n, x in own]
 
 
 def any_of_the_rest(mark: Ref, loc: Loc) -> Ref:

@@ -211,6 +211,9 @@ def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, 
         if scene.alike and mark.patch:
             return [dealt([(name,) for name in ref.names], mark.names, where)]
         one_sort = any(alike([scene.things[n] for n in x.names]) for x in (ref, mark))
+        looks = {(t.color, t.label, t.kind) for t in (scene.things[n] for n in (*ref.names, *mark.names))}
+        if scene.alike and not one_sort and looks == {(None, None, None)}:
+            return place(ref, item, scene, scope, where)  # "the two small ones on the two big ones, one on each"
         if scene.alike and not one_sort:
             raise refuse("ambiguous", "it is not said which goes on which", item.span, "name what each goes on")
         goals: Goals = []

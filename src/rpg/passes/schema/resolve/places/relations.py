@@ -36,7 +36,6 @@ from rpg.passes.schema.resolve.places.patches import (
     indefinite,
     like_the_last,
     matching_patches,
-    none_matching,
     on_patches,
     on_separate_patches,
     one_lot_each,
@@ -222,8 +221,6 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [x for one, other in shared for x in related(one, other, loc, scene, span)]
     if loc.rel in ("between", "sandwiched", "flank"):
         return [(flanked if loc.rel == "flank" else between)(theme, mark, loc, scene, span)]
-    if mark.matching and theme.quant is not None and theme.quant.high == 0:
-        return none_matching(theme, mark, scene, span)
     if (
         theme.quant is not None
         and theme.quant.high == 0
@@ -232,7 +229,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         and not mark.patch
     ):
         return [r.Clear(a=crown(mark), span=span)]
-    if theme.everything and theme.quant is not None and mark.patch and loc.rel in ("on", "above", "in"):
+    if theme.everything and theme.quant and mark.patch and not mark.matching and loc.rel in ("on", "above", "in"):
         return [r.Empty(patch=p, span=span) for p in mark.names]
     if mark.op == "except":
         mark = any_of_the_rest(mark, loc)

@@ -12,18 +12,19 @@ _UNSAID = 3
 """So many patches there are where nothing is said of their number."""
 
 
-def on_each_patch(theme: Meaning | None, places: list[Meaning], scene: Scene) -> Meaning | None:
-    """The theme of a clause, which is so many structures where one of them is on each patch."""
+def on_each_patch(clause: Clause, places: list[Meaning], scene: Scene) -> Clause:
+    """The clause, whose theme is so many structures where one of them is on each patch."""
+    theme = clause.theme
     if not isinstance(theme, Structure) or theme.plural or theme.det not in ("a", "bare", "some"):
-        return theme
+        return clause
     marks = [p.landmark for p in places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
     many = next((n for n in (_as_many(mark, scene) for mark in marks) if n > 1), 0)
     if not many:
-        return theme
+        return clause
     if _of_known_blocks(theme.members):
         raise refuse("ambiguous", "these blocks cannot be on each of several patches at once", theme.span,
                      "say of what blocks the structure on each patch is")  # fmt: skip
-    return replace(theme, plural=True, det="bare", amount=Amount(many, many))
+    return replace(clause, theme=replace(theme, plural=True, det="bare", amount=Amount(many, many)))
 
 
 def _as_many(mark: Meaning | None, scene: Scene) -> int:

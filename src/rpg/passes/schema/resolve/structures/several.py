@@ -131,9 +131,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     for index in range(count):
         color = _color(shape, spec, theme, looks, scene)
         own = _copied(spec)
-        own.places = []
-        look = looks[index]
-        look = _spelling(shape, look) if isinstance(look, Structure) else look
+        look = _spelling(shape, said_of) if isinstance(said_of := looks[index], Structure) else said_of
         if isinstance(look, Noun) and _listed(look):
             single = _told_in_order(shape, look, lots[index], own, scene)
             more, atoms = maker(single, own, lots[index], scene, scope)
@@ -157,10 +155,10 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         own.orders, own.patterns, own.spacings, own.toward, [],
     )  # fmt: skip
     spec.absolutes, spec.manners = own.absolutes, own.manners
-    if axis is None and (grid := too_alike(goals, scene, shape.span)) is not None:
-        return built, [grid]
     if axis is not None:
         return built, goals + _side_by_side(built, axis, shape, scene)
+    if (grid := too_alike(goals, scene, shape.span)) is not None:
+        return built, [grid]
     return built, goals + not_one_line(goals, on_the_table(shape, scene))
 
 
@@ -259,11 +257,12 @@ def _one_gap(shape: Structure, spec: Spec) -> None:
 
 
 def _copied(spec: Spec) -> Spec:
-    """The same words for each: what one of them uses is there for the next one too."""
+    """The same words for each, but for where they are: what one of them uses is there for the next one too."""
     own = copy(spec)
     for name, value in vars(own).items():
         if isinstance(value, list):
             setattr(own, name, list(value))
+    own.places = []
     return own
 
 

@@ -55,13 +55,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                 return every
             _no_rivals(word, mention, own, scene)
             _no_later_ones(word, mention, own, scene)
-            return replace(
-                ref,
-                quant=None,
-                each=False,
-                op="and" if ref.op == "nor" else ref.op,
-                built=ref.built if len(ref.built) > 1 or _told_together(ref) else _one_tower(ref, scene, scope),
-            )
+            built = ref.built if len(ref.built) > 1 or _told_together(ref) else _one_tower(ref, scene, scope)
+            return replace(ref, quant=None, each=False, op="and" if ref.op == "nor" else ref.op, built=built)
     last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
     if len(set(last)) == 1 and word.word in (*_SEVERAL, *_EACH):
         told = [m for m in scene.mentions if not scope.rel or m not in own]

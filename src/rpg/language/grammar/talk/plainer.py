@@ -13,7 +13,15 @@ from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import RESPELT, respelling
-from rpg.language.grammar.talk.said_between import BETWEEN, UTMOST, amid_the_verb, measured_last, not_touching
+from rpg.language.grammar.talk.said_between import (
+    ANYWHERE,
+    BETWEEN,
+    UTMOST,
+    amid_the_verb,
+    measured_last,
+    not_touching,
+    others_anywhere,
+)
 from rpg.language.grammar.talk.said_loosely import LOOSE, said_loosely
 from rpg.language.grammar.talk.short_turns import (
     anywhere_but,
@@ -288,6 +296,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (between_them, frozenset({"between"})),
     (without_stacking, frozenset({"stacking"})),
     (anywhere_but, frozenset({"anywhere", "somewhere"})),
+    (others_anywhere, ANYWHERE),
     (amid_the_verb, BETWEEN),
     (measured_last, UTMOST),
     (not_touching, frozenset({"touching"})),

@@ -1,4 +1,4 @@
-"""What stands out of its place: "must at all times be there", "10 cm maximum", "near it, but not touching"."""
+"""What stands out of its place: "must at all times be there", "10 cm maximum", "the others can be anywhere"."""
 
 from __future__ import annotations
 
@@ -74,4 +74,40 @@ def not_touching(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if words[at : at + 3] == ["but", "not", "touching"] and ended:
             comma = [] if words[at - 1] == "," else [tokens[at].saying(",")]
             return [*tokens[:at], *comma, *tokens[at + 1 :]]
+    return None
+
+
+_OTHERS = frozenset({"others", "rest", "other", "remaining"})
+_NOUNS = frozenset({"blocks", "cubes", "ones", "digits", "numbers", "letters", "bricks", "boxes"})
+_MAY = frozenset({"can", "may", "could", "might"})
+_BE = frozenset({"be", "stay", "go", "lie", "stand", "remain", "sit", "rest", "end"})
+ANYWHERE = frozenset({"anywhere", "wherever"})
+_LIKED = (("you", "like"), ("you", "want"), ("they", "like"), ("they", "want"), ("they", "are"), ("on", "the", "table"))
+
+
+def others_anywhere(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "The other digits can be wherever, put the 9 on the 6": so they are the others, and told behind it."""
+    for at in range(len(words) - 3):
+        noun = at + 1 + (words[at + 1] in _NOUNS)
+        if words[at] not in _OTHERS or words[noun] not in _MAY or words[noun + 1 : noun + 2] in ([], ["not"]):
+            continue
+        where = noun + 1 + (words[noun + 1] in _BE)
+        where += words[where : where + 1] == ["up"]
+        if words[where : where + 1] not in (["anywhere"], ["wherever"]):
+            continue
+        end = where + 1 + max((len(x) for x in _LIKED if tuple(words[where + 1 : where + 1 + len(x)]) == x), default=0)
+        begin = at - (at > 0 and words[at - 1] == "the")
+        said = ("the", "others", "can", "be", "anywhere")
+        told = [tokens[at].saying(word) for word in said]
+        if begin and words[begin - 1] not in (*_ENDS, "and", "but", "("):
+            continue
+        if begin or end >= len(words) - 2:
+            same = tuple(words[begin:end]) == said
+            return None if same else [*tokens[:begin], *told, *tokens[end:]]
+        if words[end] not in (",", ";", "."):
+            return None
+        rest = end + 1 + (words[end + 1] in ("but", "and"))
+        stop = next((n for n in range(rest, len(words)) if words[n] in (".", "!", "?", ";", "(")), len(words))
+        mark = tokens[at].saying(".")
+        return [*tokens[rest:stop], mark, *told, *([mark] if words[stop : stop + 1] == ["("] else []), *tokens[stop:]]
     return None

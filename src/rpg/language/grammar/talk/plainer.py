@@ -11,6 +11,7 @@ from rpg.language.grammar.talk.bare_sides import bare_sides, one_side_each
 from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.grammar.talk.heights_told import heights_told
+from rpg.language.grammar.talk.numbers_told import NUMBER, TIPS, both_of_so_many, number_is, on_the_tip
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import RESPELT, respelling
 from rpg.language.grammar.talk.said_between import (
@@ -296,6 +297,9 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (between_them, frozenset({"between"})),
     (without_stacking, frozenset({"stacking"})),
     (anywhere_but, frozenset({"anywhere", "somewhere"})),
+    (number_is, NUMBER),
+    (both_of_so_many, frozenset({"both"})),
+    (on_the_tip, TIPS),
     (others_anywhere, ANYWHERE),
     (amid_the_verb, BETWEEN),
     (measured_last, UTMOST),

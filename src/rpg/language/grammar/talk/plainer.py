@@ -92,7 +92,7 @@ def _is(tokens: list[Token], words: list[str]) -> list[Token] | None:
     for at in range(1, len(words) - 1):
         thing = words[at - 1] in lexicon.BLOCK or words[at - 1] in lexicon.COLOR or words[at - 1] in lexicon.PATCH
         after = words[at + 1]
-        posture = after.endswith("ing") and after in lexicon.POSTURE
+        posture = (after.endswith("ing") and after in lexicon.POSTURE) or after in ("sat", "stood")
         if words[at] == "'s" and (thing or words[at - 1] == "one") and (posture or after in _PLACES):
             out[at] = tokens[at].saying("is")
     return out if out != tokens else None

@@ -337,8 +337,8 @@ def _adds(tokens: list[Token]) -> bool:
 
 
 def _of_it(words: list[str]) -> bool:
-    """ "(it is a distractor)": said of what comes before, not telling which thing is meant."""
-    return words[:2] == ["it", "is"] and words[2:] != ["the"]
+    """ "(it is a distractor)", "(I have two)": said of what comes before, not telling which thing is meant."""
+    return (words[:2] == ["it", "is"] and words[2:] != ["the"]) or words[:2] in (["i", "have"], ["i", "got"])
 
 
 def _unbracketed(tokens: list[Token]) -> list[Token]:

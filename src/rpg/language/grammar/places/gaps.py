@@ -36,10 +36,12 @@ _GAPS = tuple(
 )  # fmt: skip
 """Words for a distance, what it is measured between, what of them follows a length, and what precedes two blocks."""
 _NOUNS = frozenset(noun for noun, *_ in _GAPS)
-_LEAVE = (
-    "leave", "keep", "have", "put", "make", "maintain", "there should be", "there must be", "there is",
-    "there has to be", "there needs to be", "there shall be", "there will be", "leaving",
+_THERE_BE = (
+    "there is", "there are", "there remains", "there stays", "there is left",
+    *(f"there {must} {be}" for must in ("should", "must", "has to", "needs to", "shall", "will", "is to")
+      for be in ("be", "remain", "stay", "be left", "be kept")),
 )  # fmt: skip
+_LEAVE = ("leave", "keep", "have", "put", "make", "maintain", "leaving", *_THERE_BE)
 
 
 _IS = (
@@ -118,8 +120,7 @@ def _alike(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:
         yield Clause(verb="be", theme=theme, adjuncts=(even,), mode="goal", span=p.span(i, end)), end
 
 
-_THERE = ("there is", "there should be", "there must be", "there has to be", "there shall be", "leave", "keep",
-          "there needs to be", "there are", "there will be")  # fmt: skip
+_THERE = ("leave", "keep", *_THERE_BE)
 
 
 def _between_first(p: Parser, i: int) -> Results[Clause]:

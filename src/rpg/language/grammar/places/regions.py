@@ -61,11 +61,23 @@ EVERY_CORNER = (
     "every one of the four corners", "all four corners", "all corners", "the four corners", "all the corners",
     "the corners",
 )  # fmt: skip
+_LEADS = ("in", "at", "on", "into", "to", "one in", ", one in", ", one block in", ", one each in")
 EACH_CORNER = (
     "per corner", ", one per corner", "one per corner",
-    *(f"{lead} {which}" for lead in ("in", "at", "on", "into", "to", "one in", ", one in", ", one block in",
-                                     ", one each in") for which in EVERY_CORNER),
+    *(f"{lead} {which}" for lead in _LEADS for which in EVERY_CORNER),
 )  # fmt: skip
+TWO_CORNERS = {
+    f"{lead} {which}": side
+    for word, side in (("far", "far"), ("back", "far"), ("rear", "far"), ("near", "near"), ("front", "near"),
+                       ("left", "left"), ("right", "right"))
+    for lead in _LEADS
+    for which in (f"each of the two {word} corners", f"each of the {word} corners", f"each {word} corner",
+                  f"every {word} corner", f"both {word} corners", f"both of the {word} corners",
+                  f"both the {word} corners", f"the two {word} corners", f"the {word} corners",
+                  f"each of the two corners on the {word}", f"both corners on the {word}",
+                  f"the two corners on the {word}")
+}  # fmt: skip
+"""The two corners on one side of the table."""
 
 
 @rule
@@ -75,6 +87,11 @@ def region(p: Parser, i: int) -> Results[In]:
     if k := p.any_of(exact, EACH_CORNER) if p.stands(i, (",", "one", "per")) else 0:
         end = of_table(p, k)
         yield In(region=_of_corners(p, i, k, end), span=p.span(i, end or k)), end or k
+    for phrase, k in p.standing(exact, TWO_CORNERS):
+        end = of_table(p, k)
+        one_by_one = not _ONE_BY_ONE.isdisjoint(p.words[i:k])
+        both = f"each_corner{'' if one_by_one else 's'}:{TWO_CORNERS[phrase]}{'' if end else '?'}"
+        yield In(region=both, span=p.span(i, end or k)), end or k
     j = _lead(p, exact)
     if j == exact:
         return

@@ -15,6 +15,7 @@ from rpg.language.grammar.structures.each import each_clause
 from rpg.language.grammar.structures.each_line import each_line, lines_of
 from rpg.language.grammar.structures.ends_filled import ends_filled
 from rpg.language.grammar.structures.levels import levels
+from rpg.language.grammar.structures.ordered_whole import ordered_whole
 from rpg.language.grammar.structures.parts import IS, part, part_statement
 from rpg.language.grammar.structures.patterns import DIAGONALS, pattern
 from rpg.language.grammar.structures.steps import steps_alone
@@ -58,7 +59,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
     yield from body_clause(p, i)
     yield from succession(p, i)
     yield from levels(p, i)
-    yield from (*lines_of(p, i), *ends_filled(p, i))
+    yield from (*lines_of(p, i), *ends_filled(p, i), *ordered_whole(p, i))
     for lines, j in each_line(p, i):
         if isinstance(lines, Coord):
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j

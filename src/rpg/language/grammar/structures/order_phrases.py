@@ -144,6 +144,11 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("mirror symmetric", "mirrored", {}),
     ("which is symmetric", "mirrored", {}), ("that is mirror symmetric", "mirrored", {}),
     ("so that it is symmetric", "mirrored", {}), ("so that it is symmetrical", "mirrored", {}),
+    *((f"{that} {same}", "mirrored", {}) for that in ("that", "which", "so that it", "such that it")
+      for same in ("mirrors itself", "reads the same both ways", "reads the same backwards", "reads the same backward",
+                   "reads the same forwards and backwards", "reads the same forward and backward",
+                   "is the same both ways", "is the same from both ends", "is the same from both sides",
+                   "is mirrored in the middle", "is mirrored at the middle", "is symmetric about its middle")),
     ("that reads the same in both directions", "mirrored", {}), ("that reads the same from either end", "mirrored", {}),
     (", whichever order you like", "any", {}), (", any order will do", "any", {}),
     ("in any order you like", "any", {}), (", order irrelevant", "any", {}), ("whichever order you like", "any", {}),

@@ -14,12 +14,17 @@ _GOES = frozenset({"go", "belong", "be", "stand", "lie", "sit", "rest", "come"})
 _PLACES = frozenset({"on", "onto", "in", "into", "at", "to", "next", "beside", "behind", "between", "under", "left",
                      "right", "near", "atop", "directly", "somewhere"})  # fmt: skip
 _SHOWS = frozenset({"show", "spell", "read", "say", "form"})
-_ASKED = frozenset({"goes", "belongs", "is", "comes", "stands", "lies", "sits", "should", "must", "shall"})
-_NOUNS = frozenset({"block", "cube", "one"})
+_ASKED = frozenset(
+    {"goes", "belongs", "go", "belong", "is", "comes", "stands", "lies", "sits", "should", "must", "shall"}
+)
+_NOUNS = frozenset({"block", "cube", "one", "blocks", "cubes", "ones"})
 _BACK = frozenset({"it", "they"})
 _AT_LAST = (("at", "the", "end"), ("in", "the", "end"), ("finally",), ())
 _DOES_TOO = frozenset({"does", "is", "should", "must"})
 """What an answer may end with that the question has said: "What goes on top? The red one does."."""
+_NOT_THESE = (("and", "none", "of"), ("but", "none", "of"), ("and", "not"), ("but", "not"), ("not",))
+_MODAL = frozenset({"is", "should", "must", "shall"})
+"""What follows those that an answer names, before others that it denies."""
 _MOST = 8
 """No longer answers are put in the place of what is asked for."""
 
@@ -69,6 +74,16 @@ def _told_of(
 def _in_its_place(asked: Sequence[Token], answer: Sequence[Token]) -> list[Token] | None:
     """ "Which block goes on top? The red one.": what is asked for stands in front of what is said of it."""
     words = [token.word for token in answer]
+    for at in range(2, len(words)):
+        begin = at + (words[at] == ",")
+        end = next((begin + len(x) for x in _NOT_THESE if tuple(words[begin : begin + len(x)]) == x), 0)
+        if end and words[end] == "the":  # "The white ones, and not the black ones."
+            those = _in_its_place(asked, answer[:at])
+            comma, joint = (answer[at].saying(word) for word in (",", "and"))
+            if words[end - 1] == "of":
+                return [*those, comma, joint, *answer[end - 2 :]] if those else None
+            does = [answer[at].saying(asked[0].word if asked[0].word in _MODAL else "does"), answer[at].saying("not")]
+            return [*those, comma, joint, *answer[end:], *does] if those else None
     told = len(words) - (words[-1] in _DOES_TOO)
     if not asked or asked[0].word not in _ASKED or words[0] not in ("the", "a", "an") or not 1 < told <= _MOST:
         return None

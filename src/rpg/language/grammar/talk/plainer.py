@@ -11,8 +11,18 @@ from rpg.language.grammar.talk.bare_sides import bare_sides, one_side_each
 from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.grammar.talk.heights_told import heights_told
+from rpg.language.grammar.talk.numbers_told import NUMBER, TIPS, both_of_so_many, number_is, on_the_tip
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import RESPELT, respelling
+from rpg.language.grammar.talk.said_between import (
+    ANYWHERE,
+    BETWEEN,
+    UTMOST,
+    amid_the_verb,
+    measured_last,
+    not_touching,
+    others_anywhere,
+)
 from rpg.language.grammar.talk.said_loosely import LOOSE, said_loosely
 from rpg.language.grammar.talk.short_turns import (
     anywhere_but,
@@ -82,7 +92,7 @@ def _is(tokens: list[Token], words: list[str]) -> list[Token] | None:
     for at in range(1, len(words) - 1):
         thing = words[at - 1] in lexicon.BLOCK or words[at - 1] in lexicon.COLOR or words[at - 1] in lexicon.PATCH
         after = words[at + 1]
-        posture = after.endswith("ing") and after in lexicon.POSTURE
+        posture = (after.endswith("ing") and after in lexicon.POSTURE) or after in ("sat", "stood")
         if words[at] == "'s" and (thing or words[at - 1] == "one") and (posture or after in _PLACES):
             out[at] = tokens[at].saying("is")
     return out if out != tokens else None
@@ -287,6 +297,13 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (between_them, frozenset({"between"})),
     (without_stacking, frozenset({"stacking"})),
     (anywhere_but, frozenset({"anywhere", "somewhere"})),
+    (number_is, NUMBER),
+    (both_of_so_many, frozenset({"both"})),
+    (on_the_tip, TIPS),
+    (others_anywhere, ANYWHERE),
+    (amid_the_verb, BETWEEN),
+    (measured_last, UTMOST),
+    (not_touching, frozenset({"touching"})),
     (turned_in_place, frozenset({"spot"})),
     (number_made, frozenset({"digit", "digits", "number", "numbers"})),
     (said_loosely, LOOSE),

@@ -92,6 +92,8 @@ STATES = Patterns(
     "let it be that",
     "let there be",
     "make|show|give me?",
+    "show|demonstrate|prove|explain|teach to? <who>|everybody|everyone|people|us|me that?",
+    "show|demonstrate|prove|explain to|for my|our|the|your folks|audience|class|school|room that?",
     "let|have|get|see|picture|imagine|finally",
     "build me",
     "there goes",

@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 from rpg.language import lexicon
 from rpg.language.grammar.things.retold import bare_color
-from rpg.language.meaning import Absolute, Amount, At, Coord, Noun, Places, Size, Structure, replace
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Size, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.mirrored import mirrored
 from rpg.passes.schema.resolve.orders.parts import place_of
@@ -23,6 +23,12 @@ def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
         return replace(shape, members=None, sizes=()), None
     if (told := _told_through(shape, spec, theme)) is not None:
         return told, theme
+    few = _few(shape, spec)
+    if theme is None and few and (some := _some_many(source, few)) is not None:
+        longer, made = lengthened(replace(shape, members=some), spec, None, scene)
+        if isinstance(longer.members, Coord):
+            scene.assume(f"the number of {some.traits.colors[0]} blocks is not said: {few}")
+            return longer, made
     counted_ = theme is not None or amount_of(source) is not None
     if shape.sizes or not counted_ or (theme is None and not isinstance(source, Noun)) or (theme and theme.quant):
         return shape, theme
@@ -30,7 +36,8 @@ def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
     own: Collection[str | None] = {thing.label or thing.color for thing in things}
     if isinstance(source, Noun) and theme is None:
         own = source.traits.labels or source.traits.colors
-    if not own or None in own or any(thing.elastic for thing in things):
+    some_many = any(thing.elastic for thing in things)
+    if not own or None in own or (some_many and not few):
         return shape, theme
     closed = _closed(spec)
     more = [m for item in spec.absolutes if (m := _further(item, shape.kind, own, closed)) is not None]
@@ -38,6 +45,8 @@ def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
         return shape, theme
     if theme is None:
         return replace(shape, members=Coord(op="and", items=(source, *more), span=shape.span)), None  # type: ignore[arg-type]
+    if some_many:
+        theme = replace(theme, names=scene.fit(theme.names, few))
     further: tuple[str, ...] = ()
     for noun in more:
         further += refer(noun, scene, Scope(role="member")).names
@@ -45,6 +54,29 @@ def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
     if theme.listed and _ordered(spec, theme, scene):
         return shape, _around(theme, further, spec)
     return shape, replace(theme, names=theme.names + further, listed=False)
+
+
+def _few(shape: Structure, spec: Spec) -> int | None:
+    """How many blocks a line is of that are not counted, so that a middle can be told; None where ends are not all that
+    is said of places in it."""
+    sides = [place.side if place is not None else "" for place in map(place_of, spec.absolutes)]
+    if shape.kind not in _LINES or shape.sizes or not sides or not set(sides) <= {"ends", "outer", "middle"}:
+        return None
+    return _FEW + ("middle" in sides)
+
+
+def _some_many(source: Meaning | None, few: int) -> Noun | None:
+    """ "a row of green blocks with a yellow one at each end": so many of them."""
+    bare = isinstance(source, Noun) and source.det == "bare" and source.plural and source.amount is None
+    if not bare or not isinstance(source, Noun) or len(source.traits.colors) != 1 or source.traits.labels:
+        return None
+    told = source.part_of is not None or source.conditions
+    return None if told else replace(source, amount=Amount(few, few))
+
+
+_LINES = ("row", "line", "column", "stack")
+_FEW = 3
+"""So many blocks stand between the ends of a line where it is not said how many they are."""
 
 
 def _ordered(spec: Spec, theme: Ref, scene: Scene) -> bool:

@@ -50,7 +50,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
             "misplaced", f"this direction does not fit a {kind}", wrong.span, f"say from {sides[0]} to {sides[1]}"
         )
     found, told = Order(), first
-    for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "paged", "reverse")):
+    for order in sorted(spec.orders, key=lambda o: (not _gives_looks(o, names, scene), o.by in _LATER)):
         merged = _merge(found, order, names, kind, scene, scope, order.first if order in pointed else first)
         if merged.by == "given" and not order.items and len(merged.ranks) == len(names) == sum(map(len, spec.in_turn)):
             merged = merged.model_copy(update={"ranks": spec.in_turn})
@@ -210,6 +210,16 @@ def _paged(
     if found.by != "any" or not all(t.label or t.color for t in things):
         return _in_order(found, things, names, kind, scene, order, first)
     return Order(by="given", ranks=tuple((n,) for n in names), first=_default_side(kind))  # type: ignore[arg-type]
+
+
+_LATER = ("given", "in_order", "paged", "reverse")
+"""What an order is checked against that is sorted by what the blocks look like."""
+
+
+def _gives_looks(order: OrderBy, names: tuple[str, ...], scene: Scene) -> bool:
+    """ "Line up cubes in rainbow order: red, yellow, green": a list that says what they look like is read first."""
+    told = order.by == "given" and len(order.items) == len(names)
+    return told and all(scene.things[n].color is None and scene.things[n].label is None for n in names)
 
 
 def _counted(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:

@@ -24,40 +24,42 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     """ "a red block in each corner": as many again for every corner; "four blocks in the four corners": one in each."""
     if meaning.region.startswith("opposite"):
         return _opposite_corners(theme, meaning, scene, span)
+    told = meaning.region.removesuffix("?").partition(":")[2]
+    there = [where for where in CORNERS if told in where]  # "both far corners"
     if indefinite(theme) and not theme.quant:  # "red blocks in the corners": one in each
-        theme = replace(theme, names=scene.fit(theme.names, len(CORNERS)))
+        theme = replace(theme, names=scene.fit(theme.names, len(there)))
     names = theme.names
     one_of_four = theme.quant is not None and (theme.quant.low, theme.quant.high) == (1, 1) and not theme.parts
-    if one_of_four and len(names) == len(CORNERS):
+    if one_of_four and len(names) == len(there):
         theme = replace(theme, quant=None)  # "one of them in each corner": of four, so that each has a corner
     if theme.quant is not None or theme.op != "and" or theme.built or theme.patch or meaning.negated or not names:
         raise refuse("ambiguous", "it is not clear which blocks go into the corners", span, "say what each corner gets")
     if meaning.region.endswith("?") and (scene.built or any(t.patch for t in scene.things.values())):
         raise refuse("ambiguous", "it is not clear of what these are the corners", meaning.span, "say 'of the table'")
-    if len(names) == len(CORNERS):
+    if len(names) == len(there):
         things = [scene.things[n] for n in names]
         if all(t.color is None and t.label is None and t.kind is None for t in things):
             if any(thing.scheme not in (None, "same") for thing in things):
-                return [_some_in(names, where, span) for where in CORNERS]
+                return [_some_in(names, where, span) for where in there]
             for thing in things:
                 thing.scheme = "same"
         elif not alike(things):
-            return [_some_in(names, where, span) for where in CORNERS]
+            return [_some_in(names, where, span) for where in there]
         lots: list[tuple[str, ...]] = [(n,) for n in names]
-    elif 1 < len(names) < len(CORNERS) and not alike([scene.things[n] for n in names]):
+    elif 1 < len(names) < len(there) and not alike([scene.things[n] for n in names]):
         raise refuse("ambiguous", "one of these blocks in each corner, or all of them in every one?", span,
                      "say which block is in which corner")  # fmt: skip
     elif indefinite(theme) and len(names) > 1 and meaning.region.startswith("each_corners"):
         raise refuse("ambiguous", "it is not clear how many are in which corner", span, "say what each corner gets")
     elif indefinite(theme):
-        lots = one_lot_each(theme, len(CORNERS), scene)
+        lots = one_lot_each(theme, len(there), scene)
         for thing in (scene.things[n] for lot in lots for n in lot):
             if thing.color is None and thing.label is None and thing.kind is None:
                 thing.scheme = thing.scheme or "same"
     else:
-        raise refuse("count-mismatch", f"{len(names)} blocks cannot be in each of four corners", span,
-                     "name four blocks, or say 'a red block in each corner'")  # fmt: skip
-    return [r.InRegion(a=lot, region=where, span=span) for lot, where in zip(lots, CORNERS, strict=True)]  # type: ignore[arg-type]
+        raise refuse("count-mismatch", f"{len(names)} blocks cannot be in each of {len(there)} corners", span,
+                     f"name {len(there)} blocks, or say 'a red block in each corner'")  # fmt: skip
+    return [r.InRegion(a=lot, region=where, span=span) for lot, where in zip(lots, there, strict=True)]  # type: ignore[arg-type]
 
 
 def _some_in(names: tuple[str, ...], where: str, span: Span) -> g.Goal:

@@ -36,11 +36,13 @@ class _Sides:
     def __init__(self) -> None:
         self.rel = ""
         self.mark: Meaning | None = None
+        self.beside: Meaning | None = None
 
     def chain(self, chain: Chain) -> Chain:
         clauses: list[Meaning] = []
         for clause in chain.clauses:
             if isinstance(clause, Clause):
+                self.beside = None
                 clause = replace(clause, adjuncts=tuple(self._told(x) for x in clause.adjuncts))
             clauses.append(clause)
         return replace(chain, clauses=tuple(clauses))
@@ -56,8 +58,12 @@ class _Sides:
             return part
         if part.rel in _AGAIN:
             return self._side(part)
-        if part.rel in _OPPOSITE and not part.negated and isinstance(part.landmark, Noun | Structure):
-            self.rel, self.mark = part.rel, part.landmark
+        named = isinstance(part.landmark, Noun | Structure)
+        it = isinstance(part.landmark, Pronoun) and part.landmark.word == "it"  # "next to the blue one, on its left"
+        mark = part.landmark if named else self.beside if it else None
+        if part.rel in _OPPOSITE and not part.negated and mark is not None:
+            self.rel, self.mark = part.rel, mark
+        self.beside = part.landmark if named else self.beside
         return part
 
     def _side(self, loc: Loc) -> Loc:

@@ -24,7 +24,7 @@ DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind")
 REGIONS = ("left_half", "right_half", "near_half", "far_half", "middle", "corner", "edge", "near_left_corner")
 PAIRS = ("on", "above", "touching", "beside", "adjacent", "near", "apart")
 PLACES = ("on_table", "clear", "in_region", "on_patch", "empty")
-CHANGES = ("stayed", "moved", "shifted", "approached", "receded", "swapped", "turned")
+CHANGES = ("stayed", "moved", "shifted", "approached", "receded", "swapped", "took_place", "turned")
 KINDS = (*DIRECTIONS, *PAIRS, *PAIRS, *PLACES, "distance", "between", "closer", "equidistant", "stack", "row")
 
 
@@ -109,7 +109,7 @@ def random_change(world: World, rng: Random) -> g.Goal:
     a, b = rng.sample(list(world.blocks), 2)
     kind = rng.choice(CHANGES)
     fields: dict[str, Any] = {"kind": kind, "a": a}
-    if kind in ("swapped", "approached", "receded"):
+    if kind in ("swapped", "took_place", "approached", "receded"):
         fields["b"] = b
     elif kind == "shifted":
         fields["toward"] = rng.choice(("left", "right", "front", "back"))

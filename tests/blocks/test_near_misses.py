@@ -61,6 +61,7 @@ GOALS = [
     goal("approached", a=("blue", "green", "yellow"), b=("blue", "green", "yellow")),
     goal("receded", a="blue", b="mat", at_least=0.04, at_most=0.06),
     goal("swapped", a="blue", b="green"),
+    goal("took_place", a="blue", b="green"),
     goal("turned", block="blue", degrees=90.0),
 ]
 

@@ -91,6 +91,16 @@ def test_swapped() -> None:
     assert not judge("swapped", both)
 
 
+def test_took_place() -> None:
+    where = {"a": "red", "b": "blue"}
+    assert judge("took_place", where, red=At(X, 0.1), blue=At(X, 0.2))
+    assert judge("took_place", where, red=At(X, 0.1299), blue=At(X, 0.0))
+    assert not judge("took_place", where, red=At(X, 0.1301), blue=At(X, 0.0))
+    assert not judge("took_place", where, red=At(X, 0.0), blue=At(X, 0.2))
+    assert not judge("took_place", where, red=At(X, 0.2), blue=At(X, 0.0))
+    assert not judge("took_place", where)
+
+
 def test_groups_swap_in_any_pairing() -> None:
     fields = {"a": ["red", "blue"], "b": ["green", "yellow"]}
     start = scene(red=At(X, 0.0), blue=At(X, 0.1), green=At(X, -0.1), yellow=At(X, 0.2))

@@ -98,6 +98,7 @@ def _relation(rng: Random, free: list[Block], patches: list[GoalPatch]) -> g.Goa
         lambda: g.LeftOf(a=a, b=b, somewhere=True),
         lambda: g.Distance(a=a, b=b, minimum=0.11, maximum=0.13), lambda: g.Distance(a=a, b=b, minimum=0.15),
         lambda: g.Swapped(a=a, b=b), lambda: g.Approached(a=a, b=b), lambda: g.Receded(a=a, b=b, at_least=0.05),
+        lambda: g.TookPlace(a=a, b=b),
         lambda: g.Not(goal=g.Touching(a=a, b=b)), lambda: g.Not(goal=g.On(a=a, b=b)),
         lambda: g.Any(goals=(g.LeftOf(a=a, b=b), g.Behind(a=a, b=b))),
     ]  # fmt: skip

@@ -54,6 +54,7 @@ def condition(rng: Random, blocks: list[str]) -> dict[str, Any]:
         {"kind": "grid", "blocks": rng.sample(blocks, 4), "rows": 2, "columns": 2},
         {"kind": "turned", "block": a, "degrees": rng.choice((45.0, 90.0, -90.0))},
         {"kind": "swapped", "a": a, "b": b},
+        {"kind": "took_place", "a": a, "b": b},
         {"kind": "shifted", "a": rng.choice((a, [a, b])), "toward": rng.choice(("left", "right", "front", "back"))},
         {"kind": rng.choice(("approached", "receded")), "a": a, "b": b},
         {"kind": "count", "over": [a, b, c], **number, "goal": {"kind": "on_patch", "a": "each", "patch": patch}},

@@ -232,6 +232,9 @@ class Canonical:
             fields["b"], fields["c"] = sorted((fields["b"], fields["c"]), key=repr)
         elif atom.kind == "group_by":
             fields["groups"] = sorted(fields["groups"])
+        elif atom.kind == "took_place":
+            fields["a"] = sorted((mapping.get(a, a), mapping.get(b, b)) for a, b in zip(atom.a, atom.b, strict=False))
+            fields["b"] = ()
         elif atom.kind == "swapped":
             pairs = zip(atom.a, atom.b, strict=False)
             fields["a"] = sorted(sorted(mapping.get(n, n) for n in pair) for pair in pairs)

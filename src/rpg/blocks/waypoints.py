@@ -19,7 +19,7 @@ from rpg.ir.schema import InitialState
 from rpg.ir.walk import atoms, children
 
 STARTS = 50
-FIXING = frozenset({"stayed", "swapped", "shifted", "approached", "receded"})
+FIXING = frozenset({"stayed", "swapped", "took_place", "shifted", "approached", "receded"})
 """Atoms that say where blocks are at the end by where they were at the start."""
 ROOM_TRIES = 800
 """Candidate places that are judged before a start counts as one that leaves no room: room has to be easy to find."""

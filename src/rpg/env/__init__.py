@@ -37,6 +37,7 @@ from rpg.ir.relations import (
     Shifted,
     Stayed,
     Swapped,
+    TookPlace,
     Touching,
     Turned,
 )
@@ -96,6 +97,7 @@ __all__ = [
     "Staircase",
     "Stayed",
     "Swapped",
+    "TookPlace",
     "Touching",
     "Towers",
     "Turned",

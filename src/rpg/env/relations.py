@@ -36,6 +36,7 @@ from rpg.ir.relations import (
     Shifted,
     Stayed,
     Swapped,
+    TookPlace,
     Touching,
     Turned,
 )
@@ -302,6 +303,10 @@ class Relations(Atoms):
     def swapped(self, a: Names, b: Names, *, tolerance: float = 0.03) -> Verdict:
         """`a` and `b` each stand within `tolerance` of where the other started."""
         return self._atom(Swapped, a=a, b=b, tolerance=tolerance)
+
+    def took_place(self, a: Names, b: Names, *, tolerance: float = 0.03) -> Verdict:
+        """`a` stand within `tolerance` of where `b` started, one for one."""
+        return self._atom(TookPlace, a=a, b=b, tolerance=tolerance)
 
     def turned(self, block: str, degrees: float, *, either_way: bool = False, tolerance: float = 15.0) -> Verdict:
         """`block` has turned about the vertical by `degrees` since the start.

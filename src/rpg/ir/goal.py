@@ -38,6 +38,7 @@ from rpg.ir.relations import (
     Shifted,
     Stayed,
     Swapped,
+    TookPlace,
     Touching,
     Turned,
 )
@@ -100,7 +101,7 @@ class Always(Node):
 Atom = (
     On | Above | OnTable | Clear | OnPatch | Empty | LeftOf | RightOf | InFrontOf | Behind | Beside | Adjacent
     | Touching | Near | Apart | Distance | Between | Closer | Equidistant | InRegion | Facing
-    | Stayed | Moved | Shifted | Approached | Receded | Swapped | Turned
+    | Stayed | Moved | Shifted | Approached | Receded | Swapped | TookPlace | Turned
     | Stack | Towers | Row | Grid | Pyramid | Staircase | Figure | GroupBy | Spells | Equation
 )  # fmt: skip
 Goal = Annotated[Atom | All | Any | Not | Count | Sequence | Always, Field(discriminator="kind")]

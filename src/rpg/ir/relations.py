@@ -290,6 +290,15 @@ class Swapped(Node):
     tolerance: Metres = 0.03
 
 
+class TookPlace(Node):
+    """`a` stand within `tolerance` of where `b` started, one for one."""
+
+    kind: Literal["took_place"] = "took_place"
+    a: Names
+    b: Names
+    tolerance: Metres = 0.03
+
+
 class Turned(Node):
     """`block` has turned about the vertical by `degrees` since the start (counter-clockwise from above is positive)."""
 

@@ -108,8 +108,8 @@ def _together(atom: g.Atom, patches: frozenset[str]) -> Iterator[str]:
         yield f"{atom.kind}: both sides name patches; say left_of, right_of, in_front_of, behind, near or apart"
     if atom.kind == "group_by" and fields["outliers"] and fields["by"] is None:
         yield "group_by: outliers needs by, to say in what they differ"
-    if atom.kind == "swapped" and len(a) != len(b):
-        yield f"swapped: a has {len(a)} blocks and b {len(b)}; they change places one for one"
+    if atom.kind in ("swapped", "took_place") and len(a) != len(b):
+        yield f"{atom.kind}: a has {len(a)} blocks and b {len(b)}; they change places one for one"
 
 
 def _listed(value: AnyType) -> tuple[str, ...]:

@@ -79,10 +79,12 @@ _EQUATION = re.compile(rf"\d+(?:\s*{_SIGN}\s*\d+)+\s*=\s*\d+|\d+\s*=\s*\d+(?:\s*
 _PIECES = re.compile(
     rf"""
     (?P<bullet>(?:(?<=\n)|^)\s*(?:[-*•]|\d{{1,2}}[.)])(?=\s)|(?<!\w)\d{{1,2}}\)(?=\s))
+  | (?P<smile>(?<![\w:;])[:;]-?[)(]+(?=\s*$|\s*[.!?,;]|\s+[A-Za-z]))
   | (?P<line>\n\s*(?=[A-Z][a-z]+\b|[a-z]+(?:\ [a-z]+)?\s*[:=]))
   | (?P<equation>(?:{_EQUATION.pattern})(?!\w))
   | (?P<aside>\b(?:i\.e\.|e\.g\.|viz\.)[,:]?)
   | (?P<short>\b(?:max|min)\b\.?(?=\s*(?:\d|one\b|two\b|three\b|four\b|five\b))|\b(?:max|min|approx)\.(?=\s))
+  | (?P<numbered>\b(?:[Nn]o|[Nn]um)\.(?=\s?\d\b)|\b[Nn]r\b\.?(?=\s?\d\b)|[#№](?=\s?\d\b))
   | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))
   | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
   | (?P<dims>\d+(?:\s*[x×*]\s*\d+){{1,2}}(?![\w.]))
@@ -93,7 +95,7 @@ _PIECES = re.compile(
   | (?P<arrow>[-–—=]+>|[→⇒➔➜]|>)
   | (?P<sign>[-+*/×÷=−–—])
   | (?P<spread>±)
-  | (?P<punct>[.,;:!?()\[\]&°%~])
+  | (?P<punct>[.,;:!?()\[\]&∧°%~])
     """,
     re.VERBOSE,
 )
@@ -130,6 +132,11 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
             at += 1
             continue
         raw, end = found.group(), found.end()
+        if found.lastgroup == "smile":  # in brackets it is a colon at their end
+            inside = text.count("(", 0, at) > text.count(")", 0, at)
+            tokens += [Token("punct", raw[0], raw[0], (at, at + 1))] if inside else []
+            at = at + 1 if inside else end
+            continue
         if found.lastgroup == "line":
             ended = tokens and tokens[-1].kind != "punct" and tokens[-1].word not in _GOES_ON
             tokens += [Token("punct", ";", raw, (at, end))] if ended else []
@@ -214,6 +221,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return _word(raw, span)
         case "short":
             return [Token("word", _SHORT[raw.rstrip(".")], raw, span)]
+        case "numbered":
+            return [Token("word", "number", raw, span)]
         case "spread":
             return [Token("word", word, raw, span) for word in ("plus", "or", "minus")]
         case "bullet":

@@ -12,7 +12,7 @@ from rpg.ir.walk import atoms
 
 __all__ = ["CHANGES", "Impossible", "arrange"]
 
-CHANGES = frozenset({"stayed", "moved", "shifted", "approached", "receded", "swapped", "turned"})
+CHANGES = frozenset({"stayed", "moved", "shifted", "approached", "receded", "swapped", "took_place", "turned"})
 """Atoms that compare with the start of the episode."""
 IMAGINED = 4
 """Starts that are imagined: a block at the edge of the table has no room to go on that way."""

@@ -27,7 +27,7 @@ STRUCTURES = frozenset(
 ABSOLUTE = frozenset(
     {
         *("in_region", "on_patch", "empty", "facing", "stayed", "moved", "shifted", "approached", "receded"),
-        *("swapped", "turned"),
+        *("swapped", "took_place", "turned"),
     }
 )
 """Atoms about places in the world, even where their blocks are of one piece."""

@@ -1,4 +1,4 @@
-"""Blocks whose poses the start of the episode decides: those that stay, and those that swap places."""
+"""Blocks whose poses the start of the episode decides: those that stay, and those that take the place of others."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from rpg.blocks.geometry import supporters
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World
 from rpg.ir import goal as g
-from rpg.ir.relations import Stayed, Swapped
+from rpg.ir.relations import Stayed, Swapped, TookPlace
 
 Poses = dict[str, tuple[Vec3, Quat]]
 
@@ -38,6 +38,8 @@ def _asked(atoms: Iterable[g.Atom], world: World, start: BlockState) -> Iterator
             for a, b in zip(atom.a, atom.b, strict=False):
                 yield a, _in_place_of(a, b, world, start)
                 yield b, _in_place_of(b, a, world, start)
+        elif isinstance(atom, TookPlace):
+            yield from ((a, _in_place_of(a, b, world, start)) for a, b in zip(atom.a, atom.b, strict=False))
 
 
 def _pose(name: str, start: BlockState) -> tuple[Vec3, Quat]:

@@ -251,6 +251,11 @@ def swapped(node: r.Swapped, say: Speaker) -> str:
     return f"{say.the(node.a)} and {say.the(node.b)} {say.do((*node.a, *node.b), 'swap', 'swaps')} places"
 
 
+def took_place(node: r.TookPlace, say: Speaker) -> str:
+    was = "were" if len(node.b) > 1 else "was"
+    return f"{say.the(node.a)} {say.be(node.a)} where {say.the(node.b)} {was} at the start"
+
+
 def turned(node: r.Turned, say: Speaker) -> str:
     if not node.degrees:
         say.negated = not say.negated
@@ -289,5 +294,6 @@ TABLE: dict[str, Any] = {
     "approached": approached,
     "receded": receded,
     "swapped": swapped,
+    "took_place": took_place,
     "turned": turned,
 }

@@ -1,4 +1,4 @@
-"""stayed, moved, swapped, turned: relative to the start of the episode."""
+"""stayed, moved, swapped, took_place, turned: relative to the start of the episode."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, put, shift
 from rpg.blocks.state import IDENTITY, BlockState, product, yaw_quat
 from rpg.blocks.verdict import Verdict, at_least, at_most, every, some
-from rpg.ir.relations import Moved, Stayed, Swapped, Turned
+from rpg.ir.relations import Moved, Stayed, Swapped, TookPlace, Turned
 
 MATCHED = 5
 """Groups up to this size may swap in any pairing; larger ones in the order given."""
@@ -56,22 +56,7 @@ class SwappedPredicate(Predicate[Swapped]):
     """Each block stands where its counterpart stood."""
 
     def evaluate(self, node: Swapped, state: BlockState) -> Verdict:
-        return self._taken(node.a, node.b, node, state) & self._taken(node.b, node.a, node, state)
-
-    def _taken(self, names: tuple[str, ...], places: tuple[str, ...], node: Swapped, state: BlockState) -> Verdict:
-        start = start_of(state)
-        deals = permutations(places, len(names)) if len(places) <= MATCHED else [places]
-        return some(
-            [
-                every(
-                    [
-                        at_most(math.dist(state.position[n], start.position[p]), node.tolerance)
-                        for n, p in zip(names, deal, strict=False)
-                    ]
-                )
-                for deal in deals
-            ]
-        )
+        return _taken(node.a, node.b, node.tolerance, state) & _taken(node.b, node.a, node.tolerance, state)
 
     def propose(self, node: Swapped, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         theirs = node.b if block in node.a else node.a
@@ -89,6 +74,45 @@ class SwappedPredicate(Predicate[Swapped]):
             load = carried(state, a)
             yield NearMiss(f"{a} not quite in the place of {b}", shift(state, load, px - x, py + dy - y))
             yield NearMiss(f"only {a} in its new place", put_back(state, (b,)))
+
+
+class TookPlacePredicate(Predicate[TookPlace]):
+    """Each block stands where one of the others stood."""
+
+    def evaluate(self, node: TookPlace, state: BlockState) -> Verdict:
+        return _taken(node.a, node.b, node.tolerance, state)
+
+    def propose(self, node: TookPlace, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
+        if block in node.a:
+            start = start_of(state)
+            yield from (start.position[n][:2] for n in node.b if n in start.position)
+
+    def near_misses(self, node: TookPlace, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a, start = node.a[0], start_of(state)
+        place = min(node.b, key=lambda n: math.dist(start.position[n], state.position[a]))
+        (px, py, _), (x, y, _) = start.position[place], state.position[a]
+        dy = node.tolerance + PAST
+        for side, way in ((dy, "left"), (-dy, "right")):
+            aside = shift(state, carried(state, a), px - x, py + side - y)
+            yield NearMiss(f"{a} too far {way} of the place of {place}", aside)
+        yield NearMiss(f"{a} where it was", put_back(state, (a,)))
+
+
+def _taken(names: tuple[str, ...], places: tuple[str, ...], tolerance: float, state: BlockState) -> Verdict:
+    """Whether each block is where one of the others was, each at a place of its own."""
+    start = start_of(state)
+    deals = permutations(places, len(names)) if len(places) <= MATCHED else [places]
+    return some(
+        [
+            every(
+                [
+                    at_most(math.dist(state.position[n], start.position[p]), tolerance)
+                    for n, p in zip(names, deal, strict=False)
+                ]
+            )
+            for deal in deals
+        ]
+    )
 
 
 class TurnedPredicate(Predicate[Turned]):
@@ -144,5 +168,6 @@ TABLE: dict[str, Predicate[Any]] = {
     "stayed": StayedPredicate(),
     "moved": MovedPredicate(),
     "swapped": SwappedPredicate(),
+    "took_place": TookPlacePredicate(),
     "turned": TurnedPredicate(),
 }

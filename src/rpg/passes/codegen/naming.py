@@ -31,6 +31,7 @@ TEMPLATES = {
     "facing": "{block}_facing_{toward}",
     "shifted": "{a}_shifted_{toward}",
     "swapped": "{a}_and_{b}_swapped",
+    "took_place": "{a}_in_place_of_{b}",
     "turned": "{block}_turned",
     "stack": "{blocks}_stacked",
     "towers": "{blocks}_in_towers",

@@ -17,7 +17,14 @@ from rpg.steer.view import Shape
 
 EDGES = {"on": ("offset_edges",), "row": ("line_edges",), "between": ("within_edges",)}
 """Tolerances in edges, by kind of atom."""
-METRES = {"stayed": ("tolerance",), "swapped": ("tolerance",), "moved": (), "touching": ("gap",), "on_table": ("gap",)}
+METRES = {
+    "stayed": ("tolerance",),
+    "swapped": ("tolerance",),
+    "took_place": ("tolerance",),
+    "moved": (),
+    "touching": ("gap",),
+    "on_table": ("gap",),
+}
 """Tolerances in metres, by kind of atom."""
 
 

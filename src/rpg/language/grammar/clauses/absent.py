@@ -7,7 +7,7 @@ from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, TableTop, replace
+from rpg.language.meaning import Amount, Clause, Loc, Manner, Meaning, Noun, Pronoun, TableTop, replace
 
 
 def nothing_at_all(found: Clause) -> Clause:
@@ -54,10 +54,21 @@ def never_there(p: Parser, i: int) -> Results[Clause]:
     """ "there must never be anything on the green block": nothing is there."""
     j = max(_NEVER_THERE.matches(p, i), default=0)
     for theme, k in noun_phrase(p, j) if j else ():
-        if not isinstance(theme, Pronoun) or theme.word not in ("anything", "anything else"):
+        none = _none_of_them(theme)
+        anything = isinstance(theme, Pronoun) and theme.word in ("anything", "anything else")
+        if none is None and not anything:
             continue
         never = not {"never", "ever", "no"}.isdisjoint(p.words[i:j])
         for found, end in adjuncts(p, k):
-            denied = Clause(verb="exist", theme=theme, adjuncts=found, negated=True, mode="goal", span=p.span(i, end))
+            denied = Clause(verb="exist", theme=none or theme, adjuncts=found, mode="goal", span=p.span(i, end))
+            denied = replace(denied, negated=none is None)
             if found:
                 yield ever(nothing_at_all(denied), never), end
+
+
+def _none_of_them(theme: Meaning) -> Noun | None:
+    """ "(There must not be) a block", "any red blocks": none that looks so."""
+    one = isinstance(theme, Noun) and theme.det in ("a", "any") and theme.amount in (None, Amount(1, 1))
+    if not one or not isinstance(theme, Noun) or theme.head != "block" or theme.part_of is not None:
+        return None
+    return replace(theme, det="no", amount=None)

@@ -72,6 +72,7 @@ _USING = (
     "which only has", "that has only", "which has only", "that only contains", "that contains only", "containing only",
     "that consists only of", "that only uses", "with nothing but", "using nothing but", "made of only",
     "with just", "using just", "exclusively from", "using exclusively", "made exclusively of",
+    "built with", "built of", "built out of", "constructed from", "constructed of", "constructed with",
 )  # fmt: skip
 
 

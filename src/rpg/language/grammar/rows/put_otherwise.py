@@ -33,7 +33,7 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     (f"^two words , one (?:per|in each) row : (\\S+) in the ({_ROW}) (?:one|row)(?: ,| and)+ (\\S+) in the ({_ROW}) "
      "(?:one|row)$", "{1} in the {2} row and {3} in the {4} row"),
     # what is left open anyway
-    ("^(?:i|we) do not (?:care|mind) how (?:far|close|near|high) .+$", ""),
+    ("^(?:i|we) do not (?:care|mind) how (?:far|close|near|high) [^,]+$", ""),
     # "a red block on the left, to the right of it a blue one": which is the left one follows
     ("(^|: )(an? [^,:]+?) (?:on|at|to) the left(?: ,| and| , and) to the right of it (?=an? )",
      "{1} {2} , to the right of it"),
@@ -65,7 +65,8 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(an?|the|one) ({LINE}|checkerboard|grid|wall|pyramid) in ({COLOR} and {COLOR}) (with|of)\\b",
      "{1} {3} {2} {4}"),
     # how a letter is turned
-    (f"\\b(an?|the) ({_TURNED}) (?:letter )?(\\w)(?= {_SIDE}| {_ON}|$)(.*)$", "{1} {3} {4} . the {3} must be {2}"),
+    (f"(?<!as )(?<!into )\\b(an?|the) ({_TURNED}) (?:letter )?(\\w)(?= {_SIDE}| {_ON}|$)(.*)$",
+     "{1} {3} {4} . the {3} must be {2}"),
     (f"\\b(an?|the) (?:letter )?(\\w)(?: ,)? (?:({_TURNED})(?= {_SIDE}| {_ON})|(?:that|which) (?:is|stands|lies) "
      f"({_TURNED})(?= {_SIDE}| {_ON}|$))(.*)$", "{1} {2} {5} . the {2} must be {3} {4}"),
     # one on either side

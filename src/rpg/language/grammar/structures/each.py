@@ -7,6 +7,7 @@ from operator import itemgetter
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.structures.as_many_each import as_many_each
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, replace
 
@@ -18,6 +19,9 @@ _LEADS = (
     "in each of which there is", "in each of which there are", "each being",
     "in each of which", "all of", "both with", "both of", "where each has", "where each one has", "and each has",
     "so that each has", "so that each one has", "such that each has", "of which each has",
+    *(f"each of which {has}"
+      for has in ("has", "should have", "must have", "is to have", "has to have", "contains", "consists of",
+                  "is made of", "is built of", "is made up of")),
 )  # fmt: skip
 _COLON = ("that is", "is")
 _ALIKE = tuple(
@@ -61,8 +65,10 @@ _ON = {"on": True, "on top of": True, "above": True, "over": True, "atop": True,
 
 
 @rule
-def each_of(p: Parser, i: int) -> Results[OrderBy]:
-    """Behind several structures: ", each of a red and a blue block", "with a red and a blue block each"."""
+def each_of(p: Parser, i: int) -> Results[Meaning]:
+    """Behind several structures: ", each of a red and a blue block", "with a red and a blue block each"; "of the same
+    height"."""
+    yield from as_many_each(p, i)
     yield from each_led(p, i)
     comma = p.opt(i, ",", ":")
     j = p.any_of(comma, ("of", "with", "from", "made of"))

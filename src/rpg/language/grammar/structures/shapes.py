@@ -96,7 +96,7 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
         if drawn and (_made_of(p, i + 1) or p.any_of(i + 1, _WITH_LIMBS) or _so_many(p, p.any_of(i + 1, _SET_OFF))):
             yield (letter, False), p.reach(i + 1)
         if (
-            (p.words[i - 1 : i] in (["a"], ["an"]) or (_described(p, i) and _made_of(p, i + 1)))
+            (p.words[i - 1 : i] in (["a"], ["an"]) or (_described(p, i) and _made_of(p, i + 1)) or _turned(p, i))
             and i > 0
             and not (i + 1 < p.end and p.words[i + 1] in lexicon.BLOCK)
             and p.tokens[i].raw.isupper()
@@ -128,6 +128,30 @@ _KINDS = frozenset({*lexicon.SIZE, "capital", "flat", "simple"})
 
 def _described(p: Parser, i: int) -> bool:
     return p.follows(i, _KINDS) and p.follows(i - 1, ("a", "an"))
+
+
+UPSIDE_DOWN = ("upside down", "reversed")
+"""As "inverted" is read, too."""
+_POINTED = frozenset({"T", "U", "V"})
+"""Letters of which this tells one way to lie: an L may be mirrored."""
+
+
+def upside_down(p: Parser, i: int) -> int:
+    """The position behind "upside-down" in "an upside-down T of five", "(five blocks) as an inverted V", or 0."""
+    j = p.any_of(i, UPSIDE_DOWN)
+    if not j or _letter_at(p, j) not in _POINTED:
+        return 0
+    formed = p.follows(i, ("a", "an")) and p.follows(i - 1, _AS) and p.words[j + 1] in _CLOSED
+    return j if formed or _made_of(p, j + 1) else 0
+
+
+_AS = frozenset({"as", "in", "into"})
+_CLOSED = frozenset({"", ",", ";"})
+
+
+def _turned(p: Parser, i: int) -> bool:
+    """Whether "upside-down" stands before a letter that is a figure."""
+    return any(upside_down(p, i - len(said.split())) == i for said in UPSIDE_DOWN if i > len(said.split()))
 
 
 def _made_of(p: Parser, i: int) -> bool:

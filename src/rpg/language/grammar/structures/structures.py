@@ -14,7 +14,7 @@ from rpg.language.grammar.structures.heights import bar_chart
 from rpg.language.grammar.structures.makeup import per_color, sized_members
 from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.structures.ring_around import ring_around
-from rpg.language.grammar.structures.shapes import noun
+from rpg.language.grammar.structures.shapes import noun, upside_down
 from rpg.language.grammar.structures.sizes import dimensions, layers_of, rows_and_columns
 from rpg.language.grammar.structures.superlatives import largest
 from rpg.language.grammar.things import amounts
@@ -178,6 +178,8 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         yield _Before(details=(replace(DETAILS[word], span=p.span(i, j)),)), j
     if (j := p.one(i, ("diagonal", "slanted", "slanting"))) and p.lex(j, lexicon.STRUCTURE) in _OF_SO_MANY:
         yield _Before(details=(Manner(kind="diagonal", span=p.span(i, j)),)), j
+    if j := upside_down(p, i):
+        yield _Before(details=(Manner(kind="turn", value=180.0, span=p.span(i, j)),)), j
     yield from _colors_before(p, i)
     yield from _laid_before(p, i)
     for found, j in dimensions(p, i):

@@ -88,8 +88,16 @@ def _mended(tokens: list[Token], at: int, end: int) -> list[Token] | None:
         rest = tokens[stop + closed :]
         return [*tokens[:back], tokens[end], *tokens[back + 1 : at], *rest]
     onward = stop + 1 < len(tokens) and tokens[stop + 1].word in _WHERE
-    rest = [*tokens[end:stop], *tokens[stop + (closed and onward) :]]
+    rest = [*_with_its_noun(tokens[end:stop], tokens[at - 1]), *tokens[stop + (closed and onward) :]]
     return [*tokens[:back], *rest]
+
+
+def _with_its_noun(said: list[Token], noun: Token) -> list[Token]:
+    """ "(on the white mat, no,) the black one": a mat, as what was taken back."""
+    kinds = [_kind(said, n) for n in range(min(2, len(said)))]
+    one = kinds == ["article", "color"] and len(said) > 2 and said[2].word == "one"
+    told = lexicon.PATCH.get(noun.word) is False
+    return [*said[:2], said[2].saying(noun.word), *said[3:]] if one and told else said
 
 
 def _kind(tokens: list[Token], at: int) -> str:

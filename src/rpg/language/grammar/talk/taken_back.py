@@ -59,7 +59,7 @@ def _begins(sentence: list[Token]) -> int:
 def _mended(before: list[Token], said: list[Token]) -> list[Token] | None:
     """What was said before as it was meant; None where that is not clear."""
     stop = [token for token in (said[-1], before[-1]) if token.word in STOPS][:1]
-    said = said[:-1] if said[-1].word in STOPS else said
+    said = _plainly(said[:-1] if said[-1].word in STOPS else said)
     was = before[:-1] if before[-1].word in STOPS else before
     text, told = text_of(said), text_of(was)
     if not text:
@@ -77,6 +77,18 @@ def _mended(before: list[Token], said: list[Token]) -> list[Token] | None:
     else:
         found = said if _looks(was) == _looks(said) and (_TWO.match(text) or _clause(told, text)) else None
     return None if found is None else [*found, *stop]
+
+
+_CIVIL = (("please",), ("thanks",), ("thank", "you"))
+
+
+def _plainly(said: list[Token]) -> list[Token]:
+    """Without the courtesy at the end, which takes no part in what is put for what: "No, four, thank you"."""
+    for words in _CIVIL:
+        if len(said) > len(words) and tuple(token.word for token in said[-len(words) :]) == words:
+            rest = said[: -len(words)]
+            return rest[:-1] if len(rest) > 1 and rest[-1].word in _APART else rest
+    return said
 
 
 def _clause(told: str, text: str) -> bool:

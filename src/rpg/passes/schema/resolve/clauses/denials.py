@@ -14,6 +14,7 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     Pronoun,
+    Traits,
     replace,
 )
 from rpg.passes.schema.resolve.clauses.exception_last import exception_last
@@ -55,10 +56,21 @@ def _not_any(clause: Clause) -> Clause:
     if isinstance(theme, Pronoun) and theme.word == "either of them":
         both = Pronoun(word="both of them", span=theme.span)
         theme = Noun(head="any", det="any", amount=Amount(1, 1), plural=True, part_of=both, span=theme.span)
+    if _no_block_there(clause):
+        return replace(clause, theme=replace(theme, det="no", amount=None), negated=False)
     single = isinstance(theme, Noun) and theme.det == "any" and theme.amount == Amount(1, 1)
     if not clause.negated or clause.verb not in ("be", "place") or not isinstance(theme, Noun) or not single:
         return clause
     return replace(clause, theme=replace(theme, det="no", amount=None), negated=False) if theme.part_of else clause
+
+
+def _no_block_there(clause: Clause) -> bool:
+    """ "Do not put any block on the mat": of whatever block."""
+    theme, places = clause.theme, clause.adjuncts
+    plain = isinstance(theme, Noun) and (theme.head, theme.det, theme.traits) == ("block", "any", Traits())
+    plain = plain and isinstance(theme, Noun) and theme.part_of is None and not theme.conditions
+    there = len(places) == 1 and isinstance(places[0], Loc | In) and not places[0].negated
+    return clause.negated and clause.verb in ("be", "place") and plain and there
 
 
 def denied_of_any(clause: Clause, scene: Scene) -> Clause:

@@ -9,11 +9,12 @@ from collections.abc import Sequence
 from rpg.blocks.figures import Cell
 from rpg.ir import structures as s
 from rpg.ir.order import Order, Pattern
-from rpg.language.meaning import Meaning, Noun, Traits, replace
+from rpg.language.meaning import Meaning, Noun, Structure, Traits, replace
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.parts import Claim, cells_of, claims, counted
-from rpg.passes.schema.resolve.things.world import Scene, refuse
+from rpg.passes.schema.resolve.things.things import bare_colors
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 
 def taking_turns(spec: Spec) -> None:
@@ -26,6 +27,15 @@ def taking_turns(spec: Spec) -> None:
             spec.patterns.append(Said(unit="checkerboard", span=order.span))
         if colors:
             spec.patterns = [replace(x, values=colors) if x.unit == "checkerboard" else x for x in spec.patterns]
+
+
+def in_its_colors(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
+    """ "Nine cubes as a checkerboard of black and white": the blocks are counted, and its cells take turns in these."""
+    colors = bare_colors(shape.members) if shape.members is not None else shape.traits.colors
+    if theme is None or len(colors) != 2 or len({*colors}) != 2 or any(pattern.values for pattern in spec.patterns):
+        return shape
+    spec.patterns = [replace(x, values=colors) if x.unit == "checkerboard" else x for x in spec.patterns]
+    return replace(shape, members=None, traits=replace(shape.traits, colors=()))
 
 
 def checkered(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene) -> Pattern | None:

@@ -18,7 +18,7 @@ from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.compared import compared as compared_far
-from rpg.passes.schema.resolve.places.corners import corners, of_something_else, the_other_half
+from rpg.passes.schema.resolve.places.corners import corners, in_region, of_something_else, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
 from rpg.passes.schema.resolve.places.moved import off_what, put_there, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
@@ -36,6 +36,7 @@ from rpg.passes.schema.resolve.places.patches import (
     indefinite,
     like_the_last,
     matching_patches,
+    none_matching,
     on_patches,
     on_separate_patches,
     one_lot_each,
@@ -43,6 +44,7 @@ from rpg.passes.schema.resolve.places.patches import (
 from rpg.passes.schema.resolve.places.side_lengths import MEASURES, so_large
 from rpg.passes.schema.resolve.places.some_of_them import to_each_other, to_others
 from rpg.passes.schema.resolve.places.stacking import Towers, check_bodies, vertical
+from rpg.passes.schema.resolve.places.where_was import took_place
 from rpg.passes.schema.resolve.things.none_of import one_and_all
 from rpg.passes.schema.resolve.things.operands import (
     DIRECTIONS,
@@ -86,16 +88,14 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",
                          meaning.span, "say 'of the table', or name the structure's blocks")  # fmt: skip
         case In(region="other_half"):
-            opposite = replace(meaning, region=the_other_half(scene, meaning.span))
-            return place(theme, opposite, scene, scope, span)
+            return place(theme, replace(meaning, region=the_other_half(scene, meaning.span)), scene, scope, span)
         case In():
             scene.region, scene.region_at = meaning.region, meaning.span[0]
             scene.regions[scene.clause] = meaning.region
-            return [negate(_region(theme, meaning.region, span), meaning.negated, span)]
+            return [negate(in_region(theme, meaning.region, span), meaning.negated, span)]
         case Coord():
             if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:
-                apart = [Ref(names=(n,)) for n in theme.names]
-                return [x for one in apart for x in place(one, meaning, scene, scope, span)]
+                return [x for n in theme.names for x in place(Ref(names=(n,)), meaning, scene, scope, span)]
             if meaning.op == "or":
                 return [disj([_alternative(theme, x, scene, scope, span) for x in meaning.items], span)]
             return [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
@@ -108,6 +108,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             return place(theme, In(region=scene.region, negated=meaning.negated, span=meaning.span), scene, scope, span)
         case Loc(measure=measure) if measure in MEASURES:
             return [so_large(theme, meaning, scene)]
+        case Loc(rel="where was"):
+            return took_place(theme, meaning, scene, scope, span)
         case Loc():
             towers = Towers.of(scene)
             goals = _loc(theme, meaning, scene, scope, span)
@@ -126,13 +128,6 @@ def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span:
     goal = conj(place(theme, meaning, scene, scope, span), span)
     towers.after(scene, start=False, denied=True)
     return goal
-
-
-def _region(theme: Ref, region: str, span: Span) -> g.Goal:
-    def one(a: Operand) -> g.Goal:
-        return r.InRegion(a=a, region=region, span=span)  # type: ignore[arg-type]
-
-    return spread(theme, one, span, together=True)
 
 
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
@@ -227,6 +222,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [x for one, other in shared for x in related(one, other, loc, scene, span)]
     if loc.rel in ("between", "sandwiched", "flank"):
         return [(flanked if loc.rel == "flank" else between)(theme, mark, loc, scene, span)]
+    if mark.matching and theme.quant is not None and theme.quant.high == 0:
+        return none_matching(theme, mark, scene, span)
     if (
         theme.quant is not None
         and theme.quant.high == 0

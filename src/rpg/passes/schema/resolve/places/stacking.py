@@ -10,11 +10,12 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import EACH, Highest, Lowest, Operand
-from rpg.ir.order import Order
+from rpg.ir.order import Order, Pattern
 from rpg.language.meaning import Loc, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.goals.logic import conj, disj
 from rpg.passes.schema.resolve.things.operands import crown, foot, spread
+from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
 
@@ -45,6 +46,9 @@ def check_bodies(theme: Ref, loc: Loc, scene: Scene) -> None:
     spelt = any(built.kind == "word" and {*theme.names} <= {*built.members} for built in scene.built)
     if mark.amount is not None and not (spelt and mark.det == "a" and len(theme.names) == 1):
         return
+    below = [t for t in scene.blocks() if t.declared and t.label is None and t.color in mark.traits.colors]
+    if theme.quant is not None and len(below) > 1:
+        return  # cubes of that colour are there already, and no letter is on them all
     open_ = [scene.things[name] for name in theme.names]
     shown = all(thing.label is not None and thing.color is None for thing in open_)
     one = mark.det == "a" or (mark.det == "bare" and mark.plural)
@@ -74,7 +78,10 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         raise refuse("ambiguous", f"a {theme.built[0].kind} has no room on one block", loc.span,
                      "say which block lies on it")  # fmt: skip
     mark = _as_a_tower(mark, scene)
-    if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
+    if (whichever := _so_many_on(theme, mark, loc, scene, span)) is not None:
+        return whichever
+    counted = theme.quant is not None or any(part.quant is not None for part in theme.parts)
+    if len(theme.names) > 1 and len(mark.names) == len(theme.names) and not counted and not mark.built:
         return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
     b = crown(mark)
     if not isinstance(b, Lowest | Highest) and len(b) > 1:
@@ -89,6 +96,17 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
             "name one of them, or say 'on both blue blocks'" if len(b) == _ACROSS else "name one of them",
         )
     return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
+
+
+def _so_many_on(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal | None:
+    """ "At least two of the letters on black cubes": each of so many on whichever of these, one on one."""
+    plain = mark.op == "and" and mark.quant is None and not (mark.built or mark.patch or loc.negated)
+    if theme.quant is None or len(mark.names) < 2 or not plain or not alike([scene.things[n] for n in mark.names]):
+        return None
+    if theme.quant.low > len(mark.names):
+        raise refuse("too-many-asked", "so many blocks find no place on these, one on one", loc.span,
+                     f"ask for at most {len(mark.names)}")  # fmt: skip
+    return spread(theme, lambda a: disj([r.On(a=a, b=(one,), span=span) for one in mark.names], span), span)
 
 
 _ACROSS = 2
@@ -113,7 +131,7 @@ def across(top: str, below: tuple[str, ...], scene: Scene, span: Span) -> g.Goal
     """ "The black block rests on both white ones": two side by side and one on them both."""
     scene.assume("a block on two others lies across them, as in a pyramid")
     order = Order(by="given", ranks=((top,), below))
-    return s.Pyramid(blocks=(*below, top), base=(_ACROSS, 1), pattern=s.Pattern(kind="reading", order=order), span=span)
+    return s.Pyramid(blocks=(*below, top), base=(_ACROSS, 1), pattern=Pattern(kind="reading", order=order), span=span)
 
 
 def _as_a_tower(mark: Ref, scene: Scene) -> Ref:

@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.blocks.figures import FEWEST, NATURAL, takes
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Manner, Noun, Structure
+from rpg.language.meaning import At, Manner, Noun, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
@@ -39,7 +39,7 @@ def _bare(shape: Structure) -> bool:
 def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Outlines, filled figures and letter shapes on the table."""
     plain(shape)
-    shape = with_length(shape, spec)
+    shape = with_length(_wide_and_long(shape), spec)
     if shape.kind == "square" and theme is None and _bare(shape) and any(b.kind == "grid" for b in scene.built):
         raise refuse("ambiguous", "this could be a place of the grid, or a figure of its own", shape.span,
                      "say 'the block', or of how many blocks the square is built")  # fmt: skip
@@ -116,6 +116,16 @@ def _fitting(node: s.Figure, shape: Structure, scene: Scene) -> s.Figure:
     raise refuse("count-mismatch", f"{count} blocks do not make a {shape.kind}", shape.span, f"use {use}", blocks=count)
 
 
+def _wide_and_long(shape: Structure) -> Structure:
+    """ "A rectangle two wide and three long" has these two sides; which way its length goes is not said."""
+    wide, long_ = shape.extent("wide"), shape.extent("long")
+    sides = [size for size in shape.sizes if size.what in ("wide", "long", "deep", "rows", "columns")]
+    if shape.kind != "rectangle" or shape.dims or not wide or not long_ or len(sides) != 2:
+        return shape
+    rest = tuple(size for size in shape.sizes if size not in sides)
+    return replace(shape, dims=(wide, long_), sizes=rest)
+
+
 def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a 2x3 rectangle": filled, and turned in any way, for it has no rows that would lie along y."""
     sides = (shape.dims[0], shape.dims[1])
@@ -169,10 +179,13 @@ def _pointing(shape: Structure, spec: Spec) -> str | None:
     kind = shape.kind
     told = [m for m in spec.manners if m.kind.startswith("pointing:") or m.kind == "facing"]
     upright = kind in _POINTERS and any((m.kind, m.value) == ("turn", 0.0) for m in spec.manners)
-    used = [*told, *(m for m in spec.manners if upright and (m.kind, m.value) == ("turn", 0.0))]
+    over = kind in _POINTERS and kind != "L" and any((m.kind, m.value) == ("turn", 180.0) for m in spec.manners)
+    turns = (*((("turn", 0.0),) if upright else ()), *((("turn", 180.0),) if over else ()))
+    used = [*told, *(m for m in spec.manners if (m.kind, m.value) in turns)]
     spec.manners = [m for m in spec.manners if m not in used]
     sides = {_side(kind, m) for m in told if m.kind != "pointing:long"}
     sides |= {NATURAL.get(kind, "front")} if upright and not told else set()
+    sides |= {OPPOSITE[NATURAL.get(kind, "front")]} if over else set()
     for long in (m for m in told if m.kind == "pointing:long"):
         if kind != "L" or not sides or sides - {"left", "right"}:
             raise refuse("misplaced", "this does not tell how the figure lies", long.span,

@@ -8,7 +8,7 @@ from rpg.ir import structures as s
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Places, Size, Structure, Traits, replace
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.checkered import taking_turns
+from rpg.passes.schema.resolve.orders.checkered import in_its_colors, taking_turns
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
 from rpg.passes.schema.resolve.structures.boards import one_more
 from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count, used_count
@@ -33,7 +33,8 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
     if any(p.unit == "checkerboard" for p in spec.patterns):
-        shape = _colors_told(shape, spec) if theme is None and not spec.usings else shape
+        bare = theme is None and not spec.usings
+        shape = _colors_told(shape, spec) if bare else in_its_colors(shape, spec, theme)
         shape = _cornered(shape, spec, rows * columns if rows % 2 and columns % 2 else 0)
     elif any(p.values for p in spec.patterns) and theme is None:
         shape = _colors_told(shape, spec)

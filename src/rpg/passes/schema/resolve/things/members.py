@@ -25,7 +25,7 @@ from rpg.passes.schema.resolve.orders.orders import implied_kind
 from rpg.passes.schema.resolve.orders.runs import run_length
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import alike, amount_of, create, matching, plain_colors
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
 
 def members_of(
@@ -212,13 +212,18 @@ def of_look_alikes(theme: Ref, spec: Spec, scene: Scene) -> Ref:
         spec.sizes.append(Size(what="size", amount=many, span=theme.span))
     if not told or theme.quant is None:
         return theme
-    if not alike(things) or not 1 < theme.quant.low < len(things):
+    if not (alike(things) or all(map(_of_no_look, things))) or not 1 < theme.quant.low < len(things):
         return theme
     least = theme.quant.low
     spec.sizes.append(Size(what="size", amount=Amount(least, theme.quant.high), span=theme.span))
     scene.whole = theme.names
     scene.parted.update(theme.names[:least])
     return certain(replace(theme, quant=Amount(least, least)), scene)
+
+
+def _of_no_look(thing: Thing) -> bool:
+    """Whether nothing is said of how it looks, so that it can look as others do."""
+    return thing.color is None and thing.label is None and thing.kind is None and thing.scheme in (None, "same")
 
 
 def picked_for(target: Structure, theme: Ref, spec: Spec, scene: Scene) -> Ref:

@@ -42,7 +42,9 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             continue  # "to the right of them put green on yellow" is not of these two
         if word.word in _THEY and scope.role == "theme" and _beside_blocks(mention, scene):
             continue
-        if len(mention.ref.names) > 1:
+        if _left_behind(mention, scene):
+            continue
+        if len(mention.ref.names) > 1 and not _idle(mention, scene):
             ref = mention.ref
             if word.word in ("both", "both of them") and len(ref.names) != 2:
                 continue
@@ -78,6 +80,14 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
+
+
+def _left_behind(mention: Mention, scene: Scene) -> bool:
+    """ "Take red and blue off the tower and put them on the mat": not the tower that several were taken off."""
+    if mention.role != "landmark" or mention.rel != "off":
+        return False
+    themes = [m for m in scene.mentions if m.clause == mention.clause and m.role == "theme"]
+    return any(len(m.ref.names) > 1 for m in themes)
 
 
 def _not_alone(word: Pronoun, names: list[str]) -> None:
@@ -188,7 +198,8 @@ def _no_later_ones(word: Pronoun, last: Mention, own: list[Mention], scene: Scen
     several: dict[int, set[str]] = {}
     for mention in scene.mentions[scene.mentions.index(last) + 1 :]:
         if mention.clause not in (last.clause, scene.clause) and mention not in own:
-            several.setdefault(mention.clause, set()).update(n for n in mention.ref.names if not scene.things[n].patch)
+            told = (n for n in mention.ref.names if not (scene.things[n].patch or scene.things[n].extra))
+            several.setdefault(mention.clause, set()).update(told)
     if any(len(names) > 1 and not names & set(last.ref.names) for names in several.values()):
         raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
                      "name the blocks that you mean")  # fmt: skip
@@ -214,6 +225,13 @@ def _no_rivals(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -
         if len(other.ref.names) > 1 and not other.ref.patch and not set(other.ref.names) & set(last.ref.names):
             raise refuse("ambiguous", f"{word.word!r} could be several things spoken of before", word.span,
                          "name the blocks that you mean")  # fmt: skip
+
+
+def _idle(mention: Mention, scene: Scene) -> bool:
+    """ "There are two distractors. Put red next to blue; they ...": distractors, behind which others were told."""
+    later = [n for m in scene.mentions[scene.mentions.index(mention) + 1 :] for n in m.ref.names]
+    others = any(not scene.things[n].extra and not scene.things[n].patch for n in later)
+    return others and all(scene.things[n].extra for n in mention.ref.names)
 
 
 def _last_spoken_of(scene: Scene, own: set[str]) -> list[str]:

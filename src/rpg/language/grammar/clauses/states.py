@@ -17,6 +17,7 @@ from rpg.language.grammar.clauses.reads import reads
 from rpg.language.grammar.clauses.sole import sole
 from rpg.language.grammar.clauses.spelt import spell
 from rpg.language.grammar.clauses.starts import STARTS, first_of_all, perhaps_first, starts_as
+from rpg.language.grammar.clauses.to_be_done import to_be_done
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, with_theme
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import UTMOST
@@ -115,7 +116,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
         for _, s in p.standing(k, STARTS):
             readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
             readings += starts_as(p, i, s, theme)
-        for found, end in readings:
+        for found, end in to_be_done(readings, _MODALS & {*words, p.words[k]}):
             found = denied_of_all(p, j, found) if isinstance(found, Clause) else found
             lasting = _lasting(words) or bool(barred)
             lasting = lasting or ("ever" in words and none_of(theme))

@@ -87,7 +87,8 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
     if not isinstance(b, Lowest | Highest) and len(b) > 1:
         if loc.negated and mark.quant is None and mark.op == "and" and len(theme.names) == 1:  # "not on them": on none
             return conj([_on_operand(theme.names, (one,), scene, span) for one in b], span)
-        if mark.quant is None and mark.op == "and" and not loc.negated and _both(loc) and _bears(theme, b, scene):
+        plain = mark.quant is None and mark.op == "and" and not loc.negated
+        if plain and _both(theme, loc) and _bears(theme, b, scene):
             return across(theme.names[0], b, scene, span)
         raise refuse(
             "ambiguous",
@@ -120,11 +121,11 @@ def _bears(theme: Ref, below: tuple[str, ...], scene: Scene) -> bool:
     return len(sizes) == 1 and scene.on_top.keys().isdisjoint(below) and not {*below} & {*scene.on_top.values()}
 
 
-def _both(loc: Loc) -> bool:
-    """ "On both white blocks", "on both (of them)", "across the two"."""
+def _both(theme: Ref, loc: Loc) -> bool:
+    """ "The black block on both white ones", "across the two"; "a block on both" may be one on each."""
     mark = loc.landmark
     both = getattr(mark, "det", "") == "both" or getattr(mark, "word", "").startswith("both")
-    return both or "across" in loc.mods
+    return (both and theme.det != "a") or "across" in loc.mods
 
 
 def across(top: str, below: tuple[str, ...], scene: Scene, span: Span) -> g.Goal:

@@ -19,7 +19,7 @@ from rpg.language.grammar.things.labels import label_list, once_more
 from rpg.language.grammar.things.of_both import counted_kinds
 from rpg.language.grammar.things.of_listed import wholes
 from rpg.language.grammar.things.patch_nouns import patch_noun
-from rpg.language.grammar.things.printed import printed, with_symbols
+from rpg.language.grammar.things.printed import printed, turned_part, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
 from rpg.language.grammar.things.so_many import so_many
@@ -353,6 +353,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         if noun.head == "patch" and noun.det == "the" and noun.amount is None and update == {"scheme": "same"}:
             continue
         if "edge" in update and not noun.plural and not _EVERY.isdisjoint(p.words[j : j + 2]):
+            continue
+        if "labels" in update and turned_part(p, i, j, k):
             continue
         changed = _numbered(p, i, j, noun) if k == j + 1 else None
         changed = changed or _with(noun, update, p.span(i, k))

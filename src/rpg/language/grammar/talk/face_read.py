@@ -1,5 +1,5 @@
-"""On which face a symbol is that is turned: "the letter F on its cube's top face is upside down" is told of the F, which
-is read from above anyway. What is on another face is not left out."""
+"""On which face a symbol is that is turned: "the letter F on its cube's top face is upside down" is told of the F,
+which is read from above anyway. What is on another face is not left out."""
 
 from __future__ import annotations
 

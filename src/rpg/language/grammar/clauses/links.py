@@ -41,6 +41,8 @@ def linked(p: Parser, i: int) -> Results[str]:
             yield "and", k + 1
     elif j > i or p.any_of(j, RATHER):
         yield "and", j
+        if p.stands(j, ("that",)) and "that" in p.words[:i] and p.rarely(_TELLING):
+            yield "and", j + 1  # "make sure that A is there, that B is here"
 
 
 RATHER = ("rather than", "instead of", "as opposed to")

@@ -16,12 +16,12 @@ def out_of_these(p: Parser, i: int) -> Results[Clause]:
     j = p.any_of(i, _OF) if not i else 0
     for theme, k in noun_phrase(p, j) if j else ():
         comma = p.opt(k, ",", ":")
-        if not _several(theme) or comma >= p.end or _SOME.isdisjoint(p.words[comma:]):
+        if not several(theme) or comma >= p.end or _SOME.isdisjoint(p.words[comma:]):
             continue
         yield Clause(verb="exist", lemma="stock", theme=_there(theme), mode="given", span=p.span(i, k), cost=3), comma
 
 
-def _several(theme: Meaning) -> bool:
+def several(theme: Meaning) -> bool:
     """Several blocks, all of them named or counted."""
     if isinstance(theme, Coord):
         return theme.op == "and" and all(isinstance(x, Noun) and _told(x) for x in theme.items)

@@ -14,6 +14,7 @@ from rpg.language.grammar.clauses.particles import WHITHER, across, added
 from rpg.language.grammar.clauses.remade import of_what_is_there, put_down, read_otherwise, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.clauses.spelt import spelling
+from rpg.language.grammar.clauses.them_listed import them_listed
 from rpg.language.grammar.clauses.turned import REST, not_turned
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.its_place import in_its_place
@@ -116,7 +117,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
     if sense in ("place", "stack") and p.words[j] == "first" and p.words[j + 1] in ("the", "a", "an", "both", "all"):
         alone = (Manner(kind="time", value=1.0, span=p.span(j, j + 1)),)
         j = p.reach(j + 1)
-    for theme, k in noun_phrase(p, only or j):
+    for theme, k in [*noun_phrase(p, only or j), *them_listed(p, only or j)]:
         if isinstance(theme, Structure) and lemma in ("take", "pull") and p.words[k] in ("down", "apart"):
             continue
         k = across(p, k, sense, told=bool(i or p.char(0, 0)))

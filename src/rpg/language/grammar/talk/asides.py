@@ -11,7 +11,7 @@ from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
-from rpg.language.grammar.talk.left_open import FREE, LOOSE
+from rpg.language.grammar.talk.left_open import FOREIGN, FREE, LOOSE
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
@@ -28,17 +28,22 @@ _ANYWHERE = (
     "cheers", "thx", "ty", "tx", "thanks", "thanks a lot", "thanks so much", "thanks in advance", "many thanks",
     "thank you", "thank you very much", "thank you so much", "please", "pls", "plz", "please and thank you",
     "idk", "tbh", "btw", "by the way", "imo", "fyi", "i guess", "i suppose", "you know", "dunno", "i do not know",
-    "basically", "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
+    "i would say", "basically",
+    "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
     "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
-    "kinda", "possibly", "while you are at it", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
+    "kinda", "possibly", "while you are at it", "good luck", "maybe", "perhaps",
     "my dear", "dear", "sweetheart", "darling", "honey", "hereby", "by contrast", "in contrast",
+    "grazie", "merci", "danke", "gracias", "bitte", "por favor", "nah", "nope", "asap",
     "bro", "gg", "gl", "hf", "noob", "if you would", "sorry about the mess", "easy one", "tada",
-    "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
+    "sir", "madam", "as seen from the camera", "as seen by the camera", "seen from the camera",
     "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",
     "as seen in the camera image", "in the camera image", "from the camera 's point of view",
 )  # fmt: skip
 """Phrases that carry nothing in any place."""
+_ADDRESSED_AS = ("mate", "buddy", "dude", "my friend", "pal")
+"""Whom it is said to; who wants something is spoken of."""
+_WANTS = frozenset({"wants", "likes", "would", "needs", "asks", "asked", "wanted", "prefers", "says", "said", "wishes"})
 SOFT = "(soft)"
 """The value of a comma that may have set off nothing but an aside; no number or quotation has it."""
 _HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh"})
@@ -162,6 +167,23 @@ def _standing(words: list[str], at: int) -> int:
         if end > longest and words[at:end] == phrase and fits(words, at, end):
             longest = end
     return longest
+
+
+_CHOSEN = tuple(
+    f"{you} {like}" for you in ("you", "u") for like in ("like", "want", "please", "prefer", "fancy", "choose", "wish")
+)
+"""What carries nothing behind "any two blocks"."""
+_ANY = frozenset({"any", "whichever", "whatever"})
+
+
+def _chosen(words: list[str], at: int, end: int) -> bool:
+    """ "any two blocks you like": whichever these are."""
+    begin = max((n + 1 for n in range(at) if words[n] in _BREAKS), default=0)
+    named = at > 0 and any(words[at - 1] in table for table in (lexicon.BLOCK, lexicon.COLOR_PLURAL, _NAMES))
+    return named and not _ANY.isdisjoint(words[begin:at]) and words[end : end + 1] != ["to"]
+
+
+_NAMES = frozenset({"letter", "letters", "digit", "digits", "number", "numbers", "vowel", "consonant"})
 
 
 def _emphatic(words: list[str], end: int) -> bool:
@@ -312,8 +334,10 @@ def _meant(tokens: list[Token], at: int) -> list[Token]:
 _Fits = Callable[[list[str], int, int], bool]
 _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_ANYWHERE, lambda words, first, last: True),
+    (_ADDRESSED_AS, lambda words, first, last: words[last : last + 1] == [] or words[last] not in _WANTS),
     (_EMPHASIS, lambda words, first, last: _emphatic(words, last)),
     (FREE, _set_off),
+    (FOREIGN, lambda words, first, last: True),
     (LOOSE, lambda words, first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
     (_ANYPLACE, _anyplace),
     (_ALL_OVER, _all_over),
@@ -323,6 +347,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (("only", "single", "sole"), _the_only),
     (_FILLERS, _filling),
     (_AT_ALL, _denying),
+    (_CHOSEN, _chosen),
 )
 """Asides, and where they are ones."""
 _ASIDES: dict[str, dict[str, list[tuple[list[str], _Fits]]]] = {}

@@ -212,7 +212,7 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
         of = p.one(j, "of")
         if of:
             yield Quantity(det, Amount(1, 1) if word in ("one", "whichever") else fixed, True, partitive=True), of
-        if word == "any" and (of := next((p.one(k, "of") for _, k in count(p, j)), 0)):
+        if word in ("any", "whichever") and (of := next((p.one(k, "of") for _, k in count(p, j)), 0)):
             yield from ((Quantity("some", Amount(n, n), True, partitive=True), of) for n, _ in count(p, j) if n > 1)
         if word in ("each", "every", "any") and (of := p.seq(j, "one of")):
             yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of
@@ -291,6 +291,21 @@ def block_widths(p: Parser, i: int) -> Results[float]:
         many, at = many + 0.5, half
     j = p.any_of(at, _WIDE) if many is not None else 0
     if many is not None and j and p.all.isdisjoint(_SIZED):
+        yield round(many * USUAL_EDGE, 6), j
+
+
+_LENGTHS = ("edge length", "edge lengths", "side length", "side lengths",
+            *(f"{block} {wide}" for block in ("block", "cube", "brick", "block 's", "cube 's")
+              for wide in ("width", "widths", "length", "lengths", "edge", "edges")))  # fmt: skip
+_OTHER_SIZES = _SIZED - {"edge", "edges"}
+
+
+@rule
+def edge_lengths(p: Parser, i: int) -> Results[float]:
+    """ "Two edge lengths", "one block width": a distance in metres."""
+    many = p.figure(i)
+    many = 1.0 if many is None and p.stands(i, ("a", "an")) else many
+    if many is not None and (j := p.any_of(i + 1, _LENGTHS)) and p.all.isdisjoint(_OTHER_SIZES):
         yield round(many * USUAL_EDGE, 6), j
 
 

@@ -37,7 +37,10 @@ _WORDS = Classes({
     ),
     "out": ("out|off|standing|lying|sitting|resting|placed|located|stands|is|lies|sits|rests",),
     "touched": ("moved|touched|displaced|disturbed|shifted|lifted|picked_up|displaced_at_all|moved_at_all",),
-    "still": ("where_it_is|in_place|in_its_place|untouched|unmoved|put|still|where_it_stands|at_its_place|as_it_is",),
+    "still": (
+        "where_it_is|in_place|in_its_place|untouched|unmoved|put|still|where_it_stands|at_its_place|as_it_is|where_it_was|"
+        "exactly_where_it_is|exactly_where_it_was|at_the_same_place|in_the_same_place|in_the_same_spot",
+    ),
     "meanwhile": ("in_the_process|while_doing_so|while_you_do_so|at_all|at_any_time|meanwhile|during_this|on_the_way",),
     "stay": ("stay|remain|be_left|be_kept|keep_standing",),
 })  # fmt: skip
@@ -47,8 +50,13 @@ _LEFT_ALONE = Patterns(
     "<must> not|never be <touched> <meanwhile>?",
     "is|are not to_be <touched> <meanwhile>?",
     "is|are not <touched> <meanwhile>?",
+    "has|have not|never been? <touched> <meanwhile>?",
+    "<must> not have been? <touched> <meanwhile>?",
+    "has|have|<must> have? stayed|remained|been_left|been_kept <still> <meanwhile>?",
     "<must> not|never move <meanwhile>?",
-    "does not move|budge <meanwhile>?",
+    "does|did|do|has|have not move|budge|moved|budged <meanwhile>?",
+    "has|have|was|were not been? <touched> <meanwhile>?",
+    "does|do|did not get <touched> <meanwhile>?",
     "<must> <stay> <still> <meanwhile>?",
     "stays|remains|is_left|is_kept <still> <meanwhile>?",
     "you|we|i|the_robot|the_arm should|must|may|can|are_to|is_to not|never move|touch|disturb|displace <meanwhile>?",

@@ -31,6 +31,7 @@ from rpg.passes.schema.resolve.clauses.left_alone import left_alone
 from rpg.passes.schema.resolve.clauses.leftovers import all_used
 from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.clauses.there_later import standing_there
+from rpg.passes.schema.resolve.clauses.uncovered import uncovered
 from rpg.passes.schema.resolve.orders.above_it import others_beyond
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.orders.nothing_beyond import at_that_end
@@ -40,6 +41,7 @@ from rpg.passes.schema.resolve.places.overs import in_one_tower
 from rpg.passes.schema.resolve.structures.grouped import groups_joined, sorted_with_strangers, told_apart
 from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_first, told_inside
 from rpg.passes.schema.resolve.structures.lined_towers import of_all_that_follows
+from rpg.passes.schema.resolve.structures.named_again import named_again
 from rpg.passes.schema.resolve.structures.told_towers import (
     one_more_tower,
     other_side,
@@ -47,7 +49,7 @@ from rpg.passes.schema.resolve.structures.told_towers import (
     told_after,
     told_towers,
 )
-from rpg.passes.schema.resolve.things.listed_after import built_first, filled, shapes_pictured
+from rpg.passes.schema.resolve.things.listed_after import built_first, filled, listed_inside, shapes_pictured
 from rpg.passes.schema.resolve.things.world import refuse
 
 _VERBS = ("stack", "arrange")
@@ -60,8 +62,8 @@ _IN_OTHER_WORDS = (at_that_end, others_beyond, as_many_as_it_takes, left_alone, 
 def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with "the top block is red" said where the tower is built; sentences that say no more are gone."""
     found: list[list[tuple[str, Meaning]]] = []
-    chains = standing_there(opposite_sides(chains))
-    for chain in shapes_pictured(built_first(chains)):
+    chains = standing_there(opposite_sides(uncovered(chains)))
+    for chain in shapes_pictured(built_first(listed_inside(named_again(chains)))):
         of_all_that_follows(chain)
         kept: list[tuple[str, Meaning]] = []
         found.append(kept)

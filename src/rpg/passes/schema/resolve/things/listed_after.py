@@ -55,6 +55,21 @@ def built_first(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     return (replace(chains[0], clauses=(built, said, *first[2:])), *chains[1:])
 
 
+def listed_inside(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "Put them in a row, red, blue, green": with nothing before it the list tells what the row is of."""
+    first = chains[0].clauses[0] if chains and chains[0].clauses else None
+    theme = first.theme if isinstance(first, Clause) and first.mode == "command" else None
+    if not isinstance(first, Clause) or not isinstance(theme, Pronoun) or theme.word not in ("them", "all of them"):
+        return chains
+    shapes = [a.structure for a in first.adjuncts if isinstance(a, Into) and isinstance(a.structure, Structure)]
+    orders = [x for s in shapes if s.members is None for x in s.details if isinstance(x, OrderBy) and x.items]
+    alone = len(shapes) == len(orders) == 1 and not any(isinstance(a, OrderBy) for a in first.adjuncts)
+    if not alone or len(orders[0].items) < 2 or orders[0].by not in ("given", "named"):
+        return chains
+    told = replace(first, theme=Coord(op="and", items=orders[0].items, span=orders[0].span))
+    return (replace(chains[0], clauses=(told, *chains[0].clauses[1:])), *chains[1:])
+
+
 def _built(clause: Meaning) -> Meaning:
     there = isinstance(clause, Clause) and (clause.verb, clause.mode, clause.lemma) == ("exist", "given", "")
     pictured = there and isinstance(clause, Clause) and (_unlooked(clause.theme) or _unlooked(clause.theme, _FLAT))

@@ -88,9 +88,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from diagonal(p, i)
     yield from (*across(p, i), *where_was(p, i))
     yield from compared(p, i)
-    if p.stands(i, ("per",)) and p.peek(i + 1, lexicon.PATCH) is False:
-        each = Noun(head="patch", det="each", span=p.span(i, i + 2))
-        yield Loc(rel="on", landmark=each, span=each.span), p.reach(i + 2)
+    yield from _per_patch(p, i)
     for (name, mods), j in relation(p, i):
         beside = name == "beside" and p.words[j - 1] == "by"
         if beside and (p.figure(j) is not None or p.words[j] in _SORTED_BY or not _HELD.isdisjoint(p.words[:i])):
@@ -135,6 +133,14 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from _between_two(p, i)
     yield from _possessive(p, i)
     yield from _bare(p, i)
+
+
+@choice
+def _per_patch(p: Parser, i: int) -> Results[Loc]:
+    """ "(one block) per mat": on each of them."""
+    if p.stands(i, ("per",)) and p.peek(i + 1, lexicon.PATCH) is False:
+        each = Noun(head="patch", det="each", span=p.span(i, i + 2))
+        yield Loc(rel="on", landmark=each, span=each.span), p.reach(i + 2)
 
 
 def _of_one_look(mark: Noun) -> bool:

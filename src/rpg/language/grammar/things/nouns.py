@@ -358,11 +358,9 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
             continue
         if "edge" in update and not noun.plural and not _EVERY.isdisjoint(p.words[j : j + 2]):
             continue
-        if "labels" in update and turned_part(p, i, j, k):
-            continue
         changed = _numbered(p, i, j, noun) if k == j + 1 else None
         changed = changed or _with(noun, update, p.span(i, k))
-        if changed is not None:
+        if changed is not None and not ("labels" in update and turned_part(p, i, j, k)):
             on_it = [*printed(p, i, j, k, changed)]
             yield from on_it or [(changed, k)]
             tried += [] if on_it else [(changed, k)]

@@ -44,7 +44,7 @@ _SORTS = frozenset({"vowel", "parity", "kind"})
 def _left_open(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "put A and B on red or blue respectively" as both: what "or" leaves open, the goal must leave open too."""
     said = [one for one, then in pairwise(words) if one.word == "or" and then.word not in _NO_CHOICE]
-    said = [one for one in said if not asked_for(words, one)]
+    said = [one for one in said if not asked_for(words, one) and not _how_far(_before(words, one)[-3:])]
     if not said or any(isinstance(x, GroupBy) and x.by in _SORTS for x in atoms(task.goal)):
         return
     denied = any(not _DENIED.isdisjoint(t.word for t in _before(words, one)) for one in said)
@@ -56,6 +56,12 @@ def _left_open(words: Sequence[Token], task: TaskSchema) -> None:
     if not any(isinstance(x, g.Any | g.Count | g.Not) for x in _nodes(task.goal)):
         raise refuse("ambiguous", "it is not clear what 'or' leaves open here", said[0].span,
                      "say 'and', or name one of them")  # fmt: skip
+
+
+def _how_far(before: Sequence[Token]) -> bool:
+    """ "(no matter) how far left (or right)": what is left open is no part of the task."""
+    said = {token.word for token in before}
+    return "far" in said and not said.isdisjoint({"how", "however"})
 
 
 _DENIED = frozenset({"not", "without", "never", "neither"})

@@ -94,7 +94,10 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
             yield from (len(group) - atom.outliers for group in atom.groups)
         if isinstance(atom, Figure) and atom.shape == "T" and atom.sides is not None:
             yield from (side - 1 for side in atom.sides)  # its stem, without the middle of the bar
-        # The columns of stairs and the layers of a pyramid have every height, or length, up to the largest.
+        # The columns of stairs, the layers of a pyramid and the rows of a filled triangle have every height, or length,
+        # up to the largest.
+        if isinstance(atom, Figure) and atom.shape == "triangle" and atom.filled:
+            yield from range(1, math.isqrt(2 * len(atom.blocks)) + 1)
         if isinstance(atom, Staircase | Pyramid):
             yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)
 

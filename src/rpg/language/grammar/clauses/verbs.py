@@ -19,6 +19,7 @@ from rpg.language.grammar.clauses.turned import REST, not_turned
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.its_place import in_its_place
 from rpg.language.grammar.places.relations import on_its_own
+from rpg.language.grammar.structures.from_an_end import in_turn
 from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.structures.sizes import AS_HIGH
 from rpg.language.grammar.things.adjectives import adjectives
@@ -151,7 +152,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         for found, end in [*adjuncts(p, k), *after]:
             if found and read_otherwise(p, end, sense, lemma, theme, found):
                 continue
-            said = (*added(lemma, found), *alone)
+            said = (*added(lemma, in_turn(p, j, k, theme, found) if sense == "stack" else found), *alone)
             cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
             done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
             yield replace(done, cost=cost), end

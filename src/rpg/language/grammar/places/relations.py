@@ -6,6 +6,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.across import across
 from rpg.language.grammar.places.against import against_side
+from rpg.language.grammar.places.any_depth import how_far
 from rpg.language.grammar.places.compared import compared
 from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
@@ -115,7 +116,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 landmark = replace(landmark, det="a", plural=False) if _of_one_look(landmark) else landmark
             placed = Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost)
             yield placed, k
-            yield from _by_so_much(p, i, k, placed)
+            yield from how_far(p, i, k, placed)
     there = p.any_of(i, ("in there", "on there", "onto there", "into there", "over there", "right there")) or p.one(
         i, "there"
     )
@@ -143,16 +144,6 @@ _SORTED_BY = frozenset(
 """Behind "by" these are no landmarks: "groups by letter"."""
 _HELD = frozenset({"carried", "supported", "borne", "topped", "covered", "crowned"})
 """Behind these a further "by" tells once more by what: "carried by the red one first, and then by the blue one"."""
-_SIDES = ("left", "right", "front", "behind")
-
-
-def _by_so_much(p: Parser, i: int, j: int, placed: Loc) -> Results[Loc]:
-    """ "to the left of the blue block by at least 8 cm": how far it is from it."""
-    comma = p.opt(j, ",")
-    by = p.opt(comma, "by") if placed.rel in _SIDES and p.stands(j, (",", "by")) else 0
-    for (low, high), k in bounds(p, by) if by else ():
-        if by > comma or k >= p.end or p.stands(k, (",", ";", "and")):
-            yield replace(placed, low=low, high=high, span=p.span(i, k)), k
 
 
 _BUT_NOT = (", but not", "but not", ", not", ", yet not", "yet not", "and not", ", and not", ", though not",
@@ -272,11 +263,12 @@ def _between(p: Parser, i: int) -> Results[Meaning]:
 @choice
 def _possessive(p: Parser, i: int) -> Results[Meaning]:
     """ "on its left", "to its right", "on the blue block's left side"."""
-    close = p.one(i, frozenset((*DIRECT, *CLOSE)))
+    close = p.one(i, frozenset((*DIRECT, *CLOSE, "somewhere")))
     j = p.any_of(close or i, ("on", "to", "at"))
     if not j:
         return
-    mods = () if not close else ("immediate",) if p.words[i] in CLOSE else ("directly",)
+    loose = "somewhere" if p.words[i] == "somewhere" else "directly"
+    mods = () if not close else ("immediate",) if p.words[i] in CLOSE else (loose,)
     if k := p.one(j, ("its", "their")):
         owners: list[tuple[Meaning, int]] = [
             (Pronoun(word="it" if p.words[j] == "its" else "them", span=p.span(j, k)), k)

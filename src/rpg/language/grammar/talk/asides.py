@@ -226,6 +226,15 @@ def _anyplace(words: list[str], at: int, end: int) -> bool:
     return _set_off(words, at, end) or (behind and after in _STOPS and _OTHERS.isdisjoint(words[:at]))
 
 
+_ANY_CASE = ("in any case", "in either case", "in both cases", "in all cases", "either way")
+_IF = frozenset({"if", "unless", "when", "whenever", "otherwise", "else", "provided"})
+
+
+def _in_any_case(words: list[str], at: int, end: int) -> bool:
+    """ "(green on red or on blue,) but in any case yellow on the table": not where a condition would go on for it."""
+    return at > 0 and words[at - 1] in ("and", "but") and end < len(words) and _IF.isdisjoint(words)
+
+
 _SINGLE = ("block", "cube", "tower", "stack", "row")
 _OTHERS = frozenset({"other", "others", "rest", "remaining", "not", "no", "never", "without"})
 
@@ -348,6 +357,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (FOREIGN, lambda words, first, last: True),
     (LOOSE, lambda words, first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
     (_ANYPLACE, _anyplace),
+    (_ANY_CASE, _in_any_case),
     (_ALL_OVER, _all_over),
     (_AT_ONCE, lambda words, first, last: _DENYING.isdisjoint(words) and words[last : last + 1] != ["as"]),
     (_DO_THIS, lambda words, first, last: last < len(words) and words[last] in _COMMANDS),

@@ -4,6 +4,8 @@ readable, which is seen from the viewer's side; "from the front" is no order the
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
+from rpg.language.grammar.talk.face_read import without_face
+from rpg.language.grammar.talk.layers_told import in_layers
 from rpg.language.grammar.talk.people import WHO
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.phrases import Classes
@@ -29,7 +31,7 @@ _GOES_ON = frozenset({"to", "in", "like", "as", "row"})
 
 def legible(parts: list[list[Token]]) -> list[list[Token]]:
     """Sentences, with what is readable said plainly."""
-    return [_plainly(part) for part in parts]
+    return [_plainly(without_face(in_layers(part))) for part in parts]
 
 
 def _plainly(part: list[Token]) -> list[Token]:

@@ -64,7 +64,7 @@ def turned_in_place(tokens: list[Token], words: list[str]) -> list[Token] | None
     for at in range(2, len(words) - 2):
         if words[at : at + 3] == ["on", "the", "spot"]:
             done = next((word for word in reversed(words[:at]) if word in lexicon.VERB), "")
-            named = words[at + 3 : at + 4] not in ([], [","], ["."], ["and"], ["!"], [";"])
+            named = not {*words[at + 3 : at + 4]} <= {",", ".", "and", "!", ";", "by", "upside"}
             if done in _TURNS and not named and words.count("spot") == 1:
                 return [*tokens[:at], tokens[at].saying("in"), tokens[at + 2].saying("place"), *tokens[at + 3 :]]
     return None

@@ -20,7 +20,7 @@ from rpg.language.grammar.things.labels import label_list, once_more
 from rpg.language.grammar.things.of_both import counted_kinds
 from rpg.language.grammar.things.of_listed import wholes
 from rpg.language.grammar.things.patch_nouns import patch_noun
-from rpg.language.grammar.things.printed import printed, with_symbols
+from rpg.language.grammar.things.printed import printed, turned_part, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
 from rpg.language.grammar.things.so_many import so_many
@@ -361,7 +361,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
             continue
         changed = _numbered(p, i, j, noun) if k == j + 1 else None
         changed = changed or _with(noun, update, p.span(i, k))
-        if changed is not None:
+        if changed is not None and not ("labels" in update and turned_part(p, i, j, k)):
             on_it = [*printed(p, i, j, k, changed)]
             yield from on_it or [(changed, k)]
             tried += [] if on_it else [(changed, k)]

@@ -84,3 +84,13 @@ def colored_cubes(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:
         if end := p.one(k, _CUBES):
             those = replace(theme, traits=replace(theme.traits, colors=(named,)), cost=0)
             yield Clause(verb="exist", lemma="stock", theme=those, mode="given", span=p.span(i, end)), end
+
+
+_WAYS = frozenset({"upside", "upright", "sideways", "facing", "turned", "rotated", "readable"})
+
+
+def turned_part(p: Parser, i: int, j: int, k: int) -> bool:
+    """ "(put the Q cube on the green block) with the Q upright": how a cube that was named before is to be turned, and
+    not what the green block shows."""
+    told = p.stands(j, ("with",)) and p.stands(j + 1, ("the",)) and p.stands(k, _WAYS)
+    return told and p.words[k - 1] in p.words[:i]

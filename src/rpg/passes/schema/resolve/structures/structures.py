@@ -194,7 +194,7 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         raise refuse("misplaced", "a tower is built of certain blocks", shape.span, "say which blocks")
     if (
         shape.plural
-        or (shape.amount and shape.amount.low > 1)
+        or (shape.amount and (shape.amount.high or 2) > 1)
         or any(p.unit in ("stack", "pile") and p.different for p in spec.patterns)
     ):
         if shape.dims:

@@ -10,6 +10,7 @@ from rpg.ir import structures as s
 from rpg.language.meaning import Coord, Meaning, Noun, Pattern, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.heights import of_heights
+from rpg.passes.schema.resolve.structures.so_many_towers import each_number, without_range
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import certain, declared, new_members, some_of
 from rpg.passes.schema.resolve.things.refer import refer
@@ -26,15 +27,7 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     """ "two towers of three red blocks", "towers, one per colour", "two stacks"."""
     if any(z.what == "heights" for z in shape.sizes):
         return of_heights(shape, spec, theme, scene)
-    for listed in (shape.members, *(x.members for x in spec.usings)):
-        looks = listed.traits.colors if isinstance(listed, Noun) else ()
-        shown = listed.traits.labels if isinstance(listed, Noun) and listed.det == "bare" and listed.cost else ()
-        if "".join(shown).isdigit() and (shape.amount is None or shape.amount.low == len(shown)):
-            raise refuse("ambiguous", "are these the heights of the towers, or cubes that show these numbers?",
-                         shape.span, "say 'of heights 2, 3 and 4', or 'of the cubes 2, 3 and 4'")  # fmt: skip
-        if len(set(looks)) < len(looks):
-            raise refuse("ambiguous", "it is not clear which blocks form which tower", shape.span,
-                         "say of which blocks each tower is")  # fmt: skip
+    _which_form_which(shape, spec)
     shape = _told_apart(_of_one_height(shape), spec)
     sorted_by = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     spec.orders = [o for o in spec.orders if o.by != "attribute"]
@@ -57,6 +50,8 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         raise refuse("ambiguous", f"{told} blocks in each of them, or in all?", shape.span,
                      f"say '{told} blocks each', or 'of {told} blocks in all, of equal height'")  # fmt: skip
     theme, per = _source(shape, spec, theme, per, count, by_color, scene, scope)
+    if theme is not None and count is not None and (one := without_range(shape, per, len(theme.names))) is not shape:
+        shape, count = one, amount_of(one)
     if (
         theme is not None
         and count is None
@@ -81,7 +76,20 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         blocks=names, count=count, heights=heights, equal=equal, each="color" if by_color else None,
         separate=by_color, span=shape.span
     )  # fmt: skip
-    return _remember(node, by_color, scene), [node]
+    return _remember(node, by_color, scene), [each_number(node, shape, by_color)]
+
+
+def _which_form_which(shape: Structure, spec: Spec) -> None:
+    """Refuse blocks of which it is not told how they are shared out, and numbers that could be heights."""
+    for listed in (shape.members, *(x.members for x in spec.usings)):
+        looks = listed.traits.colors if isinstance(listed, Noun) else ()
+        shown = listed.traits.labels if isinstance(listed, Noun) and listed.det == "bare" and listed.cost else ()
+        if "".join(shown).isdigit() and (shape.amount is None or shape.amount.low == len(shown)):
+            raise refuse("ambiguous", "are these the heights of the towers, or cubes that show these numbers?",
+                         shape.span, "say 'of heights 2, 3 and 4', or 'of the cubes 2, 3 and 4'")  # fmt: skip
+        if len(set(looks)) < len(looks):
+            raise refuse("ambiguous", "it is not clear which blocks form which tower", shape.span,
+                         "say of which blocks each tower is")  # fmt: skip
 
 
 def _of_one_height(shape: Structure) -> Structure:

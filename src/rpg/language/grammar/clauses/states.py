@@ -10,6 +10,7 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
 from rpg.language.grammar.clauses.denials import denied_of_all, leave, needless, stays
 from rpg.language.grammar.clauses.just_moved import just_moved
+from rpg.language.grammar.clauses.keeping_away import keeps_away
 from rpg.language.grammar.clauses.made import MADE, drawn, made, under
 from rpg.language.grammar.clauses.manners import direction, manner
 from rpg.language.grammar.clauses.nowhere import nowhere
@@ -231,6 +232,8 @@ def _predicate_after_be(
     had = k - 1 if p.follows(k, _HAVE) else k
     if end := max(_HAS_PLACE.matches(p, had), default=0):
         return list(_predicate(p, i, end, theme, mode, negated))
+    if kept := list(keeps_away(p, i, k, theme, mode, negated)):
+        return kept
     if j := p.one(k, _BE):
         if p.words[k] in ("was", "were") and _UNREAL.isdisjoint(p.words[:i]):
             mode = "start"

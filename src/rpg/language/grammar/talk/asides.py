@@ -66,7 +66,7 @@ _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "ne
 
 def without_asides(tokens: list[Token]) -> list[Token]:
     """The tokens without words that mean nothing, and without the commas that set them off."""
-    tokens = lists_in_one(corrected(tokens))
+    tokens = lists_in_one(corrected(tokens[_answering(tokens) :]))
     tokens = [(_side(tokens, n) or _between(tokens, n)) if t.word in _SHORT else t for n, t in enumerate(tokens)]
     words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
     p = Parser(tokens)
@@ -163,6 +163,17 @@ def _standing(words: list[str], at: int) -> int:
         if end > longest and words[at:end] == phrase and fits(words, at, end):
             longest = end
     return longest
+
+
+_NO = frozenset({"nah", "nope", "naw"})
+
+
+def _answering(tokens: list[Token]) -> int:
+    """ "Nah, red goes on blue": where an instruction that begins with an answer to nothing goes on."""
+    begun = [token.word for token in tokens[:2]]
+    if len(tokens) < 3 or not (begun[0] in _NO or begun == ["no", ","]):
+        return 0
+    return 2 if begun[1] == "," else 1
 
 
 _CHOSEN = tuple(

@@ -63,12 +63,8 @@ _HAVE = frozenset({"have", "has"})
 _BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come", "end", "ends", "ending", "finish", "finishes",
                     "finished", "winds", "finally", "eventually", "ultimately"})  # fmt: skip
 """Words of where things are to be, not of where they are."""
-
-
 _LASTING = frozenset({"stays", "stay", "remains", "remain"})
 _BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
-
-
 _PLACES = Classes(
     {
         "place": (
@@ -78,9 +74,11 @@ _PLACES = Classes(
         "its": ("its|their|a|the|his|her",),
     }
 )
+_LEISURE = "party|picnic|meeting|nap|rest|break|chat|gathering|feast|sleepover|siesta|snooze|conference|reunion"
 _HAS_PLACE = Patterns(
     "have|has|get|gets|find|finds|take|takes|has_found|have_found|has_got|takes_up|keeps <its> <place>",
     "'s <place> is|should_be|must_be|will_be|shall_be|has_to_be",
+    f"is|are having|holding|enjoying|taking a|an|the|their|its|some? {_LEISURE}",
     "i|we|you would? want|need|like|put|place to_have|to_see|to_be|to_go|it|them?",
     classes=_PLACES,
 )

@@ -190,6 +190,18 @@ def _chosen(words: list[str], at: int, end: int) -> bool:
     return named and not _ANY.isdisjoint(words[begin:at]) and words[end : end + 1] != ["to"]
 
 
+_TAGS = tuple(
+    f"{may} you{dear}"
+    for may in ("would", "will", "could", "can")
+    for dear in ("", " dear", " love", " please", " mate")
+)
+"""What carries nothing behind a command, set off by commas: ", would you, "."""
+
+
+def _tag(words: list[str], at: int, end: int) -> bool:
+    return at > 1 and words[at - 1] == "," and (end == len(words) or words[end] in _BREAKS)
+
+
 _NAMES = frozenset({"letter", "letters", "digit", "digits", "number", "numbers", "vowel", "consonant"})
 
 
@@ -353,6 +365,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_FILLERS, _filling),
     (_AT_ALL, _denying),
     (_CHOSEN, _chosen),
+    (_TAGS, _tag),
 )
 """Asides, and where they are ones."""
 _ASIDES: dict[str, dict[str, list[tuple[list[str], _Fits]]]] = {}

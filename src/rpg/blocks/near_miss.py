@@ -27,7 +27,7 @@ MOST_INNER = 12
 """Near-misses of what is inside of one condition."""
 PER_KIND = 6
 """Generic near-misses of each kind."""
-ARRANGE_TRIES = 400
+ARRANGE_TRIES = 200
 """Candidate places for an arrangement in which one condition fails: those that exist are found within a hundred."""
 LIFT = 0.03
 TILT = 35.0

@@ -21,6 +21,7 @@ MAX_BLOCKS = 30
 MAX_LETTERS = 26
 MAX_DIGITS = 10
 COLORS_UNSAID = "the colours of the blocks are not said"
+COLORS_BARRED = "blocks are said to have none of these colours"
 SYMBOLS_UNSAID = "the symbols are not said"
 """How assumptions begin that chose the looks of blocks."""
 REPLACED = "a block that is replaced goes anywhere else"

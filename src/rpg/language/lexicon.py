@@ -43,8 +43,8 @@ UNITS = {
 DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
-LOOSE_BLOCK_NOUNS = "object item piece thing sample workpiece specimen"
-PATCH_NOUNS = "patch target goal mat spot zone area pad marker mark"
+LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen"
+PATCH_NOUNS = "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster"
 TABLE_NOUNS = "table tabletop workspace desk surface"
 LETTER_NOUNS = "letter character"
 DIGIT_NOUNS = "number digit numeral"
@@ -92,7 +92,7 @@ VERBS = {
     "build": "build make create construct form assemble erect produce compose draw rebuild shape craft fabricate "
     "complete",
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
-    "set rearrange straighten",
+    "configure set rearrange straighten",
     "sort": "sort group gather herd cluster separate collect split divide partition categorize classify bunch merge "
     "combine unite segregate",
     "spell": "spell write",
@@ -100,7 +100,7 @@ VERBS = {
     "reverse": "reverse",
     "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",
-    "unstack": "unstack unload dismantle disassemble topple destack",
+    "unstack": "unstack unload dismantle disassemble topple destack unpile",
     "use": "use take",
     "touch": "touch disturb bump knock jostle",
     "ignore": "ignore",

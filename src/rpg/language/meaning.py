@@ -163,7 +163,9 @@ OWNER = "it that has"
 
 @record
 class TableTop(Meaning):
-    """The table."""
+    """The table. `bare`: beside the patches on it."""
+
+    bare: bool = False
 
 
 @record
@@ -316,8 +318,7 @@ class That(Meaning):
 
 @record
 class Clause(Meaning):
-    """A verb with its theme and adjuncts. `verb` is a sense of the lexicon, "be" for states, "exist" for "there is".
-    `subject` is whom it tells of, where that is not the theme: "red has blue on it (and is on the mat)"."""
+    """A verb (of the lexicon, "be", "exist") with its theme and adjuncts; `subject`: of whom it tells, if not it."""
 
     verb: str
     lemma: str = ""

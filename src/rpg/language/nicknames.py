@@ -7,7 +7,7 @@ there is such a thing. So it does where it says how a block feels.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from rpg.language import lexicon
@@ -58,24 +58,25 @@ def without_nicknames(tokens: list[Token]) -> tuple[list[Token], list[str]]:
         at = naming.end if naming is not None else at + 1
     if not found:
         return tokens, []
+    names = [([t.word for t in tokens[slice(*x.name)]], definite(tokens[slice(*x.thing)])) for x in found]
     out: list[Token] = []
     notes: list[str] = []
     at = 0
     for naming in found:
-        thing = _definite(tokens[slice(*naming.thing)])
-        name = _said(tokens[slice(*naming.name)])
-        felt = f"left out, for it asks for nothing: '{_said(tokens[naming.begin : naming.end])}'"
-        notes.append(f"'{name}' is {_said(thing)}" if name else felt)
+        thing = definite(tokens[slice(*naming.thing)])
+        name = said(tokens[slice(*naming.name)])
+        felt = f"left out, for it asks for nothing: '{said(tokens[naming.begin : naming.end])}'"
+        notes.append(f"'{name}' is {said(thing)}" if name else felt)
         there = [tokens[naming.begin].saying(word) for word in ("there", "is", "a")]
-        out += [*_again(tokens[at : naming.begin], tokens, found), *there, *thing[1:]]
+        out += [*again(tokens[at : naming.begin], names), *there, *thing[1:]]
         at = naming.end
-    return [*out, *_again(tokens[at:], tokens, found)], notes
+    return [*out, *again(tokens[at:], names)], notes
 
 
 def _named(tokens: list[Token], words: list[str], at: int) -> Iterator[_Naming]:
     """A naming that begins here: "the red cube is the queen", "call the red cube Bob"."""
     call = max((len(x) for x in _CALL if tuple(words[at : at + len(x)]) == x), default=0)
-    thing = _thing(words, at + call)
+    thing = thing_at(words, at + call)
     if thing <= at + call:
         return
     verb = 0 if call else max((len(x) for x in _IS if tuple(words[thing : thing + len(x)]) == x), default=0)
@@ -87,7 +88,7 @@ def _named(tokens: list[Token], words: list[str], at: int) -> Iterator[_Naming]:
     article = words[begin] if begin < len(words) and words[begin] in _OWN | _ONE else ""
     name = begin + bool(article)
     end = name
-    while end < len(words) and end < name + 2 and _strange(tokens[end]):
+    while end < len(words) and end < name + 2 and strange(tokens[end]):
         end += 1
     if end == name or (end < len(words) and words[end] not in _BREAKS):
         return
@@ -111,7 +112,7 @@ def _felt(words: list[str], at: int) -> int:
     return end if end >= len(words) or words[end] in _BREAKS - {"and"} else 0
 
 
-def _thing(words: list[str], at: int) -> int:
+def thing_at(words: list[str], at: int) -> int:
     """The position behind "the red cube", "my little blue one"; `at` where nothing like it begins."""
     end = at + (words[at : at + 1] != [] and words[at] in _OWN | _ONE)
     looks = end
@@ -122,14 +123,14 @@ def _thing(words: list[str], at: int) -> int:
     return end + 1 if single and end > looks else at
 
 
-def _strange(token: Token) -> bool:
+def strange(token: Token) -> bool:
     """A word that means nothing here, or is a person."""
     shouted = token.raw.isupper() and len(token.raw) >= _CAPITAL
     known = token.word in vocabulary() and token.word not in _PERSONS
     return token.kind == "word" and len(token.word) > 1 and not shouted and not known
 
 
-def _definite(thing: list[Token]) -> list[Token]:
+def definite(thing: list[Token]) -> list[Token]:
     """The thing with "the" before it; "the blue one" as a block."""
     the = thing[0].saying("the")
     own = thing[1:] if thing[0].word in _OWN | _ONE else thing
@@ -137,11 +138,10 @@ def _definite(thing: list[Token]) -> list[Token]:
     return [the, *own[:-1], noun]
 
 
-def _again(part: list[Token], tokens: list[Token], found: list[_Naming]) -> list[Token]:
+def again(part: list[Token], names: Sequence[tuple[list[str], list[Token]]]) -> list[Token]:
     """A part of the text with the things in place of their names."""
     out: list[Token] = []
     at = 0
-    names = [([t.word for t in tokens[slice(*x.name)]], _definite(tokens[slice(*x.thing)])) for x in found]
     while at < len(part):
         hit = next(((n, t) for n, t in names if n and [x.word for x in part[at : at + len(n)]] == n), None)
         if hit is None:
@@ -156,5 +156,5 @@ def _again(part: list[Token], tokens: list[Token], found: list[_Naming]) -> list
     return out
 
 
-def _said(tokens: list[Token]) -> str:
+def said(tokens: list[Token]) -> str:
     return " ".join(token.raw for token in tokens)

@@ -19,7 +19,12 @@ _DOINGS = """
 _FEELINGS = "scared afraid frightened lonely shy sad jealous angry bored hungry sleepy happy"
 _STREWN = "scatter strew"
 _CENTRES = "centroid barycenter"
+_DIRECTIONS = """
+    north south east west northern southern eastern western northeast northwest southeast southwest
+"""
 _KINDS = (
+    (_DIRECTIONS, "say 'behind', 'in front of', 'to the left of' or 'to the right of', as in 'put the red block behind "
+                  "the blue block'"),
     (_THINGS, "tasks are made of blocks (cubes, plain or with a letter or digit) and flat patches: use one of these"),
     (_BUILT, "say how its blocks lie, as in 'a row of three blocks', 'a tower', 'a pyramid', 'stairs' or 'an L'"),
     (_DOINGS, "only what is so at the end is checked: say where the block should be then, as in 'move the red block "

@@ -84,6 +84,7 @@ _PIECES = re.compile(
   | (?P<equation>(?:{_EQUATION.pattern})(?!\w))
   | (?P<aside>\b(?:i\.e\.|e\.g\.|viz\.)[,:]?)
   | (?P<short>\b(?:max|min)\b\.?(?=\s*(?:\d|one\b|two\b|three\b|four\b|five\b))|\b(?:max|min|approx)\.(?=\s))
+  | (?P<numbered>\b(?:[Nn]o|[Nn]um)\.(?=\s?\d\b)|\b[Nn]r\b\.?(?=\s?\d\b)|[#№](?=\s?\d\b))
   | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))
   | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
   | (?P<dims>\d+(?:\s*[x×*]\s*\d+){{1,2}}(?![\w.]))
@@ -94,7 +95,7 @@ _PIECES = re.compile(
   | (?P<arrow>[-–—=]+>|[→⇒➔➜]|>)
   | (?P<sign>[-+*/×÷=−–—])
   | (?P<spread>±)
-  | (?P<punct>[.,;:!?()\[\]&°%~])
+  | (?P<punct>[.,;:!?()\[\]&∧°%~])
     """,
     re.VERBOSE,
 )
@@ -220,6 +221,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return _word(raw, span)
         case "short":
             return [Token("word", _SHORT[raw.rstrip(".")], raw, span)]
+        case "numbered":
+            return [Token("word", "number", raw, span)]
         case "spread":
             return [Token("word", word, raw, span) for word in ("plus", "or", "minus")]
         case "bullet":

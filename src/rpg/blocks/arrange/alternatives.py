@@ -13,8 +13,10 @@ from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.relations import (
     Above,
+    Adjacent,
     Apart,
     Behind,
+    Beside,
     Between,
     Clear,
     Closer,
@@ -94,11 +96,20 @@ def alternatives(goal: g.Goal, world: World, wanted: bool = True) -> Iterator[Co
 
 
 def lies_flat(literals: Conjunction) -> bool:
-    """Does no block of a line have to be on another one of it? They are to stand on one level."""
+    """Does no block of a line, or of two side by side, have to be on another one of it? They are to stand on one
+    level."""
     wanted = [literal.atom for literal in literals if literal.holds]
-    lines = [set(atom.blocks) for atom in wanted if isinstance(atom, Row)]
-    pairs = [set(members(atom.a) + members(atom.b)) for atom in wanted if isinstance(atom, On) and lines]
-    return not any(pair <= line for pair in pairs for line in lines)
+    levels = [level for atom in wanted if (level := _level(atom))]
+    pairs = [set(members(atom.a) + members(atom.b)) for atom in wanted if isinstance(atom, On) and levels]
+    return not any(pair <= level for pair in pairs for level in levels)
+
+
+def _level(atom: g.Atom) -> set[str]:
+    """Blocks that have to stand on one level by an atom."""
+    if isinstance(atom, Row):
+        return set(atom.blocks)
+    pair = {*members(atom.a), *members(atom.b)} if isinstance(atom, Beside | Adjacent) else set()
+    return pair if len(pair) == 2 else set()
 
 
 def single(literals: Conjunction) -> Conjunction:

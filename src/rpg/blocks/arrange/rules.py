@@ -42,8 +42,8 @@ class Rule:
 
     def slack(self, state: BlockState) -> float | None:
         """How well the literal is met (not negative, and exact below 1); None where it is not."""
-        if not self.holds and self.predicate.plainly_not(self.atom, state):
-            return 1.0
+        if self.predicate.plainly_not(self.atom, state):
+            return None if self.holds else 1.0
         verdict = self.predicate.evaluate(self.atom, state)
         return abs(verdict.margin) if verdict.value == self.holds else None
 

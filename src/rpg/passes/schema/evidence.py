@@ -16,7 +16,7 @@ from rpg.blocks.traits import VOWELS
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import On, OnPatch
-from rpg.ir.schema import COLORS_UNSAID, EXCHANGED, EXCHANGED_LATER, REPLACED, TaskSchema
+from rpg.ir.schema import COLORS_BARRED, COLORS_UNSAID, EXCHANGED, EXCHANGED_LATER, REPLACED, TaskSchema
 from rpg.ir.structures import Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
@@ -58,7 +58,7 @@ _PLAIN = {
     "equation": "equation",
     "evenly": "evenly spacing count",
     "grid wall": "grid",
-    "groups": "group_by",
+    "groups": "group_by towers",
     "heap": "heaps group_by",
     "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored given",
     "neither nor": "not count stayed turned empty clear",
@@ -82,7 +82,7 @@ def _spelt(token: Token, task: TaskSchema) -> bool:
 
 def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] = ()) -> Token | None:
     """The first word that names something of which nothing in the task comes. `chosen`: of no colour that was said."""
-    colors = {asset.color for asset in task.assets if asset.name not in chosen}
+    colors = {asset.color for asset in task.assets if asset.name not in chosen} | _barred(task)
     shown = {symbol for asset in task.assets for symbol in symbols_of(asset)}
     shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
     numbers: Numbers | None = None
@@ -140,6 +140,12 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             if not told and not (_below(words, index) and numbers.among(said - 1)):
                 return token
     return None
+
+
+def _barred(task: TaskSchema) -> set[str]:
+    """The colours that some blocks are said not to have: none of these need be there."""
+    noted = next((x.partition(": ")[2] for x in task.assumptions if x.startswith(COLORS_BARRED)), "")
+    return {*noted.split(", ")} - {""}
 
 
 def _below(words: Sequence[Token], index: int) -> bool:

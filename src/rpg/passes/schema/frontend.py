@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
+from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
+from rpg.language.fondness import without_feelings
+from rpg.language.formulas import formulas_told
+from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.stock_ahead import stock_ahead
@@ -19,7 +23,7 @@ from rpg.language.nicknames import without_nicknames
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
 from rpg.language.titles import title, untitled
-from rpg.language.tokens import tokenize
+from rpg.language.tokens import Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
 from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
@@ -69,12 +73,13 @@ class BuiltinFrontEnd:
     ) -> Reading:
         """`mended`: notes of the misspelt words that were mended in the text."""
         guard(text)
-        tokens, strays = tokenize(text)
+        tokens, strays = formulas_told(*tokenize(text))
         if over := title(tokens):
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
-        tokens, named = without_names(untitled(tokens[over:]))
-        tokens, nicknames = without_nicknames(tokens)
-        named = [*named, *nicknames]
+        tokens, named = untitled(tokens[over:]), list[str]()
+        for plainer in _PLAINER:
+            tokens, said = plainer(tokens)
+            named += said
         words, notes, wrong = read_words(tokens)
         if wrong and (plain := without_remarks(words, wrong)) is not None:
             (words, remarks), wrong = plain, []
@@ -127,6 +132,10 @@ def _undisturbed() -> Iterator[None]:
             gc.enable()
 
 
+_PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
+    without_names, without_glosses, without_nicknames, without_feelings, in_centimetres,
+)  # fmt: skip
+"""What is put in plain words before the words are looked up, each with notes of what it meant."""
 _STRAY_HINTS = {
     "<": "say in words what is meant, as in 'red is to the left of green' or 'smaller than'",
     ">": "say in words what is meant, as in 'red is to the right of green' or 'larger than'",

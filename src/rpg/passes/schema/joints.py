@@ -11,7 +11,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.relations import InRegion, On, OnPatch, Stayed, Turned
-from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
+from rpg.ir.schema import COLORS_BARRED, COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
 from rpg.ir.structures import Equation, Figure, Grid, GroupBy, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
@@ -49,6 +49,9 @@ def _left_open(words: Sequence[Token], task: TaskSchema) -> None:
         return
     denied = any(not _DENIED.isdisjoint(t.word for t in _before(words, one)) for one in said)
     if denied and any(isinstance(x, Stayed | Turned) for x in atoms(task.goal)):  # "without moving A or B"
+        return
+    none = any("none" in (t.word for t in _before(words, one)) for one in said)
+    if (denied or none) and task.assumed(COLORS_BARRED):  # "none of them is red or blue"
         return
     if not any(isinstance(x, g.Any | g.Count | g.Not) for x in _nodes(task.goal)):
         raise refuse("ambiguous", "it is not clear what 'or' leaves open here", said[0].span,

@@ -10,7 +10,7 @@ from itertools import groupby
 
 from pydantic import BaseModel
 
-from rpg.ir.assets import FACES, Asset, SemanticCube
+from rpg.ir.assets import EDGE, FACES, Asset, SemanticCube
 from rpg.ir.goal import All, Not
 from rpg.ir.node import members
 from rpg.ir.relations import Clear, Ranged, Shifted, Swapped
@@ -18,8 +18,8 @@ from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Stack, Staircase
 from rpg.ir.walk import atoms, names
 
-UNITS = (1.0, 10.0, 100.0, 1000.0, 1 / 0.0254)
-"""Lengths are told in metres, decimetres, centimetres, millimetres or inches."""
+UNITS = (1.0, 10.0, 100.0, 1000.0, 1 / 0.0254, 1 / EDGE)
+"""Lengths are told in metres, decimetres, centimetres, millimetres, inches or edges."""
 LENGTHS = ("at_least", "distance")
 """Fields of goals that are said as often as not; of other fields only values that are not the default are."""
 

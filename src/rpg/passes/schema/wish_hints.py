@@ -74,7 +74,11 @@ _UNCHECKED = (
         "name it by its colour, as in 'clear the red patch'",
     ),
     _Wish(
-        re.compile(r"\b(?:completely|fully|entirely|totally|wholly) (?:covered|cover|hidden|filled|fill)\b", re.I),
+        re.compile(
+            r"\b(?:completely|fully|entirely|totally|wholly) (?:covered|cover|hidden|filled|fill)\b|"
+            r"\b(?:covered|cover|hidden|filled|fill)\b.* (?:completely|fully|entirely|totally|wholly)\b",
+            re.I,
+        ),
         "how much of something is covered is not checked, but only which blocks lie on it",
         "say how many lie there, as in 'put four blocks on the white patch'",
     ),
@@ -115,6 +119,44 @@ _UNCHECKED = (
     ),
 )
 """Wishes for what is not checked at the end, or is not there."""
+_PATCH = r"(?:\w+ ){0,2}(?:patch(?:es)?|mats?|carpets?|rugs?|fields?|pads?|squares?)"
+_OF_PLACES = (
+    _Wish(
+        re.compile(rf"\b(?:corners?|edges?|borders?|sides?) of (?:the|an?|each|every|its) {_PATCH}\b", re.I),
+        "a block is on a patch, or in its middle: the corners and edges of a patch are no places of their own",
+        "say what the blocks on it form, as in 'put four cubes in a square on the blue patch'",
+    ),
+    _Wish(
+        re.compile(r"\b(?:partly|partially|in part|to some extent)\b", re.I),
+        "a block is on a patch if its middle is: that it is only partly on it is not told apart",
+        "leave this out, as in 'put every cube on a patch'",
+    ),
+    _Wish(
+        re.compile(
+            r"\b(?:dark|light|pale|bright|warm|cool|cold)(?:er)?[ -]?(?:colou?red |toned |hued )?"
+            r"(?:blocks?|cubes?|ones?|colou?rs?|tones?|boxes|bricks)\b",
+            re.I,
+        ),
+        "which colours these are is not said",
+        "name them, as in 'put the red, orange and yellow blocks in the left half of the table and the blue, green and "
+        "purple blocks in the right half of the table'",
+    ),
+    _Wish(
+        re.compile(
+            r"\b(?:can ?not|can't|cant|could not|couldn't|no longer|never) (?:be )?seen?\b|\bout of sight\b|"
+            r"\bhidden from\b|\bfrom (?:view|sight)\b",
+            re.I,
+        ),
+        "what is seen from somewhere is no goal here, but only where blocks are",
+        "say where it is, as in 'put the green block directly behind the big red block'",
+    ),
+    _Wish(
+        re.compile(r"\b(?:my|your|his|her|our|their) (?:side|end|half|edge)\b", re.I),
+        "whose side of the table that is is not clear",
+        "say 'near' or 'far', as in 'put 1 in the near half of the table and 2 and 3 in the far half of the table'",
+    ),
+)
+"""Wishes for places that there are not."""
 _WISHES = (
     _Wish(
         re.compile(r"\bas (?:far|close|near)(?: \w+){0,2} as possible\b", re.I),
@@ -127,6 +169,7 @@ _WISHES = (
         "say all of it, as in 'make 4 + 6 = 10'",
     ),
     *_UNCHECKED,
+    *_OF_PLACES,
     _Wish(
         re.compile(rf"\b(?:letter|shape of an?|shape of the letter) [{_UNLAID}]\b(?! (?:block|cube|on\b))"),
         f"blocks are laid out as {_LAID}, and as no other letter",

@@ -51,7 +51,7 @@ _HAS = (
     *(f"{must} {so} have" for must in ("should", "must", "shall", "has to", "is to") for so in ("finally", "also")),
     "is to have",
 )  # fmt: skip
-_GIVE = ("give",)
+_GIVE = ("give", "give to")
 _IS_FOR = ("is for", "are for", "is reserved for", "is meant for", "is the place for", "takes", "should take", "for")
 _SHARE = ("share", "shares", "should share", "must share", "have to share", "are to share", "shall share")
 _CARRIES = (

@@ -336,7 +336,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "at the end": ("finally", None), "in the end": ("finally", None), "at once": ("idle", "pace at once"),
     "one by one": ("idle", None),
     "one at a time": ("idle", None), "carefully": ("idle", "pace carefully"), "gently": ("idle", "pace gently"),
-    "neatly": ("idle", None),
+    **dict.fromkeys(("neatly", "nicely", "tidily", "prettily", "beautifully", "orderly"), ("idle", None)),
     "exactly": ("idle", None),
     "again": ("idle", "before again"), "precisely": ("idle", None), "instead": ("idle", "before instead"),
      "for me": ("idle", None), "slowly": ("idle", "pace slowly"), "quickly": ("idle", "pace quickly"),

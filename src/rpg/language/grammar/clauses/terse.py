@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.all_colored import all_colored
 from rpg.language.grammar.clauses.into_groups import into_groups
 from rpg.language.grammar.clauses.sorted import ordered
 from rpg.language.grammar.clauses.turned import but_turned
@@ -18,14 +18,11 @@ from rpg.language.grammar.structures.order_told import order_told
 from rpg.language.grammar.structures.parted import parted
 from rpg.language.grammar.talk.people import WHO
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.things.adjectives import colors
-from rpg.language.grammar.things.amounts import count
 from rpg.language.grammar.things.bodies import bodies
 from rpg.language.grammar.things.labels import digits_of, literal
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import (
     Absolute,
-    Amount,
     Clause,
     Coord,
     In,
@@ -113,7 +110,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from kept_clear(p, i)
     yield from _left_empty(p, i)
     yield from _nobody_there(p, i)
-    yield from _all_colored(p, i)
+    yield from all_colored(p, i)
     yield from into_groups(p, i, mode)
     yield from ordered(p, i)
     yield from order_told(p, i)
@@ -152,29 +149,6 @@ def _of_a_line(found: Meaning) -> bool:
     if isinstance(found, Toward):
         return found.first is not None
     return isinstance(found, Spacing) or (isinstance(found, OrderBy) and not found.items and found.by != "attribute")
-
-
-_ALL = ("all of them", "all of these", "every one of them", "each of them", "both of them", "all", "both", "each")
-_ARE = ("are", "is", "being", "should be", "must be", "in")
-
-
-@choice
-def _all_colored(p: Parser, i: int) -> Results[Meaning]:
-    """ "..., all four of them green", ", both red": what the blocks spoken of look like, said behind it all."""
-    theme: Meaning | None = None
-    j = p.any_of(i, ("all", "all of the", "all the"))
-    for many, k in count(p, j) if j else ():
-        j = p.any_of(k, ("of them", "blocks", "cubes")) or k
-        theme = Noun(head="block", det="all", amount=Amount(many, many), plural=True, span=p.span(i, j))
-    if theme is None and (j := p.any_of(i, _ALL)):
-        told = any(word in lexicon.COLOR for word in p.words[:i]) or p.words[i] != "all"
-        theme = Pronoun(word="them" if told else "everything", span=p.span(i, j))
-    if theme is None:
-        return
-    for (listed, either), k in colors(p, p.any_of(j, _ARE) or j):
-        if len(listed) == 1 and not either and (k >= p.end or p.words[k] in (",", ";")):
-            quality = Quality(traits=Traits(colors=listed), span=p.span(j, k))
-            yield Clause(verb="be", theme=theme, adjuncts=(quality,), mode="goal", span=p.span(i, k), cost=2), k
 
 
 @choice

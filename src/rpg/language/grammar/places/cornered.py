@@ -19,6 +19,8 @@ _AT = (
 )  # fmt: skip
 _HOLDS = ("has", "gets", "holds", "contains", "takes", "is for", "should have", "must have", "should hold", "must hold",
           "is", ":", "=", "there is", "belongs to", "should get", "must contain", "should contain")  # fmt: skip
+_HOLD = ("have", "get", "hold", "contain", "take", "should have", "must have", "should hold", "must hold", "should get",
+         "must get", "are for", "must contain", "should contain")  # fmt: skip
 _JOINT = (", and", "and", ",", "; and", ";", ", then")
 _ONE = ("one block", "a block", "one cube", "a cube", "one", "one brick", "exactly one block", "exactly one cube")
 _HEADS = ("corners", "the corners", "the four corners", "four corners", "in the corners", "in the four corners")
@@ -52,13 +54,15 @@ def cornered(p: Parser, i: int) -> Results[Clause]:
 
 
 def _every(p: Parser, i: int, start: int) -> Results[Clause]:
-    """ "each corner has one white block"."""
+    """ "each corner has one white block", "all corners get a block each"."""
     corners = p.any_of(start, EVERY_CORNER)
     table = of_table(p, corners) if corners else 0
     holds = p.any_of(table or corners, _HOLDS) if corners else 0
-    for theme, j in simple(p, holds) if holds else ():
-        if isinstance(theme, Noun) and theme.head != "patch":
-            place = In(region="each_corner" if table else "each_corner?", span=p.span(i, holds))
+    several = p.any_of(table or corners, _HOLD) if corners else 0
+    for theme, j in simple(p, holds or several) if holds or several else ():
+        if isinstance(theme, Noun) and theme.head != "patch" and (holds or not theme.plural):
+            j = p.opt(j, "each", "apiece") if several else j
+            place = In(region="each_corner" if table else "each_corner?", span=p.span(i, holds or several))
             yield Clause(verb="be", theme=theme, adjuncts=(place,), mode="goal", span=p.span(i, j)), j
 
 

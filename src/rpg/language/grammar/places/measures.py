@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.places.prepositions import relation
+from rpg.language.grammar.places.far_aside import to_a_side
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.things.amounts import block_widths, length
+from rpg.language.grammar.things.amounts import block_widths, edge_lengths, length
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Loc, Meaning, Pronoun, replace
 
@@ -174,14 +174,12 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
         for side, k in p.standing(p.any_of(j, ("to its", "on its")), ("left", "right")) if p.stands(j, _AT) else ():
             far = Loc(rel=side, landmark=Pronoun(word="it", span=p.span(j, k)), low=low, high=high, span=p.span(i, k))
             yield from measured_so(p, far, i, k)
-        for (name, mods), k in relation(p, j):
-            if name not in ("left", "right", "front", "behind"):
-                continue
-            for landmark, end in noun_phrase(p, k):
-                far = Loc(rel=name, landmark=landmark, mods=mods, low=low, high=high, span=p.span(i, end))
-                yield from measured_so(p, far, i, end)
-                for most, last in _other_bound(p, end, "low") if low is not None and high is None else ():
-                    yield replace(far, high=most, span=p.span(i, last)), last
+        for far, end in to_a_side(p, i, j, low, high):
+            yield from measured_so(p, far, i, end)
+            for most, last in _other_bound(p, end, "low") if low is not None and high is None else ():
+                yield replace(far, high=most, span=p.span(i, last)), last
+    for metres, j in edge_lengths(p, start):
+        yield from to_a_side(p, i, j, round(metres - 0.01, 6), round(metres + 0.01, 6))
     if j := p.any_of(i, ("with a gap of", "leaving a gap of", "a gap of")):
         for (low, high), k in bounds(p, j):
             if k := p.any_of(k, ("from", "to")):

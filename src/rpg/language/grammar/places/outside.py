@@ -20,6 +20,13 @@ _OUT = (
     "outside of", "outside", "out of", "beyond the edge of", "clear of", "anywhere outside", "anywhere outside of",
     "anywhere but on", "anywhere except on", "somewhere outside", "somewhere outside of", "not inside", "away off",
 )  # fmt: skip
+_NOT_ON = tuple(
+    f"{where} {no}{on}"
+    for where in ("anywhere", "somewhere", "any place", "a place", "a spot", "anyplace", "any spot", "someplace")
+    for no in ("that is not", "which is not", "not", "but not", "other than", "except", "but", "where there is not")
+    for on in ("", " on")
+)
+"""Behind these is no place for it: "anywhere that is not a patch"."""
 
 
 _BOUNDS = tuple(
@@ -49,6 +56,7 @@ def outside(p: Parser, i: int) -> Results[Meaning]:
         there = Pronoun(word="there", span=p.span(i, j))
         rel, mods = ("in", ()) if p.words[i] == "inside" else ("off", ("outside",))
         yield Loc(rel=rel, landmark=there, mods=mods, span=p.span(i, j), cost=2), j
+    yield from _not_on(p, i)
     within = p.any_of(i, _BOUNDS)
     for mark, k in simple(p, within) if within else ():
         if isinstance(mark, Noun) and mark.head == "patch":
@@ -64,6 +72,14 @@ def outside(p: Parser, i: int) -> Results[Meaning]:
             yield Loc(rel="off", landmark=mark, mods=mods, span=p.span(i, k), cost=taken), k
     for region, k in named_regions(p, p.opt(j, "the")):
         yield In(region=region, negated=True, span=p.span(i, k)), k
+
+
+def _not_on(p: Parser, i: int) -> Results[Meaning]:
+    """ "anywhere that is not a patch", "in a place that is not on the red patch"."""
+    j = p.any_of(p.opt(i, "to", "in", "on", "at"), _NOT_ON)
+    for mark, k in simple(p, j) if j else ():
+        if isinstance(mark, Noun) and mark.head == "patch":
+            yield Loc(rel="on", landmark=mark, negated=True, span=p.span(i, k)), k
 
 
 _ACROSS = ("left", "right", "front", "behind")

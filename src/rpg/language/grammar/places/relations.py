@@ -6,6 +6,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.across import across
 from rpg.language.grammar.places.against import against_side
+from rpg.language.grammar.places.as_neighbor import as_neighbor
 from rpg.language.grammar.places.compared import compared
 from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
@@ -15,6 +16,7 @@ from rpg.language.grammar.places.nearer_one import nearer_one
 from rpg.language.grammar.places.offsets import centred_on
 from rpg.language.grammar.places.other_side import other_side
 from rpg.language.grammar.places.outside import neither, outside
+from rpg.language.grammar.places.own_color import on_its_color
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
 from rpg.language.grammar.places.side_lengths import side_length
@@ -79,6 +81,8 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from centred_on(p, i)
     yield from outside(p, i)
     yield from neither(p, i)
+    yield from on_its_color(p, i)
+    yield from as_neighbor(p, i)
     yield from flanking(p, i)
     yield from diagonal(p, i)
     yield from (*across(p, i), *where_was(p, i))

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.structures.never_twice import NEVER_TWICE, TOLD_BY
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.lists import listed
@@ -58,13 +60,38 @@ _ALONE = Patterns(
     "they|it should|must|will|do|does? alternate|take_turns in_color|colors?",
 )
 _IT_READS = Patterns(f"it|the_row|the_line|the_tower|this should|must|has_to? read|reads|look|looks|be|is {_SAME_BACK}")
+_LINES = frozenset({*lexicon.STRUCTURE, "stack", "pile"})
+"""Without a line of blocks, nothing follows of their order where those of a colour do not touch."""
+_KEPT_APART = ((_APART, "alternating"), (NEVER_TWICE, "alternating"))
 _TWICE = frozenset(
-    {"no", "neighbors", "neighboring", "adjacent", "the", "their", "its", "they", "it", "this", "colors"}
+    {
+        "never",
+        "not",
+        "same",
+        "equal",
+        "identical",
+        "two",
+        "any",
+        "a",
+        "color",
+        "without",
+        "no",
+        "neighbors",
+        "neighboring",
+        "adjacent",
+        "the",
+        "their",
+        "its",
+        "they",
+        "it",
+        "this",
+        "colors",
+    }
 )
 _RARE = (
     "alternate", "alternates", "alternating", "alternately", "alternation", "switching", "turn", "turns", "every", "no",
     "neighbors", "neighboring", "adjacent", "touching", "next", "different", "same", "mirrored", "symmetric",
-    "symmetrical", "symmetrically",
+    "symmetrical", "symmetrically", *TOLD_BY,
 )  # fmt: skip
 _TELLING = frozenset(_RARE)
 """Words without one of which nothing is said of this here."""
@@ -74,7 +101,7 @@ _TELLING = frozenset(_RARE)
 def alternation_alone(p: Parser, i: int) -> Results[OrderBy]:
     """ "The colours alternate.", "No two neighbours have the same colour.": of the line that was built."""
     if p.rarely(_TELLING) and p.stands(i, _TWICE):
-        for patterns, by in ((_ALONE, "alternating"), (_APART, "alternating"), (_IT_READS, "mirrored")):
+        for patterns, by in ((_ALONE, "alternating"), *_KEPT_APART, (_IT_READS, "mirrored")):
             yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
 
 
@@ -96,6 +123,14 @@ _AFTER = (
     "in turns",
     "in turn",
 )
+_CHOSEN = "of_your_choice|of_your_choosing|you_like|that_you_like|you_choose|of_any_kind|whichever|as_you_like"
+_ANY_TWO = Patterns(
+    f"that|which? alternate|alternates|alternating|switching between? any|some? two|2 different? colors {_CHOSEN}?",
+    f"in|with|of|using? two|2? alternating colors {_CHOSEN}",
+    "with|in|using|of any|some? two|2 different? colors alternating|that_alternate|which_alternate|in_alternation|"
+    "in_turn",
+)
+"""Two colours, whichever, alternate."""
 _WITH = ("alternate with", "alternates with", "take turns with", "are alternating with")
 _TURNING = frozenset(phrase.split()[-1] for phrase in _AFTER) | {"alternates"}
 _WHERE = ("in which", "where", "with", "so that", "such that", "so", ",")
@@ -116,8 +151,10 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
         for found, k in _two(p, i, two):  # ", three red and three white" is what there is
             if p.words[j] != "," or not any(isinstance(x, Noun) and x.amount for x in parts_of(found)):
                 yield found, k
-    for patterns, by in ((_APART, "alternating"), (_MIRRORED, "mirrored")):
-        yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
+    lined = p.anywhere(_LINES)
+    for patterns, by in (*_KEPT_APART[: 1 + lined], (_ANY_TWO, "alternating"), (_MIRRORED, "mirrored")):
+        start = p.opt(i, ",") if patterns is _ANY_TWO else i
+        yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, start))
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
         set_off = p.one(j, (",", ":")) if p.follows(j, ("colors",)) else 0

@@ -100,10 +100,18 @@ _THEN = (", then", ", and then", "then", "and then", ", and", "and", ",", ", fin
          ", followed by", ", next", "and finally")  # fmt: skip
 
 
+_OF_LAYERS = (
+    *(",", ":", "with", "of", ", with", "-", "having"),
+    *(f"{lead}{base}" for lead in (", ", "with a ", "with ", ", with a ", ": ", "on a ", "with the ", "")
+      for base in ("base", "base of", "base :", "bottom layer of", "bottom row of", "base row of")),
+)  # fmt: skip
+"""What stands before the number of blocks in the lowest layer."""
+
+
 @rule
 def layers_told(p: Parser, j: int) -> Results[Size]:
     """ "(a pyramid,) 3 blocks at the bottom, then 2, then 1": one less from layer to layer, down to one block."""
-    start = p.any_of(j, (",", ":", "with", "of", ", with", "-", "having"))
+    start = p.any_of(j, _OF_LAYERS)
     number = p.number(start) if start else None
     if not start or number is None or number < 2:
         return

@@ -7,6 +7,7 @@ from operator import itemgetter
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.structures.as_many_each import as_many_each
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, replace
 
@@ -64,8 +65,10 @@ _ON = {"on": True, "on top of": True, "above": True, "over": True, "atop": True,
 
 
 @rule
-def each_of(p: Parser, i: int) -> Results[OrderBy]:
-    """Behind several structures: ", each of a red and a blue block", "with a red and a blue block each"."""
+def each_of(p: Parser, i: int) -> Results[Meaning]:
+    """Behind several structures: ", each of a red and a blue block", "with a red and a blue block each"; "of the same
+    height"."""
+    yield from as_many_each(p, i)
     yield from each_led(p, i)
     comma = p.opt(i, ",", ":")
     j = p.any_of(comma, ("of", "with", "from", "made of"))

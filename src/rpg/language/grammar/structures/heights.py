@@ -21,6 +21,7 @@ _LOTS = ("blocks", "cubes", "block", "cube", "high", "tall", "block high", "bloc
 _NEXT = ("and then", "then", "and finally", "and", "and one of", "and one", "one of")
 _UPRIGHT = frozenset({"high", "tall", "heights", "height"})
 """One of these makes columns towers: others lie on the table."""
+_PLACED = frozenset({"on", "in", "at", "next", "beside", "behind"})
 
 
 @rule
@@ -42,6 +43,8 @@ def heights(p: Parser, i: int, count: int) -> Results[tuple[Size, tuple[str, ...
         for named, end in ends if len(listed) > 1 else ():
             if on and end <= counted:
                 continue  # the list goes on
+            if not lead and p.words[end - 1] == "one" and p.stands(end, _PLACED):
+                continue  # "two towers of two, one on each patch": one of the towers
             end = p.any_of(end, (", respectively", "respectively")) or end
             yield (Size(what="heights", dims=tuple(listed), span=p.span(i, end)), named), end
         j = after if after > counted else 0

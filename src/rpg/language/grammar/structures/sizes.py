@@ -29,7 +29,10 @@ AS_HIGH = Patterns(
     "they_will_reach|they_reach|it_will_get|you_can_go"
 )
 """What says no more of blocks that are counted or named than that all of them are to be in the tower."""
-_BASES = ("base", "foundation", "bottom", "footprint", "bottom layer", "bottom row", "ground floor")
+_BASES = ("base", "foundation", "bottom", "footprint", "bottom layer", "bottom row", "ground floor",
+          "lowest row", "lowest layer", "bottom level", "lowest level", "first row", "first layer")  # fmt: skip
+_IS = ("of", "is", "that is", "which is", "being", "should be", ":", "has", "counts", "contains", "consists of",
+       "is made of", "must have", "should have", "having", "with")  # fmt: skip
 
 _BELOW = ("below", "at the bottom", "at the base", "on the bottom", "as its base", "as a base", "as the base",
           "as base", "at its base", "underneath", "in the bottom layer")  # fmt: skip
@@ -142,6 +145,22 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
     for dims, k in dimensions(p, i + 1) if p.one(i, "of") else ():
         yield Size(what="dims", dims=dims, span=p.span(i, k)), k
     yield from _led(p, i, j)
+    yield from _begun(p, i)
+
+
+_STARTS = ("starting with", "starting from", "that starts with", "which starts with", "beginning with",
+           "that begins with", "which begins with", "starts with", "begins with")  # fmt: skip
+_A_ROW = ("a row of", "a base of", "a layer of", "a bottom row of", "a bottom layer of")
+
+
+def _begun(p: Parser, i: int) -> Results[Size]:
+    """ "(a pyramid) starting with four (blocks)", "... with a row of four": how large its base is."""
+    j = p.any_of(p.opt(i, ","), _STARTS)
+    j = (p.any_of(j, _A_ROW) or j) if j else 0
+    for found, k in amounts.amount(p, j) if j else ():
+        k = p.opt(k, *_BLOCKS)
+        end = p.any_of(k, _BELOW) or k
+        yield Size(what="base", amount=found, span=p.span(i, end)), end
 
 
 _MEASURES = {
@@ -167,6 +186,8 @@ _COUNTED = (
     (("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row",
       "blocks at its base", "blocks in the base", "cubes at the bottom", "cubes in the bottom row",
       "blocks in the bottom layer", "blocks as its base", "at the base"), "base", 1),
+    (("at the bottom", "at its base", "at its bottom", "in the base", "in the lowest row", "in the bottom layer",
+      "in the lowest layer"), "base", 0),
 )  # fmt: skip
 _SEVERAL = {*_PARTS, *(word for word, (_, many) in lexicon.STRUCTURE.items() if many)} - {"row", "column", "layer"}
 """With these words "two each" says how many each of them has."""
@@ -204,7 +225,7 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
 def _based(p: Parser, i: int, k: int) -> Results[Size]:
     """ "base of 3 blocks", "base is 3 x 3"."""
     base = p.any_of(k, _BASES)
-    e = p.any_of(base, ("of", "is", "that is", "which is", "being", "should be", ":")) if base else 0
+    e = p.any_of(base, _IS) if base else 0
     e = e or (base if base and (p.number(base) or any(True for _ in dimensions(p, base))) else 0)
     if not e:
         return

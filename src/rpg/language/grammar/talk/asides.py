@@ -11,7 +11,7 @@ from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
-from rpg.language.grammar.talk.left_open import FREE, LOOSE
+from rpg.language.grammar.talk.left_open import FOREIGN, FREE, LOOSE
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
@@ -32,14 +32,18 @@ _ANYWHERE = (
     "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
     "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
-    "kinda", "possibly", "while you are at it", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
+    "kinda", "possibly", "while you are at it", "good luck", "maybe", "perhaps",
     "my dear", "dear", "sweetheart", "darling", "honey", "hereby", "by contrast", "in contrast",
+    "grazie", "merci", "danke", "gracias", "bitte", "por favor", "nah", "nope", "asap",
     "bro", "gg", "gl", "hf", "noob", "if you would", "sorry about the mess", "easy one", "tada",
-    "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
+    "sir", "madam", "as seen from the camera", "as seen by the camera", "seen from the camera",
     "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",
     "as seen in the camera image", "in the camera image", "from the camera 's point of view",
 )  # fmt: skip
 """Phrases that carry nothing in any place."""
+_ADDRESSED_AS = ("mate", "buddy", "dude", "my friend", "pal")
+"""Whom it is said to; who wants something is spoken of."""
+_WANTS = frozenset({"wants", "likes", "would", "needs", "asks", "asked", "wanted", "prefers", "says", "said", "wishes"})
 SOFT = "(soft)"
 """The value of a comma that may have set off nothing but an aside; no number or quotation has it."""
 _HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh"})
@@ -353,8 +357,10 @@ def _meant(tokens: list[Token], at: int) -> list[Token]:
 _Fits = Callable[[list[str], int, int], bool]
 _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_ANYWHERE, lambda words, first, last: True),
+    (_ADDRESSED_AS, lambda words, first, last: words[last : last + 1] == [] or words[last] not in _WANTS),
     (_EMPHASIS, lambda words, first, last: _emphatic(words, last)),
     (FREE, _set_off),
+    (FOREIGN, lambda words, first, last: True),
     (LOOSE, lambda words, first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
     (_ANYPLACE, _anyplace),
     (_ALL_OVER, _all_over),

@@ -62,11 +62,36 @@ FREE = (
         for free in ("", " you like", " you want", " you have", " you please", " you prefer", " is fine", " are fine",
                      " will do", " there are", " at all", " will be fine", " is ok")
     ),
+    *(f"{mind}{which}"
+      for mind in ("it is all the same to me", "it is all the same to us", "all the same to me", "it is all one to me",
+                   "it makes no difference", "makes no difference", "it makes no difference to me",
+                   "makes no difference to me", "i am indifferent", "we are indifferent", "i have no preference",
+                   "we have no preference", "no preference", "i am easy", "i am not fussy", "not fussy")
+      for which in ("", " which", " which one", " which of them", " which of the two", " as to which",
+                    " as to which one", " as to which of them", " about which", " about which one", " about that")),
+    *(f"{which} {free}"
+      for which in ("which", "which one", "which of them", "which of the two", "which of these")
+      for free in ("is immaterial", "is irrelevant", "is unimportant", "is of no importance", "is not important",
+                   "is up to you", "is your choice", "is left to you", "does not matter", "makes no difference")),
+    *(f"{either} {suits}"
+      for either in ("either", "either one", "either of them", "either way")
+      for suits in ("suits me", "will suit me", "works", "works for me", "pleases me", "is fine with me",
+                    "is fine by me", "is good for me", "is all right with me")),
+    "i leave it to you", "i leave that to you", "i will leave that to you", "i leave the choice to you",
+    "i leave it up to you", "i leave which to you", "that is up to you", "the choice is yours",
     *(f"{lead}{choice}" for lead in ("with the ", "with ", "the ", "") for choice in (
         "colors however you like", "color however you like", "colors as you like", "colors of your choice",
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
+FOREIGN = (
+    "grazie", "grazie mille", "merci", "merci beaucoup", "merci bien", "danke", "danke schon", "vielen dank",
+    "bitte", "gracias", "muchas gracias", "por favor", "obrigado", "obrigada", "muito obrigado", "per favore",
+    "prego", "s'il vous plait", "s il vous plait", "sil vous plait", "arigato", "dank je", "dank je wel",
+    "alstublieft", "takk", "tak", "kiitos", "spasibo", "efharisto", "shukran", "dziekuje", "ciao", "hola",
+    "bonjour", "hallo", "namaste", "guten tag", "buenos dias", "salut", "servus", "ta very much",
+)  # fmt: skip
+"""Greetings and thanks of those who speak other languages as well."""
 LOOSE = tuple(
     f"{lead}{what}{free}"
     for what in ("which way round", "which way it points", "how far", "how far away", "how far away it is",

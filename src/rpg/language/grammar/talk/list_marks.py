@@ -55,15 +55,25 @@ def _goes_on(tokens: list[Token], n: int) -> bool:
     if not kind or not (begin and tokens[begin - 1].word in _LISTED):
         return False
     at = n
-    while at < len(tokens) and tokens[at].word in (";", ",", "and"):
+    while at < len(tokens) and tokens[at].word in (";", ",", "and") and not _asked(tokens, at + 1):
         at += 1 + (tokens[at].word == "," and tokens[at + 1 : at + 2] != [] and tokens[at + 1].word == "and")
         found, at = _item(tokens, at)
         if found != kind:
             return False
     named = tokens[begin - 1].word != ":"
-    return at >= len(tokens) or tokens[at].word in _STOPS or (named and tokens[at].word in _BEHIND)
+    at += at < len(tokens) and tokens[at].word == "," and _asked(tokens, at + 1)
+    return (
+        at >= len(tokens) or tokens[at].word in _STOPS or _asked(tokens, at) or (named and tokens[at].word in _BEHIND)
+    )
 
 
+def _asked(tokens: list[Token], at: int) -> bool:
+    """Whether nothing but a polite word stands from there to the end of the sentence."""
+    polite = at < len(tokens) and tokens[at].word in _POLITE
+    return polite and (at + 1 == len(tokens) or tokens[at + 1].word in _STOPS)
+
+
+_POLITE = frozenset({"please", "pls", "plz", "thanks", "thx", "cheers"})
 _BEHIND = frozenset({":", "with", "in", "from", "so"})
 """What may follow a list of things that were called blocks or letters before it."""
 

@@ -8,9 +8,16 @@ PEOPLE = (
     "customer|customers|client|clients|boss|user|users|teacher|friend|friends|daughter|son|student|students|pupil|"
     "pupils|class|kid|kids|child|children|little_ones|little_one|team|colleague|colleagues|mother|father|mom|dad|wife|"
     "husband|grandmother|grandfather|grandma|grandpa|niece|nephew|brother|sister|sponsor|reviewer|reviewers|professor|"
-    "audience|visitors|guests|public|viewers|family"
+    "audience|visitors|guests|public|viewers|family|mum|mummy|mommy|daddy|granny|grandad|granddad|grandson|"
+    "granddaughter|uncle|aunt|auntie|cousin|flatmate|roommate|girlfriend|boyfriend|partner|buddy|mate|pal|manager|"
+    "supervisor|coach|trainer|neighbor|doctor|nurse|chef"
 )
 """Whom an instruction may be for."""
+RELATIONS = (
+    "mum|mom|mummy|mommy|mama|dad|daddy|papa|mother|father|grandma|grandpa|granny|grandad|granddad|grandmother|"
+    "grandfather|auntie|uncle"
+)
+"""Those of them who are named without "my"."""
 FINE = (
     "great|nice|good|lovely|wonderful|perfect|cool|awesome|amazing|fantastic|super|brilliant|kind|helpful|appreciated|"
     "very_kind|much_appreciated|the_best|fine|fun|enough|neat|ideal|excellent"
@@ -41,7 +48,7 @@ WHO = {
     ),
     "folk": (f"little|young|younger|older|big|dear? {PEOPLE}",),
     "onlooker": ("<folk>", "little|young? viewer|camera|observer|robot|beholder|onlooker|spectator|spectators"),
-    "who": ("i|we|you|he|she|they", "<which> <folk>"),
+    "who": ("i|we|you|he|she|they", "<which> <folk>", RELATIONS),
     "person": (
         "i|we|you|one|people|somebody|someone|anybody|anyone|everybody|everyone|they",
         "<which> <onlooker>",

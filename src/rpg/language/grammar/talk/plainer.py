@@ -14,7 +14,13 @@ from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import RESPELT, respelling
 from rpg.language.grammar.talk.said_loosely import LOOSE, said_loosely
-from rpg.language.grammar.talk.short_turns import anywhere_but, between_them, number_made, without_stacking
+from rpg.language.grammar.talk.short_turns import (
+    anywhere_but,
+    between_them,
+    number_made,
+    turned_in_place,
+    without_stacking,
+)
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
 from rpg.language.grammar.talk.told_short import any_other, but_turned, every_other, halves_told, in_pairs, no_two
 from rpg.language.grammar.talk.utmost_number import utmost_number
@@ -281,6 +287,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (between_them, frozenset({"between"})),
     (without_stacking, frozenset({"stacking"})),
     (anywhere_but, frozenset({"anywhere", "somewhere"})),
+    (turned_in_place, frozenset({"spot"})),
     (number_made, frozenset({"digit", "digits", "number", "numbers"})),
     (said_loosely, LOOSE),
 )

@@ -55,6 +55,7 @@ _PHRASES = {
     **{f"over there {on}": on for on in ("on", "in", "at", "next", "behind")},
     **{f"{verb} like the": f"{verb} the" for verb in ("put", "place", "move", "take", "stack", "set", "get")},
     "just not": "but not", "only not": "but not", "only do not": "but do not", "please to": "please",
+    "twice in a row": "twice running", "two times in a row": "twice running",
     **{f"{read} {down} from the {top}": f"reading from {top} to {bottom}" for read in ("reading", "read")
        for top, bottom, downs in (("top", "bottom", ("down", "downwards")), ("bottom", "top", ("up", "upwards")))
        for down in downs},

@@ -54,3 +54,17 @@ def number_made(tokens: list[Token], words: list[str]) -> list[Token] | None:
             number = [tokens[at + 1].saying(word) for word in ("the", "number")]
             return [*tokens[: at + 1], *number, *tokens[at + 1 :]]
     return None
+
+
+_TURNS = frozenset({"turn", "rotate", "spin", "flip", "twist"})
+
+
+def turned_in_place(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Turn the E upside down on the spot": in place, where a patch is not called a spot besides."""
+    for at in range(2, len(words) - 2):
+        if words[at : at + 3] == ["on", "the", "spot"]:
+            done = next((word for word in reversed(words[:at]) if word in lexicon.VERB), "")
+            named = words[at + 3 : at + 4] not in ([], [","], ["."], ["and"], ["!"], [";"])
+            if done in _TURNS and not named and words.count("spot") == 1:
+                return [*tokens[:at], tokens[at].saying("in"), tokens[at + 2].saying("place"), *tokens[at + 3 :]]
+    return None

@@ -61,24 +61,40 @@ _BESIDE = frozenset({"of", "from", "behind"})
 def every_other(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "To the right of every other block": of all others."""
     for at in range(2, len(words) - 2):
-        ones = words[at + 2] in (*lexicon.BLOCK, "one")
+        ones = words[at + 2] in (*lexicon.BLOCK, *lexicon.LOOSE_BLOCK, "one")
         if words[at : at + 2] == ["every", "other"] and ones and words[at - 1] in _BESIDE:
             others = [tokens[at].saying(word) for word in ("all", "others")]
             return [*tokens[:at], *others, *tokens[at + 3 :]]
     return None
 
 
-_GROUPING = frozenset({"group", "put", "split", "divide", "sort", "separate", "arrange", "organize", "place"})
+_GROUPING = frozenset({"group", "put", "split", "divide", "sort", "separate", "arrange", "organize", "place", "stack",
+                       "pile", "like", "want", "have", "need", "collect", "gather", "lay", "set"})  # fmt: skip
 
 
 def in_pairs(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Group the blocks into pairs": into groups of two."""
+    """ "Group the blocks into pairs": into groups of two; and "each pair" is each of these groups."""
     at = next((n for n in range(2, len(words) - 1) if words[n + 1] == "pairs" and words[n] in ("in", "into")), 0)
-    ends = at + 2 >= len(words) or words[at + 2] in _STOPS
-    if not at or not ends or words[0] not in _GROUPING or words[at - 1] not in lexicon.BLOCK or "," in words[:at]:
+    behind_it = tuple(words[at + 2 : at + 5])
+    ends = not behind_it or behind_it[0] in _STOPS or behind_it in _OF_ONE_COLOR or behind_it[:2] in _OF_EACH
+    if (
+        not at
+        or not ends
+        or _GROUPING.isdisjoint(words[:at])
+        or words[at - 1] not in lexicon.BLOCK
+        or "," in words[:at]
+    ):
         return None
     groups = [tokens[at].saying(word) for word in ("into", "groups", "of", "two")]
-    return [*tokens[:at], *groups, *tokens[at + 2 :]]
+    behind = [
+        t.saying("group") if t.word == "pair" and words[at + 1 + n] == "each" else t
+        for n, t in enumerate(tokens[at + 2 :])
+    ]
+    return [*tokens[:at], *groups, *behind]
+
+
+_OF_EACH = ((",", "each"), (",", "every"), (",", "same"))
+_OF_ONE_COLOR = (("of", "the", "same"), ("of", "equal", "color"), ("of", "one", "color"), ("by", "color", ""))
 
 
 _TURNED = frozenset({"backwards", "reversed", "backward", "mirrored"})

@@ -12,6 +12,7 @@ from rpg.language.grammar.things.amounts import length, of_more
 from rpg.language.grammar.things.bare_labels import borne
 from rpg.language.grammar.things.edges import STANDARD, USUAL, each_long, edge_told
 from rpg.language.grammar.things.labels import from_to, label_list, look_at, symbol_at
+from rpg.language.grammar.things.nth_largest import NTH_LARGEST
 from rpg.language.grammar.things.patch_sides import patch_side
 from rpg.language.meaning import Traits
 
@@ -27,8 +28,8 @@ EMPTY = Marks()
 
 _PLAIN = {
     "empty": ("empty", True), "free": ("empty", True), "vacant": ("empty", True), "unoccupied": ("empty", True),
-    "long": ("long", True), "elongated": ("long", True), "plain": ("kind", "plain"), "ordinary": ("kind", "plain"),
-    "semantic": ("kind", "symbol"), "symbol": ("kind", "symbol"), "symbols": ("kind", "symbol"),
+    "long": ("long", True), "elongated": ("long", True), "semantic": ("kind", "symbol"), "symbol": ("kind", "symbol"),
+    **dict.fromkeys(("plain", "ordinary", "blank", "unmarked"), ("kind", "plain")), "symbols": ("kind", "symbol"),
     "extra": ("extra", True), "distractor": ("extra", True),
     "additional": ("extra", True), "unused": ("extra", True), "superfluous": ("extra", True),
     "irrelevant": ("extra", True), "spare": ("extra", True), "unneeded": ("extra", True),
@@ -60,10 +61,9 @@ _PLAIN = {
 }  # fmt: skip
 """Single words. "target" here only says "the one meant"; it selects nothing."""
 
-_PHRASES = {
-    "circle shaped": ("shape", "circle"), "square shaped": ("shape", "square"),
-    "rectangle shaped": ("shape", "rectangle"),
-    "same colored": ("scheme", "same"), "same coloured": ("scheme", "same"), "same color": ("scheme", "same"),
+_PHRASES = NTH_LARGEST | {
+    "circle shaped": ("shape", "circle"), "square shaped": ("shape", "square"), "same color": ("scheme", "same"),
+    "rectangle shaped": ("shape", "rectangle"), "same colored": ("scheme", "same"), "same coloured": ("scheme", "same"),
     "single colored": ("scheme", "same"), "differently colored": ("scheme", "different"),
     "differently coloured": ("scheme", "different"), "different colored": ("scheme", "different"),
     "different coloured": ("scheme", "different"), "different color": ("scheme", "different"),

@@ -294,6 +294,21 @@ def block_widths(p: Parser, i: int) -> Results[float]:
         yield round(many * USUAL_EDGE, 6), j
 
 
+_LENGTHS = ("edge length", "edge lengths", "side length", "side lengths",
+            *(f"{block} {wide}" for block in ("block", "cube", "brick", "block 's", "cube 's")
+              for wide in ("width", "widths", "length", "lengths", "edge", "edges")))  # fmt: skip
+_OTHER_SIZES = _SIZED - {"edge", "edges"}
+
+
+@rule
+def edge_lengths(p: Parser, i: int) -> Results[float]:
+    """ "Two edge lengths", "one block width": a distance in metres."""
+    many = p.figure(i)
+    many = 1.0 if many is None and p.stands(i, ("a", "an")) else many
+    if many is not None and (j := p.any_of(i + 1, _LENGTHS)) and p.all.isdisjoint(_OTHER_SIZES):
+        yield round(many * USUAL_EDGE, 6), j
+
+
 def makes_number(p: Parser, k: int) -> bool:
     """Whether what follows a digit makes it a number: "3 blocks", "2 red ..."."""
     word = p.words[k] if k < p.end else ""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.amounts import length
+from rpg.language.grammar.things.nth_largest import NTH_LARGEST
 from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Noun, Pronoun, Traits, replace
 
@@ -38,13 +39,15 @@ def of_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord | Noun]:
             yield Coord(op="and", items=items, span=p.span(i, end)), end
 
 
-_RANKS = frozenset({"largest", "smallest", "larger", "smaller"})
+_UTMOST = frozenset({"largest", "smallest"})
+_RANKS = _UTMOST | {"larger", "smaller", *(rank for _, rank in NTH_LARGEST.values())}
 
 
 def _of_so_many(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
-    """ "the smaller of the two red blocks", "the biggest one of them": among those."""
-    ranked = noun.det == "the" and not noun.plural and noun.traits == Traits(rank=noun.traits.rank)
-    of = p.one(j, "of") if ranked and noun.traits.rank in _RANKS and noun.part_of is None else 0
+    """ "the smaller of the two red blocks", "the two biggest of them": among those."""
+    ranked = noun.det == "the" and noun.traits == Traits(rank=noun.traits.rank) and noun.part_of is None
+    several = noun.plural and noun.amount is not None and noun.traits.rank in _UTMOST
+    of = p.one(j, "of") if ranked and noun.traits.rank in _RANKS and (several or not noun.plural) else 0
     for whole, k in simple(p, of) if of else ():
         them = isinstance(whole, Pronoun) and whole.word in ("them", "these", "those")
         counted = isinstance(whole, Noun) and whole.plural and whole.amount is not None
@@ -58,7 +61,7 @@ _DIFFERENT = (
     "of various sizes", "each of a different size", ", each of a different size", "of unequal size", "in various sizes",
     "of three sizes", "in three sizes", "of two sizes", "in two sizes", "with different edges",
 )  # fmt: skip
-_EDGES = {2: (0.03, 0.05), 3: (0.03, 0.04, 0.05)}
+_EDGES = {many: tuple(round(0.03 + 0.02 * n / (many - 1), 4) for n in range(many)) for many in range(2, 7)}
 """Sizes that are told apart, for so many blocks."""
 
 

@@ -121,6 +121,8 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
         if p.one(j, "…") and j > at - 1:
             readings.append(((tuple(labels), True), j + 1))
             break
+        again = _named_again(p, i, j) if j > at else 0
+        j = again or j
         after = symbol(p, j, spoken)
         signed = after is not None and after in "+-*/=" and labels[-1].isalpha()  # "A/B": no list of three
         if after is None or (j == at and (signed or not _bare_row(p, at, spoken))):
@@ -132,8 +134,19 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
         if (k := p.one(at, _TO)) and (last := symbol(p, k, spoken)) and (run := _between(after, last)):
             labels += run[1:]
             at = k + 1
+        readings = [] if again else readings
         readings.append(((tuple(labels), False), at))
     yield from reversed(readings)
+
+
+_NAMES = {"letters": "letter", "numbers": "number", "digits": "digit", "blocks": "block", "cubes": "cube"}
+
+
+def _named_again(p: Parser, i: int, j: int) -> int:
+    """Past the word of "cubes number 5 and number 6", "the letters A and letter B", where one of them is next, or 0."""
+    before = p.words[i - 1]
+    word = "number" if before == "number" and p.words[i - 2] in _NAMES else _NAMES.get(before, "")
+    return p.one(p.opt(j, "the"), word) if word and i > 0 else 0
 
 
 _ORDERING = frozenset({"line", "arrange", "order", "stack", "lay", "sort"})

@@ -10,6 +10,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import Marks, adjectives, clash, color, merge, of_quality
 from rpg.language.grammar.things.amounts import Quantity
+from rpg.language.grammar.things.at_an_end import at_an_end
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
 from rpg.language.grammar.things.excepted import alone_in_this
@@ -44,6 +45,7 @@ _PRESENT = ("present", "in the scene", "lying around", "around", "in view", "als
 _YOU_LIKE = ("you like", "you want", "you prefer", "you choose", "you wish", "that you like", "that you want",
              "that you prefer", "that you choose", "of your choice", "of your choosing", "you please")  # fmt: skip
 _EVERYTHING = ("everything", "everything that is", "everything which is", "all that is", "anything that is")
+_BARE = frozenset({"bare", "naked", "uncovered"})
 _LISTING = frozenset({"bare", "the", "all", "both"})
 _EVERY = frozenset({"each", "all", "both"})
 """These speak of several: "red on blue, both 5 cm" says nothing of the blue one alone."""
@@ -95,6 +97,7 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
         yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
     yield from told_symbols(p, i)
     yield from one_of_each_edge(p, i)
+    yield from at_an_end(p, i)
     for phrase, j in p.standing(i, _SIGNS):
         det = "the" if phrase.startswith("the") else "a"
         sign = Traits(labels=(_SIGNS[phrase],), kind="symbol")
@@ -144,11 +147,12 @@ def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
 @choice
 def _table(p: Parser, i: int) -> Results[Meaning]:
     j = p.opt(i, "the", "a", "this", "your", "my")
-    j = p.opt(j, "work", "wooden")
+    bare = p.one(j, _BARE)
+    j = p.opt(bare or j, "work", "wooden")
     if p.lex(j, lexicon.TABLE) is False:
         end = j + 1
         end = p.opt(end, "top", "surface")
-        yield TableTop(span=p.span(i, end)), end
+        yield TableTop(bare=bool(bare), span=p.span(i, end)), end
 
 
 _PARTS = {

@@ -21,7 +21,7 @@ _ON = frozenset({"on", "onto"})
 _OR = frozenset({"or", "like", "make", "build"})
 """Behind these "something" is no block."""
 _CLOSED = frozenset({".", ",", ";"})
-_NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next", "stacked"}
+_NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next", "stacked", "left"}
 _OF_THEM = ("of them", "of these", "of those")
 
 
@@ -53,6 +53,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Pronoun(word="none of them", span=p.span(i, j)), j
     if (j := p.any_of(i, ("something", "something else"))) and not p.follows(i, _OR):
         yield Noun(head="block", det="a", amount=Amount(1, 1), span=p.span(i, j), cost=1), j
+    if j := p.any_of(i, _ALL_THAT):
+        yield Pronoun(word="everything", span=p.span(i, j)), j
     if j := p.one(i, ("him", "her", "he", "she")):
         yield Pronoun(word="it", span=p.span(i, j)), j
     if (j := p.any_of(i, ("the pair", "that pair"))) and not p.stands(j, ("of",)):
@@ -86,6 +88,11 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Pronoun(word=phrase, span=p.span(i, j), cost=int(phrase in ("none of them", "either of them"))), j
 
 
+_ALL_THAT = tuple(
+    f"{all_}{stuff}" for all_ in ("the ", "all the ", "all this ", "this ", "that ", "all that ", "your ", "my ")
+    for stuff in ("junk", "stuff", "rubbish", "clutter", "trash", "garbage")
+)  # fmt: skip
+"""What people call all that lies there."""
 _ANY_OTHER = ("anything else", "any of the others", "any of the other blocks", "any of the other cubes",
               *(f"any other {block}" for block in ("block", "blocks", "cube", "cubes", "one", "object", "objects")),
               "other blocks", "other cubes")  # fmt: skip

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
+from rpg.language.grammar.things.blank import blank
 from rpg.language.grammar.things.labels import label_list
+from rpg.language.grammar.things.out_of_region import out_of_region
 from rpg.language.grammar.things.standby import NO_ROLE
 from rpg.language.grammar.things.told_relatives import told_relative
 from rpg.language.later import later
@@ -55,6 +57,8 @@ _WHOSE_COLOR = ("whose color is", "which color is", "that color is", "where the 
 def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
     """Traits, or a tuple of conditions: places, or `That` of kind "whole" where a verb in the singular behind several
     blocks is of the structure that they form."""
+    if head == "block":
+        yield from blank(p, i)
     comma = p.opt(i, ",")
     if j := p.any_of(comma, _WHOSE_COLOR):
         for named, k in color(p, j):
@@ -89,6 +93,8 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
             yield (tuple(That(kind="whole", clauses=x, span=x.span) for x in places) if whole else places), k
     else:
         yield from told_relative(p, i, 0, head, plural)
+        if head == "block":
+            yield from out_of_region(p, i)
 
 
 def _and_more(p: Parser, i: int, marks: dict[str, Any]) -> Results[Traits]:

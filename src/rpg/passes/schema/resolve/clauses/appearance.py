@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.schema import COLORS_BARRED
 from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Quality, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.so_many_of import so_many_of
@@ -17,8 +18,6 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     """Let the objects have the looks that the clause gives them; "empty" and "clear" are goals."""
     if all(q.traits == Traits(empty=True) for q in spec.qualities):
         return _empty(clause, spec, scene, scope)
-    if clause.negated:
-        raise refuse("misplaced", "looks can be given, not excluded", clause.span, "say which colour they have")
     if isinstance(clause.theme, Noun) and clause.theme.conditions and clause.mode == "goal":
         raise refuse("ambiguous", "is this so at the start, or at the end?", clause.theme.conditions[0].span,
                      "say 'at the start' or 'must be'")  # fmt: skip
@@ -29,6 +28,10 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     theme = refer(said_of, scene, Scope(given=scope.given)) if said_of is not None else Ref()
     if theme.table:
         raise refuse("misplaced", "the table has one look", clause.span)
+    if getattr(clause.theme, "det", "") == "not all":
+        raise refuse("misplaced", "looks can be given, not excluded", clause.span, "say which colour they have")
+    if clause.negated or (theme.quant is not None and theme.quant.high == 0):
+        return _barred(theme, clause, spec, scene)
     several = next((q for q in spec.qualities if len(q.traits.colors) > 1), None)
     if several is not None and theme.built and all(scene.things[n].color for n in theme.names):
         raise refuse("ambiguous", "are these the colours that it has, or an order that it should have?", several.span,
@@ -40,6 +43,25 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
         theme = _all_open(theme, scene)
     for quality in spec.qualities:
         _give(theme, quality, clause, scene)
+    spec.qualities = []
+    return []
+
+
+def _barred(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> list[g.Goal]:
+    """ "None of them is green": so that what is left open of their colours is chosen otherwise."""
+    things = [scene.things[n] for n in theme.names]
+    colors = frozenset(color for q in spec.qualities for color in q.traits.colors)
+    told = all(replace(q.traits, either=False) == Traits(colors=q.traits.colors) for q in spec.qualities)
+    some = theme.op != "and" or (theme.quant is not None and theme.quant.high != 0)
+    some = some or spec.manner("not all") is not None
+    if not told or not things or theme.patch or some:
+        raise refuse("misplaced", "looks can be given, not excluded", clause.span, "say which colour they have")
+    for thing in things:
+        if thing.color in colors:
+            raise refuse("contradiction", f"{said(thing)} is said not to be {thing.color}", clause.span,
+                         "name one colour")  # fmt: skip
+        thing.barred |= colors
+    scene.assume(f"{COLORS_BARRED}: {', '.join(sorted(colors))}")
     spec.qualities = []
     return []
 

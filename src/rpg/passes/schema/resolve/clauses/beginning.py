@@ -22,6 +22,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.bare_starts import bare_starts
 from rpg.passes.schema.resolve.clauses.begun_facts import (
     all_begun,
     lined_up_first,
@@ -64,7 +65,8 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
-    chains = lifted(instead_of(tuple(facts_joined(named_there(chain)) for chain in chains)), text)
+    chains = bare_starts(tuple(facts_joined(named_there(chain)) for chain in chains))
+    chains = lifted(instead_of(chains), text)
     chains = worded_first(lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
     chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))

@@ -390,7 +390,7 @@ def _thats(clause: Clause, spec: Spec, scene: Scene, start: bool) -> Goals:
         if that.kind == "until" and (sided or clause.negated or clause.verb in ("keep", "be", "touch")):
             raise refuse("misplaced", "it is not said what holds after that", that.span, "say 'first ..., then ...'")
         if that.kind == "without":
-            goals += turning.without(that, scene)
+            goals += turning.without(that, scene, clause.verb == "turn")
         else:
             themes = (m.ref.names for m in scene.mentions if m.clause == scene.clause and m.role == "theme")
             scene.told.update(next(themes, ()))

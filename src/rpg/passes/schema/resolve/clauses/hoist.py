@@ -31,6 +31,7 @@ from rpg.passes.schema.resolve.clauses.left_alone import left_alone
 from rpg.passes.schema.resolve.clauses.leftovers import all_used
 from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.clauses.there_later import standing_there
+from rpg.passes.schema.resolve.clauses.uncovered import uncovered
 from rpg.passes.schema.resolve.orders.above_it import others_beyond
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.orders.nothing_beyond import at_that_end
@@ -61,7 +62,7 @@ _IN_OTHER_WORDS = (at_that_end, others_beyond, as_many_as_it_takes, left_alone, 
 def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with "the top block is red" said where the tower is built; sentences that say no more are gone."""
     found: list[list[tuple[str, Meaning]]] = []
-    chains = standing_there(opposite_sides(chains))
+    chains = standing_there(opposite_sides(uncovered(chains)))
     for chain in shapes_pictured(built_first(listed_inside(named_again(chains)))):
         of_all_that_follows(chain)
         kept: list[tuple[str, Meaning]] = []

@@ -7,7 +7,16 @@ from rpg.language.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Nou
 
 def left_alone(clause: Clause) -> Clause:
     """The clause, with what stands beside it told plainly."""
-    return apart_from(_not_moved(_only_moved(_nothing_else(clause))))
+    told = not_elsewhere(clause) if clause.negated else clause
+    return apart_from(_in_place(_not_moved(_only_moved(_nothing_else(told)))))
+
+
+def not_elsewhere(clause: Clause) -> Clause:
+    """ "Do not move it elsewhere", where it is denied: it stays where it is, and is not just kept from going far."""
+    if clause.verb != "place" or clause.lemma not in _MOVING:
+        return clause
+    rest = tuple(p for p in clause.adjuncts if not (isinstance(p, Loc) and p.rel == "moved" and "else" in p.mods))
+    return replace(clause, adjuncts=rest)
 
 
 def _nothing_else(clause: Clause) -> Clause:
@@ -41,6 +50,18 @@ def _not_moved(clause: Clause) -> Clause:
     if clause.negated or clause.verb not in ("be", "place", "stack"):
         return clause
     return replace(clause, adjuncts=tuple(_without_moving(part) for part in clause.adjuncts))
+
+
+def _in_place(clause: Clause) -> Clause:
+    """ "Turn the E upside down where it is": without moving it."""
+    stays = [a for a in clause.adjuncts if isinstance(a, Manner) and a.kind == "stay"]
+    if clause.verb != "turn" or clause.negated or len(stays) != 1 or len(clause.adjuncts) == 1 or clause.theme is None:
+        return clause
+    at = stays[0].span
+    whole = Pronoun(word="them" if getattr(clause.theme, "plural", isinstance(clause.theme, Coord)) else "it", span=at)
+    moves = Clause(verb="place", lemma="move", theme=whole, mode="command", span=at)
+    still = That(kind="without", clauses=Chain(clauses=(moves,), links=("and",), span=at), span=at)
+    return replace(clause, adjuncts=(*(a for a in clause.adjuncts if a is not stays[0]), still))
 
 
 def _without_moving(part: Meaning) -> Meaning:

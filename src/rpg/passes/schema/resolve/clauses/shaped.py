@@ -32,6 +32,7 @@ from rpg.passes.schema.resolve.places.relations import related
 from rpg.passes.schema.resolve.structures.boards import by_corners, by_layers
 from rpg.passes.schema.resolve.structures.figures import check_built
 from rpg.passes.schema.resolve.structures.lined_towers import line_of, lined_up
+from rpg.passes.schema.resolve.structures.on_each_patch import on_each_patch
 from rpg.passes.schema.resolve.structures.structures import make
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spoken import known_ones
@@ -42,6 +43,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """A structure as the theme ("build a tower of ..."), or what the clause is to form ("arrange in a circle")."""
     if (goals := _remade(clause, spec, scene, scope)) is not None:
         return goals
+    clause = replace(clause, theme=on_each_patch(clause.theme, spec.places, scene))
     _of_them_all(clause, spec)
     spec.usings = [using for using in spec.usings if not _first_named(using.members, clause.theme, scene)]
     if clause.lemma == "line" and not spec.intos and getattr(clause.theme, "kind", "") == "stack":

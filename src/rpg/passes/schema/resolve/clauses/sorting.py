@@ -26,6 +26,7 @@ from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.shaped import shaped
 from rpg.passes.schema.resolve.clauses.sides_told import of_told_kinds
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.orders.extremes import tells_an_end
 from rpg.passes.schema.resolve.places.mutual import reciprocal
 from rpg.passes.schema.resolve.places.patches import matching_patches
 from rpg.passes.schema.resolve.places.placing import Goals, places
@@ -59,7 +60,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
     divides = clause.lemma in DIVIDES or (clause.lemma in _SORTS and (_from_others(spec) or _opposites(clause.theme)))
     line = any(getattr(i.structure, "kind", "") in _LINED for i in spec.intos)
-    ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward
+    ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward or any(map(tells_an_end, spec.absolutes))
     if any(o.by in ("ascending", "number", "label") for o in spec.orders):  # "sort by value, descending"
         spec.orders = [o for o in spec.orders if (o.by, o.attribute) != ("attribute", "label")]
     _no_order(clause, spec, line)

@@ -9,7 +9,9 @@ from typing import TypeVar
 from rpg.core.diagnostics import Refusal
 from rpg.language.lexicon import COLOR
 from rpg.language.meaning import (
+    Absolute,
     Amount,
+    At,
     Chain,
     Clause,
     Coord,
@@ -18,6 +20,7 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     PartOf,
+    Pronoun,
     Structure,
     That,
     Traits,
@@ -70,7 +73,8 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
     if not all(isinstance(c, Clause) and c.mode == "command" and c.verb not in _BUILDING for c in clauses):
         return None
     changed = getattr(clauses[0], "verb", "") in ("reverse", "turn")
-    if any(isinstance(part, That) and not (changed and part.kind == "so") for part in parts_of(clauses)):
+    meanwhile = ("without", *(("so",) if changed else ()))
+    if any(isinstance(part, That) and part.kind not in meanwhile for part in parts_of(clauses)):
         return None  # "until there are four in the tower": what comes about is not there yet
     first = clauses[0]
     if not isinstance(first, Clause) or first.verb not in _PLACING or first.negated:
@@ -84,6 +88,9 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
         notes.append(f"how many blocks the {what} has is not said: {_USUAL}")
         whole = replace(whole, members=_blocks(whole, _USUAL), sizes=())
     there = replace(whole, det="a", amount=Amount(1, 1), traits=Traits(), sizes=())
+    if whole.kind == "stack" and (top := _taken_alone(first, clauses)) is not None:
+        there = replace(there, details=(top,))
+        notes.append("the block that is taken off is the top one: the others are not to be moved")
     spot = _source(first)
     given = Clause(verb="exist", mode="given", theme=there, adjuncts=spot, span=there.span)
     if spot:
@@ -92,6 +99,22 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
     beside = _Beside(chains, notes)
     rest = tuple(replace(chain, clauses=tuple(map(beside.told, chain.clauses))) for chain in chains)
     return ["and", *links], (Chain(clauses=(given,), links=("and",), span=there.span), *rest), tuple(notes)
+
+
+_OTHERS = frozenset({"the rest", "the others", "the other", "the other ones", "others", "everything else"})
+
+
+def _taken_alone(first: Clause, clauses: tuple[Meaning, ...]) -> Absolute | None:
+    """ "Take red off the tower and leave the rest as it is": red is on top of it, for under others it is not taken."""
+    block, words = first.theme, {part.word for part in parts_of(clauses) if isinstance(part, Pronoun)}
+    one = isinstance(block, Noun) and not block.plural and bool(block.traits.colors or block.traits.labels)
+    others = any(isinstance(part, Noun) and part.det == "other" for part in parts_of(clauses))
+    if not isinstance(block, Noun) or not one or not any(map(_is_off, first.adjuncts)):
+        return None
+    if not others and words.isdisjoint(_OTHERS):
+        return None
+    a_block = replace(block, det="a", head="block", amount=Amount(1, 1))
+    return Absolute(theme=a_block, adjuncts=(At(side="top", span=block.span),), span=block.span)
 
 
 def _source(first: Clause) -> tuple[Meaning, ...]:

@@ -26,6 +26,7 @@ from rpg.language.meaning import (
     Using,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.left_alone import not_elsewhere
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.started import taken_out
 from rpg.passes.schema.resolve.clauses.taken_apart import pile_of
@@ -124,8 +125,8 @@ def moved(theme: Ref, scene: Scene, span: Span) -> Goals:
     return [*still, spread(theme, lambda a: r.Moved(a=a, span=span), span, together=True)]
 
 
-def without(that: That, scene: Scene) -> Goals:
-    """ "without moving the red block", "without touching it"."""
+def without(that: That, scene: Scene, turned: bool = False) -> Goals:
+    """ "without moving the red block", "without touching it"; what is `turned` itself may be what is not moved."""
     goals: Goals = []
     chain = that.clauses
     for clause in chain.clauses if isinstance(chain, Chain) else ():
@@ -135,9 +136,11 @@ def without(that: That, scene: Scene) -> Goals:
         lasting = any(m.kind == "always" for m in manners)
         if any(m.kind == "time" for m in manners):
             raise refuse("ambiguous", "it is not clear when this is forbidden", that.span, "say 'without ever ...'")
+        clause = not_elsewhere(clause)
         if clause.verb in ("place", "touch", "turn", "swap", "pick") and len(clause.adjuncts) == lasting:
             before = len(scene.goals.get(scene.clause, []))
-            role = "theme" if clause.verb == "turn" else "landmark"  # what is moved anyway is not turned
+            own = clause.verb == "turn" or (turned and isinstance(clause.theme, Pronoun) and clause.theme.word in _OWN)
+            role = "theme" if own else "landmark"  # what is moved anyway is not turned
             theme = refer(_moved_theme(clause), scene, Scope(role=role))
             scene.start_goals += scene.goals.get(scene.clause, [])[before:]
             del scene.goals.get(scene.clause, [])[before:]
@@ -176,6 +179,8 @@ def _untouched(clause: Clause, theme: Ref, scene: Scene, span: Span) -> g.Goal:
 
 _LANDMARKS = frozenset({"it", "them", "this", "that", "these", "those", "both", "both of them", "either of them"})
 """Pronouns for what something is put beside, as "the others" are not."""
+_OWN = frozenset({"it", "them"})
+"""Pronouns for what is turned: "turn it without moving it"."""
 
 
 def _moved_theme(clause: Clause) -> Meaning:

@@ -145,7 +145,7 @@ def _split(ranks: tuple[tuple[str, ...], ...], at: int, name: str, scene: Scene)
         if at >= len(rank):
             at -= len(rank)
             continue
-        looks = {n: (scene.things[n].color, scene.things[n].label, scene.things[n].size) for n in {*rank, name}}
+        looks = {n: _look(scene.things[n]) for n in {*rank, name}}
         if len(set(looks.values())) == 1:
             return ranks
         if name not in rank:
@@ -156,3 +156,7 @@ def _split(ranks: tuple[tuple[str, ...], ...], at: int, name: str, scene: Scene)
         parts = (tuple(rest[:at]), (name,), tuple(rest[at:]))
         return (*ranks[:index], *(part for part in parts if part), *ranks[index + 1 :])
     return None
+
+
+def _look(thing: Thing) -> tuple[str | float | None, ...]:
+    return thing.color, thing.label, thing.size, thing.edge

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace as changed
 from typing import TYPE_CHECKING
 
+from rpg.blocks.nouns import number
 from rpg.language.later import later
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Amount, Noun, Traits, replace
@@ -17,11 +18,11 @@ if TYPE_CHECKING:
 else:
     (refer,) = later(__name__, "rpg.passes.schema.resolve.things.refer", "refer")
 
-BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller"})
-_EDGES = {2: (SMALL_EDGE, BIG_EDGE), 3: (SMALL_EDGE, MEDIUM_EDGE, BIG_EDGE)}
-"""What so many blocks measure of which no more is said than that they differ in size."""
+BY_SIZE = frozenset({"largest", "smallest", "larger", "smaller",
+                     *(f"{nth} {most}" for nth in range(2, 7) for most in ("largest", "smallest"))})  # fmt: skip
+_TOLD_APART = range(2, 7)
+"""So many blocks differ plainly in size, where no more is said than that they do."""
 _BLOCK = ("block", "name its colour")
-_MANY = {2: "two", 3: "three"}
 
 
 def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
@@ -36,11 +37,17 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if rank.endswith("er") and len(those) > 2:
         raise refuse("ambiguous", f"of more than two blocks none is the {rank} one", noun.span, "name its colour")
     if _untold(those, scene):
-        for thing, edge in zip(those, _EDGES[len(those)], strict=True):
+        edges = _edges(len(those))
+        for thing, edge in zip(those, edges, strict=True):
             thing.edge = edge
-        told = f"{', '.join(f'{edge * 100:g}' for edge in _EDGES[len(those)][:-1])} and {BIG_EDGE * 100:g} cm"
-        scene.assume(f"the sizes of the {_MANY[len(those)]} blocks are not said: {told}")
-    sized = sorted(((edge_of(t), t.name) for t in those), reverse=rank.startswith("large"))
+        told = f"{', '.join(f'{edge * 100:g}' for edge in edges[:-1])} and {BIG_EDGE * 100:g} cm"
+        scene.assume(f"the sizes of the {number(len(those))} blocks are not said: {told}")
+    sized = sorted(((edge_of(t), t.name) for t in those), reverse="large" in rank)
+    if (nth := _nth(rank)) > 1:
+        apart = len({edge for edge, _ in sized[nth - 2 : nth + 1]}) == len(sized[nth - 2 : nth + 1])
+        if nth <= len(sized) and apart and not noun.plural:
+            return Ref(names=(sized[nth - 1][1],))
+        raise refuse("no-referent", f"no block is the one that is the {rank}", noun.span, "name its colour")
     if noun.plural and noun.amount is None:
         raise refuse("ambiguous", f"it is not said how many the {rank} ones are", noun.span, "say 'the two ...'")
     many = noun.amount.low if noun.amount is not None else 1
@@ -50,18 +57,39 @@ def by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     raise refuse("no-referent", f"no {what} is the {rank}", noun.span, hint)
 
 
+_FEW = 3
+"""So many blocks there are at least, where one is the largest and no more is said."""
+
+
+def _nth(rank: str) -> int:
+    """Which one in the order of sizes: 2 for the second largest."""
+    return int(rank.split()[0]) if rank[:1].isdigit() else 1
+
+
 def _unheard_of(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
     """ "Put the biggest block on the mat", where no block was told of: as many as differ in size, and no others."""
     marks = replace(noun.traits, rank=None)
     plain = marks == Traits(colors=marks.colors) and len(marks.colors) < 2
     if not plain or scope.start or any(scene.blocks()):
         return []
-    count = min(_EDGES) if (noun.traits.rank or "").endswith("er") else max(_EDGES)
+    rank = noun.traits.rank or ""
+    least = max(_nth(rank), noun.amount.low + 1 if noun.plural and noun.amount is not None else 1)
+    count = min(_TOLD_APART) if rank.endswith("er") else max(_FEW, least)
+    if count not in _TOLD_APART:
+        return []
     lot = Noun(head="block", amount=Amount(count, count), plural=True, traits=marks, span=noun.span)
     scene.assume(f"the number of blocks is not said: {count}")
-    those = _those(replace(noun, part_of=lot), scene, scope)
-    scene.used.difference_update(thing.name for thing in those)  # "the rest on top": of these nothing was said yet
-    return those
+    return _those(replace(noun, part_of=lot), scene, scope)
+
+
+def _not_yet_told_of(those: list[Thing], used: frozenset[str], scene: Scene) -> None:
+    """ "The rest on top": of the blocks among which one is sought nothing was said by that."""
+    scene.used.difference_update({thing.name for thing in those} - used)
+
+
+def _edges(count: int) -> list[float]:
+    """What so many blocks measure: evenly from small to big."""
+    return [round(SMALL_EDGE + (BIG_EDGE - SMALL_EDGE) * n / (count - 1), 4) for n in range(count)]
 
 
 def edge_of(thing: Thing) -> float:
@@ -73,6 +101,7 @@ def _those(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
     """The blocks among which it is that one."""
     if noun.part_of is None:
         return matching(replace(noun.traits, rank=None), scene, False)
+    used = frozenset(scene.used)
     them = refer(noun.part_of, scene, changed(scope, role="part"))
     scene.mentions.pop()
     if them.patch or them.quant is not None or them.op != "and":
@@ -80,6 +109,7 @@ def _those(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:
     those = [scene.things[n] for n in them.names]
     for thing in those:
         thing.declared = True  # "the biggest of three": the others are there as well
+    _not_yet_told_of(those, used, scene)
     return those
 
 
@@ -88,4 +118,4 @@ def _untold(those: list[Thing], scene: Scene) -> bool:
     by nothing but their sizes, these are open."""
     looks = {(t.color, t.label, t.kind) for t in those}
     sized = scene.sized is not None or any(t.edge or t.size or t.elastic is not None or t.extra for t in those)
-    return len(those) in _EDGES and len(looks) == 1 and not sized
+    return len(those) in _TOLD_APART and len(looks) == 1 and not sized

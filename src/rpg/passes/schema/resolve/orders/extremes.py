@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
-from rpg.language.meaning import Absolute, At, Noun, OrderBy
+from rpg.language.meaning import Absolute, At, Noun, OrderBy, Places
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, forget_side, key
 from rpg.passes.schema.resolve.orders.positions import SIDES, Placed
 from rpg.passes.schema.resolve.things.world import Scene, refuse
+
+_EXTREMES = ("smallest", "largest")
 
 
 def sorted_from(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> list[OrderBy]:
@@ -31,6 +33,13 @@ def sorted_from(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> 
     return [found]
 
 
+def tells_an_end(item: Absolute) -> bool:
+    """ "Starting with the largest": which of them is the first one."""
+    theme, place = item.theme, item.adjuncts[0] if len(item.adjuncts) == 1 else None
+    ranked = isinstance(theme, Noun) and theme.traits.rank in _EXTREMES
+    return ranked and isinstance(place, At | Places) and (place.side, place.index) == ("first", 1)
+
+
 def _not_in_a_stack(kind: str, span: Span) -> None:
     if kind == "stack":
         raise refuse("ambiguous", "the first one may be at the bottom or on top", span, "say '... at the bottom'")
@@ -38,9 +47,12 @@ def _not_in_a_stack(kind: str, span: Span) -> None:
 
 def _order(item: Absolute, spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> OrderBy | None:
     theme, place = item.theme, item.adjuncts[0] if len(item.adjuncts) == 1 else None
-    if not isinstance(theme, Noun) or theme.traits.rank not in ("smallest", "largest") or theme.traits.colors:
+    if not isinstance(theme, Noun) or theme.traits.rank not in _EXTREMES or theme.traits.colors:
         return None
-    if not isinstance(place, At) or (place.side, place.index) not in [("first", 1), *((s, None) for s in SIDES[kind])]:
+    if isinstance(place, Places) and (place.unit, place.several, place.of) != ("block", None, None):
+        return None
+    ends = [("first", 1), *((side, None) for side in SIDES[kind])]
+    if not isinstance(place, At | Places) or (place.side, place.index) not in ends:
         return None
     kinds = {scene.things[n].kind for n in names}
     if theme.traits.kind == "letter" or "letter" in kinds:

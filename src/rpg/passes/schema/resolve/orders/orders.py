@@ -18,6 +18,7 @@ from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.orders.positions import SIDES, Placed, belongs, doubled, positions
 from rpg.passes.schema.resolve.orders.reading import reading_begins
 from rpg.passes.schema.resolve.orders.runs import painted
+from rpg.passes.schema.resolve.orders.way_told import way_told
 from rpg.passes.schema.resolve.things.items import by_look, claimed, claims
 from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse
 
@@ -39,7 +40,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
     check_which_sorted(spec.orders)
     told_by_ends = [*sorted_from(spec, names, kind, scene), *last_first(spec, names, scene)]
-    spec.orders += told_by_ends
+    spec.orders = way_told([*spec.orders, *told_by_ends], names, scene)
     pointed = [o for o in spec.orders if o.first in sides and o.by in _FROM_AN_END]
     first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides and o not in pointed), None)
     wrong: Toward | OrderBy | None = next((t for t in spec.toward if t.first and t.first not in sides), None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, At, Noun, Traits, replace
+from rpg.passes.schema.resolve.orders.at_an_end import several_at_an_end
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
 from rpg.passes.schema.resolve.orders.by_value import HIGHEST, by_value, highest
 from rpg.passes.schema.resolve.orders.in_grids import CELLS
@@ -35,6 +36,9 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return _outer(noun, scene)
     if (left := _left_of_so_many(noun, rank, scene)) is not None:
         return left
+    ends = several_at_an_end(noun, _wholes(scene), scene, lambda one: ranked(one, scene, scope))
+    if ends is not None:
+        return ends
     there = () if noun.head == "patch" else _candidates(noun, rank, scene)
     if len(set(there)) > 1:
         raise refuse("ambiguous", "this could be a block of several structures", noun.span, "name its colour or label")
@@ -232,6 +236,8 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     if index is not None and not -1 <= index <= len(built.members):
         return None
     if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
+        if built.kind == "stack" and side == "top" and index is None:
+            return Ref(names=built.members[-1:], span=noun.span)  # whichever is moved, it was on top
         raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start",
                      noun.span, "give them colours, or say what is where at the end")  # fmt: skip
     if there and (index is not None or side not in _ENDS):

@@ -10,7 +10,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import atoms, children, names, rebuild
-from rpg.language.meaning import Loc
+from rpg.language.meaning import Loc, TableTop
 from rpg.passes.schema.resolve.goals.conflicts import undoes
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.operands import base_of, foot, spread
@@ -32,6 +32,8 @@ def on_the_table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
             loc.span,
             "say 'the near half of the table' or 'the far half of the table'",
         )
+    if isinstance(loc.landmark, TableTop) and loc.landmark.bare and not (loc.negated or scene.denying):
+        scene.on_bare.update(theme.names)
     rows = len(theme.built) > 1 and all(built.kind in ("row", "line", "column") for built in theme.built)
     if theme.patch:
         return g.All(goals=())
@@ -58,6 +60,9 @@ def off_their_patches(goal: g.Goal, scene: Scene) -> g.Goal:
     """The goal, in which what is put on the table is on no patch on which it was: there it lay on the table as well."""
     before: Marks = defaultdict(dict)
     _note(scene.start_goals, before)
+    patches = [thing.name for thing in scene.things.values() if thing.patch]
+    for name in scene.on_bare if patches else ():
+        before[name].update(dict.fromkeys(patches))
     return _off(goal, before, ()) if before or any(isinstance(x, g.Sequence) for x in (goal, *children(goal))) else goal
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.ir.node import EACH
+from rpg.ir.node import EACH, Operand
 from rpg.language.meaning import Amount, In, Meaning, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.places.patches import indefinite, one_lot_each
@@ -101,20 +101,35 @@ _PAIRS = {
 def _opposite_corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     """ "red in the far left corner and blue in the opposite one"; "red and blue in opposite corners": any two such."""
     if meaning.region == "opposite_corner":
+        if (other := _in_a_corner(theme, scene)) is not None and not (meaning.negated or scene.denying):
+            return [_across(other, theme.names, "opposite_corners", span)]
         if scene.region not in _DIAGONAL:
             raise refuse("no-referent", "it is not said which corner the opposite one is", meaning.span,
-                         "say 'the far left corner'")  # fmt: skip
+                         "say which one, or 'put the red and the blue cube in opposite corners'")  # fmt: skip
         where = _DIAGONAL[scene.region]
         return [spread(theme, lambda a: r.InRegion(a=a, region=where, span=span), span, together=True)]  # type: ignore[arg-type]
     units = [part.names for part in theme.parts] or [(name,) for name in theme.names]
     if len(units) != 2 or theme.quant is not None or theme.op != "and" or meaning.negated or scene.denying:
         what = meaning.region.replace("_", " ")
         raise refuse("ambiguous", f"two things can be in {what}", span, "name two blocks")
+    return [_across(units[0], units[1], meaning.region, span)]
+
+
+def _across(one: tuple[str, ...], other: tuple[str, ...], regions: str, span: Span) -> g.Goal:
+    """Each in one of two regions that are opposite each other."""
     ways = [
-        conj([r.InRegion(a=units[0], region=one, span=span), r.InRegion(a=units[1], region=other, span=span)], span)  # type: ignore[arg-type]
-        for one, other in _PAIRS[meaning.region].items()
+        conj([r.InRegion(a=one, region=here, span=span), r.InRegion(a=other, region=there, span=span)], span)  # type: ignore[arg-type]
+        for here, there in _PAIRS[regions].items()
     ]
-    return [disj(ways, span)]
+    return disj(ways, span)
+
+
+def _in_a_corner(theme: Ref, scene: Scene) -> tuple[str, ...] | None:
+    """ "Red in a corner and blue in the opposite corner": the block in a corner of which it is not said which."""
+    last = next((m.ref for m in reversed(scene.mentions) if not m.ref.patch and m.ref.names != theme.names), None)
+    single = last is not None and len(last.names) == 1 and last.quant is None and last.op == "and"
+    plain = len(theme.names) == 1 and theme.quant is None and theme.op == "and"
+    return last.names if scene.region == "corner" and single and plain and last is not None else None
 
 
 _OPPOSITE = _PAIRS["opposite_halves"]
@@ -144,3 +159,12 @@ def _on_a_patch(theme: Ref, scene: Scene) -> bool:
     """Whether the blocks were put on a patch by a clause before."""
     patched = {m.clause for m in scene.mentions if m.ref.patch and m.rel in ("on", "in") and m.clause < scene.clause}
     return any(m.clause in patched and m.role == "theme" and {*theme.names} <= {*m.ref.names} for m in scene.mentions)
+
+
+def in_region(theme: Ref, region: str, span: Span) -> g.Goal:
+    """What is spoken of lies in a part of the table."""
+
+    def one(a: Operand) -> g.Goal:
+        return r.InRegion(a=a, region=region, span=span)  # type: ignore[arg-type]
+
+    return spread(theme, one, span, together=True)

@@ -45,9 +45,10 @@ def patch_by_size(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         scene.assume(f"the sizes of the {_MANY[len(those)]} patches are not said: {told}")
     for thing in those:
         thing.declared = True  # "the biggest of three": the others are there as well
-    sizes = sorted({_area(t) for t in those}, reverse=rank.startswith("large"))
-    found = [t for t in those if _area(t) == sizes[0]]
-    if len(sizes) < 2 or len(found) > 1:
+    sizes = sorted({_area(t) for t in those}, reverse="large" in rank)
+    nth = int(rank.split()[0]) if rank[:1].isdigit() else 1
+    found = [t for t in those if _area(t) == sizes[nth - 1]] if nth <= len(sizes) else []
+    if len(sizes) < 2 or len(found) != 1 or (nth > 1 and len(sizes) != len(those)):
         raise refuse("no-referent", f"no patch is said to be the {rank}", noun.span,
                      "say how large the patches are, as in 'a small red patch and a large blue patch', or name its "
                      "colour")  # fmt: skip

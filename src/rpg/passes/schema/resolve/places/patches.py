@@ -7,7 +7,7 @@ from itertools import permutations
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.ir.node import EACH
+from rpg.ir.node import EACH, members
 from rpg.ir.schema import COLORS_UNSAID
 from rpg.language.meaning import Amount, Loc, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
@@ -216,6 +216,7 @@ def one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
                 continue
             new = scene.fresh(color=like.color, kind=like.kind, size=like.size, edge=like.edge, scheme=like.scheme)
             new.batch = like.batch
+            scene.used.add(new.name)
             more.append(new.name)
         made.append(tuple(more))
     for mention in (m for m in scene.mentions if m.clause == scene.clause and m.ref.names == theme.names):
@@ -264,6 +265,15 @@ def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
         members = tuple(b.name for b in blocks if b.color == color)
         goals.append(r.OnPatch(a=members, patch=patch.name, span=span))
     return goals
+
+
+def none_matching(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
+    """ "no block on the patch of its colour": there is one of every colour, and none of the blocks is on its own."""
+    if not theme.names:
+        raise refuse("no-referent", "it is not said which blocks there are", span, "say first which blocks there are")
+    there = matching_patches(replace(theme, quant=None), mark, scene, span)
+    own = [(n, x) for x in there if isinstance(x, r.OnPatch) for n in members(x.a)]
+    return [g.Not(goal=x.model_copy(update={"a": (n,)}), span=span) for n, x in own]
 
 
 def any_of_the_rest(mark: Ref, loc: Loc) -> Ref:
@@ -344,6 +354,8 @@ def dealt(units: list[tuple[str, ...]], patches: tuple[str, ...], span: Span) ->
         counted = [_so_many(names, p, least, 1, span) for p in patches]
         placed = [disj([r.OnPatch(a=(n,), patch=p, span=span) for p in patches], span) for n in names]
         return conj(counted if least else [*placed, *counted], span)
+    if len(patches) > MAX_SHARED and len(units) == len(patches):  # one on each, so that each is on one
+        return conj([disj([r.OnPatch(a=u, patch=p, span=span) for u in units], span) for p in patches], span)
     if len(patches) > MAX_SHARED:
         raise refuse("ambiguous", "it is not said which go on which patch", span, "name the patch of each")
     ways = permutations(patches, len(units))

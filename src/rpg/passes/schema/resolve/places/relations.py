@@ -18,7 +18,7 @@ from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.compared import compared as compared_far
-from rpg.passes.schema.resolve.places.corners import corners, of_something_else, the_other_half
+from rpg.passes.schema.resolve.places.corners import corners, in_region, of_something_else, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
 from rpg.passes.schema.resolve.places.moved import off_what, put_there, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
@@ -36,6 +36,7 @@ from rpg.passes.schema.resolve.places.patches import (
     indefinite,
     like_the_last,
     matching_patches,
+    none_matching,
     on_patches,
     on_separate_patches,
     one_lot_each,
@@ -91,7 +92,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
         case In():
             scene.region, scene.region_at = meaning.region, meaning.span[0]
             scene.regions[scene.clause] = meaning.region
-            return [negate(_region(theme, meaning.region, span), meaning.negated, span)]
+            return [negate(in_region(theme, meaning.region, span), meaning.negated, span)]
         case Coord():
             if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:
                 return [x for n in theme.names for x in place(Ref(names=(n,)), meaning, scene, scope, span)]
@@ -127,13 +128,6 @@ def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span:
     goal = conj(place(theme, meaning, scene, scope, span), span)
     towers.after(scene, start=False, denied=True)
     return goal
-
-
-def _region(theme: Ref, region: str, span: Span) -> g.Goal:
-    def one(a: Operand) -> g.Goal:
-        return r.InRegion(a=a, region=region, span=span)  # type: ignore[arg-type]
-
-    return spread(theme, one, span, together=True)
 
 
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
@@ -228,6 +222,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [x for one, other in shared for x in related(one, other, loc, scene, span)]
     if loc.rel in ("between", "sandwiched", "flank"):
         return [(flanked if loc.rel == "flank" else between)(theme, mark, loc, scene, span)]
+    if mark.matching and theme.quant is not None and theme.quant.high == 0:
+        return none_matching(theme, mark, scene, span)
     if (
         theme.quant is not None
         and theme.quant.high == 0

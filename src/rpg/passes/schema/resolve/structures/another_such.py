@@ -22,6 +22,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.structures.each_placed import each_placed
+from rpg.passes.schema.resolve.structures.of_its_own import of_its_own
 from rpg.passes.schema.resolve.things.counted import put
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -32,6 +33,7 @@ def another_such(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """The sentences with each of them told in full."""
     if sum(isinstance(part, Structure) for chain in chains for part in parts_of(chain)) > 1:
         chains = _of_such_blocks(chains)
+    chains = of_its_own(chains)
     return each_placed(tuple(_with_others(_on_both_sides(chain)) for chain in chains))
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from rpg.language.meaning import (
     Absolute,
+    Amount,
     Chain,
     Clause,
     Coord,
@@ -33,6 +34,7 @@ def each_placed(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         for n, said in enumerate(clauses):
             if not isinstance(said, Clause):
                 continue
+            clauses[n] = said = _one_on_each(said)
             if many := _several(said):
                 towers = many
                 clauses[n] = said = _with_places(said, many)
@@ -45,6 +47,28 @@ def each_placed(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
                 ]
         found.append(replace(chain, clauses=tuple(clauses)))
     return tuple(found)
+
+
+def _one_on_each(said: Clause) -> Clause:
+    """ "Build two towers of two, one on each patch": it is the towers that are on the patches."""
+    items = said.theme.items if isinstance(said.theme, Coord) and said.theme.op == "and" else ()
+    marks = [x.landmark for x in said.adjuncts if isinstance(x, Loc) and x.rel == "on" and not x.negated]
+    each = any(isinstance(mark, Noun) and mark.head == "patch" and mark.det == "each" for mark in marks)
+    if not each or len(items) != 2 or _word(items[1]) != "one":
+        return said
+    towers = items[0]
+    if not isinstance(towers, Structure) or not towers.plural or towers.amount is None:
+        return said
+    return replace(said, theme=towers, adjuncts=tuple(_of_as_many(x, towers.amount) for x in said.adjuncts))
+
+
+def _of_as_many(place: Meaning, amount: Amount) -> Meaning:
+    """ "Each patch" where no more is said of the patches: there are as many as towers."""
+    mark = place.landmark if isinstance(place, Loc) else None
+    if not isinstance(place, Loc) or not isinstance(mark, Noun) or mark.part_of or mark.traits != Traits():
+        return place
+    those = Noun(head=mark.head, det="the", amount=amount, plural=True, span=mark.span)
+    return replace(place, landmark=replace(mark, plural=True, part_of=those))
 
 
 def _several(said: Clause) -> Structure | None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.blocks.figures import FEWEST, NATURAL, takes
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Manner, Noun, Structure
+from rpg.language.meaning import At, Manner, Noun, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
@@ -39,7 +39,7 @@ def _bare(shape: Structure) -> bool:
 def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Outlines, filled figures and letter shapes on the table."""
     plain(shape)
-    shape = with_length(shape, spec)
+    shape = with_length(_wide_and_long(shape), spec)
     if shape.kind == "square" and theme is None and _bare(shape) and any(b.kind == "grid" for b in scene.built):
         raise refuse("ambiguous", "this could be a place of the grid, or a figure of its own", shape.span,
                      "say 'the block', or of how many blocks the square is built")  # fmt: skip
@@ -114,6 +114,16 @@ def _fitting(node: s.Figure, shape: Structure, scene: Scene) -> s.Figure:
     near = sorted((n for n in range(3, 31) if takes(node, n)), key=lambda n: (abs(n - count), n))[:2]
     use = " or ".join(str(n) for n in sorted(near)) or "another number of blocks"
     raise refuse("count-mismatch", f"{count} blocks do not make a {shape.kind}", shape.span, f"use {use}", blocks=count)
+
+
+def _wide_and_long(shape: Structure) -> Structure:
+    """ "A rectangle two wide and three long" has these two sides; which way its length goes is not said."""
+    wide, long_ = shape.extent("wide"), shape.extent("long")
+    sides = [size for size in shape.sizes if size.what in ("wide", "long", "deep", "rows", "columns")]
+    if shape.kind != "rectangle" or shape.dims or not wide or not long_ or len(sides) != 2:
+        return shape
+    rest = tuple(size for size in shape.sizes if size not in sides)
+    return replace(shape, dims=(wide, long_), sizes=rest)
 
 
 def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:

@@ -25,6 +25,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import wanted
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.on_each_patch import stacked_on_each
 
 _LISTS = ("tally", "stock")
 """What a clause is called that lists what there is."""
@@ -94,6 +95,7 @@ def _listed(begun: Meaning, tally: Meaning) -> Clause | None:
 
 def heaped_up(clause: Clause, spec: Spec) -> Clause:
     """ "The blocks start heaped up": in a heap, for nothing is said of what lies on what."""
+    clause = stacked_on_each(clause, spec)
     told = spec.places or spec.intos or spec.orders or spec.toward or spec.ats or spec.absolutes
     if clause.verb != "stack" or clause.lemma not in ("heap", "pile") or clause.mode != "start" or told:
         return clause

@@ -65,7 +65,11 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
 def _own_patches(spec: Spec) -> bool:
     """ "Three stacks of two, each on its own patch": each of them is somewhere else."""
     marks = [p.landmark for p in spec.places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
-    return any(isinstance(m, Noun) and m.traits.scheme == "different" and not m.traits.colors for m in marks)
+    return any(isinstance(m, Noun) and (m.det == "each" or _own(m)) and m.head == "patch" for m in marks)
+
+
+def _own(mark: Noun) -> bool:
+    return mark.traits.scheme == "different" and not mark.traits.colors
 
 
 def _to_each_other(spec: Spec) -> bool:
@@ -147,6 +151,8 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     members = [n for b in built for n in b.members]
     if (unequal := own.manner("unequal")) is not None and len({len(b.members) for b in built}) < count:
         raise refuse("contradiction", f"these {shape.kind}s are not told to differ so", unequal.span, "leave it out")
+    if (equal := own.manner("equal")) is not None and len({len(b.members) for b in built}) > 1:
+        raise refuse("contradiction", f"these {shape.kind}s are not equally long", equal.span, "leave it out")
     if len(set(members)) < len(members):
         raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
                      f"say how many blocks each {shape.kind} has")  # fmt: skip
@@ -304,6 +310,8 @@ def _unsized(members: Meaning) -> bool:
 def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], scene: Scene) -> tuple[str, ...]:
     """A colour of its own for each, where nothing is said of the blocks' looks."""
     members = shape.members
+    if isinstance(members, Coord):
+        return ()  # "three towers of a big and a small cube"
     said = members.traits if isinstance(members, Noun) else Traits()
     plain = (
         replace(said, scheme=None) == Traits() and shape.traits == Traits() and (members is None or said == Traits())

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace as changed
 
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
 
 Look = Noun | Coord | Structure | None
 """What is said of one of several structures."""
@@ -47,10 +48,12 @@ def lots_of(theme: Ref | None, count: int, shape: Structure, scene: Scene) -> li
             raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
                          f"say 'a {shape.kind} of ... and a {shape.kind} of ...'")  # fmt: skip
         return list(theme.parts)
+    if shape.kind in _LINES and all(_open(scene.things[n]) for n in theme.names):
+        theme = changed(theme, names=scene.fit(theme.names, _LENGTH * count))
     things = [scene.things[n] for n in theme.names]
     share, left = divmod(len(things), count)
     same = len({(t.color, t.label, t.kind, t.size) for t in things}) == 1 and theme.quant is None and not left
-    if same and share > 1 and not any(t.elastic for t in things):
+    if same and share > 1 and (shape.kind in _LINES or not any(t.elastic for t in things)):
         for thing in things:
             thing.scheme = thing.scheme or "same"
         return [Ref(names=theme.names[k * share : (k + 1) * share], span=theme.span) for k in range(count)]
@@ -58,6 +61,16 @@ def lots_of(theme: Ref | None, count: int, shape: Structure, scene: Scene) -> li
         "ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
         f"say how many blocks each {shape.kind} has",
     )  # fmt: skip
+
+
+_LINES = ("row", "line", "column")
+_LENGTH = 3
+"""So many blocks each line has, where nothing is said of them but that they stand in several lines."""
+
+
+def _open(thing: Thing) -> bool:
+    """A block that shows nothing, and of which no number is said."""
+    return thing.elastic is not None and not (thing.label or thing.kind)
 
 
 def in_turn(told: Meaning) -> Meaning:

@@ -234,7 +234,8 @@ def _given(
         count = len(colors)
     elif count is not None:
         names = scene.fit(names, max(len(names), count * (per or DEFAULT_HEIGHT)))
-    elif per is not None:  # "six blocks into towers of three"
+    elif per is not None:  # "six blocks into towers of three"; where it is open how many, into two of these
+        names = scene.fit(names, max(len(names), 2 * per))
         count = max(2, round(len(names) / per))
     if count is not None and (len(names) < 2 * count or (per is not None and per * count != len(names))):
         needed = per * count if per is not None else 2 * count

@@ -119,9 +119,10 @@ def _paint_blocks(open_: list[Thing], scene: Scene) -> None:
         batches = {0: open_}
         open_[0].scheme = "same"
     for batch in batches.values():
-        palette = [c for c in BLOCK_COLORS if c not in taken]
+        barred = frozenset[str]().union(*(thing.barred for thing in batch))
+        palette = [c for c in BLOCK_COLORS if c not in taken and c not in barred]
         if batch[0].scheme == "same":
-            color = palette[0] if palette else BLOCK_COLORS[0]
+            color = next(iter([*palette, *(c for c in BLOCK_COLORS if c not in barred)]), BLOCK_COLORS[0])
             for thing in batch:
                 thing.color = color
             taken.append(color)
@@ -136,7 +137,7 @@ def _paint_blocks(open_: list[Thing], scene: Scene) -> None:
                 asked=len(batch),
                 there=len(BLOCK_COLORS),
             )
-        palette = palette or list(BLOCK_COLORS)
+        palette = palette or [c for c in BLOCK_COLORS if c not in barred] or list(BLOCK_COLORS)
         for index, thing in enumerate(batch):
             thing.color = palette[index % len(palette)]
             taken.append(thing.color)

@@ -8,8 +8,8 @@ from rpg.language.later import later
 from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.off_it import check_off_it
-from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.others_open import made_up
+from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone
 from rpg.passes.schema.resolve.things.them import them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
@@ -150,7 +150,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return again[-1].ref
     rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
     if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
-        return _parallel(word, list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
+        return parallel(word, list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
     return _built_there(word, list(rivals.values()), scene, scope) or single[-1].ref
 
 
@@ -162,7 +162,7 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
     """
     last = max((m.ref.span for m in rivals), default=(0, 0))
     fronted = next((m for m in rivals if m.ref.built and m.role == "landmark" and m.ref.span < last), None)
-    if fronted is not None and not {fronted.rel, scope.rel} <= set().union(*_ACROSS):
+    if fronted is not None and not {fronted.rel, scope.rel} <= set().union(*ACROSS):
         return _decide(word, scene, rivals)
     built = [m for m in rivals if m.ref.built and m.role == "theme"]
     marks = [m for m in rivals if m.role == "landmark"]
@@ -171,36 +171,6 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
     if all(m.ref.patch for m in marks) and scope.rel.removeprefix("not ") not in ("on", "in", "off", ""):
         return built[0].ref
     return _decide(word, scene, rivals)
-
-
-def _parallel(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
-    """What "it" is where the clause before says something of just that kind; None where nothing settles it.
-
-    "Brown goes left of it and black right of it" is one thing in one sentence. "Red must be on the patch, and blue must
-    not be on it", "a red block left of the patch and a blue one right of it": of the patch again. "To the left of red
-    put blue; to its right green": of what came first in the sentence.
-    """
-    marks = [m for m in rivals if m.role == "landmark"]
-    if len(marks) != 1 or not scope.rel:
-        return None
-    before, again = marks[0].rel, scope.rel
-    kept_off = before in ("on", "in") and again in ("not on", "not in", "not above", "off")
-    kept_off = kept_off or (before in ("off", "not on", "not in") and again in ("on", "in"))
-    if marks[0].ref.patch and kept_off:
-        return marks[0].ref
-    others = [m for m in rivals if m is not marks[0]]
-    first = all(marks[0].ref.span < m.ref.span for m in others) and not any(
-        m.ref.span < word.span for m in scene.mentions if m.clause == scene.clause and m.role == "theme"
-    )
-    if first and {before, again} in _ACROSS:
-        return marks[0].ref
-    if marks[0].sentence != scene.sentence:
-        return None
-    same = marks[0].word == "it" and before in DIRECTIONS and again in DIRECTIONS
-    return marks[0].ref if same or (marks[0].ref.patch and {before, again} in _ACROSS) else None
-
-
-_ACROSS = ({"left", "right"}, {"front", "behind"})
 
 
 def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
@@ -318,11 +288,11 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
         left = more
     elif noun.det == "another" or not left:
-        second = patch and noun.det == "other" and not noun.plural and one_alone(noun, scene)
+        second = noun.det == "other" and not noun.plural and one_alone(noun, scene, patch)
         if noun.det == "other" and not left and not noun.traits.colors and not second:
             known = any(t.declared for t in scene.things.values())
             told = "every block is spoken for already" if known else "it is not said which other block"
-            raise refuse("no-referent", told, noun.span, "name the block, or add one")
+            raise refuse("no-referent", told, noun.span, "say how many there are: 'there are five red blocks'")
         _some_other(noun, count, scene, patch)
         scene.new_batch()
         made = [create(noun.traits, scene, patch) for _ in range(count or (2 if noun.plural else 1))]

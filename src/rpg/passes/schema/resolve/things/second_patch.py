@@ -1,4 +1,5 @@
-""" "Red on one patch, blue on the other one": of the one nothing is told that would tell it apart."""
+""" "Red on one patch, blue on the other one", "one block on the other": of the one nothing is told that would tell it
+apart."""
 
 from __future__ import annotations
 
@@ -7,7 +8,9 @@ from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Scene
 
 
-def one_alone(noun: Noun, scene: Scene) -> bool:
-    """Whether one patch has been spoken of, so that "the other one" is a second."""
-    there = matching(noun.traits, scene, True)
-    return noun.traits == Traits() and len(there) == 1 and there[0].color is None and not there[0].declared
+def one_alone(noun: Noun, scene: Scene, patch: bool) -> bool:
+    """Whether one patch, or one block, has been spoken of, so that "the other one" is a second."""
+    there = matching(noun.traits, scene, patch)
+    if noun.traits != Traits() or len(there) != 1 or there[0].color is not None or there[0].declared:
+        return False
+    return patch or not (there[0].label or there[0].kind or there[0].edge or there[0].size)

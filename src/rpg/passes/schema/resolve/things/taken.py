@@ -22,7 +22,10 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.among_all import among_all
 from rpg.passes.schema.resolve.structures.another_such import another_such
 from rpg.passes.schema.resolve.structures.by_looks import by_looks
+from rpg.passes.schema.resolve.structures.capped import capped
+from rpg.passes.schema.resolve.structures.stacked_groups import stacked_groups
 from rpg.passes.schema.resolve.things.lots_open import lots_open
+from rpg.passes.schema.resolve.things.named_behind import named_behind
 from rpg.passes.schema.resolve.things.others_open import others_left_open
 from rpg.passes.schema.resolve.things.shared_out import shared_out
 from rpg.passes.schema.resolve.things.spare import left_out_first, without_spare
@@ -34,13 +37,13 @@ _TAKES = frozenset({"pick", "use"})
 def all_plainly(chains: tuple[Chain, ...], scene: Scene) -> tuple[Chain, ...]:
     """The sentences with such clauses, with every structure told in full, and every lot counted."""
     scene.others_open = others_left_open(chains)
-    chains = among_all(lots_open(shared_out(chains, scene), scene))
+    chains = among_all(lots_open(shared_out(named_behind(chains, scene), scene), scene))
     return another_such(tuple(left_out_first(without_spare(plainly(chain))) for chain in chains))
 
 
 def plainly(chain: Chain) -> Chain:
     """The sentence with such clauses."""
-    return by_looks(_another(_taken(_listed_apart(_no_block(chain)))))
+    return by_looks(_another(_taken(_listed_apart(_no_block(stacked_groups(capped(chain)))))))
 
 
 def _no_block(chain: Chain) -> Chain:

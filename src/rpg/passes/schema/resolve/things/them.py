@@ -42,6 +42,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             continue  # "to the right of them put green on yellow" is not of these two
         if word.word in _THEY and scope.role == "theme" and _beside_blocks(mention, scene):
             continue
+        if _left_behind(mention, scene):
+            continue
         if len(mention.ref.names) > 1 and not _idle(mention, scene):
             ref = mention.ref
             if word.word in ("both", "both of them") and len(ref.names) != 2:
@@ -78,6 +80,14 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
+
+
+def _left_behind(mention: Mention, scene: Scene) -> bool:
+    """ "Take red and blue off the tower and put them on the mat": not the tower that several were taken off."""
+    if mention.role != "landmark" or mention.rel != "off":
+        return False
+    themes = [m for m in scene.mentions if m.clause == mention.clause and m.role == "theme"]
+    return any(len(m.ref.names) > 1 for m in themes)
 
 
 def _not_alone(word: Pronoun, names: list[str]) -> None:

@@ -20,7 +20,7 @@ BEYOND = 4 * MAX_BLOCKS
 class Thing:
     """A block or a patch while the instruction is read; what is not said yet is None.
 
-    `open`: the symbols that it may show, where which one was left open.
+    `open`: the symbols that it may show, where which one was left open. `barred`: colours that it is said not to have.
     """
 
     name: str
@@ -43,6 +43,7 @@ class Thing:
     elastic: str | None = None
     invented: bool = False
     open: str = ""
+    barred: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -185,6 +186,7 @@ class Scene:
     told: set[str] = field(default_factory=set)
     on_top: dict[str, str] = field(default_factory=dict)
     begun_on: set[str] = field(default_factory=set)
+    on_bare: set[str] = field(default_factory=set)
     placing: bool = False
     denying: bool = False
     describing: bool = False

@@ -1,0 +1,142 @@
+"""Names with what they are right behind them: "put the green cube on the lava (the red patch)", "the grass, that is the
+green patch", "the patches are plates".
+
+A name means nothing here: the thing stands in its place, there and wherever the name stands again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rpg.language import lexicon
+from rpg.language.nicknames import again, definite, said, strange, thing_at
+from rpg.language.tokens import Token
+
+_IS = (("that", "is"), ("which", "is"), ("meaning",), ("namely",), ("i", "mean"))
+_CALLED = (("called",), ("alias",), ("also", "called"), ("aka",), ("=",), ("that", "is"), ("or",))
+_ARTICLES = frozenset({"the", "a", "an", "my", "our", "your"})
+_BEFORE = frozenset({".", ",", ";", ":", "!", "?", "and"})
+_CLOSED = frozenset({",", ".", ";", "!", "?", ")"})
+_MEANS = {True: "is", False: "stands for"}
+_KINDS = {**lexicon.BLOCK, **lexicon.PATCH}
+
+
+@dataclass(frozen=True)
+class _Gloss:
+    """Where a gloss stands; the name in it; and what it is, as it is to be said there and wherever it is named."""
+
+    begin: int
+    end: int
+    name: list[str]
+    here: list[Token]
+    thing: list[Token]
+
+
+def without_glosses(tokens: list[Token]) -> tuple[list[Token], list[str]]:
+    """The tokens with the things themselves for names that are told what they are, and notes of these."""
+    found: list[_Gloss] = []
+    at = 0
+    while at < len(tokens):
+        gloss = next(_glossed(tokens, at), None)
+        found += [gloss] if gloss is not None else []
+        at = gloss.end if gloss is not None else at + 1
+    names = [(gloss.name, gloss.thing) for gloss in found] + [x for gloss in found for x in _several(gloss)]
+    out: list[Token] = []
+    at = 0
+    for gloss in found:
+        out += [*again(tokens[at : gloss.begin], names), *gloss.here]
+        at = gloss.end
+    notes = [f"'{' '.join(gloss.name)}' {_MEANS[len(gloss.thing) > 1]} {said(gloss.thing)}" for gloss in found]
+    return ([*out, *again(tokens[at:], names)], notes) if found else (tokens, [])
+
+
+def _glossed(tokens: list[Token], at: int) -> Iterator[_Gloss]:
+    """A gloss that begins here."""
+    words = [token.word for token in tokens]
+    yield from _kind(tokens, words, at)
+    yield from _named_first(tokens, words, at)
+    yield from _name_is(tokens, words, at)
+    thing = thing_at(words, at)
+    if thing > at and words[thing : thing + 1] == ["("]:
+        name = _past(words, thing + 1, _CALLED)
+        name += words[name : name + 1] != [] and words[name] in _ARTICLES
+        end = _name(tokens, name)
+        if end > name and words[end : end + 1] == [")"] and _elsewhere(words, name, end):
+            yield _Gloss(at, end + 1, words[name:end], tokens[at:thing], definite(tokens[at:thing]))
+
+
+def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
+    """ "the lava (the red patch)", "the grass, that is the green patch," """
+    name = at + (words[at] in _ARTICLES)
+    end = _name(tokens, name)
+    mark = words[end] if name < end < len(words) else ""
+    begin = _past(words, end + 1, _IS) if mark in ("(", ",") else 0
+    if not begin or (mark == "," and begin == end + 1):
+        return
+    thing = thing_at(words, begin)
+    closed = words[thing : thing + 1] == [")"] if mark == "(" else thing == len(words) or words[thing] in _CLOSED
+    if thing > begin and closed:
+        told = definite(tokens[begin:thing])
+        last = thing + (mark == "(" or words[thing : thing + 1] == [","])
+        yield _Gloss(at, last, words[name:end], told, told)
+
+
+def _name_is(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
+    """ "the queen is the red cube": there is such a cube, where the queen is spoken of again."""
+    name = at + (words[at] in _ARTICLES)
+    end = _name(tokens, name) if at == 0 or words[at - 1] in _BEFORE else name
+    thing = thing_at(words, end + 1) if end > name and words[end : end + 1] == ["is"] else 0
+    if thing > end + 1 and _elsewhere(words, name, end) and (thing == len(words) or words[thing] in _CLOSED | {"and"}):
+        told = definite(tokens[end + 1 : thing])
+        there = [tokens[at].saying(word) for word in ("there", "is", "a")]
+        yield _Gloss(at, thing, words[name:end], [*there, *told[1:]], told)
+
+
+def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
+    """ "each patch is a plate", "the cubes are people": what all of a kind are called."""
+    begins = at == 0 or words[at - 1] in _BEFORE
+    noun = at + (words[at] in ("each", "every", "the", "all"))
+    noun += words[noun - 1 : noun + 1] == ["all", "the"]
+    many = noun if words[noun : noun + 1] != [] and words[noun] in lexicon.NUMBER else None
+    noun += many is not None
+    plural = _KINDS.get(words[noun]) if begins and noun < len(words) else None
+    if plural is None or not (plural or words[at] in ("each", "every")):
+        return
+    name = noun + 2 + (words[noun + 2 : noun + 3] != [] and words[noun + 2] in _ARTICLES)
+    end = _name(tokens, name) if words[noun + 1 : noun + 2] == ["are" if plural else "is"] else name
+    if end == name + 1 and (end == len(words) or words[end] in _CLOSED) and _elsewhere(words, name, end, plural):
+        end += words[end : end + 1] != []
+        there = [tokens[at].saying(word) for word in ("there", "are")]
+        here = [*there, tokens[many], tokens[noun], tokens[noun].saying(".")] if many is not None else []
+        yield _Gloss(at, end, words[name : name + 1], here, [tokens[noun]])
+
+
+def _several(gloss: _Gloss) -> Iterator[tuple[list[str], list[Token]]]:
+    """One of a kind for several, and the other way round."""
+    noun = gloss.thing[-1]
+    if len(gloss.thing) != 1:
+        return
+    one = next(x for x in _KINDS if not _KINDS[x] and noun.word in (x, lexicon.plural_of(x)))
+    name = gloss.name[0].removesuffix("s") if _KINDS[noun.word] else lexicon.plural_of(gloss.name[0])
+    yield [name], [noun.saying(one if _KINDS[noun.word] else lexicon.plural_of(one))]
+
+
+def _name(tokens: list[Token], at: int) -> int:
+    """The position behind one or two words that mean nothing here; `at` where none stand there."""
+    end = at
+    while end < len(tokens) and end < at + 2 and strange(tokens[end]):
+        end += 1
+    return end
+
+
+def _elsewhere(words: list[str], name: int, end: int, plural: bool = False) -> bool:
+    """Whether a name stands again."""
+    forms = [words[name:end], [*words[name : end - 1], lexicon.plural_of(words[end - 1])]]
+    forms += [[*words[name : end - 1], words[end - 1].removesuffix("s")]] if plural else []
+    return any(words[n : n + end - name] in forms for n in range(len(words)) if not name <= n < end)
+
+
+def _past(words: list[str], at: int, phrases: tuple[tuple[str, ...], ...]) -> int:
+    """The position behind the longest of phrases that stands here, or here."""
+    return at + max((len(x) for x in phrases if tuple(words[at : at + len(x)]) == x), default=0)

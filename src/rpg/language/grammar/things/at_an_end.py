@@ -1,0 +1,57 @@
+"""Several blocks at one end of a line: "the top two blocks (of the tower)", "the first three letters of the row"; the
+one at the end of each line: "the top blocks of the two towers"."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.grammar.things.in_line import OF_LINE
+from rpg.language.later import later
+from rpg.language.lexicon import BLOCK
+from rpg.language.meaning import Amount, Noun, Structure, Traits, replace
+
+if TYPE_CHECKING:
+    from rpg.language.grammar.structures.structures import structure
+else:
+    (structure,) = later(__name__, "rpg.language.grammar.structures.structures", "structure")
+
+_THE = frozenset({"the", "its", "their"})
+_ENDS = {
+    "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "bottom": "bottom", "lower": "bottom",
+    "bottommost": "bottom", "lowest": "bottom", "left": "left", "leftmost": "left", "right": "right",
+    "rightmost": "right", "first": "1", "last": "last", "front": "front", "back": "back",
+}  # fmt: skip
+_ONES = frozenset({"ones", *(word for word, several in BLOCK.items() if several), "letters", "digits"})
+_OF_EACH = Patterns("of|in the|both|all|these|those two|2|three|3|four|4? towers|stacks|piles|rows|lines|columns",
+                    "of|in both|each|each_of_the|every of_the? towers|tower|stacks|stack|rows|row")  # fmt: skip
+_LINES = ("stack", "row", "line", "column")
+
+
+def at_an_end(p: Parser, i: int) -> Results[Noun]:
+    """So many blocks from an end on."""
+    j = p.one(i, _THE)
+    rank = p.lex(j, _ENDS) if j else None
+    if rank is not None:
+        yield from _of_each(p, i, j + 1, rank)
+    many = p.number(j + 1) if rank is not None else None
+    k = p.one(j + 2, _ONES) or j + 2
+    if rank is None or many is None or many < 2:
+        return
+    noun = Noun(head="block", det="the", amount=Amount(many, many), plural=True, traits=Traits(rank=rank),
+                span=p.span(i, k), cost=1)  # fmt: skip
+    if k > j + 2:
+        yield noun, k
+    if end := p.any_of(k, OF_LINE):
+        yield replace(noun, span=p.span(i, end)), end
+    for whole, end in structure(p, of) if (of := p.one(k, "of")) else ():
+        if isinstance(whole, Structure) and whole.kind in _LINES and whole.det == "the" and not whole.plural:
+            yield replace(noun, part_of=whole, span=p.span(i, end)), end
+
+
+def _of_each(p: Parser, i: int, j: int, rank: str) -> Results[Noun]:
+    """ "the top blocks of the two towers": the one that is there of each."""
+    ones = p.one(j, _ONES)
+    for end in _OF_EACH.matches(p, ones) if ones else ():
+        yield Noun(head="block", det="the", plural=True, traits=Traits(rank=rank), span=p.span(i, end), cost=1), end

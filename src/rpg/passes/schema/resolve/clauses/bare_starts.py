@@ -1,0 +1,51 @@
+""" "Red on blue. Move red to the mat.": what is told without a verb, and is moved at once, is so at the start."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, Structure, parts_of, replace
+
+_MOVES = frozenset({"move", "take", "remove", "lift", "swap", "exchange", "trade", "reverse", "unstack", "shift",
+                    "transfer", "push", "slide", "carry", "pull"})  # fmt: skip
+"""What is done with blocks that are somewhere already."""
+
+
+def bare_starts(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """The sentences, the first of them told of the start where the second moves what it speaks of."""
+    if len(chains) < 2 or len(chains[0].clauses) != 1:
+        return chains
+    first, then = chains[0].clauses[0], chains[1].clauses[0]
+    if not isinstance(first, Clause) or not isinstance(then, Clause) or not _bare(first):
+        return chains
+    moved = then.mode == "command" and not then.negated and then.lemma in _MOVES
+    if not moved or then.theme is None or not any(_of_them(x, first) for x in parts_of(then.theme)):
+        return chains
+    built = isinstance(first.theme, Structure)
+    begun = replace(first, verb="exist", mode="given") if built else replace(first, mode="start")
+    return (replace(chains[0], clauses=(begun,)), *chains[1:])
+
+
+def _bare(clause: Clause) -> bool:
+    """A structure, or blocks and where they are, told without a verb."""
+    told = clause.mode == "goal" and not (clause.lemma or clause.word or clause.negated)
+    if not told or clause.verb not in ("be", "build"):
+        return False
+    if isinstance(clause.theme, Structure):
+        return clause.theme.det == "a" and not clause.theme.plural
+    return bool(clause.adjuncts) and all(isinstance(a, Loc) for a in clause.adjuncts)
+
+
+def _of_them(moved: Meaning, told: Clause) -> bool:
+    """Whether what is moved is of what was told: by its look, by where it stands in a structure, or as "it"."""
+    if isinstance(moved, Pronoun):
+        return moved.word in ("it", "them") and isinstance(told.theme, Structure)
+    if not isinstance(moved, Noun) or moved.det == "a" or told.theme is None:
+        return False
+    if moved.traits.rank is not None and isinstance(told.theme, Structure):
+        return True
+    looks = {*moved.traits.colors, *moved.traits.labels}
+    known = {x for part in parts_of(told.theme) if isinstance(part, Noun) for x in _looks(part)}
+    return bool(looks) and looks <= known
+
+
+def _looks(noun: Noun) -> tuple[str, ...]:
+    return (*map(str, noun.traits.colors), *noun.traits.labels)

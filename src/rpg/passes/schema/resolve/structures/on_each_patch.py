@@ -1,0 +1,61 @@
+"""A structure on each of several patches: "build a stack of two on each patch" are as many stacks as patches."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Amount, Clause, Loc, Meaning, Noun, Pronoun, Structure, replace
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.world import Scene, refuse
+
+_EVERY = ("each", "all", "both")
+_UNSAID = 3
+"""So many patches there are where nothing is said of their number."""
+
+
+def on_each_patch(theme: Meaning | None, places: list[Meaning], scene: Scene) -> Meaning | None:
+    """The theme of a clause, which is so many structures where one of them is on each patch."""
+    if not isinstance(theme, Structure) or theme.plural or theme.det not in ("a", "bare", "some"):
+        return theme
+    marks = [p.landmark for p in places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
+    many = next((n for n in (_as_many(mark, scene) for mark in marks) if n > 1), 0)
+    if not many:
+        return theme
+    if _of_known_blocks(theme.members):
+        raise refuse("ambiguous", "these blocks cannot be on each of several patches at once", theme.span,
+                     "say of what blocks the structure on each patch is")  # fmt: skip
+    return replace(theme, plural=True, det="bare", amount=Amount(many, many))
+
+
+def _as_many(mark: Meaning | None, scene: Scene) -> int:
+    """The number of the patches on each of which something is; 0 where this is no such place."""
+    if not isinstance(mark, Noun) or mark.head != "patch" or mark.det not in _EVERY:
+        return 0
+    of = mark.part_of if isinstance(mark.part_of, Noun) else mark
+    if mark.det == "both":
+        return 2
+    amount = of.amount or mark.amount
+    if amount is not None and amount.low == amount.high and amount.low > 1:
+        return amount.low
+    return len(matching(mark.traits, scene, True)) or (_UNSAID if of is mark else 2)
+
+
+def stacked_on_each(clause: Clause, spec: Spec) -> Clause:
+    """ "Stack two cubes on each patch": a tower of these."""
+    blocks = clause.theme
+    if clause.verb != "stack" or clause.negated or clause.mode == "start" or not isinstance(blocks, Noun):
+        return clause
+    several = blocks.det == "bare" and blocks.amount is not None and blocks.amount.high == blocks.amount.low > 1
+    each = any(isinstance(p, Loc) and p.rel == "on" and not p.negated and _on_each(p.landmark) for p in spec.places)
+    if not (several and each) or blocks.part_of is not None or spec.intos:
+        return clause
+    tower = Structure(kind="stack", amount=Amount(1, 1), members=blocks, span=blocks.span)
+    return replace(clause, verb="build", theme=tower)
+
+
+def _on_each(mark: Meaning | None) -> bool:
+    return isinstance(mark, Noun) and mark.head == "patch" and mark.det in _EVERY
+
+
+def _of_known_blocks(members: Meaning | None) -> bool:
+    """ "a tower of the red blocks": blocks that are known, and in one place at a time."""
+    return isinstance(members, Pronoun) or (isinstance(members, Noun) and members.det in ("the", "all"))

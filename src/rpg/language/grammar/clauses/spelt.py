@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.reversed_word import told_reversed
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.formed import beside_word
 from rpg.language.grammar.talk.slots import Patterns
@@ -41,8 +42,12 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
     for theme, k in themes:
         beside = [((word, *more), e) for word, m in beside_word(p, k) for more, e in adjuncts(p, m)]
         for found, end in [*adjuncts(p, k), *beside]:
-            span, word = p.span(i, end), p.span(i, i + 1)
-            yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=span, word=word), end
+            letters = theme.letter if isinstance(theme, Structure) else None
+            again = list(told_reversed(p, end, letters, found)) if letters else []
+            ways = [((*found, *more), last) for told in again for more, last in adjuncts(p, told)]
+            for said, last in ways or [(found, end)]:
+                span, word = p.span(i, last), p.span(i, i + 1)
+                yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=said, span=span, word=word), last
 
 
 def _written(p: Parser, i: int, j: int) -> Results[Clause]:

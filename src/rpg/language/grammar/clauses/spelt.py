@@ -41,13 +41,12 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
         yield from _written(p, i, j)
     for theme, k in themes:
         beside = [((word, *more), e) for word, m in beside_word(p, k) for more, e in adjuncts(p, m)]
-        for found, end in [*adjuncts(p, k), *beside]:
-            letters = theme.letter if isinstance(theme, Structure) else None
-            again = list(told_reversed(p, end, letters, found)) if letters else []
-            ways = [((*found, *more), last) for told in again for more, last in adjuncts(p, told)]
-            for said, last in ways or [(found, end)]:
-                span, word = p.span(i, last), p.span(i, i + 1)
-                yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=said, span=span, word=word), last
+        letters = theme.letter if isinstance(theme, Structure) else None
+        ways = [*adjuncts(p, k), *beside]
+        again = [(found, told) for found, end in ways if letters for told in told_reversed(p, end, letters, found)]
+        for found, end in [((*a, *b), e) for a, told in again for b, e in adjuncts(p, told)] or ways:
+            span, word = p.span(i, end), p.span(i, i + 1)
+            yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=span, word=word), end
 
 
 def _written(p: Parser, i: int, j: int) -> Results[Clause]:

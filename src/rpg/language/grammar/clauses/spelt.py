@@ -44,7 +44,8 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
         letters = theme.letter if isinstance(theme, Structure) else None
         ways = [*adjuncts(p, k), *beside]
         again = [(found, told) for found, end in ways if letters for told in told_reversed(p, end, letters, found)]
-        for found, end in [((*a, *b), e) for a, told in again for b, e in adjuncts(p, told)] or ways:
+        more = [(a, b, e) for a, told in again for n in {told, p.opt(told, ",")} for b, e in adjuncts(p, n)]
+        for found, end in [((*a, *b), e) for a, b, e in more] or ways:
             span, word = p.span(i, end), p.span(i, i + 1)
             yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=span, word=word), end
 

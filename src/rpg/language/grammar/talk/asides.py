@@ -15,6 +15,7 @@ from rpg.language.grammar.talk.left_open import FOREIGN, FREE, LOOSE
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
+from rpg.language.grammar.talk.smalltalk import taste_told
 from rpg.language.grammar.things.all_but import exceptions_first
 from rpg.language.grammar.things.remainder import reckoned
 from rpg.language.tokens import Token
@@ -70,7 +71,7 @@ _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "ne
 
 def without_asides(tokens: list[Token]) -> list[Token]:
     """The tokens without words that mean nothing, and without the commas that set them off."""
-    tokens = lists_in_one(corrected(tokens[_answering(tokens) :]))
+    tokens = lists_in_one(corrected(tokens[_answering(tokens) or taste_told(tokens) :]))
     tokens = [(_side(tokens, n) or _between(tokens, n)) if t.word in _SHORT else t for n, t in enumerate(tokens)]
     words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
     p = Parser(tokens)

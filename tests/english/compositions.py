@@ -32,6 +32,9 @@ NAMINGS = 500
 SHARE = 0.25
 """Of the tasks, how many have a start, stages, or a count."""
 
+EARLY = r.Swapped | r.TookPlace | r.Shifted | r.Ranged
+"""What is seen from the start is told before anything is moved."""
+
 
 def composed(seed: int) -> TaskSchema | None:
     """A task of the given number; None where nothing is drawn that can be said."""
@@ -55,7 +58,7 @@ def composed(seed: int) -> TaskSchema | None:
     whole = parts[0] if len(parts) == 1 else g.All(goals=tuple(parts))
     if len(parts) > 1 and rng.random() < SHARE and _one_after_another(parts):
         # Blocks are on the table first: that is no stage. Places are those of the start only before anything moves.
-        parts.sort(key=lambda part: (isinstance(part, r.OnTable), not isinstance(part, r.Stayed | r.Swapped)))
+        parts.sort(key=lambda x: (isinstance(x, r.OnTable), not isinstance(x, r.Stayed), not isinstance(x, EARLY)))
         whole = g.Sequence(stages=tuple(g.Stage(goal=part) for part in parts))
     cells = interchangeable(whole, world)
     if math.prod(assignments(group) for group in cells) > NAMINGS:
@@ -128,11 +131,11 @@ def _plain(part: g.Goal, parts: list[g.Goal]) -> bool:
 
 
 def _one_after_another(parts: list[g.Goal]) -> bool:
-    """Whether the parts can be stages: what is swapped twice has no places of the start any more, and what is on the
+    """Whether the parts can be stages: what is moved twice has no place of the start any more, and what is on the
     table after it was on a patch is off the patch."""
     said = [{atom.kind for atom in atoms(part)} for part in parts]
-    swaps = sum("swapped" in kinds for kinds in said)
-    return swaps < 2 and not ("on_table" in set.union(*said) and "on_patch" in set.union(*said))
+    moves = sum(any(isinstance(atom, EARLY) for atom in atoms(part)) for part in parts)
+    return moves < 2 and not ("on_table" in set.union(*said) and "on_patch" in set.union(*said))
 
 
 def _raised(parts: list[g.Goal]) -> set[str]:

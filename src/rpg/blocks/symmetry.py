@@ -26,6 +26,8 @@ Cells = tuple[tuple[tuple[str, ...], ...], ...]
 MAX_NAMINGS = 5000
 SYMMETRIC = frozenset({"beside", "adjacent", "touching", "near", "apart", "distance", "approached", "receded"})
 """Relations whose `a` and `b` may change places."""
+MUTUAL = frozenset({"approached", "receded"})
+"""Relations that hold of every two where `a` and `b` are the same blocks."""
 
 
 def interchangeable(goal: g.Goal, world: World, *, jointly: bool = True) -> Cells:
@@ -219,7 +221,9 @@ class Canonical:
     def _atom(self, atom: g.Atom, mapping: dict[str, str]) -> Any:
         fields = {field: self._value(getattr(atom, field), mapping) for field in type(atom).model_fields}
         del fields["span"]
-        if atom.kind in SYMMETRIC:
+        if atom.kind in MUTUAL and (atom.a == atom.b or len(atom.a) == len(atom.b) == 1):
+            fields["a"], fields["b"] = sorted({mapping.get(n, n) for n in (*atom.a, *atom.b)}), ()
+        elif atom.kind in SYMMETRIC:
             fields["a"], fields["b"] = sorted((fields["a"], fields["b"]), key=repr)
         elif atom.kind == "row" and atom.order.first is None and atom.order.by == "given":
             rest, ranks = fields["order"]

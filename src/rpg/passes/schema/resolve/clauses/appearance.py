@@ -11,7 +11,7 @@ from rpg.passes.schema.resolve.goals.so_many_of import so_many_of
 from rpg.passes.schema.resolve.things.operands import crown
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import give
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, said
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse, said
 
 
 def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
@@ -54,7 +54,8 @@ def _barred(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> list[g.Goal
     told = all(replace(q.traits, either=False) == Traits(colors=q.traits.colors) for q in spec.qualities)
     some = theme.op != "and" or (theme.quant is not None and theme.quant.high != 0)
     some = some or spec.manner("not all") is not None
-    if not told or not things or theme.patch or some:
+    known = theme.part is not None or (len(things) == 1 and not _open(things[0]))
+    if not told or not things or theme.patch or some or known:
         raise refuse("misplaced", "looks can be given, not excluded", clause.span, "say which colour they have")
     for thing in things:
         if thing.color in colors:
@@ -64,6 +65,11 @@ def _barred(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> list[g.Goal
     scene.assume(f"{COLORS_BARRED}: {', '.join(sorted(colors))}")
     spec.qualities = []
     return []
+
+
+def _open(thing: Thing) -> bool:
+    """Whether nothing was said of how a block looks."""
+    return thing.color is None and thing.label is None
 
 
 def _one_of_several(said_of: Meaning | None, theme: Ref, spec: Spec, scene: Scene) -> None:

@@ -322,7 +322,8 @@ def _swaps_later(goals: list[g.Goal], span: tuple[int, int]) -> None:
             if placed & set(names_in(shift)) and not _further_across(shift, goals):
                 raise refuse("ambiguous", "seen from where it is by then, or from where it started?",
                              shift.span or span, "say where it should be at the end")  # fmt: skip
-        placed |= {n for x in required(goal) for n in (names_in(x) if getattr(x, "blocks", ()) else _subjects(x))}
+        for told in (x for x in required(goal) if not isinstance(x, r.Stayed)):
+            placed |= {*(names_in(told) if getattr(told, "blocks", ()) else _subjects(told))}
 
 
 def _further_across(shift: g.Goal, goals: list[g.Goal]) -> bool:

@@ -41,7 +41,7 @@ def shifted(clause: Clause, told: Loc, spec: Spec, scene: Scene, scope: Scope) -
         raise refuse("misplaced", "nothing has moved yet at the start", told.span, "say where it is at the start")
     spec.places.remove(told)
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-    _from_here(clause, told, theme, scene)
+    _from_here(clause, told, theme, spec, scene)
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span,
                      "move blocks instead")  # fmt: skip
@@ -64,12 +64,16 @@ def shifted(clause: Clause, told: Loc, spec: Spec, scene: Scene, scope: Scope) -
     ]  # fmt: skip
 
 
-def _from_here(clause: Clause, told: Loc, theme: Ref, scene: Scene) -> None:
+def _from_here(clause: Clause, told: Loc, theme: Ref, spec: Spec, scene: Scene) -> None:
     """Refuse "it must be 10 cm to the left" where nothing says that this is seen from where it starts."""
     if HERE in told.mods or clause.lemma in _MOVING:
         return
     if told.rel != "shifted" and clause.verb == "be":
         raise refuse("ambiguous", "than what, or than at the start?", told.span, "say 'move ...', or 'than ...'")
+    if told.rel != "shifted" and spec.places:
+        raise refuse("ambiguous", "than the other one, or than at the start?", told.span, "say 'than ...'")
+    if told.rel == "shifted" and told.low is None and clause.lemma == "put":
+        raise refuse("ambiguous", "it is not said how far", told.span, "say 'move ...', or how far")
     if clause.verb == "be" or (told.rel == "shifted" and any(x.name not in theme.names for x in scene.blocks())):
         raise refuse("ambiguous", "of what, or from where it starts?", told.span, "say 'move ...', or of what")
 

@@ -25,6 +25,6 @@ def _of_the_unnamed(word: Pronoun, scene: Scene, scope: Scope) -> None:
     """Refuse "uncover red and put it on the mat": the block on it is not even named."""
     verb = scene.verbs.get(scene.clause - 1, (None, False, ""))[0]
     last = [m for m in scene.mentions if m.clause == scene.clause - 1 and m.role == "theme"]
-    if scope.role == "theme" and verb is not None and any(m.ref.span == verb for m in last):
+    if scope.role == "theme" and verb is not None and any(m.ref.span == verb and not m.word for m in last):
         raise refuse("ambiguous", "'it' could be the block that is named or the one on it", word.span,
                      "name the block")  # fmt: skip

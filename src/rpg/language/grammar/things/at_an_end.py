@@ -33,11 +33,12 @@ def at_an_end(p: Parser, i: int) -> Results[Noun]:
     """So many blocks from an end on."""
     j = p.one(i, _THE)
     rank = p.lex(j, _ENDS) if j else None
-    if rank is not None:
-        yield from _of_each(p, i, j + 1, rank)
-    many = p.number(j + 1) if rank is not None else None
+    if rank is None:
+        return
+    yield from _of_each(p, i, j + 1, rank)
+    many = p.number(j + 1)
     k = p.one(j + 2, _ONES) or j + 2
-    if rank is None or many is None or many < 2:
+    if many is None or many < 2:
         return
     noun = Noun(head="block", det="the", amount=Amount(many, many), plural=True, traits=Traits(rank=rank),
                 span=p.span(i, k), cost=1)  # fmt: skip

@@ -177,10 +177,10 @@ def _pointed(p: Parser, i: int, comma: int) -> Results[Manner]:
                                   "with the opening at", "with its opening at", "with the open side at",
                                   "opening to", "opening towards", "open at",
                                   "that opens to", "which opens to", "opens to", "opened to")):  # fmt: skip
-        for side, e in _whither(p, opened):
+        for side, e in whither(p, opened):
             yield Manner(kind="pointing:opening", value=side, span=p.span(i, e)), e
     for phrase, end in p.standing(j, _POINTERS) if j else ():
-        for side, e in _whither(p, p.any_of(end, _POINTING) or end):
+        for side, e in whither(p, p.any_of(end, _POINTING) or end):
             yield Manner(kind="pointing:" + _POINTERS[phrase], value=side, span=p.span(i, e)), e
     away = p.any_of(j, _LONG) if j else 0
     if e := p.any_of(p.any_of(away, _POINTING) or away, _AWAY) if away else 0:
@@ -198,7 +198,7 @@ def pointed(p: Parser, i: int) -> Results[Manner]:
         yield from ((how, j) for how, j in _pointed(p, i, i) if how.kind.partition(":")[2] in ENDS)
 
 
-def _whither(p: Parser, i: int) -> Results[str]:
+def whither(p: Parser, i: int) -> Results[str]:
     """Where a part of a figure points, or where it lies: "to the left", "(at) the far side"."""
     yield from direction(p, p.opt(i, "the"))
     for phrase, j in p.standing(p.opt(i, "the"), _LIES_AT):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.reversed_word import told_reversed
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.formed import beside_word
 from rpg.language.grammar.talk.slots import Patterns
@@ -40,7 +41,11 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
         yield from _written(p, i, j)
     for theme, k in themes:
         beside = [((word, *more), e) for word, m in beside_word(p, k) for more, e in adjuncts(p, m)]
-        for found, end in [*adjuncts(p, k), *beside]:
+        letters = theme.letter if isinstance(theme, Structure) else None
+        ways = [*adjuncts(p, k), *beside]
+        again = [(found, told) for found, end in ways if letters for told in told_reversed(p, end, letters, found)]
+        more = [(a, b, e) for a, told in again for n in {told, p.opt(told, ",")} for b, e in adjuncts(p, n)]
+        for found, end in [((*a, *b), e) for a, b, e in more] or ways:
             span, word = p.span(i, end), p.span(i, i + 1)
             yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=span, word=word), end
 

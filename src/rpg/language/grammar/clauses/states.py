@@ -10,6 +10,7 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
 from rpg.language.grammar.clauses.denials import denied_of_all, leave, needless, stays
 from rpg.language.grammar.clauses.just_moved import just_moved
+from rpg.language.grammar.clauses.keeping_away import keeps_away
 from rpg.language.grammar.clauses.made import MADE, drawn, made, under
 from rpg.language.grammar.clauses.manners import direction, manner
 from rpg.language.grammar.clauses.nowhere import nowhere
@@ -64,12 +65,8 @@ _HAVE = frozenset({"have", "has"})
 _BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come", "end", "ends", "ending", "finish", "finishes",
                     "finished", "winds", "finally", "eventually", "ultimately"})  # fmt: skip
 """Words of where things are to be, not of where they are."""
-
-
 _LASTING = frozenset({"stays", "stay", "remains", "remain"})
 _BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
-
-
 _PLACES = Classes(
     {
         "place": (
@@ -79,9 +76,11 @@ _PLACES = Classes(
         "its": ("its|their|a|the|his|her",),
     }
 )
+_LEISURE = "party|picnic|meeting|nap|rest|break|chat|gathering|feast|sleepover|siesta|snooze|conference|reunion"
 _HAS_PLACE = Patterns(
     "have|has|get|gets|find|finds|take|takes|has_found|have_found|has_got|takes_up|keeps <its> <place>",
     "'s <place> is|should_be|must_be|will_be|shall_be|has_to_be",
+    f"is|are having|holding|enjoying|taking a|an|the|their|its|some? {_LEISURE}",
     "i|we|you would? want|need|like|put|place to_have|to_see|to_be|to_go|it|them?",
     classes=_PLACES,
 )
@@ -233,6 +232,8 @@ def _predicate_after_be(
     had = k - 1 if p.follows(k, _HAVE) else k
     if end := max(_HAS_PLACE.matches(p, had), default=0):
         return list(_predicate(p, i, end, theme, mode, negated))
+    if kept := list(keeps_away(p, i, k, theme, mode, negated)):
+        return kept
     if j := p.one(k, _BE):
         if p.words[k] in ("was", "were") and _UNREAL.isdisjoint(p.words[:i]):
             mode = "start"

@@ -8,6 +8,7 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.again import meant_again, said_too
 from rpg.language.grammar.clauses.covered import named_last
 from rpg.language.grammar.clauses.for_whom import behind_us
+from rpg.language.grammar.clauses.kept_stacked import kept_stacked
 from rpg.language.grammar.clauses.links import RATHER
 from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.particles import WHITHER, across, added
@@ -138,7 +139,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         if lemma == "separate":
             yield from separated(p, i, k, theme)
         if sense in KEEPING:
-            yield from kept_separate(p, i, k, theme)
+            yield from (*kept_separate(p, i, k, theme), *kept_stacked(p, i, k, theme, lemma))
         if sense in ("keep", "build") and lemma in ("keep", "leave", "make"):
             for marks, end in adjectives(p, k):
                 if marks:

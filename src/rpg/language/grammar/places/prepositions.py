@@ -8,6 +8,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 _SIMPLE = {
     "on top of": "on", "on the top of": "on", "atop of": "on", "atop": "on", "on top": "on", "onto": "on",
     "on to": "on", "upon": "on",
+    **{f"up {on}": "on" for on in ("on", "onto", "upon", "on top of", "on top")},
     "on": "on", "onto the top of": "on", "to the top of": "on", "over": "above", "above": "above",
     "over the top of": "above",
     "on to the top of": "on", "at the top of": "on", "on the surface of": "on",
@@ -47,6 +48,7 @@ _SIMPLE = {
     "pushed against": "touching", "pushed up against": "touching", "leaning against": "touching",
     "near": "near", "close to": "near", "near to": "near", "nearby": "near", "in the vicinity of": "near",
     "far from": "apart", "away from": "apart", "far away from": "apart", "well away from": "apart",
+    **{f"at {some} distance from": "apart" for some in ("a", "some", "a safe", "a certain", "a good")},
     "apart from": "apart", "nowhere near": "apart", "nowhere close to": "apart", "anywhere near": "near",
     "anywhere close to": "near", "off": "off", "off of": "off", "away off": "off",
     "along with": "together", "together with": "together",

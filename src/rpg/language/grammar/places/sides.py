@@ -26,7 +26,11 @@ _GOING = (
     "going|running|leading|heading|extending|stretching|pointing|runs|run|goes|go|leads|extends|stretches|that_goes|"
     "that_runs|which_runs|which_goes|that_leads|that_extends"
 )
-_AWAY = Patterns(f"{_GOING}? straight? away_from the? {_ME}", f"{_GOING} straight? away")
+_AWAY = Patterns(
+    f"{_GOING}? straight? away_from the? {_ME}",
+    f"{_GOING} straight? away|back|backwards from the? {_ME}",
+    f"{_GOING} straight? away|back|backwards",
+)
 _NEARER = Patterns(f"{_GOING}|coming|comes|that_comes straight? towards|toward|to the? {_ME}")
 """Lines that begin near the viewer, and far from them."""
 _EDGE = "edge|side of_the_table|of_the_desk|of_the_workspace?"

@@ -15,6 +15,7 @@ from rpg.language.grammar.structures.each import each_clause
 from rpg.language.grammar.structures.each_line import each_line, lines_of
 from rpg.language.grammar.structures.ends_filled import ends_filled
 from rpg.language.grammar.structures.levels import levels
+from rpg.language.grammar.structures.opening import opens
 from rpg.language.grammar.structures.ordered_whole import ordered_whole
 from rpg.language.grammar.structures.parts import IS, part, part_statement
 from rpg.language.grammar.structures.patterns import DIAGONALS, pattern
@@ -65,7 +66,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j
     for agreed, j in pattern(p, i) if p.stands(i, ("each", "every")) or p.rarely(DIAGONALS) else ():
         yield Clause(verb="part", adjuncts=(agreed,), mode="goal", span=p.span(i, j)), j
-    for said, j in [*pointed(p, i), *steps_alone(p, i)]:
+    for said, j in [*pointed(p, i), *opens(p, i), *steps_alone(p, i)]:
         yield Clause(verb="part", adjuncts=(said,), mode="goal", span=p.span(i, j)), j
     for several, j in wholes_told(p, i):
         yield _said(p, i, j, several), j

@@ -15,6 +15,7 @@ from rpg.language.grammar.talk.left_open import ANY_OF_THEM, FOREIGN, FREE, LOOS
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
+from rpg.language.grammar.talk.smalltalk import taste_told
 from rpg.language.grammar.things.all_but import exceptions_first
 from rpg.language.grammar.things.remainder import reckoned
 from rpg.language.tokens import Token
@@ -70,7 +71,7 @@ _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "ne
 
 def without_asides(tokens: list[Token]) -> list[Token]:
     """The tokens without words that mean nothing, and without the commas that set them off."""
-    tokens = lists_in_one(corrected(tokens))
+    tokens = lists_in_one(corrected(tokens[_answering(tokens) or taste_told(tokens) :]))
     tokens = [(_side(tokens, n) or _between(tokens, n)) if t.word in _SHORT else t for n, t in enumerate(tokens)]
     words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
     p = Parser(tokens)
@@ -169,6 +170,17 @@ def _standing(words: list[str], at: int) -> int:
     return longest
 
 
+_NO = frozenset({"nah", "nope", "naw"})
+
+
+def _answering(tokens: list[Token]) -> int:
+    """ "Nah, red goes on blue": where an instruction that begins with an answer to nothing goes on."""
+    begun = [token.word for token in tokens[:2]]
+    if len(tokens) < 3 or not (begun[0] in _NO or begun == ["no", ","]):
+        return 0
+    return 2 if begun[1] == "," else 1
+
+
 _CHOSEN = tuple(
     f"{you} {like}" for you in ("you", "u") for like in ("like", "want", "please", "prefer", "fancy", "choose", "wish")
 )
@@ -181,6 +193,18 @@ def _chosen(words: list[str], at: int, end: int) -> bool:
     begin = max((n + 1 for n in range(at) if words[n] in _BREAKS), default=0)
     named = at > 0 and any(words[at - 1] in table for table in (lexicon.BLOCK, lexicon.COLOR_PLURAL, _NAMES))
     return named and not _ANY.isdisjoint(words[begin:at]) and words[end : end + 1] != ["to"]
+
+
+_TAGS = tuple(
+    f"{may} you{dear}"
+    for may in ("would", "will", "could", "can")
+    for dear in ("", " dear", " love", " please", " mate")
+)
+"""What carries nothing behind a command, set off by commas: ", would you, "."""
+
+
+def _tag(words: list[str], at: int, end: int) -> bool:
+    return at > 1 and words[at - 1] == "," and (end == len(words) or words[end] in _BREAKS)
 
 
 _NAMES = frozenset({"letter", "letters", "digit", "digits", "number", "numbers", "vowel", "consonant"})
@@ -366,6 +390,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_FILLERS, _filling),
     (_AT_ALL, _denying),
     (_CHOSEN, _chosen),
+    (_TAGS, _tag),
 )
 """Asides, and where they are ones."""
 _ASIDES: dict[str, dict[str, list[tuple[list[str], _Fits]]]] = {}

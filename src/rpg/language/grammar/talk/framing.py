@@ -39,7 +39,7 @@ _CLASSES = Classes(
         "scene": (
             "picture|image|photo|photograph|snapshot|drawing|sketch|illustration|scene|view|arrangement|result|layout",
             "setup|state|configuration|outcome|situation|composition|painting|postcard|pic|screenshot|end_result",
-            "goal_state|end_state|photos|pictures|camera_image|camera_picture|goal_picture|still_life|end_product",
+            "goal_state|end_state|floor_plan|floorplan|ground_plan|blueprint|photos|pictures|camera_image|camera_picture|goal_picture|still_life|end_product",
             "final|finished|completed|complete|whole|resulting|desired|wanted|end "
             "thing|product|work|construction|model|build|structure|creation",
         ),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rpg.language import lexicon
 from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.tokens import Token
 
@@ -102,6 +103,25 @@ def _talk(token: Token, words: list[str], n: int) -> bool:
         case word if word in _SUBJECTS:
             return not _LIKED.isdisjoint(words[max(0, n - 3) : n])
     return token.word in _GLUE or token.word in _STRONG
+
+
+_TASTES = _words("love loves like likes adore adores prefer prefers enjoy enjoys is fond favorite color")
+_FOND = _TASTES - {"is", "color"}
+_HUES = frozenset({*lexicon.COLOR, *lexicon.COLOR_PLURAL})
+_SO = 12
+"""So many words at most tell of a taste."""
+
+
+def taste_told(tokens: Sequence[Token]) -> int:
+    """ "My daughter loves purple, so make ...": where what follows from a liking begins; 0 where none is told."""
+    words = [token.word for token in tokens[:_SO]]
+    so = next((n for n, word in enumerate(words[:-1]) if word in (",", ".") and words[n + 1] == "so"), 0)
+    said = words[:so]
+    hues = [n for n, word in enumerate(said) if word in _HUES]
+    if not hues or said[-1] not in _HUES or "would" in said or _FOND.isdisjoint(said[: hues[0]]):
+        return 0
+    rest = [(n, token) for n, token in enumerate(tokens[:so]) if n not in hues and token.word not in _TASTES]
+    return so + 2 if all(_talk(token, words, n) for n, token in rest) else 0
 
 
 _SET_OFF = frozenset({",", ":"})

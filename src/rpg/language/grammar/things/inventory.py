@@ -20,7 +20,7 @@ _LEADS = (
     "we take", "you take", "we use", "take", "use", "using", "given are", "given", "consider", "they are",
     "these are",
     "those are", "it is", "namely", "that is", "we are given", "you are given", "with", "here are", "get", "we got",
-    "i have got", "i got", "and there are", "use only", "take only", "available are", "available :", "letters :",
+    "i have got", "i got", "got", "and there are", "use only", "take only", "available are", "available :", "letters :",
     "digits :", "numbers :", "the letters are",
     "the digits are", "the numbers are", "letters are", "digits are", "blocks :",
     "cubes :", "inventory :", "material :", "materials :", "have", "we work with", "from", "out of", "made of",

@@ -31,7 +31,11 @@ def beside_what_is_done(goal: g.Goal, scene: Scene) -> g.Goal:
             goal.span,
             "say what is to be done while this stays as it is",
         )
-    scene.start_goals = [start for start in scene.start_goals if start not in inside]
+    scene.start_goals = [
+        start
+        for start in scene.start_goals
+        if not all(part in inside for part in (start.goals if isinstance(start, g.All) else (start,)))
+    ]
     scene.assume(LATER)
     return lasting
 

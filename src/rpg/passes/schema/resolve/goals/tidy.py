@@ -16,7 +16,9 @@ from rpg.passes.schema.resolve.things.world import Scene
 
 
 def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
-    """Rewrites that keep the meaning of the whole."""
+    """Rewrites that keep the meaning of the whole, and of how it starts."""
+    if len(scene.start_goals) > 1:
+        scene.start_goals = list(children(_open_tops(g.All(goals=tuple(scene.start_goals)))))
     sizes = {thing.name: thing.edge or EDGE for thing in scene.blocks()}
     goal = in_lines(_diagonals(_excused(goal)), scene)
     return spaced(_open_tops(_stack_patches(_group_by_group(goal, scene))), sizes)

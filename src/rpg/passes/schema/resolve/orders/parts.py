@@ -100,13 +100,16 @@ def _line_at(side: str, node: s.Cells) -> str:
 
 
 def _half(side: str, cells: Sequence[Cell]) -> Groups:
-    """The left, right, far or near half of a figure that can be halved so."""
-    across = side in ("left", "right")
-    total = 1 + max(cell.column if across else cell.row for cell in cells)
+    """The left, right, far, near, upper or lower half of a figure that can be halved so."""
+    height = 1 + max(cell.level for cell in cells)
+    if height > 1 and side in ("top", "bottom"):
+        places = [height - 1 - cell.level for cell in cells]
+    else:
+        places = [cell.column if side in ("left", "right") else cell.row for cell in cells]
+    total = 1 + max(places)
     side = {"top": "left", "back": "left", "bottom": "right", "front": "right"}.get(side, side)
     if total % 2 or side not in ("left", "right"):
         return []
-    places = [cell.column if across else cell.row for cell in cells]
     return [[k for k, place in enumerate(places) if (2 * place < total) == (side == "left")]]
 
 

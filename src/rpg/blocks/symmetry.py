@@ -18,6 +18,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest
 from rpg.ir.order import Order, Pattern
+from rpg.ir.relations import Ranged
 from rpg.ir.walk import atoms, names, transform
 
 Cells = tuple[tuple[tuple[str, ...], ...], ...]
@@ -26,8 +27,6 @@ Cells = tuple[tuple[tuple[str, ...], ...], ...]
 MAX_NAMINGS = 5000
 SYMMETRIC = frozenset({"beside", "adjacent", "touching", "near", "apart", "distance", "approached", "receded"})
 """Relations whose `a` and `b` may change places."""
-MUTUAL = frozenset({"approached", "receded"})
-"""Relations that hold of every two where `a` and `b` are the same blocks."""
 
 
 def interchangeable(goal: g.Goal, world: World, *, jointly: bool = True) -> Cells:
@@ -195,6 +194,11 @@ def _too_many(cells: Cells, total: int) -> Diagnostic:
     )
 
 
+def _mutual(atom: Ranged) -> bool:
+    """Whether a distance between every two of the same blocks has changed, or that of just two."""
+    return atom.a == atom.b or len({*names(atom)}) == 2
+
+
 class Canonical:
     """A goal as nested tuples that are equal exactly when two goals say the same of the same names."""
 
@@ -221,8 +225,8 @@ class Canonical:
     def _atom(self, atom: g.Atom, mapping: dict[str, str]) -> Any:
         fields = {field: self._value(getattr(atom, field), mapping) for field in type(atom).model_fields}
         del fields["span"]
-        if atom.kind in MUTUAL and (atom.a == atom.b or len(atom.a) == len(atom.b) == 1):
-            fields["a"], fields["b"] = sorted({mapping.get(n, n) for n in (*atom.a, *atom.b)}), ()
+        if isinstance(atom, Ranged) and _mutual(atom):
+            fields["a"], fields["b"] = sorted({mapping.get(n, n) for n in names(atom)}), ()
         elif atom.kind in SYMMETRIC:
             fields["a"], fields["b"] = sorted((fields["a"], fields["b"]), key=repr)
         elif atom.kind == "row" and atom.order.first is None and atom.order.by == "given":

@@ -40,7 +40,7 @@ def _plainly(part: list[Token]) -> list[Token]:
     for i in range(p.end):
         if j := 0 if lines else max(_CAN_READ.matches(p, i), default=0):
             one = not _IT.isdisjoint(p.words[i:j])
-            if one and any(token.raw.isupper() and len(token.raw) > 1 for token in part[:i]):
+            if any(token.raw.isupper() and len(token.raw) > 1 for token in part[:i]):
                 return part  # a word, which has its order
             told = ("so", "that", "it", "is", "readable") if one else ("so", "that", "they", "are", "readable")
             if not p.stands(j, _GOES_ON):

@@ -194,9 +194,9 @@ def _too_many(cells: Cells, total: int) -> Diagnostic:
     )
 
 
-def _mutual(atom: Ranged) -> bool:
+def _mutual(atom: g.Atom) -> bool:
     """Whether a distance between every two of the same blocks has changed, or that of just two."""
-    return atom.a == atom.b or len({*names(atom)}) == 2
+    return isinstance(atom, Ranged) and (atom.a == atom.b or len({*names(atom)}) == 2)
 
 
 class Canonical:
@@ -225,7 +225,7 @@ class Canonical:
     def _atom(self, atom: g.Atom, mapping: dict[str, str]) -> Any:
         fields = {field: self._value(getattr(atom, field), mapping) for field in type(atom).model_fields}
         del fields["span"]
-        if isinstance(atom, Ranged) and _mutual(atom):
+        if _mutual(atom):
             fields["a"], fields["b"] = sorted({mapping.get(n, n) for n in names(atom)}), ()
         elif atom.kind in SYMMETRIC:
             fields["a"], fields["b"] = sorted((fields["a"], fields["b"]), key=repr)

@@ -13,4 +13,5 @@ def one_alone(noun: Noun, scene: Scene, patch: bool) -> bool:
     there = matching(noun.traits, scene, patch)
     if noun.traits != Traits() or len(there) != 1 or there[0].color is not None or there[0].declared:
         return False
-    return patch or not (there[0].label or there[0].kind or there[0].edge or there[0].size)
+    definite = any(m.ref.det == "the" for m in scene.mentions if there[0].name in m.ref.names)
+    return patch or not (definite or there[0].label or there[0].kind or there[0].edge or there[0].size)

@@ -308,8 +308,8 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             before, quantity = replace(before, marks=marks), Quantity("another", quantity.amount)
         if plural and kind in ("row", "column") and p.anywhere(_GRIDS) and i > 2 and rows_and_columns(p, i - 3):
             continue  # "a grid of two rows and three columns"
-        if not plural and quantity.amount is not None and quantity.amount.low > 1 and p.words[k - 1] == "tower":
-            plural = True  # "two tower"
+        several = quantity.amount is not None and quantity.amount.low > 1 and p.number(j - 1) is not None
+        plural = plural or (several and p.words[k - 1] == "tower")  # "two tower", and not "two-block tower"
         if (plural and quantity.det in ("a", "each")) or (quantity.amount and quantity.amount.low > 1 and not plural):
             continue
         if p.words[k - 1] in ("stairs", "steps") and quantity.amount is not None and quantity.amount.low > 1:

@@ -1,7 +1,7 @@
 """What people wish who were told no more than "type what the robot should do with the cubes and patches".
 
-`python -m tests.corpus.wishes building` prints what each is read as, in English, or why it is refused; what the lines
-mean is noted nowhere. `aside` is kept for counting alone.
+`python -m tests.corpus.wishes building` (or `building2`) prints what each is read as, in English, or why it is refused;
+what the lines mean is noted nowhere. `aside` and `aside2` are kept for counting alone.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def main() -> None:
     for wish in wishes:
         schema, diagnostics = BuiltinFrontEnd().read(wish)
         read += schema is not None
-        if name == "building":
+        if name.startswith("building"):
             said = describe(schema) if schema else "; ".join(f"{d.code}: {d.message}" for d in diagnostics)
             print(f"{wish}\n  {'' if schema else 'refused: '}{said}")
     print(f"{read} of {len(wishes)} are read")

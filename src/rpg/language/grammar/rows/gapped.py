@@ -63,7 +63,11 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
     # one of two
     (f"\\beither (?:({COLOR}) )?{PATCH}\\b(?!.* or )", "either of the two {1} patches"),
     (f"\\bneither (?:({COLOR}) )?{PATCH}\\b(?!.* n?or )", "neither of the two {1} patches"),
-    # a block that is lifted off what it lies on
+    # a block that is lifted off what it lies on: on a patch it could still lie on that
+    (f"^(?:carefully |gently |slowly |please )*(?:lift|pick|take|remove)(?: up)? (?=the )({THING})(?: up)? off "
+     f"(?=the )(?!the [a-z ]*{PATCH} and)({THING})(?: ,)? and (?:then )?((?:set|put|place|lay) it (?:down )?"
+     f"(?:on|onto) (?:the|a) [a-z ]*{PATCH})$",
+     "at the start , {1} is on {2} . {3} . {1} must not be on {2}"),
     (f"^(?:carefully |gently |slowly |please )*(?:lift|pick|take|remove)(?: up)? ({THING})(?: up)? off ({THING})(?: "
      f"(?:that |which )?it {_LIES_ON})?(?: ,)? and (?:then )?((?:set|put|place|lay) it (?:down )?(?:on|onto|to|next|"
      "in|behind|beside) .+)$", "at the start , {1} is on {2} . {3}"),

@@ -63,7 +63,7 @@ COMMANDS = Patterns(
     "to start",
     "meanwhile|in_the_meantime|meantime|at_the_same_time|all_the_while ,?",
     "so|and|well|okay|ok|yeah|just like ,?",
-    "hey|hi|hello|ok|okay|so|well|alright|please|robot|agent ,?",
+    "hey|hi|hello|ciao|hola|howdy|ok|okay|so|well|alright|please|robot|agent ,?",
     "task|goal|instruction|requirement :|-?",
     "objective|aim|purpose|assignment|mission|job :|-",
     "would not it be nice|great|good|lovely|fun|cool to",
@@ -122,7 +122,7 @@ COMMANDS = Patterns(
     "if_we_could",
     "ask|tell|have|let|make|get|instruct|command|program the|your robot|arm|machine|gripper|manipulator to?",
     "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then so? ,?",
-    "hello|hi|hey|hiya|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "
+    "hello|hi|hey|hiya|ciao|hola|bonjour|salut|howdy|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "
     "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again|computer|"
     "assistant|machine|helper|buddy|mate|my_friend|dear_friend ,|:?",
     "helper|assistant|machine|computer|builder|friend|friends|arm ,|:",

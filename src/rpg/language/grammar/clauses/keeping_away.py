@@ -22,10 +22,12 @@ def keeps_away(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bo
     """How far from others it is to be all the time, from the verb at `k` on."""
     if not p.stands(k, _STAY) or _patch(theme):
         return
-    for place, end in _away(p, k):
-        if not _patch(place.landmark):
-            found = Clause(verb="be", theme=theme, adjuncts=(place,), mode=mode, negated=negated, span=p.span(i, end))
-            yield stays(found, False), end
+    far = list(_away(p, k))
+    if any(_patch(place.landmark) for place, _ in far):
+        return  # off it
+    for place, end in far:
+        found = Clause(verb="be", theme=theme, adjuncts=(place,), mode=mode, negated=negated, span=p.span(i, end))
+        yield stays(found, False), end
 
 
 def _away(p: Parser, k: int) -> Results[Loc]:

@@ -28,9 +28,9 @@ from rpg.passes.schema.ambiguity import TwoReadings
 from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
+from rpg.passes.schema.hints import explained
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.told_there import check_told
-from rpg.passes.schema.wish_hints import explained
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
 

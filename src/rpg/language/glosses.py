@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from rpg.language import lexicon
 from rpg.language.nicknames import again, definite, said, strange, thing_at
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 _IS = (("that", "is"), ("which", "is"), ("meaning",), ("namely",), ("i", "mean"))
@@ -59,7 +60,7 @@ def _glossed(tokens: list[Token], at: int) -> Iterator[_Gloss]:
     yield from _name_is(tokens, words, at)
     thing = thing_at(words, at)
     if thing > at and words[thing : thing + 1] == ["("]:
-        name = _past(words, thing + 1, _CALLED)
+        name = thing + 1 + length_at(words, thing + 1, _CALLED)
         name += words[name : name + 1] != [] and words[name] in _ARTICLES
         end = _name(tokens, name)
         if end > name and words[end : end + 1] == [")"] and _elsewhere(words, name, end):
@@ -71,7 +72,7 @@ def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gl
     name = at + (words[at] in _ARTICLES)
     end = _name(tokens, name)
     mark = words[end] if name < end < len(words) else ""
-    begin = _past(words, end + 1, _IS) if mark in ("(", ",") else 0
+    begin = end + 1 + length_at(words, end + 1, _IS) if mark in ("(", ",") else 0
     if not begin or (mark == "," and begin == end + 1):
         return
     thing = thing_at(words, begin)
@@ -135,8 +136,3 @@ def _elsewhere(words: list[str], name: int, end: int, plural: bool = False) -> b
     forms = [words[name:end], [*words[name : end - 1], lexicon.plural_of(words[end - 1])]]
     forms += [[*words[name : end - 1], words[end - 1].removesuffix("s")]] if plural else []
     return any(words[n : n + end - name] in forms for n in range(len(words)) if not name <= n < end)
-
-
-def _past(words: list[str], at: int, phrases: tuple[tuple[str, ...], ...]) -> int:
-    """The position behind the longest of phrases that stands here, or here."""
-    return at + max((len(x) for x in phrases if tuple(words[at : at + len(x)]) == x), default=0)

@@ -1,8 +1,7 @@
-"""What blocks and patches are called, or feel like: "the red cube is the queen; put the queen on the blue cube", "the
-yellow block is lonely".
+"""What blocks and patches are called: "the red cube is the queen; put the queen on the blue cube", "call it Bob".
 
 A name means nothing here; where it stands again, the thing itself is put in its place, and the naming only says that
-there is such a thing. So it does where it says how a block feels.
+there is such a thing.
 """
 
 from __future__ import annotations
@@ -13,6 +12,7 @@ from dataclasses import dataclass, replace
 from rpg.language import lexicon
 from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.not_here import HINTS
+from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
 from rpg.language.tokens import Token
 
@@ -21,15 +21,6 @@ _IS = (("is", "called"), ("is", "named"), ("is",), ("represents",), ("stands", "
 _CALL = (("call",), ("let", "us", "call"), ("name",), ("we", "call"), ("i", "call"), ("i", "will", "call"))
 _OWN = frozenset({"the", "my", "our", "your"})
 _ONE = frozenset({"a", "an"})
-_FEELS = (("is",), ("feels",), ("looks",), ("seems",), ("gets",))
-_HOW = frozenset({"so", "very", "really", "a", "bit", "little", "all", "always", "quite", "too"})
-_FEELINGS = frozenset({
-    "lonely", "lonesome", "sad", "happy", "unhappy", "bored", "tired", "sleepy", "hungry", "thirsty", "angry", "shy",
-    "scared", "afraid", "frightened", "jealous", "proud", "lazy", "nervous", "curious", "excited", "grumpy", "homesick",
-    "cute", "ugly", "pretty", "beautiful", "funny", "famous", "brave", "friendly",
-})  # fmt: skip
-"""What no block is."""
-_ADDED = frozenset({"today", "again", "there", "here", "now"})
 _BREAKS = frozenset({".", "!", "?", ";", ",", "and", ":", "-", "…"})
 _LOOKS: tuple[Collection[str], ...] = (lexicon.COLOR, lexicon.SIZE)
 _PERSONS = frozenset({*PEOPLE.split("|"), "baby", "queen", "king"})
@@ -39,7 +30,7 @@ _CAPITAL = 2
 
 @dataclass(frozen=True)
 class _Naming:
-    """Where a naming stands: the thing that is named, the name (nothing where it feels somehow), and the end."""
+    """Where a naming stands: the thing that is named, the name, and the end."""
 
     begin: int
     thing: tuple[int, int]
@@ -64,9 +55,7 @@ def without_nicknames(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     at = 0
     for naming in found:
         thing = definite(tokens[slice(*naming.thing)])
-        name = said(tokens[slice(*naming.name)])
-        felt = f"left out, for it asks for nothing: '{said(tokens[naming.begin : naming.end])}'"
-        notes.append(f"'{name}' is {said(thing)}" if name else felt)
+        notes.append(f"'{said(tokens[slice(*naming.name)])}' is {said(thing)}")
         there = [tokens[naming.begin].saying(word) for word in ("there", "is", "a")]
         out += [*again(tokens[at : naming.begin], names), *there, *thing[1:]]
         at = naming.end
@@ -75,13 +64,11 @@ def without_nicknames(tokens: list[Token]) -> tuple[list[Token], list[str]]:
 
 def _named(tokens: list[Token], words: list[str], at: int) -> Iterator[_Naming]:
     """A naming that begins here: "the red cube is the queen", "call the red cube Bob"."""
-    call = max((len(x) for x in _CALL if tuple(words[at : at + len(x)]) == x), default=0)
+    call = length_at(words, at, _CALL)
     thing = thing_at(words, at + call)
     if thing <= at + call:
         return
-    verb = 0 if call else max((len(x) for x in _IS if tuple(words[thing : thing + len(x)]) == x), default=0)
-    if not call and (felt := _felt(words, thing)):
-        yield _Naming(at, (at, thing), (felt, felt), felt)
+    verb = 0 if call else length_at(words, thing, _IS)
     if not (call or verb):
         return
     begin = thing + verb
@@ -96,20 +83,6 @@ def _named(tokens: list[Token], words: list[str], at: int) -> Iterator[_Naming]:
     again = any(words[n : n + end - name] == words[name:end] for n in range(len(words)) if n != name)
     if called or article in _OWN or (article in _ONE and again and HINTS.keys().isdisjoint(words[name:end])):
         yield _Naming(at, (at + call, thing), (name, end), end)
-
-
-def _felt(words: list[str], at: int) -> int:
-    """The position behind "is very lonely today"; 0 where this is something else."""
-    verb = max((len(x) for x in _FEELS if tuple(words[at : at + len(x)]) == x), default=0)
-    end = at + verb
-    while (
-        verb and end < len(words) and words[end] in _HOW and words[end + 1 : end + 2] not in ([], ["."], [","], ["!"])
-    ):
-        end += 1
-    if not verb or end >= len(words) or words[end] not in _FEELINGS:
-        return 0
-    end += 1 + (words[end + 1 : end + 2] != [] and words[end + 1] in _ADDED)
-    return end if end >= len(words) or words[end] in _BREAKS - {"and"} else 0
 
 
 def thing_at(words: list[str], at: int) -> int:
@@ -143,7 +116,7 @@ def again(part: list[Token], names: Sequence[tuple[list[str], list[Token]]]) -> 
     out: list[Token] = []
     at = 0
     while at < len(part):
-        hit = next(((n, t) for n, t in names if n and [x.word for x in part[at : at + len(n)]] == n), None)
+        hit = next(((n, t) for n, t in names if [x.word for x in part[at : at + len(n)]] == n), None)
         if hit is None:
             out.append(part[at])
             at += 1

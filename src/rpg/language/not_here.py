@@ -16,7 +16,9 @@ _DOINGS = """
     poke poking throw throwing toss roll rolling shake shaking kick kiss hug juggle bounce tap tapping trace tracing
     hover wiggle wobble wave squeeze catch fling swing lick tickle knock spill pour hammer bump nudge prod scratch
 """
-_FEELINGS = "scared afraid frightened lonely shy sad jealous angry bored hungry sleepy happy"
+FEELINGS = ("scared", "afraid", "frightened", "lonely", "shy", "sad", "jealous", "angry", "bored", "hungry", "sleepy",
+            "happy")  # fmt: skip
+"""What no block feels."""
 _STREWN = "scatter strew"
 _CENTRES = "centroid barycenter"
 _DIRECTIONS = """
@@ -29,8 +31,8 @@ _KINDS = (
     (_BUILT, "say how its blocks lie, as in 'a row of three blocks', 'a tower', 'a pyramid', 'stairs' or 'an L'"),
     (_DOINGS, "only what is so at the end is checked: say where the block should be then, as in 'move the red block "
               "to the left'"),
-    (_FEELINGS, "blocks feel nothing: say where they should be, as in 'put the red block far from the blue block', "
-                "or 'next to' it"),
+    (" ".join(FEELINGS), "blocks feel nothing: say where they should be, as in 'put the red block far from the blue "
+                         "block', or 'next to' it"),
     (_STREWN, "say 'spread the blocks out' where none should be near another one"),
     (_CENTRES, "of two blocks a third can be halfway 'between' them; of more no middle is known"),
 )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
@@ -17,6 +17,17 @@ def by_first(phrases: tuple[str, ...]) -> Beginnings:
         words = tuple(phrase.split())
         table.setdefault(words[0], []).append(words)
     return table
+
+
+def length_at(words: Sequence[str], at: int, phrases: Iterable[tuple[str, ...]]) -> int:
+    """How many words the longest of some phrases has that stands at a place; 0 where none does."""
+    return max((len(x) for x in phrases if tuple(words[at : at + len(x)]) == x), default=0)
+
+
+def behind(words: Sequence[str], at: int, phrases: Iterable[tuple[str, ...]]) -> int:
+    """The position behind the longest of some phrases that stands at a place; 0 where none does."""
+    long = length_at(words, at, phrases)
+    return at + long if long else 0
 
 
 def tree_of(phrases: Collection[str]) -> dict[str | None, Any]:

@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.language import lexicon
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 _ENDS = frozenset({".", "!", "?", ";", "…"})
@@ -67,7 +68,7 @@ def _comparisons(tokens: list[Token]) -> Iterator[tuple[int, int]]:
     if not plain and any(lexicon.BLOCK.get(word) for word in words):
         return
     for at in range(len(words)):
-        lead = max((len(x) for x in _LIKE if tuple(words[at : at + len(x)]) == x), default=0)
+        lead = length_at(words, at, _LIKE)
         end = _break(words, at)
         if lead and end > at + lead and not any(map(_tells, tokens[at + lead : end])):
             opened = at == 0 or words[at - 1] in _BREAKS

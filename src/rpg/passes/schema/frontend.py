@@ -11,7 +11,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
-from rpg.language.fondness import without_feelings
+from rpg.language.feelings import without_feelings
 from rpg.language.formulas import formulas_told
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides

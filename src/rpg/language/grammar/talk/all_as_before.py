@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language.phrases import behind
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
@@ -21,7 +22,7 @@ def all_as_before(tokens: list[Token], words: list[str]) -> list[Token] | None:
     for start in (n for n in range(len(words)) if n == 0 or words[n - 1] in _STOPS):
         so = _all_so(words, start)
         begun = so + (words[so : so + 1] == [","]) if so else 0
-        but = _behind(words, begun, _BUT) if so else 0
+        but = behind(words, begun, _BUT) if so else 0
         end = next((n for n in range(begun, len(words)) if words[n] in _STOPS), len(words))
         if not but or end - but < 3:
             continue
@@ -34,12 +35,7 @@ def all_as_before(tokens: list[Token], words: list[str]) -> list[Token] | None:
 def _all_so(words: list[str], start: int) -> int:
     """The position behind "everything stays as it is", "leave everything as it is", or 0."""
     if words[start : start + 1] and words[start] in _EVERYTHING:
-        stays = _behind(words, start + 1, _STAYS)
-        return _behind(words, stays, _SO) if stays else 0
-    left = _behind(words, start, _LEFT)
-    return _behind(words, left + 1, _SO) if left and words[left : left + 1] == ["everything"] else 0
-
-
-def _behind(words: list[str], at: int, phrases: tuple[tuple[str, ...], ...]) -> int:
-    """The position behind the longest of these that stands here, or 0."""
-    return max((at + len(x) for x in phrases if tuple(words[at : at + len(x)]) == x), default=0)
+        stays = behind(words, start + 1, _STAYS)
+        return behind(words, stays, _SO) if stays else 0
+    left = behind(words, start, _LEFT)
+    return behind(words, left + 1, _SO) if left and words[left : left + 1] == ["everything"] else 0

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language.grammar.talk.asked_first import about_numbers
 from rpg.language.grammar.talk.named_first import with_names
+from rpg.language.phrases import behind
 from rpg.language.tokens import Token
 
 _DOES = frozenset({"does", "do", "should", "must", "shall", "will"})
@@ -76,7 +77,7 @@ def _in_its_place(asked: Sequence[Token], answer: Sequence[Token]) -> list[Token
     words = [token.word for token in answer]
     for at in range(2, len(words)):
         begin = at + (words[at] == ",")
-        end = next((begin + len(x) for x in _NOT_THESE if tuple(words[begin : begin + len(x)]) == x), 0)
+        end = behind(words, begin, _NOT_THESE)
         if end and words[end] == "the":  # "The white ones, and not the black ones."
             those = _in_its_place(asked, answer[:at])
             comma, joint = (answer[at].saying(word) for word in (",", "and"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import prod
 
 from rpg.language import lexicon
+from rpg.language.phrases import behind
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
@@ -110,12 +111,12 @@ _HAVING = (("consists", "of"), ("is", "made", "of"), ("should", "consist", "of")
 def _two_towers(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "There are two towers; one has two red blocks, the other two blue ones and a green one on top": a tower of
     these, and one of those. What is told of both at once, or of where they are, is left as it is."""
-    at = _after(words, _after(words, 0, _THERE), _TWO)
-    begun = _after(words, at + 1, _FIRST) if at and at < len(words) and words[at] in (";", ":", ".", ",") else 0
-    first = _after(words, begun, _HAVING) if begun else 0
-    joint = next((n for n in range(first, len(words)) if _after(words, n, _SECOND)), 0) if first else 0
-    second = _after(words, joint, _SECOND) if joint else 0
-    second = _after(words, second, _HAVING) or second if second else 0
+    at = behind(words, behind(words, 0, _THERE), _TWO)
+    begun = behind(words, at + 1, _FIRST) if at and at < len(words) and words[at] in (";", ":", ".", ",") else 0
+    first = behind(words, begun, _HAVING) if begun else 0
+    joint = next((n for n in range(first, len(words)) if behind(words, n, _SECOND)), 0) if first else 0
+    second = behind(words, joint, _SECOND) if joint else 0
+    second = behind(words, second, _HAVING) or second if second else 0
     end = len(words) - (words[-1] in _STOPS)
     top = second > 0 and (words[end - 2 : end] == ["on", "top"] or words[0] == "there")
     if not top or not _STOPS.isdisjoint({*words[second:end]} - {";"}):
@@ -188,28 +189,23 @@ def _with_result(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """
     at = next((n for n, word in enumerate(words) if word in ("equation", "sum", "calculation")), 0)
     first = _result(tokens, words, at + 1)
-    using = _after(words, first + 1 if first else at + 1, _WITH) if at else 0
+    using = behind(words, first + 1 if first else at + 1, _WITH) if at else 0
     numbers, signs, end = _listed(tokens, words, using) if using else ([], [], 0)
     last = _result(tokens, words, end) if end and not first else 0
     told = first or last
-    behind = last + 1 if last else end
+    rest = last + 1 if last else end
     if not told or tokens[told].many > _DIGIT or not _comes_to(numbers, signs, tokens[told].many):
         return None
-    if behind < len(words) and words[behind] not in _STOPS:
+    if rest < len(words) and words[rest] not in _STOPS:
         return None
     head = [*tokens[: at - 1], tokens[at - 1].saying("an")] if words[at - 1] == "the" else tokens[:at]
     own = [tokens[told], tokens[told].saying(",")]
-    return [*head, tokens[at], tokens[using].saying("with"), *own, *tokens[using:end], *tokens[behind:]]
-
-
-def _after(words: list[str], at: int, phrases: tuple[tuple[str, ...], ...]) -> int:
-    """The position behind the phrase that stands there, or 0."""
-    return next((at + len(x) for x in phrases if tuple(words[at : at + len(x)]) == x), 0)
+    return [*head, tokens[at], tokens[using].saying("with"), *own, *tokens[using:end], *tokens[rest:]]
 
 
 def _result(tokens: list[Token], words: list[str], at: int) -> int:
     """Where the number is that it is said to come to, or 0."""
-    found = _after(words, at, _RESULTS)
+    found = behind(words, at, _RESULTS)
     return found if found and found < len(words) and tokens[found].many else 0
 
 

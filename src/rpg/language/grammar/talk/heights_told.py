@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 _TOWERS = frozenset({"towers", "stacks", "columns"})
@@ -55,7 +56,7 @@ def _told(tokens: list[Token], words: list[str], at: int) -> tuple[list[Token], 
     led += words[led : led + 1] == ["seen"]
     led, way = _way(tokens, words, led)
     led += words[led : led + 1] == [","]
-    said = max((len(x) for x in _SAID if tuple(words[led : led + len(x)]) == x), default=0)
+    said = length_at(words, led, _SAID)
     heights_said = "heights" in words[led : led + said]
     high = words[at : at + 1] == [":"] or "heights" in words[max(0, at - 6) : at]  # ": from left to right 3 and 2 high"
     if not said and not high:
@@ -84,7 +85,7 @@ def _told(tokens: list[Token], words: list[str], at: int) -> tuple[list[Token], 
 
 
 def _way(tokens: list[Token], words: list[str], at: int) -> tuple[int, list[Token]]:
-    long = next((len(x) for x in _WAYS if tuple(words[at : at + len(x)]) == x), 0)
+    long = length_at(words, at, _WAYS)
     if not long and any(tuple(words[at : at + 3]) == x[1:] for x in _WAYS):  # "left to right"
         return at + 3, [tokens[at].saying("from"), *tokens[at : at + 3]]
     return at + long, tokens[at : at + long]

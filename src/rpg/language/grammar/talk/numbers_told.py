@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 NUMBER = frozenset({"number", "count"})
@@ -28,7 +29,7 @@ def number_is(tokens: list[Token], words: list[str]) -> list[Token] | None:
         ]
         verb, after = max(found[:1], default=(0, 0))
         plain = verb and words[place] in _PLACES and _STOPS.isdisjoint(words[place:verb])
-        bound = next((len(x) for x in _BOUNDS if tuple(words[after : after + len(x)]) == x), 0)
+        bound = length_at(words, after, _BOUNDS)
         many = after + bound
         counted = many < len(words) and (tokens[many].kind == "number" or words[many] in lexicon.NUMBER)
         if not plain or not counted or (many + 1 < len(words) and words[many + 1] in _LATER):

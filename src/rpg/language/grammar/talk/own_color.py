@@ -4,6 +4,7 @@ there are, told last, "one block on each patch, two patches total"."""
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", ";"})
@@ -27,7 +28,7 @@ def own_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
             return [*tokens[:begin], *said, *tokens[end:]]
         begin = end + 1
     for at in range(2, len(words)):
-        size = max((len(x) for x in _OWN if tuple(words[at : at + len(x)]) == x), default=0)
+        size = length_at(words, at, _OWN)
         closed = at + size == len(words) or words[at + size : at + size + 1] == ["."]
         if size and closed and words[at - 2] in _EACH and words[at - 1] in lexicon.BLOCK:
             return [*tokens[:at], *(tokens[at].saying(word) for word in _PATCH), *tokens[at + size :]]

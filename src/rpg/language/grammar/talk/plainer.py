@@ -34,6 +34,7 @@ from rpg.language.grammar.talk.short_turns import (
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
 from rpg.language.grammar.talk.told_short import any_other, but_turned, every_other, halves_told, in_pairs, no_two
 from rpg.language.grammar.talk.utmost_number import utmost_number
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
@@ -68,7 +69,7 @@ def plainer(tokens: list[Token]) -> list[Token]:
 
 def _seen(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "You know the green block? It goes ...", "see the mat, put ...": there is one, and what follows speaks of it."""
-    lead = next((len(x) for x in _SEEN if tuple(words[: len(x)]) == x), 0)
+    lead = length_at(words, 0, _SEEN)
     end = lead
     while end < len(words) and words[end] in _LOOKS:
         end += 1
@@ -130,7 +131,7 @@ def _hedged(tokens: list[Token], words: list[str]) -> list[Token] | None:
         comma = words[at] == ","
         begun = at + comma
         hedge = begun < len(words) and words[begun] in _HEDGING
-        said = max((len(x) for x in _HEDGES if tuple(words[begun : begun + len(x)]) == x), default=0) if hedge else 0
+        said = length_at(words, begun, _HEDGES) if hedge else 0
         end = begun + said
         if not said or words[begun : begun + 1] == words[end : end + 1]:
             continue
@@ -194,10 +195,10 @@ def _freely(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Stack them any way you like as long as green is in the middle": as long as it is there.
     "DOG, but as a tower": as a tower."""
     for at in range(1, len(words) - 2):
-        free = next((len(x) for x in _FREELY if tuple(words[at : at + len(x)]) == x), 0)
+        free = length_at(words, at, _FREELY)
         comma = words[at + free : at + free + 1] == [","]
         begun = at + free + comma
-        lead = next((len(x) for x in _BUT if tuple(words[begun : begun + len(x)]) == x), 0) if free else 0
+        lead = length_at(words, begun, _BUT) if free else 0
         if lead:
             return [*tokens[:at], *tokens[begun + (lead if words[at - 1] in (".", ";", ":") else 0) :]]
         if words[at : at + 2] == [",", "but"] and words[at + 2] in ("as", "in") and words[at + 3 : at + 4] == ["a"]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.phrases import behind, length_at
 from rpg.language.tokens import Token
 
 _MODALS = frozenset({"must", "should", "shall", "will", "may"})
@@ -36,7 +37,7 @@ def amid_the_verb(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if words[at] not in _MODALS or not _DENIED.isdisjoint(words[max(0, at - 2) : at]):
             continue
         for word, phrases in _AMID.items():
-            end = max((start + len(x) for x in phrases if tuple(words[start : start + len(x)]) == x), default=0)
+            end = behind(words, start, phrases)
             end += bool(end) and words[end : end + 1] == [","]
             if end and end < len(words) and _verb(words[end]) and words[end - 1 : end] != [","] * (not comma):
                 said = [tokens[start].saying(word)] if word else []
@@ -95,7 +96,7 @@ def others_anywhere(tokens: list[Token], words: list[str]) -> list[Token] | None
         where += words[where : where + 1] == ["up"]
         if words[where : where + 1] not in (["anywhere"], ["wherever"]):
             continue
-        end = where + 1 + max((len(x) for x in _LIKED if tuple(words[where + 1 : where + 1 + len(x)]) == x), default=0)
+        end = where + 1 + length_at(words, where + 1, _LIKED)
         begin = at - (at > 0 and words[at - 1] == "the")
         said = ("the", "others", "can", "be", "anywhere")
         told = [tokens[at].saying(word) for word in said]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rpg.language import lexicon
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
@@ -62,14 +63,14 @@ def _anywhere_else(tokens: list[Token], words: list[str]) -> list[Token] | None:
 def _of_the_same(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "At least two of the five blue blocks are here, and at least one is there": one of the five blue blocks."""
     for at in range(len(words) - 4):
-        lead = next((len(x) for x in _LEAST if tuple(words[at : at + len(x)]) == x), 0)
+        lead = length_at(words, at, _LEAST)
         of = at + lead + 1
         if not lead or not tokens[of - 1].many or words[of : of + 2] != ["of", "the"]:
             continue
         end = _counted(tokens, of + 2)
         stop = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
         for again in range(end, stop - 2) if end else ():
-            more = next((len(x) for x in _LEAST if tuple(words[again : again + len(x)]) == x), 0)
+            more = length_at(words, again, _LEAST)
             number = again + more
             told = more and words[again - 1] in (",", "and") and number + 1 < stop and tokens[number].many
             if told and words[number + 1] in ("is", "are", "on"):
@@ -129,7 +130,7 @@ def _having(tokens: list[Token], words: list[str]) -> list[Token] | None:
     for at in range(1, len(words) - 6):
         if words[at] not in ("which", "that") or words[at - 1] not in _SINGLE:
             continue
-        has = next((len(x) for x in _HAVING if tuple(words[at + 1 : at + 1 + len(x)]) == x), 0)
+        has = length_at(words, at + 1, _HAVING)
         way = at + 1 + has + (words[at + 1 + has] == ",")
         told = words[way : way + 1] == ["from"] and words[way + 2 : way + 3] == ["to"]
         if has and told and {words[way + 1], words[way + 3]} <= _ENDS and len(words) > way + 5:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 _LARGEST = frozenset({"largest", "biggest", "highest", "greatest"})
@@ -28,7 +29,7 @@ def utmost_number(tokens: list[Token], words: list[str]) -> list[Token] | None:
     if not noun or not made or not all(map(_allowed, tokens[at + 1 : noun])):
         return None
     end = noun + 1
-    end += max((len(x) for x in _BEHIND if tuple(words[end : end + len(x)]) == x), default=0)
+    end += length_at(words, end, _BEHIND)
     digits = [t.raw for n, t in enumerate(tokens) if not at <= n < end and t.kind == "number"]
     if len(digits) < _LEAST or not all(len(digit) == 1 for digit in digits):
         return None

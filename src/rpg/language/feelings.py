@@ -1,11 +1,14 @@
-"""What two blocks feel for each other: "the black block and the white block hate each other". It asks for nothing, and
-says only that there are such blocks."""
+"""How a block feels, or two feel for each other: "the yellow block is lonely", "the black and the white block hate each
+other". It asks for nothing, and says only that there are such blocks."""
 
 from __future__ import annotations
 
 from itertools import product
 
 from rpg.language import lexicon
+from rpg.language.nicknames import thing_at
+from rpg.language.not_here import FEELINGS
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 _VERBS = ("like", "love", "hate", "dislike", "adore", "detest", "miss", "fear", "envy", "despise")
@@ -26,28 +29,36 @@ _OF_ANOTHER = (
     *(f"is {how}" for how in _OF_EACH), "is in love with", "is a friend of", "is an enemy of",
 )  # fmt: skip
 """What is said of one towards another."""
+_FEELS = (("is",), ("feels",), ("looks",), ("seems",), ("gets",))
+_HOW = frozenset({"so", "very", "really", "a", "bit", "little", "all", "always", "quite", "too"})
+_ALONE = frozenset({
+    *FEELINGS, "lonesome", "unhappy", "tired", "thirsty", "proud", "lazy", "nervous", "curious", "excited", "grumpy",
+    "homesick", "cute", "ugly", "pretty", "beautiful", "funny", "famous", "brave", "friendly",
+})  # fmt: skip
+"""What no block is."""
+_ADDED = frozenset({"today", "again", "there", "here", "now"})
 _ARTICLES = frozenset({"the", "my", "our", "your", "a", "an"})
 _BREAKS = frozenset({".", "!", "?", ";", ",", ":", "-", "…"})
 
 
 def without_feelings(tokens: list[Token]) -> tuple[list[Token], list[str]]:
-    """The tokens with "there is" before two blocks that feel something for each other, and notes of that."""
+    """The tokens with "there is" for what blocks feel, and notes of that."""
     words = [token.word for token in tokens]
     out: list[Token] = []
     notes: list[str] = []
     at = 0
     while at < len(tokens):
-        found = _felt(words, at) if at == 0 or words[at - 1] in _BREAKS else None
-        if found is None:
+        things, end = _felt(words, at)
+        if not things:
             out.append(tokens[at])
             at += 1
             continue
-        one, other, end = found
-        said = " ".join({token.span: token.raw for token in tokens[at:end]}.values())
-        notes.append(f"left out, for it asks for nothing: '{said}'")
-        joint = tokens[one[1] - 1].saying("and")
-        out += [tokens[at].saying("there"), tokens[at].saying("is"), *_one_such(tokens[slice(*one)]), joint,
-                *_one_such(tokens[slice(*other)])]  # fmt: skip
+        told = " ".join({token.span: token.raw for token in tokens[at:end]}.values())
+        notes.append(f"left out, for it asks for nothing: '{told}'")
+        out += [tokens[at].saying("there"), tokens[at].saying("is")]
+        for n, (begin, behind) in enumerate(things):
+            joint = [tokens[behind - 1].saying("and")] if n else []
+            out += [*joint, *_one_such(tokens[begin:behind])]
         at = end
     return out, notes
 
@@ -55,21 +66,43 @@ def without_feelings(tokens: list[Token]) -> tuple[list[Token], list[str]]:
 _Range = tuple[int, int]
 
 
-def _felt(words: list[str], at: int) -> tuple[_Range, _Range, int] | None:
-    """The two blocks, and the end of what is said of them, where this begins here."""
+def _felt(words: list[str], at: int) -> tuple[tuple[_Range, ...], int]:
+    """The blocks that feel something, and the end of what is said of them; none where this does not begin here."""
+    if at and words[at - 1] not in _BREAKS | {"and"}:
+        return (), at
+    thing = thing_at(words, at)
+    if thing > at and (end := _lonely(words, thing)):
+        return ((at, thing),), end
+    return _for_each_other(words, at) if at == 0 or words[at - 1] in _BREAKS else ((), at)
+
+
+def _lonely(words: list[str], at: int) -> int:
+    """The position behind "is very lonely today"; 0 where this is something else."""
+    verb = length_at(words, at, _FEELS)
+    end = at + verb
+    while verb and end + 1 < len(words) and words[end] in _HOW and words[end + 1] not in (".", ",", "!"):
+        end += 1
+    if not verb or end >= len(words) or words[end] not in _ALONE:
+        return 0
+    end += 1 + (words[end + 1 : end + 2] != [] and words[end + 1] in _ADDED)
+    return end if end >= len(words) or words[end] in _BREAKS else 0
+
+
+def _for_each_other(words: list[str], at: int) -> tuple[tuple[_Range, ...], int]:
+    """Two blocks of which the one feels something for the other."""
     end = next((n for n in range(at, len(words)) if words[n] in _BREAKS), len(words))
     one = _block(words, at)
     if one == at:
-        return None
+        return (), at
     if words[one : one + 1] == ["and"]:
         other = _block(words, one + 1, plural=True)
         mutual = other > one + 1 and " ".join(words[other:end]) in _MUTUAL
-        return ((at, one), (one + 1, other), end) if mutual else None
+        return (((at, one), (one + 1, other)), end) if mutual else ((), at)
     for feels in _OF_ANOTHER:
         begin = one + len(feels.split())
         if words[one:begin] == feels.split() and begin < _block(words, begin) == end:
-            return (at, one), (begin, end), end
-    return None
+            return ((at, one), (begin, end)), end
+    return (), at
 
 
 def _block(words: list[str], at: int, plural: bool = False) -> int:
@@ -87,5 +120,6 @@ def _block(words: list[str], at: int, plural: bool = False) -> int:
 def _one_such(block: list[Token]) -> list[Token]:
     """ "The red one" as "a red block"."""
     looks = block[1:] if block[0].word in _ARTICLES else block
-    looks = looks[:-1] if looks[-1].word == "one" or looks[-1].word in lexicon.BLOCK else looks
-    return [block[0].saying("a"), *looks, block[-1].saying("block")]
+    noun = looks[-1] if looks[-1].word in lexicon.PATCH else looks[-1].saying("block")
+    bare = looks[-1].word in lexicon.COLOR or looks[-1].word in lexicon.SIZE
+    return [block[0].saying("a"), *(looks if bare else looks[:-1]), noun]

@@ -16,9 +16,8 @@ from rpg.language.tokens import Token
 _ENDS = frozenset({".", "!", "?", ";", "…"})
 _BREAKS = _ENDS | {",", ":", "(", ")", "-"}
 _LIKE = (("like",), ("just", "like"), ("a", "bit", "like"), ("sort", "of", "like"), ("kind", "of", "like"),
-         ("as", "in"), ("as", "on"), ("as", "if"), ("as", "though"), ("as", "one", "would"), ("as", "you", "would"),
-         ("looking", "like"), ("similar", "to"),
-         ("resembling",),
+         ("as", "in"), ("as", "on"), ("as", "if"), ("as", "though"), ("looking", "like"),
+         ("similar", "to"), ("resembling",),
          *((*just, "as", who, *would) for just in ((), ("just",), ("exactly",))
            for who in ("one", "you", "we", "people", "they", "i") for would in (("would",), ("do",), ("might",), ())
            if would or who != "one"),

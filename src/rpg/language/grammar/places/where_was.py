@@ -7,7 +7,6 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import Coord, Loc, Meaning, Noun
 
-WHERE_WAS = "where was"
 _FORMER = "original|old|former|initial|starting|start|first|previous|present|current"
 _SPOT = "place|spot|position|location"
 _LEADS = Patterns(
@@ -38,7 +37,7 @@ def where_was(p: Parser, i: int) -> Results[Loc]:
 
 
 def _place(p: Parser, i: int, j: int, mark: Meaning) -> Loc:
-    return Loc(rel=WHERE_WAS, landmark=mark, span=p.span(i, j))
+    return Loc(rel="where was", landmark=mark, span=p.span(i, j))
 
 
 def _blocks(mark: Meaning) -> bool:

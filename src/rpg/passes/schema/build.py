@@ -102,7 +102,7 @@ def build(
             )
             if best is not None and same(best[1].task, found.task):
                 continue  # that task was looked at
-            if (token := unfounded(words, found.task, found.chosen)) is not None:
+            if (token := next(unfounded(words, found.task, found.chosen), None)) is not None:
                 raise _lost(token)
             check_joints(words, found.task)
             check_invented(words, found.task)

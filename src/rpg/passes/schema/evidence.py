@@ -24,8 +24,8 @@ from rpg.language.tokens import Token
 from rpg.passes.schema.numbers_had import Numbers, edges_of, numbers_of, symbols_of
 from rpg.passes.schema.worked_out import worked_out
 
-PASSING = frozenset({"the", "no", "any", "those", "these", "other", "all", "step", "stage", "row", "column", "level",
-                     "layer", "floor", "tier"})  # fmt: skip
+PASSING = frozenset({"the", "no", "any", "every", "those", "these", "other", "all", "step", "stage", "row", "column",
+                     "level", "layer", "floor", "tier"})  # fmt: skip
 """What stands before a two that is said in passing, or counts off: "the two towers", "no two of them", "row two"."""
 DIGITS = frozenset("0123456789")
 PATCHES = frozenset({"patch", "patches", "mat", "mats"})
@@ -80,8 +80,8 @@ def _spelt(token: Token, task: TaskSchema) -> bool:
     return any(isinstance(atom, Spells) and atom.word == token.raw for atom in atoms(task.goal))
 
 
-def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] = ()) -> Token | None:
-    """The first word that names something of which nothing in the task comes. `chosen`: of no colour that was said."""
+def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] = ()) -> Iterator[Token]:
+    """The words that name something of which nothing in the task comes. `chosen`: of no colour that was said."""
     colors = {asset.color for asset in task.assets if asset.name not in chosen} | _barred(task)
     shown = {symbol for asset in task.assets for symbol in symbols_of(asset)}
     shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
@@ -93,53 +93,52 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             continue
         color = lexicon.COLOR.get(token.word) or lexicon.COLOR_PLURAL.get(token.word)
         if color is not None and color not in colors and not _spelt(token, task):
-            return token
+            yield token
         symbol = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper() and token.raw not in PRONOUNS
         open_ = token.raw in OPEN and _counts(words[index + 1 : index + 3])
         if symbol and token.raw not in shown and not open_ and not ("label" in terms and _alphabet(words, index)):
-            return token
+            yield token
         listed = index > 0 and words[index - 1].word in (",", "and")
         if token.kind == "sign" and listed and token.word in SIGNS and token.word not in shown:
-            return token
+            yield token
         if _nowhere(words, index, terms) and not (_spelt(token, task) or worked_out(words, index, shown)):
-            return token
+            yield token
         if token.word in SYMBOLS and not any(map(SYMBOLS[token.word], shown)):
-            return token
+            yield token
         if token.word in PATCHES and not task.patches and not _spelt(token, task):
-            return token
+            yield token
         if token.word == "ones" and chosen and _of_counted(words, index, task):
-            return token
+            yield token
         if token.word in _BESIDES and _joined_by_others(task):
-            return token
+            yield token
         if color is not None and _one_of_invented(words, color, task):
-            return token
+            yield token
         if token.word == "order" and words[index - 1 : index] and words[index - 1].word == "any" and _as_listed(task):
-            return token
+            yield token
         if token.word == "each" and (_on_one(words, index, task) or _in_one(words, index, task)):
-            return token
+            yield token
         if token.word == "while" and _meanwhile(words, index):
-            return token
+            yield token
         if token.word == "row" and index and words[index - 1].word == "bottom" and _deep_pyramid(task):
-            return token
+            yield token
         if token.word == "to" and _from_side_to_side(words, index) and _in_no_order(task, terms):
-            return token
+            yield token
         if token.word in STAY and _where_it_is(words, index) and terms.isdisjoint({"stayed", "always"}):
-            return token
+            yield token
         if token.word in ONLY and (more := _more_than(words, index, task, terms)) is not None:
-            return more
+            yield more
         said, after = _number(token), words[index + 1].word if index + 1 < len(words) else ""
         if said is not None and said > 4 and after == "corners":
-            return token
+            yield token
         said = None if after in ALWAYS_FOUR else said
         if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
-            return token
+            yield token
         passing = _numbered(words, index, task) or (said == 2 and _in_passing(words, index))
         if said is not None and said > 1 and not (passing or worked_out(words, index, shown)):
             numbers = numbers or Numbers(numbers_of(task))
             told = numbers.among(said) or (_measured(words, index + 1) and Numbers(edges_of(task)).among(said))
             if not told and not (_below(words, index) and numbers.among(said - 1)):
-                return token
-    return None
+                yield token
 
 
 def _barred(task: TaskSchema) -> set[str]:

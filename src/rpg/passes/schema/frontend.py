@@ -15,6 +15,7 @@ from rpg.language.feelings import without_feelings
 from rpg.language.formulas import formulas_told
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
+from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.stock_ahead import stock_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
@@ -30,7 +31,7 @@ from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
 from rpg.passes.schema.respelt import Respelt
-from rpg.passes.schema.told_there import check_told
+from rpg.passes.schema.told_there import check_numbers, check_told
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
 
@@ -89,15 +90,18 @@ class BuiltinFrontEnd:
         if notes and mended is None:
             return self._as_meant(Respelt.of(text, words, tokens), name, seed, author, notes)
         notes = [*(mended or notes), *named]
+        spoken = corrected(words)
         words, told = told_plainly(rows_in_words(without_asides(words)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
             check_told(told, found.task)
+            check_numbers(spoken, words, found)
         except Refusal:
             for ahead in filter(None, (shape_ahead(words), stock_ahead(words))):
                 with suppress(Refusal):
                     found = build(ahead, text, notes, name=name, seed=seed, author=author)
                     check_told(told, found.task)
+                    check_numbers(spoken, ahead, found)
                     return found.task, found.notes
             raise
         return found.task, found.notes

@@ -9,7 +9,7 @@ from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.relations import Between
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import Row, Spells, Stack
+from rpg.ir.structures import Pyramid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -33,6 +33,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _rainbow_beside(words, task)
     _rainbow_between(words, task)
     _made_up_beside(words, task)
+    _below_the_tip(words, task)
     _one_word(task)
     _counts_with_a_slash(words, task)
     _ones_beside_patches(words, task)
@@ -174,6 +175,20 @@ def _of_the_counted(words: Sequence[Token], task: TaskSchema) -> None:
         if made_up < many < len(plain) and made_up and len({token.word for token in named}) > 1:
             raise refuse("ambiguous", "are these of the blocks that were counted, or further ones?", named[0].span,
                          "say how all of those look that are counted")  # fmt: skip
+
+
+def _below_the_tip(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a pyramid with a base of three and two on top" as one of six blocks: its tip is one block."""
+    tips = [
+        abs(x.base[0] - x.base[1]) + 1 if min(x.base) > 1 else 1 for x in atoms(task.goal) if isinstance(x, Pyramid)
+    ]
+    for index, number in enumerate(words if tips else ()):
+        many = lexicon.NUMBER.get(number.word, 0) if number.kind == "word" else number.value
+        behind = [t.word for t in words[index + 1 : index + 5] if t.word != "the"]
+        there = behind[:2] in (["on", "top"], ["at", "top"]) and behind[2:3] not in (["of"], ["them"])
+        if there and isinstance(many, int | float) and many > 1 and many not in tips:
+            raise refuse("ambiguous", "are these the whole top of the pyramid, or is there one more above them?",
+                         number.span, "say of how many blocks the pyramid is built")  # fmt: skip
 
 
 def _one_word(task: TaskSchema) -> None:

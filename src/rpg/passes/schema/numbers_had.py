@@ -15,7 +15,7 @@ from rpg.ir.goal import All, Not
 from rpg.ir.node import members
 from rpg.ir.relations import Clear, Ranged, Shifted, Swapped
 from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
-from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Stack, Staircase
+from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Staircase
 from rpg.ir.walk import atoms, names
 
 UNITS = (1.0, 10.0, 100.0, 1000.0, 1 / 0.0254, 1 / EDGE)
@@ -78,6 +78,7 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     colors = {asset.name: asset.color for asset in task.assets}
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()
+    yield sum(isinstance(atom, Spells) for atom in atoms(task.goal))  # "two words, CAT and DOG"
     alone = [atom for atom in atoms(task.goal) if isinstance(atom, Clear) and len(members(atom.a)) == 1]
     yield len(alone) + sum(isinstance(line, Stack) for line in lines)  # "three towers: 1, 2 and 4 blocks high"
     for line in lines:
@@ -100,6 +101,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
             yield from range(1, math.isqrt(2 * len(atom.blocks)) + 1)
         if isinstance(atom, Staircase | Pyramid):
             yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)
+        if isinstance(atom, Pyramid) and min(atom.base) > 1:
+            yield from ((atom.base[0] - n) * (atom.base[1] - n) for n in range(min(atom.base)))  # "nine, four, one"
 
 
 def _how_large(figure: Figure, edge: float) -> Iterator[float]:

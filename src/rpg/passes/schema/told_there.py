@@ -1,13 +1,19 @@
-"""What an inventory tells to be there, and what a task has: no fewer blocks, and others only where one says so."""
+"""What was said before it was put in plainer words, and what a task has: no fewer blocks than an inventory tells to be
+there, others only where one says so, and something for every number."""
 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 
 from rpg.ir.assets import SemanticCube
 from rpg.ir.schema import TaskSchema
 from rpg.language import lexicon
 from rpg.language.inventories import Told
+from rpg.language.tokens import Token
+from rpg.passes.schema.evidence import unfounded
+from rpg.passes.schema.feasibility import Feasibility
+from rpg.passes.schema.patience import LOST
 from rpg.passes.schema.resolve.things.world import refuse
 
 _SIGNS = frozenset("+-*/=")
@@ -36,6 +42,22 @@ def check_told(told: Told | None, task: TaskSchema) -> None:
         if many and not _brought_up(told, look):
             raise refuse("count-mismatch", f"there are {many} of '{look}', but {had} are spoken of",
                          _where(told, look), "list them all, or say 'another'")  # fmt: skip
+
+
+def check_numbers(said: Sequence[Token], words: Sequence[Token], found: Feasibility) -> None:
+    """Refuse a task of which a number tells nothing that was lost on the way from what was said to the plainer words:
+    "a pyramid of six blocks as a 2x2 base and one on top"."""
+    kept = {token.span for token in words}
+    behind = (*(token.word for token in said[1:]), "")
+    counts = (token for token, after in zip(said, behind, strict=True) if _number(token) and after != "times")
+    lost = {token.span for token in counts if token.span not in kept}
+    for token in unfounded(said, found.task, found.chosen) if lost else ():
+        if token.span in lost:
+            raise refuse("misplaced", f"{LOST} of {token.raw!r}", token.span, "say this part in a sentence of its own")
+
+
+def _number(token: Token) -> bool:
+    return token.kind == "number" or token.word in lexicon.NUMBER
 
 
 def _brought_up(told: Told, look: str) -> bool:

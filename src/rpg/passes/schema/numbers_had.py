@@ -95,6 +95,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
             yield from (len(group) - atom.outliers for group in atom.groups)
         if isinstance(atom, Figure) and atom.shape == "T" and atom.sides is not None:
             yield from (side - 1 for side in atom.sides)  # its stem, without the middle of the bar
+        if isinstance(atom, Figure) and atom.shape in ("plus", "X"):
+            yield 4  # arms
         # The columns of stairs, the layers of a pyramid and the rows of a filled triangle have every height, or length,
         # up to the largest.
         if isinstance(atom, Figure) and atom.shape == "triangle" and atom.filled:

@@ -25,6 +25,7 @@ def lists_in_one(tokens: list[Token]) -> list[Token]:
 _DONE = frozenset({"stack", "pile", "up", "put", "place", "arrange", "sort", "order"})
 _BEYOND = frozenset({"from", "in", "so", "with", "on"})
 _FEW = 3
+_LINES = frozenset(word for word, (_, several) in lexicon.STRUCTURE.items() if several)
 
 
 def _digits(tokens: list[Token]) -> list[Token]:
@@ -60,6 +61,8 @@ def _goes_on(tokens: list[Token], n: int) -> bool:
         found, at = _item(tokens, at)
         if found != kind:
             return False
+    if any(t.word == "," for t in tokens[begin:at]) and any(t.word in _LINES for t in tokens[:begin]):
+        return False  # "two towers: red, blue; blue, red" tells one after the other
     named = tokens[begin - 1].word != ":"
     at += at < len(tokens) and tokens[at].word == "," and _asked(tokens, at + 1)
     return (

@@ -82,7 +82,9 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
 def _which_form_which(shape: Structure, spec: Spec) -> None:
     """Refuse blocks of which it is not told how they are shared out, and numbers that could be heights."""
     for listed in (shape.members, *(x.members for x in spec.usings)):
-        looks = listed.traits.colors if isinstance(listed, Noun) else ()
+        items = listed.items if isinstance(listed, Coord) else (listed,)
+        named = [x for x in items if isinstance(x, Noun) and not (x.amount and x.amount.low > 1)]
+        looks = [color for x in named for color in x.traits.colors]
         shown = listed.traits.labels if isinstance(listed, Noun) and listed.det == "bare" and listed.cost else ()
         if "".join(shown).isdigit() and (shape.amount is None or shape.amount.low == len(shown)):
             raise refuse("ambiguous", "are these the heights of the towers, or cubes that show these numbers?",

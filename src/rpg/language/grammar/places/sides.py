@@ -184,9 +184,10 @@ def at(p: Parser, i: int) -> Results[Meaning]:
         yield At(side="end", span=p.span(i, j)), j
     if j := p.any_of(i, _BOTH_ENDS):
         yield At(side="ends", span=p.span(i, j), cost=2), j
-    ordinal = p.lex(i, lexicon.ORDINAL)
+    nth = p.opt(i, "the")
+    ordinal = p.lex(nth, lexicon.ORDINAL)
     for side, phrases in _FROM_SIDES.items() if ordinal else ():
-        if k := p.any_of(i + 1, phrases):
+        if k := p.any_of(p.opt(nth + 1, "one", "block", "cube") if nth > i else nth + 1, phrases):
             yield At(side=side, index=ordinal, span=p.span(i, k)), k
 
 
@@ -204,7 +205,9 @@ def extreme(p: Parser, i: int) -> Results[Meaning]:
             yield At(side=side, utmost=True, span=p.span(i, one)), one
 
 
-_FROM_SIDES = {side: (f"from the {side}", f"from {side}") for side in ("left", "right", "bottom", "top")}
+_FROM_SIDES = {
+    side: (f"from the {side}", f"from {side}") for side in ("left", "right", "bottom", "top", "front", "back")
+}
 _EITHER_END = tuple(
     f"{at} {end}"
     for at in ("at", "on")

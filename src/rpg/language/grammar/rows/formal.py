@@ -13,12 +13,14 @@ from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
+from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import not_at_end
+from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
@@ -37,9 +39,13 @@ from rpg.language.grammar.rows.turned import Turns, turned
 from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
 from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
+from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
 from rpg.language.tokens import Token
 
 _OF_ALL = (
+    *ORDERED_AT_ONCE,
+    *WRITTEN_AT_ONCE,
+    *FACED_AT_ONCE,
     *LINED_AT_ONCE,
     *MIRRORS_AT_ONCE,
     *RAINBOWS_AT_ONCE,
@@ -74,6 +80,9 @@ _OF_ALL = (
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
+    *ORDERED,
+    *WRITTEN,
+    *FACED,
     *DISTANCES,
     *LOTS,
     *BESIDES,

@@ -207,8 +207,10 @@ def _said(tokens: list[Token], match: re.Match[str], said: str, starts: list[int
     span = (tokens[first].span[0], tokens[last - 1].span[1])
     for word in said.split():
         if not word.startswith("{"):
-            punct = not word.isalpha()
-            yield Token("punct" if punct else "word", word, word, span)
+            if word.isdigit():
+                yield Token("number", word, word, span, float(word))
+                continue
+            yield Token("word" if word.isalpha() else "punct", word, word, span)
             continue
         group = int(word.strip("{s}"))
         if match.group(group):

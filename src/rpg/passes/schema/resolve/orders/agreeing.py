@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
@@ -115,8 +115,9 @@ def forget_side(scene: Scene) -> None:
 
 def in_place(
     order: Order, places: dict[int, str], names: tuple[str, ...], sides: tuple[str, str], scene: Scene
-) -> Order | None:
-    """An order that is settled, where these blocks stand at these places, counted from the first side.
+) -> list[Order]:
+    """An order that is settled, where these blocks stand at these places, counted from the first side: each way to
+    have them there.
 
     None where it has them elsewhere; what it left open, its direction or who is where in a run, they say.
     """
@@ -124,38 +125,41 @@ def in_place(
     if order.by in _SORTED:
         keyed = [(key(order, scene.things[n]), n) for n in names]
         if any(k is None for k, _ in keyed):
-            return None
+            return []
         keyed.sort(key=lambda pair: str(pair[0]).rjust(4), reverse=order.descending)
         ranks = tuple(tuple(n for k, n in keyed if k == one) for one in dict.fromkeys(k for k, _ in keyed))
     elif order.by != "given" or len(scene.free_runs.get(ranks, ())) > 1:
-        return None
+        return []
     for side in sides if order.first is None else (order.first,):
-        found: tuple[tuple[str, ...], ...] | None = ranks
+        found = [ranks]
         for at, name in places.items():
-            found = _split(found, at if side == sides[0] else len(names) - 1 - at, name, scene) if found else None
-        if found is not None:
-            known = {"ranks": by_symbols(found, names, scene)} if order.by == "given" else {}
-            return order.model_copy(update={**known, "first": side})
-    return None
+            index = at if side == sides[0] else len(names) - 1 - at
+            found = [one for ways in found for one in _split(ways, index, name, scene)]
+        if found:
+            known = [{"ranks": by_symbols(one, names, scene)} if order.by == "given" else {} for one in found]
+            return [order.model_copy(update={**one, "first": side}) for one in known]
+    return []
 
 
-def _split(ranks: tuple[tuple[str, ...], ...], at: int, name: str, scene: Scene) -> tuple[tuple[str, ...], ...] | None:
-    """Ranks with a block at a place; None where another stands there."""
+def _split(ranks: Ranks, at: int, name: str, scene: Scene) -> list[Ranks]:
+    """Ranks with a block at a place, for each choice of those of its run before it; none where another stands there."""
     for index, rank in enumerate(ranks):
         if at >= len(rank):
             at -= len(rank)
             continue
         looks = {n: _look(scene.things[n]) for n in {*rank, name}}
         if len(set(looks.values())) == 1:
-            return ranks
+            return [ranks]
         if name not in rank:
-            return None
+            return []
         rest = [n for n in rank if n != name]
-        if 0 < at < len(rest) and len({looks[n] for n in rest}) > 1:
-            return None
-        parts = (tuple(rest[:at]), (name,), tuple(rest[at:]))
-        return (*ranks[:index], *(part for part in parts if part), *ranks[index + 1 :])
-    return None
+        alike = len({looks[n] for n in rest}) == 1
+        found = []
+        for before in [tuple(rest[:at])] if alike else combinations(rest, at):
+            parts = (before, (name,), tuple(n for n in rest if n not in before))
+            found.append((*ranks[:index], *(part for part in parts if part), *ranks[index + 1 :]))
+        return found
+    return []
 
 
 def _look(thing: Thing) -> tuple[str | float | None, ...]:

@@ -13,12 +13,13 @@ from rpg.ir.order import Order
 from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning, replace
 from rpg.passes.schema.resolve.goals.logic import conj
-from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
+from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
 from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
 from rpg.passes.schema.resolve.orders.positions import SIDES, SYMMETRIC, alternatives, looks, places_of, ranks_from
 from rpg.passes.schema.resolve.places.across_the_table import REGION, across_the_table
 from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
+from rpg.passes.schema.resolve.places.in_each_way import settled, ways_of
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line
 from rpg.passes.schema.resolve.places.of_themselves import check_between, of_themselves
@@ -287,16 +288,10 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
                 )
             places[index] = name
     if node.order.by != "any":
-        settled = (
-            None
-            if turned or any(len(ref.names) > 1 for ref, _, _ in ats)
-            else in_place(node.order, places, node.blocks, (sides[0], sides[1]), scene)
-        )
-        if settled is None:
-            hint = "keep one of them"
-            raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], hint)
-        along = {"axis": "y"} if isinstance(node, s.Row) and settled.first in ("left", "right") else {}
-        return transform(goal, lambda x: node.model_copy(update={"order": settled, **along}) if x == node else x)
+        whole, ways = ways_of(goal, node)
+        if turned or any(len(ref.names) > 1 for ref, _, _ in ats):
+            ways = []
+        return transform(goal, lambda x: settled(ways, places, sides, scene, loose[0][2]) if x == whole else x)
     bunches = [ref.names for ref, _, _ in ats if len(ref.names) > 1]
     told = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
     paired = all(isinstance(at_, At) and at_.side in SYMMETRIC for _, at_, _ in loose)

@@ -1,0 +1,189 @@
+"""Orders told by what the values do along a line, by its ends, by the alphabet or the rainbow, and rows that alternate
+or touch: as rows that say the order in its common words."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, MANY, MUST
+
+ALONG = (
+    "(?:(?:going |read |reading |running |seen )?(?:from )?(?:the )?left to (?:the )?right"
+    "|(?:starting|beginning) (?:from|on|at) the left(?: end| side)?)"
+)
+"""From left to right, in whatever words."""
+_WAY = f"(?:{ALONG}|(?:going |read |reading )?from (?:the )?{END} to (?:the )?{END}|to(?:wards)? the right)"
+_THEY = (
+    "(?:they|it|the (?:numbers|digits|values|numerals)(?: on (?:them|it|top))?|the (?:row|line|column|tower|stack)"
+    "|its (?:numbers|digits|values))"
+)
+_SO = "(?:so|so that|such that|in which|where|with)"
+_MORE = "(?:bigger|larger|higher|greater)"
+_LESS = "(?:smaller|lower|less|lesser)"
+_GROW = (
+    f"(?:increases?|increasing|grows?|growing|go(?:es)? up|going up|rises?|rising|ascends?|climbs?|(?:gets?|getting"
+    f"|becomes?|becoming) (?:{_MORE}|{_MORE} and {_MORE}))"
+)
+_SHRINK = (
+    f"(?:decreases?|decreasing|shrinks?|go(?:es)? down|going down|falls?|falling|descends?|(?:gets?|getting|becomes?"
+    f"|becoming) (?:{_LESS}|{_LESS} and {_LESS}))"
+)
+_DIGITS = "^(?=.*(?:\\b\\d\\b(?! ?(?:cm|mm))|\\bnumbers?\\b|\\bdigits?\\b))(?!.* (?:cm|mm)\\b)"
+_UP = (
+    "in (?:ascending|increasing|numeric|numerical|rising) order|from (?:the )?(?:smallest|lowest) to (?:the )?(?:largest"
+    "|biggest|highest)|sorted ascending"
+)
+_WHAT = "(?: number| digit| one| block| cube| value)?"
+_SMALL = f"(?:with )?(?:the )?(?:smallest|lowest|least){_WHAT}(?: is| being)?"
+_LARGE = f"(?:with )?(?:the )?(?:largest|biggest|highest|greatest){_WHAT}(?: is| being)?"
+_ME = "(?:(?: to)? (?:me|us|you|the viewer|the robot|the camera))?"
+_PLACES = {
+    "left": "(?:(?:on|at) the (?:far )?left(?: end| side)?|leftmost|first(?: from the left| on the left))",
+    "right": "(?:(?:on|at) the (?:far )?right(?: end| side)?|rightmost)",
+    "front": f"(?:(?:nearest|closest){_ME}|(?:at|in) (?:the )?(?:very )?front|in front)",
+    "back": f"(?:(?:farthest|furthest)(?: away)?(?: from (?:me|us|you|the viewer|the robot|the camera))?"
+            "|(?:at|in) the (?:very )?back|at the rear)",
+    "bottom": "(?:at the (?:very )?bottom|on the bottom|lowest)",
+    "top": "(?:at the (?:very )?top|on (?:the )?top|uppermost)",
+}  # fmt: skip
+_AXES = (("left", "right"), ("front", "back"), ("bottom", "top"))
+_JOIN = "(?: ,)?(?: and)?"
+_BOTH_ENDS: tuple[Turn, ...] = tuple(
+    (
+        f"{head}(?: ,)? (?:so that |such that )?{small} {_PLACES[a]}{_JOIN} {large} {_PLACES[b]}(?= ,|$)",
+        f"{{1}} {order} from {a} to {b}",
+    )
+    for head, order in (
+        ("(^(?=.*(?: cm| mm)\\b).*?)", "from smallest to largest"),
+        (f"({_DIGITS}.*?)", "in ascending order"),
+    )
+    for one, other in _AXES
+    for a, b, small, large in (
+        (one, other, _SMALL, _LARGE),
+        (other, one, _SMALL, _LARGE),
+        (one, other, _LARGE, _SMALL),
+        (other, one, _LARGE, _SMALL),
+    )
+)
+"""The smallest at one end, the largest at the other; told from the smallest on."""
+_OPPOSITE = {a: b for one in _AXES for a, b in (one, one[::-1])}
+
+
+def _from_the_smallest(row: Turn) -> Turn:
+    """The same where the largest is told first: the order still begins with the smallest."""
+    pattern, said = row
+    if pattern.index("smallest|lowest|least") < pattern.index("largest|biggest|highest|greatest"):
+        return row
+    *ahead, a, _, b = said.split()
+    return pattern, " ".join((*ahead, b, "to", a))
+
+
+_ONE_END: tuple[Turn, ...] = tuple(
+    (
+        f"\\b({_UP})(?: ,)? {what} {_PLACES[place]}(?= ,|$)",
+        f"{{1}} from {place if what == _SMALL else _OPPOSITE[place]} to {_OPPOSITE[place] if what == _SMALL else place}",
+    )
+    for place in ("front", "back")
+    for what in (_SMALL, _LARGE)
+)
+"""Sorted, and which is at the front."""
+_ALPHABET = "(?:as in|like in|by|according to|following|in the order of|along|through) the alphabet"
+_BACK = (
+    "(?:backwards? (?:through|in|along) the alphabet|against the alphabet|from the last to the first in the alphabet"
+    "|from last to first in the alphabet|from z to a|in backwards? alphabetical order)"
+)
+_RAINBOW = "(?:rainbow|spectrum|gradient|color gradient|rainbow gradient)"
+_LIST = f"((?:(?:the |an? )?{COLOR}(?: {CUBE}s?)?(?: ,| and| , and)* ?)+?)"
+_SYMBOL = f"(?:{COLOR}|[a-z]|\\d)"
+_ITEM = f"(?:the )?(?:(?:letter|number|digit|cube|block) )?{_SYMBOL}(?: (?:one|block|cube))?"
+_SYMBOLS = (
+    "(?:the )?(?:(?:letters|digits|numbers|cubes|blocks|(?:letter|number|digit) (?:cubes|blocks)) )?"
+    f"(?:(?:the |an? )?{_SYMBOL}(?: block| cube)?(?: ,| and| , and) )+(?:the |an? )?{_SYMBOL}(?: blocks?| cubes?)?"
+)
+_BE = f"(?:is|being|comes|stands|goes|sits|{MUST} be|{MUST} stand|{MUST} come|as)"
+_IS = f"(?: {_BE})?"
+_NTH = "(?:second|third|fourth|fifth|sixth)"
+_PLACE = (
+    f"(?:(?:the )?{_NTH}(?: one)? from the (?:left|right)|(?:the )?(?:leftmost|rightmost)(?: one)?|(?:the )?first(?: from "
+    "the left| on the left)?|(?:on|at) the (?:far )?(?:left|right)(?: end| side)?|in the (?:middle|center))"
+)
+
+ORDERED_AT_ONCE: tuple[Turn, ...] = (
+    # numbers and sizes
+    *map(_from_the_smallest, _BOTH_ENDS),
+    *_ONE_END,
+    (f"({_DIGITS}.*?\\b(?:row|line|column|tower|stack|up|other)\\b.*?)(?: ,)? {_SO} {_THEY} (?:{MUST} )?{_GROW}"
+     f"(?= {_WAY}| {_SO}|$| ,)", "{1} in ascending order"),
+    (f"({_DIGITS}.*?\\b(?:row|line|column|tower|stack|up|other)\\b.*?)(?: ,)? {_SO} {_THEY} (?:{MUST} )?{_SHRINK}"
+     f"(?= {_WAY}| {_SO}|$| ,)", "{1} in descending order"),
+    (f"({_DIGITS}.*?)(?: ,)? so that ,? ?((?:going |read |reading )?from (?:the )?{END} to (?:the )?{END})(?: ,)? "
+     f"{_THEY} (?:{MUST} )?{_GROW}$", "{1} in a row in ascending order {2}"),
+    ("\\b(?:by|of|in) (?:increasing|growing|ascending) size\\b", "from smallest to largest"),
+    ("\\b(?:by|of|in) (?:decreasing|shrinking|descending) size\\b", "from largest to smallest"),
+    ("\\b(?:sorted )?by size(?: ,)? (?:the )?smallest(?: one)? first\\b", "from smallest to largest"),
+    (f"\\b({MANY} (?:\\w+ )?(?:blocks|cubes)) , ((?:\\d (?:cm )?(?: ,|and|, and) )+\\d cm) (?:in size|wide|large|big|"
+     "long|high|each|edges?)(?= |$)", "{1} of {2}"),
+    (f"\\b({MANY} (?:\\w+ )?(?:blocks|cubes)) , with (?:edges|sides|an edge|edge lengths) of ((?:\\d (?:cm )?(?:,|and|"
+     ", and) )+\\d cm) ,", "{1} of {2}"),
+    ("\\b(in a (?:row|line|column)) (?:of increasing size|of growing size)\\b", "{1} from smallest to largest"),
+    # letters
+    (f"(?:,? ?(?:sorted|ordered|arranged) )?\\b{_BACK}\\b", "in reverse alphabetical order"),
+    (f"(?<!in )(?:,? ?(?:sorted|ordered|arranged) )?\\b{_ALPHABET}\\b(?! of)", "in alphabetical order"),
+    # along which way
+    ("\\b(?:one|each) (?:after|behind) (?:the other|another|one another|the next) ,? ?(?=(?:from )?(?:the )?front to "
+     "(?:the )?back)", "in a column "),
+    ("\\b(?:starting|beginning) (?:from|on|at) the left(?: end| side)?(?= :| ,|$| in | with)", "from left to right"),
+    # rainbows
+    (f"(?: ,)? (?:so|such)(?: that)? (?:the|their|its) colors (?:form|make|give) an? {_RAINBOW}", " in rainbow order"),
+    (f"\\b(in rainbow order(?: ,)?(?: with)?) ((?:the )?{COLOR}(?: one)?) first (?=on the left|from the left)",
+     "{1} {2} "),
+    (f"^(?:the )?colors (?:of|in) the (row|line) {MUST} (?:follow|form|make) (?:the|a) {_RAINBOW} ,? ?(.*?)(?: ,)? ?: "
+     f"(?:use )?{_LIST}$", "put {3} in a {1} in rainbow order , {2}"),
+    (f"^an? {_RAINBOW} ({ALONG} )?in an? (row|line) : (.+?)( , .+? (?:leftmost|on the left|at the left end))?$",
+     "put {3} in a {2} in rainbow order {1} {4}"),
+    # places in a row
+    ("\\bthe (\\d) ((?:is |being |comes |stands )?(?:the )?(?:second|third|fourth|fifth|leftmost|rightmost|first)(?= from the"
+     "| ,|$| and| in a (?:row|line)))", "the digit {1} {2}"),
+    (f"^(?:(?:make|build|i want) )?an? row of (.+?) (?:in which|where) ((?:{_ITEM}{_IS} {_PLACE}{_JOIN} ?)+)$",
+     "put {1} in a row , {2}"),
+    (f"^in an? row of ({_SYMBOLS})(?: ,| :) ((?:{_ITEM}{_IS} {_PLACE}{_JOIN} ?)+)$", "put {1} in a row , {2}"),
+    (f"^((?:{_ITEM}{_IS} {_PLACE}{_JOIN} ?)+) in an? row of ({_SYMBOLS})$", "put {2} in a row , {1}"),
+    (f"^(.* in a row , .*?)({_ITEM}) (?:{_BE} )?(?:first|the first)(?: one)?(?=$| ,| and)", "{1} {2} at the left end"),
+    (f"^(.* in a row , .*?)({_ITEM}) {_BE} (?={_PLACE}(?:$| ,| and))", "{1} {2} "),
+    (f"^the (?:middle one|middle block|middle cube|one in the middle|middle) (?:of|in) an? row of ({_SYMBOLS}) "
+     f"(?:{MUST} be|is) ({_ITEM})$", "put {1} in a row , {2} in the middle"),
+    ("(?: ,)? in (?:any order|whatever order|whichever order|an arbitrary order)(?: you (?:like|want|please|wish))?(?: ,)? "
+     f"(?:but|as long as|provided that|provided|so long as|if only|just)(?: with)? ({_ITEM}) (?:{_BE} )?(in the (?:middle"
+     "|center))(?: one)?$", " with {1} {2}"),
+    # rows that touch
+    (f"(?: ,)?(?: so that| such that| so)?(?: ,)? (?:every|each)(?: one| block| cube)? (?:{MUST} touch|touches) (?:the "
+     "next(?: one| block)?|its (?:next )?neighbors?)", " , touching"),
+    ("(?: ,)? (?:where|in which|so that|such that) (?:all )?(?:the )?(?:neighbors|neighboring (?:blocks|cubes)) touch"
+     "(?: each other)?", " , touching"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+_OF = "(?:formed by|formed of|made of|made from|consisting of|of)"
+_EVERY = "(?:every other|every second)"
+
+ORDERED: tuple[Turn, ...] = (
+    # numbers
+    (f"^(?:({_WAY})(?: ,)? )?the (row|line) {_OF} (.+?) (?:{MUST} )?{_GROW}(?: ({_WAY}))?$",
+     "put {3} in a {2} in ascending order {1} {4}"),
+    (f"^(?:({_WAY})(?: ,)? )?the (row|line) {_OF} (.+?) (?:{MUST} )?{_SHRINK}(?: ({_WAY}))?$",
+     "put {3} in a {2} in descending order {1} {4}"),
+    (f"^the (numbers|digits) (?:in|of) the (row|line) (?:{MUST} )?{_GROW}(?: ({_WAY}))? : (.+)$",
+     "put the {1} {4} in a {2} in ascending order {3}"),
+    (f"^the (numbers|digits) (?:in|of) the (row|line) (?:{MUST} )?{_SHRINK}(?: ({_WAY}))? : (.+)$",
+     "put the {1} {4} in a {2} in descending order {3}"),
+    (f"^(.*?\\d)(?: ,)? in a (row|line)(?: ,)? {_GROW}(?: ({_WAY}))?$", "{1} in a {2} in ascending order {3}"),
+    (f"^(.*?\\d)(?: ,)? in a (row|line)(?: ,)? {_SHRINK}(?: ({_WAY}))?$", "{1} in a {2} in descending order {3}"),
+    ("^an? (?:number (tower|stack)|(tower|stack) of (?:numbers|digits)) going up (\\d.*)$",
+     "a {1} {2} from bottom to top : {3}"),
+    # rows that alternate
+    (f"\\b({MANY} {COLOR}(?: blocks| cubes| ones)?) n (?={MANY}\\b)", "{1} and "),
+)  # fmt: skip
+"""What makes no sense as it stands."""
+WORDS = (
+    "alphabet ascend ascends decrease decreases decreasing descend descends follow gradient grow grows growing increase "
+    "increases increasing rise rises rising shrink shrinks spectrum z",
+)
+"""Words that these take besides those that are read anyway."""

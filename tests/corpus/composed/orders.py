@@ -12,7 +12,8 @@ DRAWN = (
     listed.lists, listed.lists, listed.lists,
     patterned.alternating, patterned.mirrored, patterned.placed, patterned.placed, patterned.spaced,
     ranked.numbers, ranked.numbers, ranked.letters, ranked.kinds, ranked.colors, ranked.sizes,
-    spelled.words, spelled.words, spelled.reversed_words, spelled.towers, spelled.two_words, spelled.grids, spelled.sums, spelled.sums,
+    spelled.words, spelled.words, spelled.reversed_words, spelled.towers,
+    spelled.two_words, spelled.grids, spelled.sums, spelled.sums,
     turned.turns, turned.turns, turned.words,
 )  # fmt: skip
 

@@ -27,7 +27,8 @@ WAYS: dict[str, tuple[str, ...]] = {
         f"in a row {RIGHT}: {{list}}",
         f"{{list}} [in a row|in a line|side by side] {RIGHT}",
         f"a row that [reads|goes|is|says] {{list}} {RIGHT}",
-        "[make|build|lay] a row [which|that] [starts|begins] with {x1} on the left, [followed by|then comes|then] {rest}",
+        "[make|build|lay] a row [which|that] [starts|begins] with {x1} on the left, [followed by|then comes|then] "
+        "{rest}",
         "[there should be|I want|make] a row [beginning|starting] with {x1} [at the left end|on the left|at the left],"
         " [followed by|then] {rest}",
         "the row [starts|begins] with {x1} [on the left|at the left end], [followed by|and goes on with] {rest}",
@@ -50,43 +51,56 @@ WAYS: dict[str, tuple[str, ...]] = {
     ),
     "left": (
         "a row [that reads|going|of] {list} from right to left",
-        "{the_list} [in a row|lined up] [from right to left|right to left|starting on the right|, starting from the right]",
-        "put {the_shuffled} in a row: {x1} [at the right end|on the far right|rightmost], then {rest} [to the left|going left]",
+        "{the_list} [in a row|lined up] [from right to left|right to left|starting on the right|, starting from the "
+        "right]",
+        "put {the_shuffled} in a row: {x1} [at the right end|on the far right|rightmost], then {rest} [to the left|"
+        "going left]",
         "a row with {x1} [on the far right|at the right end], then {x2} to its left, then {x3} [to the left of that|]",
         "the row [starts|begins] on the right with {x1}, then {rest}",
     ),
     "back": (
-        "{the_list} [in a column|one behind the other|one behind another|one after the other] [from front to back|front to back]",
-        "[put|place|line up] {the_shuffled} one behind the other [with|, with] {x1} [nearest to me|closest to me|nearest|at the front]",
-        "first {x1}, [which is closest to me|the nearest to me|nearest to me], then {x2}, [then|and] {x3} [is|] the [farthest|furthest]"
+        "{the_list} [in a column|one behind the other|one behind another|one after the other] [from front to back|"
+        "front to back]",
+        "[put|place|line up] {the_shuffled} one behind the other [with|, with] {x1} [nearest to me|closest to me|"
+        "nearest|at the front]",
+        "first {x1}, [which is closest to me|the nearest to me|nearest to me], then {x2}, [then|and] {x3} [is|] the "
+        "[farthest|furthest]"
         " [away|], [in a column|all in one line]",
-        "[make|build] a column on the table: {x1} [nearest to me|at the front|in front], then {x2}, and {x3} [at the back|farthest away]",
+        "[make|build] a column on the table: {x1} [nearest to me|at the front|in front], then {x2}, and {x3} [at the "
+        "back|farthest away]",
         "{X1} is [nearest to me|closest to me|at the front], then comes {x2}, and {x3} is [farthest away|at the back],"
         " [all in one straight line|in one column|in a line]",
         "a column on the table [with|, with] {x1} [at the front|nearest to me], then {x2}, [and|then] {x3} at the back",
-        "[make|lay] a column on the table that [starts|begins] with {x1} [nearest to me|at the front], [goes on|continues] with {x2} and"
+        "[make|lay] a column on the table that [starts|begins] with {x1} [nearest to me|at the front], [goes on|"
+        "continues] with {x2} and"
         " ends with {x3} [farthest away|at the back]",
-        "[queue up|line up] {the_list} one behind the other, [with {x1} in front|{x1} in front|with {x1} nearest to me]",
+        "[queue up|line up] {the_list} one behind the other, [with {x1} in front|{x1} in front|with {x1} nearest to "
+        "me]",
         "{the_list} [should|are to|shall] form a column [running|going|] from front to back",
         "on the table a column [from front to back|going from front to back]: {list}",
         "{X1} in front, {x2} behind it, {x3} behind that, [in one column|all in one line|in a straight line]",
-        "in the column on the table {x1} is [the nearest to me|nearest|at the front], {x2} in the middle and {x3} [farthest away|at the back]",
+        "in the column on the table {x1} is [the nearest to me|nearest|at the front], {x2} in the middle and {x3} "
+        "[farthest away|at the back]",
     ),
     "up": (
         "a tower [of|with] {list} from bottom to top",
         "a tower [with|, with], from bottom to top, {list}",
         "[stack|pile up] {the_list} from bottom to top",
         "[stack|pile up] {the_list} in [this|that] order, {x1} [at the bottom|lowest|first]",
-        "{X1} [at the bottom|is at the bottom|goes at the bottom], then {x2}, [then|and] {x3} [on top|at the top|at the very top], in one tower",
+        "{X1} [at the bottom|is at the bottom|goes at the bottom], then {x2}, [then|and] {x3} [on top|at the top|at "
+        "the very top], in one tower",
         "[make|build|I want] a tower: {x1} at the bottom, on that {x2}, on that {x3}",
         "from bottom to top [I want|I'd like|: |build] {list}, all in one [stack|tower]",
         "[make|build] a tower [which|that] [starts|begins] with {x1} at the bottom, [then has|followed by] {rest}",
-        "in the tower, [which reads from bottom to top|read from bottom to top|from bottom to top], [are|we see] {list}",
-        "[the tower is|the tower should be|the stack should be] {list} from [bottom to top|the bottom up|the bottom to the top]",
+        "in the tower, [which reads from bottom to top|read from bottom to top|from bottom to top], [are|we see] "
+        "{list}",
+        "[the tower is|the tower should be|the stack should be] {list} from [bottom to top|the bottom up|the bottom "
+        "to the top]",
         "{list}, stacked [in that order|in this order], {x1} [lowest|at the bottom|being the lowest]",
         "stack with {x1} at the bottom, {x2} in the middle and {x3} [on top|at the top]",
         "[put|place] {x1} on the table, then {x2} on it, then {x3} on that",
-        "[there are|I have] {a_shuffled}. [stack|pile] them [with|so that] {x1} [at the bottom|lowest], {x2} [in the middle|second] and {x3}"
+        "[there are|I have] {a_shuffled}. [stack|pile] them [with|so that] {x1} [at the bottom|lowest], {x2} [in the "
+        "middle|second] and {x3}"
         " on top",
         "when the tower is [read|seen] from bottom to top, [it reads|it is|you see] {list}",
     ),
@@ -94,14 +108,15 @@ WAYS: dict[str, tuple[str, ...]] = {
         "a tower [of|with] {list} from top to bottom",
         "[stack|pile up] {the_list} from top to bottom",
         "[the tower is|the stack should be] {list} from [top to bottom|the top down|the top to the bottom]",
-        "{X1} on top, {x2} [under it|below it|in the middle], {x3} [at the bottom|at the very bottom], all in one tower",
+        "{X1} on top, {x2} [under it|below it|in the middle], {x3} [at the bottom|at the very bottom], all in one "
+        "tower",
         "a stack that, read from top to bottom, [is|says|goes] {list}",
     ),
 }
 
 
 def _named(kind: str, look: str, style: int) -> str:
-    noun = {"colors": BLOCK, "letters": f"[cube|letter|letter]", "digits": "[digit|number|cube]"}[kind]
+    noun = {"colors": BLOCK, "letters": "[cube|letter|letter]", "digits": "[digit|number|cube]"}[kind]
     if kind == "colors":
         return (look, f"the {look} {noun}", f"the {look} one", look)[style]
     first = {"letters": "letter", "digits": "digit"}[kind]
@@ -120,7 +135,9 @@ def gaps_for(rng: Random, kind: str, order: list[str]) -> Gaps:
     noun = {"colors": BLOCKS, "letters": "[letters|letter cubes]", "digits": "[digits|number cubes|numbers]"}[kind]
     shuffled = rng.sample(order, len(order))
     if kind == "colors":
-        the_list = rng.choice((f"the {joined(order)} {BLOCK}", f"[the|] {joined(order)} [{BLOCKS}|]", listed(rng, names)))
+        the_list = rng.choice(
+            (f"the {joined(order)} {BLOCK}", f"[the|] {joined(order)} [{BLOCKS}|]", listed(rng, names))
+        )
         the_shuffled = f"the {joined(shuffled)} {BLOCK}"
         a_shuffled = "a " + joined(shuffled, " and a ").replace(", ", ", a ") + f" {BLOCK}"
     else:
@@ -160,8 +177,12 @@ def lists(rng: Random) -> tuple[str, Gaps, Meaning]:
     order = looks(rng, kind, 3 if way != "right" else rng.choice((3, 3, 4)))
     swapped = [order[1], order[0], *order[2:]]
     miss = [pictured(way, order[::-1]), pictured(way, swapped)]
-    return rng.choice(WAYS[way]), gaps_for(rng, kind, order), {
-        "assets": once(order),
-        "hold": [pictured(way, order)],
-        "miss": miss,
-    }
+    return (
+        rng.choice(WAYS[way]),
+        gaps_for(rng, kind, order),
+        {
+            "assets": once(order),
+            "hold": [pictured(way, order)],
+            "miss": miss,
+        },
+    )

@@ -34,10 +34,10 @@ FACED: tuple[Turn, ...] = (
     (f"^((?:spell|write) (?:the word )?\\S{{2,}}|the word \\S{{2,}}|the (?:cubes|letters) read \\S{{2,}} from left to "
      f"right)(?: ,)?(?: but)?(?: with)? (?:its|the) (?:letter )?(\\S)(?: in the middle)? (?:{MUST} be|is|{MUST} "
      f"appear)? ?{_OVER}$", "{1} , but the {2} is {3}"),
-    (f"^the (?:cubes|letters) read (\\S{{2,}}) from left to right(?= , but)", "spell {1}"),
+    ("^the (?:cubes|letters) read (\\S{2,}) from left to right(?= , but)", "spell {1}"),
     (f"^((?:spell|write) (?:the word )?\\S{{2,}}|the word \\S{{2,}})(?: ,)? with all (?:its|the) letters {_OVER}$",
      "{1} with all letters {2}"),
-    (f"^the word (\\S{{2,}})(?= with all letters)", "spell {1}"),
+    ("^the word (\\S{2,})(?= with all letters)", "spell {1}"),
     (f"^{_X} is upside down and to the (right|left) of {_X} , which is upright$",
      "{1} is to the {2} of {3} . {1} must be upside down . {3} must be upright"),
     (f"^both {_X} and {_X} {MUST} be {_OVER[:-1]}|readable) , with \\1 (?:to the )?(left|right) of \\2$",

@@ -122,7 +122,8 @@ MIRRORS_AT_ONCE: tuple[Turn, ...] = (
     # what is said of a line that stands before it
     (f"^the (?:colors?|color order|order|color sequence) (?:of|in) the ({_LINE}) {_MIRRORED}",
      "the {1} should be in mirrored order"),
-    (f"^((?:the|my|this) {_LINE}(?: (?:of|with|from|made of) .+?)?|it|they) {_MIRRORED}(?=$| ,| :)",
+    (f"^((?:the|my|this) {_LINE}(?: (?:of|with|from|made of|made from|consisting of) .+?)?|it|they) {_MIRRORED}(?=$| "
+     f",| :)",
      "{1} should be in mirrored order"),
     (f"(?: ,)? and (it|they|the {_LINE}) {_MIRRORED}$", " . {1} should be in mirrored order"),
     (f"^(?:the|my|this) ({_LINE})(?: of blocks)? should be in mirrored order : (.+)$", "a mirrored {1} : {2}"),

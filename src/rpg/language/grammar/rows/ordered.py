@@ -29,8 +29,15 @@ _SHRINK = (
 )
 _DIGITS = "^(?=.*(?:\\b\\d\\b(?! ?(?:cm|mm))|\\bnumbers?\\b|\\bdigits?\\b))(?!.* (?:cm|mm)\\b)"
 _UP = (
-    "in (?:ascending|increasing|numeric|numerical|rising) order|from (?:the )?(?:smallest|lowest) to (?:the )?(?:largest"
+    "in (?:ascending|increasing|numeric|numerical|rising) order|from (?:the )?(?:smallest|lowest) to (?:the "
+    ")?(?:largest"
     "|biggest|highest)|sorted ascending"
+)
+_UPS = f"(?:{_UP}|from low to high|from small to (?:large|big)|(?:sorted )?ascending)"
+_DOWNS = (
+    "(?:in (?:descending|decreasing|falling) order|from (?:the )?(?:largest|biggest|highest) to (?:the )?(?:smallest|"
+    "lowest)"
+    "|(?:sorted )?descending)"
 )
 _WHAT = "(?: number| digit| one| block| cube| value)?"
 _SMALL = f"(?:with )?(?:the )?(?:smallest|lowest|least){_WHAT}(?: is| being)?"
@@ -40,7 +47,7 @@ _PLACES = {
     "left": "(?:(?:on|at) the (?:far )?left(?: end| side)?|leftmost|first(?: from the left| on the left))",
     "right": "(?:(?:on|at) the (?:far )?right(?: end| side)?|rightmost)",
     "front": f"(?:(?:nearest|closest){_ME}|(?:at|in) (?:the )?(?:very )?front|in front)",
-    "back": f"(?:(?:farthest|furthest)(?: away)?(?: from (?:me|us|you|the viewer|the robot|the camera))?"
+    "back": "(?:(?:farthest|furthest)(?: away)?(?: from (?:me|us|you|the viewer|the robot|the camera))?"
             "|(?:at|in) the (?:very )?back|at the rear)",
     "bottom": "(?:at the (?:very )?bottom|on the bottom|lowest)",
     "top": "(?:at the (?:very )?top|on (?:the )?top|uppermost)",
@@ -80,7 +87,8 @@ def _from_the_smallest(row: Turn) -> Turn:
 _ONE_END: tuple[Turn, ...] = tuple(
     (
         f"\\b({_UP})(?: ,)? {what} {_PLACES[place]}(?= ,|$)",
-        f"{{1}} from {place if what == _SMALL else _OPPOSITE[place]} to {_OPPOSITE[place] if what == _SMALL else place}",
+        f"{{1}} from {place if what == _SMALL else _OPPOSITE[place]} to "
+        f"{_OPPOSITE[place] if what == _SMALL else place}",
     )
     for place in ("front", "back")
     for what in (_SMALL, _LARGE)
@@ -93,6 +101,11 @@ _BACK = (
 )
 _RAINBOW = "(?:rainbow|spectrum|gradient|color gradient|rainbow gradient)"
 _LIST = f"((?:(?:the |an? )?{COLOR}(?: {CUBE}s?)?(?: ,| and| , and)* ?)+?)"
+_EVERY = "(?:every other|every second)"
+_FROM_END = (
+    f"(?:(?:from )?(?:the )?{END}(?: up| down)? to (?:the )?{END}|(?:starting|beginning) (?:on|from|at) the "
+    "left)"
+)
 _SYMBOL = f"(?:{COLOR}|[a-z]|\\d)"
 _ITEM = f"(?:the )?(?:(?:letter|number|digit|cube|block) )?{_SYMBOL}(?: (?:one|block|cube))?"
 _SYMBOLS = (
@@ -103,7 +116,8 @@ _BE = f"(?:is|being|comes|stands|goes|sits|{MUST} be|{MUST} stand|{MUST} come|as
 _IS = f"(?: {_BE})?"
 _NTH = "(?:second|third|fourth|fifth|sixth)"
 _PLACE = (
-    f"(?:(?:the )?{_NTH}(?: one)? from the (?:left|right)|(?:the )?(?:leftmost|rightmost)(?: one)?|(?:the )?first(?: from "
+    f"(?:(?:the )?{_NTH}(?: one)? from the (?:left|right)|(?:the )?(?:leftmost|rightmost)(?: one)?|(?:the )?first(?: "
+    f"from "
     "the left| on the left)?|(?:on|at) the (?:far )?(?:left|right)(?: end| side)?|in the (?:middle|center))"
 )
 
@@ -120,11 +134,48 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:by|of|in) (?:increasing|growing|ascending) size\\b", "from smallest to largest"),
     ("\\b(?:by|of|in) (?:decreasing|shrinking|descending) size\\b", "from largest to smallest"),
     ("\\b(?:sorted )?by size(?: ,)? (?:the )?smallest(?: one)? first\\b", "from smallest to largest"),
-    (f"\\b({MANY} (?:\\w+ )?(?:blocks|cubes)) , ((?:\\d (?:cm )?(?: ,|and|, and) )+\\d cm) (?:in size|wide|large|big|"
+    (f"\\b({MANY} (?:\\w+ )?(?:blocks|cubes)) , ((?:\\d (?:cm )?(?:,|and|, and) )+\\d cm) (?:in size|wide|large|big|"
      "long|high|each|edges?)(?= |$)", "{1} of {2}"),
     (f"\\b({MANY} (?:\\w+ )?(?:blocks|cubes)) , with (?:edges|sides|an edge|edge lengths) of ((?:\\d (?:cm )?(?:,|and|"
      ", and) )+\\d cm) ,", "{1} of {2}"),
     ("\\b(in a (?:row|line|column)) (?:of increasing size|of growing size)\\b", "{1} from smallest to largest"),
+    # kinds, one before the other
+    *(
+        row
+        for told, order in ((_UPS, "in ascending order"), (_DOWNS, "in descending order"))
+        for row in (
+            (f"(?: :| ,)*(?: the)? (even|odd) (?:numbers|digits|ones) before (?:the )?(?:even|odd) (?:numbers|digits|"
+             f"ones)"
+             f"{_JOIN} (?:sorted )?{told} (?:with)?in(?:side)? (?:each|every|both)(?: (?:kind|part|group|half|of "
+             f"them)s?)?$",
+             f" , first the {{1}} numbers , then the others , each {order}"),
+            (f"(?: :| ,)*(?: first)?(?: the)? (even|odd) (?:numbers|digits|ones)(?: ,)? (?:sorted )?{told}{_JOIN} "
+             f"(?:then|"
+             f"followed by)(?: the)? (even|odd)(?: numbers| digits| ones)?(?: ,)? (?:sorted )?{told}(?=$| ,)",
+             f" , first the {{1}} numbers , then the {{2}} ones , each {order}"),
+        )
+    ),
+    (f"({_DIGITS}.*?)(?: ,)?(?: so that| such that| with| where| in which)? each(?: one| number| digit| cube)? (?:is |"
+     f"being "
+     f"|)?{_MORE} than the (?:one|number|digit|cube) (?:before it|before|to its left|on its left|preceding it)$",
+     "{1} in ascending order from left to right"),
+    (f"({_DIGITS}.*?)(?: ,)?(?: so that| such that| with| where| in which)? each(?: one| number| digit| cube)? (?:is |"
+     f"being "
+     f"|)?{_LESS} than the (?:one|number|digit|cube) (?:before it|before|to its left|on its left|preceding it)$",
+     "{1} in descending order from left to right"),
+    (f"({_DIGITS}.*?)(?: ,)?(?: so that| such that| with| where| in which)? each(?: one| number| digit| cube)? (?:is |"
+     f"being "
+     f"|)?(?:{_MORE} than the (?:one|number|digit|cube) (?:on it|on top of it|above it|above)|{_LESS} than the (?:one|"
+     f"number"
+     "|digit|cube) (?:below it|under it|it stands on|it is on|beneath it|below))$",
+     "{1} in descending order from bottom to top"),
+    (f"({_DIGITS}.*?)(?: ,)?(?: so that| such that| with| where| in which)? each(?: one| number| digit| cube)? (?:is |"
+     f"being "
+     f"|)?(?:{_LESS} than the (?:one|number|digit|cube) (?:on it|on top of it|above it|above)|{_MORE} than the (?:one|"
+     f"number"
+     "|digit|cube) (?:below it|under it|it stands on|it is on|beneath it|below))$",
+     "{1} in ascending order from bottom to top"),
+    ("\\bone (?:behind|after) (?:the other|another) ,? ?(?=in \\w+ (?:\\w+ )?order)", "in a column "),
     # letters
     (f"(?:,? ?(?:sorted|ordered|arranged) )?\\b{_BACK}\\b", "in reverse alphabetical order"),
     (f"(?<!in )(?:,? ?(?:sorted|ordered|arranged) )?\\b{_ALPHABET}\\b(?! of)", "in alphabetical order"),
@@ -141,7 +192,8 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
     (f"^an? {_RAINBOW} ({ALONG} )?in an? (row|line) : (.+?)( , .+? (?:leftmost|on the left|at the left end))?$",
      "put {3} in a {2} in rainbow order {1} {4}"),
     # places in a row
-    ("\\bthe (\\d) ((?:is |being |comes |stands )?(?:the )?(?:second|third|fourth|fifth|leftmost|rightmost|first)(?= from the"
+    ("\\bthe (\\d) ((?:is |being |comes |stands )?(?:the )?(?:second|third|fourth|fifth|leftmost|rightmost|first)(?= "
+     "from the"
      "| ,|$| and| in a (?:row|line)))", "the digit {1} {2}"),
     (f"^(?:(?:make|build|i want) )?an? row of (.+?) (?:in which|where) ((?:{_ITEM}{_IS} {_PLACE}{_JOIN} ?)+)$",
      "put {1} in a row , {2}"),
@@ -151,9 +203,53 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.* in a row , .*?)({_ITEM}) {_BE} (?={_PLACE}(?:$| ,| and))", "{1} {2} "),
     (f"^the (?:middle one|middle block|middle cube|one in the middle|middle) (?:of|in) an? row of ({_SYMBOLS}) "
      f"(?:{MUST} be|is) ({_ITEM})$", "put {1} in a row , {2} in the middle"),
-    ("(?: ,)? in (?:any order|whatever order|whichever order|an arbitrary order)(?: you (?:like|want|please|wish))?(?: ,)? "
-     f"(?:but|as long as|provided that|provided|so long as|if only|just)(?: with)? ({_ITEM}) (?:{_BE} )?(in the (?:middle"
+    ("(?: ,)? in (?:any order|whatever order|whichever order|an arbitrary order)(?: you (?:like|want|please|"
+     "wish))?(?: ,)? "
+     f"(?:but|as long as|provided that|provided|so long as|if only|just)(?: with)? ({_ITEM}) (?:{_BE} )?(in the "
+     f"(?:middle"
      "|center))(?: one)?$", " with {1} {2}"),
+    # lists
+    (f"^(?:lined up|all lined up|in line|in a line|in a row) ({ALONG}) - (.+)$", "a row , from left to right : {2}"),
+    (f"\\b(row|line|tower|stack|column) with ,? ?({_FROM_END}) ,? ?(?=.* (?:,|and) )", "{1} , {2} : "),
+    (f"^in (?:the|a|one) (tower|stack|row|line|column) ,? ?(?:(?:which|that) )?(?:reads|is read|read|seen)? "
+     f"?({_FROM_END}) ,? ?"
+     "(?:(?:we|you|i) (?:can )?see|are|there are|stand) (?=.* (?:,|and) )(.+)$", "a {1} , {2} : {3}"),
+    (f"^an? (tower|stack|row|line|column) that ,? ?(?:when |if )?read ({_FROM_END}) ,? ?(?:says|goes|is|shows|reads) "
+     "(?=.* (?:,|and) )(.+)$", "a {1} , {2} : {3}"),
+    (f"^(?:the )?(?:blocks|cubes|members)(?: in| of)? the (row|line) {MUST} be ,? ?(?:in this order|in order)?(?: and|"
+     f",)* ?"
+     f"({_FROM_END})(?: :| ,) (.+)$", "a {1} , {2} : {3}"),
+    # rows that alternate
+    (f"(?: ,)?(?: (?:that|which|and))? (?:begins|starts|beginning|starting|begin|start) and (?:ends|finishes|ending|"
+     f"end) with "
+     f"(?:an? )?({COLOR})(?= |$)", " with {1} at both ends"),
+    (f"(?<!the )\\b({COLOR})(?: one| block| cube)? (?:at|on) (?:each|either) end(?= ,|$| and)", "{1} at both ends"),
+    (f"\\b(row|line) that alternates(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR} (?:blocks|cubes))", "{1} of {2} that "
+     "alternates"),
+    (f"\\b(always one ({COLOR}) (?:and )?one {COLOR}|alternat\\w+)((?: .*)?) , (?:the )?({COLOR})(?: one)? (?:is|"
+     f"comes|being)? "
+     "?(?:the )?first(?: (?:on|from) the left)?$", "{1} {3} , starting with {4} on the left"),
+    (f"^an? alternating row ({ALONG} )?: (.+ starting with .+)$", "put {2} in a row {1} , alternating"),
+    (f"^alternating row ({ALONG} )?: (.+) , (starting with {COLOR} on the left|{COLOR} first)$",
+     "{2} in a row , alternating , {3}"),
+    (f"\\b(alternating) , ({COLOR}) first$", "{1} , starting with {2} on the left"),
+    (f"^(?:the )?({COLOR}) and ({COLOR}) (blocks|cubes) , ({MANY}) (?:of each|each) , (?:alternate|alternating) "
+     f"(?:along|in) an? "
+     "(row|line)$", "{4} {1} and {4} {2} {3} in a {5} , alternating"),
+    (f"^({MANY} (?:blocks|cubes)) in an? (row|line)(?: ,| :) ((?:{MANY} {COLOR} ?(?:,|and|, and)? )+, )(?:placed |"
+     f"arranged |laid )?"
+     "(?=so that|such that)", "a {2} of {1} , {3} "),
+    (f"\\bone ({COLOR}) (block|cube)s\\b", "one {1} {2}"),
+    (f"^(?:the )?colors (?:of the (?:blocks|cubes) )?(?:in|of) (?:the|a) (row|line) (?:{MUST} )?alternate( between "
+     f"{COLOR} and "
+     f"{COLOR})?(?: ,| :) ({MANY} .+)$", "put {3} in a {1} , alternating {2}"),
+    (f"\\b({MANY} {COLOR}(?: blocks| cubes| ones)?) alternating with ({MANY} {COLOR})(?: ones| blocks| cubes)? in "
+     f"(?:a|one|a "
+     "single) (row|line)$", "{1} and {2} blocks in a {3} , alternating"),
+    (f"^{_EVERY} (?:block|cube|one) (?:in|of) an? (row|line) of ({MANY}) (?:is|{MUST} be) ({COLOR}) ,? ?(?:beginning|"
+     f"starting) "
+     f"(?:with|from|at) the leftmost(?: one)?(?: ,)?(?: and)? the (?:others|rest|other ones)(?: are| is| {MUST} be)? "
+     f"({COLOR})$", "a {1} of {2} blocks alternating {3} and {4} , starting with {3} on the left"),
     # rows that touch
     (f"(?: ,)?(?: so that| such that| so)?(?: ,)? (?:every|each)(?: one| block| cube)? (?:{MUST} touch|touches) (?:the "
      "next(?: one| block)?|its (?:next )?neighbors?)", " , touching"),
@@ -162,7 +258,6 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 _OF = "(?:formed by|formed of|made of|made from|consisting of|of)"
-_EVERY = "(?:every other|every second)"
 
 ORDERED: tuple[Turn, ...] = (
     # numbers
@@ -178,12 +273,14 @@ ORDERED: tuple[Turn, ...] = (
     (f"^(.*?\\d)(?: ,)? in a (row|line)(?: ,)? {_SHRINK}(?: ({_WAY}))?$", "{1} in a {2} in descending order {3}"),
     ("^an? (?:number (tower|stack)|(tower|stack) of (?:numbers|digits)) going up (\\d.*)$",
      "a {1} {2} from bottom to top : {3}"),
+    (f"^count (?:up|down) : (.+ {ALONG}.*|.+ order.*)$", "{1}"),
     # rows that alternate
     (f"\\b({MANY} {COLOR}(?: blocks| cubes| ones)?) n (?={MANY}\\b)", "{1} and "),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = (
-    "alphabet ascend ascends decrease decreases decreasing descend descends follow gradient grow grows growing increase "
+    "alphabet ascend ascends decrease decreases decreasing descend descends follow gradient grow grows growing "
+    "increase "
     "increases increasing rise rises rising shrink shrinks spectrum z",
 )
 """Words that these take besides those that are read anyway."""

@@ -56,9 +56,17 @@ ASIDE = {
 NEXT = (
     "(?:(?:then|next|after (?:it|that|this)|followed by|next to (?:it|that)|beside it|behind (?:it|that))"
     f"(?: {IS})? (?P<thing>.+)"
+    "|(?:it |then )?(?:continues|goes on|continuing|going on) with (?P<thing3>.+)"
     f"|(?:then )?the next(?: one| two| three)?(?: {IS})? (?P<thing1>.+)"
     f"|(?P<thing2>.+?) (?:{IS} )?(?:next|then|after (?:it|that)|next to it|beside it|behind (?:it|that)))"
 )
+ONWARD = {
+    "left": "(?:(?:to|on) (?:its|the) left(?: side)?(?: of (?:it|that))?|left of (?:it|that))",
+    "right": "(?:(?:to|on) (?:its|the) right(?: side)?(?: of (?:it|that))?|right of (?:it|that))",
+    "front": "in front of (?:it|that)",
+    "back": "behind (?:it|that)",
+}
+"""What is next of what was told before, seen from the other end."""
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
 NTH = (
     f"(?:(?:at|in) )?(?:the )?(?P<nth>{'|'.join(ORDINALS[1:])})(?: one| place| position| block)?"
@@ -84,7 +92,7 @@ _LEAD = (
 DO = "^(?:put|place|set|lay|arrange|have|line up|i want)(?: (?:the|some) (?:blocks|cubes)| them)?(?: so that)? "
 _SIZE = f"(?: of (?P<size>{FEW}|\\d+)(?: blocks| cubes| boxes)?(?! {COLOR}))?"
 _ALL = "(?: ,)?(?: and)?(?: all| everything| they are all| all of them)?"
-_A_LINE = f"(?:straight |single )?(?P<line>{LINE}){_SIZE}"
+_A_LINE = f"(?:straight |single )?(?P<line>{LINE}){_SIZE}(?: on the table)?"
 _WHERE = "in which|where|so that|such that|with|which has|that has|has|have|and(?= it)|that(?= \\w+s )"
 FRAMES = (
     f"^{_LEAD}(?:in )?(?:an?|the|one|my|this) {_A_LINE}(?: {MUST} be{_MADE})?(?: ,)?(?: :| (?:{_WHERE}))?(?= )",
@@ -93,6 +101,20 @@ FRAMES = (
     f"(?:^|{_ALL} )(?:standing )?(?P<line>one behind the other|behind each other|behind one another)(?: :)?(?=$| )",
 )
 """What names the line, ahead of its blocks, in between or behind them."""
+MIRRORED = f"\\b(?:mirror )?(?:symmetric|symmetrical|mirrored|palindromic) (?={LINE}\\b)"
+"""A line that is its own mirror image, where its places show that it is."""
+STOCKED = (
+    f"^({_LEAD}(?:an?|the|one) (?:row|line|column))(?: of| with| from) ((?:(?:the |an? )?[^ ,:;]+ ?(?:block|"
+    f"cube)?s?(?: ,| and)+"
+    " )+(?:the |an? )?[^ ,:;]+(?: blocks?| cubes?)?)(?: ,)? (?:such that|so that|in which|where|with) "
+)
+"""A line, and what blocks it has, ahead of their places."""
+UTMOST = {
+    "at the front": "(?:(?:the )?(?:nearest|closest)(?: to)? (?:me|you|us|the viewer|the robot|the camera)"
+                    "|which is (?:nearest|closest)(?: to me)?)",
+    "at the back": "(?:(?:is )?(?:the )?(?:farthest|furthest)(?: away)?(?: from (?:me|you|us|the viewer|the robot))?)",
+}  # fmt: skip
+"""Ends of a column told by who stands there."""
 CHANGED = frozenset({
     "reverse", "reversed", "swap", "swapped", "exchange", "change", "rearrange", "reorder", "flip", "now", "currently",
     "initially", "originally", "already", "beginning", "start", "turn", "trade",

@@ -54,6 +54,8 @@ def _told(tokens: list[Token]) -> list[Token]:
     stop = tokens[-1:] if tokens[-1].word in STOPS else []
     words = [_word(tokens, n) for n in range(len(tokens) - len(stop))]
     text = re.sub(w.SAID, "", " ".join(";" if word in STOPS else word for word in words))
+    mirrored = re.search(w.MIRRORED, text) is not None
+    text = re.sub(w.STOCKED, r"\1 : \2 : ", re.sub(w.MIRRORED, "", text))
     for frame in w.FRAMES:
         found = re.search(frame, text)
         if found is None:
@@ -61,7 +63,7 @@ def _told(tokens: list[Token]) -> list[Token]:
         rest = " ".join(f"{text[: found.start()]} {text[found.end() :]}".split())
         size = _count(found.groupdict().get("size"))
         for ends in _ENDS.get(found["line"], (_DEEP,)):
-            if line := _in_order(re.sub(f" of the {w.LINE}\\b", "", rest), ends, size):
+            if line := _in_order(re.sub(f" of the {w.LINE}\\b", "", rest), ends, size, mirrored):
                 span = (tokens[0].span[0], tokens[-1].span[1])
                 there = ["there", "is"] if re.match("there (?:is|are) ", text) else []
                 return [*(_token(word, span) for word in (*there, *line)), *stop]
@@ -96,8 +98,11 @@ def _token(word: str, span: tuple[int, int]) -> Token:
     return Token("word" if said.isalpha() else "punct", said, said.upper() if label else said, span)
 
 
-def _in_order(text: str, ends: tuple[str, str], size: int | None) -> list[str]:
-    """A line from one end to the other; nothing where its places do not make up all of it."""
+def _in_order(text: str, ends: tuple[str, str], size: int | None, mirrored: bool) -> list[str]:
+    """A line from one end to the other; nothing where its places do not make up all of it, or it is to be its own
+    mirror image and is not."""
+    for place, utmost in w.UTMOST.items() if ends == _DEEP else ():
+        text = re.sub(f"(?: ,)? {utmost}(?= ,| and| ;|$)", f" {place}", text)
     stock, text = _stock(re.sub(w.DO, "", text))
     text = re.sub("(?:^| )(?:,|and|;)* ?then\\b", " , then", text)
     parts: list[_Part] = []
@@ -111,6 +116,8 @@ def _in_order(text: str, ends: tuple[str, str], size: int | None) -> list[str]:
     parts = _counted(parts, size, stock)
     laid = _laid(parts, ends) if len(parts) > (1 if bare or stock else 2) else []
     if not laid or (size is not None and size != len(laid)) or (stock and Counter(laid) != stock):
+        return []
+    if mirrored and laid != laid[::-1]:
         return []
     runs = [list(run) for _, run in groupby(enumerate(laid), lambda x: x[1] if x[1] in lexicon.COLOR else x[0])]
     told = [run[0][1] if len(run) == 1 else f"{len(run)} {run[0][1]} blocks" for run in runs]
@@ -156,9 +163,14 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
             side = next((x for x in sides if x), ends[0] if begins else ends[1])
             return _thing(told["thing"], side) if side in ends else None
     if (told := re.fullmatch(w.NEXT, said)) is not None:
-        thing = next(x for x in (told["thing"], told["thing1"], told["thing2"]) if x)
+        thing = next(x for x in (told["thing"], told["thing1"], told["thing2"], told["thing3"]) if x)
         part = _thing(thing, "next")
         return part if part is not None else _part(thing, ends, before)
+    onward = w.ONWARD[ends[0] if before and before[0].place == ends[1] else ends[1]]
+    if before and (told := re.fullmatch(f"(?:then )?(?P<thing>.+?)(?: {w.IS})? {onward}", said)) is not None:
+        return _thing(told["thing"], "next")
+    if before and before[-1].place == "next" and (part := _thing(said, "next")) is not None:
+        return part
     if (told := re.fullmatch(w.REMAINING, said)) is not None:
         return _Part(told[2], _count(told["many"]) or 0, "rest")
     if not before and (part := _thing(said, "")) is not None:

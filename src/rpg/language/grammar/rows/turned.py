@@ -12,6 +12,8 @@ from rpg.language.tokens import Token
 
 Turn = tuple[str, str]
 """What is looked for in a sentence, and what is said instead; "{1}" is the first group, "{1s}" several of it."""
+_SIGNS = frozenset("+*/=")
+"""What cubes show; a dash may stand between two words as well."""
 _MOST = 4
 """No sentence is turned more often by the same row."""
 _SETS = 4
@@ -209,6 +211,9 @@ def _said(tokens: list[Token], match: re.Match[str], said: str, starts: list[int
         if not word.startswith("{"):
             if word.isdigit():
                 yield Token("number", word, word, span, float(word))
+                continue
+            if word in _SIGNS:
+                yield Token("sign", word, word, span)
                 continue
             yield Token("word" if word.isalpha() else "punct", word, word, span)
             continue

@@ -1,5 +1,5 @@
-"""Words and equations that are to be read, grids in reading order: told by who reads them, by a passive or by what comes
-out, as rows that spell or write them."""
+"""Words and equations that are to be read, grids in reading order: told by who reads them or by what comes out, as rows
+that spell or write them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rpg.language.grammar.rows.vocabulary import MUST
 _CUBES = "(?:letter (?:cubes|blocks|tiles)|letters|the (?:letter )?(?:cubes|blocks|letters)|(?:the )?cubes|blocks)"
 _LETTERS = "((?:the )?(?:letters |letter cubes )(?:\\w (?:,|and|, and) )+\\w)"
 _FROM = "(?:with|from|using|out of)"
-_WORD = "((?:the (?:word|name) )?[a-z0-9]{2,})"
+_WORD = "(?:the (?:word|name) )?([a-z0-9]{2,})"
 _SPELL = "(?:spell|write|make|form|spell out|write out|lay out|read|say)"
 _SPELLED = "(?:spelled(?: out)?|written(?: out)?|spelt|formed|displayed|laid out|shown|read|readable)"
 _SPELLS = "(?:spells?|reads?|says?|forms?|makes?(?: up)?|gives?|shows?)"
@@ -21,14 +21,18 @@ _IN_FRONT = "(?:in front of (?:it|that)|nearer to me|closer to me|in front|befor
 _EQUATION = "(?:equation|calculation|sum)"
 _TRUE = "(?:true|correct|valid|right)"
 _SYMBOLS = "((?:the )?(?:cubes |blocks )?\\d (?:,|and).*?)"
-_PAGE = "(?:like (?:in )?an? (?:book|page)|as in a book|like on a page|as on a page|like a text|the way you read a book)"
+_PAGE = (
+    "(?:like (?:in )?an? (?:book|page)|as in a book|like on a page|as on a page|like a text|the way you read a "
+    "book)"
+)
 _READ = "(?:(?:you|one|i|we) (?:can )?read (?:them|it)|they (?:can be |are )?read|it (?:can be |is )?read)"
 
 WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     # words down a tower
-    (f"\\b(tower|stack) of (?:letter (?:cubes|blocks|tiles)|letters)(?: ,)? (?=(?:that|which|spelling|reading|saying) )",
+    ("\\b(tower|stack) of (?:letter (?:cubes|blocks|tiles)|letters)(?: ,)? (?=(?:that|which|spelling|reading|saying) "
+     ")",
      "{1} "),
-    (f"\\ban? letter (tower|stack)(?= (?:spelling|reading|saying|that|which) )", "a {1}"),
+    ("\\ban? letter (tower|stack)(?= (?:spelling|reading|saying|that|which) )", "a {1}"),
     (f"\\b(tower|stack) (?:spelling|reading|saying) {_WORD} (?:when read |if read |read |reading )?{_DOWN}$",
      "{1} that reads {2} from top to bottom"),
     (f"^(?:(?:build|make) )?an? {_STACK}(?: of letter (?:cubes|blocks)| of letters)?(?: ,)? (?:such|so) that ,? ?when "
@@ -48,14 +52,16 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
      f"order)?|backwards)(?: ,)? so(?: that)? (?:they|it) reads? [a-z]{{2,}}$", "spell {1} backwards"),
     (f"^(?:lay out|write|spell) {_WORD} (?:backwards|in reverse|back to front|from back to front)(?: ,)?(?: so(?: "
      f"that)? (?:it|they) reads? [a-z]{{2,}}(?: from left to right)?)?$", "spell {1} backwards"),
-    (f"^(?:the letters of )?{_WORD}(?: ,)? (?:in a row(?: ,)? )?(?:spelled |written )?(?:backwards|in reverse(?: order)?"
+    (f"^(?:the letters of )?{_WORD}(?: ,)? (?:in a row(?: ,)? )?(?:spelled |written )?(?:backwards|in reverse(?: "
+     f"order)?"
      "|back to front)(?: ,)?(?: so(?: that)? (?:it|they) reads? [a-z]{2,}(?: from left to right)?)?$",
      "spell {1} backwards"),
     (f"^(?:put|arrange|line up|place) {_LETTERS} in a row (?:so|such|so that|such that) (?:that )?(?:they|it|you|one|i|"
      f"we)(?: can)? {_SPELLS} {_WORD}( from left to right)?$", "there are {1} . spell {2}"),
     (f"^(?:stack|pile)(?: up)? {_LETTERS} (?:so|such|so that|such that) (?:that )?(?:they|it|you|one|i|we)(?: can)? "
      f"{_SPELLS} {_WORD} {_DOWN}$", "there are {1} . a tower that reads {2} from top to bottom"),
-    (f"^(?:put|place|lay|arrange) {_CUBES} in a row (?:so|such|so that|such that) (?:that )?(?:they|it|you|one|i|we)(?: "
+    (f"^(?:put|place|lay|arrange) {_CUBES} in a row (?:so|such|so that|such that) (?:that )?(?:they|it|you|one|i|"
+     f"we)(?: "
      "can)? (?:reads?|shows?|says?) (\\S*=\\S*)$", "write {1}"),
     # two words
     (f"^two words {MUST} be {_SPELLED}(?: ,| :)? {_WORD} in the {_FAR} row(?: ,| and| , and) {_WORD} in the {_NEAR} "
@@ -71,19 +77,32 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
      " reading order"),
     ("(?: ,)? row by row(?: ,)? (?:starting|beginning) (?:at the |in the |from the )?far left(?: corner)?",
      " in reading order"),
-    ("^((?:the )?(?:digits|numbers)(?: from)? \\d to \\d) (?:form|make|are laid out as|fill) (\\w+ rows of \\w+|an? \\S+ "
+    ("^((?:the )?(?:digits|numbers)(?: from)? \\d to \\d) (?:form|make|are laid out as|fill) (\\w+ rows of \\w+|an? "
+     "\\S+ "
      "(?:square|grid)) (in reading order)$", "put {1} in {2} {3}"),
     ("\\b(the (?:digits|numbers)) from (\\d to \\d)(?=.*reading order)", "{1} {2}"),
     # equations
+    (f"\\ban? {_EQUATION} (?:that|which) is {_TRUE}\\b", "a true equation"),
+    ("^i (?:want|would like) to (?:read|see) (\\S*=\\S*) (?:in|with) (?:cubes|blocks)$", "write {1}"),
+    *(
+        (f"^(?=.*\\b{_EQUATION}\\b)(.*?)\\b(?:the |an? )?{word}(?: (?:sign|symbol|cube|block)s?(?= |$)|(?= ,|$| and | "
+         f"to | "
+         f"with | {MUST}\\b))", f"{{1}} {sign}")
+        for word, sign in (("plus", "+"), ("times", "*"), ("multiplication", "*"), ("division", "/"), ("equals?", "="))
+    ),
+    (f"^(?=.*\\b{_EQUATION}\\b)(.*?)\\b(?:the |an? )minus(?: (?:sign|symbol|cube|block))?(?= |$)", "{1} minus"),
     (f"\\b(?:so|such)(?: that)? an? {_TRUE} {_EQUATION} (?:comes out|results|is formed|appears|arises|can be read|"
      "emerges)$", "so that they form a true equation"),
-    (f"\\ban {_EQUATION} (?:that|which) is {_TRUE}\\b", "a true equation"),
     (f"^from {_SYMBOLS}(?: ,)? an? {_TRUE} {_EQUATION} {MUST} (?:come out|be made|be formed|result|be built)$",
-     "make a true equation from {1}"),
+     "make a true equation with {1}"),
     (f"^from {_SYMBOLS} {MUST} (?:come out|be made|be formed) an? {_TRUE} {_EQUATION}$",
-     "make a true equation from {1}"),
+     "make a true equation with {1}"),
     (f"^(?:take|use) {_SYMBOLS} (?:and|to) {_SPELL[:-1]}|build) an? {_TRUE} {_EQUATION}(?= |$)",
-     "make a true equation from {1} "),
+     "make a true equation with {1} "),
+    (f"\\b({_TRUE} {_EQUATION}|equation) (?:out of|made of|made from|from|using) (?=.*\\d .*=)", "{1} with "),
+    (f"\\b({_TRUE} {_EQUATION} with (?:the )?(?:cubes |blocks )?\\d , \\d)(?: and| ,|, and) (\\d) (?:and|with|, with|"
+     f", and) "
+     "(\\S+) and (=)", "{1} , {2} , {3} and {4}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 
@@ -108,18 +127,20 @@ WRITTEN: tuple[Turn, ...] = (
     # two words
     (f"^(?:(?:put|spell|lay|write) )?{_WORD} behind {_WORD}$", "{1} in the far row and {2} in the near row"),
     (f"^(?:(?:put|spell|lay|write) )?{_WORD} in front of {_WORD}$", "{2} in the far row and {1} in the near row"),
-    (f"^(?:{_SPELL}|i (?:want|would like) to (?:read|see)) {_WORD}(?: ,)? and(?: ,)? (?:{_IN_FRONT}|in front of \\1)(?: "
+    (f"^(?:{_SPELL}|i (?:want|would like) to (?:read|see)) {_WORD}(?: ,)? and(?: ,)? (?:{_IN_FRONT}|in front of "
+     f"\\1)(?: "
      f",)? {_WORD}$", "{1} in the far row and {2} in the near row"),
     (f"^(?:{_SPELL} )?the words (\\S+) and (\\S+) in two rows(?: ,)? \\1 (?:further|farther) (?:away|back)$",
      "{1} in the far row and {2} in the near row"),
     (f"^(?:{_SPELL} )?the words (\\S+) and (\\S+) in two rows(?: ,)? \\1 (?:in the far one|behind|at the back)$",
      "{1} in the far row and {2} in the near row"),
-    (f"^the words (\\S+) and (\\S+) {MUST}(?: both)? be (?:on the table|readable|visible|there) ,?(?: with)? \\1 (?:is |"
+    (f"^the words (\\S+) and (\\S+) {MUST}(?: both)? be (?:on the table|readable|visible|there) ,?(?: with)? \\1 "
+     f"(?:is |"
      "being )?behind \\2$", "{1} in the far row and {2} in the near row"),
     # equations
     ("^(?:make |there is )?an? row (?:that|which) (?:shows|says|reads) (\\S*=\\S*)$", "write {1}"),
-    (f"^(.+? (?:equals|is|makes|gives) [a-z0-9]+) , (?:written|laid out|built|made|shown) (?:in|with|out of) "
-     f"(?:number |digit )?(?:and sign )?(?:cubes|blocks)$", "write {1}"),
+    ("^(.+? (?:equals|is|makes|gives) [a-z0-9]+) , (?:written|laid out|built|made|shown) (?:in|with|out of) "
+     "(?:number |digit )?(?:and sign )?(?:cubes|blocks)$", "write {1}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("appears book emerges readable results",)

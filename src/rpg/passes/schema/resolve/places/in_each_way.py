@@ -15,7 +15,12 @@ from rpg.passes.schema.resolve.things.world import Scene, refuse
 def ways_of(goal: g.Goal, node: s.Stack | s.Row) -> tuple[g.Goal, list[s.Stack | s.Row]]:
     """The line with all the other ways to fill what was left open in it, of which one is to hold."""
     found: list[g.Any] = []
-    transform(goal, lambda x: (found.append(x) if isinstance(x, g.Any) and node in x.goals else None) or x)
+
+    def seen(part: g.Goal) -> g.Goal:
+        found.extend([part] if isinstance(part, g.Any) and node in part.goals else [])
+        return part
+
+    transform(goal, seen)
     for some in found:
         ways = [x for x in some.goals if isinstance(x, s.Stack | s.Row) and {*x.blocks} == {*node.blocks}]
         if len(ways) == len(some.goals):

@@ -103,8 +103,7 @@ _RAINBOW = "(?:rainbow|spectrum|gradient|color gradient|rainbow gradient)"
 _LIST = f"((?:(?:the |an? )?{COLOR}(?: {CUBE}s?)?(?: ,| and| , and)* ?)+?)"
 _EVERY = "(?:every other|every second)"
 _FROM_END = (
-    f"(?:(?:from )?(?:the )?{END}(?: up| down)? to (?:the )?{END}|(?:starting|beginning) (?:on|from|at) the "
-    "left)"
+    f"(?:(?:from )?(?:the )?{END}(?: up| down)? to (?:the )?{END}|(?:starting|beginning) (?:on|from|at) the left)"
 )
 _SYMBOL = f"(?:{COLOR}|[a-z]|\\d)"
 _ITEM = f"(?:the )?(?:(?:letter|number|digit|cube|block) )?{_SYMBOL}(?: (?:one|block|cube))?"

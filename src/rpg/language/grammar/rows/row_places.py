@@ -167,8 +167,9 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
         part = _thing(thing, "next")
         return part if part is not None else _part(thing, ends, before)
     onward = w.ONWARD[ends[0] if before and before[0].place == ends[1] else ends[1]]
-    if before and (told := re.fullmatch(f"(?:then )?(?P<thing>.+?)(?: {w.IS})? {onward}", said)) is not None:
-        return _thing(told["thing"], "next")
+    told = re.fullmatch(f"(?:then )?(?P<thing>.+?)(?: {w.IS})? {onward}", said) if before else None
+    if told is not None and (part := _thing(told["thing"], "next")) is not None:
+        return part
     if before and before[-1].place == "next" and (part := _thing(said, "next")) is not None:
         return part
     if (told := re.fullmatch(w.REMAINING, said)) is not None:

@@ -22,8 +22,7 @@ _EQUATION = "(?:equation|calculation|sum)"
 _TRUE = "(?:true|correct|valid|right)"
 _SYMBOLS = "((?:the )?(?:cubes |blocks )?\\d (?:,|and).*?)"
 _PAGE = (
-    "(?:like (?:in )?an? (?:book|page)|as in a book|like on a page|as on a page|like a text|the way you read a "
-    "book)"
+    "(?:like (?:in )?an? (?:book|page)|as in a book|like on a page|as on a page|like a text|the way you read a book)"
 )
 _READ = "(?:(?:you|one|i|we) (?:can )?read (?:them|it)|they (?:can be |are )?read|it (?:can be |is )?read)"
 

@@ -40,6 +40,11 @@ _DOWNS = (
     "|(?:sorted )?descending)"
 )
 _WHAT = "(?: number| digit| one| block| cube| value)?"
+_EACH = (
+    f"({_DIGITS}.*?)(?: ,)?(?: so that| such that| with| where| in which)? each(?: one| number| digit| cube)? "
+    "(?:is |being |)?"
+)
+"""What leads to "larger than the one before it"."""
 _SMALL = f"(?:with )?(?:the )?(?:smallest|lowest|least){_WHAT}(?: is| being)?"
 _LARGE = f"(?:with )?(?:the )?(?:largest|biggest|highest|greatest){_WHAT}(?: is| being)?"
 _ME = "(?:(?: to)? (?:me|us|you|the viewer|the robot|the camera))?"
@@ -124,10 +129,11 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
     # numbers and sizes
     *map(_from_the_smallest, _BOTH_ENDS),
     *_ONE_END,
-    (f"({_DIGITS}.*?\\b(?:row|line|column|tower|stack|up|other)\\b.*?)(?: ,)? {_SO} {_THEY} (?:{MUST} )?{_GROW}"
-     f"(?= {_WAY}| {_SO}|$| ,)", "{1} in ascending order"),
-    (f"({_DIGITS}.*?\\b(?:row|line|column|tower|stack|up|other)\\b.*?)(?: ,)? {_SO} {_THEY} (?:{MUST} )?{_SHRINK}"
-     f"(?= {_WAY}| {_SO}|$| ,)", "{1} in descending order"),
+    *(
+        (f"({_DIGITS}.*?\\b(?:row|line|column|tower|stack|up|other)\\b.*?)(?: ,)? {_SO} {_THEY} (?:{MUST} )?{changes}"
+         f"(?= {_WAY}| {_SO}|$| ,)", f"{{1}} in {order} order")
+        for changes, order in ((_GROW, "ascending"), (_SHRINK, "descending"))
+    ),
     (f"({_DIGITS}.*?)(?: ,)? so that ,? ?((?:going |read |reading )?from (?:the )?{END} to (?:the )?{END})(?: ,)? "
      f"{_THEY} (?:{MUST} )?{_GROW}$", "{1} in a row in ascending order {2}"),
     ("\\b(?:by|of|in) (?:increasing|growing|ascending) size\\b", "from smallest to largest"),
@@ -154,23 +160,17 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
              f" , first the {{1}} numbers , then the {{2}} ones , each {order}"),
         )
     ),
-    (f"({_DIGITS}.*?)(?: ,)?(?: so that| such that| with| where| in which)? each(?: one| number| digit| cube)? (?:is |"
-     f"being "
-     f"|)?{_MORE} than the (?:one|number|digit|cube) (?:before it|before|to its left|on its left|preceding it)$",
+    (f"{_EACH}{_MORE} than the (?:one|number|digit|cube) (?:before it|before|to its left|on its left|preceding it)$",
      "{1} in ascending order from left to right"),
-    (f"({_DIGITS}.*?)(?: ,)?(?: so that| such that| with| where| in which)? each(?: one| number| digit| cube)? (?:is |"
-     f"being "
-     f"|)?{_LESS} than the (?:one|number|digit|cube) (?:before it|before|to its left|on its left|preceding it)$",
+    (f"{_EACH}{_LESS} than the (?:one|number|digit|cube) (?:before it|before|to its left|on its left|preceding it)$",
      "{1} in descending order from left to right"),
-    (f"({_DIGITS}.*?)(?: ,)?(?: so that| such that| with| where| in which)? each(?: one| number| digit| cube)? (?:is |"
-     f"being "
-     f"|)?(?:{_MORE} than the (?:one|number|digit|cube) (?:on it|on top of it|above it|above)|{_LESS} than the (?:one|"
+    (f"{_EACH}(?:{_MORE} than the (?:one|number|digit|cube) (?:on it|on top of it|above it|above)|{_LESS} than the "
+     "(?:one|"
      f"number"
      "|digit|cube) (?:below it|under it|it stands on|it is on|beneath it|below))$",
      "{1} in descending order from bottom to top"),
-    (f"({_DIGITS}.*?)(?: ,)?(?: so that| such that| with| where| in which)? each(?: one| number| digit| cube)? (?:is |"
-     f"being "
-     f"|)?(?:{_LESS} than the (?:one|number|digit|cube) (?:on it|on top of it|above it|above)|{_MORE} than the (?:one|"
+    (f"{_EACH}(?:{_LESS} than the (?:one|number|digit|cube) (?:on it|on top of it|above it|above)|{_MORE} than the "
+     "(?:one|"
      f"number"
      "|digit|cube) (?:below it|under it|it stands on|it is on|beneath it|below))$",
      "{1} in ascending order from bottom to top"),

@@ -15,7 +15,6 @@ from rpg.language.feelings import without_feelings
 from rpg.language.formulas import formulas_told
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
-from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.stock_ahead import stock_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
@@ -90,8 +89,8 @@ class BuiltinFrontEnd:
         if notes and mended is None:
             return self._as_meant(Respelt.of(text, words, tokens), name, seed, author, notes)
         notes = [*(mended or notes), *named]
-        spoken = corrected(words)
-        words, told = told_plainly(rows_in_words(without_asides(words)))
+        spoken = words
+        words, told = told_plainly(rows_in_words(without_asides(spoken)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
             check_told(told, found.task)

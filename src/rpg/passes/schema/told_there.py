@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from rpg.ir.assets import SemanticCube
 from rpg.ir.schema import TaskSchema
 from rpg.language import lexicon
+from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.inventories import Told
 from rpg.language.tokens import Token
 from rpg.passes.schema.evidence import unfounded
@@ -44,14 +45,17 @@ def check_told(told: Told | None, task: TaskSchema) -> None:
                          _where(told, look), "list them all, or say 'another'")  # fmt: skip
 
 
-def check_numbers(said: Sequence[Token], words: Sequence[Token], found: Feasibility) -> None:
+def check_numbers(said: list[Token], words: Sequence[Token], found: Feasibility) -> None:
     """Refuse a task of which a number tells nothing that was lost on the way from what was said to the plainer words:
     "a pyramid of six blocks as a 2x2 base and one on top"."""
     kept = {token.span for token in words}
-    behind = (*(token.word for token in said[1:]), "")
-    counts = (token for token, after in zip(said, behind, strict=True) if _number(token) and after != "times")
+    if all(token.span in kept for token in said if _number(token)):
+        return
+    meant = corrected(said)  # "a tower of two, er, three blocks"
+    behind = (*(token.word for token in meant[1:]), "")
+    counts = (token for token, after in zip(meant, behind, strict=True) if _number(token) and after != "times")
     lost = {token.span for token in counts if token.span not in kept}
-    for token in unfounded(said, found.task, found.chosen) if lost else ():
+    for token in unfounded(meant, found.task, found.chosen) if lost else ():
         if token.span in lost:
             raise refuse("misplaced", f"{LOST} of {token.raw!r}", token.span, "say this part in a sentence of its own")
 

@@ -119,7 +119,7 @@ def in_place(
     """An order that is settled, where these blocks stand at these places, counted from the first side: each way to
     have them there.
 
-    None where it has them elsewhere; what it left open, its direction or who is where in a run, they say.
+    None of them where it has them elsewhere; what it left open, its direction or who is where in a run, they say.
     """
     ranks = order.ranks
     if order.by in _SORTED:

@@ -131,8 +131,9 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
     *_ONE_END,
     *(
         (f"({_DIGITS}.*?\\b(?:row|line|column|tower|stack|up|other)\\b.*?)(?: ,)? {_SO} {_THEY} (?:{MUST} )?{changes}"
-         f"(?= {_WAY}| {_SO}|$| ,)", f"{{1}} in {order} order")
+         f"{way}(?= {_WAY}| {_SO}|$| ,)", f"{{1}} in {order} order{told}")
         for changes, order in ((_GROW, "ascending"), (_SHRINK, "descending"))
+        for way, told in ((" to(?:wards)? the right", " from left to right"), ("", ""))
     ),
     (f"({_DIGITS}.*?)(?: ,)? so that ,? ?((?:going |read |reading )?from (?:the )?{END} to (?:the )?{END})(?: ,)? "
      f"{_THEY} (?:{MUST} )?{_GROW}$", "{1} in a row in ascending order {2}"),
@@ -174,7 +175,7 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
      f"number"
      "|digit|cube) (?:below it|under it|it stands on|it is on|beneath it|below))$",
      "{1} in ascending order from bottom to top"),
-    ("\\bone (?:behind|after) (?:the other|another) ,? ?(?=in \\w+ (?:\\w+ )?order)", "in a column "),
+    ("\\bone behind (?:the other|another) ,? ?(?=in (?!the )\\w+ (?:\\w+ )?order)", "in a column "),
     # letters
     (f"(?:,? ?(?:sorted|ordered|arranged) )?\\b{_BACK}\\b", "in reverse alphabetical order"),
     (f"(?<!in )(?:,? ?(?:sorted|ordered|arranged) )?\\b{_ALPHABET}\\b(?! of)", "in alphabetical order"),

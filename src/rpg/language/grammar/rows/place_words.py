@@ -61,8 +61,8 @@ NEXT = (
     f"|(?P<thing2>.+?) (?:{IS} )?(?:next|then|after (?:it|that)|next to it|beside it|behind (?:it|that)))"
 )
 ONWARD = {
-    "left": "(?:(?:to|on) (?:its|the) left(?: side)?(?: of (?:it|that))?|left of (?:it|that))",
-    "right": "(?:(?:to|on) (?:its|the) right(?: side)?(?: of (?:it|that))?|right of (?:it|that))",
+    "left": "(?:(?:to|on) its left(?: side)?|(?:(?:to|on) the )?left(?: side)? of (?:it|that))",
+    "right": "(?:(?:to|on) its right(?: side)?|(?:(?:to|on) the )?right(?: side)? of (?:it|that))",
     "front": "in front of (?:it|that)",
     "back": "behind (?:it|that)",
 }

@@ -167,7 +167,8 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
         part = _thing(thing, "next")
         return part if part is not None else _part(thing, ends, before)
     onward = w.ONWARD[ends[0] if before and before[0].place == ends[1] else ends[1]]
-    told = re.fullmatch(f"(?:then )?(?P<thing>.+?)(?: {w.IS})? {onward}", said) if before else None
+    in_turn = bool(before) and before[0].place != "middle"
+    told = re.fullmatch(f"(?:then )?(?P<thing>.+?)(?: {w.IS})? {onward}", said) if in_turn else None
     if told is not None and (part := _thing(told["thing"], "next")) is not None:
         return part
     if before and before[-1].place == "next" and (part := _thing(said, "next")) is not None:

@@ -25,6 +25,11 @@ _PAGE = (
     "(?:like (?:in )?an? (?:book|page)|as in a book|like on a page|as on a page|like a text|the way you read a book)"
 )
 _READ = "(?:(?:you|one|i|we) (?:can )?read (?:them|it)|they (?:can be |are )?read|it (?:can be |is )?read)"
+_READS = (
+    ("(?: ,)? so(?: that)? (?:it|they) reads? ([a-z]{2,})(?: from left to right)?", "backwards so that it reads {2}"),
+    ("", "backwards"),
+)
+"""What a word reads when it is turned round: told once more, and held against it."""
 
 WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     # words down a tower
@@ -47,14 +52,15 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:lay out|lay|put|place|arrange|write)(?: out)? the letters of {_WORD} (?:in a row|side by side|next to each "
      "other|in a line)(?: ,)? so(?: that)? (?:i can read (?:it|them)|one can read (?:it|them)|(?:it|they) can be read|"
      "(?:it is|they are) (?:readable|legible))$", "spell {1} in a row"),
-    (f"^(?:lay out|lay|put|place|arrange|line up) the letters of {_WORD} in a (?:row|line)(?: ,)? (?:in reverse(?: "
-     f"order)?|backwards)(?: ,)? so(?: that)? (?:they|it) reads? [a-z]{{2,}}$", "spell {1} backwards"),
-    (f"^(?:lay out|write|spell) {_WORD} (?:backwards|in reverse|back to front|from back to front)(?: ,)?(?: so(?: "
-     f"that)? (?:it|they) reads? [a-z]{{2,}}(?: from left to right)?)?$", "spell {1} backwards"),
-    (f"^(?:the letters of )?{_WORD}(?: ,)? (?:in a row(?: ,)? )?(?:spelled |written )?(?:backwards|in reverse(?: "
-     f"order)?"
-     "|back to front)(?: ,)?(?: so(?: that)? (?:it|they) reads? [a-z]{2,}(?: from left to right)?)?$",
-     "spell {1} backwards"),
+    *(
+        (f"^{head}(?: ,)? (?:backwards|in reverse(?: order)?|(?:from )?back to front){tail}$", f"spell {{1}} {said}")
+        for head in (
+            f"(?:lay out|lay|put|place|arrange|line up) the letters of {_WORD} in a (?:row|line)",
+            f"(?:lay out|write|spell) {_WORD}",
+            f"(?:the letters of )?{_WORD}(?:(?: ,)? in a row)?(?:(?: ,)? (?:spelled|written))?",
+        )
+        for tail, said in _READS
+    ),
     (f"^(?:put|arrange|line up|place) {_LETTERS} in a row (?:so|such|so that|such that) (?:that )?(?:they|it|you|one|i|"
      f"we)(?: can)? {_SPELLS} {_WORD}( from left to right)?$", "there are {1} . spell {2}"),
     (f"^(?:stack|pile)(?: up)? {_LETTERS} (?:so|such|so that|such that) (?:that )?(?:they|it|you|one|i|we)(?: can)? "

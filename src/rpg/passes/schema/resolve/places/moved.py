@@ -7,6 +7,7 @@ from typing import TypeGuard
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir import structures as s
 from rpg.language.meaning import Clause, Loc, Pronoun
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.places.shifted import RELS, shifted, told_shift
@@ -68,9 +69,14 @@ def off_what(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
 
 
 def put_there(upper: str, below: str, scene: Scene) -> bool:
-    """ "Put it on the mat, then take it off again": it lies there by then, and not at the start."""
+    """ "Put it on the mat, then take it off again": it lies there by then, not at the start. Or it is stacked."""
     earlier = [m for m in scene.mentions if m.clause < scene.clause]
     on_it = {m.clause for m in earlier if m.role == "landmark" and m.rel in ("on", "in") and below in m.ref.names}
+    both = {upper, below}
+    begun = any(isinstance(x, s.Stack) and both <= {*x.blocks} for x in scene.start_goals)
+    stacked = any(b.kind == "stack" and both <= {*b.members} and b.ordered for b in scene.built)
+    if stacked and not begun:
+        return True
     return any(m.clause in on_it and m.role == "theme" and upper in m.ref.names for m in earlier)
 
 

@@ -7,7 +7,7 @@ from rpg.passes.schema.frontend import BuiltinFrontEnd
 
 TWO_WAYS = (
     "Arrange the letters from A to D in a row.",
-    "white goes on black, but pink has to go on gray before that",
+    "white goes on black, but pink has to go on gray before this",
 )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.becoming import and_touches
+from rpg.language.grammar.clauses.carried_on import carried_on, on_with_it
 from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.denials import denies_places, nor_does, nor_there, of_none
@@ -14,15 +15,14 @@ from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_t
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
 from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
-from rpg.language.grammar.clauses.states import carried_on
-from rpg.language.grammar.clauses.there import there_too
+from rpg.language.grammar.clauses.there import stands_behind, there_too
 from rpg.language.grammar.clauses.unless import WORDS as UNLESS
 from rpg.language.grammar.clauses.unless import unless
 from rpg.language.grammar.clauses.verb_again import verb_again
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import STARTING
-from rpg.language.grammar.places.borne import and_bears
+from rpg.language.grammar.places.borne import and_bears, has_it_too
 from rpg.language.grammar.places.relations import of_one_kind
 from rpg.language.grammar.things.alike import color_at_last
 from rpg.language.grammar.things.bodies import bodies
@@ -213,7 +213,7 @@ def _told_of_it(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, .
     for passed, k in spare(p, p.opt(at, ",")) if p.stands(p.opt(at, ","), ("without",)) else ():
         yield Chain(clauses=(*had, passed), links=(*links, "and"), span=p.span(i, k)), k
     yield from _not_until(p, i, had, links, at) if isinstance(had[-1], Clause) and had[-1].negated else ()
-    for told, k in bodies(p, at, had[-1]):
+    for told, k in (*bodies(p, at, had[-1]), *on_with_it(p, at, had[-1])):
         whole, joined = (*had, *told), (*links, *("and" for _ in told))
         yield Chain(clauses=whole, links=joined, span=p.span(i, k)), k
         yield from _more(p, i, whole, joined, k)
@@ -270,6 +270,8 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
     if p.words[j - 1] == "," and (apposed(previous, item) or _mere_time(item)):
         return True
     listed = p.words[j - 1] == "and" and p.tokens[j - 2].word in lexicon.COLOR and _in_list(p, j - 2)
+    if stands_behind(p, j, previous, item) or has_it_too(p, j, previous, item):
+        return True
     shape = item.theme if isinstance(item, Clause) else None
     if listed and isinstance(shape, Structure) and shape.det == "bare":  # "a staircase of red, blue and green steps"
         return True

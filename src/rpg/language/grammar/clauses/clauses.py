@@ -23,7 +23,8 @@ from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.each_kind import each_kind
 from rpg.language.grammar.clauses.equal_numbers import equal_numbers
 from rpg.language.grammar.clauses.given_own import given_own
-from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there, what_carries
+from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
+from rpg.language.grammar.clauses.identified import identified, what_is_there
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.none_empty import none_empty
 from rpg.language.grammar.clauses.occupied import occupied
@@ -39,8 +40,9 @@ from rpg.language.grammar.clauses.weighed import rows_forming, weighed
 from rpg.language.grammar.clauses.wheres import is_where, trading_places
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.gaps import gap
-from rpg.language.grammar.places.held import LEADS, THE_ONE, by_block, held, of_its
+from rpg.language.grammar.places.held import LEADS, held, of_its
 from rpg.language.grammar.places.piled import piled
+from rpg.language.grammar.places.relations import loc, of_one_kind
 from rpg.language.grammar.places.widened import widened
 from rpg.language.grammar.structures.details import part_clause
 from rpg.language.grammar.structures.each_color import of_each_color
@@ -127,7 +129,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield from part_clause(p, i)
         yield from structure_is(p, i)
     yield from _for_each(p, i)
-    yield from _what(p, i, when)
+    yield from (*what_is_there(p, i, when), *identified(p, i, when))
     yield from inventory(p, i)
     yield from stock(p, i)
     yield from spare(p, i)
@@ -139,25 +141,6 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         for found, j in _command(p, start):
             if (said := said_of(theme, found)) is not None:
                 yield said, j
-
-
-_GOES = (
-    "goes", "should go", "must go", "has to go", "is", "should be", "must be", "lies", "should lie", "sits", "stands",
-    "comes", "should come", "belongs", "should sit", "should stand", "must lie", "must stand", "i want",
-)  # fmt: skip
-
-
-@rule
-def _what(p: Parser, i: int, mode: str) -> Results[Clause]:
-    """ "what goes on top of the yellow block is the pink one", "the block under the red one is yellow"."""
-    led = p.any_of(i, ("what", "the block that", "the one that", "the cube that"))
-    for place, k in adjunct(p, j) if (j := p.any_of(led, _GOES) if led else p.any_of(i, THE_ONE)) else ():
-        spot = place if led else by_block(p, place)
-        end = p.any_of(k, ("is", "should be", "must be", "has to be")) if spot is not None else 0
-        for theme, last in simple(p, end) if end else ():
-            if isinstance(theme, Noun) and theme.head != "patch" and isinstance(spot, Loc | In):
-                yield Clause(verb="be", theme=theme, adjuncts=(spot,), mode=mode, span=p.span(i, last), cost=1), last
-    yield from what_carries(p, i, mode)
 
 
 @rule
@@ -225,6 +208,9 @@ def _leading(p: Parser, i: int) -> Results[Meaning]:
     """What stands in front of its clause; "in a row on the table, put ..." says no more than "in a row"."""
     for first, j in adjunct(p, i):
         yield first, j
+        for second, k in loc(p, j + 1) if isinstance(first, Loc) and p.stands(j, ("or",)) else ():
+            if isinstance(second, Loc):
+                yield Coord(op="or", items=(of_one_kind(first, second), second), span=p.span(i, k)), k
         on = adjunct(p, j) if isinstance(first, Into) and p.stands(j, ("on",)) else ()
         yield from ((first, k) for top, k in on if isinstance(top, Loc) and isinstance(top.landmark, TableTop))
 

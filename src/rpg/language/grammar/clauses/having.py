@@ -48,8 +48,10 @@ _HAS = (
     "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have",
     "ends up with", "gets",
     "get", "should get", "needs", "should end up with", "must end up with", "should be left with",
-    *(f"{must} {so} have" for must in ("should", "must", "shall", "has to", "is to") for so in ("finally", "also")),
-    "is to have",
+    *(f"{must} {so} have" for so in ("finally", "also")
+      for must in ("should", "must", "shall", "has to", "is to", "needs to", "ought to", "will", "is supposed to")),
+    "is to have", "wants", "wants to have", "ought to have", "is supposed to have",
+    *(f"{must} get" for must in ("must", "shall", "has to", "is to")),
 )  # fmt: skip
 _GIVE = ("give", "give to")
 _IS_FOR = ("is for", "are for", "is reserved for", "is meant for", "is the place for", "takes", "should take", "for")

@@ -29,7 +29,7 @@ from rpg.language.grammar.things.adjectives import adjectives, of_quality
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.grammar.things.of_listed import one_of_more
 from rpg.language.grammar.things.printed import colored_cubes
-from rpg.language.grammar.things.retold import none_of, one_heap, some_of_which, told_of
+from rpg.language.grammar.things.retold import none_of, one_heap
 from rpg.language.meaning import (
     At,
     Clause,
@@ -45,11 +45,11 @@ from rpg.language.meaning import (
 )
 from rpg.language.phrases import Classes
 
-_MODALS = frozenset({
+MODALS = frozenset({
     "should", "must", "shall", "will", "would", "can", "could", "may", "might", "need", "needs", "has", "have", "ought",
     "want", "wants", "does", "do",
 })  # fmt: skip
-_NOT = frozenset({"not", "never"})
+NOT = frozenset({"not", "never"})
 _SWAPPED = tuple(
     f"{been}{swapped} {places}" for been in ("", "been ") for swapped in ("swapped", "traded", "changed", "exchanged",
     "switched") for places in ("places", "positions")
@@ -62,7 +62,7 @@ _SWAP = (
 )  # fmt: skip
 _MOVE = frozenset({"move", "shift", "budge"})
 _HAVE = frozenset({"have", "has"})
-_BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come", "end", "ends", "ending", "finish", "finishes",
+BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come", "end", "ends", "ending", "finish", "finishes",
                     "finished", "winds", "finally", "eventually", "ultimately"})  # fmt: skip
 """Words of where things are to be, not of where they are."""
 _LASTING = frozenset({"stays", "stay", "remains", "remain"})
@@ -100,28 +100,33 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     for theme, j in noun_phrase(p, inverted or asked or placed or i):
         j = past(p, p.opt(j, "all", "each", "both", "then"))
         j = p.opt(j, ",") if _told_apart(p, i, j, theme) else j
-        k, words = _auxiliaries(p, j)
+        k, words = auxiliaries(p, j)
         if not _floats(theme, {*p.words[j - 1 : k]}) or one_heap(theme, p.words[j]) or _begun_anew(p, i, j, theme):
             continue
         if one_of_more(p, j, theme):
             continue
-        negated = bool(words & _NOT) or bool(barred)
+        negated = bool(words & NOT) or bool(barred)
         if inverted:
             new = 3 * (isinstance(theme, Structure) and theme.det == "a")  # "is a tower with ...": that is built
             yield from ((replace(x, cost=x.cost + new), k) for x, k in _predicate(p, i, j, theme, mode, False))
             continue
-        readings = [*_predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
+        readings = [*predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
         readings += staying(p, i, k, theme, mode) if negated else becoming(p, i, k, theme, mode)
         for _, s in p.standing(k, STARTS):
             readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
             readings += starts_as(p, i, s, theme)
-        for found, end in to_be_done(readings, _MODALS & {*words, p.words[k]}):
+        for found, end in to_be_done(readings, MODALS & {*words, p.words[k]}):
             found = denied_of_all(p, j, found) if isinstance(found, Clause) else found
-            lasting = _lasting(words) or bool(barred)
+            lasting = lasts(words) or bool(barred)
             lasting = lasting or ("ever" in words and none_of(theme))
-            bound = (_MODALS | _BOUND) - (_HAVE if p.words[k] == "been" else set())  # "have been put", not "have to"
+            bound = (MODALS | BOUND) - (_HAVE if p.words[k] == "been" else set())  # "have been put", not "have to"
             found = perhaps_first(p, k, found, mode)
-            if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & bound:
+            if (
+                isinstance(found, Clause)
+                and found.verb == "be"
+                and not {*words, p.words[k]} & bound
+                and not _owed(p, k)
+            ):
                 found = replace(found, lemma="fact")
             idle = isinstance(found, Clause) and needless(
                 words | {"not"} if getattr(theme, "det", "") == "no" else words
@@ -133,7 +138,15 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             yield (ever(nothing_at_all(found), lasting) if isinstance(found, Clause) else found), end
 
 
-def _lasting(words: Collection[str]) -> bool:
+def _owed(p: Parser, k: int) -> bool:
+    """ "is to be on it", "is supposed to stand there": how it has to be, and not how it is."""
+    return any(p.words[n] == "to" and p.stands(n + 1, _TO_BE) for n in range(k + 1, min(k + 4, p.end)))
+
+
+_TO_BE = frozenset({"be", *lexicon.POSTURE})
+
+
+def lasts(words: Collection[str]) -> bool:
     return not {"never", "always"}.isdisjoint(words) or {"not", "ever"}.issubset(words)
 
 
@@ -157,7 +170,7 @@ def _begun_anew(p: Parser, i: int, j: int, theme: Meaning) -> bool:
 
 
 _OF_ONE = frozenset({"is", "lies", "stands", "sits", "rests", "comes", "goes"})
-_GO_ON = _MODALS | _BE | lexicon.POSTURE
+_GO_ON = MODALS | _BE | lexicon.POSTURE
 """Words that only a predicate begins with."""
 
 
@@ -174,10 +187,6 @@ _FILLERS = frozenset({
     "to", "also", "only", "all", "always", "both", "each", "ever", "end", "ends", "ended", "winds", "gets", "get", "up",
     "then", "still", "just", "simply", "finishes", "itself", "themselves",
 })  # fmt: skip
-
-
-_ENDS = frozenset({"end", "ends", "winds", "finishes"})
-"""What tells of the end: "A starts on B and ends up beside it"."""
 
 
 _ADVERBS = frozenset({
@@ -203,17 +212,17 @@ def _passive(p: Parser, j: int) -> bool:
     return p.words[j] in ("become", "becomes") and p.words[j + 1].endswith("ed") and p.words[j + 1] in lexicon.VERB
 
 
-_AUXILIARY = _MODALS | _FILLERS | _NOT
+_AUXILIARY = MODALS | _FILLERS | NOT
 _LASTLY = frozenset({"finally", "eventually", "ultimately"})
 _ORDERED = frozenset({"first", "then", "before", "after", "next", "second", "firstly"})
 """Beside these "finally" tells a step, and not how it is in the end."""
 
 
-def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
+def auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     words: set[str] = set()
     last = _LASTLY if p.all.isdisjoint(_ORDERED) else frozenset[str]()
     while j < p.end and (p.words[j] in _AUXILIARY or p.words[j] in last or _passive(p, j) or first_of_all(p, j)):
-        if p.words[j] in words & _NOT:
+        if p.words[j] in words & NOT:
             break
         if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ended", "ending", "winds"):
             break
@@ -226,7 +235,7 @@ def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     return j, words
 
 
-def _predicate_after_be(
+def predicate_after_be(
     p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool
 ) -> list[tuple[Meaning, int]]:
     had = k - 1 if p.follows(k, _HAVE) else k
@@ -239,15 +248,15 @@ def _predicate_after_be(
             mode = "start"
         lasting = False
         if p.seq(j, "no longer"):
-            return _predicate_after_be(p, i, j, theme, mode, True)
-        while n := p.one(j, _ADVERBS if negated else _NOT | _ADVERBS) or p.seq(j, "to be"):
-            negated = negated or p.words[j] in _NOT
+            return predicate_after_be(p, i, j, theme, mode, True)
+        while n := p.one(j, _ADVERBS if negated else NOT | _ADVERBS) or p.seq(j, "to be"):
+            negated = negated or p.words[j] in NOT
             lasting = lasting or p.words[j] in ("always", "never")
             if p.words[j] in ("currently", "already", "initially", "originally"):
                 mode = "start"
             j = n
         j += p.words[j] == "to" and p.words[j + 1] in lexicon.POSTURE
-        told = p.any_of(j, ("supposed to", "meant to"))
+        told = p.any_of(j, ("supposed to also", "supposed to", "meant to also", "meant to", "to also"))
         told = told or (p.any_of(j, ("allowed to", "permitted to")) if none_of(theme) else 0)
         j = p.opt(told, "be") or j
         j += p.words[j] == "left" and p.words[j + 1] in ("on", "in", "there")
@@ -321,7 +330,8 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                     yield from made(p, i, at_, theme, replace(built, word=p.span(j, j + 1)))
     yield from under(p, i, j, theme, Clause(verb="be", negated=negated, mode=mode, span=p.span(i, j)))
     yield from drawn(p, i, j, theme, Clause(verb="build", negated=negated, mode=mode, span=p.span(i, j)))
-    start = p.reach(j + 1) if j < p.end and p.words[j] in lexicon.POSTURE else j
+    start = p.opt(p.reach(j + 1) if j < p.end and p.words[j] in lexicon.POSTURE else j, "also")
+    start = p.opt(start, "both") if start > j and "and" in p.words[start:] else start
     for found, k in adjuncts(p, start):
         if any(not isinstance(a, Manner) or a.kind != "respectively" for a in found):
             said = Clause(verb="be", theme=theme, adjuncts=found, negated=negated, mode=mode, span=p.span(i, k))
@@ -378,22 +388,3 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
             quality = Quality(traits=Traits(**traits), span=p.span(k, end))
             said = Clause(verb="be", theme=theme, adjuncts=(quality,), mode=mode, span=p.span(i, end))
             yield replace(said, negated=negated), end
-
-
-@rule
-def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
-    """ "the red block must not be on the mat but must be next to it", "it starts on the red mat and ends on the blue
-    one": a further predicate of the same subject."""
-    if before.theme is None or before.verb != "be" or not before.adjuncts or some_of_which(p, i, before.theme):
-        return
-    k, words = _auxiliaries(p, i)
-    later = before.mode == "start" and p.words[k] in _BOUND | _LASTING
-    onward = p.stands(i, ("goes", "go")) and p.follows(i, ("then",))  # "goes to A and then goes to B"
-    if k == i and not later and not onward and p.words[i : i + 1] not in (["is"], ["are"]):
-        return
-    both = "both" in words or p.words[i - 1] == "both"
-    same = told_of(before, both)
-    mode = "goal" if later or words & (_MODALS | _ENDS) else before.mode
-    for found, j in _predicate_after_be(p, i, k, same, mode, bool(words & _NOT)):
-        if isinstance(found, Clause):
-            yield ever(replace(found, cost=found.cost + 1), _lasting(words)), j

@@ -47,7 +47,8 @@ else:
 
 _STANDS = (
     "there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits",
-    "stands", "lies", "go", "you put", "place", "put", "comes then", "come", "i want", "we want", "i need", "we need",
+    "stands", "lies", "belongs", "belong", "go", "you put", "place", "put", "comes then", "come", "i want", "we want",
+    "i need", "we need",
     "i would like", "we would like", "there shall be", "there has to be", "there needs to be", "i want to see",
 )  # fmt: skip
 _VERBS = Classes(
@@ -319,3 +320,16 @@ def _of_their_colors(p: Parser, i: int, before: Clause, mats: list[Noun]) -> Res
             )
             blocks = Coord(op="and", items=items, span=span)
             yield replace(before, theme=blocks, adjuncts=(), span=span, cost=1), k
+
+
+def stands_behind(p: Parser, j: int, previous: Clause, item: Meaning) -> bool:
+    """ "Red is behind blue, and left of blue, there is green": the place in front of the comma is that of the green
+    one, which is not merely there as well."""
+    there = isinstance(item, Clause) and item.verb == "exist" and not item.adjuncts and p.follows(j, (",",))
+    place = previous.adjuncts[-1] if there and previous.adjuncts else None
+    if previous.verb == "part" and there:
+        return True
+    if not isinstance(place, Loc) or place.landmark is None or previous.mode == "start":
+        return False
+    begin = next((n for n in range(j) if p.char(n, 0) >= place.span[0]), 0)
+    return p.follows(begin, ("and",)) and len(previous.adjuncts) > 1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.things.had_relatives import things_had
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import Absolute, Amount, Clause, Coord, Loc, Meaning, Noun, Pronoun
 
@@ -54,21 +55,40 @@ def bearing(p: Parser, i: int, k: int, owner: Meaning) -> Results[Absolute]:
         yield Absolute(theme=theme, adjuncts=(on,), span=p.span(i, end)), end
 
 
-_AND_HAS = ("has", *(f"{must} have" for must in ("must", "should", "shall", "has to", "is to")))
+_AND_HAS = (
+    "has",
+    "have",
+    "also have",
+    "also has",
+    *(f"{must} have" for must in ("must", "should", "shall", "has to", "is to")),
+)
 _AND_BEARS = (*_BEARS, *_BEAR, *(f"{must} {bear}" for must in ("must", "should", "has to", "is to") for bear in _BEAR))
 
 
 def and_bears(p: Parser, i: int, before: Clause) -> Results[Clause]:
     """ "(the red block lies on the green one) and carries the blue one": said of the same block."""
-    if before.verb != "be" or not before.adjuncts or not isinstance(before.theme, Noun) or before.theme.plural:
+    if (
+        before.verb not in ("be", "place")
+        or before.mode == "command"
+        or not before.adjuncts
+        or not isinstance(before.theme, Noun)
+        or before.theme.plural
+    ):
         return
     same = Pronoun(word="same", span=before.theme.span)
-    for theme, k in simple(p, had) if (had := p.any_of(i, _AND_HAS)) else ():
-        if end := p.any_of(k, _ON_TOP):
-            on = Loc(rel="on", landmark=same, mods=("directly",), span=p.span(k, end))
-            yield Clause(verb="be", theme=theme, adjuncts=(on,), mode=before.mode, span=p.span(i, end)), end
+    for (theme, rel, mods), end in things_had(p, had) if (had := p.any_of(i, _AND_HAS)) else ():
+        there = Loc(rel=rel, landmark=same, mods=("directly",) if rel == "on" else mods, span=p.span(had, end))
+        yield Clause(verb="be", theme=theme, adjuncts=(there,), mode=before.mode, span=p.span(i, end)), end
     for on, theme, end in _carried(p, i, p.any_of(i, _AND_BEARS), same):
         yield Clause(verb="be", theme=theme, adjuncts=(on,), mode=before.mode, span=p.span(i, end), cost=1), end
+
+
+def has_it_too(p: Parser, j: int, before: Clause, item: Meaning) -> bool:
+    """ "(red must be behind blue) and have green on it" is no command: red has it."""
+    had = p.stands(j, ("have",)) and p.follows(j, ("and",)) and before.verb in ("be", "place")
+    had = had and before.mode == "goal"
+    places = item.adjuncts if had and isinstance(item, Clause) else ()
+    return had and not any(getattr(getattr(x, "landmark", None), "word", "") == "same" for x in places)
 
 
 def _carried(p: Parser, i: int, k: int, owner: Meaning) -> list[tuple[Loc, Meaning, int]]:
@@ -76,9 +96,14 @@ def _carried(p: Parser, i: int, k: int, owner: Meaning) -> list[tuple[Loc, Meani
     found: list[tuple[Loc, Meaning, int]] = []
     for theme, end in noun_phrase(p, k) if k and isinstance(owner, Noun | Pronoun) else ():
         blocks = theme.items if isinstance(theme, Coord) else (theme,)
-        if all(isinstance(x, Noun) and x.head != "patch" for x in blocks) and not _symbols(p, theme, end):
+        shown = _UPHOLD.isdisjoint(p.words[i:k]) and _symbols(p, theme, end)
+        if all(isinstance(x, Noun) and x.head != "patch" for x in blocks) and not shown:
             found.append((Loc(rel="on", landmark=owner, mods=("directly",), span=p.span(i, k)), theme, end))
     return found
+
+
+_UPHOLD = frozenset({"support", "supports", "supporting"})
+"""No symbol is shown by what does so."""
 
 
 def _symbols(p: Parser, theme: Meaning, end: int) -> bool:

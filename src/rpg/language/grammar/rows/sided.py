@@ -65,7 +65,6 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
      f"{_BLOCKS})?.*)$", "{1}"),
     (f"^with ({MANY} \\w+ {_BLOCKS} and {MANY} \\w+ {_BLOCKS}) on the table , (.+)$", "there are {1} . {2}"),
     # the place ahead
-    (f"^((?:{_R}|on) {_ONE}) belongs ({_T})\\b", "{1} is {3}"),
     (f"^(?:right |immediately |directly )?next to {_ONE} on (?:the|its) (left|right)(?: side)?(?: ,)? (?:put|place|"
      f"set|goes|is|stands|comes|lies) ({_T})$", "{3} must be immediately to the {2} of {1}"),
     (f"^({_T}) 's (left|right)(?: - hand| hand)? side is where ({_T}) (?:goes|belongs|{MUST} be|{MUST} go|is|stands)$",

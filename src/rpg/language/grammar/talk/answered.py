@@ -13,7 +13,8 @@ from rpg.language.tokens import Token
 _DOES = frozenset({"does", "do", "should", "must", "shall", "will"})
 _GOES = frozenset({"go", "belong", "be", "stand", "lie", "sit", "rest", "come"})
 _PLACES = frozenset({"on", "onto", "in", "into", "at", "to", "next", "beside", "behind", "between", "under", "left",
-                     "right", "near", "atop", "directly", "somewhere"})  # fmt: skip
+                     "right", "near", "atop", "directly", "somewhere", "underneath", "beneath", "below", "above",
+                     "anywhere", "immediately", "straight", "upon", "alongside", "over"})  # fmt: skip
 _SHOWS = frozenset({"show", "spell", "read", "say", "form"})
 _ASKED = frozenset(
     {"goes", "belongs", "go", "belong", "is", "comes", "stands", "lies", "sits", "should", "must", "shall"}

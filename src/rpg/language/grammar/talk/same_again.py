@@ -110,7 +110,9 @@ def _like(other: list[Token], theme: list[Token]) -> list[Token]:
     return other
 
 
-_MADE = re.compile(f"\\b(?:of|from|out of|with) (?:the |{FEW}|\\d+)")
+_MADE = re.compile(
+    f"(?<!left )(?<!right )(?<!front )(?<!back )(?<!top )(?<!side )\\b(?:of|from|out of|with) (?:the |{FEW}|\\d+)"
+)
 
 
 def _recolored(was: list[Token], told: str, other: str, plain: list[Token]) -> list[Token] | None:

@@ -14,6 +14,7 @@ from rpg.language.grammar.things.at_an_end import at_an_end
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
 from rpg.language.grammar.things.excepted import alone_in_this
+from rpg.language.grammar.things.had_relatives import told_traits, wished_of_new
 from rpg.language.grammar.things.in_line import in_line, unnamed_ends
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
 from rpg.language.grammar.things.labels import label_list, once_more
@@ -32,7 +33,7 @@ from rpg.language.later import later
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits, replace
 
 (structure,) = later(__name__, "rpg.language.grammar.structures.structures", "structure")
-(relative,) = later(__name__, "rpg.language.grammar.things.relatives", "relative")
+relative, which_also = later(__name__, "rpg.language.grammar.things.relatives", "relative", "which_also")
 
 _APART = frozenset({"own", "separate", "distinct"})
 """Before patches: none is shared."""
@@ -373,15 +374,14 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
                 yield replace(noun, traits=marked, span=p.span(i, k), cost=noun.cost + 2), k
     for base, at in tried:
         for condition, end in relative(p, at, base.head, base.plural):
-            k = p.opt(end, ",") if p.words[at : at + 1] == [","] else end
+            k = p.opt(end, ",") if p.stands(at, (",",)) else end
             if isinstance(condition, Traits):
-                more = {n: getattr(condition, n) for n in Traits.__dataclass_fields__}
-                changed = _with(base, {n: v for n, v in more.items() if v != getattr(Traits(), n)}, p.span(i, end))
+                changed = _with(base, told_traits(condition), p.span(i, end))
                 if changed is not None:
                     yield from ((changed, last) for last in {end: None, k: None})
-                    yield from printed(p, i, at, end, changed)
+                    yield from (*which_also(p, i, end, changed), *printed(p, i, at, end, changed))
             else:
-                told = replace(base, conditions=(*base.conditions, *condition), span=p.span(i, end))
+                told = wished_of_new(p, at, base, condition, p.span(i, end))
                 yield from ((told, last) for last in {end: None, k: None})
 
 

@@ -8,6 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.things.blank import blank
+from rpg.language.grammar.things.had_relatives import had_there
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.out_of_region import out_of_region
 from rpg.language.grammar.things.standby import NO_ROLE
@@ -80,6 +81,7 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
                 yield Traits(**marks), k
             j = p.one(j, _AT_FIRST) or j
         yield from _carrying(p, that, comma > i)
+        yield from had_there(p, that, comma > i) if not plural and head != "patch" else ()
         yield from told_relative(p, i, that, head, plural)
         start = that
         while start < p.end and (p.words[start] in lexicon.POSTURE or p.words[start] in _AT_FIRST):
@@ -122,12 +124,17 @@ _CARRY = (
 )  # fmt: skip
 
 
+_UPHOLD = frozenset({"support", "supports", "supporting", "holds", "hold"})
+"""No symbol is shown by what does so."""
+
+
 @choice
 def _carrying(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]:
     """ "(the red block) that carries the pink one": what lies on it."""
     j = p.any_of(i, _CARRY)
     for theme, k in simple(p, j) if j else ():
-        if isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and not theme.traits.labels:
+        shown = isinstance(theme, Noun) and theme.traits.labels and _UPHOLD.isdisjoint(p.words[i:j])
+        if isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and not shown:
             wanted = asserted or p.words[i] in _MUST or p.words[i + 1] == "to"
             mods = ("directly", "asserted") if wanted else ("directly",)
             yield (Loc(rel="under", landmark=theme, mods=mods, span=p.span(i, k)),), k
@@ -153,3 +160,11 @@ def _shown(p: Parser, i: int) -> Results[Traits]:
             yield Traits(labels=labels, open_ended=more), k
     for (labels, more), k in label_list(p, j, True):
         yield Traits(labels=labels, open_ended=more), k
+
+
+def which_also(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
+    """ "the block that is pink, which must be behind the blue one": where it is, behind what it looks like."""
+    for condition, end in relative(p, j, noun.head, noun.plural) if p.stands(j, (",",)) else ():
+        if not isinstance(condition, Traits):
+            told = replace(noun, conditions=(*noun.conditions, *condition), span=p.span(i, end))
+            yield from ((told, last) for last in {end: None, p.opt(end, ","): None})

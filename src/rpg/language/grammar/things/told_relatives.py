@@ -22,7 +22,7 @@ else:
 
 _WORDS = Classes({
     "must": (
-        "should|must|shall|will|ought_to|has_to|have_to|needs_to|need_to|is_to|are_to",
+        "should|must|shall|will|ought_to|has_to|have_to|needs_to|need_to|is_to|are_to|is_supposed_to|is_going_to",
         "is|are itself|themselves|in_turn|also to",
     ),
     "there": (
@@ -30,7 +30,10 @@ _WORDS = Classes({
         "be_sitting|be_placed|be_put|be_positioned|be_located|be_set|be_laid|be_stacked|finish|go|be_moved|end|"
         "finally_be|finally_stand|finally_lie|remain_standing",
     ),
-    "is": ("is|are|stands|stand|lies|lie|sits|sit|rests|rest|goes|belongs|is_standing|is_placed|is_put|is_stacked",),
+    "is": (
+        "is|are|stands|stand|lies|lie|sits|sit|rests|rest|goes|belongs|ends_up",
+        "is|gets standing|lying|sitting|resting|placed|put|stacked|positioned|located|set|laid|moved",
+    ),
     "starts": (
         "starts|start|begins|begin|started|began|was|were|has_started|has_begun|used_to_be|initially",
         "shall|must|should|will|is_to|are_to initially|originally be|lie|stand|rest|sit",
@@ -44,7 +47,9 @@ _WORDS = Classes({
     "meanwhile": ("in_the_process|while_doing_so|while_you_do_so|at_all|at_any_time|meanwhile|during_this|on_the_way",),
     "stay": ("stay|remain|be_left|be_kept|keep_standing",),
 })  # fmt: skip
-_WANTED = Patterns("itself? <must> itself? <there>", classes=_WORDS)
+_WANTED = Patterns(
+    "itself? <must> itself? also? <there>", "gets placed|put|positioned|set|laid|moved|located|stacked", classes=_WORDS
+)
 _STARTED = Patterns("<starts> <out>?", classes=_WORDS)
 _LEFT_ALONE = Patterns(
     "<must> not|never be <touched> <meanwhile>?",
@@ -63,7 +68,7 @@ _LEFT_ALONE = Patterns(
     "nobody|nothing may|must|should touch|move <meanwhile>?",
     classes=_WORDS,
 )
-_SUBJECT_FIRST = Patterns("<is>", "<must> <there>", classes=_WORDS)
+STANDS_THERE = Patterns("<is>", "<must> <there>", classes=_WORDS)
 _SUBJECT_LAST = Patterns("<is>", "<must> <there>", "there <must> be", "there <is>", classes=_WORDS)
 _BORNE = Patterns(
     "is|are carried|supported|borne|held|held_up", "<must> be carried|supported|borne|held|held_up", classes=_WORDS
@@ -102,7 +107,7 @@ def _carried(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]:
             continue
         found = [(block, k) for end in _SUBJECT_LAST.matches(p, which) for block, k in simple(p, end)]
         for block, j in simple(p, which):
-            found += [(block, k) for k in _SUBJECT_FIRST.matches(p, j)]
+            found += [(block, k) for k in STANDS_THERE.matches(p, j)]
         for block, k in found:
             if isinstance(block, Noun | Structure) and getattr(block, "head", "") != "patch":
                 wanted = asserted or not _WANTED_WORDS.isdisjoint(p.words[which:k]) or _in_picture(p, i, block)

@@ -68,6 +68,8 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return _there(word, scene, scope)
     if word.word == OWNER:
         return _owner(scene)
+    if (named := _last_named(word, scene, scope)) is not None:
+        return named
     if word.word in ("it", "that", "this", "the first one"):
         check_off_it(word, scene, scope)
         return _it(word, scene, scope)
@@ -116,6 +118,19 @@ def _owner(scene: Scene) -> Ref:
     if not told or (len(told[-1].names) > 1 and not told[-1].built):
         raise refuse("ambiguous", "it is not clear what has this", scene.mentions[-1].ref.span, "name it")
     return told[-1]
+
+
+def _last_named(word: Pronoun, scene: Scene, scope: Scope) -> Ref | None:
+    """ "Red goes on blue and that one on green": the block that was named last in the clause before."""
+    if word.word not in ("that one", "this one", "that") or scope.role != "theme":
+        return None
+    told = [m for m in scene.mentions if m.clause < scene.clause and m.ref.names]
+    last = sorted((m for m in told if m.clause == told[-1].clause), key=lambda m: m.ref.span)
+    if not last or (word.word == "that" and last[-1].sentence != scene.sentence):
+        return None
+    named = last[-1].ref
+    single = len(named.names) == 1 and not named.patch and not named.built and named.quant is None
+    return replace(named, span=word.span) if single and last[-1].role in ("theme", "landmark") else None
 
 
 def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:

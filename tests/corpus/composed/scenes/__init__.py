@@ -1,0 +1,1 @@
+"""What families of composed sentences share: a table of cells on which said relations are tried."""

@@ -332,4 +332,4 @@ def stands_behind(p: Parser, j: int, previous: Clause, item: Meaning) -> bool:
     if not isinstance(place, Loc) or place.landmark is None or previous.mode == "start":
         return False
     begin = next((n for n in range(j) if p.char(n, 0) >= place.span[0]), 0)
-    return p.follows(begin, ("and",)) and len(previous.adjuncts) > 1
+    return p.follows(begin, ("and",)) and (len(previous.adjuncts) > 1 or getattr(previous.theme, "word", "") == "same")

@@ -75,10 +75,21 @@ def things_had(p: Parser, i: int) -> Results[tuple[Meaning, str, tuple[str, ...]
     """A block, and how it lies to what has it: "the white one on it", "a green block to its left"."""
     for theme, start in simple(p, i):
         for place, k in adjunct(p, p.opt(start, *_LYING)) if _block(theme) else ():
+            if _shown(p, theme, start, k):
+                continue
             if isinstance(place, Loc) and is_owner(place.landmark) and place.rel in BACK and not place.negated:
                 yield (theme, place.rel, place.mods), k
             elif isinstance(place, At) and place.side in _TOPS and place.index is None:
                 yield (theme, _TOPS[place.side], ()), k
+
+
+def _shown(p: Parser, theme: Meaning, j: int, k: int) -> bool:
+    """ "(the block that has) the letter A on it": what it shows, and not what lies on it."""
+    symbols = isinstance(theme, Noun) and theme.traits.labels and not theme.traits.colors
+    return bool(symbols) and p.words[k - 2 : k] == ["on", "it"] and _BLOCKS.isdisjoint(p.words[j - 2 : j])
+
+
+_BLOCKS = frozenset({"block", "cube", "brick", "box"})
 
 
 def _place(p: Parser, i: int, k: int, rel: str, mods: tuple[str, ...], theme: Meaning, asserted: bool) -> Loc:

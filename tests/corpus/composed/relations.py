@@ -150,6 +150,8 @@ def _related(rng: Random, frame: str, spec: tuple[str | tuple[str, ...], ...]) -
     if alike:
         kinds = [kinds[0]] * len(pairs)
     names = w.Names(rng, len(set("".join(pairs))))
+    if "{carry}" in frame and any(look.isupper() for look in names.looks.values()):
+        return None  # "carries the letter W": it may well show it
     told = [
         told_of(f"s{kind[1:]}" if same and kind[0] == "-" else kind, names.looks[a], names.looks[b])
         for kind, (a, b) in zip(kinds, pairs, strict=True)

@@ -230,6 +230,8 @@ def auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
             break
         if p.words[j] in ("end", "ends") and p.words[j + 1] != "up":
             break
+        if p.words[j] == "both" and p.words[j - 1] == "up":
+            break
         words.add(p.words[j])
         j = p.reach(j + 1)
     return j, words
@@ -331,7 +333,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
     yield from under(p, i, j, theme, Clause(verb="be", negated=negated, mode=mode, span=p.span(i, j)))
     yield from drawn(p, i, j, theme, Clause(verb="build", negated=negated, mode=mode, span=p.span(i, j)))
     start = p.opt(p.reach(j + 1) if j < p.end and p.words[j] in lexicon.POSTURE else j, "also")
-    start = p.opt(start, "both") if start > j and "and" in p.words[start:] else start
+    start = p.opt(start, "both") if p.words[start - 1] in _PLACED and "and" in p.words[start:] else start
     for found, k in adjuncts(p, start):
         if any(not isinstance(a, Manner) or a.kind != "respectively" for a in found):
             said = Clause(verb="be", theme=theme, adjuncts=found, negated=negated, mode=mode, span=p.span(i, k))
@@ -353,6 +355,10 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
     for marks, k in of_quality(p, j, head):
         quality = Quality(traits=Traits(**marks), span=p.span(j, k))
         yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
+
+
+_PLACED = frozenset({"up", *lexicon.POSTURE})
+"""Behind these "both" joins two places: "it ends up both behind red and left of green"."""
 
 
 def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:

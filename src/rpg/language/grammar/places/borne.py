@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
-from rpg.language.grammar.things.had_relatives import things_had
+from rpg.language.grammar.things.had_relatives import UPHOLD, things_had
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import Absolute, Amount, Clause, Coord, Loc, Meaning, Noun, Pronoun
 
@@ -96,14 +96,10 @@ def _carried(p: Parser, i: int, k: int, owner: Meaning) -> list[tuple[Loc, Meani
     found: list[tuple[Loc, Meaning, int]] = []
     for theme, end in noun_phrase(p, k) if k and isinstance(owner, Noun | Pronoun) else ():
         blocks = theme.items if isinstance(theme, Coord) else (theme,)
-        shown = _UPHOLD.isdisjoint(p.words[i:k]) and _symbols(p, theme, end)
+        shown = UPHOLD.isdisjoint(p.words[i:k]) and _symbols(p, theme, end)
         if all(isinstance(x, Noun) and x.head != "patch" for x in blocks) and not shown:
             found.append((Loc(rel="on", landmark=owner, mods=("directly",), span=p.span(i, k)), theme, end))
     return found
-
-
-_UPHOLD = frozenset({"support", "supports", "supporting"})
-"""No symbol is shown by what does so."""
 
 
 def _symbols(p: Parser, theme: Meaning, end: int) -> bool:

@@ -32,6 +32,8 @@ BACK = {"on": "under", "under": "on", "above": "below", "left": "right", "right"
         "behind": "front", "beside": "beside", "adjacent": "adjacent", "near": "near",
         "touching": "touching"}  # fmt: skip
 """How what a relative clause speaks of lies to the block that is said to be there."""
+UPHOLD = frozenset({"support", "supports", "supporting"})
+"""No symbol is shown by what does so: "the cube that supports the C"."""
 _TOPS = {"top": "on", "left": "left", "right": "right"}
 
 

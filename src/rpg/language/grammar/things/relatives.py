@@ -124,7 +124,7 @@ _CARRY = (
 )  # fmt: skip
 
 
-_UPHOLD = frozenset({"support", "supports", "supporting", "holds", "hold"})
+_UPHOLD = frozenset({"support", "supports", "supporting"})
 """No symbol is shown by what does so."""
 
 

@@ -8,6 +8,7 @@ from random import Random
 from tests.corpus.composed import Composed
 from tests.corpus.composed.scenes import wordings as w
 from tests.corpus.composed.scenes.cells import Told, meaning
+from tests.corpus.composed.scenes.passing import PASSING
 from tests.corpus.composed.scenes.special import SPECIAL
 
 ANY = ("on", "on", "under", "above", *w.PLAIN, *w.PLAIN, *w.FLAT)
@@ -133,7 +134,7 @@ def composed(rng: Random) -> Composed:
     """A frame with its gaps filled, and the states in which it is so."""
     while True:
         if rng.random() < 0.5:
-            if (special := rng.choice(SPECIAL)(rng)) is not None:
+            if (special := rng.choice((*SPECIAL, *PASSING))(rng)) is not None:
                 return Composed(special[0], finished(rng, special[1]), special[2])
             continue
         made = _related(rng, *rng.choice([(f, s) for table in (ONE, TWO, TWO) for f, s in table.items() if s[1]]))

@@ -99,7 +99,7 @@ def denied(rng: Random) -> Made | None:
         (f"instead of the {b} {noun}, the {c} one must carry the {a} one", [Told("not", (on_b,)), Told("on", (a, c))]),
     )
     text, told = rng.choice([frame for frame in frames if frame[1]])
-    return _made(rng, "denied", text, told, {x: x for x in (a, b, c)})
+    return made(rng, "denied", text, told, {x: x for x in (a, b, c)})
 
 
 def either(rng: Random) -> Made | None:
@@ -129,7 +129,7 @@ def either(rng: Random) -> Made | None:
         ),
     )
     text, told = rng.choice(frames)
-    return _made(rng, "either", text, [told], {x: x for x in (a, b, c)})
+    return made(rng, "either", text, [told], {x: x for x in (a, b, c)})
 
 
 def grouped(rng: Random) -> Made | None:
@@ -171,7 +171,7 @@ def grouped(rng: Random) -> Made | None:
         (f"two {a} {noun}s go on two {b} {noun}s, one on each", each_on),
     )
     text, told = rng.choice(frames)
-    return _made(rng, "grouped", text, told, blocks)
+    return made(rng, "grouped", text, told, blocks)
 
 
 def patched(rng: Random) -> Made | None:
@@ -223,12 +223,13 @@ def patched(rng: Random) -> Made | None:
         (f"the {a} {noun} and the {b} {noun} go on the {m} and the {n} {mat} respectively", [on_m, b_on_n], two),
     )
     text, told, there = rng.choice(frames)
-    return _made(rng, "patched", text, told, blocks, there)
+    return made(rng, "patched", text, told, blocks, there)
 
 
-def _made(
+def made(
     rng: Random, frame: str, text: str, told: list[Told], blocks: dict[str, str], patches: tuple[str, ...] = ()
 ) -> Made | None:
+    """What a frame's text means, if states are found in which it is so."""
     means = meaning(rng, told, blocks, patches)
     return (frame, text, means) if means is not None else None
 
@@ -263,7 +264,7 @@ def between(rng: Random) -> Made | None:
         (f"{b} left of {a}, {c} right of {a}", ordered[1:]),
     )
     text, relations = rng.choice(frames)
-    return _made(rng, "between", text, relations, {x: x for x in (a, b, c)})
+    return made(rng, "between", text, relations, {x: x for x in (a, b, c)})
 
 
 def apart(rng: Random) -> Made | None:
@@ -335,11 +336,11 @@ def built(rng: Random) -> Made | None:
     stack, flat, line = f"{a}^{a}", f"{a} {a}", f"{b} {b} {b}"
     one = {
         "assets": {a: 2, b: 1},
-        "hold": [_beside(stack, b, side)],
-        "miss": [_beside(stack, b, back), _beside(flat, b, side)],
+        "hold": [beside(stack, b, side)],
+        "miss": [beside(stack, b, back), beside(flat, b, side)],
     }
-    three = {"assets": {a: 2, b: 3}, "hold": [_beside(stack, line, side)]}
-    three["miss"] = [_beside(stack, line, back), _beside(stack, f"{b} . {b} . . {b}", side), _beside(flat, line, side)]
+    three = {"assets": {a: 2, b: 3}, "hold": [beside(stack, line, side)]}
+    three["miss"] = [beside(stack, line, back), beside(stack, f"{b} . {b} . . {b}", side), beside(flat, line, side)]
     frames: tuple[tuple[str, dict[str, Any]], ...] = (
         (f"{tower} with {block} {its}", one),
         (f"build {tower} and put {block} {to} it", one),
@@ -360,7 +361,7 @@ def built(rng: Random) -> Made | None:
     return "built", text, means
 
 
-def _beside(tower: str, other: str, side: str) -> str:
+def beside(tower: str, other: str, side: str) -> str:
     """A picture of something on a side of a tower, amid it."""
     if side in ("left", "right"):
         return f"{other} . {tower}" if side == "left" else f"{tower} . {other}"

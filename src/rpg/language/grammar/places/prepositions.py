@@ -61,6 +61,8 @@ _SIMPLE = {
     "further back than": "behind", "further away than": "behind", "further away from me than": "behind",
     "further from me than": "behind", "further from the robot than": "behind", "further than": "behind",
     "further from the camera than": "behind", "further away from the robot than": "behind",
+    **{f"{more} to the {end} than": side for more in ("further", "farther", "more", "nearer", "closer")
+       for end, side in (("front", "front"), ("back", "behind"))},
     "further forward than": "front", "farther forward than": "front", "closer to the viewer than": "front",
 }  # fmt: skip
 """Prepositions with a landmark. "in" and "to" only fit patches and structures; resolution says so where they do not."""

@@ -15,6 +15,7 @@ BORNE_FIRST: tuple[Turn, ...] = (
     (f"^({THING}) {_WITH} ({THING}) {_ON_IT} {_THEN}$", "{1} , with {2} on top , {3}"),
     (f"^({THING}) ((?:that|which) (?:carries|bears|supports|holds)|{_BEARING}) ({THING}) {_THEN}$",
      "{1} , carrying {3} , {4}"),
+    (f"^with ({THING}) {_ON_IT}(?: ,)? ({THING}) {_THEN}$", "{2} , with {1} on top , {3}"),
     (f"\\bthe (?:(?:{FEW}) )?({PATCH}s|patches) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})(?! (?:{BLOCK}s?|ones?)\\b)",
      "the {2} {1}"),
     (f"\\b(the|an?) ({PATCH}) ({COLOR})(?= [,.]| and |$)", "{1} {3} {2}"),

@@ -24,6 +24,7 @@ from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
+from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
 from rpg.language.grammar.rows.row_places import told_by_places
@@ -74,6 +75,7 @@ _OF_ALL = (
     *OTHERWISE_AT_ONCE,
     *EVERYDAY_AT_ONCE,
     *REQUIRED_AT_ONCE,
+    *RELATED_AT_ONCE,
     *REWORDED_AT_ONCE,
     *WORDIER_AT_ONCE,
     *ROWS_PLACED,
@@ -98,6 +100,7 @@ _OF_THE_UNREAD = (
     *SHORT,
     *REQUIRED,
     *GAPPED,
+    *RELATED,
     *BORNE_FIRST,
     *UTMOST_TOLD,
     *TOWERS,

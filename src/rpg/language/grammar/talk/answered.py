@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.talk.asked_first import about_numbers
 from rpg.language.grammar.talk.named_first import with_names
 from rpg.language.phrases import behind
@@ -50,6 +52,8 @@ def _answered(question: Sequence[Token], answer: Sequence[Token]) -> list[Token]
         return told
     if len(words) < 4:
         return None
+    if words[0] == "is":
+        return _made_so(question, words, [token.word for token in answer])
     if words[0] == "where" and words[1] in _DOES and words[-1] in _GOES:
         return _told_of(question[2:-1], question[-1], question[-1:], answer, _PLACES)
     if words[0] in ("which", "what"):
@@ -59,6 +63,25 @@ def _answered(question: Sequence[Token], answer: Sequence[Token]) -> list[Token]
             return _told_of(question[begin + 1 : verb], question[verb], question[verb : verb + 1], answer, None)
         return _in_its_place(question[1 + (words[1] in _NOUNS) :], answer)
     return None
+
+
+_ASKED_OF = re.compile(f"is ({THING}) {PLACE} {THING}")
+_MAKE_SO = frozenset(
+    f"{unless}{comma}{please}{do}"
+    for unless in ("if not", "if it is not")
+    for comma in (" ", " , ")
+    for please in ("", "please ", "then ")
+    for do in ("put it there", "place it there", "move it there", "bring it there", "make it so", "do so")
+)
+
+
+def _made_so(question: Sequence[Token], words: list[str], answer: list[str]) -> list[Token] | None:
+    """ "Is the red block on the blue one? If not, put it there.": it must be there."""
+    asked = _ASKED_OF.fullmatch(" ".join(words)) if " ".join(answer) in _MAKE_SO else None
+    if asked is None:
+        return None
+    there = 1 + len(asked[1].split())
+    return [*question[1:there], question[0].saying("must"), question[0].saying("be"), *question[there:]]
 
 
 def _told_of(

@@ -250,7 +250,7 @@ _VIEWS = Classes(
             "the|my|our table|row|tower|stack|line|column|blocks|cubes|letters|word|desk|digit|letter",
         ),
         "side": ("point_of_view|perspective|side|view|viewpoint|angle|position|seat|chair|place|standpoint|eyes",),
-        "here": ("i|we|you|the_viewer|the_camera sit|sits|stand|stands|am|are|is|look|looks",),
+        "here": ("i|we|you|the_viewer|the_camera|the_robot sit|sits|stand|stands|am|are|is|look|looks",),
     }
 )
 VIEW = Patterns(

@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.things.blank import blank
-from rpg.language.grammar.things.had_relatives import had_there
+from rpg.language.grammar.things.had_relatives import UPHOLD, had_there
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.out_of_region import out_of_region
 from rpg.language.grammar.things.standby import NO_ROLE
@@ -65,7 +65,7 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
         for named, k in color(p, j):
             yield Traits(colors=(named,)), k
     that = p.one(comma, _THAT)
-    that = p.seq(that, "in turn") or that if that else 0
+    that = p.any_of(that, ("in turn", "itself")) or that if that else 0
     if that:
         if j := max(NO_ROLE.matches(p, that), default=0):
             yield Traits(extra=True), j
@@ -84,7 +84,7 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
         yield from had_there(p, that, comma > i) if not plural and head != "patch" else ()
         yield from told_relative(p, i, that, head, plural)
         start = that
-        while start < p.end and (p.words[start] in lexicon.POSTURE or p.words[start] in _AT_FIRST):
+        while start < p.end and (p.words[start] in lexicon.POSTURE or p.words[start] in _BESIDE):
             start = p.reach(start + 1)
         whole = plural and p.words[that] in _SINGULAR
         asserted = comma > i and _AT_FIRST.isdisjoint(p.words[that:start])
@@ -112,6 +112,7 @@ def _and_more(p: Parser, i: int, marks: dict[str, Any]) -> Results[Traits]:
 _COLOR_AND_SIZE = (({"colors"}, {"size"}), ({"size"}, {"colors"}))
 _ONES = frozenset({"one", "ones"})
 _AT_FIRST = frozenset({"currently", "already", "initially", "originally", "now", "presently"})
+_BESIDE = _AT_FIRST | {"itself"}
 _STAYING = frozenset({"stay", "stays", "remain", "remains"})
 _SINGULAR = frozenset({"is", "stands", "lies", "sits", "rests", "touches"})
 
@@ -124,16 +125,12 @@ _CARRY = (
 )  # fmt: skip
 
 
-_UPHOLD = frozenset({"support", "supports", "supporting"})
-"""No symbol is shown by what does so."""
-
-
 @choice
 def _carrying(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]:
     """ "(the red block) that carries the pink one": what lies on it."""
     j = p.any_of(i, _CARRY)
     for theme, k in simple(p, j) if j else ():
-        shown = isinstance(theme, Noun) and theme.traits.labels and _UPHOLD.isdisjoint(p.words[i:j])
+        shown = isinstance(theme, Noun) and theme.traits.labels and UPHOLD.isdisjoint(p.words[i:j])
         if isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and not shown:
             wanted = asserted or p.words[i] in _MUST or p.words[i + 1] == "to"
             mods = ("directly", "asserted") if wanted else ("directly",)

@@ -1,0 +1,41 @@
+"""How two things lie to each other, told by what one is for the other, by its part in a contrast, or with their names
+first, as rows that say it plainly: "the blue one serves as a base for the red one", "red and blue, green between"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST
+
+_BASE = "as (?:a|an|the|its) (?:base|pedestal|platform|foundation|support|plinth|stand) (?:for|of)"
+_TO = "(?:(?:on |to )?(?:the |its )?)"
+_SIDES = f"{_TO}left and {_TO}right"
+
+RELATED_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:locate|look for|search for) ({THING})$", "find {1}"),
+    (
+        f"^(?:bring|move|carry|take) ({THING})(?: over)? to ({THING}) and (?:then )?{PUT}(?: it)?(?: down)? ({PLACE}) it$",
+        "put {1} {3} {2}",
+    ),
+    (f"^use ({THING}) as (?:a|the) base(?: ,)? and ({PUT}|stack) ({THING}) (?:on|on top of) it$", "{2} {3} on {1}"),
+    (f"\\b(?:on|at|to) (?:each|either|both) sides? of ({THING})(?: ,)? {_SIDES}$", "to the left and right of {1}"),
+    (
+        f"\\bthe other (?:one|{CUBE}) , (?:which|that) is (?:an? )?({COLOR})(?: one| {CUBE})?(?= ,)",
+        "the other one , the {1} one",
+    ),
+)
+"""What is read otherwise as it stands, or could be meant in several ways."""
+RELATED: tuple[Turn, ...] = (
+    # what one is for the other
+    (f"\\b({MUST}) (?:serve|act|function|be used|work) {_BASE}\\b", "{1} support"),
+    (f"\\b(?:serves|acts|functions|is used|works) {_BASE}\\b", "supports"),
+    (f"^use ({THING}) {_BASE} ({THING})$", "{1} must support {2}"),
+    # what is between two that were named
+    (f"^(?:{PUT} )?({THING})(?: ,)? and ({THING})(?: ,)? (?:and )?(?:in between|between them) ({THING})$",
+     "{3} must be between {1} and {2}"),
+    # which alone
+    (f"^only ({THING})(?: ,)?(?: and)? not ({THING})(?: ,)? ({IS} .+)$", "only {1} {3} , not {2}"),
+)  # fmt: skip
+"""What makes no sense as it stands."""
+WORDS = ("pedestal plinth platform foundation locate",)
+"""Words that these take besides those that are read anyway."""

@@ -7,14 +7,15 @@ from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST
 
-_BASE = "as (?:a|an|the|its) (?:base|pedestal|platform|foundation|support|plinth|stand) (?:for|of)"
+_BASE = f"as (?:a|an|the|its) (?:base|pedestal|platform|foundation|support|plinth|stand) (?:for|of(?= {THING}))"
 _TO = "(?:(?:on |to )?(?:the |its )?)"
 _SIDES = f"{_TO}left and {_TO}right"
+_SET_DOWN = f"{PUT}(?: it)?(?: down)?"
 
 RELATED_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:locate|look for|search for) ({THING})$", "find {1}"),
     (
-        f"^(?:bring|move|carry|take) ({THING})(?: over)? to ({THING}) and (?:then )?{PUT}(?: it)?(?: down)? ({PLACE}) it$",
+        f"^(?:bring|move|carry|take) ({THING})(?: over)? to ({THING}) and (?:then )?{_SET_DOWN} ({PLACE}) it$",
         "put {1} {3} {2}",
     ),
     (f"^use ({THING}) as (?:a|the) base(?: ,)? and ({PUT}|stack) ({THING}) (?:on|on top of) it$", "{2} {3} on {1}"),

@@ -50,7 +50,7 @@ def pairs(rng: Random) -> Made | None:
         (f"At the end we see the {a} {n} {to} the {b} {n}.", rel),
         (f"From where the robot stands, the {a} {n} is {to} the {b} one.", rel),
         (f"use the {b} {n} as the base and place the {a} {n} on it", on),
-        (f"the {b} {n} serves as a pedestal for the {a} one", on),
+        (f"the {b} {n} serves as a stand for the {a} one", on),
         (f"the {a} {n} is {more} the {b} {n}", some),
         (f"the {a} {n} should end up {more} the {b} one", some),
         (f"please put the {a} {n} {to} {b} {n}", rel),

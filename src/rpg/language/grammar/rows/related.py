@@ -7,7 +7,7 @@ from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST
 
-_BASE = f"as (?:a|an|the|its) (?:base|pedestal|platform|foundation|support|plinth|stand) (?:for|of(?= {THING}))"
+_BASE = f"as (?:a|an|the|its) (?:base|support|stand) (?:for|of(?= {THING}))"
 _TO = "(?:(?:on |to )?(?:the |its )?)"
 _SIDES = f"{_TO}left and {_TO}right"
 _SET_DOWN = f"{PUT}(?: it)?(?: down)?"
@@ -38,5 +38,5 @@ RELATED: tuple[Turn, ...] = (
     (f"^only ({THING})(?: ,)?(?: and)? not ({THING})(?: ,)? ({IS} .+)$", "only {1} {3} , not {2}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("pedestal plinth platform foundation locate",)
+WORDS = ("locate",)
 """Words that these take besides those that are read anyway."""

@@ -17,6 +17,7 @@ from rpg.language.inventories.lots import (
     lots_at,
     total_at,
     with_nouns,
+    with_their_patches,
     words_at,
 )
 from rpg.language.tokens import Token
@@ -37,9 +38,10 @@ _TABLE = "the|a|an|my|your|our empty|otherwise_empty? table|table_top|tabletop|w
 _LIE = "is|are|lie|lies|stand|stands|sit|sits|rest|rests"
 _LYING = f"{_LIE}|is_lying|are_lying|is_placed|are_placed|is_standing|are_standing|is_laid_out|are_laid_out"
 _LYING += "|are_put|have_been_placed|has_been_placed|have_been_put|has_been_put|were_placed|were_put|was_placed|was_put"
-_SEE = "have|see|find|get|have_got|can_see|will_find|can_use|may_use|will_see|start_with|work_with|are_given|can_find"
+_SEE = "have|see|find|get|have_got|can_see|will_find|can_use|may_use|will_see|start_with|work_with|are_given|can_find|"
+_SEE += "will_need|need|will_have|will_get|got|will_use|start_out_with|begin_with|use"
 _ONLY = "only|just|exactly|also|now?"
-_SCENE = "the|our|this|your scene|inventory|set|kit|box|task|material|workspace|collection"
+_SCENE = "the|our|this|your scene|inventory|set|kit|box|task|material|workspace|collection|setup|setting|stock"
 _AHEAD = Patterns(
     f"there is|are {_ONLY} on_the_table? {_ONLY}",
     f"here is|are {_ONLY}",
@@ -57,7 +59,10 @@ _AHEAD = Patterns(
     "the following is|are on_the_table|given|there|available :",
     "the following blocks|things|objects|cubes is|are|lie on_the_table|given|there|available :",
     "available is|are",
-    "take|use",
+    "take|use|start_with|begin_with|work_with",
+    "the|our|my|all|all_the? blocks|cubes|bricks|boxes|inventory|stock|material|setup available|given|in_play|at_hand? "
+    ":|are|is",
+    "given|available|these|those :",
     "imagine|picture|suppose|assume|consider that? there_is|there_are?",
     "on_the_table :",
 )
@@ -78,7 +83,8 @@ _BEHIND = Patterns(
     f"all|both? {_LYING} loosely|scattered|together|around|only|just? on {_TABLE}",
     f"all|both? {_LYING} scattered|loosely? around? on {_TABLE}",
     f"is|are scattered|spread|spread_out|distributed over|across|on {_TABLE}",
-    "is|are given|available|there|present|at_hand|provided|in_the_scene|at_your_disposal|supplied",
+    "is|are given|available|there|present|at_hand|provided|in_the_scene|at_your_disposal|supplied|to_be_used|used|"
+    "in_play",
     f"on {_TABLE}",
     "here|at_hand|available|in_all|in_total|altogether|in_the_scene",
 )
@@ -97,15 +103,16 @@ _TABLES = frozenset({"table", "tabletop"})
 _TOO = ((",", "too"), ("too",), ("as", "well"))
 
 
-def stock_of(tokens: Sequence[Token]) -> Stock | None:
-    """What a sentence says there is, if it says no more."""
-    found = [*_readings(tokens)]
-    if not found:
+def stock_of(tokens: Sequence[Token], bare: bool = False) -> Stock | None:
+    """What a sentence says there is, if it says no more. `bare`: it may be a list that does not say so."""
+    found = [*_readings(tokens, bare)]
+    lots = with_their_patches(found[0].lots) if found else None
+    if lots is None:
         return None
-    return replace(found[0], closed=any(stock.closed for stock in found if stock.lots == found[0].lots))
+    return replace(found[0], lots=lots, closed=any(stock.closed for stock in found if stock.lots == found[0].lots))
 
 
-def _readings(tokens: Sequence[Token]) -> Iterator[Stock]:
+def _readings(tokens: Sequence[Token], bare: bool) -> Iterator[Stock]:
     p = Parser([*tokens])
     words = [t.word for t in tokens]
     lying = not _TABLES.isdisjoint(words)
@@ -121,7 +128,7 @@ def _readings(tokens: Sequence[Token]) -> Iterator[Stock]:
                     yield Stock(stock.lots, closed or stock.closed, True)
         yield from _on_it(tokens, start)
     for start in {0, *_AHEAD.matches(p, 0)}:
-        for stock in _listed(p, tokens, start, not start):
+        for stock in _listed(p, tokens, start, not start and not bare):
             yield Stock(stock.lots, closed or stock.closed, lying, stock.beside)
     yield from _of_those_there(p, tokens, lying)
 
@@ -227,14 +234,14 @@ def _of_those_there(p: Parser, tokens: Sequence[Token], lying: bool) -> Iterator
 _OF_THE = ("of the", "of these", "of my", "of our")
 
 
-def counted(tokens: Sequence[Token]) -> tuple[int, Token | None, bool] | None:
+def counted(tokens: Sequence[Token], bare: bool = False) -> tuple[int, Token | None, bool] | None:
     """How many blocks a sentence says there are, if it says no more: "five blocks are on the table"."""
     p = Parser([*tokens])
     for start in {0, *_AHEAD.matches(p, 0)}:
         many, noun, kind, j = total_at(tokens, start)
         if not many or kind or noun is None or noun.word not in lexicon.BLOCK:
             continue
-        if (j >= len(tokens) and start) or any(k >= len(tokens) for k in _behind(p, tokens, j)):
+        if (j >= len(tokens) and (start or bare)) or any(k >= len(tokens) for k in _behind(p, tokens, j)):
             return many, noun, not _TABLES.isdisjoint(t.word for t in tokens)
     return None
 

@@ -24,6 +24,8 @@ class Lot:
     labels: tuple[Token, ...] = ()
     kind: str = ""
     again: bool = False
+    theirs: bool = False
+    """Patches of the colours of the blocks, one of each."""
 
     @property
     def size(self) -> int:
@@ -83,8 +85,16 @@ def lots_at(tokens: Sequence[Token], i: int, bare: bool = False) -> Iterator[tup
         yield first, j
 
 
-def _lot(tokens: Sequence[Token], i: int, bare: bool) -> Iterator[tuple[Lots, int]]:
+def several_at(tokens: Sequence[Token], i: int) -> Iterator[tuple[Lots, int]]:
+    """Things of several looks that are counted at once: "six blocks, three red and three blue", "two each of ..."."""
     yield from _told_apart(tokens, i)
+    yield from _in_each(tokens, i)
+    yield from _of_each(tokens, i)
+
+
+def _lot(tokens: Sequence[Token], i: int, bare: bool) -> Iterator[tuple[Lots, int]]:
+    yield from several_at(tokens, i)
+    yield from _theirs(tokens, i)
     yield from _labelled(tokens, i)
     yield from _colored(tokens, i, bare)
 
@@ -150,6 +160,88 @@ def _told_apart(tokens: Sequence[Token], i: int) -> Iterator[tuple[Lots, int]]:
     for lots, end in apart(tokens, begin, many, noun):
         if not close or (end < len(tokens) and tokens[end].word == close):
             yield lots, end + bool(close)
+
+
+def _theirs(tokens: Sequence[Token], i: int) -> Iterator[tuple[Lots, int]]:
+    """ "(two red and two blue blocks and) mats of the same colours"."""
+    at = words_at(tokens, i, ("two",), ("three",), ("the",), ("also",)) or i
+    if at < len(tokens) and lexicon.PATCH.get(tokens[at].word) and (end := words_at(tokens, at + 1, *_THEIR_COLORS)):
+        yield (Lot(noun=tokens[at], theirs=True),), end
+
+
+_THEIR_COLORS = (("of", "the", "same", "colors"), ("in", "the", "same", "colors"), ("of", "these", "colors"), ("in",
+                 "these", "colors"), ("of", "the", "same", "two", "colors"), ("in", "the", "same", "two", "colors"),
+                 ("in", "the", "same", "three", "colors"), ("of", "matching", "colors"), ("in", "matching", "colors"),
+                 ("of", "their", "colors"), ("in", "their", "colors"), ("of", "the", "same", "color"))  # fmt: skip
+
+
+def with_their_patches(lots: Lots) -> Lots | None:
+    """The lots with a patch of each colour of the blocks for patches of the same colours; None: they have none."""
+    found: list[Lot] = []
+    for lot in lots:
+        hues = {x.color.word: x.color for x in lots if x.color is not None and not x.patch}
+        if lot.theirs and not hues:
+            return None
+        found += [Lot(color=hue, noun=_numbered(lot.noun, 1)) for hue in hues.values()] if lot.theirs else [lot]
+    return tuple(found)
+
+
+def _in_each(tokens: Sequence[Token], i: int) -> Iterator[tuple[Lots, int]]:
+    """ "two blocks in each of the colours red and blue", "two blocks each of red and blue", "five blocks, all red"."""
+    many, noun, kind, j = total_at(tokens, i)
+    if not many or noun is None or kind:
+        return
+    each = words_at(tokens, j, *_IN_EACH)
+    for lots, end in _colors(tokens, each) if each else ():
+        yield tuple(replace(lot, many=many, noun=noun) for lot in lots), end
+    alike = words_at(tokens, j, *_ALL_ALIKE)
+    if alike and alike < len(tokens) and tokens[alike].word in lexicon.COLOR:
+        yield (Lot(many=many, color=tokens[alike], noun=noun),), alike + 1
+
+
+def in_each_color(tokens: Sequence[Token], i: int) -> Iterator[tuple[Lots, int]]:
+    """ "Two blocks in each of the colours red and blue", the longest list of colours."""
+    found = [(lots, end) for lots, end in _in_each(tokens, i) if len(lots) > 1 and "colors" in _said(tokens[i:end])]
+    yield from found[-1:]
+
+
+def _said(tokens: Sequence[Token]) -> set[str]:
+    return {token.word for token in tokens}
+
+
+def _of_each(tokens: Sequence[Token], i: int) -> Iterator[tuple[Lots, int]]:
+    """ "red, green and blue blocks, two of each"."""
+    for lots, j in _colors(tokens, i):
+        noun = tokens[j] if j < len(tokens) and _fits(tokens[j], 2) else None
+        comma = j + 1 + (noun is not None and j + 1 < len(tokens) and tokens[j + 1].word in (",", "("))
+        many, k = count_at(tokens, comma) if noun is not None else (0, 0)
+        end = words_at(tokens, k, *_OF_EACH) if many else 0
+        if end and comma > j + 1 and tokens[comma - 1].word == "(":
+            end = words_at(tokens, end, (")",))
+        if end:
+            yield tuple(replace(lot, many=many, noun=_numbered(noun, many)) for lot in lots), end
+
+
+def _colors(tokens: Sequence[Token], i: int) -> Iterator[tuple[Lots, int]]:
+    """Colours that are listed, without numbers: two at least."""
+    lots: Lots = ()
+    while i < len(tokens) and tokens[i].word in lexicon.COLOR:
+        lots += (Lot(color=tokens[i]),)
+        i += 1
+        if len(lots) > 1:
+            yield lots, i
+        i = words_at(tokens, i, (",", "and"), (",",), ("and",)) or len(tokens)
+
+
+_IN_EACH = (
+    ("in", "each", "of", "the", "colors"), ("in", "each", "of", "the", "colors", ":"), ("of", "each", "of", "the",
+    "colors"), ("each", "of"), ("each", "in"), ("of", "each", "of"), ("in", "each", "of"), ("each", "of", "the",
+    "colors"), ("each", "in", "the", "colors"), ("of", "each", "of", "these", "colors", ":"),
+)  # fmt: skip
+_OF_EACH = (("of", "each"), ("of", "each", "color"), ("each",), ("per", "color"), ("of", "every", "color"),
+            ("in", "each", "color"), ("of", "each", "kind"))  # fmt: skip
+_ALL_ALIKE = ((",", "all"), (",", "all", "of", "them"), (",", "all", "of", "which", "are"), (",", "both"),
+              (",", "each", "of", "them"), ("that", "are", "all"), ("which", "are", "all"))  # fmt: skip
 
 
 def apart(tokens: Sequence[Token], i: int, many: int, noun: Token | None) -> Iterator[tuple[Lots, int]]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from rpg.language import lexicon
 from rpg.language.inventories.frames import Stock, counted, looks_of, stock_of
-from rpg.language.inventories.lots import Lot, Lots
+from rpg.language.inventories.lots import Lot, Lots, in_each_color
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", ";"})
@@ -32,6 +32,7 @@ class Told:
 
 def told_plainly(tokens: list[Token]) -> tuple[list[Token], Told | None]:
     """The tokens with the inventory that they begin with in plain words, and what it tells."""
+    tokens = _in_each_color(tokens)
     parts = _sentences(tokens)
     stock, used = _first(parts)
     if stock is None and parts and (apart := _set_off(parts[0], len(parts) > 1)) is not None:
@@ -42,7 +43,28 @@ def told_plainly(tokens: list[Token]) -> tuple[list[Token], Told | None]:
         return tokens, None
     looks = Counter(_looks(stock.lots))
     told = Told(looks, stock.closed and bool(looks), tuple(rest))
-    return [*_in_words(stock, [t for part in parts[:used] for t in part]), *rest], told
+    return [*in_words(stock, [t for part in parts[:used] for t in part]), *rest], told
+
+
+def told_behind(tokens: list[Token]) -> Told | None:
+    """What a later sentence alone tells of how the blocks look: "build towers of three. Nine red blocks are there."."""
+    parts = _sentences(tokens)
+    stocks = [(n, stock) for n, part in enumerate(parts[1:], 1) if (stock := stock_of(_bare(part))) is not None]
+    if len(stocks) != 1 or any(lot.patch or lot.labels or lot.color is None for lot in stocks[0][1].lots):
+        return None
+    rest = tuple(token for n, part in enumerate(parts) for token in part if n != stocks[0][0])
+    told = any(token.word in lexicon.COLOR or token.kind in ("quote", "literal") for token in rest)
+    return None if told else Told(Counter(_looks(stocks[0][1].lots)), True, rest)
+
+
+def _in_each_color(tokens: list[Token]) -> list[Token]:
+    """ "Two blocks in each of the colours red and blue": two red blocks and two blue ones."""
+    if all(token.word != "colors" for token in tokens):
+        return tokens
+    for n in range(len(tokens)):
+        for lots, end in in_each_color(tokens, n):
+            return [*tokens[:n], *lots_in_words(lots), *_in_each_color(tokens[end:])]
+    return tokens
 
 
 def _sentences(tokens: list[Token]) -> list[list[Token]]:
@@ -126,7 +148,7 @@ def _looks(lots: Lots) -> dict[str, int]:
     return found
 
 
-def _in_words(stock: Stock, said: list[Token]) -> list[Token]:
+def in_words(stock: Stock, said: list[Token]) -> list[Token]:
     """ "there are three green blocks and a mat", in the place of what was said."""
     first, last = said[0], said[-1]
     lots = stock.lots
@@ -140,6 +162,16 @@ def _in_words(stock: Stock, said: list[Token]) -> list[Token]:
         out += [last.saying("."), *_beside(lots, last)]
     stop = last if last.word in _STOPS else last.saying(".")
     return [*out, stop.saying(".")]
+
+
+def lots_in_words(lots: Lots) -> list[Token]:
+    """ "three green blocks and a mat"."""
+    out: list[Token] = []
+    for n, lot in enumerate(lots):
+        if n:
+            out.append(_start(lot).saying("and" if n == len(lots) - 1 else ","))
+        out += _lot_in_words(lot)
+    return out
 
 
 def _start(lot: Lot) -> Token:

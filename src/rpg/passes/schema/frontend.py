@@ -16,9 +16,8 @@ from rpg.language.formulas import formulas_told
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
-from rpg.language.grammar.talk.stock_ahead import stock_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
-from rpg.language.inventories import told_plainly
+from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
 from rpg.language.nicknames import without_nicknames
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
@@ -30,7 +29,7 @@ from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
 from rpg.passes.schema.respelt import Respelt
-from rpg.passes.schema.told_there import check_numbers, check_told
+from rpg.passes.schema.told_there import check_numbers, check_told, check_wanted
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
 
@@ -93,14 +92,18 @@ class BuiltinFrontEnd:
         words, told = told_plainly(rows_in_words(without_asides(spoken)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
-            check_told(told, found.task)
+            check_told(told or told_behind(words), found.task)
             check_numbers(spoken, words, found)
         except Refusal:
-            for ahead in filter(None, (shape_ahead(words), stock_ahead(words))):
+            for ahead, wanted in ((shape_ahead(words), False), *stocks_ahead(words)):
+                if ahead is None:
+                    continue
+                ahead, told = told_plainly(ahead)
                 with suppress(Refusal):
                     found = build(ahead, text, notes, name=name, seed=seed, author=author)
                     check_told(told, found.task)
                     check_numbers(spoken, ahead, found)
+                    check_wanted(words if wanted else [], found.task)
                     return found.task, found.notes
             raise
         return found.task, found.notes

@@ -6,8 +6,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
-from rpg.ir.assets import SemanticCube
+from rpg.ir.assets import Block, SemanticCube
 from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.inventories import Told
@@ -28,7 +29,7 @@ def check_told(told: Told | None, task: TaskSchema) -> None:
     """Refuse a task with fewer blocks than are told to be there, or with others that nobody brings up."""
     if told is None:
         return
-    there = Counter((b.label or b.color) if isinstance(b, SemanticCube) else b.color for b in task.blocks)
+    there = Counter(map(_look, task.blocks))
     further = any(token.word in _FURTHER for token in told.rest)
     for look in sorted({*told.looks, *there} - _SIGNS):
         many, had = told.looks[look], there[look]
@@ -62,6 +63,24 @@ def check_numbers(said: list[Token], words: Sequence[Token], found: Feasibility)
 
 def _number(token: Token) -> bool:
     return token.kind == "number" or token.word in lexicon.NUMBER
+
+
+def check_wanted(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse a task that wants nothing of the blocks of some look, which `words` list and do not call distractors."""
+    if not words or not _IDLE.isdisjoint(token.word for token in words):
+        return
+    used = set(names(task.goal))
+    idle = {_look(b) for b in task.blocks} - {_look(b) for b in task.blocks if b.name in used}
+    if idle:
+        raise refuse("unused-block", f"nothing is said of where '{min(idle)}' should be", None,
+                     "say what becomes of it, or that it is a distractor")  # fmt: skip
+
+
+def _look(block: Block) -> str:
+    return (block.label or block.color) if isinstance(block, SemanticCube) else block.color
+
+
+_IDLE = frozenset({"distractor", "distractors", "anywhere", "ignore", "ignored", "unused"})
 
 
 def _brought_up(told: Told, look: str) -> bool:

@@ -9,6 +9,7 @@ from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import simple
+from rpg.language.grammar.things.strangers import strangers
 from rpg.language.grammar.things.theirs import THEIRS
 from rpg.language.meaning import Clause, Loc, Noun, OrderBy, Traits, replace
 
@@ -24,7 +25,8 @@ _COLORS = Patterns(
 _PLURAL = Patterns("colors")
 """Bare, behind a verb that can be said of nothing else: "sort colours into separate piles"."""
 _OWN = ("its_own|its_own_separate|their_own|their_own_separate|a_separate|a_single|one|one_single|a_different|a|an|"
-        "separate|single|own|different|individual|distinct|one_separate|its_separate")  # fmt: skip
+        "separate|single|own|different|individual|distinct|one_separate|its_separate|its_own_little|a_little|its_own_small|"
+        "a_small")  # fmt: skip
 _TOWERS = Patterns(
     f"into|in|to|onto|on|as|up_into|up_in {_OWN}? tower|towers|stack|stacks of_its_own|of_their_own|each|apiece?",
 )
@@ -39,9 +41,9 @@ _HAS = (
 )
 _GETS = Patterns(f"{_HAS} tower|stack of_its_own|of_their_own?")
 _GROUPED = Patterns(f"{_HAS} group|cluster|bunch of_its_own|of_their_own?")
+_SHALL = "should_be|must_be|shall_be|is_to_be|are_to_be|has_to_be|have_to_be|need_to_be|needs_to_be"
 _GOES = Patterns(
-    "should|must|shall|is_to|are_to|has_to|have_to be "
-    "stacked|piled|built|put|placed|sorted|grouped|collected|gathered up?",
+    f"{_SHALL} put|placed|sorted|grouped|collected|gathered|set|laid up?",
     "goes|should_go|must_go|is|should_be|must_be|belongs|ends_up|should_end_up|comes|is_to_go|go|are|should_all_be|"
     "have_to_be|must_all_be|should_stay|must_stay|need_to_be",
 )
@@ -50,9 +52,13 @@ _LIES = Patterns(
     "together|grouped|gathered|clustered"
 )
 _STACKED = Patterns(
-    "is|are|should_be|must_be|gets|get|ends_up|end_up stacked|piled_up|stacked_up separately|by_itself|on_its_own?"
+    f"is|are|gets|get|ends_up|end_up|{_SHALL} stacked|piled_up|stacked_up|piled|built|built_up "
+    "separately|by_itself|on_its_own?"
 )
-_SEPARATELY = Patterns("separately|by_itself|on_its_own|by_themselves|on_their_own|apart|up_separately|individually")
+_SEPARATELY = Patterns(
+    "separately|by_itself|on_its_own|by_themselves|on_their_own|apart|up_separately|"
+    "individually|from_each_other|from_one_another"
+)
 _TOGETHER = Patterns(
     "together in_its_own_group|in_one_group|in_a_group|in_groups|in_their_own_groups|in_separate_groups?",
     "apart|separate|separated|apart_from_each_other|separate_from_each_other",
@@ -62,6 +68,7 @@ _STACK = ("stack", "stack up", "pile up", "build up", "put up")
 _SORT = ("sort", "group", "gather", "cluster", "collect", "separate", "split up", "divide", "bring")
 _PUT = ("put", "place", "keep", "set", "lay", "bring", "move", "arrange", "gather", "collect", "sort", "stack", "group",
         "separate", "split", "assemble", "organize", "organise", "distribute")  # fmt: skip
+_PLACE = ("put", "place", "move", "bring", "set", "lay", "get")
 _FOR_EACH = Patterns("for|per|of|from|out_of|in each|every single? color", "per|a color", "each|apiece")
 _ALL_OF_IT = Patterns(
     ",? with|containing|made_of|from|holding all the? blocks|cubes|ones of|in that|the_same|its color in_it|inside?"
@@ -86,10 +93,18 @@ def of_each_color(p: Parser, i: int) -> Results[Clause]:
         said = Clause(verb=verb, lemma=verb, theme=blocks, adjuncts=(by,), mode="goal", span=span, word=word, cost=cost)
         if not p.seq(j, ", each"):  # that is said of the stacks or groups, of which this names none
             yield said, j
+        for strange, k in strangers(p, j) if verb == "sort" else ():
+            yield replace(said, adjuncts=(by, strange), span=p.span(i, k)), k
         for found, k in loc(p, j) if verb == "stack" or p.words[j : j + 1] == ["on"] else ():
             mark = found.landmark if isinstance(found, Loc) else None
-            if isinstance(mark, Noun) and mark.head == "patch" and isinstance(found, Loc) and mark.traits.matching:
-                spot = replace(mark, det="the", amount=None, plural=True)
+            if (
+                isinstance(mark, Noun)
+                and mark.head == "patch"
+                and isinstance(found, Loc)
+                and (mark.traits.matching or (_own(mark) and not mark.traits.colors))
+            ):
+                marks = replace(mark.traits, matching=True, scheme=None)
+                spot = replace(mark, det="the", amount=None, plural=True, traits=marks)
                 where = replace(found, landmark=spot)
                 yield replace(said, adjuncts=(by, where), span=p.span(i, k)), k
 
@@ -119,6 +134,10 @@ def _on_patches(p: Parser, i: int) -> Results[Clause]:
         theme = Noun(head="block", det="all", plural=True, span=p.span(i, j))
         for k in (j, *_GOES.matches(p, j)):
             yield from _matched(p, i, p.any_of(k, ("on", "onto", "to", "in", "into", "gets", "has")), theme)
+    put = p.any_of(i, _PLACE)
+    for j in _COLORS.matches(p, put) if put else ():
+        theme = Noun(head="block", det="all", plural=True, span=p.span(put, j))
+        yield from _matched(p, i, p.any_of(j, ("on", "onto", "to")), theme)
     match = p.any_of(i, ("match", "pair", "pair up", "match up"))
     for blocks, j in simple(p, match) if match else ():
         if isinstance(blocks, Noun) and blocks.head == "block" and (blocks.plural or blocks.det == "each"):
@@ -152,7 +171,7 @@ def _stated(p: Parser, i: int) -> Results[str]:
     for j in _COLORS.matches(p, i):
         yield from (("stack", end) for told in (_GETS, _STACKED) for end in told.matches(p, j))
         yield from (("sort", end) for told in (_GROUPED, _LIES) for end in told.matches(p, j))
-        for k in (j, *_GOES.matches(p, j)):
+        for k in (j, *_GOES.matches(p, j), *_STACKED.matches(p, j)):
             yield from _parted(p, k)
             yield from (("sort", end) for end in _TOGETHER.matches(p, k) if k > j)
         yield from (("sort", end) for end in _TOGETHER.matches(p, j))

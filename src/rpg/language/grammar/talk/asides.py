@@ -214,7 +214,7 @@ _NAMES = frozenset({"letter", "letters", "digit", "digits", "number", "numbers",
 def _emphatic(words: list[str], end: int) -> bool:
     """Whether a description follows."""
     after = words[end] if end < len(words) else ""
-    tidied = words[end - 1] == "tidy" and after in ("the", "this", "up", "your", "my", "our")
+    tidied = words[end - 1] == "tidy" and after in ("the", "this", "up", "your", "my", "our", "it", "them", "these")
     return bool(after) and after not in _BREAKS | _DEGREES and not tidied
 
 

@@ -9,9 +9,27 @@ from rpg.language.grammar.talk.all_as_before import all_as_before
 from rpg.language.grammar.talk.answers_wanted import answers_wanted
 from rpg.language.grammar.talk.bare_sides import bare_sides, one_side_each
 from rpg.language.grammar.talk.by_again import by_again
+from rpg.language.grammar.talk.colored_groups import GROUPS, colored_groups
+from rpg.language.grammar.talk.cube_of_small_ones import SMALL, cube_of_small_ones, four_below
 from rpg.language.grammar.talk.dealt_out import dealt_out
+from rpg.language.grammar.talk.each_of_its_color import (
+    ORGANIZED,
+    each_on_its_own,
+    for_each_color,
+    mats_have,
+    organized,
+    sorted_onto_mats,
+)
+from rpg.language.grammar.talk.exactly_so_many import (
+    NO_MORE,
+    no_more_no_fewer,
+    none_of_so_many,
+    number_there,
+    of_so_many_ahead,
+)
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.numbers_told import NUMBER, TIPS, both_of_so_many, number_is, on_the_tip
+from rpg.language.grammar.talk.one_another import ANOTHER, one_another, other_half
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import RESPELT, respelling
 from rpg.language.grammar.talk.said_between import (
@@ -33,6 +51,17 @@ from rpg.language.grammar.talk.short_turns import (
 )
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
 from rpg.language.grammar.talk.told_short import any_other, but_turned, every_other, halves_told, in_pairs, no_two
+from rpg.language.grammar.talk.towers_bounded import HIGHER, towers_bounded
+from rpg.language.grammar.talk.towers_in_short import (
+    FLOORS,
+    SPREAD,
+    floors_high,
+    one_height_for_all,
+    one_tower_has,
+    pairs_stacked,
+    spread_over,
+    tidied_into,
+)
 from rpg.language.grammar.talk.utmost_number import utmost_number
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
@@ -275,9 +304,30 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (told_in_total, frozenset({"total", "altogether", "all"})),
     (halves_told, frozenset({"half"})),
     (no_two, frozenset({"no"})),
+    (no_more_no_fewer, NO_MORE),
+    (none_of_so_many, frozenset({"no"})),
+    (one_another, ANOTHER),
+    (other_half, frozenset({"other"})),
+    (towers_bounded, HIGHER),
+    (cube_of_small_ones, SMALL),
+    (four_below, frozenset({"four"})),
+    (colored_groups, GROUPS),
+    (each_on_its_own, frozenset({"stack", "stacked", "pile", "piled"})),
+    (for_each_color, frozenset({"color", "colors"})),
+    (mats_have, frozenset({"color"})),
+    (organized, ORGANIZED),
+    (spread_over, SPREAD),
+    (number_there, frozenset({"number"})),
+    (of_so_many_ahead, frozenset({"of"})),
+    (sorted_onto_mats, frozenset({"color", "colors"})),
+    (floors_high, FLOORS),
+    (one_height_for_all, frozenset({"each", "both", "all"})),
+    (one_tower_has, frozenset({"tower", "stack"})),
+    (tidied_into, frozenset({"into"})),
     (but_turned, frozenset({"but"})),
     (any_other, frozenset({"any"})),
     (every_other, frozenset({"every"})),
+    (pairs_stacked, frozenset({"pairs"})),
     (in_pairs, frozenset({"pairs"})),
     (utmost_number, frozenset({"number"})),
     (_furthest, _FAR),

@@ -8,6 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.rows.formal import formal
 from rpg.language.grammar.talk.in_other_words import IN_OTHER_WORDS
+from rpg.language.grammar.talk.quantities import QUANTITIES
 from rpg.language.phrases import tree_of
 from rpg.language.tokens import Token
 
@@ -44,6 +45,7 @@ _PHRASES = {
        for top in ("floor", "top", "surface")},
     "seen from left to right": "from left to right", "capped by": "topped by", "capped with": "topped with",
     **{f"{heap} made of": f"{heap} of" for heap in ("heap", "pile")}, "in such a way that": "so that",
+    **QUANTITIES,
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
     **{f"upright {to} {who}": "upright" for to in ("for", "to") for who in ("the viewer", "the camera", "me")},

@@ -23,7 +23,9 @@ _IN_EACH = Patterns(
     "per group|pile|heap|bunch|cluster",
     "each|apiece",
     "in both groups|piles|heaps?",
-    "is|are in|inside each|every group|pile|heap|bunch|cluster|one|of_them",
+    "is|are|be|must_be|should_be|shall_be|has_to_be|is_to_be|may_be|lies|belongs|goes|sits|hides|hidden "
+    f"in|inside|into|among each|every {_GROUPS}?",
+    "is|be|must_be|should_be|has_to_be in both groups|piles|heaps?",
 )
 _EACH_HAS = Patterns(
     f"each|every {_GROUPS}? should|must|shall|will|has_to|is_to? "
@@ -31,10 +33,18 @@ _EACH_HAS = Patterns(
     f"in|inside each|every {_GROUPS}? ,? there_is|there_should_be|there_must_be|there_has_to_be|has_to_be|is|should_be|"
     "must_be|sits|lies|belongs|there_shall_be|there_are?",
 )
+_OF_WRONG = Patterns(
+    "is|are|be|must_be|should_be|shall_be|has_to_be|is_to_be|being "
+    "of|in the|another|a|some wrong|other|another|different color|kind",
+    "is|are|be|must_be|should_be|shall_be|has_to_be|is_to_be of|in? another_color|a_wrong_color|the_wrong_color|"
+    "the_other_color|a_different_color|wrong|different|odd|a_stranger|an_outlier|an_intruder|a_misfit",
+)
+"""What a block is that is told by the group that it is in."""
 _LEADS = (
     "with", "but with", "and with", "each with", "but", "so that each has", "so each has", "but leave", "leaving",
-    "but keep", "keeping", "and leave", "where each has", "such that each has", "including", "each having",
-    "each containing", "and",
+    "but keep", "keeping", "and leave", "each group with", "each pile with", "each one with", "and let", "but let",
+    "let", "both with", "each bunch with", "each cluster with", "and each with", "but each with", "where each has",
+    "such that each has", "including", "each having", "each containing", "and",
 )  # fmt: skip
 _THAT = ("so that", "such that", "so", "where", "in such a way that", "but", "and", "only", "let", "but let",
          "and let")  # fmt: skip
@@ -72,6 +82,10 @@ def _so_many(p: Parser, i: int, j: int) -> Results[Manner]:
         for end in _STRANGER.matches(p, k) if many.low == many.high else ():
             if last := max(_IN_EACH.matches(p, end), default=end if "each" in p.words[i:j] else 0):
                 yield Manner(kind="outliers", value=float(many.low), span=p.span(i, last)), last
+        block = p.opt(k, "block", "cube", "blocks", "cubes", "one")
+        for there in _IN_EACH.matches(p, block) if many.low == many.high else ():
+            for end in _OF_WRONG.matches(p, there):
+                yield Manner(kind="outliers", value=float(many.low), span=p.span(i, end)), end
 
 
 def _each_has(p: Parser, i: int, at: int) -> Results[Manner]:

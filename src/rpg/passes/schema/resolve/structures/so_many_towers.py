@@ -1,14 +1,54 @@
-"""So many towers, or more or fewer: "at least two towers of six blocks", "two or three towers"."""
+"""So many towers, or more or fewer, and how high they may be: "at least two towers of six blocks", "two or three
+towers", "two towers of at most four each"."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.language.meaning import Structure, replace
+from rpg.language.meaning import Amount, Structure, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
 FEWEST = 2
 """Blocks of the smallest tower."""
+MOST_WAYS = 12
+"""In so many ways, at most, blocks may be shared among towers whose height is bounded."""
+
+
+def bounded(shape: Structure) -> tuple[Structure, Amount | None]:
+    """The structure without the bounds that are told of the height of each tower, and these."""
+    amount = getattr(shape.members, "amount", None) if shape.each_size else shape.size
+    if amount is None or amount.low == amount.high or (amount.high is None and amount.low <= FEWEST):
+        return shape, None
+    if shape.each_size:
+        members = replace(shape.members, amount=None) if shape.members is not None else None
+        return replace(shape, members=members, each_size=False), amount
+    return replace(shape, sizes=tuple(z for z in shape.sizes if z.amount != amount)), amount
+
+
+def within(node: s.Towers, bounds: Amount, shape: Structure) -> g.Goal:
+    """Towers of which none is higher or lower than it may be."""
+    blocks = len(node.blocks)
+    shares = _shares(blocks, max(FEWEST, bounds.low), min(blocks, bounds.high or blocks), blocks)
+    counts = {len(node.matching or ())} if node.matching else {node.count} - {None}
+    ways = [share for share in shares if not counts or len(share) in counts]
+    if not ways or node.each is not None:
+        raise refuse("count-mismatch", f"{blocks} blocks do not make such towers", shape.span,
+                     "say how high each tower is", blocks=blocks)  # fmt: skip
+    if len(ways) > MOST_WAYS:
+        raise refuse("ambiguous", "the height of the towers is left open", shape.span, "say one number")
+    found = [node.model_copy(update={"count": len(way), "heights": way}) for way in ways]
+    return found[0] if len(found) == 1 else g.Any(goals=tuple(found), span=node.span)
+
+
+def _shares(blocks: int, low: int, high: int, most: int) -> Iterator[tuple[int, ...]]:
+    """Ways to share blocks among towers from `low` to `high` blocks high, the highest first."""
+    if not blocks:
+        yield ()
+    for first in range(min(high, most, blocks), low - 1, -1):
+        for rest in _shares(blocks - first, low, high, first):
+            yield (first, *rest)
 
 
 def without_range(shape: Structure, per: int | None, blocks: int | None) -> Structure:

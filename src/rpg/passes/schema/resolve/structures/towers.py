@@ -10,7 +10,7 @@ from rpg.ir import structures as s
 from rpg.language.meaning import Coord, Meaning, Noun, Pattern, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.heights import of_heights
-from rpg.passes.schema.resolve.structures.so_many_towers import each_number, without_range
+from rpg.passes.schema.resolve.structures.so_many_towers import bounded, each_number, within, without_range
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import certain, declared, new_members, some_of
 from rpg.passes.schema.resolve.things.refer import refer
@@ -28,7 +28,8 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     if any(z.what == "heights" for z in shape.sizes):
         return of_heights(shape, spec, theme, scene)
     _which_form_which(shape, spec)
-    shape = _told_apart(_of_one_height(shape), spec)
+    shape, bounds = bounded(shape)
+    shape = _told_apart(shape, spec)
     sorted_by = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     spec.orders = [o for o in spec.orders if o.by != "attribute"]
     patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
@@ -63,6 +64,8 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
             raise refuse("ambiguous", "it is not said how many towers, and of which blocks each", shape.span,
                          "say how many towers, or 'a tower for each color'")  # fmt: skip
         return _one_each(theme, shape, scene)
+    if bounds is not None and (theme is None or per is not None or scene.each):
+        raise refuse("ambiguous", "the height of the towers is left open", shape.span, "say one number")
     if theme is not None:
         names, count = _given(theme, shape, count, per, by_color, scene)
     else:
@@ -76,7 +79,8 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         blocks=names, count=count, heights=heights, equal=equal, each="color" if by_color else None,
         separate=by_color, span=shape.span
     )  # fmt: skip
-    return _remember(node, by_color, scene), [each_number(node, shape, by_color)]
+    goal = each_number(node, shape, by_color) if bounds is None else within(node, bounds, shape)
+    return _remember(node, by_color, scene), [goal]
 
 
 def _which_form_which(shape: Structure, spec: Spec) -> None:
@@ -92,14 +96,6 @@ def _which_form_which(shape: Structure, spec: Spec) -> None:
         if len(set(looks)) < len(looks):
             raise refuse("ambiguous", "it is not clear which blocks form which tower", shape.span,
                          "say of which blocks each tower is")  # fmt: skip
-
-
-def _of_one_height(shape: Structure) -> Structure:
-    """Refuse "towers of at most three": how many blocks each has is one number, or any from two on."""
-    amount = getattr(shape.members, "amount", None) if shape.each_size else shape.size
-    if amount is not None and amount.low != amount.high and (amount.low > 2 or amount.high is not None):
-        raise refuse("ambiguous", "the height of the towers is left open", shape.span, "say one number")
-    return shape
 
 
 def _unequal(blocks: int, count: int | None, per: int | None, shape: Structure) -> tuple[int, ...]:
@@ -211,6 +207,8 @@ def _each(source: Noun, amount: int, shape: Structure, count: int | None, by_col
         len(source.traits.colors) if len(source.traits.colors) > 1 else DEFAULT_COLORS if by_color else 2
     )
     there = declared(source.traits, scene)
+    if count is None and not by_color and there and len(there) % amount == 0 and len(there) > amount:
+        towers = len(there) // amount
     if there and source.det in ("bare", "some"):
         if len(there) == towers * amount:
             return Ref(names=there)

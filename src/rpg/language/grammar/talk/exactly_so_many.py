@@ -1,0 +1,103 @@
+"""Numbers told in a roundabout way: "two, no more and no fewer", "no cube of the three red cubes"."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.phrases import length_at
+from rpg.language.tokens import Token
+
+NO_MORE = frozenset({"more", "fewer", "less"})
+_NEITHER = tuple(
+    (*comma, "no", one, *joint, *no, other)
+    for comma in ((",",), ("(",), ())
+    for one, other in (("more", "fewer"), ("more", "less"), ("fewer", "more"), ("less", "more"))
+    for joint in (("and",), (",",), ("or",))
+    for no in (("no",), ("not",), ())
+)  # fmt: skip
+_NOT_MORE = ((",", "no", "more"), (",", "not", "more"), (",", "and", "no", "more"))
+_EXACT = frozenset({"exactly", "just", "precisely", "only"})
+
+
+def no_more_no_fewer(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Two, no more and no fewer, of them", "one block out of three, no more, goes there": exactly so many."""
+    for at in range(1, len(words)):
+        both = length_at(words, at, _NEITHER)
+        long = both or length_at(words, at, _NOT_MORE)
+        end = at + long
+        if not long or (words[end : end + 1] in (["than"], ["of"]) and not both):
+            continue
+        closed = words[end : end + 1] in ([","], [")"])
+        if not both and not closed:
+            continue
+        begin = next((n for n in range(at - 1, -1, -1) if words[n] in _STOPS), -1) + 1
+        number = next((n for n in range(begin, at) if tokens[n].many or words[n] in ("a", "an")), -1)
+        if number < 0 or (number and words[number - 1] in (*_EXACT, "least", "most", "than", "the")):
+            continue
+        exactly = tokens[number].saying("exactly")
+        return [*tokens[:number], exactly, *tokens[number:at], *tokens[end + closed :]]
+    return None
+
+
+_STOPS = frozenset({".", "!", "?", ";", ":"})
+
+
+def none_of_so_many(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "No cube of the three red cubes": none of these."""
+    for at in range(len(words) - 3):
+        if words[at] == "no" and lexicon.BLOCK.get(words[at + 1]) is False and words[at + 2] in ("of", "among"):
+            return [*tokens[:at], tokens[at].saying("none"), tokens[at + 2].saying("of"), *tokens[at + 3 :]]
+    return None
+
+
+MANY = ("exactly", "just", "precisely", "only")
+_MANY = (*(((many,), 1) for many in MANY), (("at", "least"), 1), (("at", "most"), 1), (("no", "more", "than"), 1),
+         (("no", "fewer", "than"), 1), (("not", "more", "than"), 1), (("not", "fewer", "than"), 1),
+         (("all", "but"), 1), (("none",), 0), (("half",), 0), (("exactly", "half"), 0))  # fmt: skip
+VERBS = frozenset({"is", "are", "should", "must", "may", "can", "shall", "has", "have", "go", "goes", "lie", "lies",
+                   "belong", "belongs", "stand", "stands", "need", "needs", "end", "ends", "form"})  # fmt: skip
+_OF = ("of", "among", "out")
+
+
+def so_many_at(tokens: list[Token], words: list[str], at: int) -> int:
+    """The position behind a number of things: "exactly two", "all but one", "none"."""
+    found = [at + len(said) + more for said, more in _MANY if tuple(words[at : at + len(said)]) == said
+             and (not more or (at + len(said) < len(words) and tokens[at + len(said)].many))]  # fmt: skip
+    return max(found, default=0)
+
+
+def of_so_many_ahead(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Of the three white blocks, all but one are on the mat": all but one of the three white blocks."""
+    for at in (n for n, word in enumerate(words) if word in _OF and (n == 0 or words[n - 1] in _STOPS)):
+        of = at + 1 + (words[at : at + 2] == ["out", "of"])
+        comma = next((n for n in range(of, len(words)) if words[n] == "," or words[n] in _STOPS), len(words))
+        if comma >= len(words) or words[comma] != ",":
+            continue
+        end = so_many_at(tokens, words, comma + 1)
+        if end and end < len(words) and words[end] in VERBS:
+            them = [tokens[at].saying("of"), *tokens[of:comma]]
+            return [*tokens[:at], *tokens[comma + 1 : end], *them, *tokens[end:]]
+    return None
+
+
+_MUST_BE = (("must", "be"), ("should", "be"), ("is",), ("shall", "be"), ("has", "to", "be"))
+
+
+def number_there(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "The number of red cubes on the mat must be exactly two": exactly two of the red cubes must be there."""
+    for at in range(len(words) - 6):
+        if words[at : at + 3] != ["the", "number", "of"]:
+            continue
+        on = next((n for n in range(at + 3, len(words)) if words[n] in ("on", *_STOPS)), len(words))
+        be = next((n for n in range(on, len(words)) if length_at(words, n, _MUST_BE)), 0) if on < len(words) else 0
+        if not be or words[on] != "on" or not _STOPS.isdisjoint(words[on:be]):
+            continue
+        many = be + length_at(words, be, _MUST_BE)
+        end = so_many_at(tokens, words, many) or (many + 1 if many < len(words) and tokens[many].many else 0)
+        if not end or (end < len(words) and words[end] not in _STOPS | {","}):
+            continue
+        exactly = [] if so_many_at(tokens, words, many) else [tokens[many].saying("exactly")]
+        the = [] if words[at + 3] == "the" else [tokens[at]]
+        verb = [tokens[be].saying(word) for word in ("must", "be")]
+        head = [*exactly, *tokens[many:end], tokens[at + 2], *the, *tokens[at + 3 : on]]
+        return [*tokens[:at], *head, *verb, *tokens[on:be], *tokens[end:]]
+    return None

@@ -1,0 +1,31 @@
+"""Turns of phrase that tell how many, which and where of all: "each and every one", "in a corner of its own"."""
+
+from rpg.language import lexicon
+
+QUANTITIES = {
+    "each and every": "every", "every single one of": "each of", "each single": "each", "every last": "every",
+    "each and every one": "each", "each individual": "each", "every individual": "every",
+    **{f"{into} a second {one}": f"{into} another {one}"
+       for into in ("in", "into") for one in ("one", "tower", "stack", "group", "pile")},
+    "not one of": "none of", "both at least": "each at least", "both at most": "each at most",
+    **{f", not one {may} be": f", none {may} be" for may in ("may", "must", "should", "can", "is to", "shall")},
+    **{f"there {must} be one in {every} corner": f"there {must} be one of them in each corner"
+       for must in ("must", "should", "shall") for every in ("each", "every")},
+    **{f"{n} at most": f"at most {n}" for n in lexicon.NUMBERS.values()},
+    **{f"{n} at least": f"at least {n}" for n in lexicon.NUMBERS.values()},
+    **{f"half of {which}": "half of them" for which in ("which", "these", "those")},
+    **{f"{of} each of the four corners": f"{of} each corner" for of in ("in", "into", "at")},
+    **{f"{of} each one of the four corners": f"{of} each corner" for of in ("in", "into", "at")},
+    **{f"each {them}{verb}{in_} {corner}": f"one {them}{verb}in each corner"
+       for them in ("", "of them ")
+       for verb in ("", "is ", "goes ", "lies ", "belongs ", "must be ", "should be ", "has to be ", "stands ")
+       for in_ in ("in", "into")
+       for corner in ("a different corner", "another corner", "its own corner", "a corner of its own",
+                      "one of the four corners", "a corner", "a separate corner")},
+    **{f"{may} {lie} {where}": f"{may} be anywhere"
+       for may in ("may", "can", "might", "could")
+       for lie in ("be", "lie", "stand", "stay", "sit", "go", "remain", "be placed", "be put", "end up")
+       for where in ("wherever", "wherever you like", "wherever you want", "anywhere you like", "wherever they like",
+                     "wherever it likes", "wherever they are", "anywhere at all", "wherever they want")},
+}  # fmt: skip
+"""What people write, and what it is read as."""

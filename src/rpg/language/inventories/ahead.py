@@ -1,0 +1,123 @@
+"""What there is, told beside what is asked for or behind it: in front, in a sentence of its own.
+
+"Five black cubes: two on the red mat", "make two towers (six blocks)", "with three red blocks, one of them ...".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.language.grammar.talk.exactly_so_many import so_many_at
+from rpg.language.inventories.frames import Stock, counted, stock_of
+from rpg.language.inventories.lots import Lot, lots_at, several_at, with_nouns
+from rpg.language.inventories.plain import in_words, lots_in_words
+from rpg.language.tokens import Token
+
+_STOPS = frozenset({".", "!", ";"})
+_LEADS = frozenset({"with", "given", "using", "from", "out", "having", "of", "among", "for"})
+_JOINTS = frozenset({"and", ",", "which"})
+_SHORTEST = 2
+"""So many words a stock and what is asked have at least."""
+
+
+def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], bool]]:
+    """Ways in which the words tell what there is, each with that in front, and whether nothing but the list says that
+    it is there: each look is wanted for something then."""
+    parts = _parts(tokens)
+    for n, part in enumerate(parts):
+        rest = [token for other in (*parts[:n], *parts[n + 1 :]) for token in other]
+        if len(parts) > 1 and (stock := _told(part)) is not None:
+            yield [*in_words(stock, part), *rest], stock_of(_bare(part)) is None
+        if (idle := _idle(part)) is not None:
+            yield [*idle, *rest], False
+        for stock, asked in _apart(part):
+            yield [*in_words(stock, part), *(t for p in (*parts[:n], asked, *parts[n + 1 :]) for t in p)], True
+    yield from ((named, False) for named in _one_by_one(tokens))
+
+
+def _idle(part: list[Token]) -> list[Token] | None:
+    """ "Two pink cubes may lie anywhere": blocks of which nothing is asked, so that they are distractors."""
+    words = _bare(part)
+    told = [t.word for t in words]
+    for lots, end in lots_at(words, 0):
+        if end + 2 < len(told) and told[end] in _MAY and told[end + 1] in _LIE and told[end + 2 :] == ["anywhere"]:
+            named = with_nouns(lots)
+            if named is not None and not any(lot.patch for lot in named):
+                many = len(named) > 1 or named[0].size > 1
+                said = ("are", "distractors") if many else ("is", "a", "distractor")
+                return [*lots_in_words(named), *(part[-1].saying(word) for word in (*said, "."))]
+    return None
+
+
+_MAY = frozenset({"may", "can", "might", "could"})
+_LIE = frozenset({"be", "lie", "stand", "stay", "sit", "go", "remain"})
+
+
+def _one_by_one(tokens: list[Token]) -> Iterator[list[Token]]:
+    """ "Sort six blocks, three red and three blue, by colour": with the blocks of each look named where they stand."""
+    for n in range(len(tokens)):
+        for lots, end in several_at(tokens, n):
+            named = [*tokens[:n], *lots_in_words(lots)]
+            yield [*named, *tokens[end:]]
+            if end < len(tokens) and tokens[end].word == ",":
+                yield [*named, *tokens[end + 1 :]]
+            return
+
+
+def _parts(tokens: list[Token]) -> list[list[Token]]:
+    """Sentences, each with a stop."""
+    out: list[list[Token]] = [[]]
+    for token in tokens:
+        out[-1].append(token)
+        if token.kind == "punct" and token.word in _STOPS:
+            out.append([])
+    return [part for part in out if part]
+
+
+def _bare(part: list[Token]) -> list[Token]:
+    return part[:-1] if part[-1].kind == "punct" and part[-1].word in _STOPS else part
+
+
+def _told(part: list[Token]) -> Stock | None:
+    """What these words tell to be there, if they tell no more."""
+    words = _bare(part)
+    if len(words) < _SHORTEST:
+        return None
+    if (stock := stock_of(words, True)) is not None:
+        return stock
+    if (number := counted(words, True)) is None or number[1] is None:
+        return None
+    return Stock((Lot(many=number[0], noun=number[1]),), True, number[2])
+
+
+def _apart(part: list[Token]) -> Iterator[tuple[Stock, list[Token]]]:
+    """A stock that a sentence tells beside what it asks, and what that is."""
+    words = _bare(part)
+    stop = part[len(words) :]
+    lead = 2 if [t.word for t in words[:2]] == ["out", "of"] else int(words[0].word in _LEADS) if words else 0
+    for n in range(len(words) - _SHORTEST, _SHORTEST - 1, -1):
+        if words[n].kind != "punct" or words[n].word not in (",", ":", "("):
+            continue
+        before, after = words[:n], words[n + 1 :]
+        if words[n].word != "(" and (stock := _told(before[lead:] if lead else before)) is not None:
+            asked = _asked(after)
+            if lead or words[n].word == ":" or len(asked) < len(after):
+                yield stock, [*asked, *stop]
+        closed = after[:-1] if words[n].word == "(" and after[-1].word == ")" else after
+        if (words[n].word == ":" or len(closed) < len(after)) and (stock := _told(closed)) is not None:
+            yield stock, [*before, *(stop or [replace(words[n], word=".", raw=".")])]
+
+
+def _asked(after: list[Token]) -> list[Token]:
+    """ "and at least one of them ...", "of which one ...": what is asked, as a sentence."""
+    words = [token.word for token in after]
+    if words[:1] == ["and"]:
+        return after[1:]
+    if words[:2] in (["of", "which"], ["of", "these"], ["of", "them"]) and len(words) > 3:
+        begun = 2 + (words[2] == ",")
+        many = so_many_at(after, words, begun) or begun + bool(after[begun].many)
+        them = [after[0], after[1].saying("them")]
+        return [*after[begun:many], *them, *after[many:]] if many > begun else [after[0], after[1].saying("these"),
+                after[0].saying(","), *after[begun:]]  # fmt: skip
+    return after

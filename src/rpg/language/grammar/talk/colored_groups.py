@@ -13,7 +13,7 @@ _JOINTS = frozenset({"and", ","})
 
 def colored_groups(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "A red group and a blue one, with one stranger in each", "two groups, a red one and a blue one, ...": two groups
-    by colour."""
+    by colour, where these are the colours of the blocks."""
     for at in range(len(words) - 3):
         if words[at] not in ("a", "an", "one") or words[at + 1] not in lexicon.COLOR:
             continue
@@ -22,6 +22,8 @@ def colored_groups(tokens: list[Token], words: list[str]) -> list[Token] | None:
         headed = len(ahead) == 3 and ahead[1] in GROUPS and ahead[2] in (",", ":") and tokens[at - 3].many == hues
         if hues < 2 or not (noun or headed) or not _strange(words[end:]):
             continue
+        if _hues(words[at:end]) != _hues([*words[:at], *words[end:]]):
+            return None
         begin = at - 3 if headed else at
         end += headed and words[end : end + 1] == [","] and words[end + 1 : end + 2] in (["out"], ["from"])
         said = (lexicon.NUMBERS.get(hues, "two"), "groups", "by", "color")
@@ -42,6 +44,10 @@ def _listed(words: list[str], at: int) -> tuple[int, int, bool]:
         while words[at : at + 1] and words[at] in _JOINTS:
             at += 1
     return end, hues, noun
+
+
+def _hues(words: list[str]) -> set[str]:
+    return {hue for word in words if (hue := lexicon.COLOR.get(word) or lexicon.COLOR_PLURAL.get(word))}
 
 
 def _strange(words: list[str]) -> bool:

@@ -21,10 +21,12 @@ def cube_of_small_ones(tokens: list[Token], words: list[str]) -> list[Token] | N
     for at in range(1, len(words) - 1):
         if words[at] != "cube" or words[at - 1] not in _BIG or at < 2 or words[at - 2] not in ("a", "one", "the"):
             continue
-        number = next((n for n in range(len(words) - 1) if _small_ones(tokens, words, n)), -1)
-        out = _plain(tokens[: at - 1]) + _plain(tokens[at:])
+        out = _plain([*tokens[: at - 1], tokens[at - 1].saying("big"), *tokens[at:]])
         said = [token.word for token in out]
-        if number < 0 and "by" not in words and not any(t.kind == "dims" for t in tokens):
+        counted = any(_small_ones(tokens, words, n) for n in range(len(words) - 1))
+        if sum(word in SMALL for word in said) > 1 or not (
+            counted or "by" in words or any(t.kind == "dims" for t in tokens)
+        ):
             return None
         return _built(out, said) or out
     return None
@@ -49,15 +51,15 @@ def _plain(tokens: list[Token]) -> list[Token]:
 
 
 def _built(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Eight cubes make up a cube. The four below are red ...": build one of them, of which the bottom layer is."""
+    """ "Eight cubes make up a big cube. The four below are red ...": build one of them, of which the bottom layer is."""
     if not tokens[0].many or len(words) < 5 or words[1] not in _ONES:
         return None
     verb = next((x for x in _MAKE if tuple(words[2 : 2 + len(x)]) == x), ())
     at = 2 + len(verb)
-    if not verb or words[at : at + 1] not in (["a"], ["one"]) or words[at + 1] != "cube":
+    if not verb or words[at : at + 1] not in (["a"], ["one"]) or words[at + 1 : at + 3] != ["big", "cube"]:
         return None
-    head = [tokens[0].saying(word) for word in ("build", "a", "cube", "of")]
-    return [*head, *tokens[:2], *tokens[at + 2 :]]
+    head = [tokens[0].saying("build"), tokens[0].saying("a"), *tokens[at + 1 : at + 3], tokens[0].saying("of")]
+    return [*head, *tokens[:2], *tokens[at + 3 :]]
 
 
 def four_below(tokens: list[Token], words: list[str]) -> list[Token] | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.phrases import length_at
+from rpg.language.phrases import behind, length_at
 from rpg.language.tokens import Token
 
 ANOTHER = frozenset({"another", "second", "third", "fourth", "last"})
@@ -45,6 +45,35 @@ def _stands(words: list[str], at: int, phrases: tuple[tuple[str, ...], ...]) -> 
     long = length_at(words, at, phrases)
     ahead = at == 0 or words[at - 1] in _AHEAD
     return long if long and ahead and words[at + long : at + long + 1] and words[at + long] in _THERE else 0
+
+
+CORNER = frozenset({"corner"})
+_OWN_CORNER = (("a", "different", "corner"), ("another", "corner"), ("its", "own", "corner"), ("a", "separate", "corner"),
+               ("a", "corner", "of", "its", "own"), ("its", "own", "separate", "corner"))  # fmt: skip
+_STANDS = ((), ("is",), ("goes",), ("lies",), ("belongs",), ("must", "be"), ("should", "be"), ("has", "to", "be"),
+           ("stands",), ("must", "go"), ("should", "go"), ("ends", "up"))  # fmt: skip
+_EACH_STANDS = tuple(
+    (each, *one, *them, *stands, into)
+    for each in ("each", "every")
+    for one in ((), ("one",))
+    for them in ((), ("of", "them"))
+    for stands in _STANDS
+    for into in ("in", "into")
+)
+_CORNERS = 4
+
+
+def one_in_each_corner(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "(There are four white blocks.) Each goes in a corner of its own": one in each corner. With fewer of them, some
+    corner would be empty."""
+    for at in range(len(words) - 3):
+        own = behind(words, at, _EACH_STANDS)
+        end = behind(words, own, _OWN_CORNER) if own else 0
+        if end and [token.many for token in tokens if token.many > 1] == [_CORNERS]:
+            said = [tokens[own].saying(word) for word in ("each", "corner")]
+            of = [token for token in tokens[at + 1 : own] if token.word != "one"]
+            return [*tokens[:at], tokens[at].saying("one"), *of, *said, *tokens[end:]]
+    return None
 
 
 _OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near", "front": "back", "back": "front",

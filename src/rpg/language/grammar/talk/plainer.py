@@ -29,7 +29,7 @@ from rpg.language.grammar.talk.exactly_so_many import (
 )
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.numbers_told import NUMBER, TIPS, both_of_so_many, number_is, on_the_tip
-from rpg.language.grammar.talk.one_another import ANOTHER, one_another, other_half
+from rpg.language.grammar.talk.one_another import ANOTHER, CORNER, one_another, one_in_each_corner, other_half
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import RESPELT, respelling
 from rpg.language.grammar.talk.said_between import (
@@ -308,6 +308,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (none_of_so_many, frozenset({"no"})),
     (one_another, ANOTHER),
     (other_half, frozenset({"other"})),
+    (one_in_each_corner, CORNER),
     (towers_bounded, HIGHER),
     (cube_of_small_ones, SMALL),
     (four_below, frozenset({"four"})),

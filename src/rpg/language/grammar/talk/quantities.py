@@ -16,12 +16,6 @@ QUANTITIES = {
     **{f"half of {which}": "half of them" for which in ("which", "these", "those")},
     **{f"{of} each of the four corners": f"{of} each corner" for of in ("in", "into", "at")},
     **{f"{of} each one of the four corners": f"{of} each corner" for of in ("in", "into", "at")},
-    **{f"each {them}{verb}{in_} {corner}": f"one {them}{verb}in each corner"
-       for them in ("", "of them ")
-       for verb in ("", "is ", "goes ", "lies ", "belongs ", "must be ", "should be ", "has to be ", "stands ")
-       for in_ in ("in", "into")
-       for corner in ("a different corner", "another corner", "its own corner", "a corner of its own",
-                      "one of the four corners", "a corner", "a separate corner")},
     **{f"{may} {lie} {where}": f"{may} be anywhere"
        for may in ("may", "can", "might", "could")
        for lie in ("be", "lie", "stand", "stay", "sit", "go", "remain", "be placed", "be put", "end up")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.colored_groups import GROUPS
 from rpg.language.phrases import behind, length_at
 from rpg.language.tokens import Token
 
@@ -38,9 +39,15 @@ def tidied_into(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if not what or not _STOPS.isdisjoint(words[at:into]) or len(what) == into - at - 1:
             continue
         what = [what[0].saying("them")] if [t.word for t in what] == ["it"] else what
-        rest = [t for n, t in enumerate(tokens[into:end], into) if words[n] not in _SMALL]
+        rest = [t for n, t in enumerate(tokens[into:end], into) if not _small_towers(words, n)]
         return [*tokens[:at], tokens[at].saying("stack" if towers else "sort"), *what, *rest, *tokens[end:]]
     return None
+
+
+def _small_towers(words: list[str], n: int) -> bool:
+    """ "little" of "three little towers"."""
+    after = next((word for word in words[n:] if word not in _SMALL), "")
+    return words[n] in _SMALL and (after in _TOWERS or after in GROUPS)
 
 
 _EACH_OF = tuple(
@@ -91,7 +98,9 @@ _AT_LEAST = (("at", "least"), ("no", "fewer", "than"), ("exactly",), ("not", "fe
 
 
 def one_tower_has(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "One tower must have at least three blocks": there must be a tower of these."""
+    """ "One tower must have at least three blocks": there must be a tower of these, where no others are told."""
+    if sum(word in _TOWERS for word in words) > 1:
+        return None
     for at in range(len(words) - 4):
         begun = at == 0 or words[at - 1] in (*_STOPS, ",", ":", "and")
         if not begun or words[at] not in ("one", "a", "some") or words[at + 1] not in ("tower", "stack"):

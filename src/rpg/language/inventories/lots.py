@@ -281,11 +281,21 @@ def with_nouns(lots: Lots, told: Token | None = None) -> Lots | None:
     for n, lot in enumerate(lots):
         ahead = next((x.noun for x in lots[n:] if x.noun is not None and not x.labels), None)
         before = next((x.noun for x in reversed(out) if x.noun is not None), None)
+        if lot.color is not None and ahead is not None and _told_again(lots[n:]):
+            ahead = lot.color.saying("block")
         noun = lot.noun or (before if lot.again else ahead or before) or told
         if noun is None and not lot.labels:
             return None
         out.append(lot if lot.labels else replace(lot, noun=_numbered(noun, lot.many)))
     return tuple(out)
+
+
+def _told_again(lots: Lots) -> bool:
+    """Whether lots of nothing begin "two red, two blue, a red mat and a blue mat": the red ones are no mats."""
+    end = next((n for n, lot in enumerate(lots) if lot.noun is not None), len(lots))
+    of_nothing = {lot.color.word for lot in lots[:end] if lot.color is not None}
+    marks = {lot.color.word for lot in lots[end:] if lot.color is not None and lot.patch}
+    return end < len(lots) and lots[end].patch and not of_nothing.isdisjoint(marks)
 
 
 def _labelled(tokens: Sequence[Token], i: int) -> Iterator[tuple[Lots, int]]:

@@ -51,7 +51,7 @@ def _plain(tokens: list[Token]) -> list[Token]:
 
 
 def _built(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Eight cubes make up a big cube. The four below are red ...": build one of them, of which the bottom layer is."""
+    """ "Eight cubes make up a big cube. The four below are red ...": build one, of which the bottom layer is."""
     if not tokens[0].many or len(words) < 5 or words[1] not in _ONES:
         return None
     verb = next((x for x in _MAKE if tuple(words[2 : 2 + len(x)]) == x), ())

@@ -48,8 +48,8 @@ def _stands(words: list[str], at: int, phrases: tuple[tuple[str, ...], ...]) -> 
 
 
 CORNER = frozenset({"corner"})
-_OWN_CORNER = (("a", "different", "corner"), ("another", "corner"), ("its", "own", "corner"), ("a", "separate", "corner"),
-               ("a", "corner", "of", "its", "own"), ("its", "own", "separate", "corner"))  # fmt: skip
+_OWN_CORNER = (("a", "different", "corner"), ("another", "corner"), ("its", "own", "corner"),
+               ("a", "separate", "corner"), ("a", "corner", "of", "its", "own"))  # fmt: skip
 _STANDS = ((), ("is",), ("goes",), ("lies",), ("belongs",), ("must", "be"), ("should", "be"), ("has", "to", "be"),
            ("stands",), ("must", "go"), ("should", "go"), ("ends", "up"))  # fmt: skip
 _EACH_STANDS = tuple(

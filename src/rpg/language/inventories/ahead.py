@@ -19,6 +19,8 @@ _LEADS = frozenset({"with", "given", "using", "from", "out", "having", "of", "am
 _JOINTS = frozenset({"and", ",", "which"})
 _SHORTEST = 2
 """So many words a stock and what is asked have at least."""
+_FEW = 6
+"""Among so many words it is told how many of those that are there are meant: "no more than two of which"."""
 
 
 def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], bool]]:
@@ -102,7 +104,7 @@ def _apart(part: list[Token]) -> Iterator[tuple[Stock, list[Token]]]:
         before, after = words[:n], words[n + 1 :]
         if words[n].word != "(" and (stock := _told(before[lead:] if lead else before)) is not None:
             asked = _asked(after)
-            if lead or words[n].word == ":" or len(asked) < len(after):
+            if lead or words[n].word == ":" or asked != after:
                 yield stock, [*asked, *stop]
         closed = after[:-1] if words[n].word == "(" and after[-1].word == ")" else after
         if (words[n].word == ":" or len(closed) < len(after)) and (stock := _told(closed)) is not None:
@@ -110,7 +112,7 @@ def _apart(part: list[Token]) -> Iterator[tuple[Stock, list[Token]]]:
 
 
 def _asked(after: list[Token]) -> list[Token]:
-    """ "and at least one of them ...", "of which one ...": what is asked, as a sentence."""
+    """ "and at least one of them ...", "of which one ...", "no two of which ...": what is asked, as a sentence."""
     words = [token.word for token in after]
     if words[:1] == ["and"]:
         return after[1:]
@@ -120,4 +122,5 @@ def _asked(after: list[Token]) -> list[Token]:
         them = [after[0], after[1].saying("them")]
         return [*after[begun:many], *them, *after[many:]] if many > begun else [after[0], after[1].saying("these"),
                 after[0].saying(","), *after[begun:]]  # fmt: skip
-    return after
+    of = next((n for n in range(1, min(_FEW, len(words))) if words[n - 1 : n + 1] == ["of", "which"]), 0)
+    return [*after[:of], after[of].saying("them"), *after[of + 1 :]] if of else after

@@ -7,7 +7,9 @@ QUANTITIES = {
     "each and every one": "each", "each individual": "each", "every individual": "every",
     **{f"{into} a second {one}": f"{into} another {one}"
        for into in ("in", "into") for one in ("one", "tower", "stack", "group", "pile")},
-    "not one of": "none of", "both at least": "each at least", "both at most": "each at most",
+    "is allowed to": "may", "are allowed to": "may", "divided fairly": "divided evenly",
+    "shared fairly": "shared evenly", "not one of": "none of",
+    "both at least": "each at least", "both at most": "each at most",
     **{f", not one {may} be": f", none {may} be" for may in ("may", "must", "should", "can", "is to", "shall")},
     **{f"there {must} be one in {every} corner": f"there {must} be one of them in each corner"
        for must in ("must", "should", "shall") for every in ("each", "every")},

@@ -81,7 +81,8 @@ def one_height_for_all(tokens: list[Token], words: list[str]) -> list[Token] | N
         last = number + 1
         while last < len(words) and words[last] in _UNITS:
             last += 1
-        if last == number + 1 and words[number - 1] not in ("of", "with"):
+        closed = last == len(words) or (words[last] in (*_STOPS, ",", ":") and words[last + 1 : last + 2] != ["with"])
+        if not closed or (last == number + 1 and words[number - 1] not in ("of", "with")):
             continue
         out = tokens[:at]
         for n, (hue, tower) in enumerate(found):

@@ -10,10 +10,12 @@ from rpg.language.meaning import (
     Amount,
     Clause,
     Coord,
+    Into,
     Meaning,
     Noun,
     Pattern,
     Pronoun,
+    Size,
     Structure,
     Traits,
     replace,
@@ -87,7 +89,11 @@ def restates(before: Meaning, item: Meaning) -> bool:
 
 
 def apposed(before: Clause, item: Meaning) -> bool:
-    """ "a square of red blocks, three rows of three": a comma alone brings no structure without blocks of its own."""
+    """ "a square of red blocks, three rows of three", "(stack them) into three towers, each three high": a comma alone
+    brings no structure without blocks of its own."""
+    high = isinstance(item, Clause) and isinstance(item.theme, Pronoun) and item.theme.word == "each" and item.adjuncts
+    if high and isinstance(item, Clause) and all(isinstance(x, Size) for x in item.adjuncts):
+        return any(isinstance(x, Into) and getattr(x.structure, "plural", False) for x in before.adjuncts)
     told = isinstance(item, Clause) and not item.adjuncts and item.mode != "command"
     theme = item.theme if told and isinstance(item, Clause) else None
     return isinstance(before.theme, Structure) and isinstance(theme, Structure) and restates(before.theme, theme)

@@ -203,7 +203,7 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     if shape.dims:
         return _thick(shape, spec, theme, scene, scope)
     spec.patterns = [p for p in spec.patterns if p.unit != "stack"]
-    shape, theme = lengthened(from_stock(shape, spec, theme), spec, theme, scene)
+    shape, theme = lengthened(from_stock(shape, spec, theme, scene), spec, theme, scene)
     need = exact_size(shape)
     source = shape.members or (spec.usings[0].members if spec.usings else None)
     least = shape.size is not None and shape.size.high is None
@@ -305,7 +305,7 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         )
     if any(t.axis == "z" for t in spec.toward) and (shape.kind == "line" or shape.kind == "column"):
         return _stack(replace(shape, kind="stack"), spec, theme, scene, scope)
-    shape, theme = lengthened(from_stock(shape, spec, theme), spec, theme, scene)
+    shape, theme = lengthened(from_stock(shape, spec, theme, scene), spec, theme, scene)
     least = shape.size.low if shape.size is not None and shape.size.high is None else None
     names = members_of(shape, spec, theme, exact_size(shape) or least, amount_of(shape.members) or 4, scene, scope)
     if len(names) < 2:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Amount, Noun, Size, Structure, Traits, replace
+from rpg.language.meaning import Amount, Noun, Pronoun, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.members import certain
 from rpg.passes.schema.resolve.things.refer import refer
@@ -12,7 +12,7 @@ _FROM = ("from", "out of", "among", "only from", "from only")
 """What the blocks follow of which not all need be used."""
 
 
-def from_stock(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
+def from_stock(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Structure:
     """One structure: its size said as its size, where it was said of the blocks; and so many of the blocks."""
     if theme is not None:
         return shape
@@ -20,6 +20,9 @@ def from_stock(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
         many = Size(what="size", amount=shape.members.amount, span=shape.members.span)
         shape = replace(shape, members=None, sizes=(many,))
     told = shape.members or (spec.usings[0].members if spec.usings else None)
+    if isinstance(told, Pronoun) and shape.members is None and _exceeded(told, shape, spec, scene):
+        _use(spec, _some(told, shape.size.low if shape.size is not None else 0))
+        return shape
     if not isinstance(told, Noun) or told.traits.labels or told.amount is None:
         return shape
     if told.amount.high is None and not shape.sizes and told.det in ("some", "bare"):
@@ -32,6 +35,15 @@ def from_stock(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
     if size.low < told.amount.low:
         _use(spec, _some(told, size.low))
     return shape
+
+
+def _exceeded(them: Pronoun, shape: Structure, spec: Spec, scene: Scene) -> bool:
+    """ "(There are six blue blocks.) Build a tower of three from them": more of them than it takes."""
+    size = shape.size
+    if size is None or size.high not in (None, size.low) or spec.usings[0].lead not in _FROM:
+        return False
+    there = [thing for thing in scene.things.values() if thing.declared and not thing.patch]
+    return them.word == "them" and size.low < len(there)
 
 
 def _mere_size(shape: Structure, spec: Spec) -> bool:
@@ -88,7 +100,7 @@ def _drawn(stock: Noun, spec: Spec) -> bool:
     return exact and drawn and stock.part_of is None and stock.head != "patch"
 
 
-def _some(stock: Noun, count: int) -> Noun:
+def _some(stock: Noun | Pronoun, count: int) -> Noun:
     """So many of these blocks."""
     many = Amount(count, count)
     return Noun(head="block", det="some", amount=many, plural=True, part_of=stock, span=stock.span)

@@ -23,11 +23,12 @@ _ASKING = frozenset({
 @dataclass(frozen=True)
 class Told:
     """What is told to be there. `looks`: how many blocks of each colour and with each symbol; `closed`: nothing else
-    is; `rest`: the words of all that follows."""
+    is; `rest`: the words of all that follows; `marks`: the colours of the patches, where that of each is told."""
 
     looks: Counter[str]
     closed: bool
     rest: tuple[Token, ...]
+    marks: frozenset[str] = frozenset()
 
 
 def told_plainly(tokens: list[Token]) -> tuple[list[Token], Told | None]:
@@ -42,7 +43,7 @@ def told_plainly(tokens: list[Token]) -> tuple[list[Token], Told | None]:
     if stock is None or not rest or (stock.lying and not _asks(parts[used:])):
         return tokens, None
     looks = Counter(_looks(stock.lots))
-    told = Told(looks, stock.closed and bool(looks), tuple(rest))
+    told = Told(looks, stock.closed and bool(looks), tuple(rest), _marks(stock.lots))
     return [*in_words(stock, [t for part in parts[:used] for t in part]), *rest], told
 
 
@@ -146,6 +147,12 @@ def _looks(lots: Lots) -> dict[str, int]:
         if lot.color is not None and not lot.patch and not lot.labels:
             found[lexicon.COLOR[lot.color.word]] += lot.many
     return found
+
+
+def _marks(lots: Lots) -> frozenset[str]:
+    """The colours of the patches; none where that of one is not told."""
+    hues = [lot.color for lot in lots if lot.patch]
+    return frozenset(lexicon.COLOR[hue.word] for hue in hues if hue is not None) if None not in hues else frozenset()
 
 
 def in_words(stock: Stock, said: list[Token]) -> list[Token]:

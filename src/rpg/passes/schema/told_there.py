@@ -44,6 +44,17 @@ def check_told(told: Told | None, task: TaskSchema) -> None:
         if many and not _brought_up(told, look):
             raise refuse("count-mismatch", f"there are {many} of '{look}', but {had} are spoken of",
                          _where(told, look), "list them all, or say 'another'")  # fmt: skip
+    _check_marks(told, task)
+
+
+def _check_marks(told: Told, task: TaskSchema) -> None:
+    """Refuse a task with patches of other colours than those that are told: "there are a red block and a blue mat. The
+    block must be on the mat of its colour"."""
+    named = {lexicon.COLOR.get(token.word) for token in told.rest}
+    strange = {p.color for p in task.patches} - told.marks - named if told.marks else set()
+    if strange and not any(token.word in _FURTHER for token in told.rest):
+        raise refuse("no-referent", f"there is no {min(strange)} patch among those that are listed", None,
+                     "list it with the others, or name one of them")  # fmt: skip
 
 
 def check_numbers(said: list[Token], words: Sequence[Token], found: Feasibility) -> None:

@@ -41,6 +41,21 @@ def no_more_no_fewer(tokens: list[Token], words: list[str]) -> list[Token] | Non
 _STOPS = frozenset({".", "!", "?", ";", ":"})
 
 
+BOUNDS = frozenset({"least", "most"})
+_BEHIND = frozenset({"of", "may", "must", "should", "can", "shall", "is", "are", "go", "goes", "lie", "lies", "on", ",",
+                     ".", "have", "has"})  # fmt: skip
+
+
+def so_many_at_most(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Two at most of them", "one at least must be there": at most two; but "the red one at least 15 cm from it"."""
+    for n in (n for n in range(len(words) - 2) if words[n + 1] == "at" and words[n + 2] in BOUNDS and tokens[n].many):
+        behind = words[n + 3] if n + 3 < len(words) else "."
+        ahead = words[n - 1] if n else ","
+        if behind in _BEHIND and ahead in (*_STOPS, ",", "and", "but", "which", "that", "of", "put", "want"):
+            return [*tokens[:n], *tokens[n + 1 : n + 3], tokens[n], *tokens[n + 3 :]]
+    return None
+
+
 def none_of_so_many(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "No cube of the three red cubes": none of these."""
     for at in range(len(words) - 3):

@@ -21,11 +21,13 @@ from rpg.language.grammar.talk.each_of_its_color import (
     sorted_onto_mats,
 )
 from rpg.language.grammar.talk.exactly_so_many import (
+    BOUNDS,
     NO_MORE,
     no_more_no_fewer,
     none_of_so_many,
     number_there,
     of_so_many_ahead,
+    so_many_at_most,
 )
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.numbers_told import NUMBER, TIPS, both_of_so_many, number_is, on_the_tip
@@ -306,6 +308,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (no_two, frozenset({"no"})),
     (no_more_no_fewer, NO_MORE),
     (none_of_so_many, frozenset({"no"})),
+    (so_many_at_most, BOUNDS),
     (one_another, ANOTHER),
     (other_half, frozenset({"other"})),
     (one_in_each_corner, CORNER),

@@ -1,7 +1,5 @@
 """Turns of phrase that tell how many, which and where of all: "each and every one", "in a corner of its own"."""
 
-from rpg.language import lexicon
-
 QUANTITIES = {
     "each and every": "every", "every single one of": "each of", "each single": "each", "every last": "every",
     "each and every one": "each", "each individual": "each", "every individual": "every",
@@ -13,8 +11,6 @@ QUANTITIES = {
     **{f", not one {may} be": f", none {may} be" for may in ("may", "must", "should", "can", "is to", "shall")},
     **{f"there {must} be one in {every} corner": f"there {must} be one of them in each corner"
        for must in ("must", "should", "shall") for every in ("each", "every")},
-    **{f"{n} at most": f"at most {n}" for n in lexicon.NUMBERS.values()},
-    **{f"{n} at least": f"at least {n}" for n in lexicon.NUMBERS.values()},
     **{f"half of {which}": "half of them" for which in ("which", "these", "those")},
     **{f"{of} each of the four corners": f"{of} each corner" for of in ("in", "into", "at")},
     **{f"{of} each one of the four corners": f"{of} each corner" for of in ("in", "into", "at")},

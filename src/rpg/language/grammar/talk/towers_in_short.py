@@ -36,7 +36,8 @@ def tidied_into(tokens: list[Token], words: list[str]) -> list[Token] | None:
         what = [t for t in tokens[at + 1 : into] if t.word != "up"]
         end = next((n for n in range(into, len(words)) if words[n] in _STOPS | {","}), len(words))
         towers = not _TOWERS.isdisjoint(words[into:end])
-        if not what or not _STOPS.isdisjoint(words[at:into]) or len(what) == into - at - 1:
+        stopped = not (_STOPS | {",", ":"}).isdisjoint(words[at:into])
+        if not what or stopped or len(what) == into - at - 1:
             continue
         what = [what[0].saying("them")] if [t.word for t in what] == ["it"] else what
         rest = [t for n, t in enumerate(tokens[into:end], into) if not _small_towers(words, n)]

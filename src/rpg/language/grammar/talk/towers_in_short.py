@@ -9,9 +9,11 @@ from rpg.language.tokens import Token
 
 FLOORS = frozenset({"floors", "floor", "storeys", "stories", "storey", "levels", "layers"})
 _TOWERS = frozenset({"tower", "towers", "stack", "stacks", "skyscraper", "skyscrapers"})
-_PILES = {"tower": "tower", "stack": "stack", "pile": "pile"}
 _SMALL = frozenset({"little", "small", "neat", "nice", "tidy"})
 _STOPS = frozenset({".", "!", "?", ";"})
+
+
+_ONE_OF = ("one", "other", "first", "second", "third", "each")
 
 
 def floors_high(tokens: list[Token], words: list[str]) -> list[Token] | None:
@@ -21,7 +23,7 @@ def floors_high(tokens: list[Token], words: list[str]) -> list[Token] | None:
     out = list(tokens)
     for n in range(1, len(words)):
         plural = words[n] in FLOORS and (tokens[n - 1].many or words[n - 1] in ("one", "a"))
-        led = n > 1 and words[n - 2] in ("with", "has", "have", "of")
+        led = n > 2 and words[n - 2] in ("with", "has", "of") and words[n - 3] in _ONE_OF
         if plural and led and words[n + 1 : n + 2] not in (["of"], ["is"], ["are"], [":"]):
             out[n] = tokens[n].saying("block" if words[n - 1] in ("one", "a") else "blocks")
     return out if out != tokens else None
@@ -145,7 +147,7 @@ def spread_over(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Distribute eight cubes over two towers": stack them into two towers."""
     for at in (n for n, word in enumerate(words) if word in SPREAD):
         over = next((n for n in range(at + 1, len(words)) if words[n] in _AMONG or words[n] in _STOPS), len(words))
-        if over >= len(words) - 2 or words[over] in _STOPS or over == at + 1:
+        if over >= len(words) - 2 or words[over] in _STOPS or over == at + 1 or not _TOWERS.isdisjoint(words[at:over]):
             continue
         number = over + 1
         noun = number + 1

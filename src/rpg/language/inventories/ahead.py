@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Literal
 
+from rpg.language import lexicon
 from rpg.language.grammar.talk.exactly_so_many import so_many_at
 from rpg.language.inventories.frames import Stock, counted, stock_of
 from rpg.language.inventories.lots import Lot, lots_at, several_at, with_nouns
@@ -23,19 +25,22 @@ _FEW = 6
 """Among so many words it is told how many of those that are there are meant: "no more than two of which"."""
 
 
-def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], bool]]:
-    """Ways in which the words tell what there is, each with that in front, and whether nothing but the list says that
-    it is there: each look is wanted for something then."""
+Wanted = Literal["", "look", "block"]
+
+
+def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
+    """Ways in which the words tell what there is, each with that in front, and what has to be wanted for something
+    where nothing but the list says that it is there: each look of it, or each block."""
     parts = _parts(tokens)
     for n, part in enumerate(parts):
         rest = [token for other in (*parts[:n], *parts[n + 1 :]) for token in other]
         if len(parts) > 1 and (stock := _told(part)) is not None:
-            yield [*in_words(stock, part), *rest], stock_of(_bare(part)) is None
+            yield [*in_words(stock, part), *rest], "look" if stock_of(_bare(part)) is None else ""
         if (idle := _idle(part)) is not None:
-            yield [*idle, *rest], False
-        for stock, asked in _apart(part):
-            yield [*in_words(stock, part), *(t for p in (*parts[:n], asked, *parts[n + 1 :]) for t in p)], True
-    yield from ((named, False) for named in _one_by_one(tokens))
+            yield [*idle, *rest], ""
+        for stock, asked, wanted in _apart(part):
+            yield [*in_words(stock, part), *(t for p in (*parts[:n], asked, *parts[n + 1 :]) for t in p)], wanted
+    yield from ((named, "") for named in _one_by_one(tokens))
 
 
 def _idle(part: list[Token]) -> list[Token] | None:
@@ -61,6 +66,8 @@ def _one_by_one(tokens: list[Token]) -> Iterator[list[Token]]:
     for n in range(len(tokens)):
         for lots, end in several_at(tokens, n):
             named = [*tokens[:n], *lots_in_words(lots)]
+            if any(token.word in lexicon.COLOR for token in (*tokens[:n], *tokens[end:])):
+                return  # "... One pink block starts there": one of these, or a further one?
             yield [*named, *tokens[end:]]
             if end < len(tokens) and tokens[end].word == ",":
                 yield [*named, *tokens[end + 1 :]]
@@ -93,8 +100,8 @@ def _told(part: list[Token]) -> Stock | None:
     return Stock((Lot(many=number[0], noun=number[1]),), True, number[2])
 
 
-def _apart(part: list[Token]) -> Iterator[tuple[Stock, list[Token]]]:
-    """A stock that a sentence tells beside what it asks, and what that is."""
+def _apart(part: list[Token]) -> Iterator[tuple[Stock, list[Token], Wanted]]:
+    """A stock that a sentence tells beside what it asks, what that is, and what of the stock has to be wanted."""
     words = _bare(part)
     stop = part[len(words) :]
     lead = 2 if [t.word for t in words[:2]] == ["out", "of"] else int(words[0].word in _LEADS) if words else 0
@@ -104,11 +111,19 @@ def _apart(part: list[Token]) -> Iterator[tuple[Stock, list[Token]]]:
         before, after = words[:n], words[n + 1 :]
         if words[n].word != "(" and (stock := _told(before[lead:] if lead else before)) is not None:
             asked = _asked(after)
+            if "which" in (t.word for t in after) and stock_of(before) is not None and not _must(after):
+                continue  # "there are three mats, each of which has a block on it": now or in the end?
             if lead or words[n].word == ":" or asked != after:
-                yield stock, [*asked, *stop]
+                yield stock, [*asked, *stop], "look"
         closed = after[:-1] if words[n].word == "(" and after[-1].word == ")" else after
-        if (words[n].word == ":" or len(closed) < len(after)) and (stock := _told(closed)) is not None:
-            yield stock, [*before, *(stop or [replace(words[n], word=".", raw=".")])]
+        idle = any(token.word in ("distractor", "distractors") for token in before)
+        if not idle and (words[n].word == ":" or len(closed) < len(after)) and (stock := _told(closed)) is not None:
+            colon: Wanted = "block" if words[n].word == ":" else "look"
+            yield stock, [*before, *(stop or [replace(words[n], word=".", raw=".")])], colon
+
+
+def _must(tokens: list[Token]) -> bool:
+    return any(token.word in ("must", "should", "shall", "may", "can") for token in tokens)
 
 
 def _asked(after: list[Token]) -> list[Token]:

@@ -95,7 +95,7 @@ class BuiltinFrontEnd:
             check_told(told or told_behind(words), found.task)
             check_numbers(spoken, words, found)
         except Refusal:
-            for ahead, wanted in ((shape_ahead(words), False), *stocks_ahead(words)):
+            for ahead, wanted in ((shape_ahead(words), ""), *stocks_ahead(words)):
                 if ahead is None:
                     continue
                 ahead, told = told_plainly(ahead)
@@ -103,7 +103,7 @@ class BuiltinFrontEnd:
                     found = build(ahead, text, notes, name=name, seed=seed, author=author)
                     check_told(told, found.task)
                     check_numbers(spoken, ahead, found)
-                    check_wanted(words if wanted else [], found.task)
+                    check_wanted(words if wanted else [], found.task, each_block=wanted == "block")
                     return found.task, found.notes
             raise
         return found.task, found.notes

@@ -76,12 +76,14 @@ def _number(token: Token) -> bool:
     return token.kind == "number" or token.word in lexicon.NUMBER
 
 
-def check_wanted(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse a task that wants nothing of the blocks of some look, which `words` list and do not call distractors."""
+def check_wanted(words: Sequence[Token], task: TaskSchema, *, each_block: bool) -> None:
+    """Refuse a task that wants nothing of the blocks of some look, or of some block, which `words` list and do not call
+    distractors."""
     if not words or not _IDLE.isdisjoint(token.word for token in words):
         return
     used = set(names(task.goal))
     idle = {_look(b) for b in task.blocks} - {_look(b) for b in task.blocks if b.name in used}
+    idle |= {_look(b) for b in task.blocks if b.name not in used} if each_block else set()
     if idle:
         raise refuse("unused-block", f"nothing is said of where '{min(idle)}' should be", None,
                      "say what becomes of it, or that it is a distractor")  # fmt: skip

@@ -19,7 +19,7 @@ from tests.corpus.composed.counting.phrasing import (
 )
 
 GROUP = ("group", "group", "pile", "bunch", "cluster", "heap")
-SORT = "[group|sort|arrange|gather|organise|organize]"
+SORT = "[group|sort|gather|organise|organize]"
 SPLIT = "[divide|split|separate|sort|put]"
 
 
@@ -39,9 +39,7 @@ def by_color(rng: Random) -> Wish:
         "the [others|rest|other colours]",
         f"[make|form|I want] a {g} [of|for] each colour",
         f"[make|form|I want] one {g} per colour",
-        f"[like belongs with like|like with like], [sort|group] [them|the {many}] by colour".replace(
-            "[like belongs with like|like with like], ", ""
-        ),
+        f"[sort|group] [them|the {many}] by colour",
         f"the {colors[0]} ones [form|make up] one {g} and the {colors[1]} ones [another|another one|a second one]"
         if len(colors) == 2
         else f"one {g} for each colour",
@@ -58,9 +56,7 @@ def by_color(rng: Random) -> Wish:
         f"a {g} of {listed([f'{NUMBERS[n]} {c} {many}' for c in colors], f'and a {g} of')}"
         if len(colors) == 2
         else f"{SORT} {{inv}} by colour",
-        f"put {{inv}} [in|into] {k} {g}s, [each [colour|of one colour]|one for each colour]".replace(
-            "each [colour|of one colour]", "each of one colour"
-        ),
+        f"put {{inv}} [in|into] {k} {g}s, [each of one colour|one for each colour]",
         "{inv} [are|should be|must be] [grouped|sorted] by colour",
     )
     hold = " . . . ".join(" ".join([c] * n) for c in colors)
@@ -127,9 +123,7 @@ def by_kind(rng: Random) -> Wish:
     cubes = listed(mixed if rng.random() < 0.6 and word != "cubes" else a + b)
     inv: tuple[str, ...] = (
         f"the {word} {cubes}",
-        f"the [letter cubes|cubes|blocks] {cubes}".replace(
-            "letter cubes|", "letter cubes|" if word == "letters" else ""
-        ),
+        f"the [{'letter cubes|' if word == 'letters' else ''}cubes|blocks] {cubes}",
         cubes,
     )
     g = rng.choice(GROUP[:4])
@@ -144,7 +138,7 @@ def by_kind(rng: Random) -> Wish:
             f"the {one} {GOES} on the {ca} {mat}, the {two} on the {cb} [{mat}|one]",
             f"all {one} {GOES} on the {ca} {mat} and all {two} on the {cb} {mat}",
             f"[each|every] {one[:-1]} {GO} on the {ca} {mat}, [each|every] {two[:-1]} on the {cb} {mat}",
-            f"the {ca} {mat} [gets|is for] the {one}, the {cb} [{mat}|one] the {two}".replace("[gets|is for]", "gets"),
+            f"the {ca} {mat} gets the {one}, the {cb} [{mat}|one] the {two}",
         )
         patches = {f"{ca}_patch": 1, f"{cb}_patch": 1}
         on = [
@@ -156,9 +150,7 @@ def by_kind(rng: Random) -> Wish:
         meaning = {"assets": assets | patches, "hold": ["; ".join(on)], "miss": ["; ".join(off), on[0]]}
         return Wish("kinds on patches", inv, goals, (), meaning)
     goals: tuple[str, ...] = (
-        f"[separate|divide] the {one} from the {two}".replace("divide", "part")
-        if False
-        else f"separate the {one} from the {two}",
+        f"separate the {one} from the {two}",
         f"the {one} [form|make up|make|should form] one {g} and the {two} [another|another one|a second one|the other]",
         f"the {one} [go|belong] [in|into] one {g}, the {two} [in|into] [another|the other|a second one]",
         f"[sort|divide|split] them into {one} and {two}",
@@ -186,17 +178,14 @@ def halves(rng: Random) -> Wish:
     noun = rng.choice(NOUNS)
     sides = rng.choice((("left", "right"), ("right", "left"), ("near", "far"), ("far", "near")))
     half = [f"[in|into] the {s} half[ of the table|]" for s in sides]
+    here, there = (place.replace("[in|into]", "in") for place in half)
     A, B = (f"the {c} [ones|{plural(noun)}]" if k > 1 else f"the {c} [one|{noun}]" for c, k in ((a, n), (b, m)))
     be = "[go|belong|must be|should be|are|have to be]" if n > 1 else "[goes|belongs|must be|should be|is|has to be]"
     goals: tuple[str, ...] = (
-        f"{A} {be} {half[0].replace('in|into', 'in')}, {B} {half[1].replace('in|into', 'in')}",
+        f"{A} {be} {here}, {B} {there}",
         f"{PUT} {A} {half[0]} and {B} {half[1]}",
-        f"{half[0].replace('[in|into]', 'in')} I want [only|] {A} and {half[1].replace('[in|into]', 'in')} {B}".replace(
-            "[only|] ", ""
-        ),
-        f"all {a} ones {be} {half[0].replace('in|into', 'in')} and all {b} ones {half[1].replace('in|into', 'in')}"
-        if n > 1 and m > 1
-        else f"{A} {be} {half[0].replace('in|into', 'in')}, {B} {half[1].replace('in|into', 'in')}",
+        f"{here} I want {A} and {there} {B}",
+        f"all {a} ones {be} {here} and all {b} ones {there}" if n > 1 and m > 1 else f"{A} {be} {here}, {B} {there}",
     )
     wholes: tuple[str, ...] = (
         f"{PUT} {counted(rng, n, a, noun)} {half[0]} and {counted(rng, m, b, noun)} {half[1]}",
@@ -266,7 +255,7 @@ def distractors(rng: Random) -> Wish:
             (f"the {a} {noun} {GO} on the {b} [one|{noun}]", {a: 1, b: 1}, f"{b}^{a}", f"{a}^{b}"),
             (f"[build|make] a tower of three {a} {plural(noun)}", {a: 3}, f"{a}^{a}^{a}", f"{a}^{a}"),
             (
-                f"[make|lay|put] three {a} {plural(noun)} in a row".replace("make|", ""),
+                f"[lay|put] three {a} {plural(noun)} in a row",
                 {a: 3},
                 f"{a} {a} {a}",
                 f"{a}^{a}^{a}",
@@ -286,9 +275,7 @@ def distractors(rng: Random) -> Wish:
         f"{main}. {loose}, which [{matter}|{be} not needed|{be} not used|{be} only {plain}], {lies} [on the "
         "table|around] [too|as well]",
         f"{main}. ignore {loose} [that {lies} around|on the table|]",
-        f"{main}. [besides|in addition], {loose} {be} lying around [as {plain}|] [on the table|]".replace(
-            "[on the table|]", ""
-        ),
+        f"{main}. [besides|in addition], {loose} {be} lying around [as {plain}|]",
         f"[there {be}|on the table {lies}] {loose} [as {plain}|only as {plain}]. {main}",
         f"{main}. {loose} {be} [not needed|not used|of no importance|to be ignored|irrelevant]",
     )

@@ -41,8 +41,7 @@ def own_patch(rng: Random) -> Wish:
     noun, mat = rng.choice(NOUNS), rng.choice(PATCHES)
     mats = listed([counted(rng, 1, c, mat) for c in colors])
     both = [f"{inv}, and {mats}" for inv in stock(rng, [(n, c) for c in colors], noun)] + [
-        f"{inv}, and {mat} of the same colours".replace(f"and {mat}", f"and {plural(mat)}")
-        for inv in stock(rng, [(n, c) for c in colors], noun)[:3]
+        f"{inv}, and {plural(mat)} of the same colours" for inv in stock(rng, [(n, c) for c in colors], noun)[:3]
     ]
     goals: tuple[str, ...] = (
         f"{PUT} [each|every|each and every] {noun} [on|onto] the {mat} {OWN}",
@@ -55,7 +54,7 @@ def own_patch(rng: Random) -> Wish:
         f"[sort|distribute] the {plural(noun)} [onto|to] the {plural(mat)} by colour",
         f"at the end, [each|every] {noun} [is|lies|must be|should be] on the {mat} {OWN}",
         f"[each|every] {mat} [gets|holds|has|carries|should get|must hold] [the {plural(noun)}|all "
-        f"{plural(noun)}] of its [own ] colour".replace("[own ]", "[own|]"),
+        f"{plural(noun)}] of its [own|] colour",
         f"no {noun} may [be|lie] on a {mat} of another colour, and [every one|each {noun}] must be on a {mat}",
         f"the {plural(noun)} [of each colour|of every colour] {GOES} on the {mat} of that colour",
     )
@@ -139,9 +138,7 @@ def so_many_there(rng: Random) -> Wish:
     mats = f"the {there} {mat}"
     goals: tuple[str, ...] = (
         f"{how} of them {may} on {mats}",
-        f"on {mats} [there must be|there should be|there are] {how} of them".replace(
-            "there are", "there is" if k == 1 else "there are"
-        ),
+        f"on {mats} [there must be|there should be|there {'is' if k == 1 else 'are'}] {how} of them",
         f"{how} of the {many} {may} on {mats}",
         f"I want {how} of [them|the {many}] on {mats}",
         f"{how} of [them|the {color} {many}|these] [may|can|should] [be|lie|stand] on {mats}"
@@ -167,7 +164,7 @@ def so_many_there(rng: Random) -> Wish:
         f"{{inv}}, and {how} of them {may} on {mats}",
         f"[let|have] {how} of {{inv}} be on {mats}"
         if sort != "most"
-        else f"never more than {kk} of {{inv}} in the end on {mats}".replace("never more", "no more"),
+        else f"no more than {kk} of {{inv}} in the end on {mats}",
     )
     inv: tuple[str, ...] = (
         f"{number(rng, n)} {color} {many}",

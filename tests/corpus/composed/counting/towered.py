@@ -53,9 +53,7 @@ def per_color(rng: Random) -> Wish:
         "{inv}, [stacked|piled] by colour",
         f"stack {{inv}} so that [each|every] {t} has [one|a single|only one] colour",
         f"[build|make] {k} {t}s from {{inv}}, [one per colour|each of one colour|one for each colour]",
-        f"{k} {t}s of {NUMBERS[n]}, [one|the first] {', one '.join(colors[:-1])} and one {colors[-1]}".replace(
-            "the first", "one"
-        ),
+        f"{k} {t}s of {NUMBERS[n]}, one {', one '.join(colors[:-1])} and one {colors[-1]}",
         f"{listed([f'a {c} {t}' for c in colors])}, each [{NUMBERS[n]} {many} high|of {NUMBERS[n]} {many}]",
         f"{listed([f'a {t} of {NUMBERS[n]} {c} {many}' for c in colors])}",
         f"a {t} each [of|from] {listed([f'{NUMBERS[n]} {c}' for c in colors])} {many}",
@@ -149,9 +147,7 @@ def equal(rng: Random) -> Wish:
         f"{kk} {color} {t}s, {'both' if k == 2 else 'all'} [{NUMBERS[h]} {many} high|of {NUMBERS[h]}]",
         f"{kk} {t}s of {NUMBERS[h]} {color} {many} each",
         f"{{inv}} [are|should be|must be|get] [stacked|piled] into {kk} {t}s of [the same|equal] height",
-        f"[each|every] of {kk} {t}s [has|consists of|is made of] {NUMBERS[h]} {color} {many}".replace(
-            "[each|every] of", "each of"
-        ),
+        f"each of {kk} {t}s [has|consists of|is made of] {NUMBERS[h]} {color} {many}",
     )
     look = color or "plain"
     hold = piled(*[[look] * h] * k)
@@ -249,9 +245,7 @@ def limits(rng: Random) -> Wish:
             "[from|out of] them",
             f"at least three of them [must|should|have to] [be stacked|be in one {t}|form one {t}]",
             f"there should be a {t} of at least three",
-            f"one {t} [must|should] [be|have] at least three {many} [high|]".replace(
-                "[be|have] at least three {many} [high|]", "be at least three high"
-            ),
+            f"one {t} [must|should] have at least three {many}",
         )
         hold, miss = ["^".join([color] * 3), "^".join([color] * 4)], ["^".join([color] * 2)]
     return Wish(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.grammar.things.retold import none_of
 from rpg.language.later import later
 from rpg.language.meaning import At, Loc, Meaning, Noun, Pronoun, Traits, replace
 from rpg.language.phrases import Classes
@@ -37,9 +38,12 @@ UPHOLD = frozenset({"support", "supports", "supporting"})
 _TOPS = {"top": "on", "left": "left", "right": "right"}
 
 
-def wished_of_new(p: Parser, i: int, noun: Noun, conditions: tuple[Meaning, ...], span: Span) -> Noun:
-    """A noun with what is said of it; what "a red block that has a white one on it" has, it is to have."""
-    if noun.det == "a" and p.stands(i, _THAT) and p.stands(i + 1, _HAVE):
+def wished_of_new(p: Parser, i: int, noun: Noun, conditions: tuple[Meaning, ...], span: Span) -> Noun | None:
+    """A noun with what is said of it; what "a red block that has a white one on it" has, it is to have. Of "the red
+    block that has a white one on it" it is not said whether it has that one, or is to have it."""
+    if p.stands(i, _THAT) and p.stands(i + 1, _HAVE):
+        if noun.det != "a":
+            return None
         conditions = tuple(replace(x, mods=(*x.mods, "asserted")) if isinstance(x, Loc) else x for x in conditions)
     return replace(noun, conditions=(*noun.conditions, *conditions), span=span)
 
@@ -66,7 +70,7 @@ def had_there(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]
 
 def _had(p: Parser, i: int, j: int, asserted: bool, before: tuple[Meaning, ...]) -> Results[tuple[Meaning, ...]]:
     """ "the white one on it (and the black one to its left)"."""
-    for (theme, rel, mods), k in things_had(p, j):
+    for (theme, rel, mods), k in ((had, k) for had, k in things_had(p, j) if _block(had[0])):
         told = (*before, _place(p, i, k, rel, mods, theme, asserted))
         yield told, k
         if joint := p.one(k, "and"):
@@ -74,9 +78,9 @@ def _had(p: Parser, i: int, j: int, asserted: bool, before: tuple[Meaning, ...])
 
 
 def things_had(p: Parser, i: int) -> Results[tuple[Meaning, str, tuple[str, ...]]]:
-    """A block, and how it lies to what has it: "the white one on it", "a green block to its left"."""
+    """A block or none, and how it lies to what has it: "the white one on it", "nothing to its left"."""
     for theme, start in simple(p, i):
-        for place, k in adjunct(p, p.opt(start, *_LYING)) if _block(theme) else ():
+        for place, k in adjunct(p, p.opt(start, *_LYING)) if _block(theme) or none_of(theme) else ():
             if _shown(p, theme, start, k):
                 continue
             if isinstance(place, Loc) and is_owner(place.landmark) and place.rel in BACK and not place.negated:

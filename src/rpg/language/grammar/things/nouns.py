@@ -382,7 +382,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
                     yield from (*which_also(p, i, end, changed), *printed(p, i, at, end, changed))
             else:
                 told = wished_of_new(p, at, base, condition, p.span(i, end))
-                yield from ((told, last) for last in {end: None, k: None})
+                yield from ((told, last) for last in {end: None, k: None}) if told is not None else ()
 
 
 _SIGNS_INSIDE = frozenset("+-*/=")

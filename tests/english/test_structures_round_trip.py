@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from itertools import groupby
+
 import pytest
 
 from rpg.blocks.english import describe
 from rpg.blocks.equivalence import equivalent
+from rpg.blocks.figure_parts import own_parts
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.assets import Asset, Color, ColoredCube, GoalPatch, SemanticCube
 from rpg.ir.node import Lowest
-from rpg.ir.order import Order
+from rpg.ir.order import Order, Pattern
 from rpg.ir.schema import TaskSchema
 from rpg.ir.walk import names
 from rpg.passes.schema.frontend import BuiltinFrontEnd
+from rpg.store.taskfile import dump_schema, parse_schema
 from tests.english.schemas import begun
 
 
@@ -31,6 +35,17 @@ def of(assets: tuple[Asset, ...]) -> tuple[str, ...]:
 
 def given(assets: tuple[Asset, ...], **first: str) -> Order:
     return Order.model_validate({"by": "given", "ranks": [(name,) for name in of(assets)], **first})
+
+
+def by_parts(part: str, figure: s.Cells, count: int) -> tuple[tuple[Asset, ...], g.Goal]:
+    """A figure with one part green and the rest pink."""
+    places = own_parts(figure, count)[part]
+    green, pink = cubes(len(places), "green"), cubes(count - len(places), "pink")
+    stock = {True: [*of(green)], False: [*of(pink)]}
+    runs = groupby(range(count), key=places.__contains__)
+    ranks = tuple(tuple(stock[inside].pop(0) for _ in run) for inside, run in runs)
+    pattern = Pattern(kind="reading", order=Order(by="given", ranks=ranks), own=True)
+    return green + pink, figure.model_copy(update={"blocks": of(green + pink), "pattern": pattern})  # type: ignore[return-value]
 
 
 FIVE, SIX, EIGHT = cubes(5), cubes(6), cubes(8)
@@ -113,6 +128,17 @@ CASES: tuple[tuple[tuple[Asset, ...], g.Goal], ...] = (
     (LETTERS[:1], g.Facing(block=LETTERS[0].name, label="A", turn=180.0)),
     (LETTERS[:1], g.Facing(block=LETTERS[0].name, label="A", turn=0.0)),
     (SMALL_AND_BIG, g.On(a="red_block", b="blue_block")),
+    by_parts("the corner", s.Figure(blocks=("",), shape="L"), 5),
+    by_parts("the corner", s.Figure(blocks=("",), shape="L", pointing="left"), 5),
+    by_parts("the bar", s.Figure(blocks=("",), shape="T"), 5),
+    by_parts("the two corners", s.Figure(blocks=("",), shape="U", pointing="front"), 7),
+    by_parts("the two ends", s.Figure(blocks=("",), shape="U"), 7),
+    by_parts("the point", s.Figure(blocks=("",), shape="V"), 5),
+    by_parts("the three corners", s.Figure(blocks=("",), shape="triangle"), 6),
+    by_parts("the lowest step", s.Staircase(blocks=("",), steps=3), 6),
+    by_parts("the second step", s.Staircase(blocks=("",), steps=3, up="left"), 6),
+    by_parts("the highest step", s.Staircase(blocks=("",), steps=3, up="right"), 6),
+    by_parts("the top block of the highest step", s.Staircase(blocks=("",), steps=2), 3),
 )
 
 
@@ -125,3 +151,4 @@ def test_description_compiles_to_an_equivalent_task(assets: tuple[Asset, ...], g
     read, diagnostics = BuiltinFrontEnd().read(text)
     assert read is not None, f"{text}\n{diagnostics}"
     assert equivalent(schema, read), f"{text}\n{read.goal}"
+    assert parse_schema(dump_schema(schema)) == schema

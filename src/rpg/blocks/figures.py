@@ -86,7 +86,7 @@ class _Form:
     """A node, equal to every other one that asks for the same figures."""
 
     def __init__(self, node: Cells) -> None:
-        lines = (node.pattern.kind, by_layers(node)) if node.pattern is not None else None
+        lines = (node.pattern.kind, node.pattern.own, by_layers(node)) if node.pattern is not None else None
         self.node = node
         self.key = type(node), node.readable, lines, *[getattr(node, field) for field in _form_fields(type(node))]
 
@@ -137,7 +137,8 @@ def upright(node: Cells) -> bool:
 
 
 def _reads_lines(node: Cells, kinds: tuple[str, ...] = ("row", "column", "reading")) -> bool:
-    return node.pattern is not None and node.pattern.kind in kinds and not by_layers(node)
+    told = node.pattern is not None and node.pattern.kind in kinds and not node.pattern.own
+    return told and not by_layers(node)
 
 
 def _side_limit(node: Cells) -> float | None:
@@ -241,7 +242,7 @@ def _drawings(node: Figure, count: int) -> Iterator[Points]:
             yield from _vees(a)
         elif node.shape == "U":
             arms = [(-float(k), float(y)) for k in range(1, a) for y in (0, b - 1)]
-            yield [(0.0, float(y)) for y in range(b)] + arms
+            yield [(0.0, float(y)) for y in (0, b - 1, *range(1, b - 1))] + arms
         else:
             slant = math.pi / 4 if node.shape == "X" else 0.0
             bars = {(x, 0) for x in _arm(a)} | {(0, y) for y in _arm(b)}

@@ -10,7 +10,7 @@ from rpg.ir.structures import Cells, Grid, Pyramid, Staircase
 def by_layers(node: Cells) -> bool:
     """Does the order of reading tell whole layers apart and no more, so that the figure may be turned in any way?"""
     pattern = node.pattern
-    if pattern is None or pattern.kind != "reading" or pattern.order.by != "given":
+    if pattern is None or pattern.kind != "reading" or pattern.own or pattern.order.by != "given":
         return False
     levels = layer_sizes(node)
     whole = set(itertools.accumulate(levels if pattern.upward else levels[::-1]))

@@ -38,9 +38,11 @@ class Pattern(Record):
     "row", "column", "layer": each such line agrees in `attribute`, and no two lines share its value. "checkerboard":
     neighbours along rows and columns differ in two alternating values. "reading": the cells follow `order` in reading
     order (far row first, each left to right; for upright structures top layer first; bottom first if `upward`).
+    `own`: they follow it in the order in which the figure is drawn, so that its parts turn with it.
     """
 
     kind: Literal["row", "column", "layer", "checkerboard", "reading"]
     attribute: Attribute = "color"
     order: Order = Order()
     upward: bool = False
+    own: bool = False

@@ -223,13 +223,15 @@ class Toward(Meaning):
 
 @record
 class At(Meaning):
-    """A place in the structure spoken of. `own`: that of one of its blocks, "the top one red"; `utmost`: "leftmost"."""
+    """A place in the structure spoken of. `own`: that of one of its blocks, "the top one red"; `utmost`: "leftmost";
+    `tip`: named as the one to which a figure narrows."""
 
     side: str
     index: int | None = None
     whole: str | None = None
     own: bool = False
     utmost: bool = False
+    tip: bool = False
 
 
 @record

@@ -124,7 +124,9 @@ def _reading(pattern: Pattern, upright: bool, in_rows: bool, say: Speaker) -> st
     if order.by == "any":
         return ""
     way = (
-        " from bottom to top"
+        " from its first drawn place on"
+        if pattern.own
+        else " from bottom to top"
         if pattern.upward
         else " from top to bottom"
         if upright

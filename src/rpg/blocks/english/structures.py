@@ -7,6 +7,7 @@ from typing import Any
 
 from rpg.blocks.english.measures import cm
 from rpg.blocks.english.orders import ATTRIBUTES, along, from_to, ordered, patterned, said_in_turn
+from rpg.blocks.english.own_parts import by_parts
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import structures as s
@@ -122,7 +123,7 @@ def pyramid(node: s.Pyramid, say: Speaker) -> str:
 def staircase(node: s.Staircase, say: Speaker) -> str:
     way = f" going up {WAY[node.up]}" if node.up else ""
     what = f"a staircase of {number(node.steps)} steps{way}"
-    return _cells(node, say, what, patterned(node.pattern, say, upright=True))
+    return _cells(node, say, what, by_parts(node, say) or patterned(node.pattern, say, upright=True))
 
 
 def figure(node: s.Figure, say: Speaker) -> str:
@@ -138,7 +139,7 @@ def figure(node: s.Figure, say: Speaker) -> str:
         arm = node.sides[0] // 2
         what += f" with each arm of {number(arm)} block{'s' * (arm > 1)}"
     way = f" with its {POINTER.get(node.shape, 'tip')} {WAY[node.pointing]}" if node.pointing else ""
-    return _cells(node, say, what + way, patterned(node.pattern, say))
+    return _cells(node, say, what + way, by_parts(node, say) or patterned(node.pattern, say))
 
 
 def group_by(node: s.GroupBy, say: Speaker) -> str:

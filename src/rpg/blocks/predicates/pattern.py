@@ -23,7 +23,7 @@ def follows(pattern: Pattern, ideal: Ideal, blocks: Sequence[str], traits: Trait
     if pattern.kind == "reading":
         if ideal.ring:
             return any(_goes_round(pattern, turned, traits) for turned in _turns(blocks))
-        read = [blocks[k] for k in reading_order(cells, pattern.upward)]
+        read = list(blocks) if pattern.own else [blocks[k] for k in reading_order(cells, pattern.upward)]
         either = pattern.order.by == "rainbow" and pattern.order.first is None
         return agrees(pattern.order, read, traits) or (either and agrees(pattern.order, read[::-1], traits))
     values = [traits.of(name, pattern.attribute) for name in blocks]
@@ -59,7 +59,8 @@ def fillings(
     """Blocks for the cells, one each, that follow the pattern; the most natural first."""
     cells = ideal.cells
     if pattern is None or pattern.kind == "reading":
-        read = reading_order(cells, pattern is not None and pattern.upward)
+        own = pattern is not None and pattern.own
+        read = [*range(len(cells))] if own else reading_order(cells, pattern is not None and pattern.upward)
         order = (pattern or Pattern(kind="reading")).order
         for sequence in sequences(order, names, traits, rng):
             filled = [""] * len(cells)

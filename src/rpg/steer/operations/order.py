@@ -120,7 +120,7 @@ def _reverse_figure(draft: Draft, figure: Shape | None, span: Span) -> None:
     node = figure.node if figure else None
     if isinstance(node, Staircase) and node.up is not None and figure is not None:
         draft.do(SetField(at=figure.path, field="up", value=ENDS[node.up]), span)
-    elif isinstance(node, Cells) and node.pattern is not None and node.pattern.kind == "reading" and figure is not None:
+    elif figure is not None and isinstance(node, Cells) and node.pattern is not None and _is_read(node.pattern):
         order = node.pattern.order
         turned = (
             {"ranks": tuple(reversed(order.ranks))} if order.by == "given" else {"descending": not order.descending}
@@ -134,6 +134,11 @@ def _reverse_figure(draft: Draft, figure: Shape | None, span: Span) -> None:
             span,
             "name two blocks to swap, or give an order",
         )
+
+
+def _is_read(pattern: Pattern) -> bool:
+    """Whether there is a way in which the cells are read, and that could be turned round; parts have none."""
+    return pattern.kind == "reading" and not pattern.own
 
 
 def _toward(draft: Draft, line: Line | None, request: r.Reorder) -> None:

@@ -133,9 +133,16 @@ def _standing(draft: Draft, figure: Shape, node: Cells, request: Part) -> list[s
         ranks = pattern.order.ranks
         alike = all(len({draft.view.world.look[name] for name in rank}) == 1 for rank in ranks)
         if alike and sum(map(len, ranks)) == len(figure.members):
-            return [name for rank in ranks for name in rank]
-    told = "the places of these blocks in the structure are free, so that it is not settled which one this is"
-    raise _unsettled(draft, told, request)
+            told = [name for rank in ranks for name in rank]
+            return [told[k] for k in _as_read(node, len(told))] if pattern.own else told
+    free = "the places of these blocks in the structure are free, so that it is not settled which one this is"
+    raise _unsettled(draft, free, request)
+
+
+def _as_read(node: Cells, count: int) -> list[int]:
+    """The places of a figure by index, in the order in which it is read."""
+    found = ideals(node, count)
+    return reading_order(found[0].cells, False) if found else []
 
 
 def _unsettled(draft: Draft, told: str, request: Part) -> Refusal:
@@ -147,7 +154,7 @@ def _places(node: Cells, place: PLACE, count: int) -> list[int]:
     found = ideals(node, count)
     if not found:
         return []
-    cells = [found[0].cells[k] for k in reading_order(found[0].cells, False)]
+    cells = [found[0].cells[k] for k in _as_read(node, count)]
     height = 1 + max(cell.level for cell in cells)
     unit, side = (place.unit, place.side) if isinstance(place, m.Places) else ("block", place.side)
     index, several = place.index, place.several if isinstance(place, m.Places) else None

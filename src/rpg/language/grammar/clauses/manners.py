@@ -140,15 +140,15 @@ _FACING = (
 )  # fmt: skip
 _POINTERS = {
     **{word: word.rpartition(" ")[2] for word in (
-        "corner", "foot", "opening", "open side", "open end", "tip", "apex", "point", "top", "stem", "base", "tail",
-        "ends", "leg")},
+        "corner", "foot", "opening", "open side", "open end", "mouth", "tip", "apex", "point", "top", "stem", "base",
+        "tail", "ends", "leg")},
     **dict.fromkeys(("bar", "crossbar", "cross bar", "top bar", "crosspiece", "horizontal bar"), "bar"),
 }  # fmt: skip
 _LONG = tuple(f"{long} {arm}" for long in ("long", "longer") for arm in ("side", "arm", "leg", "bar"))
 _POINTING = (
     "pointing", "facing", "points", "faces", "to", "towards", "toward", "on", "at", "directed", "going", "is",
-    "extending", "coming", "being", "is at", "is on", "points to", "goes to", "comes towards", "sticking out",
-    *(f"{must} {point}" for must in ("should", "must", "shall", "has to", "is to")
+    "extending", "coming", "being", "is at", "is on", "is pointing", "is facing", "points to", "goes to",
+    "comes towards", "sticking out", *(f"{must} {point}" for must in ("should", "must", "shall", "has to", "is to")
       for point in ("point", "face", "be", "go", "be at", "be on", "point to", "lie at", "open")),
 )  # fmt: skip
 _RISING = (
@@ -187,7 +187,7 @@ def _pointed(p: Parser, i: int, comma: int) -> Results[Manner]:
         yield Manner(kind="pointing:long", value="back", span=p.span(i, e)), e
 
 
-ENDS = frozenset({"foot", "opening", "tip", "apex", "stem", "tail", "leg", "bar", "long"})
+ENDS = frozenset({"foot", "opening", "mouth", "tip", "apex", "stem", "tail", "leg", "bar", "long"})
 """What figures have, and blocks do not."""
 
 

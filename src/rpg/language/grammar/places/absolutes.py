@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.all_but_part import all_but_part
 from rpg.language.grammar.places.borne import bearing, borne
 from rpg.language.grammar.places.flanked import flanked
 from rpg.language.grammar.places.formed import formed
@@ -89,6 +90,7 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
     yield from starting(p, i)
     yield from borne(p, i)
     yield from flanked(p, i)
+    yield from all_but_part(p, i)
     yield from _of_parts(p, i, comma)
     j = p.any_of(comma, _LEADS) or (comma if comma > i else 0)
     if not j and (begun := p.any_of(i, _INITIALLY)) and "reverse" in p.all:

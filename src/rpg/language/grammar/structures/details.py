@@ -17,7 +17,8 @@ from rpg.language.grammar.structures.ends_filled import ends_filled
 from rpg.language.grammar.structures.levels import levels
 from rpg.language.grammar.structures.opening import opens
 from rpg.language.grammar.structures.ordered_whole import ordered_whole
-from rpg.language.grammar.structures.parts import IS, part, part_statement
+from rpg.language.grammar.structures.part_words import IS
+from rpg.language.grammar.structures.parts import part, part_statement
 from rpg.language.grammar.structures.patterns import DIAGONALS, pattern
 from rpg.language.grammar.structures.steps import steps_alone
 from rpg.language.grammar.structures.succession import succession
@@ -72,7 +73,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
         yield _said(p, i, j, several), j
     yield from _of_a_whole(p, i)
     yield from _in_a_whole(p, i)
-    start = p.any_of(i, ("make", "let", "have", "keep")) or i
+    start = _begun(p, i)
     put = p.any_of(i, ("put", "place", "add"))
     ends = part_statement(p, put) if put else ()
     for at_end, j in ends:
@@ -87,10 +88,22 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
                 yield _said(p, i, k, whole), k
 
 
+_MAKE = ("make", "let", "have", "keep", "paint", "color")
+_USE = ("use", "take", "i want", "we want", "i would like", "with")
+_FOR = frozenset({"for", "blocks", "cubes", "bricks", "ones"})
+"""What is said before "red for the top, blue for the rest", and in it behind the colour."""
 _ONWARD = (", and then", ", then", "and then", "then", ", and finally", ", and lastly", "and finally", "and lastly",
            ", finally", ", lastly", "followed by", ", followed by", ", next", ", and last", "and last",
            ", and after that", ", after that")  # fmt: skip
 _IS_LAST = ("is last", "comes last", "last", "at the end", "is at the end")
+
+
+def _begun(p: Parser, i: int) -> int:
+    """Behind "make", and behind "use" where a colour for a part follows."""
+    if j := p.any_of(i, _MAKE):
+        return j
+    use = p.any_of(i, _USE)
+    return use if use and p.stands(use + 1, _FOR) else i
 
 
 @choice

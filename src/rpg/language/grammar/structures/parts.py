@@ -7,88 +7,29 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.places.sides import OTHER_END, extreme, far_end
+from rpg.language.grammar.places.sides import OTHER_END, far_end
 from rpg.language.grammar.structures.parity import every_other
+from rpg.language.grammar.structures.part_there import ONE_OR_MORE, line_there, told_there
+from rpg.language.grammar.structures.part_words import (
+    BETWEEN,
+    BEYOND,
+    FROM,
+    IS,
+    LEADS,
+    NOUNS,
+    OWN,
+    PAIRS,
+    REST,
+    SIDES,
+    TIPS,
+    UNITS,
+)
 from rpg.language.grammar.structures.sizes import dimensions
 from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits, replace
-
-_SIDES = {
-    "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",
-    "bottom": "bottom", "lower": "bottom", "lowest": "bottom", "bottommost": "bottom", "lowermost": "bottom",
-    "ground": "bottom", "base": "bottom",
-    "middle": "middle", "center": "middle", "central": "middle",
-    "left": "left", "leftmost": "left", "right": "right", "rightmost": "right",
-    "front": "front", "near": "front", "nearest": "front", "frontmost": "front", "closest": "front",
-    "back": "back", "far": "back", "rear": "back", "farthest": "back", "rearmost": "back", "furthest": "back",
-    "outer": "outer", "outermost": "outer", "outside": "outer", "end": "ends", "corner": "corners", "edge": "edge",
-    "inner": "inner", "inside": "inner", "innermost": "inner", "other": "rest", "remaining": "rest",
-    "last": "last", "next": "next", **{word: str(n) for word, n in lexicon.ORDINAL.items()},
-}  # fmt: skip
-_UNITS = {
-    "row": "row", "rows": "row", "column": "column", "columns": "column", "layer": "layer", "layers": "layer",
-    "level": "layer", "levels": "layer", "tier": "layer", "tiers": "layer", "floor": "layer", "floors": "layer",
-    "story": "layer", "stories": "layer", "course": "layer", "block": "block", "blocks": "block", "cube": "block",
-    "cubes": "block", "brick": "block", "bricks": "block", "one": "block", "ones": "block", "cell": "block",
-    "position": "block", "positions": "block", "place": "block", "places": "block",
-    "cells": "block", "half": "half", "third": "third", "tower": "whole", "towers": "whole", "stack": "whole",
-    "stacks": "whole", "pyramid": "whole", "wall": "whole", "staircase": "whole", "square": "whole", "circle": "whole",
-}  # fmt: skip
-_NOUNS = {
-    "corners": "corners", "ends": "ends", "edges": "edge", "border": "edge", "rim": "edge", "perimeter": "edge",
-    "center": "middle", "middle": "middle", "top": "top", "peak": "top", "tip": "top", "apex": "top",
-    "bottom": "bottom", "base": "bottom", "foundation": "bottom", "rest": "rest", "others": "rest",
-    "remainder": "rest", "corner": "corners", "end": "ends", "inside": "inner", "interior": "inner",
-    "outside": "outer", "hole": "middle", "arms": "rest", "foot": "bottom",
-}  # fmt: skip
-"""Parts that are named by a noun of their own."""
-_FROM = tuple(f"from {the}{side}" for side in ("left", "right", "top", "bottom") for the in ("the ", ""))
-_OWN = frozenset({"the", "its", "their", "all", "both", "each", "every", "either"})
-_LEADS = ("in", "at", "on", "for", "along", "as", "forming", "in all", "on all", "at all")
-_PAIRS = tuple(
-    f"{one} and {the}{other}"
-    for pair in (
-        ("top", "bottom"),
-        ("left", "right"),
-        ("front", "back"),
-        ("first", "last"),
-        ("leftmost", "rightmost"),
-        ("lowest", "highest"),
-        ("lowest", "top"),
-        ("bottom", "topmost"),
-        ("near", "far"),
-        ("nearest", "farthest"),
-    )
-    for one, other in (pair, pair[::-1])
-    for the in ("", "the ", "its ")
-)
-"""Both ends of a line, named one by one."""
-_REST = (
-    "everything else", "everything below", "everything below it", "everything above", "everything above it",
-    "all else", "all the rest", "all the others", "all others", "every other block",
-    *(
-        f"{rest} {between}"
-        for rest in ("everything", "all", "the ones", "all those", "all blocks", "the blocks", "all the blocks",
-                     "all the ones", "every block", "those", "the others")
-        for between in ("between them", "in between", "in between them", "between", "between the ends")
-    ),
-)  # fmt: skip
-_BEYOND = {"above": 1, "below": -1}
-"""On which side of what is told before "everything above" is: the `index` of such a rest."""
-_BETWEEN = (
-    "around it", "all around it", "around the outside", "round it", "around the middle", "around the center",
-    "around that", "in between", "anywhere in between", "somewhere in between", "between them", "elsewhere",
-    "everywhere else", "in between them", "between the ends",
-)  # fmt: skip
-IS = (
-    "is", "are", "being", "should be", "must be", "shall be", "has to be", "have to be", "will be", "in",
-    "made of", "is made of", "are made of", "consists of", "consist of", "contains", "contain", "of", "is all",
-    "are all", "should all be", "must all be", "all", "is a", "should only be", ":", "has", "has only", "to be",
-    "shall all be", "are both", "is to be", "are to be", "must both be", "should both be", "is made from",
-)  # fmt: skip
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
 
 
 @rule
@@ -100,77 +41,48 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
     if p.follows(i, ("at",)) and (k := p.any_of(i, OTHER_END)):
         yield Places(side="ends", unit="block", several=1, span=p.span(i, k)), k
         return
-    if k := p.any_of(i, _REST):
-        beyond = next((way for word, way in _BEYOND.items() if word in p.words[i:k]), None)
+    if k := p.any_of(i, REST):
+        beyond = next((way for word, way in BEYOND.items() if word in p.words[i:k]), None)
         yield Places(side="rest", unit="block", index=beyond, span=p.span(i, k)), k
     j, each, owned = p.opt(i, "only", "just"), False, False
-    while k := p.one(j, _OWN):
+    while k := p.one(j, OWN):
         each = each or p.words[j] in ("each", "every", "either")
         owned, j = True, k
     if k := p.any_of(j, ("of the", "of its")):
         j = k
-    if (k := p.one(j, ("a", "an"))) and p.words[k] in _NOUNS and p.words[k + 1] == "of":
+    if (k := p.one(j, ("a", "an"))) and p.words[k] in NOUNS and p.words[k + 1] == "of":
         owned, j = True, k
-    yield from _noun_there(p, i, j, unit)
+    yield from told_there(p, i, j, unit)
+    yield from line_there(p, i, j, unit)
     yield from every_other(p, i, j)
-    if both := p.any_of(j, _PAIRS):
-        found = _UNITS.get(p.words[both]) if both < p.end else None
+    if both := p.any_of(j, PAIRS):
+        found = UNITS.get(p.words[both]) if both < p.end else None
         end = p.reach(both + 1) if found else p.opt(both, "end", "ends", "side", "sides")
         yield Places(side="ends", unit=found or "block", span=p.span(i, end)), end
         return
-    along = p.peek(j, _SIDES)
+    along = p.peek(j, SIDES)
     if along in ("top", "bottom", "back", "front") and p.stands(j + 1, ("left", "right")):
         across = p.words[j + 1]
         end = p.opt(p.reach(j + 2), "corner", "block", "one", "cell", "cube")
         if not far_end(p, j):
             yield Places(side=f"{along} {across}", unit="cell", span=p.span(i, end)), end
         return
-    if (line := p.peek(j, _UNITS)) in _LAYERS and (turn := p.number(j + 1)) and p.number(j + 2) is None:
+    if (line := p.peek(j, UNITS)) in _LAYERS and (turn := p.number(j + 1)) and p.number(j + 2) is None:
         yield Places(side="first", unit=line or "", index=turn, span=p.span(i, j + 2)), p.reach(j + 2)
     several = p.number(j)
     after = j + 1 if several is not None else j
     after = p.opt(after, "very")
-    if p.words[after : after + 1] == ["outer"] and _NOUNS.get(p.words[after + 1]) == "edge":
+    if p.words[after : after + 1] == ["outer"] and NOUNS.get(p.words[after + 1]) == "edge":
         after += 1
-    if side := p.peek(after, _SIDES):
+    if side := p.peek(after, SIDES):
         p.reach(after + 1)
         yield from _sided(p, i, after + 1, side, several, each, unit)
-    side = p.peek(after, _NOUNS)
+    side = p.peek(after, NOUNS)
+    if p.words[after : after + 2] in (["cross", "bar"], ["horizontal", "bar"], ["top", "bar"], ["vertical", "bar"]):
+        side, after = "stem" if p.words[after] == "vertical" else "bar", p.reach(after + 1)
     if side and (owned or several is not None or not p.stands(after, ("corner", "end"))):
         end = p.any_of(p.reach(after + 1), ("of it", "of them", "pieces", "places")) or after + 1
         yield _place(p, i, end, side, "block", several, each), end
-
-
-_THERE = ("in the", "at the", "on the", "at", "in", "on", "at both", "at each", "on both", "on each")
-_ONE_OR_MORE = ("block", "blocks", "cube", "cubes", "one", "ones", "bricks", "brick")
-
-
-def _noun_there(p: Parser, i: int, j: int, unit: str) -> Results[Meaning]:
-    """ "the one in the middle", "the two at the ends", "the three blocks in between": told by where they are."""
-    several = p.number(j) if p.words[j] not in ("one", "ones") else None
-    k = j + 1 if several is not None else j
-    start = p.opt(k, *_ONE_OR_MORE)
-    if j == i or start == j:
-        return
-    if end := p.any_of(start, _BETWEEN):
-        yield Places(side="rest", unit="block", several=several, span=p.span(i, end)), end
-    if several in (None, 1):
-        yield from extreme(p, p.any_of(start, ("that is", "which is", "that lies", "that stands")) or start)
-    lead = p.any_of(start, _THERE)
-    for place, end in part(p, lead, "") if lead and p.words[start] != "of" else ():
-        if isinstance(place, Places) and place.unit == "block" and place.several is None and place.side != "rest":
-            yield replace(place, several=several or place.several, span=p.span(i, end)), end
-        elif isinstance(place, At) and several in (None, 1):
-            yield replace(place, span=p.span(i, end)), end
-        elif isinstance(place, At) and several is not None and place.index is None:
-            yield Places(side=place.side, unit="block", several=several, span=p.span(i, end)), end
-    side = _SIDES.get(p.words[lead]) if lead and lead < p.end else None
-    if side in ("left", "right", "top", "bottom", "front", "back") and p.words[start] not in ("in", "of"):
-        end = p.opt(p.reach(lead + 1), "side", "end")
-        if several is None or several == 1:
-            yield At(side=side, span=p.span(i, end)), end
-        else:
-            yield Places(side=side, unit="block", several=several, span=p.span(i, end)), end
 
 
 def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool, unit: str) -> Results[Meaning]:
@@ -178,12 +90,19 @@ def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool
     count = p.number(j)
     if count is not None and several is None and p.words[j] not in ("one", "ones"):
         several, j = count, j + 1
-    if side.isdigit() and (k := p.any_of(p.opt(j, "one", "block", "cube", "position", "place", "spot"), _FROM)):
+    if side.isdigit() and (k := p.any_of(p.opt(j, "one", "block", "cube", "position", "place", "spot"), FROM)):
         where = p.words[k - 1]
         yield At(side=where, index=int(side), span=p.span(i, k)), k
         if p.words[j] in ("position", "place", "spot"):
             return
-    found = _UNITS.get(p.words[j]) if j < p.end else None
+    found = UNITS.get(p.words[j]) if j < p.end else None
+    if side in ("left", "right") and p.words[j] == "hand" and not found:
+        j = p.reach(j + 1)
+        found = UNITS.get(p.words[j]) if j < p.end else None
+    if found not in ("row", "column", "layer") and p.words[j - 1] in ("nearer", "farther", "further"):
+        return  # "nearer than the other"
+    if found != "step" and p.words[j - 1] in ("smallest", "shortest", "tallest", "largest", "biggest"):
+        return  # that of several
     if found and unit and p.words[j] in ("one", "ones"):
         found = unit
     if found:
@@ -191,7 +110,11 @@ def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool
         yield _place(p, i, end, side, found, several, each), end
         return
     end = p.any_of(j, ("of them", "of these")) or j
-    if end > j and p.words[j - 1] in ("left", "right") and p.words[j - 2] not in _OWN:  # beside them
+    if end > j and p.words[j - 1] in ("left", "right") and p.words[j - 2] not in OWN:  # beside them
+        return
+    if side in ("left", "right", "front", "back") and p.words[j - 1] != "rear" and (k := p.one(j, ("end",))):
+        if p.words[k] not in ("of", "row") or p.any_of(k, _OF_IT):
+            yield At(side=side, span=p.span(i, k)), k
         return
     if end > j or unit or several is not None:
         yield _place(p, i, end, side, unit or "block", several, each), end
@@ -206,26 +129,52 @@ def _place(p: Parser, i: int, j: int, side: str, unit: str, several: int | None,
         and several in (None, 1)
         and side in ("top", "bottom", "left", "right", "front", "back", "middle")
     ):
-        return At(side=side, own=p.words[j - 1] in _ONE_OR_MORE, span=p.span(i, j))
+        tip = not TIPS.isdisjoint(p.words[i:j])
+        return At(side=side, own=p.words[j - 1] in ONE_OR_MORE, tip=tip, span=p.span(i, j))
     if index is not None:
         side = "first"
+    if several is None and not each and _is_single(p.words[i:j]):
+        several = 1
     return Places(side=side, unit=unit, index=index, several=several, each=each, span=p.span(i, j))
+
+
+def _is_single(words: list[str]) -> bool:
+    """ "The corner", "its end block": one block, of which it is not clear which it is where there are several."""
+    return not _CORNER.isdisjoint(words) and _MANY.isdisjoint(words)
+
+
+_CORNER = frozenset({"corner", "end"})
+_MANY = frozenset({"blocks", "cubes", "bricks", "ones", "pieces", "places", "positions", "cells", "rows", "columns",
+                   "layers", "both", "all"})  # fmt: skip
 
 
 _OF_IT = tuple(
     f"{of} {the} {noun}"
     for of in ("of", "in")
     for the in ("the", "this", "that")
-    for noun in ("tower", "stack", "row", "line", "column", "grid", "square", "wall", "pyramid", "circle", "structure")
-)
+    for noun in ("tower", "stack", "row", "line", "column", "grid", "square", "wall", "pyramid", "circle", "structure",
+                 "staircase", "plus", "plus sign", "cross", "letter", "outline", "triangle", "rectangle")
+)  # fmt: skip
 """What a part belongs to, where only one structure is spoken of."""
+_OF_LETTER = tuple(f"of the {x}{shape}" for x in "ltuv" for shape in ("", " shape"))
+_LIMBS = frozenset({"corners", "point", "bar", "stem"})
+"""Parts that letters have, and blocks with letters do not."""
+_OF_STEP = tuple(f"{of} the {high} step" for of in ("of", "on", "in") for high in ("highest", "top", "tallest", "last"))
+
+
+def _of_step(p: Parser, i: int, place: Meaning, j: int) -> tuple[Meaning, int]:
+    """ "the top block (of the highest step)": the one block on top of stairs."""
+    k = p.any_of(j, _OF_STEP) if isinstance(place, At) and place.side == "top" else 0
+    return (Places(side="top", unit="cell", span=p.span(i, k)), k) if k else (place, j)
 
 
 @rule
 def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
     """ "the first row is red", "white on both ends", "black corners", "red in between"."""
     for place, j in part(p, i, unit):
-        j = p.any_of(j, _OF_IT) or j
+        place, j = _of_step(p, i, place, j)
+        j = p.any_of(j, _OF_IT) or p.any_of(j, ("of which", "of it")) or j
+        j = (p.any_of(j, _OF_LETTER) if getattr(place, "side", "") in _LIMBS else 0) or j
         if isinstance(place, At) and p.words[j : j + 1] == ["one"]:  # "the top one red" is no top of one red block
             continue
         if p.words[j] == "of" and p.follows(j, ("left", "right")):  # "right of the red block" is beside it
@@ -235,6 +184,9 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
         lines = list(_cells(p, i, j, place))
         yield from lines
         for theme, k in _looks(p, p.any_of(j, (", which is", "which is")) or p.any_of(j, IS) or j):
+            one = isinstance(place, At) and (place.own or p.words[j - 1] == "end")
+            if one and theme.plural and theme.amount is None:
+                continue  # "the left end consists of red blocks": of one block nothing such can be said
             if all(k != end for _, end in lines):
                 yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
         for word, k in _word(p, j) if isinstance(place, Places) else ():
@@ -308,7 +260,7 @@ def _coloured(p: Parser, i: int) -> Results[Absolute]:
     """ "black corners", "a green middle column", "a yellow top"."""
     j = p.opt(i, "a", "an", "the", "its", "all", "four")
     for marks, k in adjectives(p, j):
-        if set(marks) != {"colors"} or k >= p.end or p.words[k] in _OWN:
+        if set(marks) != {"colors"} or k >= p.end or p.words[k] in OWN:
             continue
         if p.words[j - 1] == "four" and j > i and not p.stands(k, ("arms", "corners")):
             continue
@@ -329,19 +281,23 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
             yield from _so_many(p, i, theme, k, unit)
             continue
         k = p.any_of(k, ("is", "are", "being", "goes", "go")) or k
-        if end := p.any_of(k, _BETWEEN):
+        if end := p.any_of(k, BETWEEN):
             rest = Places(side="rest", unit="block", span=p.span(k, end))
             yield Absolute(theme=theme, adjuncts=(rest,), span=p.span(i, end)), end
         if (end := p.any_of(k, _EACH_SIDE)) and p.anywhere(_LINES):
             both = Places(side="beside", unit="block", each=True, span=p.span(k, end))
             yield Absolute(theme=theme, adjuncts=(both,), span=p.span(i, end)), end
         yield from _as_base(p, i, theme, k) if isinstance(theme, Noun) else ()
-        if lead := p.any_of(k, _LEADS):
-            for place, end in part(p, lead, unit):
-                block = p.words[end - 1] in _UNITS and _UNITS[p.words[end - 1]] == "block"
+        if lead := p.any_of(k, LEADS):
+            for place, end in (_of_step(p, lead, *told) for told in part(p, lead, unit)):
+                block = p.words[end - 1] in UNITS and UNITS[p.words[end - 1]] == "block"
                 corner = getattr(place, "unit", "") == "cell" and p.words[lead] == "its"
                 on_block = p.words[k] == "on" and (block or corner or isinstance(place, At))
-                own = p.words[lead] in ("its", "each", "every", "either") or getattr(place, "index", None) is not None
+                own = (
+                    p.words[k] == "for"
+                    or p.words[lead] in ("its", "each", "every", "either")
+                    or getattr(place, "index", None) is not None
+                )
                 if (isinstance(place, Places) or own) and not on_block:
                     yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
 
@@ -383,7 +339,7 @@ def _so_many(p: Parser, i: int, theme: Meaning, k: int, unit: str) -> Results[Ab
     listed_ = isinstance(theme, Coord) and theme.op == "and" and all(map(_plain, theme.items))
     if not (bare and told) and not listed_:
         return
-    lead = p.any_of(k, _LEADS)
+    lead = p.any_of(k, LEADS)
     for place, end in part(p, lead, unit) if lead else ():
         if isinstance(place, Places) and place.unit in _LAYERS and place.side not in ("rest", "ends"):
             yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 
 from rpg.language import lexicon
@@ -16,7 +17,8 @@ IN_TOTAL = ("in total", "in all", "altogether", "all in all", "total")
 _UNITS = {
     "high": "high", "tall": "high", "in height": "high", "long": "long", "in length": "long", "wide": "wide",
     "in width": "wide", "across": "wide",
-    "deep": "deep", "in a row": "columns",
+    "deep": "deep", "in a row": "columns", "rows deep": "rows", "columns wide": "columns",
+    "steps high": "steps",
 }  # fmt: skip
 _PARTS = {
     "steps": "steps", "step": "steps", "stairs": "steps", "levels": "layers", "layers": "layers", "tiers": "layers",
@@ -107,6 +109,10 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
             (
                 "that is",
                 "which is",
+                "that should be",
+                "which should be",
+                "that has to be",
+                "that must be",
                 "that are",
                 "each",
                 "all",
@@ -214,7 +220,7 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
     for dims, e in _lines_by_lines(p, k, lines) if lines is not None else ():
         yield Size(what="dims", dims=dims, span=p.span(i, e)), e
     for dims, e in dimensions(p, k):
-        if end := p.any_of(p.opt(e, "block", "blocks"), _BASES):
+        if end := p.any_of(p.opt(e, "block", "blocks", "square"), _BASES):
             yield Size(what="base", dims=dims, span=p.span(i, end)), end
     if e := p.any_of(k, ("side of", "sides of", "side length of", "sides")):
         for found, m in amounts.amount(p, e):
@@ -224,16 +230,24 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
 
 def _based(p: Parser, i: int, k: int) -> Results[Size]:
     """ "base of 3 blocks", "base is 3 x 3"."""
-    base = p.any_of(k, _BASES)
+    square = p.one(k, "square")
+    base = p.any_of(square or k, _BASES)
     e = p.any_of(base, _IS) if base else 0
     e = e or (base if base and (p.number(base) or any(True for _ in dimensions(p, base))) else 0)
     if not e:
         return
     for dims, m in dimensions(p, p.opt(e, "a")):
-        yield Size(what="base", dims=dims, span=p.span(i, m)), p.opt(m, *_BLOCKS, "square")
+        yield Size(what="base", dims=dims, span=p.span(i, m)), p.any_of(m, ("in size",)) or p.opt(m, *_BLOCKS, "square")
     for found, m in amounts.amount(p, e):
+        side = math.isqrt(found.low)
+        if square and side * side != found.low:
+            continue
+        if square and (found.high == found.low or found.high is None):
+            end = p.opt(m, *_BLOCKS)
+            yield Size(what="base", dims=(side, side), span=p.span(i, end)), end
+            continue
         m = p.opt(p.opt(m, "horizontal"), *_BLOCKS)
-        yield Size(what="base", amount=found, span=p.span(i, m)), p.opt(m, "wide")
+        yield Size(what="base", amount=found, span=p.span(i, m)), p.opt(m, "wide", "long", "across")
 
 
 _ROWS = {"rows": ("grid", "square", "rectangle"), "columns": ("grid", "square", "rectangle"), "layers": ("wall",)}

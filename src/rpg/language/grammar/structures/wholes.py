@@ -9,7 +9,8 @@ from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.along import listed_along
-from rpg.language.grammar.structures.parts import IS, part
+from rpg.language.grammar.structures.part_words import IS
+from rpg.language.grammar.structures.parts import part
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed

@@ -8,11 +8,11 @@ from collections.abc import Sequence
 
 from rpg.blocks.figures import Cell
 from rpg.ir import structures as s
-from rpg.ir.order import Order, Pattern
+from rpg.ir.order import Pattern
 from rpg.language.meaning import Meaning, Noun, Structure, Traits, replace
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.parts import Claim, cells_of, claims, counted
+from rpg.passes.schema.resolve.orders.parts import Claim, cells_of, claims, counted, laid
 from rpg.passes.schema.resolve.things.things import bare_colors
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
@@ -60,7 +60,7 @@ def checkered(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene) -
     if len({*colors.values()}) > 1:
         return Pattern(kind="checkerboard")
     stock = {color: [name for name in names if scene.things[name].color == color] for color in colors}
-    return Pattern(kind="reading", order=Order(by="given", ranks=tuple((stock[color].pop(0),) for color in board)))
+    return laid(node, tuple((stock[color].pop(0),) for color in board))
 
 
 def _painted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rpg.blocks.figure_parts import has_own
 from rpg.blocks.figures import Cell, ideals, upright
 from rpg.blocks.predicates.pattern import reading_order
 from rpg.ir import structures as s
@@ -14,6 +15,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.cells_in_order import in_one_run, runs
 from rpg.passes.schema.resolve.orders.columns import columns_of
 from rpg.passes.schema.resolve.orders.left_over import all_left, all_like_base, lines_left
+from rpg.passes.schema.resolve.orders.of_figures import as_lines, half, of_figure
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -26,10 +28,15 @@ SAME = {"top": "back", "bottom": "front"}
 
 
 def cells_of(node: s.Cells, count: int) -> tuple[Cell, ...]:
-    """The places of a figure in the order in which it is read."""
+    """The places of a figure in the order in which it is read; in which it is drawn where its parts turn with it."""
     found = ideals(node, count)
     cells = found[0].cells if found else ()
-    return tuple(cells[k] for k in reading_order(cells, False))
+    return cells if has_own(node) else tuple(cells[k] for k in reading_order(cells, False))
+
+
+def laid(node: s.Cells, ranks: tuple[tuple[str, ...], ...]) -> Pattern:
+    """The pattern in which blocks fill the places of a figure in the order of `cells_of`."""
+    return Pattern(kind="reading", order=Order(by="given", ranks=ranks), own=has_own(node))
 
 
 def place_of(item: Meaning) -> At | Places | None:
@@ -44,6 +51,8 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
     part = place if isinstance(place, Places) else Places(side=place.side, unit="", index=place.index, span=place.span)
     height = 1 + max(cell.level for cell in cells)
     unit, side = part.unit or _line_at(part.side, node), part.side
+    if has_own(node) and (own := of_figure(place, node, len(cells))):
+        return own
     if unit == "row" and upright(node):
         unit = "layer"
         if side in ("first", "last"):
@@ -67,7 +76,7 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
         cells = [cell._replace(row=height - 1 - cell.level, level=0) for cell in cells]
         height = 1
     if unit == "half" and isinstance(node, s.Grid):
-        return _half(side, cells)
+        return half(side, cells)
     if height > 1 or not _square(node):
         return []
     rows, columns = 1 + max(c.row for c in cells), 1 + max(c.column for c in cells)
@@ -97,20 +106,6 @@ def _line_at(side: str, node: s.Cells) -> str:
     if not isinstance(node, s.Grid):
         return ""
     return "column" if side in ("left", "right") else "row" if side in ("front", "back") and not upright(node) else ""
-
-
-def _half(side: str, cells: Sequence[Cell]) -> Groups:
-    """The left, right, far, near, upper or lower half of a figure that can be halved so."""
-    height = 1 + max(cell.level for cell in cells)
-    if height > 1 and side in ("top", "bottom"):
-        places = [height - 1 - cell.level for cell in cells]
-    else:
-        places = [cell.column if side in ("left", "right") else cell.row for cell in cells]
-    total = 1 + max(places)
-    side = {"top": "left", "back": "left", "bottom": "right", "front": "right"}.get(side, side)
-    if total % 2 or side not in ("left", "right"):
-        return []
-    return [[k for k, place in enumerate(places) if (2 * place < total) == (side == "left")]]
 
 
 def _square(node: s.Cells) -> bool:
@@ -216,6 +211,7 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
         place = place_of(item)
         if place is None or not cells:
             continue
+        place = as_lines(place, spec.absolutes, node)
         if from_below and isinstance(place, Places) and (place.unit, place.side) == ("row", "first"):
             place = replace(place, unit="layer", side="first" if from_below == "bottom" else "last")
         if isinstance(place, Places) and place.side == "rest":
@@ -355,7 +351,7 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
     ranks = runs(held, mixed, names, scene, found[0][0])
     if len(ranks) == 1:
         return None
-    return Pattern(kind="reading", order=Order(by="given", ranks=ranks))
+    return laid(node, ranks)
 
 
 def _said_twice(pattern: Said, found: list[Claim], held: dict[int, str], node: s.Cells, scene: Scene) -> bool:

@@ -168,9 +168,9 @@ def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | Non
 
 _POINTERS = {
     "V": {"tip", "point", "apex", "corner", "base"}, "triangle": {"tip", "point", "apex", "top"}, "L": {"foot", "base"},
-    "U": {"opening", "side", "end", "top"}, "T": {"stem", "tail", "base", "foot", "leg"},
+    "U": {"opening", "mouth", "side", "end", "top"}, "T": {"stem", "tail", "base", "foot", "leg"},
 }  # fmt: skip
-_AWAY_FROM_THEM = {"T": {"bar", "top"}, "V": {"opening", "ends", "side", "end"}, "U": {"base"}}
+_AWAY_FROM_THEM = {"T": {"bar", "top"}, "V": {"opening", "mouth", "ends", "side", "end"}, "U": {"base"}}
 """What lies at the other end of the figure."""
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from rpg.ir import structures as s
-from rpg.ir.order import Order, Pattern
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -19,7 +18,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.parts import cells_of, place_of
+from rpg.passes.schema.resolve.orders.parts import cells_of, laid, place_of
 from rpg.passes.schema.resolve.structures.extents import Made, made
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of
@@ -110,7 +109,7 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
     at = next((k for k, cell in enumerate(cells) if abs(cell.x) + abs(cell.y) < 0.01), None)
     if at is None:
         raise refuse("too-few", f"{len(names)} blocks do not go around another one", shape.span, "use eight")
-    pattern = Pattern(kind="reading", order=Order(by="given", ranks=(names[:at], middle, names[at:])))
+    pattern = laid(form, (names[:at], middle, names[at:]))
     every = (*names, *middle)
     node = form.model_copy(update={"blocks": every, "pattern": pattern, "span": shape.span})
     return made(shape.kind, node, every, shape.span, scene)

@@ -6,10 +6,10 @@ from collections import Counter
 
 from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
-from rpg.ir.order import Order, Pattern
+from rpg.ir.order import Pattern
 from rpg.language.meaning import Absolute, At, Coord, Loc, Noun, OrderBy, Places, Pronoun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.parts import cells_of, widened
+from rpg.passes.schema.resolve.orders.parts import cells_of, laid, widened
 from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.structures.patterns import pattern_of
 from rpg.passes.schema.resolve.things.members import members_of
@@ -259,7 +259,7 @@ def _in_columns(form: s.Staircase, colors: dict[int, str], names: tuple[str, ...
     heights = Counter((cell.row, cell.column) for cell in cells)
     left = {color: [n for n in names if scene.things[n].color == color] for color in colors.values()}
     ranks = tuple((left[colors[heights[cell.row, cell.column]]].pop(0),) for cell in cells)
-    return Pattern(kind="reading", order=Order(by="given", ranks=ranks))
+    return laid(form, ranks)
 
 
 def _highest(spec: Spec, up: str | None) -> str | None:

@@ -22,6 +22,7 @@ from rpg.language.meaning import (
     Traits,
     replace,
 )
+from rpg.passes.schema.resolve.things.layers_listed import layers_listed
 
 _LINES = ("stack", "row", "line", "column")
 _FLAT = ("square", "grid", "rectangle")
@@ -110,6 +111,8 @@ def filled(last: Clause, said: Clause, together: bool) -> Clause | None:
         return replace(last, adjuncts=(*last.adjuncts, *said.adjuncts))
     if (rainbow := _rainbow(last, said)) is not None:
         return rainbow
+    if together and (layered := layers_listed(last, said)) is not None:
+        return layered
     if (sorted_ := _sorted_ones(last, said, together)) is not None:
         return sorted_
     items = next((a.items for a in said.adjuncts if isinstance(a, OrderBy) and a.by == "given" and a.items), ())

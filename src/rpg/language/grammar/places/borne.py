@@ -60,7 +60,8 @@ _AND_HAS = (
     "have",
     "also have",
     "also has",
-    *(f"{must} have" for must in ("must", "should", "shall", "has to", "is to")),
+    "gets",
+    *(f"{must} {have}" for have in ("have", "get") for must in ("must", "should", "shall", "has to", "is to")),
 )
 _AND_BEARS = (*_BEARS, *_BEAR, *(f"{must} {bear}" for must in ("must", "should", "has to", "is to") for bear in _BEAR))
 

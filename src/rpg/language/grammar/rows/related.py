@@ -11,20 +11,28 @@ _BASE = f"as (?:a|an|the|its) (?:base|support|stand) (?:for|of(?= {THING}))"
 _TO = "(?:(?:on |to )?(?:the |its )?)"
 _SIDES = f"{_TO}left and {_TO}right"
 _SET_DOWN = f"{PUT}(?: it)?(?: down)?"
+_YOU = "(?:you|we)"
+_TASK = "(?:the|my|your|our) (?:task|job|goal)"
+_DONE = "(?:done|finished|ready|solved|complete|completed|accomplished|reached|achieved|over)"
 
 RELATED_AT_ONCE: tuple[Turn, ...] = (
+    # what is taken and where it goes
     (f"^(?:locate|look for|search for) ({THING})$", "find {1}"),
-    (
-        f"^(?:bring|move|carry|take) ({THING})(?: over)? to ({THING}) and (?:then )?{_SET_DOWN} ({PLACE}) it$",
-        "put {1} {3} {2}",
-    ),
+    (f"^(?:bring|move|carry|take) ({THING})(?: over)? to ({THING}) and (?:then )?{_SET_DOWN} ({PLACE}) it$",
+     "put {1} {3} {2}"),
+    (f"^({PUT}|take|lift|get) ({THING}) off (?:of )?the table(?: ,)?(?: and)?(?: {_SET_DOWN})? (?=on(?:to)? )",
+     "{1} {2} "),
+    (f"^make ({THING}) the (?:one|{CUBE}) (?={PLACE} )", "put {1} "),
     (f"^use ({THING}) as (?:a|the) base(?: ,)? and ({PUT}|stack) ({THING}) (?:on|on top of) it$", "{2} {3} on {1}"),
+    # how it is when all is done
+    (f"^(?:when|once|if|as soon as) (.+?) , (?:then )?(?:{_YOU} are {_DONE}|{_TASK} is {_DONE})$", "{1}"),
+    (f"^{_YOU} (?:will|should|must) (?:find|see) ({THING}) ({PLACE} .+?)(?: ,)? (?:when {_YOU} are {_DONE}|at the end|"
+     "in the end|afterwards)$", "{1} must be {2}"),
+    # on which sides, and which one
     (f"\\b(?:on|at|to) (?:each|either|both) sides? of ({THING})(?: ,)? {_SIDES}$", "to the left and right of {1}"),
-    (
-        f"\\bthe other (?:one|{CUBE}) , (?:which|that) is (?:an? )?({COLOR})(?: one| {CUBE})?(?= ,)",
-        "the other one , the {1} one",
-    ),
-)
+    (f"\\bthe other (?:one|{CUBE}) , (?:which|that) is (?:an? )?({COLOR})(?: one| {CUBE})?(?= ,)",
+     "the other one , the {1} one"),
+)  # fmt: skip
 """What is read otherwise as it stands, or could be meant in several ways."""
 RELATED: tuple[Turn, ...] = (
     # what one is for the other
@@ -35,6 +43,9 @@ RELATED: tuple[Turn, ...] = (
     (f"^(?:{PUT} )?({THING})(?: ,)? and ({THING})(?: ,)? (?:and )?(?:in between|between them) ({THING})$",
      "{3} must be between {1} and {2}"),
     # which alone
+    (f"^as for ({THING}) , (?:it|this one|that one) ", "{1} "),
+    ("^(there (?:is|are) [^,]+) , ((?:(?:exactly|at most|at least) )?(?:one|two|three|none)) of which ",
+     "{1} . {2} of them "),
     (f"^only ({THING})(?: ,)?(?: and)? not ({THING})(?: ,)? ({IS} .+)$", "only {1} {3} , not {2}"),
 )  # fmt: skip
 """What makes no sense as it stands."""

@@ -62,7 +62,7 @@ FREE = (
     "colors random", "color random",
     "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
     "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
-    "that is all", "that is it", "i think",
+    "that is all", "that is it", "i think", "nothing else matters", "nothing else really matters",
     "all good", "otherwise it does not count", "otherwise it is not done", "otherwise you fail",
     *(
         f"{lead}{which} {hue}{free}"

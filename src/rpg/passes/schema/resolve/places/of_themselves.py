@@ -12,6 +12,7 @@ from rpg.language.meaning import At, Meaning
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse, said
 
 Loose = tuple[Ref, Meaning, Span]
+Ranks = tuple[tuple[str, ...], ...]
 
 
 def of_themselves(loose: list[Loose], goal: g.Goal) -> None:
@@ -44,3 +45,18 @@ def check_between(loose: list[Loose], scene: Scene) -> None:
     if left is not None:
         raise refuse("ambiguous", f"it is not said whether {said(left)} is among these", loose[0][2],
                      "say where it goes, or that it is a distractor")  # fmt: skip
+
+
+def with_the_one_between(ranks: Ranks, loose: list[Loose], goal: g.Goal, scene: Scene) -> Ranks:
+    """ "Red is the highest, green is below it, blue is the lowest": what is told of an end stands between the two."""
+    own = {name for rank in ranks for name in rank}
+    tied = [a for a in atoms(goal) if isinstance(a, r.On | r.Above) and len(own & {*members(a.a), *members(a.b)}) == 1]
+    others = tuple(dict.fromkeys(n for a in tied for n in (*members(a.a), *members(a.b)) if n not in own))
+    if not others:
+        return ranks
+    inside = all(members(a.a) == ranks[-1] or members(a.b) == ranks[0] for a in tied)
+    if len(others) > 1 or len(ranks) != len(("bottom", "top")) or not inside:
+        other = said(scene.things[others[0]])
+        raise refuse("ambiguous", f"it is not clear whether {other} is among these", loose[0][2],
+                     "name the blocks from bottom to top")  # fmt: skip
+    return (ranks[0], others, ranks[-1])

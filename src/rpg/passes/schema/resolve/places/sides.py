@@ -22,7 +22,7 @@ from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_e
 from rpg.passes.schema.resolve.places.in_each_way import settled, ways_of
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line
-from rpg.passes.schema.resolve.places.of_themselves import check_between, of_themselves
+from rpg.passes.schema.resolve.places.of_themselves import check_between, of_themselves, with_the_one_between
 from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
@@ -98,7 +98,7 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
         if other is not None:
             raise refuse("ambiguous", f"these could be parts of the {other.kind} or a tower of their own", loose[0][2],
                          f"say it in the sentence that builds the {other.kind}")  # fmt: skip
-        return _and(goal, _stack(loose, scene))
+        return _and(goal, _stack(loose, goal, scene))
     if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
         of_themselves(loose, goal)
         return _and(goal, _across(loose))
@@ -316,7 +316,7 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     return transform(goal, lambda x: fixed if x == node else x)
 
 
-def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
+def _stack(loose: list[Loose], goal: g.Goal, scene: Scene) -> g.Goal:
     """Bottom, middle and top of a tower that only its parts speak of."""
     level = {"bottom": 0, "middle": 1, "top": 2}
     if any(sum(getattr(at_, "side", "") == side for _, at_, _ in loose) > 1 for side in ("bottom", "top")):
@@ -324,7 +324,7 @@ def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
     _has_middle(loose, "top", "bottom")
     check_between(loose, scene)
     ranked = sorted(loose, key=lambda item: level[item[1].side if isinstance(item[1], At) else "middle"])
-    ranks = tuple(ref.names for ref, _, _ in ranked)
+    ranks = with_the_one_between(tuple(ref.names for ref, _, _ in ranked), loose, goal, scene)
     blocks = tuple(n for rank in ranks for n in rank)
     if len(blocks) < 2 or len(set(blocks)) != len(blocks):
         raise refuse("contradiction", "one block is given two places", loose[0][2])

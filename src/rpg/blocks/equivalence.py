@@ -12,7 +12,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import Asset, GoalPatch
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.order import Order
-from rpg.ir.relations import Apart, Clear, Closer, On
+from rpg.ir.relations import Apart, Clear, Closer, On, Swapped, TookPlace
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import instances, rename, transform
@@ -74,6 +74,8 @@ def _normal(node: g.Goal) -> g.Goal:
             return node.model_copy(update={"order": node.order.model_copy(update={"descending": False})})
         case Apart():
             return _pairwise_apart(node)
+        case Swapped():
+            return g.All(goals=(_took(node.a, node.b, node), _took(node.b, node.a, node)))
         case Closer():
             return _one_by_one(node)
     if node.kind in EACH_FOR_ITSELF:
@@ -81,6 +83,11 @@ def _normal(node: g.Goal) -> g.Goal:
         if not isinstance(operand, Lowest | Highest) and len(operand) > 1:
             return g.All(goals=tuple(node.model_copy(update={"a": (name,)}) for name in operand))
     return node
+
+
+def _took(a: tuple[str, ...], b: tuple[str, ...], swapped: Swapped) -> g.Goal:
+    """Half of an exchange: these are where the others were."""
+    return TookPlace(a=a, b=b, tolerance=swapped.tolerance, span=swapped.span)
 
 
 def _pairwise_apart(node: Apart) -> g.Goal:

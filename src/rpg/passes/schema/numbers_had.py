@@ -13,7 +13,7 @@ from pydantic import BaseModel
 from rpg.ir.assets import EDGE, FACES, Asset, SemanticCube
 from rpg.ir.goal import All, Not
 from rpg.ir.node import members
-from rpg.ir.relations import Clear, Ranged, Shifted, Swapped
+from rpg.ir.relations import Clear, On, Ranged, Shifted, Swapped
 from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Staircase
 from rpg.ir.walk import atoms, names
@@ -76,6 +76,7 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     if task.assumed(EXCHANGED_LATER):
         yield 2  # of what was built before
     colors = {asset.name: asset.color for asset in task.assets}
+    yield _piles(task)
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()
     yield sum(isinstance(atom, Spells) for atom in atoms(task.goal))  # "two words, CAT and DOG"
@@ -105,6 +106,14 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
             yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)
         if isinstance(atom, Pyramid) and min(atom.base) > 1:
             yield from ((atom.base[0] - n) * (atom.base[1] - n) for n in range(min(atom.base)))  # "nine, four, one"
+
+
+def _piles(task: TaskSchema) -> int:
+    """How many towers there are at the start: "two towers, red on blue and green on white"."""
+    begun = [part for part in task.init.arranged if isinstance(part, On)]
+    above = {name for part in begun for name in members(part.a)}
+    below = {name for part in begun for name in members(part.b)}
+    return len(below - above) + sum(isinstance(part, Stack) for part in task.init.arranged)
 
 
 def _how_large(figure: Figure, edge: float) -> Iterator[float]:

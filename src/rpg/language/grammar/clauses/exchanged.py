@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.structures.structures import structure
 from rpg.language.grammar.things.in_line import OF_LINE
-from rpg.language.meaning import Clause, Coord, Meaning, Noun, Structure, Traits
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Structure, Traits, replace
 
 _SECOND = {"top": "top", "upper": "top", "bottom": "bottom", "lower": "bottom", "last": "last", "left": "left",
            "leftmost": "left", "right": "right", "rightmost": "right"}  # fmt: skip
@@ -32,7 +33,15 @@ def exchanged(p: Parser, i: int, j: int) -> Results[Clause]:
             both = Coord(op="and", items=items, span=p.span(j, end))
             for found, last in adjuncts(p, end):
                 span, word = p.span(i, last), p.span(i, i + 1)
-                yield Clause(verb="swap", lemma="swap", theme=both, adjuncts=found, span=span, word=word), last
+                told = Clause(verb="swap", lemma="swap", theme=both, adjuncts=found, span=span, word=word)
+                yield told, last
+                if ranks[0] in _UPRIGHT and whole is None:
+                    yield replace(told, theme=_of_each(ranks[0], p.span(j, end)), cost=1), last
+
+
+def _of_each(rank: str, span: Span) -> Noun:
+    """ "The two upper ones" of two towers: one of each."""
+    return Noun(head="block", det="the", amount=Amount(2, 2), plural=True, traits=Traits(rank=rank), span=span)
 
 
 def _two(p: Parser, j: int) -> Results[tuple[str, ...]]:

@@ -102,11 +102,14 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         if phrase == ", letters on top" and not _TOWERS.isdisjoint(p.words):
             continue
         of_a_patch = phrase.startswith("where") and not lexicon.PATCH.keys().isdisjoint(p.words[:i])
-        yield Manner(kind=kind, value=value, span=p.span(i, j), cost=2 * of_a_patch), j  # "on the patch where it is"
+        placed = of_a_patch or (phrase == "there" and p.follows(i, _PUT))  # "on the patch where it is"
+        yield Manner(kind=kind, value=value, span=p.span(i, j), cost=2 * placed), j
         if kind == "extra":  # "lying around which are not needed"
             yield from ((Manner(kind=kind, value="around", span=p.span(i, k)), k) for k in said_idle(p, j))
 
 
+_PUT = ("them", "up", "all", "three", "it", "two", "four", "five", "six")
+"""Behind these "there" is a place: "stack them there"."""
 _CLAUSE_ENDS = frozenset({",", ";", "and", "but", "while", "when", "as", "at", "throughout", "until"})
 """Only with these behind it "still" says that nothing moves: "still on the mat" is where something else is, too."""
 _NO_MORE_OF = frozenset({"exactly", "precisely"})
@@ -229,19 +232,8 @@ def _rising(p: Parser, i: int, j: int) -> Results[Meaning]:
         yield Manner(kind="rising", value=p.words[j], span=p.span(i, j + 1)), p.reach(j + 1)
 
 
-_EVENTS = (
-    "episode",
-    "task",
-    "run",
-    "game",
-    "process",
-    "procedure",
-    "exercise",
-    "operation",
-    "trial",
-    "simulation",
-    "test",
-)
+_EVENTS = ("episode", "task", "run", "game", "process", "procedure", "exercise", "operation", "trial", "simulation",
+           "test")  # fmt: skip
 _TOWERS = frozenset({"tower", "towers", "stack", "stacks", "stacked", "pile", "piled"})
 """Beside these "letters on top" tells of blocks, and not of the faces that are seen."""
 _LITTLE: dict[str, tuple[str, float | str | None]] = {

@@ -6,7 +6,7 @@ from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.its_place import IN_ITS_PLACE
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, Using
+from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, TableTop, Using
 
 _REPLACE = ("replace", "substitute", "swap out", "switch out")
 _TRADE = ("exchange", "swap", "switch", "trade", "change")
@@ -95,10 +95,15 @@ def _of_the_new(p: Parser, i: int) -> Results[Clause]:
             yield from _clause(p, i, end, old, new, p.span(j, of))
 
 
+def _on_table(place: Loc) -> bool:
+    """ "With a blue one that is on the table": where what is put in its place comes from."""
+    return place.rel == "on" and isinstance(place.landmark, TableTop) and not place.negated
+
+
 def _clause(p: Parser, i: int, end: int, old: Meaning, new: Meaning, word: Span) -> Results[Clause]:
     if end < p.end and p.words[end] not in _ENDS:
         return
-    placed = isinstance(new, Noun) and any(isinstance(c, Loc) for c in new.conditions)
+    placed = isinstance(new, Noun) and any(isinstance(c, Loc) and not _on_table(c) for c in new.conditions)
     if isinstance(old, Noun | Pronoun) and isinstance(new, Noun) and not placed:
         using = Using(members=new, lead="with", span=new.span)
         yield Clause(verb="replace", lemma="replace", theme=old, adjuncts=(using,), mode="command",

@@ -139,6 +139,10 @@ def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
         starts.append(((), p.reach(i + 1)))
     for mods, j in starts:
         for phrase, k in p.standing(j, _SIMPLE):
+            mutual = mods == ("directly",) and p.stands(k, ("each", "one"))
+            if _SIMPLE[phrase] == "beside" and (mods == ("immediate",) or mutual):
+                yield ("adjacent", ()), k
+                continue
             loose = mods if not phrase.endswith("than") or phrase == "nearer than" else (*mods, "somewhere")
             loose = (*mods, "besides") if phrase == "apart from" else loose
             yield (_SIMPLE[phrase], loose if _SIMPLE[phrase] in _LOOSE_TOO or phrase.endswith("than") else mods), k

@@ -131,7 +131,7 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
     if side := p.peek(j, _HALVES):
         word = p.words[j]
         k = p.opt(p.reach(j + 1), "hand", "most")
-        if e := p.one(k, "half"):
+        if e := p.one(k, "half") or (p.one(k, "one") if "half" in p.words[:k] else 0):
             found.append((f"{side}_half", e, True))
         if e := p.one(k, "side"):
             again = word in _NEAR | _FAR and not p.all.isdisjoint(_TABLE) and not p.stands(e, ("of",))

@@ -6,6 +6,8 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
+from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.contrasted import CONTRASTED
@@ -58,6 +60,8 @@ _OF_ALL = (
     *LOTS_AT_ONCE,
     *BESIDES_AT_ONCE,
     *PATCHES_AT_ONCE,
+    *BEGUN_AT_ONCE,
+    *BECOME_AT_ONCE,
     *IN_STEPS,
     *COUNTED,
     *SHARED_OUT,
@@ -93,6 +97,8 @@ _OF_THE_UNREAD = (
     *ROUNDABOUT,
     *CONTRASTED,
     *BEFORE_IT,
+    *BEGUN,
+    *BECOME,
     *OTHERWISE,
     *EVERYDAY,
     *REWORDED,

@@ -8,13 +8,14 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.rows.formal import formal
 from rpg.language.grammar.talk.in_other_words import IN_OTHER_WORDS
+from rpg.language.grammar.talk.in_the_end import IN_THE_END
 from rpg.language.grammar.talk.quantities import QUANTITIES
 from rpg.language.phrases import tree_of
 from rpg.language.tokens import Token
 
 _MESSY = (
     "messy", "mixed", "random", "untidy", "disordered", "disorderly", "jumbled", "unsorted", "chaotic", "mixed up",
-    "loose", "wild", "confused", "scrambled", "unordered",
+    "loose", "wild", "confused", "scrambled", "unordered", "settled",
 )  # fmt: skip
 _TOGETHER = ("mixed up", "jumbled up", "mixed", "jumbled", "thrown together", "lumped together", "mixed together",
              "thrown", "heaped up", "heaped", "piled up", "piled", "dumped")  # fmt: skip
@@ -45,7 +46,7 @@ _PHRASES = {
        for top in ("floor", "top", "surface")},
     "seen from left to right": "from left to right", "capped by": "topped by", "capped with": "topped with",
     **{f"{heap} made of": f"{heap} of" for heap in ("heap", "pile")}, "in such a way that": "so that",
-    **QUANTITIES,
+    **QUANTITIES, **IN_THE_END,
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
     **{f"upright {to} {who}": "upright" for to in ("for", "to") for who in ("the viewer", "the camera", "me")},
@@ -119,7 +120,6 @@ _PHRASES = {
        for crept in ("crept", "slipped", "sneaked", "strayed", "wandered")},
     "square frame": "square outline", "rectangular frame": "rectangle outline",
     "but not both of them": "but not both", "not both of them": "not both", "and not both of them": "but not both",
-    "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
 }  # fmt: skip
 """What people write, and what it is read as."""
 

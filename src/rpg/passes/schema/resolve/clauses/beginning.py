@@ -69,7 +69,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     chains = lifted(instead_of(chains), text)
     chains = worded_first(lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
-    chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))
+    chains = tuple(all_begun(chain, len(chains) == 1) for chain in (now, *map(_there_too, chains[1:])))
     if (picture := _pictured(chains, text)) is not None:
         return picture
     chains = before_orders(staying(chains, text), text)
@@ -158,7 +158,7 @@ def _of_its_end(chains: tuple[Chain, ...], n: int, text: str) -> bool:
         return False
     before = text[chains[n - 1].span[1] if n else 0 : begun]
     after = text[ended : chains[n + 1].span[0] if n + 1 < len(chains) else len(text)]
-    own = re.split(r"[.;!?]", before)[-1] + text[begun:ended] + re.split(r"[.;!?]", after)[0]
+    own = re.split(r"[.;!?]", before)[-1] + text[begun:ended] + re.split(r"[.;!?:,]|\s[-–—]\s", after)[0]
     return bool(_END.search(own))
 
 

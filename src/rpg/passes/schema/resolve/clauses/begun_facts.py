@@ -28,25 +28,26 @@ def cleared_of(chains: tuple[Chain, ...], links: Sequence[str] | None = None) ->
     """ "Clear the mat. A red cube is on it.": the fact behind tells what it is cleared of, which is there at first.
 
     `links`: those of the sentences, where a fact must name the very patch, "a red cube is on the mat", in a sentence of
-    its own, and not follow in time.
+    its own, and not follow in time. "The mat is empty and a red cube is on it" tells of both in one way.
     """
     found, emptied = [], False
     patches: list[Traits] = []
     for n, chain in enumerate(chains):
         clauses: list[Meaning] = []
         before = emptied
+        so = False
         for link, said in zip(chain.links, chain.clauses, strict=True):
             if not emptied:
                 clauses.append(said)
                 if _empties(said):
-                    emptied, patches = True, _marks(said)
+                    emptied, patches, so = True, _marks(said), isinstance(said, Clause) and said.mode == "goal"
                 continue
             fact = isinstance(said, Clause) and said.lemma == "fact" and said.mode == "goal" and not said.negated
             on = isinstance(said, Clause) and bool(said.adjuncts) and all(map(_on_it, said.adjuncts))
             marks = _marks(said)
             named = link != "then" and bool(marks) and all(x in patches for x in marks)
             on = on and (links is None or (named and before and links[n] != "then"))
-            begun_ = fact and on and isinstance(said, Clause)
+            begun_ = fact and on and not so
             clauses.append(replace(said, mode="start") if begun_ and isinstance(said, Clause) else said)
             patches += _marks(said) if _empties(said) else []
         found.append(replace(chain, clauses=tuple(clauses)) if emptied else chain)
@@ -104,10 +105,17 @@ def _empties(said: Meaning) -> bool:
     return bare or off or none or said.verb == "remove"
 
 
-def all_begun(chain: Chain) -> Chain:
-    """ "Red is on the mat and blue on the patch at the start": what ends the sentence is said of both facts."""
-    clauses = [c for c in chain.clauses if isinstance(c, Clause) and c.lemma == "fact" and c.mode == "goal"]
-    if len(clauses) < len(chain.clauses) or len(clauses) < 2 or {*chain.links} != {"and"}:
+def all_begun(chain: Chain, alone: bool = False) -> Chain:
+    """ "Red is on the mat and blue on the patch at the start": what ends the sentence is said of both facts; so is
+    "blue starts on the patch", where the sentence is not `alone`."""
+    told = [c for c in chain.clauses if isinstance(c, Clause)]
+    clauses = [c for c in told if c.lemma == "fact" and c.mode == "goal"]
+    begun = sum(c.mode == "start" for c in told)
+    if len(clauses) + begun < len(chain.clauses) or len(told) < 2 or {*chain.links} != {"and"}:
+        return chain
+    if begun and clauses and not alone and not any(c.negated for c in clauses):
+        return replace(chain, clauses=tuple(replace(c, mode="start") for c in told))
+    if begun:
         return chain
     times = [[a.kind for a in c.adjuncts if isinstance(a, Manner) and a.kind in _TIMES] for c in clauses]
     if any(times[:-1]) or "start" not in times[-1]:

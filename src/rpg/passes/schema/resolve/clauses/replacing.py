@@ -60,7 +60,7 @@ def _in_its_place(start: g.Goal, old: str, new: str, scene: Scene, span: Span) -
         raise refuse("ambiguous", "another symbol in it makes it another equation", span, "write it as it should be")
     if isinstance(start, r.OnPatch) and start.a == (old,):
         gone = [g.Not(goal=start.model_copy(update={"span": span}), span=span)]
-    if isinstance(start, r.On) and start.a == (old,):
+    if isinstance(start, r.On | r.Above) and (old,) in (start.a, start.b):
         gone = [g.Not(goal=r.Above(a=start.a, b=start.b, span=span), span=span)]
     return [told, *gone]
 

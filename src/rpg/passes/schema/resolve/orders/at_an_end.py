@@ -10,6 +10,7 @@ from rpg.passes.schema.resolve.orders.reordered import begun_in_order
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
 _ENDS = frozenset({"top", "bottom", "left", "right", "front", "back", "1", "last"})
+_UPRIGHT = frozenset({"top", "bottom"})
 One = Callable[[Noun], Ref]
 
 
@@ -22,7 +23,9 @@ def several_at_an_end(noun: Noun, wholes: Sequence[Built], scene: Scene, one: On
         return None
     if many is None and noun.det == "bare":
         return None  # "the top and bottom blocks"
-    if many is None and len(wholes) > 1:
+    swapped = scene.verbs.get(scene.clause, (None, False, ""))[2] == "swap"  # "swap the two upper ones"
+    paired = many is not None and (many.low, many.high) == (len(wholes), len(wholes)) and rank in _UPRIGHT
+    if len(wholes) > 1 and (many is None or (paired and swapped)):
         return _of_each(noun, wholes, scene, one)
     if many is None or many.low != many.high:
         raise refuse("ambiguous", "it is not said how many these are, or of which structures", noun.span,

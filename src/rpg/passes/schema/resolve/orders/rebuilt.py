@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 
 from rpg.ir import relations as r
+from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Absolute, At, Chain, Clause, Into, Manner, Meaning, Pronoun, Structure, That
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
@@ -25,8 +26,28 @@ def once_more(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals |
     note_what_is_kept(spec, scene, clause.span)
     if (left := out_of_its_line(clause, spec, scene, scope)) is not None:
         return left
-    turned = _the_other_way(clause, spec, scene, scope)
-    return turned if turned is not None else _rebuilt(clause, spec, scene, scope)
+    for way in (_the_other_way, _rebuilt, _as_it_was):
+        if (goals := way(clause, spec, scene, scope)) is not None:
+            return goals
+    return None
+
+
+def _as_it_was(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """ "Take it apart, then rebuild it": as it was at the start, where nothing else is told of it."""
+    theme = clause.theme
+    the = isinstance(theme, Structure) and theme.det == "the" and theme.members is None and not theme.details
+    if clause.lemma != "rebuild" or clause.negated or scope.start or theme is None:
+        return None
+    otherwise = (spec.intos, spec.places, spec.orders, spec.toward, spec.ats, spec.absolutes, spec.thats, spec.usings,
+                 spec.patterns)  # fmt: skip
+    if any(otherwise) or not (the or (isinstance(theme, Pronoun) and theme.word == "it")):
+        return None
+    known = refer(theme, scene, scope)
+    lines = [x for x in scene.start_goals if isinstance(x, Row | Stack) and {*x.blocks} == {*known.names}]
+    if len(lines) != 1:
+        scene.mentions.pop()
+        return None
+    return [lines[0].model_copy(update={"span": clause.span})]
 
 
 def _the_other_way(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:

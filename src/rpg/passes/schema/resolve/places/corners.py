@@ -8,12 +8,13 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH, Operand
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, In, Meaning, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.places.patches import indefinite, one_lot_each
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.things import alike
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
 WITHOUT_CORNERS = ("stack", "towers", "row", "line", "column", "word", "equation", "pile", "group")
 """Structures that no corner is told of."""
@@ -137,11 +138,32 @@ def _in_a_corner(theme: Ref, scene: Scene) -> tuple[str, ...] | None:
 _OPPOSITE = _PAIRS["opposite_halves"]
 
 
-def the_other_half(scene: Scene, span: Span) -> str:
+def _the_other_half(scene: Scene, span: Span) -> str:
     """ "red in the left half and blue in the other half": opposite the half that was spoken of last."""
     if scene.region not in _OPPOSITE:
         raise refuse("no-referent", "it is not said which half the other one is", span, "say 'the left half'")
     return _OPPOSITE[scene.region]
+
+
+def from_their_halves(theme: Ref, place: In, scene: Scene, scope: Scope) -> list[tuple[Ref, In]]:
+    """ "Red begins in the left half, blue in the right half. At the end each is in the other half": opposite the half
+    that each of them begins in, if it is known of them all; where it is known of none, opposite the one spoken of."""
+    begun = [goal for goal in scene.start_goals if isinstance(goal, r.InRegion) and goal.region in _OPPOSITE]
+    half = {name: goal.region for goal in begun for name in names_in(goal)}
+    own = {half.get(name) for name in theme.names}
+    if own == {None} or theme.quant is not None or theme.op != "and" or scope.start:
+        return [(theme, replace(place, region=_the_other_half(scene, place.span)))]
+    if None in own:
+        raise refuse("ambiguous", "it is not said of all of these in which half they begin", place.span,
+                     "say 'the left half' of each")  # fmt: skip
+    if len(own) == 1 and scene.region in _OPPOSITE and {scene.region} != own:
+        raise refuse("ambiguous", "the other one of the two that it begins in, or of the half spoken of last?",
+                     place.span, "say 'the left half'")  # fmt: skip
+    return [
+        (replace(theme, names=names), replace(place, region=_OPPOSITE[region]))
+        for region in sorted(x for x in own if x is not None)
+        if (names := tuple(name for name in theme.names if half[name] == region))
+    ]
 
 
 def of_something_else(theme: Ref, place: In, scene: Scene) -> bool:

@@ -8,6 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Clause, Loc, Pronoun
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.places.shifted import RELS, shifted, told_shift
@@ -65,7 +66,22 @@ def off_what(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
     while below is not None and below not in under:
         under.append(below)
         below = scene.on_top.get(below)
-    return Ref(names=tuple(under), plural=len(under) > 1, span=loc.span) if under else None
+    if under:
+        return Ref(names=tuple(under), plural=len(under) > 1, span=loc.span)
+    return _off_its_patch(theme, loc, scene)
+
+
+def _off_its_patch(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
+    """The patch that it begins on, where it was put on no other since and more than one was spoken of."""
+    starts = [goal for goal in scene.start_goals if isinstance(goal, r.OnPatch)]
+    on = {name: goal.patch for goal in starts for name in names_in(goal) if isinstance(goal.patch, str)}
+    begun = {on.get(name) for name in theme.names}
+    patch = next(iter(begun)) if len(begun) == 1 else None
+    clauses = {m.clause for m in scene.mentions if m.role == "theme" and {*theme.names} & {*m.ref.names}}
+    lain = [m.ref.names for m in scene.mentions if m.ref.patch and m.clause in clauses]
+    if patch is None or not lain or lain[-1] != (patch,):
+        return None
+    return Ref(names=(patch,), patch=True, span=loc.span)
 
 
 def put_there(upper: str, below: str, scene: Scene) -> bool:

@@ -18,7 +18,7 @@ from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.compared import compared as compared_far
-from rpg.passes.schema.resolve.places.corners import corners, in_region, of_something_else, the_other_half
+from rpg.passes.schema.resolve.places.corners import corners, from_their_halves, in_region, of_something_else
 from rpg.passes.schema.resolve.places.flanks import flanked
 from rpg.passes.schema.resolve.places.moved import off_what, put_there, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
@@ -87,7 +87,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",
                          meaning.span, "say 'of the table', or name the structure's blocks")  # fmt: skip
         case In(region="other_half"):
-            return place(theme, replace(meaning, region=the_other_half(scene, meaning.span)), scene, scope, span)
+            others = from_their_halves(theme, meaning, scene, scope)
+            return [x for one, half in others for x in place(one, half, scene, scope, span)]
         case In():
             scene.region, scene.region_at = meaning.region, meaning.span[0]
             scene.regions[scene.clause] = meaning.region

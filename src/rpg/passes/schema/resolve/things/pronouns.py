@@ -190,7 +190,7 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
 
 def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     """ "Put a green block there": on the patch that was spoken of last, if no other place was spoken of since. "Take it
-    off": from the block that it was said to be on."""
+    off", "it must no longer be there": the block that it was said to be on."""
     told = [m for m in scene.mentions if m.ref.names and m.ref.span < word.span]  # commands are read before what was so
     told = [m for m in told if m.ref.patch or (m.role == "landmark" and m.word != "there")]
     last = [m for m in told if told and m.clause == told[-1].clause]
@@ -199,7 +199,8 @@ def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     below = {m.ref.names for m in last if m.rel in under and len(m.ref.names) == 1 and not m.ref.built}
     taken = any(m.rel == "off" and m.sentence == scene.sentence for m in scene.mentions)  # "... and put blue there"
     alone = not patches and len(below) == 1 == len({m.ref.names for m in last})
-    if alone and (scope.rel == "off" or (scope.rel == "on" and taken)):
+    kept = scene.verbs.get(scene.clause, (None, False, ""))[2] == "keep"
+    if alone and (scope.rel in ("off", "not on") or (scope.rel == "on" and (taken or kept))):
         return Ref(names=next(iter(below)), span=word.span)
     if len(patches) != 1 or len(patches) < len({m.ref.names for m in last}) or any(len(x) > 1 for x in patches):
         raise refuse("no-referent", "it is not clear where 'there' is", word.span, "name the place")

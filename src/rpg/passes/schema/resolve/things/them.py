@@ -5,6 +5,9 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING, NoReturn
 
+from rpg.ir.relations import On
+from rpg.ir.structures import Stack
+from rpg.ir.walk import names as names_in
 from rpg.language.later import later
 from rpg.language.meaning import Meaning, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
@@ -66,7 +69,9 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == "all of them":
         last = [n for m in scene.mentions if m not in own for n in m.ref.names if not m.ref.patch]
         return Ref(names=tuple(dict.fromkeys(last)), plural=True) if last else _nobody(word)
-    if len(set(last)) == 2:
+    if len(set(last)) == 2 and (piles := _both_piles(word, scene)):
+        last = list(piles)
+    elif len(set(last)) == 2:
         _no_pairs(word, set(last), scene)
     if last:
         _not_alone(word, last)
@@ -197,6 +202,15 @@ def _no_later_ones(word: Pronoun, last: Mention, own: list[Mention], scene: Scen
     if any(len(names) > 1 and not names & set(last.ref.names) for names in several.values()):
         raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
                      "name the blocks that you mean")  # fmt: skip
+
+
+def _both_piles(word: Pronoun, scene: Scene) -> tuple[str, ...]:
+    """ "Red is on blue and green is on white. Unstack both": all that stands on something else, in two piles."""
+    if word.word not in ("both", "both of them") or scene.verbs.get(scene.clause, (None, False, ""))[2] != "unstack":
+        return ()
+    piles = [{*names_in(goal)} for goal in scene.start_goals if isinstance(goal, On | Stack)]
+    apart = len(piles) == 2 and piles[0].isdisjoint(piles[1])
+    return tuple(name for name in scene.things if name in piles[0] | piles[1]) if apart else ()
 
 
 def _no_pairs(word: Pronoun, last: set[str], scene: Scene) -> None:

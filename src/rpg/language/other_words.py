@@ -15,7 +15,8 @@ _TEXT = """
     confession confusing connect connection connections conquer conquest consent consistent constant consult consulting
     consumed consumer continent continuing contour contracted contracts contrary convicted conviction convince cook cop
     core correlation correspondent corrupt corruption cos costa county courage crashes crate crates cream creators
-    creature creatures credited crowded cure curse curtain cut cuts cutting cycling dancing darker dawn dealt deciding
+    creature creatures credited crowded cure curse curtain cut cuts cutting cycling dancing dangling darker dawn dealt
+    deciding
     decisive deck declaration decline declined decorative dedicated dedication defects defended defending deficit
     definitive del deleted delicate demanding demons demonstrating den density departed dependent depressing descent
     deserved designation destined destruction detached detection dies difficulty digging dioxide directory dismissed

@@ -20,7 +20,6 @@ from rpg.language.grammar.talk.asides import SOFT
 from rpg.language.grammar.talk.chatter import announces, idle
 from rpg.language.grammar.talk.commands import AFTER_THAT, WHEN_OVER
 from rpg.language.grammar.talk.legible import legible
-from rpg.language.grammar.talk.smalltalk import without_talk
 from rpg.language.grammar.things.lists import with_commas
 from rpg.language.meaning import Chain, Clause, cost_of
 from rpg.language.numbered import as_steps
@@ -224,8 +223,7 @@ def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
 def _read(tokens: list[Token]) -> Parts:
     """A sentence; where it makes no sense as one, the two that it is made of.
 
-    One that makes none is looked at without the talk around it, and if there is none again with nothing spared, for a
-    diagnostic to say how far it was understood.
+    One that makes none is looked at again with nothing spared, for a diagnostic to say how far it was understood.
     """
     found = _parts(tokens)
     if not isinstance(found, Refusal):
@@ -235,8 +233,6 @@ def _read(tokens: list[Token]) -> Parts:
     plain = [_parts(part) for part in plainly(tokens)]
     if plain and not any(isinstance(parts, Refusal) for parts in plain):
         return [part for parts in plain if not isinstance(parts, Refusal) for part in parts]
-    if (rest := without_talk(tokens)) is not None:
-        return _read(rest) if rest else []
     return [(tokens, read_sentence(tokens, thorough=True))]
 
 

@@ -6,15 +6,19 @@ nothing. Both are left out, with a note; where a comparison may be all that tell
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
+from itertools import pairwise, takewhile
 
-from rpg.core.diagnostics import Diagnostic
 from rpg.language import lexicon
+from rpg.language.harmless import ANIMALS, OCCASIONS, PEOPLE, THINGS
+from rpg.language.idle_talk import idle, idle_at_an_end, reason_at
 from rpg.language.phrases import length_at
+from rpg.language.spelling import vocabulary
 from rpg.language.tokens import Token
 
 _ENDS = frozenset({".", "!", "?", ";", "…"})
-_BREAKS = _ENDS | {",", ":", "(", ")", "-"}
+_MARKS = frozenset({",", ":", "-"})
+_BREAKS = _ENDS | _MARKS | {"(", ")"}
 _LIKE = (("like",), ("just", "like"), ("a", "bit", "like"), ("sort", "of", "like"), ("kind", "of", "like"),
          ("as", "in"), ("as", "on"), ("as", "if"), ("as", "though"), ("looking", "like"),
          ("similar", "to"), ("resembling",),
@@ -33,31 +37,98 @@ _TELLING: tuple[Collection[str], ...] = (
     }),
 )  # fmt: skip
 """What tells of the task, wherever it stands."""
-_OF_THE_REST = frozenset({
-    "it", "they", "them", "this", "that", "these", "those", "its", "their", "others", "other", "rest", "same", "all",
-    "both", "everything", "one", "ones", "must", "should", "shall", "on", "onto", "under", "above", "below", "beside",
-    "next", "between", "near", "in", "at", "until", "unless", "if",
-})  # fmt: skip
-"""What may speak of blocks that were told of before, in a sentence of its own."""
-_ASKING = frozenset(
-    word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms)
-) - {"let", "show"}  # fmt: skip
+_ASKING = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
+_CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", "for", "before", "after", "when",
+                         "whenever", "if", "by", "today", "tonight", "now", "right", "immediately", "at", "this",
+                         "soon", "asap", "real", "quickly", "in", "just", "straight", "pretty", "please",
+                         "once"})  # fmt: skip
+"""What a reason or a time of the day begins with that nothing parts from the task in front of it."""
+_PLEASE = frozenset({"please", "just", "now", "then", "could", "can", "kindly"})
+_WISHED = frozenset({"need", "want", "would", "wish"})
+"""Who wishes it is told in front of an "and": "we are making a video and need a row"."""
+_BINDING = frozenset({"not", "no", "never", "only", "except", "nor", "or", "and", "but", "just", "even", "than", "as",
+                      "is", "are", "be", "to", "if", "unless", "until", "without", "instead"})  # fmt: skip
+"""Behind these no reason is told, but which one it is, or is not."""
+_TAKES_BACK = frozenset({"sorry", "oops", "pardon", "well", "oh", "actually", "hm", "hmm", "um", "uh", "er", "erm",
+                         "ah", "okay", "ok", "indeed", "really", "surely"})  # fmt: skip
+"""What is said behind these may be put in the place of what was said before."""
+_MOST = 400
+"""In longer texts nothing is looked for."""
 
 
-def without_remarks(tokens: list[Token], unknown: Sequence[Diagnostic]) -> tuple[list[Token], list[str]] | None:
-    """The tokens without such remarks and notes of them; None where an unknown word stands elsewhere."""
-    strange = {one.span for one in unknown}
+def without_remarks(tokens: list[Token]) -> tuple[list[Token], list[str]] | None:
+    """The tokens without what asks for nothing, and notes of it; None where there is no such thing, or nothing else."""
     gone: set[int] = set()
     notes: list[str] = []
-    for begin, end in (*_comparisons(tokens), *_in_brackets(tokens), *_sentences(tokens)):
-        if gone.isdisjoint(range(begin, end)) and any(token.span in strange for token in tokens[begin:end]):
+    found = (*_comparisons(tokens), *_in_brackets(tokens), *_said_around(tokens)) if len(tokens) <= _MOST else ()
+    for begin, end in found:
+        if gone.isdisjoint(range(begin, end)):
             told = [t for t in tokens[begin:end] if t.word not in _BREAKS]
-            notes.append(f"left out, for it asks for nothing: '{' '.join(t.raw for t in told)}'")
+            raws = " ".join({t.span: t.raw for t in told}.values())
+            notes.append(f"left out, for it asks for nothing: '{raws}'")
             gone.update(range(begin, end))
-    rest = [token for n, token in enumerate(tokens) if n not in gone]
-    if any(token.span in strange for token in rest) or not any(map(_tells, rest)):
-        return None
-    return _closed(rest), notes
+    rest = _closed([token for n, token in enumerate(tokens) if n not in gone])
+    while rest and rest[-1].word == "…":
+        rest.pop()
+    return (rest, notes) if gone and any(_tells(t) or t.word in _ASKING for t in rest) else None
+
+
+def _said_around(tokens: list[Token]) -> Iterator[tuple[int, int]]:
+    """Where idle talk stands: in sentences of its own, set off in front of a task, behind it or within it, and
+    behind it where nothing sets it off."""
+    begin = 0
+    for end in [*(n for n, token in enumerate(tokens) if token.word in _ENDS), len(tokens)]:
+        if end > begin:
+            yield from _in_sentence(tokens, begin, end, min(end + 1, len(tokens)))
+        begin = end + 1
+
+
+def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterator[tuple[int, int]]:
+    said = list(takewhile(lambda token: token.word not in _MARKS, tokens[begin:end]))
+    if begin and all(token.word in _TAKES_BACK for token in said):
+        return
+    marks = [n for n in range(begin, end) if tokens[n].word in _MARKS]
+    parts = [tokens[one + 1 : other] for one, other in pairwise([begin - 1, *marks, end]) if other > one + 1]
+    if idle_at_an_end(tokens[begin:end]) or all(idle_at_an_end(part) for part in parts):
+        yield begin, stop
+        return
+    first, last = begin, end
+    for mark in reversed(marks):
+        if idle_at_an_end(tokens[begin:mark]):
+            first = mark + 1 + (tokens[mark + 1].word in ("but", "and", "so"))
+            yield begin, first
+            break
+    if ahead := _ahead(tokens, first, end):
+        yield ahead
+        first = ahead[1]
+    for mark in marks:
+        if mark > first and idle_at_an_end(tokens[mark + 1 : end]):
+            yield mark, end
+            last = mark
+            break
+    for at in range(first + 2, last):
+        bound = tokens[at].word not in _CONNECTING or tokens[at - 1].word in _BINDING
+        if not bound and reason_at(tokens[:last], at):
+            yield at, last
+            last = at
+            break
+    for one, other in pairwise(mark for mark in marks if first <= mark < last):
+        if tokens[one + 1].word not in _TAKES_BACK and idle(tokens[one + 1 : other]):
+            yield one, other + (tokens[other + 1].word not in ("and", "then", "but"))
+
+
+def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
+    """ "I am in a hurry so put ...", "today put ...": talk that nothing sets off; "we" stays in front of "and need"."""
+    for at in range(begin + 1, end - 2):
+        if tokens[at].word in _MARKS:
+            return None
+        wished = tokens[at + 1].word in _WISHED and tokens[begin].word in ("i", "we")
+        joined = tokens[at].word in ("and", "but") and (wished or tokens[at + 1].word in _ASKING | _PLEASE)
+        if (joined or tokens[at].word == "so") and idle_at_an_end(tokens[begin:at]):
+            return begin + (joined and wished), at + 1
+        if tokens[at].word in _ASKING and at < begin + 3 and idle_at_an_end(tokens[begin:at]):
+            return begin, at
+    return None
 
 
 def _comparisons(tokens: list[Token]) -> Iterator[tuple[int, int]]:
@@ -69,12 +140,21 @@ def _comparisons(tokens: list[Token]) -> Iterator[tuple[int, int]]:
     for at in range(len(words)):
         lead = length_at(words, at, _LIKE)
         end = _break(words, at)
-        if lead and end > at + lead and not any(map(_tells, tokens[at + lead : end])):
+        wished = at > 0 and words[at - 1] in _LIKING
+        if lead and not wished and end > at + lead and _compared(tokens[at + lead : end]):
             opened = at == 0 or words[at - 1] in _BREAKS
             set_off = at > 0 and words[at - 1] in (",", "-")
             yield at - set_off, end + (opened and not set_off and end < len(words))
 
 
+def _compared(tokens: list[Token]) -> bool:
+    """Whether this is nothing of which tasks are made, but something of daily life or that is not known."""
+    strange = any(t.word not in vocabulary() or t.word in PEOPLE | ANIMALS | OCCASIONS | THINGS for t in tokens)
+    return strange and not any(map(_tells, tokens))
+
+
+_LIKING = frozenset({"would", "i", "we", "you", "they", "do", "does", "not", "to", "and", "or"})
+"""Behind these "like" is what somebody does."""
 _STACKED = frozenset({"stack", "stacked", "stacking", "line", "lined"})
 
 
@@ -82,18 +162,8 @@ def _in_brackets(tokens: list[Token]) -> Iterator[tuple[int, int]]:
     """Where "(which always gets lost)" stands."""
     for at in (n for n, token in enumerate(tokens) if token.word == "("):
         end = next((n for n in range(at, len(tokens)) if tokens[n].word == ")"), at)
-        if end > at + 1 and not any(map(_tells, tokens[at + 1 : end])):
+        if end > at + 1 and idle_at_an_end(tokens[at + 1 : end]):
             yield at, end + 1
-
-
-def _sentences(tokens: list[Token]) -> Iterator[tuple[int, int]]:
-    """Where sentences stand in which nothing tells of the task."""
-    begin = 0
-    for end in [*(n for n, token in enumerate(tokens) if token.word in _ENDS), len(tokens)]:
-        said = tokens[begin:end]
-        if said and said[0].word not in _ASKING and not any(t.word in _OF_THE_REST or _tells(t) for t in said):
-            yield begin, min(end + 1, len(tokens))
-        begin = end + 1
 
 
 def _tells(token: Token) -> bool:

@@ -12,6 +12,7 @@ from types import CodeType, ModuleType
 from rpg.core.diagnostics import Diagnostic
 from rpg.language import grammar, lexicon
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.harmless import EVERYDAY
 from rpg.language.not_here import HINTS
 from rpg.language.other_words import OTHER_WORDS
 from rpg.language.roles import as_anyone
@@ -327,7 +328,7 @@ _MAKERS = _SPELLERS | _WRITERS | {"make", "form", "build", "create", "out"}
 """Before "the word" these ask for the word behind it."""
 
 
-_NO_SLIPS = OTHER_WORDS | HINTS.keys()
+_NO_SLIPS = OTHER_WORDS | HINTS.keys() | EVERYDAY
 """Words that are known to mean something else than what they look like."""
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from typing import Protocol
 
@@ -22,7 +22,7 @@ from rpg.language.nicknames import without_nicknames
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
 from rpg.language.titles import title, untitled
-from rpg.language.tokens import Token, tokenize
+from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
 from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
@@ -70,19 +70,46 @@ class BuiltinFrontEnd:
     def _read(
         self, text: str, name: str | None, seed: int, author: str | None, mended: list[str] | None = None
     ) -> Reading:
-        """`mended`: notes of the misspelt words that were mended in the text."""
+        """`mended`: notes of the misspelt words that were mended in the text.
+
+        A text that is not understood is read without the remarks in it, if that is.
+        """
         guard(text)
-        tokens, strays = formulas_told(*tokenize(text))
+        told = formulas_told(*tokenize(text))
+        try:
+            found = self._read_tokens(told, text, name, seed, author, mended)
+            refusal = None
+        except Refusal as raised:
+            found, refusal = (None, raised.diagnostics), raised
+        if found[0] is None and (plain := without_remarks(told[0])) is not None:
+            rest, remarks = plain
+            with suppress(Refusal):
+                task, notes = self._read_tokens((rest, told[1]), text, name, seed, author, mended, remarks)
+                if task is not None:
+                    return task, notes
+        if refusal is not None:
+            raise refusal
+        return found
+
+    def _read_tokens(
+        self,
+        written: tuple[list[Token], list[Stray]],
+        text: str,
+        name: str | None,
+        seed: int,
+        author: str | None,
+        mended: list[str] | None,
+        remarks: Sequence[str] = (),
+    ) -> Reading:
+        """`remarks`: notes of what was left out."""
+        tokens, strays = written
         if over := title(tokens):
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
-        tokens, named = untitled(tokens[over:]), list[str]()
+        tokens, named = untitled(tokens[over:]), [*remarks]
         for plainer in _PLAINER:
             tokens, said = plainer(tokens)
             named += said
         words, notes, wrong = read_words(tokens)
-        if wrong and (plain := without_remarks(words, wrong)) is not None:
-            (words, remarks), wrong = plain, []
-            named = [*named, *remarks]
         if wrong or strays:
             return None, explained(text, (*wrong, *(_stray(s.text, s.span) for s in strays)))
         if notes and mended is None:

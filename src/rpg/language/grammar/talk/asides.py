@@ -15,7 +15,7 @@ from rpg.language.grammar.talk.left_open import ANY_OF_THEM, FOREIGN, FREE, LOOS
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
-from rpg.language.grammar.talk.smalltalk import taste_told
+from rpg.language.grammar.talk.tastes import taste_told
 from rpg.language.grammar.things.all_but import exceptions_first
 from rpg.language.grammar.things.remainder import reckoned
 from rpg.language.tokens import Token

@@ -1,0 +1,252 @@
+"""Set phrases that ask for nothing and tell nothing of a task, where they are set off from the rest.
+
+Rows of slots as in `phrases`; each is the whole of what is said between two marks.
+"""
+
+from __future__ import annotations
+
+from rpg.language.grammar.talk.people import PEOPLE, RELATIONS
+from rpg.language.phrases import Classes, Rows
+
+_CLASSES = Classes({
+    "who": ("i|we|he|she|they|you|everybody|everyone|people", f"the|my|our|your little|dear? {PEOPLE}", RELATIONS,
+            "my|our|the guests|boss|dog|cat|bus|train|taxi|inspector|show|others"),
+    "is": ("is|are|am|was|were|be|will_be|'s|have|has|had|get|gets",),
+})  # fmt: skip
+_WHOLE = (
+    "and|okay|ok|but? i|we can|will|'ll|could just|happily? wait|not_wait",
+    "thank you|god|goodness|heavens so|very? much? in_advance|again|indeed?",
+    "and|but|so? that|this is all|it|that|everything for_now|for_today|folks|i_ask|we_ask|really|today|then|there_is?",
+    "and? that|this is the whole|entire|main|actual? job|task|goal|exercise|assignment|idea|plan|point|game",
+    "that will|would|should be|do all|it|the_job|nicely|for_now|for_today?",
+    "nothing fancy|special|complicated|to_add|to_say|to_worry_about|more_to_say|more_to_add please?",
+    "take your time|all_the_time_you_need|it_easy|care|a_deep_breath",
+    "take as long as you like|need|want",
+    "there is|'s? no|not_any need|reason|cause to? hurry|rush|worry|panic|for_panic?",
+    "no need|reason to hurry|rush|worry|panic|be_afraid",
+    "no hurry|rush|problem|problems|worries|stress|pressure|panic|trouble|offence|offense|joke|kidding|doubt|"
+    "wonder|idea|"
+    "big_deal|pun_intended|sweat|excuses|questions|questions_asked|arguments at_all|please|though|today|really|here?",
+    "i|we am|are not joking|kidding",
+    "this|that|it is not a joke|prank",
+    "do not worry|panic|laugh|ask|cry|hurry|rush|stress|despair|sweat|giggle|be_afraid|be_shy|be_angry|be_mad|"
+    "be_scared|"
+    "be_sad|be_cross|be_nervous|you_worry|mind_me|mind_the_mess|mind_the_noise|get_nervous|get_angry|thank_me|"
+    "ask_me_why|ask_why|judge_me please|about_it|me?",
+    "take it easy",
+    "never mind me|the_mess|the_noise",
+    "trust|believe|forgive|excuse|pardon|humor|thank|bless|help me|us|you please|here|later|for_that|for_asking|"
+    "for_bothering_you|for_being_picky|for_being_fussy|for_being_late?",
+    "excuse|forgive|pardon my|the|our english|french|mess|noise|handwriting|spelling|typos|language",
+    "have a|some fun|nice_day|good_day|lovely_day|great_day|nice_weekend|nice_evening|good_time|good_one|seat|heart",
+    "enjoy it|yourself|yourselves|the_day|the_weekend|your_day?",
+    "hurry up please|now?",
+    "wake|cheer|listen|hurry up",
+    "come on robot|now|please|then?",
+    "go go go|on|ahead|for_it",
+    "chop chop",
+    "here|there|off we|you|goes go|are|nothing then?",
+    "go for it",
+    "pay|attention attention please|now|everybody?",
+    "listen|concentrate|focus|relax|attention|quiet carefully|well|please|everybody|everyone|all|to_me|now?",
+    "watch out",
+    "look here|at_this please?",
+    "stay|keep calm|cool|tuned|focused",
+    "please? be patient|nice|kind|quick|good|careful|brave|honest|precise|exact|accurate with_me|with_us|"
+    "with_this_one|with_it|please|now|about_it|to_me?",
+    "bear|stay with me please|here?",
+    "careful|easy|steady now|does_it|please",
+    "listen carefully|up|closely|well",
+    "chin up",
+    "well|nicely|good|great|nice|bravely done|said|job|work|boy|girl|robot|luck|one|going everybody|everyone|team?",
+    "good luck with_it|with_that?",
+    "good morning|evening|afternoon|day|night|old_friend robot|everyone|everybody|all|my_friend|my_dear|dear|there|"
+    "dear_robot|team|class|children|kids?",
+    "hello|hi|hey|ahoy|howdy|greetings|yo|hiya my? dear|old|little? robot|friend|friends|everyone|everybody|all|there|"
+    "mate|team|class|to_all|from_the_lab|from_the_office|again|folks|world|you|to_you|to_you_all",
+    "ladies and gentlemen",
+    "sleep|stay|fare|keep|be|get well|tight|safe|good|warm|strong|soon",
+    "see|talk|speak|write you|to_you|ya soon|later|tomorrow|around|then|there|next_week|on_monday?",
+    "long time no see",
+    "long story short?",
+    "nice|good|great|lovely|pleased|glad to meet|see|know|have|hear_from you|you_again|you_here|you_around|you_all",
+    "how are|is you|things|life|everything|it_going today|doing|going|this_morning?",
+    "i|we? hope you are|slept|feel|had|have well|fine|okay|good|better|a_good_day|a_nice_day|a_good_night|a_good_time "
+    "today|too?",
+    "what is|'s? up|new|the_matter today?",
+    "guess what",
+    "you know what|why",
+    "can|could|may|might i ask|bother|trouble|interrupt you something|for_a_moment|for_a_favor|a_favor|a_question?",
+    "can|could|would|will you please? do something|one_thing|me_a_favor|us_a_favor for_me|for_us|please?",
+    "do me|us a|one|this small|little|big? favor please?",
+    "can|could|will|would you please? help|do|manage|handle|solve me|us|that|this|it with_this|with_that|"
+    "with_something|"
+    "for_me|for_us|please|out|today?",
+    "do you hear|understand|follow|get|see me|it|this|that|us|the_problem?",
+    "do you think? you can|could manage|do|handle|solve it|that|this|alone? for_me|for_us|please?",
+    "do you understand",
+    "are you there|awake|ready|listening|okay|free|sure|with_me robot|now|today|for_this?",
+    "have you got? a|some|one? minute|moment|second|time",
+    "got a|one|some minute|moment|second|sec|time please|for_me?",
+    "one|just_one more|last|final|small|little thing|question|request|task|favor|game|exercise|puzzle for_today|"
+    "for_you|"
+    "today|now|before_lunch|before_we_go|please|first?",
+    "a|an|another|the|okay|ok|now_,? new|next|easy|quick|simple|tricky|final|fresh|little start|attempt|try|game|"
+    "question|"
+    "request|task|puzzle|exercise|challenge|experiment for_today|for_you|to_start_with|to_begin_with|today|now|please?",
+    "last one for_today|before_lunch|before_we_go|today",
+    "new game|day|task|try|attempt , new game|day|task|luck",
+    "last|first one for_today|today|please?",
+    "here|this|now comes|is|'s|we_have a|an|the|your|my? new|next|quick|easy|tricky|hard|nice|little|simple|another "
+    "one|task|exercise|puzzle for_you|today|now?",
+    "this one is|'s for experts|beginners|you|my_mother|the_pros|advanced_students",
+    "this|it|that should|will|would|must|is be? a piece of cake for_you?",
+    "piece of cake",
+    "easy peasy|enough|as_pie|as_that lemon_squeezy?",
+    "easy|simple|not_hard|not_too_hard|not_so_hard|not_difficult , no|right|is_it_not|is_it|huh",
+    "simple|easy as that|pie|abc",
+    "should|must|will be easy|simple|fun|doable|possible|a_doddle|no_problem enough|for_you|right?",
+    "how hard can|could it|this|that be then|really?",
+    "it|this|that can not be that|so|too hard|difficult|complicated",
+    "is|was that|it|this clear|understood|okay|ok|too_much|so_hard|asking_too_much|easy|a_problem enough|to_you?",
+    "does|did that|this|it make sense|clear to_you?",
+    "make|makes|made sense|clear?",
+    "understood|got|gotcha|agreed|deal|ready|capito it|that|then|now|set_go?",
+    "any questions|problems|doubts|objections|news?",
+    "what do you think|say|mean about_it|about_that|to_that?",
+    "what are you waiting for|doing|up_to robot?",
+    "what for|else|if|a_day|a_mess|a_morning|fun|now|next|joy",
+    "what the heck|hell|devil",
+    "why|why_not|why_so|how_so|how_come|what_for",
+    "because|just_because|because_i_say_so|because_i_said_so|because_that_is_why",
+    "that will|would make my|our|her|his day|week|year",
+    "the|this|my|our place|room|house|flat|kitchen|lab|office|desk is|'s|looks in|like a|an|such_a|complete? "
+    "state|mess|disaster|bomb_site|pigsty|shambles|tip|nightmare today|again?",
+    "i|we? hope|trust|know|believe|think|bet|guess|suppose|reckon you|that_you|we can|will|'ll|could do|manage|handle|"
+    "understand|solve|like|love|enjoy it|this|that well|easily|just_fine?",
+    "you can do it|this|that",
+    "you will|'ll|would|must like|love|enjoy this|it|that|them one?",
+    "i|we know|believe in|trust|count_on|rely_on|am_counting_on|are_counting_on|rely|believe|am_watching|are_watching|"
+    "am_waiting_for|thank|love|like|appreciate|need|trust_in|miss|salute|greet|beg you all|so_much?",
+    "i|we will|'ll|would be back|grateful|here|waiting|watching|happy|right_back|obliged|there|quiet|off soon|later|"
+    "in_a_minute|forever|now?",
+    "i would appreciate|love|like it|that so_much|very_much|greatly?",
+    "i promise|guess|think|suppose|believe|swear|bet|insist|repeat|mean_it|beg_you|am_begging_you|am_serious|hope|"
+    "know|see|"
+    "wonder|would_say|must_say|have_to_say|must_admit|admit|confess|would_think|imagine|fear|am_told|was_told|hear|"
+    "know_,_i_know",
+    "you know|see|see_,_right|bet|know_why|get_it|know_me|know_the_game|know_how_it_is",
+    "believe it or not",
+    "come to think of it",
+    "now that i|we think of it",
+    "while i_am|we_are|you_are at it|that",
+    "between you and me|us",
+    "just? between|among us|ourselves|friends",
+    "for heaven|goodness|god|pete|christ|crying 's|out|out_loud sake|loud?",
+    "in my|all|our humble|honest? opinion|view|mind|honesty|seriousness",
+    "to my|our mind|knowledge|surprise|delight|shame",
+    "to be honest|fair|frank|precise|exact|clear|sure|safe with_you?",
+    "to tell|say the|you truth|the_truth",
+    "as you|we|i|everyone|everybody|they all? know|see|say|knows|says|said|asked|promised|requested|agreed|discussed|"
+    "can_imagine|can_guess|may_know|might_know|told_you|mentioned|wished yesterday|before|earlier|already|today|"
+    "last_time?",
+    "as always|usual|ever|promised|agreed|requested|discussed|planned|expected|ordered|follows",
+    "as every|any child|kid|one|robot|fool knows",
+    "as|like my|our|her|his dear|old? grandmother|grandma|granny|mother|mum|mom|father|dad|grandpa|teacher|aunt|"
+    "uncle|boss "
+    "always|used_to|often? does|do|did|says|said|say|taught_me|taught_us|liked|likes|loved|wanted always|back_then?",
+    "as|like we|i|they|people always|all|used_to|often? did|do|learnt|learned at|in school|kindergarten|college|france|"
+    "england|italy|spain|germany|india|china|japan|america|those_days|the_old_days|my_day",
+    "like|as in the|my|our good? old days|times|childhood|youth",
+    "like a|the good|real|true|proper|big? robot|pro|professional|champion|boss|champ|expert|hero|grown_up",
+    "as fast|quickly|soon as you can|like|possible|are_able",
+    "whenever|when|once|if|should|as_soon_as you are|'re|have|feel|find|get ready|awake|time|a_minute|a_moment|"
+    "a_second|"
+    "like_it|free|not_too_busy|not_busy|up_for_it|able|around|the_time|nothing_better_to_do please|today|again?",
+    "when|whenever you can|like|have_time|please|may",
+    "if i|we may|might|could|dare|can ask|say_so|bother_you|be_so_bold|ask_you|trouble_you?",
+    "if you would|could|will|can? please|be_so_kind|be_so_good|be_so_nice|be_kind_enough|do_not_mind|would_not_mind|"
+    "do_not_mind_me_asking|ask_me",
+    "if that|it|this is|'s okay|ok|alright|fine|all_right|possible|convenient|no_bother|no_trouble|not_a_bother|"
+    "not_a_problem|not_too_much_trouble|not_too_much_bother|not_too_much_to_ask|no_problem|not_asking_too_much "
+    "with_you|for_you|by_you?",
+    "without further ado",
+    "in the meantime",
+    "for the fun|sake|hell|love of it|science|argument|art|beauty|god|peace",
+    "for fun|science|once|now|me|us|a_change|good_luck|luck|real|today|tonight|sure|the_record|the_moment|"
+    "my_peace_of_mind|your_information|pleasure please|dear|thanks|only|again|this_time?",
+    "just|only for fun|science|me|us|you|a_change|today|once|now|the_kids|the_children|laughs",
+    "all right|good|set|ready|clear then|now?",
+    "well well|then|now|yes|okay well?",
+    "dear|my|good|oh|thank|holy|bloody|for_the_love_of me|goodness|god|gosh|grief|heavens|lord|cow|hell|"
+    "lordy gracious|me?",
+    "very|so? much obliged|appreciated indeed?",
+    "rain or shine",
+    "so far so good",
+    "fair|good|nice enough|then",
+    "at last|least_that|long_last",
+    "once again please?",
+    "right now|away|then robot|please?",
+    "this|that one|thing|time is|'s|was important|easy|fun|tricky|urgent|for_you|special",
+    "every|all day|morning|evening|the_time|the_best|my_love|the_better",
+    "how it|how_you_do|how_it_is_done|everything_else|the_rest it|that|this? is|are|is_all|remains up_to_you|"
+    "your_business|your_choice|your_decision|your_problem|entirely_up_to_you|not_my_business|none_of_my_business",
+    "the|all details|rest|remaining_details|small_details is|are up_to_you|yours|your_business",
+    "how|the_rest|the_details|how_you_do_it|how_you_do_that|everything_else|all_the_rest|where_they_go|the_where|"
+    "the_how "
+    "i|we leave|will_leave|'ll_leave to|up_to you|the_robot|your_taste|your_imagination",
+    "i|we leave|will_leave|'ll_leave the_rest|the_details|everything_else|the_how|all_else|how_you_do_it|how_to_do_it|"
+    "how_to_get_there to|up_to you|the_robot|your_taste|your_imagination",
+    "i|we do not care|mind|bother how|which_way_you_do|why you? do_it|do_that|you_do_it|you_do_that|it_is_done|"
+    "you_get_there|long_it_takes|fast_you_are|long_you_take|much_time_you_need?",
+    "it|this|that does not matter how|how_long|why you|it? do_it|takes|do_that|is_done|get_there",
+    "how|it_does_not_matter_how|no_matter_how long|much_time it|that|you|this takes|take|need does_not_matter|"
+    "is_not_important|is_up_to_you|makes_no_difference?",
+    "color|colors|the_color|the_colors makes|make no difference to_me|to_us|at_all|here?",
+    "i|we need the rest|rest_of_the_table|other_half|space for my|our|the coffee|tea|lunch|breakfast|laptop|books|"
+    "papers",
+    "it|they|this|that|these|those is|are|'s from|for|by|part_of me|you|us|him|her|a_game|a_test|an_experiment|"
+    "a_joke_book|"
+    "a_spot_the_mistake_game|a_spot_the_difference_game|a_story|a_study|a_contest",
+    "it|this|that is for a|my|our|the spot_the_mistake|spot_the_difference|find_the_mistake game|quiz|puzzle|lesson",
+    "not|it_is_not really|my|just? my|an_easy|an? idea|fault|choice|problem|business",
+    "nice|clean|neat|short|quick and|but readable|simple|easy|quick|sweet|nice",
+    "simple and easy|sweet|clear|fun",
+    "my|our|the|a|your? boss|teacher|kids|wife|mother|mum|doctor|client|customer|grandma|daughter|son 's orders|"
+    "order|idea|"
+    "wish|request|choice|fault|favorite",
+    "doctor|boss|teacher|captain|chef 's? orders",
+    "i|we have|'ve|had|got a|an|one small|little|big|quick|important? favor|question|request|job|task|wish "
+    "to_ask|for_you|today|to_make?",
+    "let me|us test|see|show|try|find_out|know|play|begin|start|hope|go how_good_you_are|"
+    "what_you_can_do|you_something|something_new|this|now|a_game|if_you_can_do_it|if_this_works|the_fun_begin|"
+    "begin|it?",
+    "show me|us what you|robots can do|are_made_of|have_got|got",
+    "as a|by_way_of|by_way_of_a|for_a warm_up|warmup|favor|treat|joke|present|test|demonstration|surprise|farewell|"
+    "thank_you|first_exercise|start|little_game|exercise|break|change to_me|to_us|for_me|for_us|for_the_kids?",
+    "breakfast|lunch|dinner|coffee|tea|nap|story|play|party|school|work|cleaning|holiday|bed|bath|game|tidy_up|"
+    "quiz|show|"
+    "snack|exam time again|everybody|everyone|kids|now?",
+    "my name is|was always? what|not_important",
+    "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
+)
+TIMES = (
+    "today|tonight|now|right_now|right_away|immediately|at_once|this_time|soon|asap|real_quick|quickly|in_the_meantime|"
+    "this_minute|this_instant|for_now|for_today|just_now|pronto|straight_away please|thanks|robot|ok|okay|then?",
+    "this|tomorrow|every_monday? morning|afternoon|evening|week|weekend|time please?",
+    "by tonight|tomorrow|noon|lunch|dinner|dinner_time|lunch_time|breakfast|bedtime|the_evening|monday|friday please?",
+    "before|after lunch|dinner|breakfast|school|work|supper|tea|bedtime|class|the_show|the_party|the_lesson|"
+    "the_meeting|"
+    "the_break|christmas please?",
+    "before <who> come|comes|arrive|arrives|go|goes|leave|leaves|get|gets|wake|wakes|notice|notices|see|sees|have|"
+    "has|must "
+    "here|there|home|back|up|to_bed|to_work|to_school|it|this|the_mess|in|lunch|dinner|leave|go?",
+    "by_the_time|when|once <who> <is> back|here|ready|awake|there|home again?",
+    "by_the_time|when|once <who> come|comes|return|returns|arrive|arrives|get|gets back|home|here|in|again?",
+    "pretty please with_a_cherry_on_top|with_sugar_on_top?",
+    "please and thank you",
+    "when|whenever|as_soon_as you can|like|have_time|have_a_minute|have_a_moment please?",
+    "if you can|have_time|have_a_minute|have_a_moment please?",
+)
+"""When it is to be done: now, or some time of the day."""
+IDIOMS, TIMELY = Rows(_WHOLE, _CLASSES), Rows(TIMES, _CLASSES)

@@ -1,0 +1,121 @@
+"""Whether what is said between two marks asks for nothing and tells nothing of a task.
+
+It is a set phrase, small talk, a reason, whom it is for, or what is thought of it all. A command is none of these, and
+so is a wish for something, a condition, or what would take back what was said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from rpg.language import harmless
+from rpg.language.idioms import IDIOMS, TIMELY
+from rpg.language.phrases import Rows
+from rpg.language.smalltalk import small_talk
+from rpg.language.tokens import Token
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+_OWN = _words("my our his her their your")
+_BECAUSE = _words("because since as cause cos coz so")
+_ALONE = harmless.INTERJECTIONS | _words(
+    "honestly frankly seriously luckily sadly fortunately unfortunately ideally obviously naturally hopefully "
+    "apparently "
+    "evidently clearly surely really thankfully kindly personally anyway anyhow indeed basically actually literally "
+    "today tonight normally usually"
+)
+_DEGREES = _words(
+    "very so really super quite pretty totally extremely incredibly simply just too truly absolutely how and"
+)
+_NOUNS = harmless.PEOPLE | harmless.ANIMALS | harmless.OCCASIONS | harmless.THINGS | harmless.NAMES
+_TOLD = harmless.FINE | harmless.PERSONAL
+_LINKING = _words("a an the 's of little old new s all at in open next today tomorrow")
+_TIMES = _words(
+    "while minute minutes moment moments hour hours day days week weeks month months year years time times night "
+    "second "
+    "seconds century"
+)
+"""For so long it would be."""
+_SHORT, _MOST = 6, 25
+"""So many words at most an exclamation and any other talk have."""
+
+
+def idle(tokens: Sequence[Token]) -> bool:
+    """Whether these words ask for nothing, wherever they stand between marks."""
+    words = _plain(tokens)
+    return words is not None and (_whole(words, IDIOMS) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
+
+
+def idle_at_an_end(tokens: Sequence[Token]) -> bool:
+    """Whether they ask for nothing in front of a task or behind it."""
+    words = _plain(tokens)
+    return words is not None and (
+        idle(tokens) or _whole(words, TIMELY) or _thought(words) or _for_somebody(words)
+    )  # fmt: skip
+
+
+def reason_at(tokens: Sequence[Token], at: int) -> bool:
+    """Whether all that stands from here on is a reason, whom it is for or a time of the day, unparted from a task."""
+    words = _plain(tokens[at:])
+    if words is None or at == 0:
+        return False
+    timely = words[0] not in ("when", "once", "by") and _whole(words, TIMELY)
+    return timely or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words)
+
+
+def _plain(tokens: Sequence[Token]) -> list[str] | None:
+    """The words, if each of them could be harmless."""
+    if not 0 < len(tokens) <= _MOST or any(not _could_be(token) for token in tokens):
+        return None
+    return [token.word for token in tokens]
+
+
+def _could_be(token: Token) -> bool:
+    if token.kind == "punct":
+        return token.word in ("'s", ",", "…")
+    shouted = token.raw.isupper() and len(token.raw) > 1 and token.word not in harmless.INTERJECTIONS
+    letter = len(token.raw) == 1 and token.raw.isupper() and token.word not in ("i", "a")
+    return token.kind == "word" and not shouted and not letter
+
+
+def _whole(words: list[str], rows: Rows) -> bool:
+    """Whether they are a set phrase."""
+    step, n = rows.begin.after(words[0]), 1
+    while step is not None and n < len(words):
+        step, n = step.after(words[n]), n + 1
+    return step is not None and step.whole
+
+
+def _aimed(tokens: Sequence[Token], leads: Collection[str]) -> bool:
+    """ "Because my wife is waiting", "so that the kids can play"."""
+    if tokens[0].word not in leads or len(tokens) < 3:
+        return False
+    at = 1 + (tokens[0].word == "so" and tokens[1].word == "that")
+    pointed = tokens[0].word == "so" and tokens[at].word in ("it", "this", "that", "they", "these", "those", "you")
+    return not pointed and small_talk(tokens[at:])
+
+
+def _thought(words: list[str]) -> bool:
+    """ "Lovely", "very important", "honestly", "wow"."""
+    if all(word in _ALONE or word == "," for word in words):
+        return True
+    behind = words[words.index("to") :] if "to" in words else []
+    ahead = words[: len(words) - len(behind)]
+    to_whom = not behind or (len(behind) > 1 and _for_somebody(["for", *behind[1:]]))
+    fine = not harmless.FINE.isdisjoint(words) and all(word in harmless.FINE | _DEGREES for word in ahead)
+    return fine and to_whom and len(words) <= _SHORT
+
+
+def _for_somebody(words: list[str]) -> bool:
+    """ "For my daughter's birthday", "for the kids"."""
+    said = [word for word in words[1:] if word not in ("please", "thanks", ",")]
+    if words[0] != "for" or not said or len(said) > _SHORT + 2:
+        return False
+    if len(said) == 1 and said[0] in ("me", "us", "him", "her", "them", "you"):
+        return said[0] in ("me", "us", "her", "him")
+    if _NOUNS & set(said) <= _TIMES or (said[0] not in _OWN and not harmless.THINGS.isdisjoint(said)):
+        return False
+    return said[-1] in _NOUNS and all(word in _NOUNS | _TOLD | _OWN | _LINKING for word in said)

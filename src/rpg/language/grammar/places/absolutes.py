@@ -222,7 +222,8 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         k = p.opt(k, "be")
         for theme, end in simple(p, k):
             if isinstance(theme, Noun):
-                place = At(side=side, own=the > j, utmost=p.words[the] in UTMOST, span=p.span(j, k))
+                own = the > j or p.follows(j, ("whose",))
+                place = At(side=side, own=own, utmost=p.words[the] in UTMOST, span=p.span(j, k))
                 yield Absolute(theme=theme, adjuncts=(place,), span=p.span(j, end), cost=1), end
 
 

@@ -75,7 +75,7 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
          1, 4, 2, 3),
         (f"two {PATCHES} (?:,|:) {_THE} and {_THE} : ", f"(?:them|these|the {PATCHES})", "", 3, 4, 1, 2))),
     # what is cleared
-    (f"^{_CLEAR} ({_HERE}) of ((?:both|all|the|all of the) .+)$", "take {2} off {1}"),
+    (f"^{_CLEAR} ({_HERE}) of ((?:both|all|the|all of the) (?:[^,]|, (?:and )?the )+)$", "take {2} off {1}"),
     (f"^{_CLEAR} ({_HERE}) , (?:on|in) which ((?:(?! at the )[^,])+?) {_LIES}{_NOW}$",
      "at the start , {2} are on {1} . {1} must be empty"),
     (f"^{_CLEAR} ({_HERE}) , (?:that is|i e|namely)(?: ,)? ([^,]+?) (?:that|which) {_LIES} (?:there|on it){_NOW}$",

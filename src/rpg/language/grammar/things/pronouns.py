@@ -22,6 +22,8 @@ _OR = frozenset({"or", "like", "make", "build"})
 """Behind these "something" is no block."""
 _CLOSED = frozenset({".", ",", ";"})
 _NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next", "stacked", "left"}
+_JUST_ONE = ("exactly one", "precisely one")
+"""One of them, and no more."""
 _OF_THEM = ("of them", "of these", "of those")
 
 
@@ -69,6 +71,9 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Pronoun(word="them", span=p.span(i, j), cost=int(p.words[j - 1] == "faces")), j
     if j := p.any_of(i, ("the rest of them", "the rest of these", "the rest of those")):
         yield Pronoun(word="the rest", span=p.span(i, j)), j
+    if (j := p.any_of(i, _JUST_ONE)) and p.stands(j, _NONE_THERE):
+        them = Pronoun(word="them", span=p.span(i, j))
+        yield Noun(head="any", amount=Amount(1, 1, True), part_of=them, span=them.span), j
     if p.follows(i, _BEFORE_WHICH) and (j := p.any_of(i, ("each of which", "both of which"))):
         yield Pronoun(word="each of them" if p.words[i] == "each" else "them", span=p.span(i, j)), j
     if j := _left_alone(p, i):

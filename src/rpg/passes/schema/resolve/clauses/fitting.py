@@ -279,18 +279,20 @@ def _tallied(whole: Noun, adjuncts: tuple[Meaning, ...]) -> None:
 
 
 def _own_parts(clause: Clause) -> None:
-    """Refuse "a tower of four blue blocks with the top one red": then only three of the four are blue."""
+    """Refuse "a tower of four blue blocks with the top one red", and "a blue tower of four blocks" with it: then only
+    three of the four are blue."""
     shape = clause.theme
     blocks = shape.members if isinstance(shape, Structure) else None
     if not isinstance(shape, Structure) or not isinstance(blocks, Noun) or blocks.amount is None:
         return
     parts = [x for x in parts_of((*shape.details, *clause.adjuncts)) if isinstance(x, Absolute)]
-    for part in parts if len(blocks.traits.colors) == 1 else ():
+    told = blocks.traits.colors or shape.traits.colors
+    for part in parts if len(told) == 1 else ():
         own = isinstance(part.adjuncts[0], At) and part.adjuncts[0].own and shape.kind == "stack"
         looks = part.theme.traits.colors if isinstance(part.theme, Noun) else ()
-        if own and looks and looks != blocks.traits.colors:
+        if own and looks and looks != told:
             raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", part.span,
-                         f"say how many are {blocks.traits.colors[0]}, and how many {looks[0]}")  # fmt: skip
+                         f"say how many are {told[0]}, and how many {looks[0]}")  # fmt: skip
 
 
 def _structure(shape: Structure) -> None:

@@ -153,6 +153,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if scope.role == "theme":
         themes = [m for m in single if m.role in ("theme", "given")]
         found = (themes or single)[-1].ref
+        _check_listed(word, scene, single)
         if word.word == "the first one" and found.built:
             raise refuse("ambiguous", "the first structure, or the first of its blocks?", word.span, "name the block")
         return found
@@ -167,6 +168,15 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
         return parallel(word, list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
     return _built_there(word, list(rivals.values()), scene, scope) or single[-1].ref
+
+
+def _check_listed(word: Pronoun, scene: Scene, single: list[Mention]) -> None:
+    """ "There is a red and a blue block, so put it on the mat": either."""
+    told = [m for m in single if m.clause < scene.clause]
+    listed = [m for m in told if m.sentence == told[-1].sentence and not m.word]
+    given = bool(listed) and listed[0].role == "given" and not any(m.ref.built for m in listed)
+    if given and len({m.ref.names for m in listed}) > 1 and all(m.role in ("theme", "given") for m in listed):
+        raise refuse("ambiguous", f"{word.word!r} could be any of several blocks", word.span, "name the one you mean")
 
 
 def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
@@ -37,6 +37,8 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _one_word(task)
     _counts_with_a_slash(words, task)
     _ones_beside_patches(words, task)
+    _only_so_many(words, task)
+    _listed_in_turn(words, task)
     if task.assumed(_NUMBER_UNSAID):
         _lines_of_the_counted(words)
     if task.assumed(COLORS_UNSAID):
@@ -47,6 +49,31 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
         _of_the_counted(words, task)
         _of_those_left(words, task)
         _one_in_between(words, task)
+
+
+def _only_so_many(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "spell HELLO but use only one L cube" with both of its Ls."""
+    for n, (use, only, many, look) in enumerate(zip(words, words[1:], words[2:], words[3:], strict=False)):
+        told = lexicon.NUMBER.get(many.word, 0)
+        if use.word not in ("use", "using") or only.word not in ("only", "exactly", "just") or not told:
+            continue
+        label = look.raw if len(look.raw) == 1 and look.raw.isupper() else None
+        there = sum(label is not None and getattr(block, "label", None) == label for block in task.blocks)
+        if there > told:
+            raise refuse("count-mismatch", f"{there} of these blocks are needed", words[n + 3].span,
+                         f"say how many may be used: at least {there}")  # fmt: skip
+
+
+def _listed_in_turn(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "the row is mirrored: red, blue, white, blue, red" as a row that is mirrored in some way."""
+    lines = [x for x in atoms(task.goal) if isinstance(x, Row | Stack) and x.order.by in ("mirrored", "alternating")]
+    for line in lines:
+        for n, token in enumerate(words):
+            told = [*takewhile(lambda x: x.word in lexicon.COLOR or x.word in (",", "and"), words[n + 1 :])]
+            colors = [x.word for x in told if x.word in lexicon.COLOR]
+            if token.word == ":" and len({*colors}) < len(colors) == len(line.blocks):
+                raise refuse("ambiguous", "in exactly this order, or in any such order?", told[0].span,
+                             "say 'in this order'")  # fmt: skip
 
 
 def _one_in_between(words: Sequence[Token], task: TaskSchema) -> None:

@@ -50,11 +50,15 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
         marks = noun.traits
         if end and not more and not marks.labels and (len(labels) > 1 or labels[0].isalpha()) and _shows(noun, labels):
             yield replace(noun, traits=replace(marks, labels=labels), span=p.span(i, end)), end
-    each = [((found, False), k) for found, k in _one_by_one(p, opened)]
-    for (listed, either), k in [*colors(p, p.any_of(opened, ("one", "namely")) or opened), *each]:
+    for (listed, either), k in colors(p, p.any_of(opened, ("one", "namely")) or opened):
         end = p.one(k, ")")
         if end and not either and not noun.traits.colors and _as_many(noun, len(listed)):
             yield replace(noun, traits=replace(noun.traits, colors=listed), span=p.span(i, end)), end
+    for listed, k in _one_by_one(p, opened):
+        end = p.one(k, ")")
+        if end and not noun.traits.colors and _as_many(noun, len(listed)):
+            there = Amount(len(listed), len(listed)) if noun.plural else noun.amount
+            yield replace(noun, amount=there, traits=replace(noun.traits, colors=listed), span=p.span(i, end)), end
 
 
 def _patch_shown(p: Parser, i: int, at: int, noun: Noun, named: bool) -> Results[Noun]:

@@ -79,7 +79,8 @@ def _shares(noun: Noun, scope: Scope, values: int, count: int | None) -> list[in
     ):
         total = scope.need
     if total is None or total == values:
-        each = scope.need_each if scope.need_each > 1 and not noun.traits.labels else None
+        open_ = count is None and scope.need_each > 1 and not noun.traits.labels
+        each = scope.need_each if open_ else None
         return [each] * values
     if total < values or (total % values and values != 2) or noun.traits.labels:
         raise refuse(

@@ -45,6 +45,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
         _spoken_of(words, task)
         _set_off(words)
         _as_many_named(words, task)
+        _named_bare(words, task)
         _counted_bare(words, task)
         _of_the_counted(words, task)
         _of_those_left(words, task)
@@ -324,6 +325,20 @@ def _as_many_named(words: Sequence[Token], task: TaskSchema) -> None:
                 raise refuse("ambiguous", "are these the blocks that were counted, or further ones?", run[0].span,
                              "list them where they are counted: 'a row of three: red, white and blue'")  # fmt: skip
             run = []
+
+
+def _named_bare(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a tower of three in which red is under blue but above green" as one of red, blue and another."""
+    said = {lexicon.COLOR.get(token.word) for token in words}
+    looks = {block.name: block.color for block in task.blocks if not isinstance(block, SemanticCube)}
+    nouns = _OPEN | lexicon.COLOR.keys()
+    bare = {lexicon.COLOR.get(t.word): t for t, after in pairwise(words) if after.word not in nouns}
+    for line in (x for x in atoms(task.goal) if isinstance(x, Stack | Row) and {*x.blocks} <= looks.keys()):
+        made_up = [name for name in line.blocks if looks[name] not in said]
+        others = [color for name, color in looks.items() if name not in line.blocks]
+        if 0 < len(made_up) == len(others) < len(line.blocks) and {*others} <= bare.keys():
+            raise refuse("ambiguous", "is this one of the blocks that were counted, or a further one?",
+                         bare[others[0]].span, "say how each of the blocks looks")  # fmt: skip
 
 
 def _lines_of_the_counted(words: Sequence[Token]) -> None:

@@ -19,7 +19,7 @@ _TOWARD = ("to", "through", "thru", "until", "till", "up to", "down to")
 def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
     """The symbol at i. `spoken`: after "letter" or "number", where "a" is a letter and "two" a digit."""
     token = p.token(i)
-    if token is None:
+    if token is None or (token.raw == "I" and p.follows(i, _WHEN) and p.stands(i + 1, _GO)):
         return None
     found: str | None = None
     if token.kind in ("quote", "literal") and isinstance(token.value, str) and len(token.value) == 1:
@@ -40,6 +40,9 @@ def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
     return None
 
 
+_WHEN = frozenset({"before", "after", "when", "until", "while", "once", "as", "because", "since", "if"})
+_GO = frozenset({"go", "come", "leave", "get", "return", "arrive"})
+"""Between these "I" is who speaks: "before I go home"."""
 _WORDS = frozenset({"a", "i", "x"})
 """Letters that are words as well."""
 _RUN = 3

@@ -25,6 +25,7 @@ AT_TIMES: tuple[Turn, ...] = (
     (f"\\b{_NEVER} (touch|touches|lie|lies|put|place|let|move|take|stack|leave|leaves|lift|allow)\\b", "never {1}"),
     ("\\b(not [^,]+?)(?: ,)? not even (?:temporarily|briefly|momentarily|shortly|in passing|in between|once|for (?:a|"
      "one|a short|a brief|a single) (?:moment|second|time|while|instant))$", "{1} at any time"),
+    (f"\\b(must|should|may) never move(?: ,)? {_EVER}$", "{1} never move"),
     ("\\b(?:is|are) (not|never) (?:allowed|permitted|supposed) to\\b", "must {1}"),
     ("\\bwithout (.+?) ever (?:being|lying|standing) on (.+)$", "and {1} must never be on {2}"),
     ("\\bwithout (.+?) ever touching (.+)$", "and {1} must never touch {2}"),

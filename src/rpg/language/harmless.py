@@ -206,5 +206,7 @@ VERBS = _words(_VERBS)
 """In the form of a command."""
 DOINGS = VERBS | _words(_IRREGULAR) | {form for verb in VERBS for form in _inflected(verb)}
 PERSONAL, FINE, ADVERBS, INTERJECTIONS, NAMES = map(_words, (_PERSONAL, _FINE, _ADVERBS, _INTERJECTIONS, _NAMES))
-EVERYDAY = PEOPLE | ANIMALS | OCCASIONS | THINGS | DOINGS | PERSONAL | FINE | ADVERBS | INTERJECTIONS
-"""All of them but names: words of their own, and no slips for others."""
+EVERYDAY = (PEOPLE | ANIMALS | OCCASIONS | THINGS | DOINGS | PERSONAL | FINE | ADVERBS | INTERJECTIONS) - _words(
+    "favour favours favourite favourites"
+)
+"""All of them but names, and what has another spelling: words of their own, and no slips for others."""

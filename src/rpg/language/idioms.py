@@ -143,6 +143,7 @@ _WHOLE = (
     "between you and me|us",
     "just? between|among us|ourselves|friends",
     "for heaven|goodness|god|pete|christ|crying 's|out|out_loud sake|loud?",
+    "show this|it|that with|using cubes|blocks",
     "in my|all|our humble|honest? opinion|view|mind|honesty|seriousness",
     "to my|our mind|knowledge|surprise|delight|shame",
     "to be honest|fair|frank|precise|exact|clear|sure|safe with_you?",

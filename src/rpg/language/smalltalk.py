@@ -73,6 +73,7 @@ _DOABLE = (harmless.VERBS | _MORE_TO_DO) - _ADDRESSED
 _YIELDING = {("let", "me"), ("let", "us"), ("do", "you"), ("do", "not"), ("help", "me"), ("help", "us"),
              ("thank", "you"), ("pardon", "me"), ("watch", "out"), ("look", "here"), ("come", "on")}  # fmt: skip
 """Begun so they ask for nothing of their own."""
+_HEADINGS = _words("exercise test practice request quiz challenge")
 _SPEAKERS = _words("i we he she my our his her")
 _HANDLING = _words(
     "make makes making made take takes taking took give gives giving gave given get gets getting got do does doing did "
@@ -93,9 +94,10 @@ _POLITE = _words("thanks thank sorry hello hi welcome once")
 def small_talk(tokens: Sequence[Token]) -> bool:
     """Whether these words ask for nothing."""
     words = [token.word for token in tokens]
-    of_people = _of_people(words)
+    offered = words[:1] == ["here"] and words[-2:] == ["for", "you"]  # "here's a scale for you"
+    of_people = offered or _of_people(words)
     strong = _STRONG | _DAILY if of_people else _STRONG
-    if not words or strong.isdisjoint(words) or _asks(words):
+    if not words or (strong.isdisjoint(words) and not offered) or _asks(words):
         return False
     return all(
         token.kind in ("word", "punct") and (_talk(token, words, n) or (of_people and _daily(token, words)))
@@ -139,9 +141,10 @@ def takes_back(words: Sequence[str]) -> bool:
 
 
 def _yields(words: Sequence[str]) -> bool:
-    """ "Help me", and "exercise one", "test for today"."""
-    named = words[1:2] in (["one"], ["time"], ["of"]) or (words[1:2] == ["for"] and not _ERRANDS.isdisjoint(words[2:]))
-    return named or tuple(words[:2]) in _YIELDING
+    """ "Help me", "tell him:", and "exercise one", "test for today"."""
+    errand = words[0] in _HEADINGS or not _ERRANDS.isdisjoint(words[2:])
+    named = words[1:2] in (["one"], ["time"], ["of"]) or (words[1:2] == ["for"] and errand)
+    return named or tuple(words[:2]) in _YIELDING or tuple(words) == ("tell", "it")  # "tell him:"
 
 
 def _talk(token: Token, words: list[str], n: int) -> bool:
@@ -155,7 +158,7 @@ def _talk(token: Token, words: list[str], n: int) -> bool:
         case word if word in _TURN:
             return not _ERRANDS.isdisjoint(after[:2])
         case word if word in _PLACED:
-            named = next((k for k, x in enumerate(after) if x in _PERSONS or x in _ERRANDS), None)
+            named = next((k for k, x in enumerate(after) if x in _PERSONS | _ERRANDS | harmless.NAMES), None)
             return named is not None and all(x in _GLUE | _FEELINGS | _TURN for x in after[:named])
         case "if":
             return bool(after) and after[0] in _VAGUE and not _POLITELY.isdisjoint(after[1:3])
@@ -163,4 +166,5 @@ def _talk(token: Token, words: list[str], n: int) -> bool:
             return n > 0 and words[n - 1] in ("this", "that", "quick", "easy", "simple", "last", "next")
         case word if word in _SUBJECTS:
             return not _LIKED.isdisjoint(words[max(0, n - 3) : n])
-    return token.word in _GLUE or token.word in _STRONG
+    named = token.word in harmless.NAMES and n > 0 and words[n - 1] in _PLACED
+    return named or token.word in _GLUE or token.word in _STRONG

@@ -218,8 +218,7 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
     the = p.opt(the, "the")
     if side := p.peek(the, _SIDED):
         k = p.opt(p.reach(the + 1), "one", "block", "cube", "layer")
-        k = p.opt(k, "is", "being", ":", "should")
-        k = p.opt(k, "be")
+        k = p.opt(p.opt(k, "is", "being", ":", "should"), "be")
         for theme, end in simple(p, k):
             if isinstance(theme, Noun):
                 own = the > j or p.follows(j, ("whose",))

@@ -325,7 +325,8 @@ def _of_their_colors(p: Parser, i: int, before: Clause, mats: list[Noun]) -> Res
 def stands_behind(p: Parser, j: int, previous: Clause, item: Meaning) -> bool:
     """ "Red is behind blue, and left of blue, there is green": the place in front of the comma is that of the green
     one, which is not merely there as well."""
-    there = isinstance(item, Clause) and item.verb == "exist" and not item.adjuncts and p.follows(j, (",",))
+    alone = isinstance(item, Clause) and all(isinstance(x, Loc) and x.negated for x in item.adjuncts)
+    there = alone and getattr(item, "verb", "") in ("exist", "be") and p.follows(j, (",",))
     place = previous.adjuncts[-1] if there and previous.adjuncts else None
     if previous.verb == "part" and there:
         return True

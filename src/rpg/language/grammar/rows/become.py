@@ -29,12 +29,14 @@ _TRADE = "(?:change|switch|swap|exchange|trade)"
 _BACK = "(?:then|after that|afterwards|and then)"
 
 BECOME_AT_ONCE: tuple[Turn, ...] = (
-    ("\\bwhen (?:you are|everything is|all is) (?:done|finished)\\b", "at the end"),
+    (f"\\bwhen (?:you are|everything is|all is) (?:done|finished)\\b(?!(?: ,)? (?:please )?{COMMAND}\\b)",
+     "at the end"),
     ("\\bfrom (?:its|their) (?:starting|start|original|initial|first) (?:place|position|spot|point|location)\\b",
      "from where it started"),
     # lines in another order
-    (f"^{_LED}(?:it|they|the (?:tower|stack|{BRICK}s)) (?:(?:{MUST} )?(?:be|is|are|ends?(?: up)?|finish(?:es)?)(?: "
-     f"as)?|{MUST} "
+    (f"^({END} (?:, )?)(?:it|they|the (?:tower|stack|{BRICK}s)) (?:(?:{MUST} )?(?:be|is|are)) ({CHAIN})$",
+     "{1} build a tower of {2}"),
+    (f"^{_LED}(?:it|they|the (?:tower|stack|{BRICK}s)) (?:(?:{MUST} )?(?:ends?(?: up)?|finish(?:es)?)(?: as)?|{MUST} "
      f"become|becomes?) ({CHAIN})$", "{1} build a tower of {2}"),
     (f"^{_LED}(?:it|the (?:row|line)) (?:{MUST} (?:read|be|become|end up(?: as)?)|reads|becomes|ends up(?: as)?) "
      f"({LIST}(?: ,)? from left to "

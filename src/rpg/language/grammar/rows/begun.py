@@ -55,8 +55,8 @@ _THEM = (
     f"{MANY}|{COLOR})"
 )
 _FACT = (
-    f"((?:the|an?|on|there|we|you|i|everything|{MANY}|{COLOR}|{TIME})\\b(?:(?!{MUST}|\\b(?:which|if|when|once|until|"
-    f"unless)\\b)"
+    f"((?:the|an?|on|there|we|you|i|everything|{MANY}|{COLOR}|{TIME})\\b(?:(?!{MUST}|\\b(?:which|that|where|if|when|once|"
+    f"until|unless)\\b)"
     f".)*? (?:{SITS}|has|have|holds|carries|form|{TIME})\\b(?:(?!{MUST}).)*?)"
 )
 """How something is, by nothing but facts."""
@@ -84,11 +84,11 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
     # how it is, and what becomes of it, in one sentence
     (f"^{_FACT} [,:] ((?:please )?(?:first )?{COMMAND} {_THEM}\\b.+)$", "{1} . {2}"),
     (f"^(?!there (?:is|are) ,){_FACT} [,:] (?:and |but )?({END})(?: ,)? ({_THEM}\\b.+)$", "{1} . {2} , {3}"),
-    (f"^{_FACT} [,:] (?:and |but )?((?:it|they|both|the two|each|all|(?:the )?{COLOR}(?: one| {BRICK})?) "
-     f"{_BECOMES}\\b.+)$",
+    (f"^(?!there (?:is|are) ){_FACT} [,:] (?:and |but )?((?:it|they|both|the two|each|all"
+     f"|(?:the )?{COLOR}(?: one| {BRICK})?) {_BECOMES}\\b.+)$",
      "{1} . {2}"),
     (f"\\b(from [^,]+?) {_WHERE_IT_IS} ,? ?(?=(?:over )?(?:to|onto|into|back) )", "{1}"),
-    (f"\\b((?:leave|keep) .+? where (?:it|they)) (?:{STARTS}|started|began|was|were)(?: {TIME})?\\b", "{1} is"),
+    (f"\\b((?:leave|keep) [^,]+? where (?:it|they)) (?:{STARTS}|started|began|was|were)(?: {TIME})?\\b", "{1} is"),
     (f"^(an? (?:\\w+ )?{_SHAPE}\\b.+?)(?: ,)? is (?:given|already there|what (?:you|we|i) start with|the start)$",
      "at the start there is {1}"),
     (f"^from ({MARK}) , where (?:it|they) {SITS}(?: {TIME})? , ({ONE}) (.+)$",

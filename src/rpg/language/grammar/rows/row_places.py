@@ -166,7 +166,7 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
         thing = next(x for x in (told["thing"], told["thing1"], told["thing2"], told["thing3"]) if x)
         part = _thing(thing, "next")
         return part if part is not None else _part(thing, ends, before)
-    onward = w.ONWARD[ends[0] if before and before[0].place == ends[1] else ends[1]]
+    onward = w.ONWARD[ends[0] if _from_the_last(before, ends) else ends[1]]
     in_turn = bool(before) and before[0].place != "middle"
     told = re.fullmatch(f"(?:then )?(?P<thing>.+?)(?: {w.IS})? {onward}", said) if in_turn else None
     if told is not None and (part := _thing(told["thing"], "next")) is not None:
@@ -188,6 +188,14 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
             if part is not None and (part.many or place in ("ends", "rest") or part.look):
                 return replace(part, many=before[-1].many) if part.many < 0 and before else part
     return None
+
+
+def _from_the_last(before: list[_Part], ends: tuple[str, str]) -> bool:
+    """Whether the places told before go from the last end towards the first."""
+    told = [part for part in before if part.place != "next"]
+    if not told or told[-1].place != ends[1]:
+        return False
+    return told[-1] is before[0] or before[before.index(told[-1]) - 1].place != "next"
 
 
 def _numbered(told: re.Match[str], ends: tuple[str, str]) -> int:

@@ -209,8 +209,7 @@ def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     below = {m.ref.names for m in last if m.rel in under and len(m.ref.names) == 1 and not m.ref.built}
     taken = any(m.rel == "off" and m.sentence == scene.sentence for m in scene.mentions)  # "... and put blue there"
     alone = not patches and len(below) == 1 == len({m.ref.names for m in last})
-    kept = scene.verbs.get(scene.clause, (None, False, ""))[2] == "keep"
-    if alone and (scope.rel in ("off", "not on") or (scope.rel == "on" and (taken or kept))):
+    if alone and (scope.rel in ("off", "not on") or (scope.rel == "on" and taken)):
         return Ref(names=next(iter(below)), span=word.span)
     if len(patches) != 1 or len(patches) < len({m.ref.names for m in last}) or any(len(x) > 1 for x in patches):
         raise refuse("no-referent", "it is not clear where 'there' is", word.span, "name the place")

@@ -307,12 +307,15 @@ def counted_each(noun: Noun, scene: Scene, patch: bool) -> bool:
     return scene.each is not None and not patch and is_open(noun) and len(noun.traits.colors) == 1
 
 
-def _last_named(noun: Noun, found: list[Thing], scene: Scene) -> Thing | None:
-    """ "Red goes on blue and that one on green": the block that the clause before named last, in the same sentence."""
+def _last_named(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> Thing | None:
+    """ "Red goes on blue and that one on green": the block that the clause before named last, in the same sentence.
+    Where something is put on "that one", it may as well be the block that was put on it."""
     told = [m for m in scene.mentions if m.clause == scene.clause - 1 and m.ref.names]
     last = max(told, key=lambda m: m.ref.span, default=None)
     bare = (noun.head, noun.traits, noun.amount, noun.conditions, noun.part_of) == ("any", Traits(), None, (), None)
     if last is None or not bare or noun.det != "the" or last.sentence != scene.sentence:
+        return None
+    if scope.role != "theme" and last.rel in ("on", "above", "in"):
         return None
     single = last.role == "landmark" and len(last.ref.names) == 1 and not last.ref.built and last.ref.quant is None
     return next((t for t in found if t.name == last.ref.names[0]), None) if single else None
@@ -329,7 +332,7 @@ def _pick(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> Thing:
     recent = [t for t in found if t.name in singles]
     if len(recent) == 1 and (len(found) == 1 or not any(t.declared for t in found)):
         return recent[0]
-    if (last := _last_named(noun, found, scene)) is not None:
+    if (last := _last_named(noun, found, scene, scope)) is not None:
         return last
     what = said(found[0])[4:]
     if len({(t.color, t.label, t.size) for t in found}) > 1:

@@ -10,6 +10,8 @@ from rpg.blocks.english import describe
 from rpg.blocks.english.scene import objects
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import bare
+from rpg.blocks.state import World
+from rpg.blocks.symmetry import Canonical
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.assets import Asset
@@ -338,12 +340,13 @@ def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tu
         name = names[asset.name]
         if name not in kept:
             draft.do(AddAsset(asset=asset.model_copy(update={"name": name})), span)
-    before = [_bare(part) for part in conjuncts(draft.schema.goal)]
+    canonical = Canonical(World(draft.schema.assets))
+    before = [canonical(part, {}) for part in conjuncts(draft.schema.goal)]
     parts = [rename(part, names) for part in conjuncts(schema.goal)]
-    new = [part for part in parts if _bare(part) not in before]
+    new = [part for part in parts if canonical(part, {}) not in before]
     if any(isinstance(part, GroupBy) and len(part.groups) == 1 for part in new):
         raise Refusal([_vague(*span)])
-    if all(text in [_bare(part) for part in parts] for text in before):
+    if all(told in [canonical(part, {}) for part in parts] for told in before):
         for part in new:
             draft.do(AddCondition(goal=part), span)
     elif new:

@@ -130,7 +130,7 @@ def _before(p: Parser, i: int) -> Results[_Before]:
     """Adjectives, sizes and member nouns before the structure's noun."""
     yield _Before(), i
     for first, j in _piece(p, i):
-        j = p.opt(j, ",") if p.words[j : j + 1] == [","] and any(True for _ in _piece(p, j + 1)) else j
+        j = p.opt(j, ",") if p.words[j : j + 1] == [","] and any(True for _ in _piece(p, p.reach(j + 1))) else j
         for rest, k in _before(p, j):
             both = _join(first, rest)
             if both is not None:

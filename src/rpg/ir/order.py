@@ -9,7 +9,8 @@ from rpg.ir.base import Names, Record
 Attribute = Literal["color", "kind", "label", "vowel", "parity", "size"]
 """What blocks are told apart by: colour; letter, digit or plain; the symbol; vowel or consonant; odd or even; edge."""
 
-Side = Literal["left", "right", "front", "back", "top", "bottom"]
+Side = Literal["top", "bottom", "front", "back", "left", "right"]
+"""In the order of `assets.Face`: of two unions of the same names `typing` keeps the one that was made first."""
 
 
 class Order(Record):

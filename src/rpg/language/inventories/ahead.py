@@ -10,15 +10,14 @@ from dataclasses import replace
 from typing import Literal
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import sentences
 from rpg.language.grammar.talk.exactly_so_many import so_many_at
 from rpg.language.inventories.frames import Stock, counted, stock_of
 from rpg.language.inventories.lots import Lot, lots_at, several_at, with_nouns
-from rpg.language.inventories.plain import in_words, lots_in_words
+from rpg.language.inventories.plain import STOPS, bare, in_words, lots_in_words
 from rpg.language.tokens import Token
 
-_STOPS = frozenset({".", "!", ";"})
 _LEADS = frozenset({"with", "given", "using", "from", "out", "having", "of", "among", "for"})
-_JOINTS = frozenset({"and", ",", "which"})
 _SHORTEST = 2
 """So many words a stock and what is asked have at least."""
 _FEW = 6
@@ -31,11 +30,11 @@ Wanted = Literal["", "look", "block"]
 def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
     """Ways in which the words tell what there is, each with that in front, and what has to be wanted for something
     where nothing but the list says that it is there: each look of it, or each block."""
-    parts = _parts(tokens)
+    parts = sentences(tokens, STOPS)
     for n, part in enumerate(parts):
         rest = [token for other in (*parts[:n], *parts[n + 1 :]) for token in other]
         if len(parts) > 1 and (stock := _told(part)) is not None:
-            yield [*in_words(stock, part), *rest], "look" if stock_of(_bare(part)) is None else ""
+            yield [*in_words(stock, part), *rest], "look" if stock_of(bare(part)) is None else ""
         if (idle := _idle(part)) is not None:
             yield [*idle, *rest], ""
         for stock, asked, wanted in _apart(part):
@@ -45,7 +44,7 @@ def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
 
 def _idle(part: list[Token]) -> list[Token] | None:
     """ "Two pink cubes may lie anywhere": blocks of which nothing is asked, so that they are distractors."""
-    words = _bare(part)
+    words = bare(part)
     told = [t.word for t in words]
     for lots, end in lots_at(words, 0):
         if end + 2 < len(told) and told[end] in _MAY and told[end + 1] in _LIE and told[end + 2 :] == ["anywhere"]:
@@ -74,23 +73,9 @@ def _one_by_one(tokens: list[Token]) -> Iterator[list[Token]]:
             return
 
 
-def _parts(tokens: list[Token]) -> list[list[Token]]:
-    """Sentences, each with a stop."""
-    out: list[list[Token]] = [[]]
-    for token in tokens:
-        out[-1].append(token)
-        if token.kind == "punct" and token.word in _STOPS:
-            out.append([])
-    return [part for part in out if part]
-
-
-def _bare(part: list[Token]) -> list[Token]:
-    return part[:-1] if part[-1].kind == "punct" and part[-1].word in _STOPS else part
-
-
 def _told(part: list[Token]) -> Stock | None:
     """What these words tell to be there, if they tell no more."""
-    words = _bare(part)
+    words = bare(part)
     if len(words) < _SHORTEST:
         return None
     if (stock := stock_of(words, True)) is not None:
@@ -102,7 +87,7 @@ def _told(part: list[Token]) -> Stock | None:
 
 def _apart(part: list[Token]) -> Iterator[tuple[Stock, list[Token], Wanted]]:
     """A stock that a sentence tells beside what it asks, what that is, and what of the stock has to be wanted."""
-    words = _bare(part)
+    words = bare(part)
     stop = part[len(words) :]
     lead = 2 if [t.word for t in words[:2]] == ["out", "of"] else int(words[0].word in _LEADS) if words else 0
     for n in range(len(words) - _SHORTEST, _SHORTEST - 1, -1):

@@ -7,11 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import sentences
 from rpg.language.inventories.frames import Stock, counted, looks_of, stock_of
 from rpg.language.inventories.lots import Lot, Lots, in_each_color
 from rpg.language.tokens import Token
 
-_STOPS = frozenset({".", "!", ";"})
+STOPS = frozenset({".", "!", ";"})
 _ASKING = frozenset({
     "must", "should", "shall", "want", "wants", "wish", "would", "needs", "need", "has", "have", "ought", "may", "can",
     "will", "end", "finally", "final", "finished", "finish", "goal", "task", "aim", "done", "to", "let", "please",
@@ -34,7 +35,7 @@ class Told:
 def told_plainly(tokens: list[Token]) -> tuple[list[Token], Told | None]:
     """The tokens with the inventory that they begin with in plain words, and what it tells."""
     tokens = _in_each_color(tokens)
-    parts = _sentences(tokens)
+    parts = sentences(tokens, STOPS)
     stock, used = _first(parts)
     if stock is None and parts and (apart := _set_off(parts[0], len(parts) > 1)) is not None:
         parts = [*apart, *parts[1:]]
@@ -49,8 +50,8 @@ def told_plainly(tokens: list[Token]) -> tuple[list[Token], Told | None]:
 
 def told_behind(tokens: list[Token]) -> Told | None:
     """What a later sentence alone tells of how the blocks look: "build towers of three. Nine red blocks are there."."""
-    parts = _sentences(tokens)
-    stocks = [(n, stock) for n, part in enumerate(parts[1:], 1) if (stock := stock_of(_bare(part))) is not None]
+    parts = sentences(tokens, STOPS)
+    stocks = [(n, stock) for n, part in enumerate(parts[1:], 1) if (stock := stock_of(bare(part))) is not None]
     if len(stocks) != 1 or any(lot.patch or lot.labels or lot.color is None for lot in stocks[0][1].lots):
         return None
     rest = tuple(token for n, part in enumerate(parts) for token in part if n != stocks[0][0])
@@ -66,16 +67,6 @@ def _in_each_color(tokens: list[Token]) -> list[Token]:
         for lots, end in in_each_color(tokens, n):
             return [*tokens[:n], *lots_in_words(lots), *_in_each_color(tokens[end:])]
     return tokens
-
-
-def _sentences(tokens: list[Token]) -> list[list[Token]]:
-    """Sentences, each with its stop."""
-    out: list[list[Token]] = [[]]
-    for token in tokens:
-        out[-1].append(token)
-        if token.kind == "punct" and token.word in _STOPS:
-            out.append([])
-    return [part for part in out if part]
 
 
 def _set_off(part: list[Token], more: bool) -> list[list[Token]] | None:
@@ -103,19 +94,20 @@ _STATES = frozenset({"is", "are", "lies", "lie", "stands", "stand"})
 _MODAL = frozenset({"should", "must", "shall", "have", "need", "ought"})
 
 
-def _bare(part: list[Token]) -> list[Token]:
-    return part[:-1] if part and part[-1].kind == "punct" and part[-1].word in _STOPS else part
+def bare(part: list[Token]) -> list[Token]:
+    """A sentence without its stop."""
+    return part[:-1] if part and part[-1].kind == "punct" and part[-1].word in STOPS else part
 
 
 def _first(parts: Sequence[list[Token]]) -> tuple[Stock | None, int]:
     """What the first sentences tell to be there, and how many of them do."""
     if len(parts) < 2:
         return None, 0
-    stock = stock_of(_bare(parts[0]))
+    stock = stock_of(bare(parts[0]))
     used = 1
-    if stock is None and (number := counted(_bare(parts[0]))) is not None:
+    if stock is None and (number := counted(bare(parts[0]))) is not None:
         many, noun, lying = number
-        lots = looks_of(_bare(parts[1]), many, noun)
+        lots = looks_of(bare(parts[1]), many, noun)
         stock, used = (None, 0) if lots is None else (Stock(lots, True, lying), 2)
     while stock is not None and used < len(parts) and (more := _further(parts[used])) is not None:
         if not _looks(stock.lots).keys().isdisjoint(_looks(more.lots)):
@@ -127,7 +119,7 @@ def _first(parts: Sequence[list[Token]]) -> tuple[Stock | None, int]:
 
 def _further(part: list[Token]) -> Stock | None:
     """ "There is also a mat.": another sentence of the inventory."""
-    more = stock_of(_bare(part)) if {"is", "are", "lie", "lies"} & {t.word for t in part} else None
+    more = stock_of(bare(part)) if {"is", "are", "lie", "lies"} & {t.word for t in part} else None
     return None if more is None or more.beside else more
 
 
@@ -167,7 +159,7 @@ def in_words(stock: Stock, said: list[Token]) -> list[Token]:
         out += _lot_in_words(lot)
     if stock.beside:
         out += [last.saying("."), *_beside(lots, last)]
-    stop = last if last.word in _STOPS else last.saying(".")
+    stop = last if last.word in STOPS else last.saying(".")
     return [*out, stop.saying(".")]
 
 

@@ -20,7 +20,6 @@ from tests.corpus.composed.counting.phrasing import (
 
 GROUP = ("group", "group", "pile", "bunch", "cluster", "heap")
 SORT = "[group|sort|gather|organise|organize]"
-SPLIT = "[divide|split|separate|sort|put]"
 
 
 def by_color(rng: Random) -> Wish:

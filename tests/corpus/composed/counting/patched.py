@@ -18,7 +18,6 @@ from tests.corpus.composed.counting.phrasing import (
 )
 
 MUST = "[must|should|has to|needs to|is to|shall|is supposed to]"
-MUSTS = "[must|should|have to|need to|are to|shall]"
 GO = (
     "[goes|belongs|lies|stands|rests|ends up|must be|should be|has to be|needs to be|is to be|shall be|should end up|"
     "is]"
@@ -119,38 +118,31 @@ def piled_on_own(rng: Random) -> Wish:
     return Wish("piled on its own patch", told, goals, wholes if told is inv else (), meaning)
 
 
-def so_many_there(rng: Random) -> Wish:
-    """Exactly, at least or at most so many of the blocks on a patch."""
-    color, there = rng.sample(COLORS, 2)
-    n = rng.choice((3, 4, 4, 5))
-    k = rng.choice(range(1, n))
-    noun, mat = rng.choice(NOUNS), rng.choice(PATCHES)
-    many = plural(noun)
-    kk = NUMBERS_[k]
-    sort = rng.choice(("exactly", "exactly", "least", "most"))
-    how = {
-        "exactly": f"[exactly {kk}|precisely {kk}|just {kk}|only {kk}|{kk}, no more and no fewer,]",
-        "least": f"[at least {kk}|{kk} or more|no fewer than {kk}|a minimum of {kk}|not fewer than {kk}]",
-        "most": f"[at most {kk}|no more than {kk}|not more than {kk}|{kk} at most]",
-    }[sort]
-    be = "[is|lies|goes|must be|should be|has to be]" if k == 1 else "[are|lie|go|must be|should be|have to be]"
+def _of_them(how: str, be: str, sort: str, color: str, many: str, mats: str) -> tuple[str, ...]:
+    """What is said of blocks that were told of before."""
     may = "may be" if sort == "most" else be
-    mats = f"the {there} {mat}"
-    goals: tuple[str, ...] = (
+    is_ = "is" if be.startswith("[is") else "are"
+    colored = f"{color} {many}"
+    return (
         f"{how} of them {may} on {mats}",
-        f"on {mats} [there must be|there should be|there {'is' if k == 1 else 'are'}] {how} of them",
+        f"on {mats} [there must be|there should be|there {is_}] {how} of them",
         f"{how} of the {many} {may} on {mats}",
         f"I want {how} of [them|the {many}] on {mats}",
-        f"{how} of [them|the {color} {many}|these] [may|can|should] [be|lie|stand] on {mats}"
+        f"{how} of [them|the {colored}|these] [may|can|should] [be|lie|stand] on {mats}"
         if sort == "most"
         else f"{PUT} {how} of [them|the {many}] on {mats}",
         f"of these, {how} {may} on {mats}",
-        f"[the number of {color} {many} on {mats}|the number of {many} on {mats}] [must be|should be|is] {how}".replace(
+        f"[the number of {colored} on {mats}|the number of {many} on {mats}] [must be|should be|is] {how}".replace(
             ", no more and no fewer,", ""
         ),
         f"[at the end|in the end|finally], {how} of them {may} on {mats}",
     )
-    wholes: tuple[str, ...] = (
+
+
+def _of_the_stock(how: str, be: str, sort: str, kk: str, mats: str) -> tuple[str, ...]:
+    """What is said of them where they are told of first."""
+    may = "may be" if sort == "most" else be
+    return (
         f"{how} of {{inv}} {may} on {mats}",
         f"of {{inv}}, {how} {may} on {mats}",
         f"{{inv}}, of which {how} {may} on {mats}",
@@ -166,6 +158,26 @@ def so_many_there(rng: Random) -> Wish:
         if sort != "most"
         else f"no more than {kk} of {{inv}} in the end on {mats}",
     )
+
+
+def so_many_there(rng: Random) -> Wish:
+    """Exactly, at least or at most so many of the blocks on a patch."""
+    color, there = rng.sample(COLORS, 2)
+    n = rng.choice((3, 4, 4, 5))
+    k = rng.choice(range(1, n))
+    noun, mat = rng.choice(NOUNS), rng.choice(PATCHES)
+    many = plural(noun)
+    kk = FROM_NONE[k]
+    sort = rng.choice(("exactly", "exactly", "least", "most"))
+    how = {
+        "exactly": f"[exactly {kk}|precisely {kk}|just {kk}|only {kk}|{kk}, no more and no fewer,]",
+        "least": f"[at least {kk}|{kk} or more|no fewer than {kk}|a minimum of {kk}|not fewer than {kk}]",
+        "most": f"[at most {kk}|no more than {kk}|not more than {kk}|{kk} at most]",
+    }[sort]
+    be = "[is|lies|goes|must be|should be|has to be]" if k == 1 else "[are|lie|go|must be|should be|have to be]"
+    mats = f"the {there} {mat}"
+    goals = _of_them(how, be, sort, color, many, mats)
+    wholes = _of_the_stock(how, be, sort, kk, mats)
     inv: tuple[str, ...] = (
         f"{number(rng, n)} {color} {many}",
         f"{number(rng, n)} {many}, all {color}",
@@ -186,7 +198,7 @@ def so_many_there(rng: Random) -> Wish:
     )
 
 
-NUMBERS_ = ("none", "one", "two", "three", "four", "five")
+FROM_NONE = ("none", "one", "two", "three", "four", "five")
 
 
 def all_but(rng: Random) -> Wish:
@@ -304,7 +316,7 @@ def each_on_one(rng: Random) -> Wish:
     low, high = rng.sample(COLORS, 2)
     n = rng.choice((2, 2, 3))
     noun = rng.choice(NOUNS)
-    many, nn = plural(noun), NUMBERS_[n]
+    many, nn = plural(noun), FROM_NONE[n]
     goals: tuple[str, ...] = (
         f"{PUT} [a|one] {high} {noun} on [each|every] {low} [{noun}|one]",
         f"[each|every] {high} {noun} {GO} on a {low} [one|{noun}]",

@@ -15,7 +15,6 @@ _LEFT = (
     "on the left-hand side of",
     "to the left side of",
 )
-_SIDES = {"left": "left", "right": "right"}
 PLACE = {
     "on": ("on", "on", "on top of", "upon", "atop", "directly on", "right on top of", "directly on top of"),
     "under": ("under", "underneath", "beneath", "directly under", "right underneath"),
@@ -55,7 +54,6 @@ for _side in ("left", "right"):
             () if _how else ("{s} of it", "on its {s} side", "on the {s} of it", "at its {s}", "on its {s}-hand side")
         )
         HAVING[_key + _side] = tuple(_how + x.format(s=_side) for x in _its + _more)
-STANDING = {"on": ("on", "a", "b"), "under": ("on", "b", "a")}
 FLAT = tuple(kind for kind in PLACE if kind not in ("on", "under", "above"))
 PLAIN = ("-left", "-right", "-front", "-behind")
 

@@ -65,7 +65,6 @@ _HAVE = frozenset({"have", "has"})
 BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come", "end", "ends", "ending", "finish", "finishes",
                     "finished", "winds", "finally", "eventually", "ultimately"})  # fmt: skip
 """Words of where things are to be, not of where they are."""
-_LASTING = frozenset({"stays", "stay", "remains", "remain"})
 _BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
 _PLACES = Classes(
     {

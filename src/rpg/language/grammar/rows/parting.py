@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from rpg.language.tokens import Token
 
 STOPS = frozenset({".", "!", "?", ";"})
 
 
-def sentences(tokens: list[Token]) -> list[list[Token]]:
+def sentences(tokens: list[Token], stops: Collection[str] = STOPS) -> list[list[Token]]:
     """The sentences, each with the stop behind it."""
     out: list[list[Token]] = [[]]
     for token in tokens:
         out[-1].append(token)
-        if token.kind == "punct" and token.word in STOPS:
+        if token.kind == "punct" and token.word in stops:
             out.append([])
     return [sentence for sentence in out if sentence]
 

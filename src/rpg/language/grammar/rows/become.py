@@ -34,7 +34,7 @@ BECOME_AT_ONCE: tuple[Turn, ...] = (
     ("\\bfrom (?:its|their) (?:starting|start|original|initial|first) (?:place|position|spot|point|location)\\b",
      "from where it started"),
     # lines in another order
-    (f"^({END} (?:, )?)(?:it|they|the (?:tower|stack|{BRICK}s)) (?:(?:{MUST} )?(?:be|is|are)) ({CHAIN})$",
+    (f"^({END} (?:, )?)(?:it|they|the (?:tower|stack|{BRICK}s)) (?:{MUST} )?(?:be|is|are) ({CHAIN})$",
      "{1} build a tower of {2}"),
     (f"^{_LED}(?:it|they|the (?:tower|stack|{BRICK}s)) (?:(?:{MUST} )?(?:ends?(?: up)?|finish(?:es)?)(?: as)?|{MUST} "
      f"become|becomes?) ({CHAIN})$", "{1} build a tower of {2}"),

@@ -372,3 +372,6 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
             if found and (isinstance(found[0], Loc | In) or (isinstance(found[0], Manner) and found[0].kind == "stay")):
                 verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb
                 yield replace(before, verb=verb, theme=_same(before), adjuncts=found, span=p.span(i, k), cost=1), k
+            if found and isinstance(found[0], Into) and p.words[i - 1] == "or":  # "stacked, or in a row"
+                verb = "arrange" if before.verb in ("stack", "be") else before.verb
+                yield replace(before, verb=verb, theme=_same(before), adjuncts=found, span=p.span(i, k)), k

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rpg.language import harmless
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.harmless import ANIMALS, PEOPLE
 from rpg.language.tokens import Token
 
 _WHOSE = frozenset({"my", "the", "our", "her", "his", "their", "your", "'s"})
@@ -35,7 +35,8 @@ def with_names(parts: list[list[Token]]) -> list[list[Token]]:
 def _introduced(part: Sequence[Token]) -> bool:
     """ "My name is Anna. Put the red block ...": who speaks, and no word to be spelt, if nothing more is said of it."""
     words = [token.word for token in part]
-    return words[:3] == ["my", "name", "is"] and len(words) == 4
+    whom = words[:3] == ["my", "name", "is"] or words[-2:-1] in (["called"], ["named"])
+    return whom and len(words) > 3 and part[-1].kind in ("literal", "quote") and _tells(part)
 
 
 def _spelt(named: Sequence[Token], told: Sequence[Token]) -> list[Token] | None:
@@ -55,7 +56,8 @@ def _spelt(named: Sequence[Token], told: Sequence[Token]) -> list[Token] | None:
 def _tells(named: Sequence[Token]) -> bool:
     """Whether no more is told than which word it is: "SOS!", "my name is Anna", "my granddaughter is called Zoe"."""
     words = [token.word for token in named[:-1]]
+    whose = _WHOSE | harmless.PEOPLE
     if words[-1:] == ["is"]:
-        return len(words) > 2 and words[-2] in _NAMES and (_WHOSE | PEOPLE).issuperset(words[:-2])
+        return len(words) > 2 and words[-2] in _NAMES and whose.issuperset(words[:-2])
     called = words[-2:-1] == ["is"] and words[-1] in _CALLED
-    return not words or (called and len(words) > 2 and (_WHOSE | PEOPLE | ANIMALS).issuperset(words[:-2]))
+    return not words or (called and len(words) > 2 and whose.issuperset(words[:-2]))

@@ -106,13 +106,19 @@ def _its_own_way(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[C
         yield from like_with_like(p, i, j, lemma, word)
 
 
+_PLACES_OF = tuple(
+    f"{the}{places} of" for the in ("the ", "") for place in ("place", "position", "location")
+    for places in (place, f"{place}s")
+)  # fmt: skip
+
+
 def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
     word = p.span(i, i + 1)
     yield from _its_own_way(p, i, j, sense, lemma)
     if sense in ("spell", "reverse"):
         return
     if sense == "swap":
-        j = p.any_of(j, ("the positions of", "the places of", "the locations of", "positions of", "places of")) or j
+        j = p.any_of(j, _PLACES_OF) or j
     only = p.one(j, "only") if lemma == "move" else 0
     alone: tuple[Manner, ...] = (Manner(kind="only", span=p.span(j, only)),) if only else ()
     if sense in ("place", "stack") and p.words[j] == "first" and p.words[j + 1] in ("the", "a", "an", "both", "all"):

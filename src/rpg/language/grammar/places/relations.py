@@ -35,7 +35,6 @@ _RATHER = ("rather than", "instead of", "as opposed to", "and definitely not", "
 """Behind a place these deny another one: "to the left of it rather than to its right"."""
 
 
-ADVERBS = frozenset({"over", "up", "down", "out"})
 THERE = frozenset({"in", "on", "at", "onto", "into", "near", "next", "beside", "behind", "by"})
 """What these may stand before without saying more: "over in the left half", "up on the blue one"."""
 
@@ -46,7 +45,7 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
     if k := p.one(i, "still"):
         yield from _loc(p, k)
         return
-    if (k := p.one(i, ADVERBS)) and p.stands(k, THERE):
+    if (k := p.one(i, OVER)) and p.stands(k, THERE):
         yield from _loc(p, k)
     yield from _not_but(p, i)
     j = p.any_of(i, _NOWHERE) or p.one(i, "not") or (p.any_of(i, _RATHER) if i else 0)

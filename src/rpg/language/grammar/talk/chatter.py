@@ -30,7 +30,15 @@ _FREE = (
     "up_to_you|irrelevant|unimportant|not_important|of_no_importance|your_choice|your_decision|left_to_you|"
     "all_the_same_to_me|all_the_same|not_relevant|arbitrary|for_you_to_decide|for_you_to_choose"
 )
+_OF_WHAT = (
+    "of|in|on the|each|every|them|these? stacks|towers|groups|blocks|cubes|letters|digits|numbers|table?"
+)
+_MATTERS = "do|does not really|actually? matter at_all|to_me|here|much?"
 CHATTER = Patterns(
+    f"the|their|its exact|final|precise? position|positions|location|locations|place|places|spot|spots "
+    f"{_OF_WHAT} {_MATTERS}",
+    f"the|their|its exact|final|precise? position|positions|location|locations|places {_MATTERS}",
+    f"the|their|its position|positions {_OF_WHAT} is|are {_FREE}|free|open|left_open",
     "i|we|my_boss|my_teacher|they do|does|really not really|particularly|much|actually? care|mind|worry|bother "
     f"about|at_all|much? {_OPEN}?",
     f"it|that does not really|actually? matter|make_a_difference|make_any_difference at_all|to_me|here? {_OPEN}?",

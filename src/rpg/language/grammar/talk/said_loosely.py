@@ -190,19 +190,6 @@ def _taken(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return [*there, *tokens[at:end], tokens[end].saying(":"), *rest]
 
 
-def _order_inside(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "The order within each stack does not matter": the order does not."""
-    for at in range(1, len(words) - 4):
-        inside = words[at - 1] == "order" and words[at] in ("inside", "within", "in")
-        whole = words[at + 1] in ("the", "each", "every", "a", "both") and words[at + 2] in _GATHERED
-        if inside and whole and words[at + 3 : at + 5] in (["does", "not"], ["is", "free"], ["is", "irrelevant"]):
-            return [*tokens[:at], *tokens[at + 3 :]]
-    return None
-
-
-_GATHERED = frozenset(lexicon.STRUCTURE) | {"group", "groups", "pile", "piles"}
-
-
 _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_it, frozenset({"it"})),
     (_anywhere_else, frozenset({"anywhere"})),
@@ -217,7 +204,6 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_also_called, frozenset({"that"})),
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
-    (_order_inside, frozenset({"order"})),
 )
 """The changes, and words without one of which there is nothing for each to change."""
 LOOSE = frozenset(word for _, telling in _CHANGES for word in telling)

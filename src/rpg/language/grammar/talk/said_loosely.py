@@ -190,6 +190,25 @@ def _taken(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return [*there, *tokens[at:end], tokens[end].saying(":"), *rest]
 
 
+def _who_builds(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "With three red blocks the robot should build a tower": with three red blocks build one."""
+    for begin in (n for n in range(len(words) - 5) if n == 0 or words[n - 1] in _STOPS):
+        end = next((n for n in range(begin, len(words)) if words[n] in _STOPS), len(words))
+        for at in range(begin + 3, end - 1) if words[begin] in _OUT_OF else ():
+            who = length_at(words, at, _WHO)
+            modal = at + who
+            if who and words[modal] in _SHALL and words[modal + 1] in _BASES:
+                return [*tokens[:at], *tokens[modal + 1 :]]
+    return None
+
+
+_OUT_OF = frozenset({"with", "from", "out", "using", "of"})
+_WHO = (("the", "robot"), ("the", "arm"), ("the", "agent"), ("the", "gripper"), ("a", "robot"), ("you",), ("it",),
+        ("one",), (",", "the", "robot"), (",", "you"), (",", "the", "arm"))  # fmt: skip
+_SHALL = frozenset({"should", "must", "shall", "will", "can", "could"})
+_BASES = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
+
+
 _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_it, frozenset({"it"})),
     (_anywhere_else, frozenset({"anywhere"})),
@@ -204,6 +223,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_also_called, frozenset({"that"})),
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
+    (_who_builds, _OUT_OF),
 )
 """The changes, and words without one of which there is nothing for each to change."""
 LOOSE = frozenset(word for _, telling in _CHANGES for word in telling)

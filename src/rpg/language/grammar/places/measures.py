@@ -19,7 +19,7 @@ NEXT = tuple(
 )  # fmt: skip
 """What stands side by side in a line."""
 _GROUPS = tuple(
-    f"{which}{groups}" for which in ("", "the ", "the two ", "the three ", "both ", "any two ", "each two ", "every two ")
+    f"{which}{groups}" for which in ("", "the ", "the two ", "the three ", "both ", "any two ", "every two ")
     for groups in ("groups", "piles", "clusters", "bunches", "heaps")
 )  # fmt: skip
 _ENDS_OF = ("", " of the blocks", " of the cubes", " of them", *(f" of {next_}" for next_ in NEXT))

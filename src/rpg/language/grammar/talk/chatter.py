@@ -30,9 +30,7 @@ _FREE = (
     "up_to_you|irrelevant|unimportant|not_important|of_no_importance|your_choice|your_decision|left_to_you|"
     "all_the_same_to_me|all_the_same|not_relevant|arbitrary|for_you_to_decide|for_you_to_choose"
 )
-_OF_WHAT = (
-    "of|in|on the|each|every|them|these? stacks|towers|groups|blocks|cubes|letters|digits|numbers|table?"
-)
+_OF_WHAT = "of|in|on the|each|every|them|these? stacks|towers|groups|blocks|cubes|letters|digits|numbers|table?"
 _MATTERS = "do|does not really|actually? matter at_all|to_me|here|much?"
 CHATTER = Patterns(
     f"the|their|its exact|final|precise? position|positions|location|locations|place|places|spot|spots "

@@ -10,6 +10,7 @@ from rpg.passes.schema.resolve.clauses.taken_off import taken_off
 from rpg.passes.schema.resolve.clauses.told_behind import told_behind
 from rpg.passes.schema.resolve.orders.into_an_order import into_an_order
 from rpg.passes.schema.resolve.places.middle_of_ring import middle_of_ring
+from rpg.passes.schema.resolve.places.no_gap import no_gap
 from rpg.passes.schema.resolve.places.patch_in_common import patch_in_common
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.structures.either_shape import either_shape
@@ -22,7 +23,8 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
     ways = (
-        either_shape(one_in_each(chain)) for chain in groups_listed(none_told(middle_of_ring(sorted_as_told(chains))))
+        either_shape(one_in_each(chain))
+        for chain in groups_listed(none_told(no_gap(middle_of_ring(sorted_as_told(chains)))))
     )
     told = (shared_sides(recounted(chain), text) for chain in ways)
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)

@@ -20,6 +20,7 @@ from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
 from rpg.language.nicknames import without_nicknames
+from rpg.language.open_colors import with_colors
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
 from rpg.language.titles import title, untitled
@@ -167,7 +168,7 @@ def _undisturbed() -> Iterator[None]:
 
 
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
-    without_names, without_glosses, without_nicknames, without_feelings, in_centimetres,
+    without_names, without_glosses, without_nicknames, without_feelings, in_centimetres, with_colors,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _STRAY_HINTS = {

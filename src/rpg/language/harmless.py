@@ -73,7 +73,8 @@ _THINGS = """
     farm village town city country beach sea ocean lake river forest mountain car bus bike bicycle train plane boat
     van lorry phone telephone mobile laptop computer tablet television radio fridge oven kettle toaster teapot mug
     cup glass bottle spoon fork knife plate bowl pan pot sofa couch armchair chair bed pillow blanket curtain lamp
-    candle vase pen pencil crayon marker eraser notebook flower bouquet tree bush umbrella coat jacket hat scarf glove shoe boot sock shirt
+    candle vase pen pencil crayon marker eraser notebook
+    flower bouquet tree bush umbrella coat jacket hat scarf glove shoe boot sock shirt
     dress skirt trousers jeans apron purse wallet bag suitcase backpack key watch necklace glasses toy balloon
     kite cake cookie biscuit bread butter cheese ham sausage egg milk juice water beer wine soup salad pizza pasta rice
     potato tomato onion carrot apple pear banana cherry strawberry lemon grape sweets candy chocolate sugar

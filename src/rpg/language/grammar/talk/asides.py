@@ -11,6 +11,7 @@ from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
+from rpg.language.grammar.talk.in_short import begins_thing, meant
 from rpg.language.grammar.talk.left_open import ANY_OF_THEM, FOREIGN, FREE, LOOSE
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.plainer import plainer
@@ -63,11 +64,6 @@ _DEGREES = frozenset(_DEGREE_WORDS.split())
 """What an emphasis in front of them would change."""
 _BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "to", "of", "with"})
 """Words that are said again when what they begin is begun again."""
-_STANDING = frozenset({"behind", "on", "in", "next", "under", "above", "between", "near", "touching", "at", "beside"})
-"""After these "its" was meant as "it is"."""
-_NAMED = frozenset({"a", "an", "not", "only", "just", "there"})
-"""Before these "its" was meant as "it is" wherever it stands."""
-_ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "need", "when", "once", "should", "must"})
 
 
 def without_asides(tokens: list[Token]) -> list[Token]:
@@ -107,7 +103,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
     out += waiting
-    plain = rephrased(plainer(in_words(repeated([token for n in range(len(out)) for token in _meant(out, n)]))))
+    plain = rephrased(plainer(in_words(repeated([token for n in range(len(out)) for token in meant(out, n)]))))
     return reckoned(exceptions_first(plain))
 
 
@@ -122,7 +118,7 @@ def _between(tokens: list[Token], at: int) -> Token:
     if token.word != "btw" or not 0 < at < len(tokens) - 1 or tokens[at - 1].word in _BREAKS:
         return token
     joined = any(t.word in ("and", "&", "n", "2", "two", "both") for t in tokens[at + 1 : at + 8])
-    return replace(token, word="between") if joined and _thing(tokens[at + 1]) else token
+    return replace(token, word="between") if joined and begins_thing(tokens[at + 1]) else token
 
 
 _SIDE = {"l": "left", "r": "right"}
@@ -144,16 +140,6 @@ def _side(tokens: list[Token], at: int) -> Token | None:
             side = _SIDE[tokens[at].word]
             return replace(tokens[at], word=side, raw=side)
     return None
-
-
-def _thing(token: Token) -> bool:
-    """Whether a thing may begin with it."""
-    letter = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper()
-    return letter or token.kind == "number" or any(token.word in table for table in (*_THINGS, _DETERMINERS))
-
-
-_THINGS = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.NUMBER)
-_DETERMINERS = frozenset({"the", "a", "an", "two", "both", "its", "one", "each", "every", "no"})
 
 
 def _shouted(token: Token) -> bool:
@@ -335,36 +321,6 @@ def _closed(tokens: list[Token], out: list[Token], end: int, whole: bool) -> int
             del out[-size:]
             break
     return end
-
-
-_SHOWN = frozenset({"letter", "letters", "spell", "word", "and", "cube", "cubes", "block", "blocks", "symbol", "name"})
-"""Before a "w" that is a letter."""
-
-
-def _meant(tokens: list[Token], at: int) -> list[Token]:
-    """ "red n blue": "n" between two things is "and"; "can u": you; "so its behind": it is."""
-    token = tokens[at]
-    after = tokens[at + 1].word if at + 1 < len(tokens) else ""
-    if token.word == "either" and at and ((tokens[at + 1 :] and tokens[at + 1].kind == "literal") or after == "the"):
-        named = [t.word for t in tokens[at + 1 : at + 3]] == ["the", "word"] or tokens[at + 1].kind == "literal"
-        return [] if named else [token]
-    if token.word == "its" and at and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING:
-        return [replace(token, word=word) for word in ("it", "is")]
-    if token.word == "its" and after in _NAMED:
-        return [replace(token, word=word) for word in ("it", "is")]
-    if token.word == "…" and (at == 0 or tokens[at - 1].word in _STOPS):
-        return []
-    if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):
-        return [replace(token, word="you")]
-    if token.raw == "w" and 0 < at < len(tokens) - 1 and len(tokens[at - 1].word) > 2 and _thing(tokens[at + 1]):
-        return [replace(token, word="with")] if tokens[at - 1].word not in _SHOWN else [token]
-    if token.raw != "n" or not 0 < at < len(tokens) - 1:
-        return [token]
-    before = tokens[at - 1]
-    thing = before.kind == "number" or any(before.word in table for table in _THINGS)
-    place = before.word in ("top", "bottom", "left", "right", "middle")
-    letter = before.kind == "word" and len(before.raw) == 1 and before.raw.isupper()
-    return [replace(token, word="and") if thing or place or letter else token]
 
 
 def _of_so_many(words: list[str], first: int, last: int) -> bool:

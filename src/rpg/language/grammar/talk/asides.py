@@ -271,7 +271,7 @@ _DO_THIS = tuple(
 )
 """What carries nothing in front of a command."""
 _COMMANDS = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
-_AT_ALL = ("at all", "whatsoever")
+_AT_ALL = ("at all", "whatsoever", "though")
 _FILLERS = ("like", "sort of", "kind of", "i think", "i believe")
 _COUNTING = frozenset({"with", "of", "and", "then", "have", "make", "use", "be", "is", "are"})
 _DENYING = frozenset({"no", "not", "none", "nothing", "never", "without", "neither", "nor", "nobody"})

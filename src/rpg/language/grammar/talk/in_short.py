@@ -21,7 +21,7 @@ _SHOWN = frozenset({"letter", "letters", "spell", "word", "and", "cube", "cubes"
 
 
 def meant(tokens: list[Token], at: int) -> list[Token]:
-    """ "red n blue": "n" between two things is "and"; "can u": you; "so its behind": it is."""
+    """ "red n blue": "n" between two things is "and"; "can u": you; "so its behind": it is; "do me a row": make one."""
     token = tokens[at]
     after = tokens[at + 1].word if at + 1 < len(tokens) else ""
     if token.word == "either" and at and ((tokens[at + 1 :] and tokens[at + 1].kind == "literal") or after == "the"):
@@ -36,6 +36,8 @@ def meant(tokens: list[Token], at: int) -> list[Token]:
         return [replace(token, word="you")]
     if token.raw == "w" and 0 < at < len(tokens) - 1 and len(tokens[at - 1].word) > 2 and begins_thing(tokens[at + 1]):
         return [replace(token, word="with")] if tokens[at - 1].word not in _SHOWN else [token]
+    if token.word == "do" and after in ("me", "us") and at + 2 < len(tokens) and begins_thing(tokens[at + 2]):
+        return [replace(token, word="make")]
     if token.raw != "n" or not 0 < at < len(tokens) - 1:
         return [token]
     before = tokens[at - 1]

@@ -1,4 +1,4 @@
-""" "A row of three white blocks and a row of three black ones, 10 cm apart": the rows are, and not the blocks of one."""
+""" "A row of three white blocks and a row of three black ones, 10 cm apart": the rows are, not the blocks of one."""
 
 from __future__ import annotations
 

@@ -201,7 +201,8 @@ def _emphatic(words: list[str], end: int) -> bool:
     """Whether a description follows."""
     after = words[end] if end < len(words) else ""
     tidied = words[end - 1] == "tidy" and after in ("the", "this", "up", "your", "my", "our", "it", "them", "these")
-    return bool(after) and after not in _BREAKS | _DEGREES and not tidied
+    edge = words[end - 1] == "very" and after in ("front", "back", "left", "right")  # "the very front of the table"
+    return bool(after) and after not in _BREAKS | _DEGREES and not (tidied or edge)
 
 
 def _set_off(words: list[str], at: int, end: int) -> bool:

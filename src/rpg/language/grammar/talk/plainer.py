@@ -45,10 +45,13 @@ from rpg.language.grammar.talk.said_between import (
 )
 from rpg.language.grammar.talk.said_loosely import LOOSE, said_loosely
 from rpg.language.grammar.talk.short_turns import (
+    LETTING,
     anywhere_but,
     between_them,
+    not_stacked,
     number_made,
     turned_in_place,
+    without_letting,
     without_stacking,
 )
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
@@ -353,6 +356,8 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (dealt_out, frozenset({"half", "towers", "stacks", "each", "equation", "sum", "of"})),
     (between_them, frozenset({"between"})),
     (without_stacking, frozenset({"stacking"})),
+    (without_letting, LETTING),
+    (not_stacked, frozenset({"stacked"})),
     (anywhere_but, frozenset({"anywhere", "somewhere"})),
     (number_is, NUMBER),
     (both_of_so_many, frozenset({"both"})),

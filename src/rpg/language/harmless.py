@@ -152,7 +152,7 @@ _INTERJECTIONS = """
     ha haha hahaha hehe hooray hurray yay wow oops gosh phew alas ahoy bravo cheers ciao adios hello hi hey hiya howdy
     greetings bye goodbye thanks thank ta thx welcome amen bingo voila bonjour hola aloha congrats congratulations
     sorry pardon please okay ok alright yes yeah yep sure lol omg oh ah aha well hmm ugh ouch yikes hallelujah
-    um uh er erm hm mm yo jeez blimey crikey
+    ooh oo aw aww yippee tada hurrah um uh er erm hm mm yo jeez blimey crikey
 """
 _NAMES = """
     tom tim jim john jack james peter paul max ben sam dan david daniel michael mike chris thomas george henry

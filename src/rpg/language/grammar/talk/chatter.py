@@ -50,6 +50,10 @@ CHATTER = Patterns(
     "with_something|here|now|today?",
     "can|could|will|would you help|assist me|us with_this|with_something|here|out|now|today?",
     f"let us play|try|do a|another|the|this? little|quick|new|nice? {_ERRAND}|experiment|trick",
+    "it_is? time to|for tidy|clean|clear|play|build|learn|count|spell|begin|start|work|cleaning|tidying|playing "
+    "up|away? together|again|with_the_blocks|our_blocks|the_blocks|now|everyone?",
+    "shall|should|can|could|may|will we|i count|play|try|learn|begin|start|see|practise|practice|sing together|a_game|"
+    "something|a_bit|a_little|now|some_more?",
     "let us begin|start|go|get_started|get_going|do_this|do_it|get_to_work|try_this|try_something|see|go_ahead|play",
     f"my|our|the? {PEOPLE} wants|want|likes|like|loves|love|prefers|prefer|needs|need|expects a|the? "
     "tidy|neat|clean|nice|orderly? tidy|neat|clean|nice|orderly? table|desk|workspace",

@@ -12,6 +12,8 @@ _STANDING = frozenset({"behind", "on", "in", "next", "under", "above", "between"
 """After these "its" was meant as "it is"."""
 _NAMED = frozenset({"a", "an", "not", "only", "just", "there"})
 """Before these "its" was meant as "it is" wherever it stands."""
+_POSED = {"sat": "sitting", "stood": "standing"}
+"""In some places things "are sat" on each other."""
 _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "need", "when", "once", "should", "must"})
 _THINGS = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.NUMBER)
 _DETERMINERS = frozenset({"the", "a", "an", "two", "both", "its", "one", "each", "every", "no"})
@@ -30,6 +32,8 @@ def meant(tokens: list[Token], at: int) -> list[Token]:
     stands = at > 0 and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING
     if token.word == "its" and (stands or after in _NAMED):
         return [replace(token, word=word) for word in ("it", "is")]
+    if token.word in _POSED and at and tokens[at - 1].word in ("is", "are", "was", "were", "'s"):
+        return [replace(token, word=_POSED[token.word])]
     if token.word == "…" and (at == 0 or tokens[at - 1].word in _STOPS):
         return []
     if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):

@@ -190,6 +190,21 @@ def _taken(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return [*there, *tokens[at:end], tokens[end].saying(":"), *rest]
 
 
+def _got_done(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Get that mat cleared": clear that mat."""
+    for begin in (n for n in range(len(words) - 3) if n == 0 or words[n - 1] in (*_STOPS, "please", "and", ",")):
+        end = next((n for n in range(begin, len(words)) if words[n] in _STOPS), len(words))
+        done = [base for _, base, form in lexicon.VERB.get(words[end - 1], ()) if form == "past"]
+        what = words[begin + 1 : end - 1]
+        if words[begin] in ("get", "have") and done and what and what[0] in _WHAT and len(what) <= _SHORT:
+            return [*tokens[:begin], tokens[begin].saying(done[0]), *tokens[begin + 1 : end - 1], *tokens[end:]]
+    return None
+
+
+_WHAT = frozenset({"the", "that", "this", "all", "both", "those", "these", "my", "every", "everything"})
+_SHORT = 6
+
+
 def _of_one_there(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "A tower consisting of a cyan block at the bottom and two pink ones above it": with one there."""
     for at in (n + 1 for n, word in enumerate(words[:-4]) if word in _SINGLE):
@@ -249,6 +264,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
     (_who_builds, _OUT_OF),
+    (_got_done, frozenset({"get", "have"})),
     (_of_one_there, frozenset({"of", "from"})),
 )
 """The changes, and words without one of which there is nothing for each to change."""

@@ -200,6 +200,8 @@ _EQUAL_GAPS = Patterns(
     "same|equal|even|identical|regular gap|gaps|space|spaces|distance|distances|spacing|room "
     "in_between|between_them|between_the_blocks|between_the_cubes|between_each_other|between_all_of_them|"
     "between_neighbors|between_the_neighbors|between_each_block|between_each_cube|between_each_of_them?",
+    ",? each|every_one|all_of_them at? the|an same|equal distance from|to|apart_from "
+    "the_next|the_next_one|its_neighbor|its_neighbors|the_one_before|the_others",
 )
 
 

@@ -52,7 +52,8 @@ SOFT = "(soft)"
 _HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh"})
 _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
              "nice and neat", "nice and tidy", "good", "proper", "dead", "smack", "bang", "slap bang",
-             "smack bang", "plumb", "right smack")  # fmt: skip
+             "smack bang", "plumb", "right smack",
+             "entirely", "wholly", "completely", "fully")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""
 _ANYPLACE = ("anywhere", "anywhere you like", "anywhere you want", "wherever", "wherever you like", "wherever you want",
              "no matter where", "it does not matter where", "does not matter where")  # fmt: skip

@@ -50,6 +50,7 @@ CHATTER = Patterns(
     "with_something|here|now|today?",
     "can|could|will|would you help|assist me|us with_this|with_something|here|out|now|today?",
     f"let us play|try|do a|another|the|this? little|quick|new|nice? {_ERRAND}|experiment|trick",
+    "let us do|try some? stairs|towers|rows|pyramids|letters|words|numbers|shapes|figures|steps|colors now|today?",
     "it_is? time to|for tidy|clean|clear|play|build|learn|count|spell|begin|start|work|cleaning|tidying|playing "
     "up|away? together|again|with_the_blocks|our_blocks|the_blocks|now|everyone?",
     "shall|should|can|could|may|will we|i count|play|try|learn|begin|start|see|practise|practice|sing together|a_game|"

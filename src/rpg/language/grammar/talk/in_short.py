@@ -32,6 +32,8 @@ def meant(tokens: list[Token], at: int) -> list[Token]:
     stands = at > 0 and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING
     if token.word == "its" and (stands or after in _NAMED):
         return [replace(token, word=word) for word in ("it", "is")]
+    if [token.word, after] == ["nice", "and"] or (token.word == "and" and at and tokens[at - 1].word == "nice"):
+        return []  # "nice and close"
     if token.word in _POSED and at and tokens[at - 1].word in ("is", "are", "was", "were", "'s"):
         return [replace(token, word=_POSED[token.word])]
     if token.word == "…" and (at == 0 or tokens[at - 1].word in _STOPS):

@@ -205,6 +205,38 @@ _WHAT = frozenset({"the", "that", "this", "all", "both", "those", "these", "my",
 _SHORT = 6
 
 
+def _steps_built(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Make three steps going up to the left": stairs of three steps."""
+    for at in (n for n in range(1, len(words) - 1) if tokens[n].many > 1 and words[n - 1] in _MADE):
+        hue = words[at + 1] in lexicon.COLOR
+        begin = max((n + 1 for n in range(at) if words[n] in _STOPS), default=0)
+        end = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
+        if words[at + 1 + hue : at + 2 + hue] != ["steps"] or not _STAIRS.isdisjoint(words[begin:end]):
+            continue
+        say = tokens[at].saying
+        return [
+            *tokens[:at],
+            *tokens[at + 1 : at + 1 + hue],
+            say("stairs"),
+            say("of"),
+            tokens[at],
+            *tokens[at + 1 + hue :],
+        ]
+    return None
+
+
+_MADE = frozenset({"make", "build", "create", "construct", "form"})
+_STAIRS = frozenset({"stairs", "stair", "staircase", "stairway", "ladder", "pyramid"})
+
+
+def _laid_flat(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Lay ten blocks flat in a rectangle": in a rectangle."""
+    for at in range(2, len(words) - 2):
+        if words[at] == "flat" and words[at + 1] in ("in", "as", "into") and words[at + 2] in ("a", "an", "the"):
+            return [*tokens[:at], *tokens[at + 1 :]]
+    return None
+
+
 def _of_one_there(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "A tower consisting of a cyan block at the bottom and two pink ones above it": with one there."""
     for at in (n + 1 for n, word in enumerate(words[:-4]) if word in _SINGLE):
@@ -264,6 +296,8 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
     (_who_builds, _OUT_OF),
+    (_steps_built, frozenset({"steps"})),
+    (_laid_flat, frozenset({"flat"})),
     (_got_done, frozenset({"get", "have"})),
     (_of_one_there, frozenset({"of", "from"})),
 )

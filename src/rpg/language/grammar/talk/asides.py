@@ -261,7 +261,7 @@ def _all_over(words: list[str], at: int, end: int) -> bool:
 
 
 _DOWNWARDS = frozenset({"downwards", "upwards", "downward", "upward"})
-_BUILT = ("finished", "completed", "resulting", "finalized")
+_BUILT = ("finished", "completed", "resulting", "finalized", "low")
 """What carries nothing in front of what is built."""
 _AT_ONCE = ("at the same time", "simultaneously")
 """What carries nothing where nothing is denied: all that is asked for holds in the end."""

@@ -34,6 +34,8 @@ def meant(tokens: list[Token], at: int) -> list[Token]:
         return [replace(token, word=word) for word in ("it", "is")]
     if [token.word, after] == ["nice", "and"] or (token.word == "and" and at and tokens[at - 1].word == "nice"):
         return []  # "nice and close"
+    if token.word == "close" and at and tokens[at - 1].word in (",", "and") and after == "so":
+        return []  # "next to it, close so that they touch"
     if token.word in _POSED and at and tokens[at - 1].word in ("is", "are", "was", "were", "'s"):
         return [replace(token, word=_POSED[token.word])]
     if token.word == "…" and (at == 0 or tokens[at - 1].word in _STOPS):

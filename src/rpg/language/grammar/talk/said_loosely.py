@@ -237,6 +237,26 @@ def _laid_flat(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
+def _same_ones(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "The same three cubes": the three cubes, which were told before."""
+    for at in range(1, len(words) - 2):
+        counted = tokens[at + 1].many > 1 and words[at + 2] in lexicon.BLOCK
+        if words[at - 1 : at + 1] == ["the", "same"] and counted:
+            return [*tokens[:at], *tokens[at + 1 :]]
+    return None
+
+
+def _each_one(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Each one (in) a different colour": each a different one."""
+    for at in range(len(words) - 4):
+        if words[at : at + 2] == ["each", "one"] and "different" in words[at + 2 : at + 5] and words[at + 2] in _OF_A:
+            return [*tokens[: at + 1], *tokens[at + 2 :]]
+    return None
+
+
+_OF_A = frozenset({"a", "of", "in", "with"})
+
+
 def _of_one_there(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "A tower consisting of a cyan block at the bottom and two pink ones above it": with one there."""
     for at in (n + 1 for n, word in enumerate(words[:-4]) if word in _SINGLE):
@@ -296,6 +316,8 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
     (_who_builds, _OUT_OF),
+    (_each_one, frozenset({"different"})),
+    (_same_ones, frozenset({"same"})),
     (_steps_built, frozenset({"steps"})),
     (_laid_flat, frozenset({"flat"})),
     (_got_done, frozenset({"get", "have"})),

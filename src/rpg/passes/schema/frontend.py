@@ -30,6 +30,7 @@ from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
+from rpg.passes.schema.order_told import check_order
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.told_there import check_numbers, check_told, check_wanted
 
@@ -121,6 +122,7 @@ class BuiltinFrontEnd:
         words, told = told_plainly(rows_in_words(without_asides(spoken)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
+            check_order(words)
             check_told(told or told_behind(words), found.task)
             check_numbers(spoken, words, found)
         except Refusal:

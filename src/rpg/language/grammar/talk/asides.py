@@ -71,7 +71,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
     """The tokens without words that mean nothing, and without the commas that set them off."""
     tokens = lists_in_one(corrected(tokens[_answering(tokens) or taste_told(tokens) :]))
     tokens = [(_side(tokens, n) or _between(tokens, n)) if t.word in _SHORT else t for n, t in enumerate(tokens)]
-    tokens = [t.saying(",") if t.word == "but" and _left_open(tokens, n) else t for n, t in enumerate(tokens)]
+    tokens = [token for n in range(len(tokens)) for token in _left_open(tokens, n)]
     words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
     p = Parser(tokens)
     out: list[Token] = []
@@ -207,9 +207,11 @@ def _emphatic(words: list[str], end: int) -> bool:
     return bool(after) and after not in _BREAKS | _DEGREES and not (tidied or edge)
 
 
-def _left_open(tokens: list[Token], at: int) -> bool:
-    """ "(Next to it,) but it does not matter on which side"."""
-    return [t.word for t in tokens[at + 1 : at + 5]] == ["it", "does", "not", "matter"] and tokens[at - 1].word != ","
+def _left_open(tokens: list[Token], at: int) -> list[Token]:
+    """A token; a comma for the "but" of "(next to it) but it does not matter on which side"."""
+    if tokens[at].word != "but" or [t.word for t in tokens[at + 1 : at + 5]] != ["it", "does", "not", "matter"]:
+        return [tokens[at]]
+    return [tokens[at].saying(",")] if at and tokens[at - 1].word != "," else []
 
 
 def _set_off(words: list[str], at: int, end: int) -> bool:

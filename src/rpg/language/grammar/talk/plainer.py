@@ -55,7 +55,7 @@ from rpg.language.grammar.talk.short_turns import (
     without_stacking,
 )
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
-from rpg.language.grammar.talk.structures_listed import PLURALS, structures_listed
+from rpg.language.grammar.talk.structures_listed import PLURALS, one_of_each_color, structures_listed
 from rpg.language.grammar.talk.told_short import any_other, but_turned, every_other, halves_told, in_pairs, no_two
 from rpg.language.grammar.talk.towers_bounded import HIGHER, towers_bounded
 from rpg.language.grammar.talk.towers_in_short import (
@@ -330,6 +330,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (sorted_onto_mats, frozenset({"color", "colors"})),
     (floors_high, FLOORS),
     (structures_listed, PLURALS),
+    (one_of_each_color, frozenset({"colors", "color"})),
     (one_height_for_all, frozenset({"each", "both", "all"})),
     (one_tower_has, frozenset({"tower", "stack"})),
     (tidied_into, frozenset({"into"})),

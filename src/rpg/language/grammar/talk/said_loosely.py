@@ -257,6 +257,18 @@ def _each_one(tokens: list[Token], words: list[str]) -> list[Token] | None:
 _OF_A = frozenset({"a", "of", "in", "with"})
 
 
+def _each_once(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Using each of the cubes 9, 4, 5, - and = exactly once, form a true equation": using these cubes."""
+    for at in range(len(words) - 3):
+        each = words[at] in ("using", "use") and words[at + 1 : at + 4] == ["each", "of", "the"]
+        once = next((n for n in range(at, len(words)) if words[n] == "once"), 0)
+        if not each or not once or not _STOPS.isdisjoint(words[at:once]):
+            continue
+        begin = once - (words[once - 1] in ("exactly", "only", "just"))
+        return [*tokens[: at + 1], *tokens[at + 3 : begin], *tokens[once + 1 :]]
+    return None
+
+
 def _of_one_there(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "A tower consisting of a cyan block at the bottom and two pink ones above it": with one there."""
     for at in (n + 1 for n, word in enumerate(words[:-4]) if word in _SINGLE):
@@ -316,6 +328,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
     (_who_builds, _OUT_OF),
+    (_each_once, frozenset({"once"})),
     (_each_one, frozenset({"different"})),
     (_same_ones, frozenset({"same"})),
     (_steps_built, frozenset({"steps"})),

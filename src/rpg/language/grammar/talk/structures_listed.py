@@ -1,5 +1,6 @@
 """Structures of one kind that are told one by one behind their number: "two towers, one red with three blocks and one
-blue with two", "two columns of three blocks, one white and one black, 10 cm apart"."""
+blue with two", "two columns of three blocks, one white and one black, 10 cm apart"; and by their colours in front of
+them: "for each of the colours red and blue there is a tower of two cubes of that colour"."""
 
 from __future__ import annotations
 
@@ -77,3 +78,37 @@ def _entries(tokens: list[Token], words: list[str], at: int) -> list[_Entry]:
         while at < len(words) and words[at] in _JOINTS:
             at += 1
     return found
+
+
+_FOR_EACH = (
+    *(("for", "each", "of", which, "colors") for which in ("the", "these")),
+    ("for", "every", "color"), ("for", "each", "color"), ("for", "each", "of", "the", "following", "colors"),
+)  # fmt: skip
+_THERE = (("there", "is"), ("there", "should", "be"), ("there", "must", "be"), ("build",), ("make",), ("you", "build"))
+_SUCH = (("of", "that", "color"), ("of", "this", "color"), ("in", "that", "color"), ("in", "this", "color"))
+
+
+def one_of_each_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """The tokens with a structure of each of the colours that are told in front of it."""
+    for at in range(len(words)):
+        lead = length_at(words, at, _FOR_EACH)
+        hues, end = [], at + lead
+        end += lead > 0 and words[end : end + 1] == [":"]
+        while lead and end < len(words) and (words[end] in lexicon.COLOR or words[end] in _JOINTS):
+            hues += [tokens[end]] if words[end] in lexicon.COLOR else []
+            end += 1
+        there = length_at(words, end, _THERE) if len(hues) > 1 else 0
+        begin = end + there
+        if not there or words[begin : begin + 1] != ["a"] or words[begin + 1] not in _SINGULAR.values():
+            continue
+        noun = next((n for n in range(begin + 2, min(begin + 8, len(words))) if words[n] in _UNITS), 0)
+        last = noun + 1 + length_at(words, noun + 1, _SUCH) if noun else 0
+        if not noun or any(word in lexicon.COLOR for word in words[begin:noun]):
+            continue
+        must = [tokens[end].saying(word) for word in ("there", "must", "be")]
+        out = [*tokens[:at], *(must if words[end] == "there" else tokens[end:begin])]
+        for n, hue in enumerate(hues):
+            out += [hue.saying("and" if n == len(hues) - 1 else ",")] if n else []
+            out += [*tokens[begin:noun], hue, tokens[noun]]
+        return [*out, *tokens[last:]]
+    return None

@@ -12,6 +12,7 @@ from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.colored_groups import GROUPS, colored_groups
 from rpg.language.grammar.talk.cube_of_small_ones import SMALL, cube_of_small_ones, four_below
 from rpg.language.grammar.talk.dealt_out import dealt_out
+from rpg.language.grammar.talk.each_and_same import each_once, each_one, same_ones
 from rpg.language.grammar.talk.each_of_its_color import (
     ORGANIZED,
     each_on_its_own,
@@ -69,6 +70,7 @@ from rpg.language.grammar.talk.towers_in_short import (
     tidied_into,
 )
 from rpg.language.grammar.talk.utmost_number import utmost_number
+from rpg.language.grammar.talk.verbs_told import OUT_OF, got_done, laid_flat, steps_built, who_builds
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -369,6 +371,13 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (not_touching, frozenset({"touching"})),
     (turned_in_place, frozenset({"spot"})),
     (number_made, frozenset({"digit", "digits", "number", "numbers"})),
+    (who_builds, OUT_OF),
+    (got_done, frozenset({"get", "have"})),
+    (steps_built, frozenset({"steps"})),
+    (laid_flat, frozenset({"flat"})),
+    (each_once, frozenset({"once"})),
+    (each_one, frozenset({"different"})),
+    (same_ones, frozenset({"same"})),
     (said_loosely, LOOSE),
 )
 """The changes, in their order, and words without one of which there is nothing for each to change."""

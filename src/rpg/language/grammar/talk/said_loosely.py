@@ -190,85 +190,6 @@ def _taken(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return [*there, *tokens[at:end], tokens[end].saying(":"), *rest]
 
 
-def _got_done(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Get that mat cleared": clear that mat."""
-    for begin in (n for n in range(len(words) - 3) if n == 0 or words[n - 1] in (*_STOPS, "please", "and", ",")):
-        end = next((n for n in range(begin, len(words)) if words[n] in _STOPS), len(words))
-        done = [base for _, base, form in lexicon.VERB.get(words[end - 1], ()) if form == "past"]
-        what = words[begin + 1 : end - 1]
-        if words[begin] in ("get", "have") and done and what and what[0] in _WHAT and len(what) <= _SHORT:
-            return [*tokens[:begin], tokens[begin].saying(done[0]), *tokens[begin + 1 : end - 1], *tokens[end:]]
-    return None
-
-
-_WHAT = frozenset({"the", "that", "this", "all", "both", "those", "these", "my", "every", "everything"})
-_SHORT = 6
-
-
-def _steps_built(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Make three steps going up to the left": stairs of three steps."""
-    for at in (n for n in range(1, len(words) - 1) if tokens[n].many > 1 and words[n - 1] in _MADE):
-        hue = words[at + 1] in lexicon.COLOR
-        begin = max((n + 1 for n in range(at) if words[n] in _STOPS), default=0)
-        end = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
-        if words[at + 1 + hue : at + 2 + hue] != ["steps"] or not _STAIRS.isdisjoint(words[begin:end]):
-            continue
-        say = tokens[at].saying
-        return [
-            *tokens[:at],
-            *tokens[at + 1 : at + 1 + hue],
-            say("stairs"),
-            say("of"),
-            tokens[at],
-            *tokens[at + 1 + hue :],
-        ]
-    return None
-
-
-_MADE = frozenset({"make", "build", "create", "construct", "form"})
-_STAIRS = frozenset({"stairs", "stair", "staircase", "stairway", "ladder", "pyramid"})
-
-
-def _laid_flat(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Lay ten blocks flat in a rectangle": in a rectangle."""
-    for at in range(2, len(words) - 2):
-        if words[at] == "flat" and words[at + 1] in ("in", "as", "into") and words[at + 2] in ("a", "an", "the"):
-            return [*tokens[:at], *tokens[at + 1 :]]
-    return None
-
-
-def _same_ones(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "The same three cubes": the three cubes, which were told before."""
-    for at in range(1, len(words) - 2):
-        counted = tokens[at + 1].many > 1 and words[at + 2] in lexicon.BLOCK
-        if words[at - 1 : at + 1] == ["the", "same"] and counted:
-            return [*tokens[:at], *tokens[at + 1 :]]
-    return None
-
-
-def _each_one(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Each one (in) a different colour": each a different one."""
-    for at in range(len(words) - 4):
-        if words[at : at + 2] == ["each", "one"] and "different" in words[at + 2 : at + 5] and words[at + 2] in _OF_A:
-            return [*tokens[: at + 1], *tokens[at + 2 :]]
-    return None
-
-
-_OF_A = frozenset({"a", "of", "in", "with"})
-
-
-def _each_once(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Using each of the cubes 9, 4, 5, - and = exactly once, form a true equation": using these cubes."""
-    for at in range(len(words) - 3):
-        each = words[at] in ("using", "use") and words[at + 1 : at + 4] == ["each", "of", "the"]
-        once = next((n for n in range(at, len(words)) if words[n] == "once"), 0)
-        if not each or not once or not _STOPS.isdisjoint(words[at:once]):
-            continue
-        begin = once - (words[once - 1] in ("exactly", "only", "just"))
-        return [*tokens[: at + 1], *tokens[at + 3 : begin], *tokens[once + 1 :]]
-    return None
-
-
 def _of_one_there(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "A tower consisting of a cyan block at the bottom and two pink ones above it": with one there."""
     for at in (n + 1 for n, word in enumerate(words[:-4]) if word in _SINGLE):
@@ -294,25 +215,6 @@ _AT_AN_END = tuple(
 )  # fmt: skip
 
 
-def _who_builds(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "With three red blocks the robot should build a tower": with three red blocks build one."""
-    for begin in (n for n in range(len(words) - 5) if n == 0 or words[n - 1] in _STOPS):
-        end = next((n for n in range(begin, len(words)) if words[n] in _STOPS), len(words))
-        for at in range(begin + 3, end - 1) if words[begin] in _OUT_OF else ():
-            who = length_at(words, at, _WHO)
-            modal = at + who
-            if who and modal + 1 < end and words[modal] in _SHALL and words[modal + 1] in _BASES:
-                return [*tokens[:at], *tokens[modal + 1 :]]
-    return None
-
-
-_OUT_OF = frozenset({"with", "from", "out", "using"})
-_WHO = (("the", "robot"), ("the", "arm"), ("the", "agent"), ("the", "gripper"), ("a", "robot"), ("you",),
-        (",", "the", "robot"), (",", "you"), (",", "the", "arm"))  # fmt: skip
-_SHALL = frozenset({"should", "must", "shall", "will", "can", "could"})
-_BASES = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
-
-
 _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_it, frozenset({"it"})),
     (_anywhere_else, frozenset({"anywhere"})),
@@ -327,13 +229,6 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_also_called, frozenset({"that"})),
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
-    (_who_builds, _OUT_OF),
-    (_each_once, frozenset({"once"})),
-    (_each_one, frozenset({"different"})),
-    (_same_ones, frozenset({"same"})),
-    (_steps_built, frozenset({"steps"})),
-    (_laid_flat, frozenset({"flat"})),
-    (_got_done, frozenset({"get", "have"})),
     (_of_one_there, frozenset({"of", "from"})),
 )
 """The changes, and words without one of which there is nothing for each to change."""

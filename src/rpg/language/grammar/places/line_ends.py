@@ -21,6 +21,12 @@ _OF_IT = Patterns(f"one|block|cube|letter|digit of|in the|that {_LINE}", f"of|in
                   "one|block|cube|letter|digit")  # fmt: skip
 
 
+_WHO = "me|us|you|the_robot|the_viewer|the_camera|the_person|the_operator"
+_NEAR_END = Patterns(f"at|on|to the end that_is|which_is? closest|nearest|near|nearer|close|next to? {_WHO}")
+_FAR_END = Patterns(f"at|on|to the end that_is|which_is? farthest|furthest|far|farther away? from {_WHO}")
+"""The ends of a column."""
+
+
 @rule
 def line_end(p: Parser, i: int) -> Results[Meaning]:
     """ "To the end", "at the beginning of the row": behind all others, or before them."""
@@ -28,6 +34,9 @@ def line_end(p: Parser, i: int) -> Results[Meaning]:
         index = -1 if p.one(into, "last") else p.lex(into, lexicon.ORDINAL)
         if index and (j := p.one(into + 1, _SPOT)):
             yield At(side="first", index=index, span=p.span(i, j)), j
+    for side, ends in (("front", _NEAR_END), ("back", _FAR_END)):
+        for j in ends.matches(p, i):
+            yield At(side=side, span=p.span(i, j)), j
     for index, ends in ((-1, _LAST), (1, _FIRST)):
         for j in list(ends.matches(p, i))[-1:]:
             yield At(side="first", index=index, span=p.span(i, j)), j

@@ -198,8 +198,13 @@ def at(p: Parser, i: int) -> Results[Meaning]:
             yield At(side=side, index=ordinal, span=p.span(i, k)), k
 
 
+_OF_A_LINE = frozenset({"end", "side"})
+
+
 def extreme(p: Parser, i: int) -> Results[Meaning]:
     """ "leftmost", "nearest to me", "farthest away"."""
+    if p.follows(i, _OF_A_LINE):
+        return  # "the end closest to me": which end
     for word, k in p.standing(p.opt(i, "the"), UTMOST):
         side = UTMOST[word]
         far = max(_REACH.matches(p, k), default=0) if side in ("front", "back") else 0

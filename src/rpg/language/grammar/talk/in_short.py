@@ -37,6 +37,11 @@ def meant(tokens: list[Token], at: int) -> list[Token]:
         return []
     if token.word == "close" and at and tokens[at - 1].word in (",", "and") and after == "so":
         return []  # "next to it, close so that they touch"
+    behind = [t.word for t in tokens[at + 1 : at + 3]]
+    if token.word in ("is", "are") and behind[:1] == ["alternating"] and (len(behind) == 1 or behind[1] in _STOPS):
+        return []  # "where black and white ones are alternating"
+    if token.word == "alternating" and at and tokens[at - 1].word in ("is", "are") and (not after or after in _STOPS):
+        return [token.saying("alternate")]
     if token.word in _POSED and at and tokens[at - 1].word in ("is", "are", "was", "were", "'s"):
         return [replace(token, word=_POSED[token.word])]
     if token.word == "…" and (at == 0 or tokens[at - 1].word in _STOPS):

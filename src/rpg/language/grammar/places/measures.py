@@ -234,10 +234,10 @@ def _bound(p: Parser, i: int, end: int, landmark: Meaning, metres: float, least:
     return Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
 
 
+_WHOSE = ("", "the ", "their ", "block ", "neighboring ", "adjacent ")
 _OF_CENTERS = (
     "from center to center", "center to center",
-    *(f"{between} {their}centers{of}" for between in ("between", "from") for their in ("", "the ", "their ", "block ")
-      for of in _ENDS_OF),
+    *(f"{between} {their}centers{of}" for between in ("between", "from") for their in _WHOSE for of in _ENDS_OF),
 )  # fmt: skip
 _BETWEEN_CENTERS = (
     *_OF_CENTERS,

@@ -37,7 +37,7 @@ _CLASSES = Classes(
             "finishing|closing|concluding|reference|envisioned",
         ),
         "scene": (
-            "picture|image|photo|photograph|snapshot|drawing|sketch|illustration|scene|view|arrangement|result|layout",
+            "picture|image|photo|photograph|snapshot|drawing|sketch|illustration|scene|view|arrangement|result|layout|shot",
             "setup|state|configuration|outcome|situation|composition|painting|postcard|pic|screenshot|end_result",
             "goal_state|end_state|floor_plan|floorplan|ground_plan|blueprint|photos|pictures|camera_image|camera_picture|goal_picture|still_life|end_product",
             "final|finished|completed|complete|whole|resulting|desired|wanted|end "

@@ -196,7 +196,29 @@ def _one_look(tokens: list[Token], words: list[str]) -> list[Token] | None:
         ends = at + 2 == len(words) or words[at + 2] in _STOPS
         if words[at - 1] == "," and words[at] in lexicon.COLOR and words[at + 1] == "only" and ends:
             return [*tokens[:at], tokens[at].saying("all"), tokens[at], *tokens[at + 2 :]]
+    for at in range(2, len(words) - 2):  # "... White blocks only."
+        ends = at + 3 == len(words) or words[at + 3] in _STOPS
+        only = words[at] in lexicon.COLOR and words[at + 1] in lexicon.BLOCK and words[at + 2] == "only"
+        if words[at - 1] in (".", ",", ";") and only and ends:
+            say = tokens[at].saying
+            return [*tokens[: at - 1], say(","), say("all"), tokens[at], *tokens[at + 3 :]]
     return None
+
+
+def _made_of(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "One big cube which is made from eight yellow ones": of these."""
+    for at in range(1, len(words) - 4):
+        made = length_at(words, at, _WHICH_IS_MADE)
+        cube = words[at - 1] == "cube" and words[at - 2] in ("big", "large", "bigger", "solid")
+        if made and (cube or words[at - 1] in _SINGLE):
+            return [*tokens[:at], tokens[at].saying("of"), *tokens[at + made :]]
+    return None
+
+
+_WHICH_IS_MADE = tuple(
+    (which, "is", made, *of) for which in ("which", "that") for made in ("made", "built", "formed", "composed")
+    for of in (("of",), ("from",), ("out", "of"), ("up", "of"))
+)  # fmt: skip
 
 
 def _everything(tokens: list[Token], words: list[str]) -> list[Token] | None:
@@ -246,6 +268,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
     (_one_look, frozenset({"only"})),
+    (_made_of, frozenset({"made", "built", "formed", "composed"})),
     (_everything, frozenset({"everything"})),
     (_of_one_there, frozenset({"of", "from"})),
 )

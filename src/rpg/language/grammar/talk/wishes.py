@@ -187,7 +187,9 @@ STATES = Patterns(
     "where|in_which|such_that|so_that|with|that_has|that_shows|:",
     f"success {_WHEN}",
     f"it|this|that is|counts_as|will_be a? win|success|victory|pass {_WHEN}",
-    f"the|this check|test|trial passes|is_passed|is_met {_WHEN}",
+    f"the|this|a|our? check|test|trial|task|case|scenario passes|pass|is_passed|is_met|succeeds {_WHEN}",
+    f"the|a|this|any? result|solution|answer|outcome|attempt|run is|gets|counts_as "
+    f"accepted|approved|fine|good|valid|acceptable|ok|okay {_WHEN}",
     "the|this|our|my? episode|task|game|run|trial|robot must|should|has_to|shall|will|needs_to "
     "end|finish|conclude|close with|in",
     "end|final|desired|goal|target state|result|picture|layout|scene|arrangement|outcome "
@@ -230,6 +232,8 @@ TAGS = Patterns(
     "thank you very_much?",
     "if you can|could|please",
     "if possible",
+    "so|so_that nothing|it|they|none_of_them|not_a_single_one does_not|do_not|can_not|can? falls|fall|tips|topples "
+    "over|down|off?",
     "for me",
     "would|will|can|could you",
     "as well",

@@ -224,7 +224,8 @@ def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Cla
         stay = Manner(kind="stay", span=p.span(j, end))
         yield Clause(verb="be", theme=theme, adjuncts=(stay,), mode=mode, span=p.span(i, end)), end
     for mark, end in noun_phrase(p, j) if j else ():
-        if isinstance(mark, TableTop) or (isinstance(mark, Noun) and mark.det in ("the", "bare")):
+        it = isinstance(mark, Pronoun) and mark.word == "it"
+        if it or isinstance(mark, TableTop) or (isinstance(mark, Noun) and mark.det in ("the", "bare")):
             on = Loc(rel="on", landmark=mark, span=p.span(k, end))
             always = Manner(kind="always", span=on.span)
             for begun, last in adjuncts(p, end):

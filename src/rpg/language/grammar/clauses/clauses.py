@@ -16,6 +16,7 @@ from rpg.language.grammar.clauses.ahead import (
     of_hues,
 )
 from rpg.language.grammar.clauses.becoming import staying
+from rpg.language.grammar.clauses.by_someone import by_someone
 from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
@@ -112,7 +113,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield from (*_command(p, i), *covered(p, i), *addressed(p, i), *replaced(p, i), *shared(p, i))
         yield from (*given_own(p, i), *each_kind(p, i))
     yield from (*gap(p, i), *widened(p, i), *measuring(p, i, when))
-    yield from trading_places(p, i)
+    yield from (*trading_places(p, i), *by_someone(p, i))
     yield from state(p, i, when)
     for there, j in exists(p, i):
         there = finally_there(p, i, there, mode == "end")

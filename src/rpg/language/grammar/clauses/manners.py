@@ -265,6 +265,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "first": ("time", 1.0), "second": ("time", 2.0), "third": ("time", 3.0), "last": ("time", 99.0),
     "finally": ("time", 99.0), "eventually": ("finally", None), "ultimately": ("finally", None),
     "afterwards": ("time", 50.0), "initially": ("start", None),
+    **{f"from the {very}{start}{on}": ("always" if on else "start", None)
+       for very in ("", "very ") for start in ("start", "beginning", "outset") for on in ("", " on", " onwards")},
     "at the moment": ("start", None), "there from the start": ("start", None),
     "there at the start": ("start", None), "there already": ("start", None), "already there": ("start", None),
     "there now": ("start", None), "there initially": ("start", None), "there at the beginning": ("start", None),

@@ -282,12 +282,17 @@ def predicate_after_be(
         return [(replace(c, adjuncts=(*c.adjuncts, past)) if isinstance(c, Clause) else c, e) for c, e in longer]
     if (
         p.words[k - 1 : k] in (["up"], ["finishes"])
-        or (p.words[k - 1] in ("get", "gets") and p.stands(k, ("to", "onto", "into")))
+        or (p.words[k - 1] in ("get", "gets") and (p.stands(k, ("to", "onto", "into")) or _done(p, k)))
         or any(m.kind != "extra" for m, _ in manner(p, k) if isinstance(m, Manner))
         or p.words[k - 1 : k] in (["always"], ["never"])
     ):
         return list(_predicate(p, i, k, theme, mode, negated))
     return []
+
+
+def _done(p: Parser, k: int) -> bool:
+    """ "gets stacked on it": a passive like another."""
+    return any(form == "past" for _, _, form in p.peek(k, lexicon.VERB) or ())
 
 
 def _in_it(found: Meaning) -> bool:

@@ -85,6 +85,8 @@ def _there(part: Meaning, place: Meaning, text: str) -> bool:
     mark, known = part.landmark, place.landmark if isinstance(place, Loc) else None
     if isinstance(mark, Pronoun):
         return mark.word == "there" or (mark.word == "it" and isinstance(place, Loc) and part.rel == place.rel)
-    same = isinstance(mark, Noun) and isinstance(known, Noun) and mark.head == known.head and mark.det in ("the", "bare")
+    same = (
+        isinstance(mark, Noun) and isinstance(known, Noun) and mark.head == known.head and mark.det in ("the", "bare")
+    )
     named = same and isinstance(mark, Noun) and isinstance(known, Noun) and mark.traits in (known.traits, Traits())
     return named and isinstance(place, Loc) and part.rel == place.rel

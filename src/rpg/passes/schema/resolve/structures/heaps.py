@@ -72,7 +72,12 @@ def _in_heap(heap: Meaning, tally: Meaning) -> Clause | None:
     if within is None:  # "a whole heap! Two red, two blue.", while "there are two red ones" may lie elsewhere
         bare = items.span[0] == tally.span[0]
         return replace(heap, theme=replace(shape, members=items)) if bare else None
-    if not isinstance(within, Noun) or within.traits != Traits(kind=within.traits.kind) or within.conditions or within.part_of is not None:
+    if (
+        not isinstance(within, Noun)
+        or within.traits != Traits(kind=within.traits.kind)
+        or within.conditions
+        or within.part_of is not None
+    ):
         return None
     lots = [x for x in (items.items if isinstance(items, Coord) else (items,)) if isinstance(x, Noun)]
     letters = all(x.traits.labels and all(map(str.isalpha, x.traits.labels)) for x in lots)

@@ -1,0 +1,24 @@
+""" "Lift it off the blue one and put it back (on)": where it was told to be at first."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.meaning import WHERE_IT_WAS, Clause, Loc, Meaning, Noun, Pronoun, replace
+
+_THERE = ("on", "on top", "on again", "on top again", "up", "again", "there", "there again", "in place", "up there")
+
+
+def put_back(p: Parser, i: int, k: int, theme: Meaning, word: Span) -> Results[Clause]:
+    """Behind a theme and "back" before `k`."""
+    if p.follows(k, ("back",)) and isinstance(theme, Noun | Pronoun):
+        end = p.any_of(k, _THERE) or k
+        was = Pronoun(word=WHERE_IT_WAS, span=p.span(k - 1, end))
+        place = Loc(rel="on", landmark=was, span=was.span)
+        yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(place,), span=p.span(i, end), word=word), end
+
+
+def lifted_off(said: Clause) -> Clause:
+    """ "Lift red off blue" is as much as "take" it off: what is only picked up has no place in the end."""
+    off = any(isinstance(x, Loc) and x.rel == "off" for x in said.adjuncts)
+    return replace(said, verb="use", lemma="take") if off and said.verb == "pick" else said

@@ -34,6 +34,7 @@ _SO_ARE = (
     "will", "shall", "does not", "do not", "may not", "can not", "shall not", "will not", "can not be", "may not be",
 )  # fmt: skip
 """What stands for the whole predicate of the clause before: "... and the blue one should be"."""
+_GONE = ("any more", "anymore", "any longer")
 
 
 def meant_again(p: Parser, i: int, before: Clause) -> Results[Meaning]:
@@ -41,6 +42,11 @@ def meant_again(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     done = before.mode == "goal" and (before.verb == "stack" or (before.verb == "place" and bool(before.adjuncts)))
     for theme, j in noun_phrase(p, i) if done or (before.verb == "be" and before.adjuncts) else ():
         k = p.any_of(p.opt(j, "all"), _SO_ARE)
+        gone = p.any_of(k, _GONE) if k and p.follows(k, ("not",)) else 0
+        if gone:
+            past = Manner(kind="gone", span=p.span(k, gone))
+            yield replace(before, theme=theme, negated=True, adjuncts=(*_affirmed(before), past), cost=1,
+                          span=p.span(i, gone)), gone  # fmt: skip
         unbuilt = isinstance(theme, Structure) and p.words[k - 1] == "not"
         if k and not unbuilt and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
             leave = p.words[k - 1] in ("may", "can") or p.words[k - 2] in ("may", "can")

@@ -296,10 +296,12 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
             if found.lemma not in ("get", "take", "use") and (found.adjuncts or found.verb != "place"):
                 yield replace(found, cost=found.cost + 1), end
     if k := p.any_of(i, AGENTS):
-        for found, end in verb_phrase(p, k, ("base", "s")):
-            had = found.lemma in ("get", "take", "use") and not p.stands(end, ("and",))
+        first = p.opt(k, "first")
+        now = (Manner(kind="time", value=1.0, span=p.span(k, first)),) if first > k else ()
+        for found, end in verb_phrase(p, first, ("base", "s")):
+            had = found.lemma in ("get", "take", "use") and not p.stands(end, ("and", "then", ","))
             if not had and (found.adjuncts or found.verb != "place"):
-                yield replace(found, cost=found.cost + 1), end
+                yield replace(found, adjuncts=(*found.adjuncts, *now), cost=found.cost + 1), end
     if (k := p.any_of(i, DOERS)) and (k := p.one(k, ("has", "have"))):
         for found, end in verb_phrase(p, k, ("past",)):
             if found.adjuncts or found.verb != "place":

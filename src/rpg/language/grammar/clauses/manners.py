@@ -304,6 +304,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "equally tall": ("equal", None), "equally high": ("equal", None), "of equal heights": ("equal", None),
     **{f"{of} {other} {height}": ("unequal", None) for of in ("of", "with", "in")
        for other in ("different", "unequal") for height in ("height", "heights")},
+    **{f"with {its} order {reversed_}": ("backwards", None)
+       for its in ("the", "its", "their") for reversed_ in ("reversed", "inverted", "flipped", "turned around")},
     "differently tall": ("unequal", None), "differently high": ("unequal", None),
     "the same height": ("equal", None), "with the same height": ("equal", None), "reversed": ("backwards", None),
     "while doing so": ("always", None), "while doing this": ("always", None), "while you do so": ("always", None),

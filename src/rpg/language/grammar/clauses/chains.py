@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.language import lexicon
+from rpg.language.grammar.clauses.again import in_its_turn, there_in_turn
 from rpg.language.grammar.clauses.becoming import and_touches
 from rpg.language.grammar.clauses.carried_on import carried_on, on_with_it
 from rpg.language.grammar.clauses.clauses import clause
@@ -151,10 +152,10 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             yield from _more(p, i, (*had, item), (*links, link), k)
         if previous is not None:
             denied = p.stands(p.opt(at, ","), ("but",))
-            if link in ("before", "after"):
-                for theme, k in noun_phrase(p, j):
-                    whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
-                    yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+            for theme, k in noun_phrase(p, j) if link in ("before", "after") or there_in_turn(previous, link) else ():
+                said = replace(previous, theme=theme, span=p.span(j, k))
+                if (other := in_its_turn(p, k, previous, said) if link == "then" else said) is not None:
+                    yield Chain(clauses=(*had, other), links=(*links, link), span=p.span(i, k)), k
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
                 if (told := _meant_again(p, (at, j, k), had, item, link)) is not None:
                     whole, joint = (*_shared(had, told[0], told[1]), told[0]), told[1]

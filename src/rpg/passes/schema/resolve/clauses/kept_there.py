@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 
 from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, Traits, replace
@@ -13,7 +14,7 @@ def kept_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences, with "there" and "it" as the places that were told just before, which are so from the start."""
     told = [[_from_the_start(c, text) for c in chain.clauses] for chain in chains]
     at = [(n, k) for n, clauses in enumerate(told) for k in range(len(clauses))]
-    for (n, k), (m, j) in zip(at, at[1:], strict=False):
+    for (n, k), (m, j) in itertools.pairwise(at):
         fact, kept = told[n][k], told[m][j]
         if not _tells(fact) or not isinstance(fact, Clause) or not _lasts(kept) or not isinstance(kept, Clause):
             continue

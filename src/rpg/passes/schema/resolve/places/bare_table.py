@@ -109,6 +109,7 @@ def _off(goal: g.Goal, before: Marks, over: tuple[str, ...]) -> g.Goal:
     inner = children(goal)
     for put in (x for x in inner if isinstance(goal, g.All) and isinstance(x, r.OnPatch)):  # it lies on that itself
         on = {*members(put.a)}
-        before = {n: {p: None for p in marks if n not in on or p != put.patch} for n, marks in before.items()}
+        left = {n: {p: None for p in marks if n not in on or p != put.patch} for n, marks in before.items()}
+        before = defaultdict(dict, left)
     bound = goal.over if isinstance(goal, g.Count) else over
     return rebuild(goal, tuple(_off(child, before, bound) for child in inner)) if inner else goal

@@ -37,7 +37,7 @@ from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, exami
 from rpg.passes.schema.invented import check_invented
 from rpg.passes.schema.joints import check_joints
 from rpg.passes.schema.names import family_name
-from rpg.passes.schema.patience import FINAL, LOST, aimless, patience
+from rpg.passes.schema.patience import FINAL, LOST, aimless, patience, torn
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_first
 from rpg.passes.schema.resolve.clauses.between_two import of_a_line
@@ -111,7 +111,7 @@ def build(
                 raise
             if limit is None and (more := patience(refusal.diagnostics[0])) is not None:
                 limit, first = cost + more, first if first and aimless(first[0]) else (refusal, chosen)
-            first = first or (refusal, chosen)
+            first = (refusal, chosen) if first is None or torn(first[0]) else first
             continue
         if best is not None:
             raise TwoReadings(best[1].task, found.task, text)

@@ -25,6 +25,8 @@ def on_the_table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     if loc.rel in ("off", "above"):
         raise refuse("out-of-reach", "blocks cannot leave the table", loc.span,
                      "say where on the table, or on which block, they should be")  # fmt: skip
+    if loc.rel == "touching" and any(m.ref.patch and m.clause == scene.clause for m in scene.mentions):
+        raise refuse("contradiction", "what is put on a patch lies on the table", loc.span, "leave one of them out")
     if loc.rel in ("front", "behind"):
         raise refuse(
             "out-of-reach",

@@ -302,6 +302,10 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
             had = found.lemma in ("get", "take", "use") and not p.stands(end, ("and", "then", ","))
             if not had and (found.adjuncts or found.verb != "place"):
                 yield replace(found, adjuncts=(*found.adjuncts, *now), cost=found.cost + 1), end
+    if k := p.any_of(i, _IT_SHOULD):
+        for found, end in verb_phrase(p, k, ("base",)):
+            if found.lemma in _DONE_TO and found.theme is not None and (found.adjuncts or found.verb != "place"):
+                yield replace(found, cost=found.cost + 1), end
     if (k := p.any_of(i, DOERS)) and (k := p.one(k, ("has", "have"))):
         for found, end in verb_phrase(p, k, ("past",)):
             if found.adjuncts or found.verb != "place":
@@ -321,6 +325,11 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
         yield ever(denied_of_all(p, i, found), never), k
 
 
+_IT_SHOULD = tuple(f"{who} {must}" for who in ("it", "he", "she", "they")
+                   for must in ("should", "must", "shall", "has to", "have to", "needs to", "is to", "will"))  # fmt: skip
+_DONE_TO = frozenset({"build", "put", "place", "stack", "sort", "arrange", "take", "pick", "construct", "assemble", "rebuild",
+                      "set", "lay", "bring"})  # fmt: skip
+"""What the robot does to blocks, and no block does: "it should build a tower of them" is said of the robot."""
 _VAGUE = frozenset({"it", "them", "they", "that", "this", "one", "each", "all", "both"})
 _WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})
 """After these "it" and "them" are what is described: "I want them in a row"."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.colors_told import colors_told
+from rpg.language.grammar.clauses.on_the_way import on_the_way
 from rpg.language.grammar.clauses.shifts import shifted, straight
 from rpg.language.grammar.clauses.some_way import SOME_WAY, SOME_WAYS
 from rpg.language.grammar.core import Parser, Results, choice, rule
@@ -59,7 +60,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     for phrases, degrees in ((_DOWN, 180.0), (_UPRIGHT, 0.0), (("sideways", "on its side"), 90.0)):
         if j := p.any_of(i, phrases):
             yield Manner(kind="turn", value=degrees, span=p.span(i, j)), j
-    yield from (*shifted(p, i), *straight(p, i), *colors_told(p, i))
+    yield from (*shifted(p, i), *straight(p, i), *colors_told(p, i), *on_the_way(p, i))
     comma = p.opt(i, ",")
     if k := p.any_of(comma, _FACING):
         for side, end in direction(p, k):

@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
-from rpg.language.grammar.clauses.denials import denied_of_all, leave, needless, stays
+from rpg.language.grammar.clauses.denials import BARRED, denied_of_all, leave, needless, stays
 from rpg.language.grammar.clauses.just_moved import just_moved
 from rpg.language.grammar.clauses.keeping_away import keeps_away
 from rpg.language.grammar.clauses.made import MADE, drawn, made, under
@@ -91,7 +91,7 @@ _PLACE_OF = Patterns("the <place> of|for", classes=_PLACES)
 def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
     inverted = p.one(i, _BE) if i else 0
-    barred = p.any_of(i, _BARRED)
+    barred = p.any_of(i, BARRED)
     asked = p.one(barred or i, _ASKING) or (p.one(i, _DOES) if p.follows(i, ("that", "then")) else 0)
     if barred and not asked:
         return
@@ -178,8 +178,6 @@ _ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
 
 _DOES = frozenset({"does", "do"})
 """These come first behind "only then": "only after that does the blue one go onto it"."""
-_BARRED = ("at no time", "at no point", "at no moment", "under no circumstances", "in no case", "in no event", "never")
-"""What comes before a question's order of words: "at no time may the red block be on ..."."""
 
 
 _FILLERS = frozenset({

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.made import made
+from rpg.language.grammar.clauses.moves import moves
 from rpg.language.grammar.clauses.ranked_anew import becomes_first
 from rpg.language.grammar.clauses.told_piled import told_piled
 from rpg.language.grammar.core import Parser, Results
@@ -78,7 +79,7 @@ _GATHERS = frozenset({"gather", "cluster", "assemble", "group", "line", "align",
 
 def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
     """Clauses from i on, with their subject before k and its auxiliaries behind it."""
-    yield from _there(p, i, k, theme, mode)
+    yield from (*_there(p, i, k, theme, mode), *moves(p, i, k, theme, mode, False))
     yield from told_piled(p, i, k, theme, mode)
     if isinstance(theme, Structure):
         yield from _consists(p, i, k, theme, mode)

@@ -13,6 +13,7 @@ from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.denials import denies_places, nor_does, nor_there, of_none
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_the_order, linked, other_side
+from rpg.language.grammar.clauses.moves import of_the_same
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
 from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
@@ -271,16 +272,15 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
     if p.words[j - 1] == "," and (apposed(previous, item) or _mere_time(item)):
         return True
     listed = p.words[j - 1] == "and" and p.tokens[j - 2].word in lexicon.COLOR and _in_list(p, j - 2)
-    if stands_behind(p, j, previous, item) or has_it_too(p, j, previous, item):
+    if any(no(p, j, previous, item) for no in (stands_behind, has_it_too, last_of_the_order, of_the_same)):
         return True
     shape = item.theme if isinstance(item, Clause) else None
-    if listed and isinstance(shape, Structure) and shape.det == "bare":  # "a staircase of red, blue and green steps"
-        return True
-    if other_side(p, j, k, previous, item) or last_of_the_order(p, j, previous, item):
+    part = listed and isinstance(shape, Structure) and shape.det == "bare"  # "a staircase of red, blue and green steps"
+    if part or other_side(p, j, k, previous, item) or nor_does(p, j, k, previous, item):
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
-    return nor_does(p, j, k, previous, item) or (previous.lemma == "tally" and _of_the_list(p, j, k, item))
+    return previous.lemma == "tally" and _of_the_list(p, j, k, item)
 
 
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:

@@ -14,6 +14,7 @@ from rpg.language.grammar.clauses.keeping_away import keeps_away
 from rpg.language.grammar.clauses.made import MADE, drawn, made, under
 from rpg.language.grammar.clauses.manners import direction, manner
 from rpg.language.grammar.clauses.nowhere import nowhere
+from rpg.language.grammar.clauses.put_back import lifted_off
 from rpg.language.grammar.clauses.reads import reads
 from rpg.language.grammar.clauses.sole import sole
 from rpg.language.grammar.clauses.spelt import spell
@@ -328,7 +329,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                     ):
                         done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, negated=negated, mode=mode,
                                       span=p.span(i, k))  # fmt: skip
-                        yield replace(done, word=p.span(j, j + 1)), k
+                        yield lifted_off(replace(done, word=p.span(j, j + 1))), k
                 if sense in MADE:
                     built = Clause(verb="build", lemma=lemma, negated=negated, mode=mode, span=p.span(i, at_))
                     yield from made(p, i, at_, theme, replace(built, word=p.span(j, j + 1)))

@@ -155,8 +155,6 @@ class Pronoun(Meaning):
 
 TOLD_HERE = "all told here"
 """A pronoun for all blocks that the sentence brought up so far: "put red on blue, but do it in the left half"."""
-WHERE_IT_WAS = "where it was at first"
-"""A pronoun for the place that something is put back to."""
 OWNER = "it that has"
 """A pronoun for what the clause before spoke of: "it has a gray block on it"."""
 

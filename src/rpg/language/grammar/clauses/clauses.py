@@ -326,9 +326,9 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
 
 
 _IT_SHOULD = tuple(f"{who} {must}" for who in ("it", "he", "she", "they")
-                   for must in ("should", "must", "shall", "has to", "have to", "needs to", "is to", "will"))  # fmt: skip
-_DONE_TO = frozenset({"build", "put", "place", "stack", "sort", "arrange", "take", "pick", "construct", "assemble", "rebuild",
-                      "set", "lay", "bring"})  # fmt: skip
+                   for must in ("should", "must", "shall", "has to", "have to", "needs to", "will"))  # fmt: skip
+_DONE_TO = frozenset({"build", "put", "place", "stack", "sort", "arrange", "take", "pick", "construct", "assemble",
+                      "rebuild", "set", "lay", "bring"})  # fmt: skip
 """What the robot does to blocks, and no block does: "it should build a tower of them" is said of the robot."""
 _VAGUE = frozenset({"it", "them", "they", "that", "this", "one", "each", "all", "both"})
 _WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})

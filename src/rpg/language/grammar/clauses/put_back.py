@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results
-from rpg.language.meaning import WHERE_IT_WAS, Clause, Loc, Meaning, Noun, Pronoun, replace
+from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, replace
 
+WHERE_IT_WAS = "where it was at first"
+"""A pronoun for the place that something is put back to."""
 _THERE = ("on", "on top", "on again", "on top again", "up", "again", "there", "there again", "in place", "up there")
 
 

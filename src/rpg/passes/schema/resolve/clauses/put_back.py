@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from rpg.language.meaning import WHERE_IT_WAS, Chain, Clause, In, Loc, Meaning, Noun, Pronoun, TableTop, replace
+from rpg.language.grammar.clauses.put_back import WHERE_IT_WAS
+from rpg.language.meaning import Chain, Clause, In, Loc, Meaning, Noun, Pronoun, TableTop, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
 _MOVED = ("place", "stack", "pick", "use")

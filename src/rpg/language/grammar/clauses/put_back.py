@@ -24,3 +24,12 @@ def lifted_off(said: Clause) -> Clause:
     """ "Lift red off blue" is as much as "take" it off: what is only picked up has no place in the end."""
     off = any(isinstance(x, Loc) and x.rel == "off" for x in said.adjuncts)
     return replace(said, verb="use", lemma="take") if off and said.verb == "pick" else said
+
+
+def picked_out(p: Parser, k: int, said: Clause) -> Clause:
+    """ "Pull the yellow one out (and put it on the mat)": as much as to pick it, with what stands before `k`."""
+    out = said.verb == "place" and said.lemma in _PULLED and not said.adjuncts and p.follows(k, ("out",))
+    return replace(said, verb="pick") if out else lifted_off(said)
+
+
+_PULLED = frozenset({"pull", "drag", "slide", "get", "shift"})

@@ -12,7 +12,7 @@ from rpg.language.grammar.clauses.kept_stacked import kept_stacked
 from rpg.language.grammar.clauses.links import RATHER
 from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.particles import WHITHER, across, added
-from rpg.language.grammar.clauses.put_back import lifted_off, put_back
+from rpg.language.grammar.clauses.put_back import picked_out, put_back
 from rpg.language.grammar.clauses.remade import of_what_is_there, put_down, read_otherwise, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.clauses.spelt import spelling
@@ -158,7 +158,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             said = (*added(lemma, in_turn(p, j, k, theme, found) if sense == "stack" else found), *alone)
             cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
             done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
-            yield replace(lifted_off(done), cost=cost), end
+            yield replace(picked_out(p, k, done), cost=cost), end
     if sense == "sort" and p.words[j] in ("by", "according"):
         yield from _by_first(p, i, j, lemma)
     if sense in ("stack", "build", "arrange", "sort", "place"):

@@ -26,6 +26,7 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.begun_facts import wanted
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.on_each_patch import stacked_on_each
+from rpg.passes.schema.resolve.structures.out_of_heaps import out_of_heaps
 
 _LISTS = ("tally", "stock")
 """What a clause is called that lists what there is."""
@@ -220,7 +221,7 @@ def _open_heap(clause: Meaning) -> Clause | None:
 def from_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """ "From a heap of five red blocks make a row", "sort a heap of them": there is a heap, of whose blocks it is."""
     found = []
-    for chain in chains:
+    for chain in out_of_heaps(chains):
         pairs: list[tuple[str, Meaning]] = []
         for link, clause in zip(chain.links, chain.clauses, strict=True):
             heaps = [a for a in clause.adjuncts if _is_heap(a)] if isinstance(clause, Clause) else []

@@ -333,7 +333,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "respectively": ("respectively", None), "backwards": ("backwards", None), "in reverse": ("backwards", None),
     "backward": ("backwards", None),
     "at the end": ("finally", None), "in the end": ("finally", None), "at once": ("idle", "pace at once"),
-    "one by one": ("idle", None),
+    "one by one": ("idle", None), "one block at a time": ("idle", None), "one cube at a time": ("idle", None),
     "one at a time": ("idle", None), "carefully": ("idle", "pace carefully"), "gently": ("idle", "pace gently"),
     **dict.fromkeys(("neatly", "nicely", "tidily", "prettily", "beautifully", "orderly"), ("idle", None)),
     "exactly": ("idle", None),

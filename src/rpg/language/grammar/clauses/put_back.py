@@ -26,9 +26,10 @@ def lifted_off(said: Clause) -> Clause:
     return replace(said, verb="use", lemma="take") if off and said.verb == "pick" else said
 
 
-def picked_out(p: Parser, k: int, said: Clause) -> Clause:
-    """ "Pull the yellow one out (and put it on the mat)": as much as to pick it, with what stands before `k`."""
-    out = said.verb == "place" and said.lemma in _PULLED and not said.adjuncts and p.follows(k, ("out",))
+def picked_out(p: Parser, j: int, k: int, said: Clause) -> Clause:
+    """ "Pull (out) the yellow one (out, and put it on the mat)": as much as to pick it. It stands at j..k."""
+    out = p.follows(j, ("out",)) or p.follows(k, ("out",))
+    out = out and said.verb == "place" and said.lemma in _PULLED and not said.adjuncts
     return replace(said, verb="pick") if out else lifted_off(said)
 
 

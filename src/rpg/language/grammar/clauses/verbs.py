@@ -158,7 +158,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             said = (*added(lemma, in_turn(p, j, k, theme, found) if sense == "stack" else found), *alone)
             cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
             done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
-            yield replace(picked_out(p, k, done), cost=cost), end
+            yield replace(picked_out(p, j, k, done), cost=cost), end
     if sense == "sort" and p.words[j] in ("by", "according"):
         yield from _by_first(p, i, j, lemma)
     if sense in ("stack", "build", "arrange", "sort", "place"):

@@ -7,6 +7,7 @@ from rpg.language.meaning import At, Chain, Clause, Loc, Meaning, Noun, OrderBy,
 
 def begun_upwards(chain: Chain) -> Chain:
     """The sentence with the tower told as one, from the bottom up."""
+    chain = replace(chain, clauses=tuple(map(_ends_on_top, chain.clauses)))
     run = 0
     while run < len(chain.clauses) and (run == 0 or chain.links[run] == "and"):
         below = chain.clauses[run - 1] if run else None
@@ -24,6 +25,20 @@ def begun_upwards(chain: Chain) -> Chain:
     up = Toward(first="bottom", axis="z", span=told[0].adjuncts[0].span)
     there = Clause(verb="exist", lemma="begun", theme=tower, adjuncts=(up,), mode="given", span=span)
     return replace(chain, clauses=(there, *chain.clauses[run:]), links=("and", *chain.links[run:]))
+
+
+def _ends_on_top(clause: Meaning) -> Meaning:
+    """ "There is a stack: green, blue, and orange on top": listed from the bottom up."""
+    if not isinstance(clause, Clause) or (clause.verb, clause.mode) != ("exist", "given"):
+        return clause
+    tower = clause.theme
+    listed = [x for x in tower.details if isinstance(x, OrderBy)] if isinstance(tower, Structure) else []
+    named = len(listed) == 1 and listed[0].by == "named" and len(listed[0].items) > 1 and listed[0].first is None
+    side = _at(clause)
+    if not isinstance(tower, Structure) or tower.kind != "stack" or not named or side not in ("top", "bottom"):
+        return clause
+    first = "bottom" if side == "top" else "top"
+    return replace(clause, adjuncts=(Toward(first=first, axis="z", span=clause.adjuncts[0].span),))
 
 
 def _stands(clause: Meaning, below: Meaning | None) -> bool:

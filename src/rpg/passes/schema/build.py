@@ -159,7 +159,7 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    chains = from_heaps(readied(chains, text))
+    chains = from_heaps(readied(chains, text), text)
     links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, chains, text))))
     told = begun(chains, text)
     links, every = links_left(links, chains, told), links
@@ -378,7 +378,7 @@ def _of_no_block(clause: Clause) -> bool:
     if isinstance(theme, Noun) and theme.det == "no" and theme.amount and not (theme.part_of or theme.traits.colors):
         return True  # "no two letters may touch"
     none = isinstance(theme, Noun) and theme.head == "block" and theme.det == "no" and theme.traits == Traits()
-    return none and bool(clause.adjuncts) and all(isinstance(part, In) for part in clause.adjuncts)
+    return none and {type(part) for part in clause.adjuncts} in ({In}, {In, Manner})
 
 
 def _begins_with_all(clause: Clause) -> bool:

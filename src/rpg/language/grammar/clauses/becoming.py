@@ -230,7 +230,7 @@ def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Cla
             on = Loc(rel="on", landmark=mark, span=p.span(k, end))
             always = Manner(kind="always", span=on.span)
             for begun, last in adjuncts(p, end):
-                if all(isinstance(a, Manner) and a.kind == "begun" for a in begun):
+                if all(isinstance(a, Manner) and a.kind in ("begun", "always") for a in begun):
                     yield Clause(verb="be", theme=theme, adjuncts=(on, always), mode=mode, span=p.span(i, last)), last
 
 

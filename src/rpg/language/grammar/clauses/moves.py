@@ -24,7 +24,7 @@ def moves(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -
             if any(isinstance(x, Loc | In) or getattr(x, "kind", "") == "stay" for x in found):
                 yield Clause(verb="place", lemma="move", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end),
                              word=p.span(k, j)), end  # fmt: skip
-    if j := p.one(k, _LEAVES):
+    if j := p.one(k, _LEAVES) or (p.one(k, "left") if p.follows(k, ("has", "have")) else 0):
         for mark, end in noun_phrase(p, j):
             if isinstance(mark, TableTop) or not isinstance(mark, Noun | Pronoun):
                 continue

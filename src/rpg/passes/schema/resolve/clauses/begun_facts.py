@@ -10,6 +10,7 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     Coord,
+    In,
     Loc,
     Manner,
     Meaning,
@@ -17,6 +18,7 @@ from rpg.language.meaning import (
     OrderBy,
     Quality,
     Structure,
+    TableTop,
     Traits,
     Using,
     parts_of,
@@ -192,7 +194,15 @@ def _moves_one(order: Clause, listed: list[Traits]) -> bool:
     if one and (order.mode, order.verb) == ("command", "pick") and not order.negated:
         return True
     told = (order.mode, order.verb) == ("command", "place") and not order.negated
-    return one and told and len(at_) == 1 and isinstance(at_[0], At)
+    return one and told and len(at_) == 1 and (isinstance(at_[0], At | In) or _beside(at_[0], listed))
+
+
+def _beside(place: Meaning, listed: list[Traits]) -> bool:
+    """On a patch, the table or a block that is none of those listed."""
+    mark = place.landmark if isinstance(place, Loc) and place.rel == "on" and not place.negated else None
+    return isinstance(mark, TableTop) or (
+        isinstance(mark, Noun) and (mark.head == "patch" or mark.traits not in listed)
+    )
 
 
 def start_first(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]] | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 from rpg.language.grammar.clauses.put_back import WHERE_IT_WAS
 from rpg.language.meaning import Chain, Clause, In, Loc, Meaning, Noun, Pronoun, TableTop, replace
@@ -14,6 +15,7 @@ _BACK = re.compile(r"\b(?:back|returns?|returned)\b", re.IGNORECASE)
 
 def put_back(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences, with the place that something is put back to; facts of where it was are of the start."""
+    chains = tuple(map(off_again, chains))
     if _BACK.search(text) is None:
         return chains
     found = [list(chain.clauses) for chain in chains]
@@ -87,3 +89,18 @@ def _known(place: Meaning) -> Meaning:
     if isinstance(place, Loc) and isinstance(mark, Noun) and mark.det == "a":
         return replace(place, landmark=replace(mark, det="the", amount=None))
     return place
+
+
+def off_again(chain: Chain) -> Chain:
+    """ "Put red on the mat, take it off again, ...": one after the other, for both cannot be so at once."""
+    links = list(chain.links)
+    for n, (put, taken) in enumerate(pairwise(chain.clauses), 1):
+        if not isinstance(put, Clause) or not isinstance(taken, Clause) or links[n] != "and":
+            continue
+        done = put.verb in ("place", "stack") and put.mode == taken.mode == "command"
+        there = [x for x in put.adjuncts if isinstance(x, Loc) and x.rel == "on" and not x.negated]
+        off = [x for x in taken.adjuncts if isinstance(x, Loc) and x.rel == "off"]
+        it = isinstance(taken.theme, Pronoun) and taken.theme.word == "it" and bool(_one(put.theme))
+        if done and it and len(there) == len(off) == 1 and not (put.negated or taken.negated):
+            links[n] = "then"
+    return replace(chain, links=tuple(links)) if tuple(links) != chain.links else chain

@@ -218,10 +218,10 @@ def _open_heap(clause: Meaning) -> Clause | None:
                   span=clause.span)  # fmt: skip
 
 
-def from_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+def from_heaps(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """ "From a heap of five red blocks make a row", "sort a heap of them": there is a heap, of whose blocks it is."""
     found = []
-    for chain in out_of_heaps(chains):
+    for chain in out_of_heaps(chains, text):
         pairs: list[tuple[str, Meaning]] = []
         for link, clause in zip(chain.links, chain.clauses, strict=True):
             heaps = [a for a in clause.adjuncts if _is_heap(a)] if isinstance(clause, Clause) else []

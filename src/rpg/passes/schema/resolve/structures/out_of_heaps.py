@@ -3,6 +3,8 @@ block in the heap of four blue ones"."""
 
 from __future__ import annotations
 
+import re
+
 from rpg.language.meaning import (
     Amount,
     Chain,
@@ -22,11 +24,30 @@ from rpg.passes.schema.resolve.things.world import refuse
 _TAKEN = ("pick", "place", "use")
 
 
-def out_of_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+def out_of_heaps(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences, with what is taken out of a heap among the blocks of that heap; refused where it is not said of
     which heap this is."""
-    chains = tuple(map(_in_one_heap, chains))
+    chains = tuple(_in_one_heap(_consists(chain, text)) for chain in chains)
     return tuple(replace(chain, clauses=tuple(_out(c, chains) for c in chain.clauses)) for chain in chains)
+
+
+def _consists(chain: Chain, text: str) -> Chain:
+    """ "The heap consists of two red and three green cubes": it does so now, unless it "should"."""
+    clauses = tuple(
+        replace(c, verb="exist", lemma="begun", mode="given", theme=_with(c.theme, ()))
+        if isinstance(c, Clause)
+        and (c.verb, c.lemma, c.mode, c.adjuncts, c.negated) == ("build", "", "goal", (), False)
+        and isinstance(c.theme, Structure)
+        and c.theme.det == "the"
+        and _of_blocks(c.theme)
+        and _SO.search(text[slice(*c.span)]) is not None
+        else c
+        for c in chain.clauses
+    )
+    return replace(chain, clauses=clauses)
+
+
+_SO = re.compile(r"\b(?:consists|is made|is composed|comprises|contains|has)\b", re.IGNORECASE)
 
 
 def _in_one_heap(chain: Chain) -> Chain:

@@ -234,6 +234,9 @@ def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Cla
                     yield Clause(verb="be", theme=theme, adjuncts=(on, always), mode=mode, span=p.span(i, last)), last
 
 
+_WHEN = frozenset({"always", "finally", "start", "time", "gone"})
+
+
 def touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Clause]:
     """ "the red block touches the blue one (at the start)", "the blocks touch"."""
     if j := p.one(k, ("touch", "touches")):
@@ -244,7 +247,10 @@ def touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool)
                 if all(isinstance(a, Manner) for a in when):
                     yield replace(said, adjuncts=(touch, *when), span=p.span(i, last)), last
         touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
-        yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
+        for when, last in adjuncts(p, j):
+            if all(isinstance(a, Manner) and a.kind in _WHEN for a in when):
+                yield Clause(verb="be", theme=theme, adjuncts=(touch, *when), negated=negated, mode=mode,
+                             span=p.span(i, last)), last  # fmt: skip
         if (end := p.seq(j, "side by side")) and not negated:
             level = (replace(touch, rel="side_by_side"), touch)
             yield Clause(verb="be", theme=theme, adjuncts=level, mode=mode, span=p.span(i, end)), end

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results
-from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, replace
+from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, TableTop, replace
 
 WHERE_IT_WAS = "where it was at first"
 """A pronoun for the place that something is put back to."""
@@ -22,7 +22,7 @@ def put_back(p: Parser, i: int, k: int, theme: Meaning, word: Span) -> Results[C
 
 def lifted_off(said: Clause) -> Clause:
     """ "Lift red off blue" is as much as "take" it off: what is only picked up has no place in the end."""
-    off = any(isinstance(x, Loc) and x.rel == "off" for x in said.adjuncts)
+    off = any(isinstance(x, Loc) and x.rel == "off" and not isinstance(x.landmark, TableTop) for x in said.adjuncts)
     return replace(said, verb="use", lemma="take") if off and said.verb == "pick" else said
 
 

@@ -222,7 +222,7 @@ STATES = Patterns(
 )
 
 TAGS = Patterns(
-    "please|thanks|ok|okay|either|now|too|though",
+    "please|thanks|ok|okay|either|now|too",
     "thanks a lot",
     "spell|write it|that|this out? please?",
     "got_it|understood|agreed",

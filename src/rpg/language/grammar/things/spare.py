@@ -19,7 +19,7 @@ _PASS_OVER = (
 )  # fmt: skip
 """What stands before blocks that are not to be used. Behind "without" and "not" alone no place may follow."""
 _LEAVE = frozenset({"leave", "leaving", "keep", "put", "set", "lay", "add", "include", "have", "place", "throw",
-                    "toss", "drop", "mix", "scatter"})  # fmt: skip
+                    "toss", "drop", "mix"})  # fmt: skip
 _ASIDE = Patterns(
     "just|simply? aside|out|lying_around|around|unused|out_of_it|off_to_the_side|to_one_side|to_the_side|on_the_side|"
     "on_one_side|out_of_the_way|out_of_play|over|alone_as_distractors|lying_on_the_side|lying_on_the_table_unused "

@@ -5,14 +5,15 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, Traits, replace
+from rpg.language.meaning import Amount, Chain, Clause, Coord, In, Loc, Manner, Meaning, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.clauses.begun_facts import wanted
 from rpg.passes.schema.resolve.clauses.joined_facts import orders_something, same_one
 
 
 def kept_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences, with "there" and "it" as the places that were told just before, which are so from the start."""
-    told = [[_from_the_start(c, text) for c in chain.clauses] for chain in chains]
+    lots = [c for chain in chains for c in chain.clauses if _several_there(c)]
+    told = [[_left(_from_the_start(c, text), lots) for c in chain.clauses] for chain in chains]
     at = [(n, k) for n, clauses in enumerate(told) for k in range(len(clauses))]
     for (n, k), (m, j) in itertools.pairwise(at):
         fact, kept = told[n][k], told[m][j]
@@ -91,3 +92,26 @@ def _there(part: Meaning, place: Meaning, text: str) -> bool:
     )
     named = same and isinstance(mark, Noun) and isinstance(known, Noun) and mark.traits in (known.traits, Traits())
     return named and isinstance(place, Loc) and part.rel == place.rel
+
+
+def _several_there(fact: Meaning) -> bool:
+    """ "All three red blocks start on the mat"."""
+    said = isinstance(fact, Clause) and fact.mode in ("start", "given") and bool(_places(fact.adjuncts))
+    return said and isinstance(fact, Clause) and isinstance(fact.theme, Noun) and fact.theme.plural
+
+
+def _left(clause: Meaning, lots: Sequence[Meaning]) -> Meaning:
+    """ "(All three start on the mat;) at the end only one may still be on it": one of them."""
+    if len(lots) != 1 or not isinstance(clause, Clause) or clause.mode != "goal" or clause.negated:
+        return clause
+    theme = clause.theme
+    one = theme.items[0] if isinstance(theme, Coord) and theme.op == "only" and len(theme.items) == 1 else theme
+    bare = isinstance(one, Noun) and (one.head, one.traits, one.det) == ("any", Traits(), "bare") and not one.plural
+    alone = bare and isinstance(one, Noun) and one.amount in (None, Amount(1, 1, True)) and one is not theme
+    alone = alone or (bare and isinstance(one, Noun) and one.amount == Amount(1, 1, True))
+    if not alone or clause.verb not in ("be", "exist") or not _places(clause.adjuncts) or theme is None:
+        return clause
+    them = Pronoun(word="them", span=theme.span)
+    some = Noun(head="any", det="some", amount=Amount(1, 1, True), plural=True, part_of=them, span=theme.span)
+    kept = tuple(x for x in clause.adjuncts if not (isinstance(x, Manner) and x.kind == "allowed"))
+    return replace(clause, verb="be", lemma="", theme=some, adjuncts=kept)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Clause, In, Loc, Manner, Meaning, Noun, Structure, That, replace
+from rpg.language.meaning import Clause, In, Loc, Manner, Meaning, Noun, Pronoun, Structure, That, replace
 
 _SO = ("should not be", "must not be", "is not", "are not", "should be", "must be", "is too", "are too", "is", "are",
        "yes")  # fmt: skip
@@ -71,3 +71,9 @@ def in_its_turn(p: Parser, k: int, before: Clause, said: Clause) -> Clause | Non
         return None
     kept = tuple(x for x in said.adjuncts if not (isinstance(x, Manner) and x.kind == "time"))
     return replace(said, adjuncts=kept) if block and (k >= p.end or p.stands(k, (",", ";"))) else None
+
+
+def but_that(p: Parser, j: int, before: Clause, item: Meaning) -> bool:
+    """ "Nothing goes on the mat but the W, ...": what follows is what goes there, and no clause of its own."""
+    nothing = isinstance(before.theme, Pronoun) and before.theme.word == "nothing" and not before.negated
+    return nothing and p.words[j - 1] == "but" and not p.follows(j - 1, (",",))

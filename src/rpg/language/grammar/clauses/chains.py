@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.language import lexicon
-from rpg.language.grammar.clauses.again import in_its_turn, there_in_turn
+from rpg.language.grammar.clauses.again import but_that, in_its_turn, there_in_turn
 from rpg.language.grammar.clauses.becoming import and_touches
 from rpg.language.grammar.clauses.carried_on import carried_on, on_with_it
 from rpg.language.grammar.clauses.clauses import clause
@@ -272,7 +272,7 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
     if p.words[j - 1] == "," and (apposed(previous, item) or _mere_time(item)):
         return True
     listed = p.words[j - 1] == "and" and p.tokens[j - 2].word in lexicon.COLOR and _in_list(p, j - 2)
-    if any(no(p, j, previous, item) for no in (stands_behind, has_it_too, last_of_the_order, of_the_same)):
+    if any(no(p, j, previous, item) for no in (stands_behind, has_it_too, last_of_the_order, of_the_same, but_that)):
         return True
     shape = item.theme if isinstance(item, Clause) else None
     part = listed and isinstance(shape, Structure) and shape.det == "bare"  # "a staircase of red, blue and green steps"

@@ -32,7 +32,8 @@ def there_on_it(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         clauses: list[Meaning] = []
         for c in chain.clauses:
             now = [a for a in c.adjuncts if getattr(a, "kind", "") == "start"] if isinstance(c, Clause) else []
-            if now and isinstance(c, Clause) and asked:
+            given = isinstance(c, Clause) and (c.verb, c.mode) == ("exist", "given")
+            if now and isinstance(c, Clause) and asked and given:
                 c = replace(c, adjuncts=tuple(a for a in c.adjuncts if a not in now))
             marks = [getattr(a, "landmark", None) for a in c.adjuncts] if there_is(c) and isinstance(c, Clause) else []
             there = asked and any(isinstance(mark, Pronoun) for mark in marks) and _lying_on_it(c)

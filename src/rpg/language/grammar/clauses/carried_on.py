@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.clauses.becoming import staying
 from rpg.language.grammar.clauses.moves import moves
 from rpg.language.grammar.clauses.states import BOUND, MODALS, NOT, auxiliaries, lasts, predicate_after_be
 from rpg.language.grammar.clauses.verbs import ever
@@ -29,6 +30,8 @@ def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     if before.verb != "be" and not moved:
         return
     k, words = auxiliaries(p, i)
+    for kept, j in staying(p, i, k, told_of(before), "goal") if words & NOT else ():
+        yield ever(replace(kept, cost=kept.cost + 1), lasts(words)), j
     later = before.mode == "start" and p.words[k] in BOUND | _LASTING
     onward = p.stands(i, ("goes", "go")) and p.follows(i, ("then",))  # "goes to A and then goes to B"
     had = moved or all(isinstance(a, Absolute) for a in before.adjuncts)

@@ -180,6 +180,8 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield at_place(found, first), k
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
+        if p.stands(j, ("then",)) and p.follows(j, (",",)):
+            continue  # "(put it on the red mat,) then on the blue one, then put it ..."
         where = isinstance(first, Loc | In | At) or _both_places(first)
         if where:
             yield from is_where(p, i, j, first, "start" if mode == "start" else "goal")

@@ -48,7 +48,7 @@ def put_back(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
 
 
 def _back(clause: Meaning) -> bool:
-    mark = clause.adjuncts[0] if isinstance(clause, Clause) and len(clause.adjuncts) == 1 else None
+    mark = clause.adjuncts[0] if isinstance(clause, Clause) and clause.adjuncts else None
     there = mark.landmark if isinstance(mark, Loc) else None
     return isinstance(there, Pronoun) and there.word == WHERE_IT_WAS
 

@@ -13,8 +13,8 @@ from rpg.language.phrases import Classes
 
 _SOMEBODY = Patterns("<which> <folk>", "i|we|you|he|she|they|people|somebody|someone", classes=Classes(WHO))
 _ADVERBS = ("already", "just", "accidentally", "carelessly")
-_ONE = frozenset({"somebody", "someone", "he", "she"})
-"""Of whom "put" is told in the past: else it would be "puts"."""
+_SEVERAL = frozenset({"i", "we", "you", "they", "people", "children", "class", "team", "folks", "family"})
+"""Of whom "put" may be told now; of anybody else it is told in the past, for now it would be "puts"."""
 _SAME = frozenset({"put", "set", "spread", "split"})
 """Verbs whose past is as they are."""
 _FLUNG = ("threw", "thrown", "tossed", "dumped", "left", "tipped", "poured", "scattered", "spilled", "emptied")
@@ -29,7 +29,8 @@ def by_someone(p: Parser, i: int) -> Results[Meaning]:
         had = p.any_of(k, ("has", "have", "had"))
         j = p.any_of(had or k, _ADVERBS) or had or k
         same = p.stands(j, _SAME)
-        if same and not (had or p.follows(k, _ONE)):
+        several = p.follows(k, _SEVERAL) or p.words[k - 1].endswith("s")
+        if same and several and not had:
             continue
         for found, end in [*verb_phrase(p, j, ("past", "base") if same else ("past",)), *_flung(p, i, j)]:
             places = all(isinstance(x, Loc | In | Into | OrderBy) for x in found.adjuncts)

@@ -9,7 +9,7 @@ from rpg.language.grammar.clauses.states import BOUND, MODALS, NOT, auxiliaries,
 from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.things.retold import some_of_which, told_of
-from rpg.language.meaning import Absolute, Clause, Meaning, Noun, replace
+from rpg.language.meaning import Absolute, Clause, Manner, Meaning, Noun, replace
 
 _ENDS = frozenset({"end", "ends", "winds", "finishes"})
 """What tells of the end: "A starts on B and ends up beside it"."""
@@ -43,6 +43,8 @@ def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     mode = "goal" if later or words & (MODALS | _ENDS) else before.mode
     for found, j in predicate_after_be(p, i, k, same, mode, bool(words & NOT)):
         if isinstance(found, Clause):
+            step = mode == "start" and any(isinstance(a, Manner) and a.kind == "time" for a in found.adjuncts)
+            found = replace(found, mode="goal") if step else found  # "it starts there and is put on blue first"
             yield ever(replace(found, cost=found.cost + 1), lasts(words)), j
 
 

@@ -21,6 +21,8 @@ def moves(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -
         return
     if j := p.one(k, MOVES):
         for found, end in [*adjuncts(p, j), *(adjuncts(p, j + 1) if p.stands(j, _OVER) else ())]:
+            if any(getattr(x, "rel", "") == "above" for x in found):
+                continue  # "jumps over it": and where it is then?
             if any(isinstance(x, Loc | In) or getattr(x, "kind", "") == "stay" for x in found):
                 yield Clause(verb="place", lemma="move", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end),
                              word=p.span(k, j)), end  # fmt: skip

@@ -115,7 +115,8 @@ def all_begun(chain: Chain, alone: bool = False) -> Chain:
     begun = sum(c.mode == "start" for c in told)
     if len(clauses) + begun < len(chain.clauses) or len(told) < 2 or {*chain.links} != {"and"}:
         return chain
-    if begun and clauses and not alone and not any(c.negated for c in clauses):
+    timed = any(isinstance(a, Manner) and a.kind == "time" for c in clauses for a in c.adjuncts)
+    if begun and clauses and not (alone or timed or any(c.negated for c in clauses)):
         return replace(chain, clauses=tuple(replace(c, mode="start") for c in told))
     if begun:
         return chain

@@ -24,7 +24,7 @@ def kept_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
         elsewhere = any(orders_something(chain) for chain in (*chains[:n], *chains[m + 1 :]))
         if (stays := _as_told(fact, kept, text)) is not None:
             told[m][j] = replace(kept, adjuncts=stays)
-        elif not (kept.negated and elsewhere):
+        elif not ((kept.negated or _unmoved(kept)) and elsewhere):
             continue
         told[n][k] = fact if fact.mode == "given" else replace(fact, mode="start")
     return tuple(
@@ -55,7 +55,20 @@ def _from_the_start(clause: Meaning, text: str) -> Meaning:
 
 def _lasts(kept: Meaning) -> bool:
     said = isinstance(kept, Clause) and (kept.verb, kept.mode) == ("be", "goal")
-    return said and isinstance(kept, Clause) and any(map(_always, kept.adjuncts))
+    return _unmoved(kept) or (said and isinstance(kept, Clause) and any(map(_always, kept.adjuncts)))
+
+
+def _unmoved(kept: Meaning) -> bool:
+    """ "must not be moved", "must not be touched", "must stay where it is"."""
+    if not isinstance(kept, Clause) or kept.mode not in ("goal", "command"):
+        return False
+    stays = not kept.negated and any(isinstance(x, Manner) and x.kind == "stay" for x in kept.adjuncts)
+    still = kept.negated and kept.verb in ("place", "touch", "pick") and not any(map(_somewhere, kept.adjuncts))
+    return stays or still
+
+
+def _somewhere(part: Meaning) -> bool:
+    return isinstance(part, Loc | In)
 
 
 def _always(part: Meaning) -> bool:

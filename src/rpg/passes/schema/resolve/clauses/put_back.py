@@ -15,7 +15,7 @@ _BACK = re.compile(r"\b(?:back|returns?|returned)\b", re.IGNORECASE)
 
 def put_back(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences, with the place that something is put back to; facts of where it was are of the start."""
-    chains = tuple(map(off_again, chains))
+    chains = tuple(off_again(chain, text) for chain in chains)
     if _BACK.search(text) is None:
         return chains
     found = [list(chain.clauses) for chain in chains]
@@ -91,8 +91,9 @@ def _known(place: Meaning) -> Meaning:
     return place
 
 
-def off_again(chain: Chain) -> Chain:
-    """ "Put red on the mat, take it off again, ...": one after the other, for both cannot be so at once."""
+def off_again(chain: Chain, text: str) -> Chain:
+    """ "Put red on the mat, take it off again, ...", "... and put it back on blue": one after the other, for not
+    both can be so at once."""
     links = list(chain.links)
     for n, (put, taken) in enumerate(pairwise(chain.clauses), 1):
         if not isinstance(put, Clause) or not isinstance(taken, Clause) or links[n] != "and":
@@ -101,6 +102,12 @@ def off_again(chain: Chain) -> Chain:
         there = [x for x in put.adjuncts if isinstance(x, Loc) and x.rel == "on" and not x.negated]
         off = [x for x in taken.adjuncts if isinstance(x, Loc) and x.rel == "off"]
         it = isinstance(taken.theme, Pronoun) and taken.theme.word == "it" and bool(_one(put.theme))
-        if done and it and len(there) == len(off) == 1 and not (put.negated or taken.negated):
+        it = it or (bool(_one(put.theme)) and _one(put.theme) == _one(taken.theme))
+        again = len(there) == len(off) == 1 or (_placed(taken) and _BACK.search(text[slice(*taken.span)]) is not None)
+        if done and it and again and not (put.negated or taken.negated):
             links[n] = "then"
     return replace(chain, links=tuple(links)) if tuple(links) != chain.links else chain
+
+
+def _placed(clause: Clause) -> bool:
+    return len(clause.adjuncts) == 1 and isinstance(clause.adjuncts[0], Loc | In)

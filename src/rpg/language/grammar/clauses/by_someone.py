@@ -14,7 +14,7 @@ from rpg.language.phrases import Classes
 _SOMEBODY = Patterns("<which> <folk>", "i|we|you|he|she|they|people|somebody|someone", classes=Classes(WHO))
 _ADVERBS = ("already", "just", "accidentally", "carelessly")
 _SEVERAL = frozenset({"i", "we", "you", "they", "people", "children", "class", "team", "folks", "family"})
-"""Of whom "put" may be told now; of anybody else it is told in the past, for now it would be "puts"."""
+"""Of whom "put" may be told now; of anybody else it is told in the past: today it would be "puts"."""
 _SAME = frozenset({"put", "set", "spread", "split"})
 """Verbs whose past is as they are."""
 _FLUNG = ("threw", "thrown", "tossed", "dumped", "left", "tipped", "poured", "scattered", "spilled", "emptied")

@@ -269,7 +269,7 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if theme.part == "top" and clause.lemma in ("clear", "empty") and not spec.places:
         return [r.Clear(a=crown(theme), span=clause.span)]
     if theme.table:
-        raise refuse("out-of-reach", "blocks cannot leave the table", clause.span, "say where the blocks should go")
+        raise refuse("out-of-reach", "blocks cannot leave the table", clause.span, "say where they should go")
     sources: list[Meaning] = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
     sources = sources or [p for p in spec.places if clause.lemma == "remove" and _lies_on(p)]
     rest = [p for p in spec.places if p not in sources]
@@ -301,8 +301,7 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         return [conj(goals, clause.span)]
     if clause.verb == "unstack":
         scene.unstacked.update(names)
-    if theme.built and clause.verb == "unstack":
-        _there_already(scene)
+        _there_already(scene) if theme.built else None
     if not landmarks and clause.lemma == "remove" and (below := _under(theme, scene)):
         scene.assume("a block that is removed is put on the table")
         goals.append(g.Not(goal=r.On(a=theme.names, b=below, span=clause.span), span=clause.span))

@@ -11,13 +11,15 @@ MOVES = frozenset({"move", "moves", "travel", "travels", "wander", "wanders", "h
                    "slides", "jump", "jumps", "shift", "shifts", "step", "steps", "return", "returns"})  # fmt: skip
 _OVER = ("over", "up", "down", "back", "away", "across", "out")
 _LEAVES = ("leave", "leaves")
+_MAY = frozenset({"may", "might", "can", "could"})
+"""Behind these nothing is asked for."""
 
 
 def moves(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Clause]:
     """Clauses from i on whose verb is at k: as much as "must be moved to ...", "must be taken off ..."."""
     if negated or not isinstance(theme, Noun | Coord | Pronoun | Structure):
         return
-    if getattr(theme, "head", "") == "patch":
+    if getattr(theme, "head", "") == "patch" or p.follows(k, _MAY):
         return
     if j := p.one(k, MOVES):
         for found, end in [*adjuncts(p, j), *(adjuncts(p, j + 1) if p.stands(j, _OVER) else ())]:

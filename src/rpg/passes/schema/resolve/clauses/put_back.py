@@ -33,6 +33,9 @@ def put_back(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
                 if place is None or moves.get(one, 0) > 1:
                     raise refuse("no-goal", "it is not said where it was", clause.span, "say where to put it")
                 clauses[k] = replace(clause, lemma="put", adjuncts=(replace(place, span=clause.adjuncts[0].span),))
+            if place is not None and not moves.get(one) and _told_there(clause, place, text):
+                raise refuse("ambiguous", "it is said to be there at the start", clause.span,
+                             "say where it is before it is put there")  # fmt: skip
             if _back(clause) or (_returns(clause, place) and _BACK.search(text[slice(*clause.span)]) is not None):
                 if fact is not None and isinstance(told := found[fact[0]][fact[1]], Clause):
                     found[fact[0]][fact[1]] = replace(told, mode="start")
@@ -111,3 +114,9 @@ def off_again(chain: Chain, text: str) -> Chain:
 
 def _placed(clause: Clause) -> bool:
     return len(clause.adjuncts) == 1 and isinstance(clause.adjuncts[0], Loc | In)
+
+
+def _told_there(clause: Clause, place: Meaning, text: str) -> bool:
+    """ "Red was on blue. Put it back on blue.": where it is by then is not said."""
+    asked = clause.mode in ("command", "goal") and clause.verb in _MOVED and _returns(clause, place)
+    return asked and _BACK.search(text[slice(*clause.span)]) is not None

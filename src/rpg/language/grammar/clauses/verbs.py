@@ -156,7 +156,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             if found and read_otherwise(p, end, sense, lemma, theme, found):
                 continue
             said = (*added(lemma, in_turn(p, j, k, theme, found) if sense == "stack" else found), *alone)
-            cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
+            bare = all(isinstance(x, Manner) and x.kind == "idle" for x in said)  # "take it off again"
+            cost = int(bare and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
             done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
             yield replace(picked_out(p, j, k, done), cost=cost), end
     if sense == "sort" and p.words[j] in ("by", "according"):

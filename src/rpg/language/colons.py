@@ -19,7 +19,7 @@ _PLACES = frozenset({"on", "onto", "in", "at", "under", "behind", "next", "left"
 
 
 def told_first(parts: list[list[Token]]) -> list[list[Token]]:
-    """The sentences, a fact and the command behind its colon being two of them."""
+    """The sentences, a fact and the command behind its colon being two of them; so are a command and how it ends."""
     out: list[list[Token]] = []
     for part in parts:
         words = [token.word for token in part]
@@ -31,8 +31,15 @@ def told_first(parts: list[list[Token]]) -> list[list[Token]]:
             begun += 1
         forms = lexicon.VERB.get(words[begun], ()) if begun < len(words) else ()
         asked = any(tense == "base" for _, _, tense in forms) or not _ASKED.isdisjoint(words[begun:])
-        if fact and asked:
+        ended = words[colon + 1 : colon + 4] in (["in", "the", "end"], ["at", "the", "end"])
+        if colon and ((fact and asked) or (ended and _commands(words[:colon]))):
             out += [part[:colon], part[colon + 1 :]]
         else:
             out.append(part)
     return out
+
+
+def _commands(words: list[str]) -> bool:
+    """ "(Please) separate them: in the end ..."."""
+    verb = next((word for word in words if word not in _AHEAD), "")
+    return any(tense == "base" for _, _, tense in lexicon.VERB.get(verb, ()))

@@ -173,6 +173,7 @@ _WHOLE = (
     "with_you|for_you|by_you?",
     "without further ado",
     "in the meantime",
+    "meanwhile",
     "for the fun|sake|hell|love of it|science|argument|art|beauty|god|peace",
     "for fun|science|once|now|me|us|a_change|good_luck|luck|real|today|tonight|sure|the_record|the_moment|"
     "my_peace_of_mind|your_information|pleasure please|dear|thanks|only|again|this_time?",
@@ -232,7 +233,7 @@ _WHOLE = (
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )
 TIMES = (
-    "today|tonight|now|right_now|right_away|immediately|at_once|this_time|soon|asap|real_quick|quickly|in_the_meantime|"
+    "today|tonight|now|right_now|right_away|immediately|at_once|this_time|soon|asap|real_quick|quickly|in_the_meantime|meanwhile|"
     "this_minute|this_instant|for_now|for_today|just_now|pronto|straight_away please|thanks|robot|ok|okay|then?",
     "this|tomorrow|every_monday? morning|afternoon|evening|week|weekend|time please?",
     "by tonight|tomorrow|noon|lunch|dinner|dinner_time|lunch_time|breakfast|bedtime|the_evening|monday|friday please?",

@@ -87,7 +87,7 @@ VERBS = {
     "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
     "heave hoist install wedge fit slot squeeze center pack squish squash cram jam plonk toss plunk land lodge situate "
     "station nestle dock ferry haul lug guide send ship convey reposition store assign allocate serve",
-    "pick": "pick grab grasp lift take find choose select",
+    "pick": "pick grab grasp lift take find choose select fish dig",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape craft fabricate "
     "complete",
@@ -100,7 +100,7 @@ VERBS = {
     "reverse": "reverse",
     "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",
-    "unstack": "unstack unload dismantle disassemble topple destack unpile",
+    "unstack": "unstack unload dismantle disassemble topple destack unpile tear",
     "use": "use take",
     "touch": "touch disturb bump knock jostle",
     "ignore": "ignore",
@@ -112,7 +112,7 @@ PAST = {
     "make": "made",
     "form": "formed",
     "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
-    "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",
+    "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped", "tear": "torn tore",
     "transfer": "transferred", "drag": "dragged", "hide": "hidden hid", "stick": "stuck", "drop": "dropped",
     "send": "sent", "ship": "shipped", "lug": "lugged",
     "grab": "grabbed", "cram": "crammed", "jam": "jammed", "choose": "chosen",

@@ -33,7 +33,7 @@ _ENDS = frozenset({".", "!", "?"})
 _STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
 _THE = frozenset({"the", "a", "an", "both", "all"})
 """Behind these "stack" and "line" are no nouns: "second, stack the red block on the blue one"."""
-_COUNTED = frozenset({"step", "stage", "phase"})
+_COUNTED = frozenset({"step", "stage", "phase", "subtask"})
 _LISTED = frozenset({"requirement", "condition", "rule", "constraint", "point", "criterion", "wish", "subgoal"})
 """These are counted as well, and hold all at once."""
 _ASKING = frozenset({"is", "are", "was", "were", "does", "did", "which", "where", "why", "who", "when"})

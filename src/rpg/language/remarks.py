@@ -134,7 +134,8 @@ def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
         joined = tokens[at].word in ("and", "but") and (wished or tokens[at + 1].word in _ASKING | _PLEASE)
         if (joined or tokens[at].word == "so") and idle_at_an_end(tokens[begin:at]):
             return begin + (joined and wished), at + 1
-        if tokens[at].word in _ASKING and at < begin + 3 and idle_at_an_end(tokens[begin:at]):
+        told = tokens[at - 1].word in ("has", "have", "had")  # "someone has put ..."
+        if tokens[at].word in _ASKING and at < begin + 3 and not told and idle_at_an_end(tokens[begin:at]):
             return begin, at
     return None
 

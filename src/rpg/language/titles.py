@@ -88,12 +88,14 @@ def untitled(tokens: list[Token]) -> list[Token]:
 
 _BEGUN = _words(
     "setup setting scene scenario situation state layout configuration arrangement context world environment premise "
-    "background"
+    "background initialisation initialization init reset"
 )
 """Headings of how it begins, where another one is of what should be done."""
 _AIMED = _words(
     "goal goals task objective aim target wanted want job mission result end finish success todo instruction command"
 )
+_WHICH = _words("reset scene initial starting start episode world")
+"""What stands before a heading of how it begins."""
 _SAYS = frozenset({":", "="})
 _ARTICLES = frozenset({"the", "my", "our", "your"})
 
@@ -112,14 +114,15 @@ def _headed(tokens: list[Token]) -> list[Token]:
         out[n : n + 2] = [replace(tokens[n], word=word), said]
         if n and tokens[n - 1].word == ",":
             out[n - 1] = replace(tokens[n - 1], word=".", raw=".")
-        elif n and tokens[n - 1].word in _ARTICLES:
+        elif n and tokens[n - 1].word in (_ARTICLES | _WHICH if word == "start" else _ARTICLES):
             del out[n - 1]
     return out
 
 
 def _heads(tokens: list[Token], n: int) -> bool:
     """Whether a word is one that stands over a part of the text."""
-    at = n - 1 if n and tokens[n - 1].word in _ARTICLES else n
+    whose = _ARTICLES | (_WHICH if tokens[n].word in _BEGUN else frozenset())
+    at = n - 1 if n and tokens[n - 1].word in whose else n
     known = tokens[n].word in _BEGUN | _AIMED | {"start", "have", "given"} or tokens[n].word in lexicon.PATCH
     begins = at == 0 or tokens[at - 1].word in _ENDS or (tokens[n + 1].word == "=" and tokens[at - 1].word == ",")
     return begins and known

@@ -52,11 +52,15 @@ def told_behind(tokens: list[Token]) -> Told | None:
     """What a later sentence alone tells of how the blocks look: "build towers of three. Nine red blocks are there."."""
     parts = sentences(tokens, STOPS)
     stocks = [(n, stock) for n, part in enumerate(parts[1:], 1) if (stock := stock_of(bare(part))) is not None]
-    if len(stocks) != 1 or any(lot.patch or lot.labels or lot.color is None for lot in stocks[0][1].lots):
+    if len(stocks) != 1 or any(lot.labels or lot.color is None for lot in stocks[0][1].lots):
+        return None
+    marks = _marks(stocks[0][1].lots)
+    if not marks and any(lot.patch for lot in stocks[0][1].lots):
         return None
     rest = tuple(token for n, part in enumerate(parts) for token in part if n != stocks[0][0])
     told = any(token.word in lexicon.COLOR or token.kind in ("quote", "literal") for token in rest)
-    return None if told else Told(Counter(_looks(stocks[0][1].lots)), True, rest)
+    looks = Counter(_looks(stocks[0][1].lots))
+    return None if told or not looks else Told(looks, True, rest, marks)
 
 
 def _in_each_color(tokens: list[Token]) -> list[Token]:

@@ -37,7 +37,7 @@ from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, exami
 from rpg.passes.schema.invented import check_invented
 from rpg.passes.schema.joints import check_joints
 from rpg.passes.schema.names import family_name
-from rpg.passes.schema.patience import FINAL, LOST, aimless, patience
+from rpg.passes.schema.patience import FINAL, LOST, aimless, patience, torn
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_first
 from rpg.passes.schema.resolve.clauses.between_two import of_a_line
@@ -111,7 +111,7 @@ def build(
                 raise
             if limit is None and (more := patience(refusal.diagnostics[0])) is not None:
                 limit, first = cost + more, first if first and aimless(first[0]) else (refusal, chosen)
-            first = first or (refusal, chosen)
+            first = (refusal, chosen) if first is None or torn(first[0]) else first
             continue
         if best is not None:
             raise TwoReadings(best[1].task, found.task, text)
@@ -159,7 +159,7 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    chains = from_heaps(readied(chains, text))
+    chains = from_heaps(readied(chains, text), text)
     links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, chains, text))))
     told = begun(chains, text)
     links, every = links_left(links, chains, told), links
@@ -378,7 +378,7 @@ def _of_no_block(clause: Clause) -> bool:
     if isinstance(theme, Noun) and theme.det == "no" and theme.amount and not (theme.part_of or theme.traits.colors):
         return True  # "no two letters may touch"
     none = isinstance(theme, Noun) and theme.head == "block" and theme.det == "no" and theme.traits == Traits()
-    return none and bool(clause.adjuncts) and all(isinstance(part, In) for part in clause.adjuncts)
+    return none and {type(part) for part in clause.adjuncts} in ({In}, {In, Manner})
 
 
 def _begins_with_all(clause: Clause) -> bool:

@@ -64,3 +64,8 @@ def aimless(found: Refusal) -> bool:
     """Whether the cheapest reading makes sense, but asks for nothing: no costlier one tells better what is wrong."""
     first = found.diagnostics[0]
     return first.code == "no-goal" and "what should be done" in first.message
+
+
+def torn(found: Refusal) -> bool:
+    """Whether the cheapest reading tore a list apart: "a tower of a red, a blue and a green block" is no lone block."""
+    return found.diagnostics[0].code == "too-few" and "lone block" in found.diagnostics[0].message

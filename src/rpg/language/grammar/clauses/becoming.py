@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.made import made
+from rpg.language.grammar.clauses.moves import moves
 from rpg.language.grammar.clauses.ranked_anew import becomes_first
 from rpg.language.grammar.clauses.told_piled import told_piled
 from rpg.language.grammar.core import Parser, Results
@@ -78,7 +79,7 @@ _GATHERS = frozenset({"gather", "cluster", "assemble", "group", "line", "align",
 
 def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
     """Clauses from i on, with their subject before k and its auxiliaries behind it."""
-    yield from _there(p, i, k, theme, mode)
+    yield from (*_there(p, i, k, theme, mode), *moves(p, i, k, theme, mode, False))
     yield from told_piled(p, i, k, theme, mode)
     if isinstance(theme, Structure):
         yield from _consists(p, i, k, theme, mode)
@@ -224,12 +225,16 @@ def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Cla
         stay = Manner(kind="stay", span=p.span(j, end))
         yield Clause(verb="be", theme=theme, adjuncts=(stay,), mode=mode, span=p.span(i, end)), end
     for mark, end in noun_phrase(p, j) if j else ():
-        if isinstance(mark, TableTop) or (isinstance(mark, Noun) and mark.det in ("the", "bare")):
+        it = isinstance(mark, Pronoun) and mark.word == "it"
+        if it or isinstance(mark, TableTop) or (isinstance(mark, Noun) and mark.det in ("the", "bare")):
             on = Loc(rel="on", landmark=mark, span=p.span(k, end))
             always = Manner(kind="always", span=on.span)
             for begun, last in adjuncts(p, end):
-                if all(isinstance(a, Manner) and a.kind == "begun" for a in begun):
+                if all(isinstance(a, Manner) and a.kind in ("begun", "always") for a in begun):
                     yield Clause(verb="be", theme=theme, adjuncts=(on, always), mode=mode, span=p.span(i, last)), last
+
+
+_WHEN = frozenset({"always", "finally", "start", "time", "gone"})
 
 
 def touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Clause]:
@@ -242,7 +247,10 @@ def touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool)
                 if all(isinstance(a, Manner) for a in when):
                     yield replace(said, adjuncts=(touch, *when), span=p.span(i, last)), last
         touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
-        yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
+        for when, last in adjuncts(p, j):
+            if all(isinstance(a, Manner) and a.kind in _WHEN for a in when):
+                yield Clause(verb="be", theme=theme, adjuncts=(touch, *when), negated=negated, mode=mode,
+                             span=p.span(i, last)), last  # fmt: skip
         if (end := p.seq(j, "side by side")) and not negated:
             level = (replace(touch, rel="side_by_side"), touch)
             yield Clause(verb="be", theme=theme, adjuncts=level, mode=mode, span=p.span(i, end)), end

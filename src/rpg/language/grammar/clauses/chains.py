@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.language import lexicon
+from rpg.language.grammar.clauses.again import but_that, in_its_turn, there_in_turn
 from rpg.language.grammar.clauses.becoming import and_touches
 from rpg.language.grammar.clauses.carried_on import carried_on, on_with_it
 from rpg.language.grammar.clauses.clauses import clause
@@ -12,6 +13,7 @@ from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.denials import denies_places, nor_does, nor_there, of_none
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_the_order, linked, other_side
+from rpg.language.grammar.clauses.moves import of_the_same
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
 from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
@@ -151,10 +153,10 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             yield from _more(p, i, (*had, item), (*links, link), k)
         if previous is not None:
             denied = p.stands(p.opt(at, ","), ("but",))
-            if link in ("before", "after"):
-                for theme, k in noun_phrase(p, j):
-                    whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
-                    yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+            for theme, k in noun_phrase(p, j) if link in ("before", "after") or there_in_turn(previous, link) else ():
+                said = replace(previous, theme=theme, span=p.span(j, k))
+                if (other := in_its_turn(p, k, previous, said) if link == "then" else said) is not None:
+                    yield Chain(clauses=(*had, other), links=(*links, link), span=p.span(i, k)), k
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
                 if (told := _meant_again(p, (at, j, k), had, item, link)) is not None:
                     whole, joint = (*_shared(had, told[0], told[1]), told[0]), told[1]
@@ -270,16 +272,15 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
     if p.words[j - 1] == "," and (apposed(previous, item) or _mere_time(item)):
         return True
     listed = p.words[j - 1] == "and" and p.tokens[j - 2].word in lexicon.COLOR and _in_list(p, j - 2)
-    if stands_behind(p, j, previous, item) or has_it_too(p, j, previous, item):
+    if any(no(p, j, previous, item) for no in (stands_behind, has_it_too, last_of_the_order, of_the_same, but_that)):
         return True
     shape = item.theme if isinstance(item, Clause) else None
-    if listed and isinstance(shape, Structure) and shape.det == "bare":  # "a staircase of red, blue and green steps"
-        return True
-    if other_side(p, j, k, previous, item) or last_of_the_order(p, j, previous, item):
+    part = listed and isinstance(shape, Structure) and shape.det == "bare"  # "a staircase of red, blue and green steps"
+    if part or other_side(p, j, k, previous, item) or nor_does(p, j, k, previous, item):
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
-    return nor_does(p, j, k, previous, item) or (previous.lemma == "tally" and _of_the_list(p, j, k, item))
+    return previous.lemma == "tally" and _of_the_list(p, j, k, item)
 
 
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:

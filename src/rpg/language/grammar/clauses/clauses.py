@@ -16,6 +16,7 @@ from rpg.language.grammar.clauses.ahead import (
     of_hues,
 )
 from rpg.language.grammar.clauses.becoming import staying
+from rpg.language.grammar.clauses.by_someone import by_someone
 from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
@@ -112,7 +113,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield from (*_command(p, i), *covered(p, i), *addressed(p, i), *replaced(p, i), *shared(p, i))
         yield from (*given_own(p, i), *each_kind(p, i))
     yield from (*gap(p, i), *widened(p, i), *measuring(p, i, when))
-    yield from trading_places(p, i)
+    yield from (*trading_places(p, i), *by_someone(p, i))
     yield from state(p, i, when)
     for there, j in exists(p, i):
         there = finally_there(p, i, there, mode == "end")
@@ -179,6 +180,8 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield at_place(found, first), k
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
+        if p.stands(j, ("then",)) and p.follows(j, (",",)):
+            continue  # "(put it on the red mat,) then on the blue one, then put it ..."
         where = isinstance(first, Loc | In | At) or _both_places(first)
         if where:
             yield from is_where(p, i, j, first, "start" if mode == "start" else "goal")
@@ -295,9 +298,15 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
             if found.lemma not in ("get", "take", "use") and (found.adjuncts or found.verb != "place"):
                 yield replace(found, cost=found.cost + 1), end
     if k := p.any_of(i, AGENTS):
-        for found, end in verb_phrase(p, k, ("base", "s")):
-            had = found.lemma in ("get", "take", "use") and not p.stands(end, ("and",))
+        first = p.opt(k, "first")
+        now = (Manner(kind="time", value=1.0, span=p.span(k, first)),) if first > k else ()
+        for found, end in verb_phrase(p, first, ("base", "s")):
+            had = found.lemma in ("get", "take", "use") and not p.stands(end, ("and", "then", ","))
             if not had and (found.adjuncts or found.verb != "place"):
+                yield replace(found, adjuncts=(*found.adjuncts, *now), cost=found.cost + 1), end
+    if k := p.any_of(i, _IT_SHOULD):
+        for found, end in verb_phrase(p, k, ("base",)):
+            if found.lemma in _DONE_TO and found.theme is not None and (found.adjuncts or found.verb != "place"):
                 yield replace(found, cost=found.cost + 1), end
     if (k := p.any_of(i, DOERS)) and (k := p.one(k, ("has", "have"))):
         for found, end in verb_phrase(p, k, ("past",)):
@@ -318,6 +327,11 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
         yield ever(denied_of_all(p, i, found), never), k
 
 
+_IT_SHOULD = tuple(f"{who} {must}" for who in ("it", "he", "she", "they")
+                   for must in ("should", "must", "shall", "has to", "have to", "needs to", "will"))  # fmt: skip
+_DONE_TO = frozenset({"build", "put", "place", "stack", "sort", "arrange", "take", "pick", "construct", "assemble",
+                      "rebuild", "set", "lay", "bring"})  # fmt: skip
+"""What the robot does to blocks, and no block does: "it should build a tower of them" is said of the robot."""
 _VAGUE = frozenset({"it", "them", "they", "that", "this", "one", "each", "all", "both"})
 _WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})
 """After these "it" and "them" are what is described: "I want them in a row"."""

@@ -9,6 +9,11 @@ from rpg.language.meaning import Amount, Clause, Coord, In, Loc, Manner, Meaning
 
 _NOT = frozenset({"not", "never"})
 _ALL = (["both"], ["all"])
+BARRED = (*(f"at no {time}{during}" for time in ("time", "point", "moment")
+             for during in ("", *(f" {during} the {run}" for during in ("during", "throughout", "of", "in")
+                                  for run in ("episode", "task", "run", "whole episode")))),
+           "under no circumstances", "in no case", "in no event", "never")  # fmt: skip
+"""What comes before a question's order of words: "at no time may the red block be on ..."."""
 REACH = 3
 """So many words on "not" is looked for: "are not", "must not", "do not"."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.colors_told import colors_told
+from rpg.language.grammar.clauses.on_the_way import on_the_way
 from rpg.language.grammar.clauses.shifts import shifted, straight
 from rpg.language.grammar.clauses.some_way import SOME_WAY, SOME_WAYS
 from rpg.language.grammar.core import Parser, Results, choice, rule
@@ -59,7 +60,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     for phrases, degrees in ((_DOWN, 180.0), (_UPRIGHT, 0.0), (("sideways", "on its side"), 90.0)):
         if j := p.any_of(i, phrases):
             yield Manner(kind="turn", value=degrees, span=p.span(i, j)), j
-    yield from (*shifted(p, i), *straight(p, i), *colors_told(p, i))
+    yield from (*shifted(p, i), *straight(p, i), *colors_told(p, i), *on_the_way(p, i))
     comma = p.opt(i, ",")
     if k := p.any_of(comma, _FACING):
         for side, end in direction(p, k):
@@ -265,6 +266,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "first": ("time", 1.0), "second": ("time", 2.0), "third": ("time", 3.0), "last": ("time", 99.0),
     "finally": ("time", 99.0), "eventually": ("finally", None), "ultimately": ("finally", None),
     "afterwards": ("time", 50.0), "initially": ("start", None),
+    **{f"from the {very}{start}{on}": ("always" if on else "start", None)
+       for very in ("", "very ") for start in ("start", "beginning", "outset") for on in ("", " on", " onwards")},
     "at the moment": ("start", None), "there from the start": ("start", None),
     "there at the start": ("start", None), "there already": ("start", None), "already there": ("start", None),
     "there now": ("start", None), "there initially": ("start", None), "there at the beginning": ("start", None),
@@ -302,6 +305,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "equally tall": ("equal", None), "equally high": ("equal", None), "of equal heights": ("equal", None),
     **{f"{of} {other} {height}": ("unequal", None) for of in ("of", "with", "in")
        for other in ("different", "unequal") for height in ("height", "heights")},
+    **{f"with {its} order {reversed_}": ("backwards", None)
+       for its in ("the", "its", "their") for reversed_ in ("reversed", "inverted", "flipped", "turned around")},
     "differently tall": ("unequal", None), "differently high": ("unequal", None),
     "the same height": ("equal", None), "with the same height": ("equal", None), "reversed": ("backwards", None),
     "while doing so": ("always", None), "while doing this": ("always", None), "while you do so": ("always", None),
@@ -328,7 +333,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "respectively": ("respectively", None), "backwards": ("backwards", None), "in reverse": ("backwards", None),
     "backward": ("backwards", None),
     "at the end": ("finally", None), "in the end": ("finally", None), "at once": ("idle", "pace at once"),
-    "one by one": ("idle", None),
+    "one by one": ("idle", None), "one block at a time": ("idle", None), "one cube at a time": ("idle", None),
     "one at a time": ("idle", None), "carefully": ("idle", "pace carefully"), "gently": ("idle", "pace gently"),
     **dict.fromkeys(("neatly", "nicely", "tidily", "prettily", "beautifully", "orderly"), ("idle", None)),
     "exactly": ("idle", None),

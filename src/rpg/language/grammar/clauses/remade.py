@@ -87,13 +87,18 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
                     for found, last in adjuncts(p, end):
                         yield _clause(p, i, last, "arrange", theme, (into, *found)), last
     if lemma in ("take", "pull", "break", "knock", "tear"):
-        parted = p.one(i + 1, ("apart", "down"))
+        parted = p.one(i + 1, _DOWN)
         for theme, k in noun_phrase(p, parted or i + 1):
-            if p.words[k if not parted else i + 1] == "down" and not isinstance(theme, Structure):
+            it = isinstance(theme, Pronoun) and lemma in ("knock", "pull")  # "take it down" may be said of one block
+            single = not (it or isinstance(theme, Structure))
+            if p.words[k if not parted else i + 1] == "down" and single:
                 continue
-            if end := k if parted else p.one(k, ("apart", "down")):
+            if end := k if parted else p.one(k, _DOWN):
                 for found, last in adjuncts(p, end):
                     yield _clause(p, i, last, "unstack", theme, found), last
+
+
+_DOWN = ("apart", "down")
 
 
 def _straightened(p: Parser, i: int, j: int) -> Results[Clause]:

@@ -63,6 +63,7 @@ def still_begun(p: Parser, j: int, k: int, before: Clause | None, item: Meaning)
     if before is None or before.mode != "start" or not isinstance(item, Clause):
         return item
     fact = (item.lemma, item.mode) == ("fact", "goal") and _ENDING.isdisjoint(p.words[j:k])
+    fact = fact and not any(isinstance(a, Manner) and a.kind == "time" for a in item.adjuncts)
     return replace(item, mode="start") if fact and not item.negated else item
 
 

@@ -8,12 +8,13 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
-from rpg.language.grammar.clauses.denials import denied_of_all, leave, needless, stays
+from rpg.language.grammar.clauses.denials import BARRED, denied_of_all, leave, needless, stays
 from rpg.language.grammar.clauses.just_moved import just_moved
 from rpg.language.grammar.clauses.keeping_away import keeps_away
 from rpg.language.grammar.clauses.made import MADE, drawn, made, under
 from rpg.language.grammar.clauses.manners import direction, manner
 from rpg.language.grammar.clauses.nowhere import nowhere
+from rpg.language.grammar.clauses.put_back import lifted_off
 from rpg.language.grammar.clauses.reads import reads
 from rpg.language.grammar.clauses.sole import sole
 from rpg.language.grammar.clauses.spelt import spell
@@ -91,7 +92,7 @@ _PLACE_OF = Patterns("the <place> of|for", classes=_PLACES)
 def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
     inverted = p.one(i, _BE) if i else 0
-    barred = p.any_of(i, _BARRED)
+    barred = p.any_of(i, BARRED)
     asked = p.one(barred or i, _ASKING) or (p.one(i, _DOES) if p.follows(i, ("that", "then")) else 0)
     if barred and not asked:
         return
@@ -179,8 +180,6 @@ _ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
 
 _DOES = frozenset({"does", "do"})
 """These come first behind "only then": "only after that does the blue one go onto it"."""
-_BARRED = ("at no time", "at no point", "at no moment", "under no circumstances", "in no case", "in no event", "never")
-"""What comes before a question's order of words: "at no time may the red block be on ..."."""
 
 
 _FILLERS = frozenset({
@@ -284,12 +283,17 @@ def predicate_after_be(
         return [(replace(c, adjuncts=(*c.adjuncts, past)) if isinstance(c, Clause) else c, e) for c, e in longer]
     if (
         p.words[k - 1 : k] in (["up"], ["finishes"])
-        or (p.words[k - 1] in ("get", "gets") and p.stands(k, ("to", "onto", "into")))
+        or (p.words[k - 1] in ("get", "gets") and (p.stands(k, ("to", "onto", "into")) or _done(p, k)))
         or any(m.kind != "extra" for m, _ in manner(p, k) if isinstance(m, Manner))
         or p.words[k - 1 : k] in (["always"], ["never"])
     ):
         return list(_predicate(p, i, k, theme, mode, negated))
     return []
+
+
+def _done(p: Parser, k: int) -> bool:
+    """ "gets stacked on it": a passive like another."""
+    return any(form == "past" for _, _, form in p.peek(k, lexicon.VERB) or ())
 
 
 def _in_it(found: Meaning) -> bool:
@@ -327,7 +331,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                     ):
                         done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, negated=negated, mode=mode,
                                       span=p.span(i, k))  # fmt: skip
-                        yield replace(done, word=p.span(j, j + 1)), k
+                        yield lifted_off(replace(done, word=p.span(j, j + 1))), k
                 if sense in MADE:
                     built = Clause(verb="build", lemma=lemma, negated=negated, mode=mode, span=p.span(i, at_))
                     yield from made(p, i, at_, theme, replace(built, word=p.span(j, j + 1)))

@@ -12,6 +12,7 @@ from rpg.language.grammar.clauses.kept_stacked import kept_stacked
 from rpg.language.grammar.clauses.links import RATHER
 from rpg.language.grammar.clauses.manners import degrees_of, direction
 from rpg.language.grammar.clauses.particles import WHITHER, across, added
+from rpg.language.grammar.clauses.put_back import picked_out, put_back
 from rpg.language.grammar.clauses.remade import of_what_is_there, put_down, read_otherwise, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.clauses.spelt import spelling
@@ -136,6 +137,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         k = k if p.seq(k, "out of the way") else p.opt(k, *_BEHIND.get(sense, ()))
         k = k + 1 if lemma == "drop" and p.stands(k, ("off",)) and p.stands(k + 1, WHITHER) else k
         k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k
+        yield from put_back(p, i, k, theme, word) if sense == "place" else ()
         if sense == "place" and "down" in (p.words[k - 1], p.words[j - 1]):
             yield put_down(theme, lemma, p.span(i, k), word), k
         if sense == "place" and in_its_place(p, k, theme):
@@ -160,9 +162,10 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             if found and read_otherwise(p, end, sense, lemma, theme, found):
                 continue
             said = (*added(lemma, in_turn(p, j, k, theme, found) if sense == "stack" else found), *alone)
-            cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
+            bare = all(isinstance(x, Manner) and x.kind == "idle" for x in said)  # "take it off again"
+            cost = int(bare and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
             done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
-            yield replace(done, cost=cost), end
+            yield replace(picked_out(p, j, k, done), cost=cost), end
     if sense == "sort" and p.words[j] in ("by", "according"):
         yield from _by_first(p, i, j, lemma)
     if sense in ("stack", "build", "arrange", "sort", "place"):
@@ -337,7 +340,9 @@ _COMES_NEXT = ("comes next", "is next", "goes next", "should come next", "must c
 
 @rule
 def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
-    """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
+    """ "... and the green one on the yellow one", "... then back to the mat": the verb of the clause before is meant
+    again."""
+    i = p.opt(i, "back") if p.follows(i, ("then",)) else i
     so = p.any_of(i, _SO_IS) if before.adjuncts and before.verb in ("be", "place") and not before.negated else 0
     for theme, j in noun_phrase(p, so) if so else ():
         if isinstance(theme, Noun | Coord):

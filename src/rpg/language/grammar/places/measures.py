@@ -321,6 +321,9 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
 
 
 _FROM_HERE = Patterns(
+    "with_respect_to|relative_to|compared_to where it is|stands|lies|was|starts|started|begins|began",
+    "with_respect_to|relative_to|compared_to its|their|the current|original|initial|start|starting "
+    "place|position|location|spot",
     "away? from where it is|stands|lies|sits|was|starts|started|begins|began now|currently|standing|lying?",
     "away? from where it currently|now|originally|initially is|stands|lies|sits|was",
     "away? from its|their|the current|present|original|initial|start|starting|old|first? place|position|location|spot",

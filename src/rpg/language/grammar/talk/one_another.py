@@ -83,9 +83,12 @@ _HALF = frozenset({"half", "side"})
 
 def other_half(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Red in the left half of the table and blue in the other (one)": in the right half."""
-    first = next((n for n in range(1, len(words)) if words[n] in _HALF and words[n - 1] in _OPPOSITE), 0)
+    named = [n for n in range(1, len(words)) if words[n] in _HALF and words[n - 1] in _OPPOSITE]
+    first = named[0] if named else 0
     for at in range(first + 1, len(words) - 1) if first else ():
         if words[at : at + 2] != ["the", "other"] or words[at - 1] not in ("in", "into"):
+            continue
+        if len({words[n - 1] for n in named if n < at}) > 1:  # "each is in the other half": other than it was in
             continue
         end = at + 2 + (words[at + 2 : at + 3] in (["one"], ["half"], ["side"]))
         if end < len(words) and (words[end] not in (*_STOPS, ",", ";", "of") or words[end] in lexicon.BLOCK):

@@ -30,9 +30,9 @@ STARTS = Patterns(
     f"in|at|from the|our|my {_BEGINNING} {_STATES} ,|:?",
     f"the|our|my? {_BEGINNING} {_STATES} is|has|shows|looks_like_this|looks_like|contains? that|this|as_follows? :|,?",
     f"the|our|my? {_BEGINNING} {_STATES} :",
-    "the|our|this|my scene|episode|task|game|simulation|run|trial|story|world|level|exercise|puzzle|test|experiment "
+    "the|our|this|my? scene|episode|task|game|simulation|run|trial|story|world|level|exercise|puzzle|test|experiment "
     "opens|starts|begins|starts_off|starts_out|starts_off with|from|: ,?",
-    "the|our|this|each|every test|episode|task|run|trial|experiment shall|must|will|should start|begin with|from",
+    "the|our|this|each|every? test|episode|task|run|trial|experiment shall|must|will|should start|begin with|from",
     "we|you|i|things|everything|it|all start|starts|begin|begins|start_off|starts_off|start_out|starts_out|"
     "are_starting|am_starting with|from|:",
     "at|in the very? start|beginning|outset of? the|this? episode|task|game|run|trial|simulation|exercise|test|"
@@ -175,7 +175,7 @@ STATES = Patterns(
     "this|as_follows|like_this|that|when|where|one_where|one_in_which? :?",
     "a|one picture|scene|situation|state|layout|arrangement where|in_which|such_that|that_shows|showing",
     "end|final|desired|target|goal|wanted|finished state|result|picture|layout|scene|arrangement|configuration? :",
-    f"the|our|this|my|your {_QUEST} is|will_be|has_been|gets|becomes|counts_as|ends {_DONE} {_WHEN}",
+    f"the|our|this|my|your? {_QUEST} is|will_be|has_been|gets|becomes|counts_as|ends {_DONE} {_WHEN}",
     f"it|this|that is|will_be|counts_as|counts {_DONE}|right|correct|as_done|as_solved|as_success|as_a_success {_WHEN}",
     f"the|our|this|an|your? {_QUEST}|robot|agent|you|we|i|it succeeds|succeed|wins|win|ends|end|won {_WHEN}",
     f"you|we|i|the_robot are|is|have|will_be|will_have|'ve {_DONE} {_WHEN}",

@@ -150,9 +150,9 @@ def _table(p: Parser, i: int) -> Results[Meaning]:
     bare = p.one(j, _BARE)
     j = p.opt(bare or j, "work", "wooden")
     if p.lex(j, lexicon.TABLE) is False:
-        end = j + 1
-        end = p.opt(end, "top", "surface")
-        yield TableTop(bare=bool(bare), span=p.span(i, end)), end
+        end = p.opt(j + 1, "top", "surface")
+        itself = p.opt(end, "itself")
+        yield TableTop(bare=bool(bare) or itself > end, span=p.span(i, itself)), itself
 
 
 _PARTS = {

@@ -18,7 +18,8 @@ _PASS_OVER = (
     "never use", "not", "pay no attention to", "do not care about", "but not",
 )  # fmt: skip
 """What stands before blocks that are not to be used. Behind "without" and "not" alone no place may follow."""
-_LEAVE = frozenset({"leave", "leaving", "keep", "put", "set", "lay", "add", "include", "have", "place", "throw"})
+_LEAVE = frozenset({"leave", "leaving", "keep", "put", "set", "lay", "add", "include", "have", "place", "throw",
+                    "toss", "drop", "mix"})  # fmt: skip
 _ASIDE = Patterns(
     "just|simply? aside|out|lying_around|around|unused|out_of_it|off_to_the_side|to_one_side|to_the_side|on_the_side|"
     "on_one_side|out_of_the_way|out_of_play|over|alone_as_distractors|lying_on_the_side|lying_on_the_table_unused "
@@ -99,9 +100,11 @@ def spare(p: Parser, i: int) -> Results[Clause]:
             lying = p.any_of(j, _ON_TABLE) if isinstance(theme, Noun) and theme.det == "other" and theme.amount else 0
             if lying:  # "ignore the three other blocks on the table": they lie where all blocks do
                 yield _said(p, i, lying, theme), lying
-    left = p.one(i, _LEAVE)
+    left = p.one(p.opt(i, "also"), _LEAVE)
     for theme, j in noun_phrase(p, p.opt(left, "in")) if left else ():
-        aside = _ASIDE.matches(p, j) if p.words[i].startswith("leav") or _told(theme) else ()
+        aside = {*_ASIDE.matches(p, j)} if p.words[i].startswith("leav") or _told(theme) else set()
+        if _told(theme) and not p.words[i].startswith("leav"):  # "throw in two distractors (on the table)"
+            aside |= {j, p.any_of(j, _ON_TABLE) or j}
         for k in {*aside, *_AS.matches(p, j)}:
             yield _said(p, i, k, theme), k
     label = p.any_of(i, _LABELS)

@@ -18,6 +18,7 @@ _THIS = "it|this|that|the_task|this_task|the_tower|the_row|the_structure|the_goa
 AS_EXTRAS = Patterns(
     "present|lying|standing|sitting|placed|as_well|too? there|around|present|lying_around|lying_about|standing_around|"
     "standing_by|on_the_table|somewhere|somewhere_on_the_table|nearby|in_the_scene|by|on_the_side|to_the_side? ,? "
+    "but|though|and? "
     f"just|only|merely|simply|purely? as|for|to_serve_as|serving_as|acting_as|to_act_as a|an|some|mere|pure? {_ROLES} "
     f"{_SPOTS}?",
     "there|around|present|lying_around|on_the_table? ,? just|only|merely|simply|purely|solely? to "

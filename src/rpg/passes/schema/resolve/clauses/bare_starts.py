@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, Structure, parts_of, replace
+from rpg.passes.schema.resolve.clauses.begun_upwards import begun_upwards
 
 _MOVES = frozenset({"move", "take", "remove", "lift", "swap", "exchange", "trade", "reverse", "unstack", "shift",
                     "transfer", "push", "slide", "carry", "pull"})  # fmt: skip
@@ -11,6 +12,7 @@ _MOVES = frozenset({"move", "take", "remove", "lift", "swap", "exchange", "trade
 
 def bare_starts(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """The sentences, the first of them told of the start where the second moves what it speaks of."""
+    chains = tuple(map(begun_upwards, chains))
     if len(chains) < 2 or len(chains[0].clauses) != 1:
         return chains
     first, then = chains[0].clauses[0], chains[1].clauses[0]

@@ -43,9 +43,14 @@ from rpg.passes.schema.resolve.clauses.joined_facts import (
     same_one,
     staying,
 )
+from rpg.passes.schema.resolve.clauses.kept_there import kept_there
 from rpg.passes.schema.resolve.clauses.lifted import lifted
+from rpg.passes.schema.resolve.clauses.moved_from import moved_from
+from rpg.passes.schema.resolve.clauses.other_way_round import other_way_round
+from rpg.passes.schema.resolve.clauses.put_back import put_back
 from rpg.passes.schema.resolve.clauses.shown_first import presented, shown, wanted_elsewhere
 from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it, they_begin_as
+from rpg.passes.schema.resolve.clauses.told_then_asked import told_then_asked
 from rpg.passes.schema.resolve.clauses.worded_first import worded_first
 
 UNMEANT = frozenset({"contradiction", "support-cycle"})
@@ -65,8 +70,8 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
-    chains = bare_starts(tuple(facts_joined(named_there(chain)) for chain in chains))
-    chains = lifted(instead_of(chains), text)
+    chains = bare_starts(tuple(told_then_asked(facts_joined(moved_from(named_there(chain))), text) for chain in chains))
+    chains = lifted(kept_there(instead_of(put_back(other_way_round(chains), text)), text), text)
     chains = worded_first(lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
     chains = tuple(all_begun(chain, len(chains) == 1) for chain in (now, *map(_there_too, chains[1:])))

@@ -10,6 +10,7 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     Coord,
+    In,
     Loc,
     Manner,
     Meaning,
@@ -17,6 +18,7 @@ from rpg.language.meaning import (
     OrderBy,
     Quality,
     Structure,
+    TableTop,
     Traits,
     Using,
     parts_of,
@@ -113,7 +115,8 @@ def all_begun(chain: Chain, alone: bool = False) -> Chain:
     begun = sum(c.mode == "start" for c in told)
     if len(clauses) + begun < len(chain.clauses) or len(told) < 2 or {*chain.links} != {"and"}:
         return chain
-    if begun and clauses and not alone and not any(c.negated for c in clauses):
+    timed = any(isinstance(a, Manner) and a.kind == "time" for c in clauses for a in c.adjuncts)
+    if begun and clauses and not (alone or timed or any(c.negated for c in clauses)):
         return replace(chain, clauses=tuple(replace(c, mode="start") for c in told))
     if begun:
         return chain
@@ -192,7 +195,15 @@ def _moves_one(order: Clause, listed: list[Traits]) -> bool:
     if one and (order.mode, order.verb) == ("command", "pick") and not order.negated:
         return True
     told = (order.mode, order.verb) == ("command", "place") and not order.negated
-    return one and told and len(at_) == 1 and isinstance(at_[0], At)
+    return one and told and len(at_) == 1 and (isinstance(at_[0], At | In) or _beside(at_[0], listed))
+
+
+def _beside(place: Meaning, listed: list[Traits]) -> bool:
+    """On a patch, the table or a block that is none of those listed."""
+    mark = place.landmark if isinstance(place, Loc) and place.rel == "on" and not place.negated else None
+    return isinstance(mark, TableTop) or (
+        isinstance(mark, Noun) and (mark.head == "patch" or mark.traits not in listed)
+    )
 
 
 def start_first(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]] | None:

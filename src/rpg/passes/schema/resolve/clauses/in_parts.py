@@ -147,7 +147,11 @@ def lie_so(chain: Chain, text: str, bold: bool) -> bool:
 
 def _lined_up(said: Clause) -> bool:
     ways = all(isinstance(a, Into | Toward | OrderBy | Using | At | Coord | Absolute | Loc) for a in said.adjuncts)
-    lines = said.verb == "stack" or (said.lemma == "fact" and any(isinstance(a, Into) for a in said.adjuncts))
+    lines = (
+        said.verb == "stack"
+        or said.lemma in ("line", "align")
+        or (said.lemma == "fact" and any(isinstance(a, Into) for a in said.adjuncts))
+    )
     return said.mode == "goal" and not said.negated and ways and lines
 
 

@@ -224,6 +224,7 @@ def _verbless(clause: Clause) -> bool:
 
 def asked_of(chain: Chain) -> Meaning:
     """What a sentence asks of a block, behind "take it and ..."."""
-    first = chain.clauses[0]
+    asked = [c for c in chain.clauses if not (isinstance(c, Clause) and c.negated)] or list(chain.clauses)
+    first = asked[0]
     taken = isinstance(first, Clause) and first.verb == "pick" and not (first.adjuncts or first.negated)
-    return chain.clauses[1] if taken and len(chain.clauses) > 1 else first
+    return asked[1] if taken and len(asked) > 1 else first

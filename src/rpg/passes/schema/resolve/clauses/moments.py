@@ -12,7 +12,8 @@ from rpg.passes.schema.resolve.things.world import refuse
 
 def in_time(links: list[str], chains: tuple[Chain, ...], spans: Span) -> tuple[list[str], tuple[int, ...]]:
     """Sentences that say when ("..., last"): how each follows the one before it, and in which order they come."""
-    said = [time_of(chain.clauses[0]) if len(chain.clauses) == 1 else None for chain in chains]
+    done = [[c for c in chain.clauses if getattr(c, "mode", "") not in ("start", "given")] for chain in chains]
+    said = [time_of(clauses[0]) if len(clauses) == 1 else None for clauses in done]
     if all(when is None for when in said):
         asked = [n for n, chain in enumerate(chains) if any(map(_asks, chain.clauses))]
         if links[:1] == ["then"] and asked[:1] == [0] and [links[n] for n in asked[1:]].count("and"):

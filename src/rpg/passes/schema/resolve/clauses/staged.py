@@ -22,7 +22,7 @@ def staged(goals: list[g.Goal], scene: Scene, span: Span) -> tuple[g.Stage, ...]
     _swaps_later(steps, span)
     made = []
     for index, step in enumerate(steps):
-        undone = any(_undone(after, step, scene) for after in steps[index + 1 :])
+        undone = any(_undone(after, step, scene) or _carried_off(after, step, steps) for after in steps[index + 1 :])
         _lasts(step, undone, span)
         made.append(g.Stage(goal=step, undone=undone))
     return tuple(made)
@@ -91,6 +91,23 @@ def _still_later(goals: list[g.Goal], scene: Scene, span: tuple[int, int] | None
             raise refuse("ambiguous", told, span, "say where it should be at the end")
         done = [x for x in required(goal) if not isinstance(x, r.Stayed)]
         moved |= {n for x in done for n in (names_in(x) if getattr(x, "blocks", ()) else _subjects(x))}
+
+
+def _carried_off(later: g.Goal, earlier: g.Goal, steps: list[g.Goal]) -> bool:
+    """ "Put red on the mat and then on the white block": red leaves the mat, where white is not said to be."""
+    there = [x for step in steps for x in required(step) if isinstance(x, r.OnPatch | r.InRegion)]
+    for told in (x for x in required(earlier) if isinstance(x, r.OnPatch | r.InRegion)):
+        alike = [x for x in there if _where(x) == _where(told)]
+        for put in (x for x in required(later) if isinstance(x, r.On)):
+            moved = {*members(put.a)} & {*members(told.a)}
+            below = {*members(put.b)}
+            if moved and below.isdisjoint(n for x in alike for n in members(x.a)):
+                return True
+    return False
+
+
+def _where(told: r.OnPatch | r.InRegion) -> tuple[str, str]:
+    return (told.kind, told.patch if isinstance(told, r.OnPatch) else told.region)
 
 
 def _undone(later: g.Goal, earlier: g.Goal, scene: Scene) -> bool:

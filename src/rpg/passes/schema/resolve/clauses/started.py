@@ -15,7 +15,7 @@ from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 def was_so(goals: list[g.Goal], clause: Clause, spec: Spec, scene: Scene) -> None:
     """ "the red block is no longer on the patch", "... on the patch, where it starts": it is so at the start."""
     gone, begun = spec.manner("gone"), spec.manner("begun")
-    if gone is not None and getattr(clause.theme, "word", "") == "nothing" and scene.start_goals:
+    if gone is not None and getattr(clause.theme, "word", "") in ("nothing", "none of them") and scene.start_goals:
         return  # "clear the mat, so that nothing is on it any more": what was on it has been told
     if gone is not None and not clause.negated:
         raise refuse("misplaced", "this goes with 'not'", gone.span, "say 'no longer'")

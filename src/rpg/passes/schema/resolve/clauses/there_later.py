@@ -31,11 +31,15 @@ def there_on_it(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     for chain in chains:
         clauses: list[Meaning] = []
         for c in chain.clauses:
+            now = [a for a in c.adjuncts if getattr(a, "kind", "") == "start"] if isinstance(c, Clause) else []
+            given = isinstance(c, Clause) and (c.verb, c.mode) == ("exist", "given")
+            if now and isinstance(c, Clause) and asked and given:
+                c = replace(c, adjuncts=tuple(a for a in c.adjuncts if a not in now))
             marks = [getattr(a, "landmark", None) for a in c.adjuncts] if there_is(c) and isinstance(c, Clause) else []
             there = asked and any(isinstance(mark, Pronoun) for mark in marks) and _lying_on_it(c)
             built = any(not kinds.isdisjoint(_called(mark)) for mark in marks)
             if (there or built) and isinstance(c, Clause):
-                c = replace(c, verb="be", lemma="fact" if there else "", mode="goal")
+                c = replace(c, verb="be", lemma="fact" if there else "", mode="start" if now else "goal")
             clauses.append(c)
             asked = asked or (isinstance(c, Clause) and c.verb == "remove")
             kinds |= _asked_for(c)

@@ -8,6 +8,7 @@ from itertools import pairwise
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.node import members
 from rpg.ir.structures import GroupBy, Stack
 from rpg.ir.walk import atoms
 from rpg.language.meaning import (
@@ -268,7 +269,7 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if theme.part == "top" and clause.lemma in ("clear", "empty") and not spec.places:
         return [r.Clear(a=crown(theme), span=clause.span)]
     if theme.table:
-        raise refuse("out-of-reach", "blocks cannot leave the table", clause.span, "say where the blocks should go")
+        raise refuse("out-of-reach", "blocks cannot leave the table", clause.span, "say where they should go")
     sources: list[Meaning] = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
     sources = sources or [p for p in spec.places if clause.lemma == "remove" and _lies_on(p)]
     rest = [p for p in spec.places if p not in sources]
@@ -300,11 +301,12 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         return [conj(goals, clause.span)]
     if clause.verb == "unstack":
         scene.unstacked.update(names)
-    if theme.built and clause.verb == "unstack":
-        _there_already(scene)
+        _there_already(scene) if theme.built else None
     if not landmarks and clause.lemma == "remove" and (below := _under(theme, scene)):
         scene.assume("a block that is removed is put on the table")
         goals.append(g.Not(goal=r.On(a=theme.names, b=below, span=clause.span), span=clause.span))
+    elif not landmarks and clause.lemma == "remove" and (gone := _off_its_patch(theme, scene, clause.span)):
+        return gone
     elif not landmarks and clause.lemma in ("remove", "clear"):
         raise refuse(
             "no-goal",
@@ -325,6 +327,15 @@ def _lies_on(place: Meaning) -> bool:
     """ "(Remove the block) on top of the red block": where it lies."""
     on_it = isinstance(place, Loc) and place.rel == "on" and not place.negated
     return on_it and not isinstance(getattr(place, "landmark", None), TableTop)
+
+
+def _off_its_patch(theme: Ref, scene: Scene, span: Span) -> Goals:
+    """ "There are a red and a blue block on the mat. Remove red.": off the patch on which it starts."""
+    begun = {n: x.patch for x in scene.start_goals if isinstance(x, r.OnPatch) for n in members(x.a)}
+    if theme.quant is not None or theme.op != "and" or not all(name in begun for name in theme.names):
+        return []
+    scene.assume("a block that is removed is put beside the patch on which it was")
+    return [g.Not(goal=r.OnPatch(a=(n,), patch=begun[n], span=span), span=span) for n in theme.names]
 
 
 def _under(theme: Ref, scene: Scene) -> tuple[str, ...]:

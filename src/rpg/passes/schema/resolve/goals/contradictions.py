@@ -119,11 +119,22 @@ def check_all(goal: g.Goal, scene: Scene) -> None:
     """Refuse a goal that cannot hold, and a start that cannot be."""
     check(goal, scene)
     _begun_just_so(goal, scene)
+    _never_as_begun(goal, scene)
     try:
         check(g.All(goals=tuple(scene.start_goals)), scene)
     except Refusal as refusal:
         told = {"code": "contradiction", "message": "what is told of the start cannot all be so"}
         raise Refusal([refusal.diagnostics[0].model_copy(update=told)]) from None
+
+
+def _never_as_begun(goal: g.Goal, scene: Scene) -> None:
+    """Refuse "red starts on the mat, and must never be on it"."""
+    begun = [x.model_copy(update={"span": None}) for start in scene.start_goals for x in required(start)]
+    for always in (x for x in (goal.goals if isinstance(goal, g.All) else (goal,)) if isinstance(x, g.Always)):
+        for never in (x for x in required(always.goal) if isinstance(x, g.Not)):
+            if never.goal.model_copy(update={"span": None}) in begun:
+                raise refuse("contradiction", "this is said to be so at the start, and never to be so", always.span,
+                             "say 'no longer', or 'not ... at the end'")  # fmt: skip
 
 
 def _begun_just_so(goal: g.Goal, scene: Scene) -> None:

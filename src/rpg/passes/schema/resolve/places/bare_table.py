@@ -25,6 +25,8 @@ def on_the_table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     if loc.rel in ("off", "above"):
         raise refuse("out-of-reach", "blocks cannot leave the table", loc.span,
                      "say where on the table, or on which block, they should be")  # fmt: skip
+    if loc.rel == "touching" and any(m.ref.patch and m.clause == scene.clause for m in scene.mentions):
+        raise refuse("contradiction", "what is put on a patch lies on the table", loc.span, "leave one of them out")
     if loc.rel in ("front", "behind"):
         raise refuse(
             "out-of-reach",
@@ -107,5 +109,9 @@ def _off(goal: g.Goal, before: Marks, over: tuple[str, ...]) -> g.Goal:
         )
         return goal.model_copy(update={"stages": stages})
     inner = children(goal)
+    for put in (x for x in inner if isinstance(goal, g.All) and isinstance(x, r.OnPatch)):  # it lies on that itself
+        on = {*members(put.a)}
+        left = {n: {p: None for p in marks if n not in on or p != put.patch} for n, marks in before.items()}
+        before = defaultdict(dict, left)
     bound = goal.over if isinstance(goal, g.Count) else over
     return rebuild(goal, tuple(_off(child, before, bound) for child in inner)) if inner else goal

@@ -26,6 +26,7 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.begun_facts import wanted
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.on_each_patch import stacked_on_each
+from rpg.passes.schema.resolve.structures.out_of_heaps import out_of_heaps
 
 _LISTS = ("tally", "stock")
 """What a clause is called that lists what there is."""
@@ -67,9 +68,17 @@ def _in_heap(heap: Meaning, tally: Meaning) -> Clause | None:
     if tally.lemma not in ("tally", "stock") or tally.adjuncts or not isinstance(shape, Structure):
         return None
     within = shape.members
-    if shape.kind != "pile" or shape.plural or not isinstance(within, Noun) or not isinstance(items, Noun | Coord):
+    if shape.kind != "pile" or shape.plural or not isinstance(items, Noun | Coord):
         return None
-    if within.traits != Traits(kind=within.traits.kind) or within.conditions or within.part_of is not None:
+    if within is None:  # "a whole heap! Two red, two blue.", while "there are two red ones" may lie elsewhere
+        bare = items.span[0] == tally.span[0]
+        return replace(heap, theme=replace(shape, members=items)) if bare else None
+    if (
+        not isinstance(within, Noun)
+        or within.traits != Traits(kind=within.traits.kind)
+        or within.conditions
+        or within.part_of is not None
+    ):
         return None
     lots = [x for x in (items.items if isinstance(items, Coord) else (items,)) if isinstance(x, Noun)]
     letters = all(x.traits.labels and all(map(str.isalpha, x.traits.labels)) for x in lots)
@@ -209,10 +218,10 @@ def _open_heap(clause: Meaning) -> Clause | None:
                   span=clause.span)  # fmt: skip
 
 
-def from_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+def from_heaps(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """ "From a heap of five red blocks make a row", "sort a heap of them": there is a heap, of whose blocks it is."""
     found = []
-    for chain in chains:
+    for chain in out_of_heaps(chains, text):
         pairs: list[tuple[str, Meaning]] = []
         for link, clause in zip(chain.links, chain.clauses, strict=True):
             heaps = [a for a in clause.adjuncts if _is_heap(a)] if isinstance(clause, Clause) else []

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.core.diagnostics import Span
 from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, That, Traits, parts_of
-from rpg.passes.schema.resolve.things.things import create
+from rpg.passes.schema.resolve.things.things import create, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing
 
 _ALL = frozenset({"all others", "all the others", "all the rest", "everything else"})
@@ -51,6 +51,18 @@ def made_up(span: Span, left: list[Thing], scene: Scene, patch: bool) -> Ref | N
     scene.used.update(names)
     scene.parted.update(names)
     return Ref(names=names, plural=True)
+
+
+def of_the_start(noun: Noun, scene: Scene, patch: bool) -> list[Thing]:
+    """ "Green is on blue and blue on red. Put green on the table; leave the others": those of which no more was said
+    than how they start."""
+    if patch or noun.det != "other" or not noun.plural or noun.traits != Traits():
+        return []
+    begun = {n for m in scene.mentions for n in m.ref.names if m.start}
+    said = {n for m in scene.mentions for n in m.ref.names if not m.start} | scene.used
+    new = {t.name for t in scene.blocks() if not t.declared and t.name in said - begun}
+    left = [t for t in matching(noun.traits, scene, patch) if t.name in begun - said]
+    return left if begun & said and not new and len(left) > 1 else []
 
 
 def _all_others(part: Meaning) -> bool:

@@ -8,7 +8,7 @@ from rpg.language.later import later
 from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.off_it import check_off_it
-from rpg.passes.schema.resolve.things.others_open import made_up
+from rpg.passes.schema.resolve.things.others_open import made_up, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone
 from rpg.passes.schema.resolve.things.them import them, whichever_there_are
@@ -305,7 +305,8 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     taken |= scene.used
     if scene.whole and not noun.traits.colors:
         taken = set(scene.things) - (set(scene.whole) - scene.parted)
-    left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken] or _of_the_last(noun, scene, patch)
+    left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken]
+    left = left or _of_the_last(noun, scene, patch) or of_the_start(noun, scene, patch)
     count = noun.amount.low if noun.amount else None
     if (open_ := made_up(noun.span, left, scene, patch)) is not None:
         return open_

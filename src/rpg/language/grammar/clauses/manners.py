@@ -99,6 +99,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
             continue
         if phrase == "there" and p.follows(i, ("not",)):
             continue
+        if kind == "time" and p.stands(j, ("from",)):  # "third from the left"
+            continue
         if phrase == ", letters on top" and not _TOWERS.isdisjoint(p.words):
             continue
         of_a_patch = phrase.startswith("where") and not lexicon.PATCH.keys().isdisjoint(p.words[:i])

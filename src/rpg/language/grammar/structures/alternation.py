@@ -21,7 +21,8 @@ else:
 _TURNS = Patterns(
     "so|so_that|such_that|where|in_which|while|and? the|their|its? color|colors|blocks|cubes "
     "should|must|will|do|does? alternate|alternates|take_turns",
-    "whose|with the|their? color|colors|blocks should|must|will|do|does? alternate|alternates|alternating|taking_turns",
+    "whose|with the|their? color|colors|blocks should|must|will|do|does? alternate|alternates|alternating|taking_turns|"
+    "taking_their_turns|changing_every_time|changing_each_time",
     "so_that|so|that|which|such_that they|it? should|must|will? alternate|alternates in_color|colors?",
     "taking|take|in turns|turn",
     "by|in turns",

@@ -9,6 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.along import listed_again, listed_along, listed_in_turn
+from rpg.language.grammar.structures.along_sides import along_sides
 from rpg.language.grammar.structures.apposed import (
     a_lot_each,
     apposed_blocks,
@@ -224,6 +225,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         pattern = Pattern(unit=unit, span=p.span(j, k))
         traits = replace(base.traits, colors=named)
         yield replace(base, traits=traits, details=(*base.details, pattern), span=p.span(i, k)), k
+    for told, k in along_sides(p, i, j, base):
+        yield from _sized(p, i, k, told)
     limbs = limb(p, j, base.kind) if base.kind in LIMBED else ()
     for (arms, way), k in arms_told(p, j) if base.kind == "L" else ():
         yield replace(base, sizes=(*base.sizes, *arms), details=(*base.details, *way), span=p.span(i, k)), k

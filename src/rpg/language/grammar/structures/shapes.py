@@ -18,7 +18,9 @@ def noun(p: Parser, i: int) -> Results[tuple[str, bool]]:
         j = (
             i + 1
             if kind in ("stack", "pile", "word")
-            else p.opt(p.opt(i + 1, "sign"), "shape", "formation", "outline", "pattern", "arrangement", "figure")
+            else p.opt(
+                p.opt(i + 1, "sign"), "shape", "formation", "outline", "frame", "pattern", "arrangement", "figure"
+            )
         )
         j = p.opt(j, "tower") if kind == "pyramid" else j
         yield (kind, plural), j

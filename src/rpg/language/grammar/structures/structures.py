@@ -273,6 +273,7 @@ def _named(p: Parser, i: int) -> Results[object]:
     yield from equation(p, i)
 
 
+_OUTLINES = frozenset({"outline", "frame"})
 _POINTED = frozenset({"that", "this", "these", "those"})
 _TOLD_BY = frozenset({":", ",", "of", "with", "that", "which", "made", "from", "in", "(", "where", "whose", "using"})
 """What may stand between "this tower" and what is told of it."""
@@ -316,7 +317,7 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             steps = Size(what="steps", amount=quantity.amount, span=p.span(i, k))
             plural, quantity, before = False, Quantity("a"), replace(before, sizes=(*before.sizes, steps))
         operator = before.operator or (OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
-        filled = False if "outline" in p.words[j:k] else before.filled
+        filled = False if not _OUTLINES.isdisjoint(p.words[j:k]) else before.filled
         if p.words[k - 1] in ("countdown", "countdowns"):
             down = OrderBy(by="number", descending=True, span=p.span(j, k))
             before = replace(before, details=(*before.details, down))

@@ -149,11 +149,15 @@ _POINTERS = {
         "tail", "ends", "leg")},
     **dict.fromkeys(("bar", "crossbar", "cross bar", "top bar", "crosspiece", "horizontal bar"), "bar"),
 }  # fmt: skip
+_OF_FIGURE = Patterns(
+    "of it", "of|in the|this|that v|u|t|l|letter|shape|figure|v_shape|u_shape|t_shape|l_shape|pyramid|triangle|arrow"
+)
 _LONG = tuple(f"{long} {arm}" for long in ("long", "longer") for arm in ("side", "arm", "leg", "bar"))
 _POINTING = (
     "pointing", "facing", "points", "faces", "to", "towards", "toward", "on", "at", "directed", "going", "is",
     "extending", "coming", "being", "is at", "is on", "is pointing", "is facing", "points to", "goes to",
-    "comes towards", "sticking out", *(f"{must} {point}" for must in ("should", "must", "shall", "has to", "is to")
+    "comes towards", "sticking out", "shows", "shows to", "shows towards", "shows toward", "is to", "looks", "looks to",
+    "looks towards", "looking", "looking towards", "showing", "showing towards", "pointed", *(f"{must} {point}" for must in ("should", "must", "shall", "has to", "is to", "needs to")
       for point in ("point", "face", "be", "go", "be at", "be on", "point to", "lie at", "open")),
 )  # fmt: skip
 _RISING = (
@@ -176,7 +180,8 @@ _CLOCKWISE, _COUNTER = (
 
 def _pointed(p: Parser, i: int, comma: int) -> Results[Manner]:
     """ "with its foot to the right", "tip pointing left"."""
-    j = p.any_of(comma, ("with its", "with the", "its", "with", "the", "whose", "with a"))
+    j = p.any_of(comma, ("with its", "with the", "its", "with", "the", "whose", "with a", "but with its",
+                         "but with the", "and with its", "and its", "but its"))
     j = j or (comma if comma > i else 0)
     if opened := p.any_of(comma, ("open to", "open towards", "open toward", "open on",
                                   "with the opening at", "with its opening at", "with the open side at",
@@ -185,6 +190,7 @@ def _pointed(p: Parser, i: int, comma: int) -> Results[Manner]:
         for side, e in whither(p, opened):
             yield Manner(kind="pointing:opening", value=side, span=p.span(i, e)), e
     for phrase, end in p.standing(j, _POINTERS) if j else ():
+        end = max(_OF_FIGURE.matches(p, end), default=end)
         for side, e in whither(p, p.any_of(end, _POINTING) or end):
             yield Manner(kind="pointing:" + _POINTERS[phrase], value=side, span=p.span(i, e)), e
     away = p.any_of(j, _LONG) if j else 0
@@ -192,7 +198,7 @@ def _pointed(p: Parser, i: int, comma: int) -> Results[Manner]:
         yield Manner(kind="pointing:long", value="back", span=p.span(i, e)), e
 
 
-ENDS = frozenset({"foot", "opening", "mouth", "tip", "apex", "stem", "tail", "leg", "bar", "long"})
+ENDS = frozenset({"foot", "opening", "mouth", "tip", "apex", "point", "stem", "tail", "leg", "bar", "long"})
 """What figures have, and blocks do not."""
 
 

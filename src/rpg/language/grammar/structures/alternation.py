@@ -92,7 +92,7 @@ _TWICE = frozenset(
 _RARE = (
     "alternate", "alternates", "alternating", "alternately", "alternation", "switching", "turn", "turns", "every", "no",
     "neighbors", "neighboring", "adjacent", "touching", "next", "different", "same", "mirrored", "symmetric",
-    "symmetrical", "symmetrically", *TOLD_BY,
+    "symmetrical", "symmetrically", "always", "strictly", "continuously", "constantly", "time", "way", *TOLD_BY,
 )  # fmt: skip
 _TELLING = frozenset(_RARE)
 """Words without one of which nothing is said of this here."""
@@ -152,6 +152,8 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
         for found, k in _two(p, i, two):  # ", three red and three white" is what there is
             if p.words[j] != "," or not any(isinstance(x, Noun) and x.amount for x in parts_of(found)):
                 yield found, k
+    for j in _ALWAYS.matches(p, i):
+        yield from _in_turn(p, i, j)
     lined = p.anywhere(_LINES)
     for patterns, by in (*_KEPT_APART[: 1 + lined], (_ANY_TWO, "alternating"), (_MIRRORED, "mirrored")):
         start = p.opt(i, ",") if patterns is _ANY_TWO else i
@@ -172,6 +174,31 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
                 yield OrderBy(by="alternating", items=(one, other), span=p.span(i, end)), end
         if k := p.any_of(j, _ONE):
             yield from _one_and_rest(p, i, k)
+
+
+_ALWAYS = Patterns(",|:? always|strictly|continuously|constantly|each_time|every_time|all_the_way")
+_ONE_OF = Patterns("one|a|1 single?")
+_THEN_ONE = Patterns("one|block|cube? ,|,_and|and? one|a|1? single?")
+_AND_SO_ON = Patterns(
+    ",? and? so_on|so_forth|repeating|repeated|over_and_over|again_and_again|all_the_way|all_the_way_up|throughout|"
+    "etc|until_the_end|to_the_end|in_turn|in_turns|by_turns",
+)
+
+
+def _in_turn(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """ "(always) one red one white": two colours, and nothing more behind them. "First red, then white" would tell as
+    well with which of them the line begins, but not from which side."""
+    for one, k in ((named, k) for start in {j, *_ONE_OF.matches(p, j)} for named, k in color(p, start)):
+        for m in _THEN_ONE.matches(p, k):
+            for other, end in color(p, m):
+                end = p.opt(end, "one", "block", "cube")
+                end = max(_AND_SO_ON.matches(p, end), default=end)
+                if one != other and (end >= p.end or p.stands(end, _OVER)):
+                    both = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=p.span(j, end)) for x in (one, other))
+                    yield OrderBy(by="alternating", items=both, span=p.span(i, end)), end
+
+
+_OVER = frozenset({",", ";", "with", "so", "starting", "beginning", "in", "from", ")"})
 
 
 def _two(p: Parser, i: int, j: int) -> Results[Meaning]:

@@ -294,7 +294,7 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
                 corner = getattr(place, "unit", "") == "cell" and p.words[lead] == "its"
                 on_block = p.words[k] == "on" and (block or corner or isinstance(place, At))
                 own = (
-                    p.words[k] == "for"
+                    p.words[k] in ("for", "as")
                     or p.words[lead] in ("its", "each", "every", "either")
                     or getattr(place, "index", None) is not None
                 )

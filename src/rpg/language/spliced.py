@@ -1,4 +1,4 @@
-"""Sentences that only a comma parts: "four cubes in a row, three white and one red, red is the second from the left"."""
+"""Sentences that only a comma parts: "four cubes in a row, three white and one red, red is second from the left"."""
 
 from __future__ import annotations
 

@@ -12,8 +12,9 @@ from rpg.language.grammar.clauses.denials import denied_of_all, leave, needless,
 from rpg.language.grammar.clauses.just_moved import just_moved
 from rpg.language.grammar.clauses.keeping_away import keeps_away
 from rpg.language.grammar.clauses.made import MADE, drawn, made, under
-from rpg.language.grammar.clauses.manners import direction, manner
+from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.clauses.nowhere import nowhere
+from rpg.language.grammar.clauses.pointing import direction
 from rpg.language.grammar.clauses.reads import reads
 from rpg.language.grammar.clauses.sole import sole
 from rpg.language.grammar.clauses.spelt import spell

@@ -194,7 +194,8 @@ def _in_turn(p: Parser, i: int, j: int) -> Results[OrderBy]:
                 end = p.opt(end, "one", "block", "cube")
                 end = max(_AND_SO_ON.matches(p, end), default=end)
                 if one != other and (end >= p.end or p.stands(end, _OVER)):
-                    both = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=p.span(j, end)) for x in (one, other))
+                    span = p.span(j, end)
+                    both = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=span) for x in (one, other))
                     yield OrderBy(by="alternating", items=both, span=p.span(i, end)), end
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
-from rpg.language.grammar.clauses.manners import pointed
+from rpg.language.grammar.clauses.pointing import pointed
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import more_parts, one_more
 from rpg.language.grammar.places.around import surrounded

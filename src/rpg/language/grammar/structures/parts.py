@@ -198,8 +198,9 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
 
 
 _BLOCKS_OF = Patterns(
-    "all|all_of? the|these? cubes|blocks|bricks|ones|those in|of|on|from|inside", "every|each cube|block|brick|one in|of|on",
-    "everything in|on"
+    "all|all_of? the|these? cubes|blocks|bricks|ones|those in|of|on|from|inside",
+    "every|each cube|block|brick|one in|of|on",
+    "everything in|on",
 )
 
 

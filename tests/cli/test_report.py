@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from rich.cells import cell_len
 
@@ -79,6 +79,7 @@ def test_the_end_of_an_instruction_can_be_pointed_at() -> None:
     assert shown(make((5, 5)), "Stack")[-1] == "  │      ^"
 
 
+@example("0" * 18 + "⺀", 0, 19, 20)
 @given(st.text(max_size=200), st.integers(0, 250), st.integers(0, 250), st.integers(20, 90))
 def test_any_text_and_span_can_be_shown(text: str, start: int, end: int, width: int) -> None:
     for line in shown(make((start, end), (end, start, "said")), text, width)[1:]:

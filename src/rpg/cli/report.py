@@ -85,7 +85,7 @@ def _inside(span: tuple[int, int], length: int) -> tuple[int, int]:
 def quoted(instruction: str, marks: list[Mark], width: int) -> Iterator[Text]:
     """The lines of `instruction` that have marks, and their neighbours, with the marks below them."""
     shown = "".join(map(_visible, instruction))
-    lines = list(wrapped(shown, max(20, width - len(MARGIN))))
+    lines = list(wrapped(shown, max(20, width - len(MARGIN)) - 1))  # room for a mark behind the last character
     marked = {number for number, line in enumerate(lines) if _on(line, marks, line == lines[-1])}
     marked = set(sorted(marked)[:LONGEST])
     near = {at for number in marked for at in range(number - CONTEXT, number + CONTEXT + 1)}

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
+from itertools import takewhile
 from pkgutil import walk_packages
 from types import CodeType, ModuleType
 
@@ -236,7 +237,9 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
         if token.kind != "word":
             out.append(token)
             continue
-        if _is_literal(tokens, index, known):
+        if token.raw == "n" and _joins(tokens, index):
+            out.append(token.saying("and"))
+        elif _is_literal(tokens, index, known):
             out.append(replace(token, kind="literal", value=token.raw))
         elif token.word in SHORT_FORMS and not token.raw.isupper():
             out.append(replace(token, word=SHORT_FORMS[token.word], raw=SHORT_FORMS[token.word]))
@@ -254,6 +257,19 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
     return out, notes, wrong
 
 
+def _joins(tokens: list[Token], index: int) -> bool:
+    """ "3 red n 3 white", "in one pile n the others in another": in short for "and", and not the letter."""
+    if not index or index + 1 == len(tokens) or tokens[index - 1].kind == "punct":
+        return False
+    before, after = tokens[index - 1].word, tokens[index + 1]
+    joined = after.word in ("the", "a", "an", "one", "two") or after.word in lexicon.COLOR or after.kind == "number"
+    return joined and before not in _SHOWN
+
+
+_SHOWN = frozenset({"letter", "block", "cube", "the", "a", "an", "and", "letters", "of", "on", "to"})
+"""Behind these it is a letter."""
+
+
 def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     """Whether the word is one to be spelt: it follows "the word" or "spell"."""
     word = tokens[index].word
@@ -267,7 +283,10 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     if before == ":" and two in _WORD_LEADS | _SPELLERS:  # "word: robot", and no more
         alone = index + 1 == len(tokens) or tokens[index + 1].kind == "punct"
         return alone and word not in _NOT_LITERAL
-    if before == "is" and two == "name" and word not in known:  # "my name is Anna"
+    named = (before == "is" and two == "name") or (before in ("called", "named") and two == "is")
+    if named and word not in known:  # "my name is Anna"
+        return True
+    if before in ("", ".", "!") and tokens[index].raw.isupper() and len(word) > 1 and _then_spelt(tokens, index):
         return True
     if before in _WORD_LEADS and two in ("the", "spell", "spells", "a", "out"):
         goes_on = index + 1 < len(tokens) and tokens[index + 1].kind == "word" and not tokens[index].raw.isupper()
@@ -277,7 +296,8 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     if before in _SPELLERS or (before == "out" and two in _SPELLERS):
         way = index + 1 < len(tokens) and tokens[index + 1].word == "to"  # "spelled left to right"
         way = way or (word == "either" and any(token.word == "or" for token in tokens[index:]))
-        return word not in _NOT_LITERAL and not way
+        whose = index + 1 < len(tokens) and tokens[index + 1].word in _WORD_LEADS and word in _WHOSE
+        return word not in _NOT_LITERAL and not way and not whose
     if (
         (before in _ORDERS or (before == "out" and two in _ORDERS))
         and (index == len(tokens) - 1 or tokens[index + 1].word in _WITH)
@@ -291,6 +311,19 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     after = tokens[index + 1].word if index + 1 < len(tokens) else ""
     behind = tokens[index + 2].word if index + 2 < len(tokens) else ""
     return before in _WRITERS or after in _SPELT or (after == "," and behind in _SPELT)
+
+
+_WHOSE = frozenset({"my", "our", "her", "his", "their", "your"})
+
+
+def _then_spelt(tokens: list[Token], index: int) -> bool:
+    """ "CAT - spell that": what is asked for behind it."""
+    marks = [*takewhile(lambda token: token.kind == "punct", tokens[index + 1 :])]
+    behind = tokens[index + 1 + len(marks) : index + 3 + len(marks)]
+    return bool(marks) and len(behind) == 2 and behind[0].word in _SPELLERS | {"write"} and behind[1].word in _POINTED
+
+
+_POINTED = frozenset({"it", "this", "that", "the"})
 
 
 def _told_by_letters(tokens: list[Token], index: int) -> bool:

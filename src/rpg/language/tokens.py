@@ -56,6 +56,13 @@ CONTRACTIONS = {
     "onto": "onto", "into": "into",
 }  # fmt: skip
 
+UNMARKED = {
+    "ive": "i have", "im": "i am", "theyre": "they are", "youre": "you are", "theyve": "they have",
+    "youve": "you have", "itll": "it will", "thatll": "that will", "werent": "were not", "havent": "have not",
+    "hasnt": "has not", "couldnt": "could not", "whats": "what is", "heres": "here is", "id": "i would",
+}  # fmt: skip
+"""Typed without their mark; in capitals they are letters to be spelt."""
+
 AMERICAN = {
     "colour": "color", "colours": "colors", "coloured": "colored", "colourful": "colorful", "grey": "gray",
     "centre": "center",
@@ -249,6 +256,8 @@ def _word(raw: str, span: Span) -> list[Token]:
     lower = raw.lower().replace("’", "'")
     if lower in CONTRACTIONS:
         return [Token("word", part, raw, span) for part in CONTRACTIONS[lower].split()]
+    if lower in UNMARKED and not raw.isupper():
+        return [Token("word", part, raw, span) for part in UNMARKED[lower].split()]
     if "'" in lower:
         stem, tail = lower.split("'", 1)
         if tail == "s":

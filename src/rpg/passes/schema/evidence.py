@@ -67,7 +67,7 @@ _PLAIN = {
     "row": "row grid spells equation checkerboard pyramid",
     "staircase stairs": "staircase",
     "swap swapped exchange": "swapped",
-    "tower towers stacks": "stack towers on grid pyramid",
+    "tower towers stacks": "stack towers on above grid pyramid",
     "triangle": "triangle",
     "upside": "facing stack figure",
 }

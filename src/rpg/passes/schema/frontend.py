@@ -15,6 +15,7 @@ from rpg.language.feelings import without_feelings
 from rpg.language.formulas import formulas_told
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
+from rpg.language.grammar.talk.begun_with import with_beginnings
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
@@ -122,7 +123,7 @@ class BuiltinFrontEnd:
         if notes and mended is None:
             return self._as_meant(Respelt.of(text, words, tokens), name, seed, author, notes)
         notes = [*(mended or notes), *named]
-        spoken = words
+        spoken = with_beginnings(words)
         words, told = told_plainly(rows_in_words(without_asides(spoken)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)

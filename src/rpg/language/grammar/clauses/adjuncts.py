@@ -62,7 +62,7 @@ _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "for
          "laid out as",
          "laid out like", "all in", "stacked in", "organized in", "down", "up in", "so as to create",
          "so that they create", "so it makes", "each in", "standing as", "stacked as", "stacked into", "set in",
-         "shaped like", "in the pattern of", "arranged like", "along")  # fmt: skip
+         "shaped like", "in the pattern of", "arranged like", "along", "either in", "either as")  # fmt: skip
 
 
 _USING = (

@@ -133,7 +133,8 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             )
             if idle and isinstance(found, Clause):
                 found = replace(found, negated=False)
-            if isinstance(found, Clause) and (idle or (words & {"may", "might"} and not asked)):
+            may = words & {"may", "might"} and not asked and "either" not in p.words[j : k + 3]
+            if isinstance(found, Clause) and (idle or may):
                 found = leave(found, p.words[i] in ("only", "just") and not idle, p.span(j, k))
             yield (ever(nothing_at_all(found), lasting) if isinstance(found, Clause) else found), end
 
@@ -258,6 +259,7 @@ def predicate_after_be(
                 mode = "start"
             j = n
         j += p.words[j] == "to" and p.words[j + 1] in lexicon.POSTURE
+        j = p.opt(j, "either") if "or" in p.words[j:] else j
         told = p.any_of(j, ("supposed to also", "supposed to", "meant to also", "meant to", "to also"))
         told = told or (p.any_of(j, ("allowed to", "permitted to")) if none_of(theme) else 0)
         j = p.opt(told, "be") or j

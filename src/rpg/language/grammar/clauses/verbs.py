@@ -107,13 +107,19 @@ def _its_own_way(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[C
         yield from like_with_like(p, i, j, lemma, word)
 
 
+_PLACES_OF = tuple(
+    f"{the}{places} of" for the in ("the ", "") for place in ("place", "position", "location")
+    for places in (place, f"{place}s")
+)  # fmt: skip
+
+
 def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
     word = p.span(i, i + 1)
     yield from _its_own_way(p, i, j, sense, lemma)
     if sense in ("spell", "reverse"):
         return
     if sense == "swap":
-        j = p.any_of(j, ("the positions of", "the places of", "the locations of", "positions of", "places of")) or j
+        j = p.any_of(j, _PLACES_OF) or j
     only = p.one(j, "only") if lemma == "move" else 0
     alone: tuple[Manner, ...] = (Manner(kind="only", span=p.span(j, only)),) if only else ()
     if sense in ("place", "stack") and p.words[j] == "first" and p.words[j + 1] in ("the", "a", "an", "both", "all"):
@@ -373,3 +379,6 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
             if found and (isinstance(found[0], Loc | In) or (isinstance(found[0], Manner) and found[0].kind == "stay")):
                 verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb
                 yield replace(before, verb=verb, theme=_same(before), adjuncts=found, span=p.span(i, k), cost=1), k
+            if found and isinstance(found[0], Into) and p.words[i - 1] == "or":  # "stacked, or in a row"
+                verb = "arrange" if before.verb in ("stack", "be") else before.verb
+                yield replace(before, verb=verb, theme=_same(before), adjuncts=found, span=p.span(i, k)), k

@@ -19,6 +19,7 @@ from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
 from rpg.language.grammar.places.side_lengths import side_length
+from rpg.language.grammar.places.sides import OVER
 from rpg.language.grammar.places.where_was import where_was
 from rpg.language.grammar.places.whose import whose
 from rpg.language.grammar.things.nouns import noun_phrase
@@ -34,12 +35,18 @@ _RATHER = ("rather than", "instead of", "as opposed to", "and definitely not", "
 """Behind a place these deny another one: "to the left of it rather than to its right"."""
 
 
+THERE = frozenset({"in", "on", "at", "onto", "into", "near", "next", "beside", "behind", "by"})
+"""What these may stand before without saying more: "over in the left half", "up on the blue one"."""
+
+
 @rule
 def loc(p: Parser, i: int) -> Results[Meaning]:
     """One statement of place, perhaps negated; "still on the mat" is where the one before is, too."""
     if k := p.one(i, "still"):
         yield from _loc(p, k)
         return
+    if (k := p.one(i, OVER)) and p.stands(k, THERE):
+        yield from _loc(p, k)
     yield from _not_but(p, i)
     j = p.any_of(i, _NOWHERE) or p.one(i, "not") or (p.any_of(i, _RATHER) if i else 0)
     if j and p.stands(j, _COMPARED):
@@ -116,11 +123,10 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 landmark = replace(landmark, det="a", plural=False) if _of_one_look(landmark) else landmark
             placed = Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost)
             yield placed, k
+            if same := p.any_of(k, _SAME_TOWER) if name in ("above", "under") else 0:
+                yield replace(placed, span=p.span(i, same)), same
             yield from how_far(p, i, k, placed)
-    there = p.any_of(i, ("in there", "on there", "onto there", "into there", "over there", "right there")) or p.one(
-        i, "there"
-    )
-    if (j := there) and (j >= p.end or p.words[j] in _AFTER_THERE):
+    if (j := p.any_of(i, _THERE)) and (j >= p.end or p.words[j] in _AFTER_THERE):
         yield Loc(rel="on", landmark=Pronoun(word="there", span=p.span(i, j)), span=p.span(i, j)), j
     yield from _either_relation(p, i)
     yield from against_side(p, i)
@@ -130,6 +136,11 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from _between_two(p, i)
     yield from _possessive(p, i)
     yield from _bare(p, i)
+
+
+_THERE = ("in there", "on there", "onto there", "into there", "over there", "right there", "there")
+_SAME_TOWER = tuple(f"{of} same {tower}" for of in ("in the", "of the", "in") for tower in ("tower", "stack", "pile"))
+"""Where everything is that is above another."""
 
 
 def _of_one_look(mark: Noun) -> bool:

@@ -185,9 +185,16 @@ _TAILS = ("end", "side", "most", "layer", "layers", "position", "level", "hand",
 _INSIDES = {**SIDES, "middle": "middle", "center": "middle", "hole": "middle"}
 
 
+OVER = frozenset({"over", "up", "down", "out"})
+_THERE = frozenset({"in", "on", "at"})
+"""What these may stand before without saying more: "over on the left"."""
+
+
 @rule
 def at(p: Parser, i: int) -> Results[Meaning]:
     """A place within the structure: "at the bottom", "in the middle", "on the left", "third from the left"."""
+    if (j := p.one(i, OVER)) and p.stands(j, _THERE):
+        i = j
     if j := p.any_of(i, _LEADS) or p.any_of(i, _SOMEWHERE):
         yield from inside(p, i, j)
     yield from extreme(p, i)

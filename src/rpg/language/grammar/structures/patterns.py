@@ -195,11 +195,20 @@ _TOUCH = Patterns(
 """The same, by what touches what."""
 
 
+_EQUAL_GAPS = Patterns(
+    "with|leaving|keeping|having|leave|let|keep|have|and_leave|and_let|and_keep|and_have the|an|always? "
+    "same|equal|even|identical|regular gap|gaps|space|spaces|distance|distances|spacing|room between "
+    "them|the_blocks|the_cubes|each_other|all_of_them|neighbors|the_neighbors|each_block|each_cube|each_of_them?",
+)
+
+
 @rule
 def spacing(p: Parser, i: int) -> Results[Meaning]:
     """ "evenly spaced", "with equal gaps"."""
     if j := max(_TOUCH.matches(p, i), default=0):
         yield Spacing(kind="touching", span=p.span(i, j)), j
+    if j := max(_EQUAL_GAPS.matches(p, i), default=0):
+        yield Spacing(kind="even", span=p.span(i, j)), j
     if j := p.any_of(i, ("evenly spaced", "equally spaced", "evenly spaced out", "with equal spacing",
         "with even spacing", "spaced evenly", "evenly", "with equal gaps",
                          "spaced equally", "with equal space between them", "at equal distances",

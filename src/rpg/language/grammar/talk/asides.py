@@ -257,7 +257,9 @@ _IF = frozenset({"if", "unless", "when", "whenever", "otherwise", "else", "provi
 
 def _in_any_case(words: list[str], at: int, end: int) -> bool:
     """ "(green on red or on blue,) but in any case yellow on the table": not where a condition would go on for it."""
-    return at > 0 and words[at - 1] in ("and", "but") and end < len(words) and _IF.isdisjoint(words)
+    before = words[at - 1] if at else ""
+    goes_on = before in ("and", "but") or (before in (".", "!", ";") and "or" in words[:at])
+    return goes_on and end < len(words) and _IF.isdisjoint(words)
 
 
 _SINGLE = ("block", "cube", "tower", "stack", "row")

@@ -25,6 +25,8 @@ FREE = (
     "i do not care which of the others is on top", "please do one thing", "not even a bit", "not one bit",
     "that will do", "that will do fine", "that will be fine", "that would do", "either will do", "either one will do",
     "i could not care less", "i could not care less which", "either side will do", "either way will do",
+    *(f"{lead}{both}{free}" for lead in ("", "and ") for both in ("both count", "either counts", "either one counts")
+      for free in ("", " as success", " as a success", " as done", " as solved", " as right", " as correct")),
     *(f"{both} {free}"
       for both in ("both is", "both are", "either is", "either side is", "either way is", "either one is")
       for free in ("acceptable", "fine", "ok", "okay", "all right", "alright", "good", "possible", "allowed")),

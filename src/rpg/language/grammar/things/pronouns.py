@@ -46,7 +46,7 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Pronoun(word="which", span=p.span(i, j), cost=1), j
     if j := p.one(i, ("all", "these", "those")):
         yield from _all_three(p, i, j)
-    if (j := p.any_of(i, ("neither", "neither one", "neither of the two"))) and p.stands(j, _FINITE):
+    if (j := p.any_of(i, ("neither", "neither one", "neither of the two"))) and p.stands(j, _NONE_THERE):
         yield Pronoun(word="neither of them", span=p.span(i, j)), j
     if j and p.follows(i, _ON) and (j >= p.end or p.stands(j, _CLOSED)):
         them = Pronoun(word="them", span=p.span(i, j))

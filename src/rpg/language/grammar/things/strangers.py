@@ -16,20 +16,26 @@ _STRANGER = Patterns(
     "color|kind|group|colors",
     "block|blocks|cube|cubes|one|ones that|which is|are of? wrong|wrongly_colored|the_wrong_color|another_color",
     "block|cube that|which does_not_belong there|to_it?",
+    "of the|another|a|some wrong|other|another|different color|kind|group",
 )
-_GROUPS = "group|pile|heap|bunch|cluster|one|of_them|of_the_groups|of_the_piles|of_the_two|of_the_three|of_these"
+_GROUPS = "group|pile|heap|bunch|cluster|set|one|of_them|of_these"
+_OF_THE = "each|every_one of the|these|both|them two|three|four|five|six? groups|piles|heaps|bunches|clusters|sets?"
 _IN_EACH = Patterns(
     f"in|inside|into|for each|every {_GROUPS}?",
+    f"in|inside|into|for {_OF_THE}",
     "per group|pile|heap|bunch|cluster",
     "each|apiece",
     "in both groups|piles|heaps?",
     "is|are|be|must_be|should_be|shall_be|has_to_be|is_to_be|may_be|lies|belongs|goes|sits|hides|hidden "
     f"in|inside|into|among each|every {_GROUPS}?",
+    "is|are|be|must_be|should_be|shall_be|has_to_be|is_to_be|may_be|lies|belongs|goes|sits|hides|hidden "
+    f"in|inside|into|among {_OF_THE}",
     "is|be|must_be|should_be|has_to_be in both groups|piles|heaps?",
 )
+_HAS = "has|have|contains|contain|gets|get|includes|include|holds|hold"
 _EACH_HAS = Patterns(
-    f"each|every {_GROUPS}? should|must|shall|will|has_to|is_to? "
-    "has|have|contains|contain|gets|get|includes|include|holds|hold",
+    f"each|every {_GROUPS}? should|must|shall|will|has_to|is_to? {_HAS}",
+    f"{_OF_THE} should|must|shall|will|has_to|is_to? {_HAS}",
     f"in|inside each|every {_GROUPS}? ,? there_is|there_should_be|there_must_be|there_has_to_be|has_to_be|is|should_be|"
     "must_be|sits|lies|belongs|there_shall_be|there_are?",
 )

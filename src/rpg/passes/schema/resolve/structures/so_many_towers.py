@@ -19,12 +19,25 @@ MOST_WAYS = 12
 def bounded(shape: Structure) -> tuple[Structure, Amount | None]:
     """The structure without the bounds that are told of the height of each tower, and these."""
     amount = getattr(shape.members, "amount", None) if shape.each_size else shape.size
+    _one_height(shape, amount)
     if amount is None or amount.low == amount.high or (amount.high is None and amount.low <= FEWEST):
         return shape, None
     if shape.each_size:
         members = replace(shape.members, amount=None) if shape.members is not None else None
         return replace(shape, members=members, each_size=False), amount
     return replace(shape, sizes=tuple(z for z in shape.sizes if z.amount != amount)), amount
+
+
+def _one_height(shape: Structure, each: Amount | None) -> None:
+    """Refuse "two towers of three blocks, each at most two high"."""
+    for told in (z.amount for z in shape.sizes if z.what in ("high", "layers") and z.amount is not None):
+        if shape.each_size and each is not None and not _overlap(each, told):
+            raise refuse("count-mismatch", "so many blocks in each of them do not agree with how high they are to be",
+                         shape.span, "say one of the two")  # fmt: skip
+
+
+def _overlap(one: Amount, other: Amount) -> bool:
+    return (one.high is None or other.low <= one.high) and (other.high is None or one.low <= other.high)
 
 
 def within(node: s.Towers, bounds: Amount, shape: Structure) -> g.Goal:

@@ -281,13 +281,16 @@ _NEARER = ("closer than", "nearer than", "no closer than", "no nearer than", "no
 """What blocks are to each other where nothing else is named."""
 
 
+_AT = ("at", "by", "at intervals of", "at a distance of", "every", "with intervals of")
+_SPACED = ("spaced", *(f"spaced {at}" for at in _AT))
 _APART = ("apart", "apart from each other", "away from each other", "from each other", "apart from one another")
 
 
 @choice
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
-    start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed", "pairwise")) or i
+    spaced = p.any_of(i, _SPACED) or (p.any_of(i, _AT) if p.follows(i, ("spaced",)) else 0)
+    start = spaced or p.any_of(i, ("at a distance of", "separated by", "with", "placed", "pairwise")) or i
     start = _as_far(p, i) if start == i else start
     for measure, k in their_ends(p, p.opt(i, "with", ",")):
         for (low, high), j in bounds(p, p.opt(k, "being")):
@@ -297,10 +300,10 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
         end, measure = p.any_of(j, _BETWEEN_CENTERS), "centres"
         if not end:
             end, measure = p.any_of(j, _BETWEEN_FACES), "faces"
+        if not end and spaced:
+            end, measure = j, "centres"
         if not end and p.words[start - 1 : start] == ["by"]:
             end, measure = j, "faces"
-        if not end and start > i and p.words[start - 1] == "spaced":
-            end, measure = j, "centres"
         if not end and (j >= p.end or p.words[j] in (",", "and")) and (p.words[i] == "at" or p.any_of(i, _NEARER)):
             end, measure = (j if start > i or p.words[i] != "at" else 0), "centres"
         if end:

@@ -47,7 +47,10 @@ _APART = Patterns(
 )
 """Nowhere along the line do two neighbours agree in colour."""
 _SAME_BACK = (
-    "the_same from|in|seen_from|read_from|when_read_from both|either ends|end|sides|side|directions|direction|ways"
+    "the_same from|in|seen_from|read_from|when_read_from|when_it_is_read_from|when_seen_from|when_read_in "
+    "both|either|the_left_and_the_right|the_left_and_from_the_right|left_and_right|the_left_as_from_the_right|"
+    "left_to_right_and_from_right_to_left|left_to_right_and_right_to_left|left_to_right_as_from_right_to_left "
+    "ends|end|sides|side|directions|direction|ways?"
 )
 _MIRRORED = Patterns(
     f"which|that|so_that_it|so_it|such_that_it? should|must|can_be|to? read|reads|reading|look|looks|is|be "

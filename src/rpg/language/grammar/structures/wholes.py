@@ -278,9 +278,9 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
     if spelt and (text := literal(p, spelt)) is not None:
         yield Structure(kind="word", det="the", letter=text, span=p.span(j, spelt + 1)), spelt + 1
     number = p.number(j)
-    counted_ = p.opt(j + 1, "blocks", "cubes", "block") if number else j
+    counted_ = p.opt(j + 1, "blocks", "cubes", "block", *_FLOORS) if number else j
     high = p.any_of(counted_, ("high", "tall")) if number else 0
-    if number and not high and p.follows(j, _OF_SO_MANY) and p.stands(j + 1, ("and", ",", "blocks", "cubes")):
+    if number and not high and p.follows(j, _OF_SO_MANY) and p.stands(j + 1, ("and", ",", "blocks", "cubes", *_FLOORS)):
         high = counted_
     if number and high:
         amount = Amount(number, number)
@@ -306,6 +306,7 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
             yield theme, k
 
 
+_FLOORS = ("floors", "levels", "layers", "stories", "storeys", "floor", "level")
 _GROUPS = frozenset({"group", "groups", "bunch", "bunches", "pile", "piles", "cluster", "clusters", "heap", "heaps"})
 
 

@@ -281,15 +281,15 @@ _NEARER = ("closer than", "nearer than", "no closer than", "no nearer than", "no
 """What blocks are to each other where nothing else is named."""
 
 
-_AT = ("at", "by", "at intervals of", "at a distance of", "every", "with intervals of")
-_SPACED = ("spaced", *(f"spaced {at}" for at in _AT))
+_SPACED_AT = ("at", "by", "at intervals of", "at a distance of", "every", "with intervals of")
+_SPACED = ("spaced", *(f"spaced {at}" for at in _SPACED_AT))
 _APART = ("apart", "apart from each other", "away from each other", "from each other", "apart from one another")
 
 
 @choice
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
-    spaced = p.any_of(i, _SPACED) or (p.any_of(i, _AT) if p.follows(i, ("spaced",)) else 0)
+    spaced = p.any_of(i, _SPACED) or (p.any_of(i, _SPACED_AT) if p.follows(i, ("spaced",)) else 0)
     start = spaced or p.any_of(i, ("at a distance of", "separated by", "with", "placed", "pairwise")) or i
     start = _as_far(p, i) if start == i else start
     for measure, k in their_ends(p, p.opt(i, "with", ",")):

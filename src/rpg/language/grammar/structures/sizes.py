@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.structures.along_sides import A_SIDE
+from rpg.language.grammar.structures.outlines import A_SIDE
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.meaning import Manner, Meaning, Size, Structure

@@ -1,4 +1,4 @@
-"""Outlines by the blocks along their sides: "three red blocks along each side", "four along the long side"."""
+"""Outlines: what makes a figure one, and the blocks along its sides: "three red blocks along each side"."""
 
 from __future__ import annotations
 
@@ -25,6 +25,21 @@ A_SIDE = Patterns(
 _ON = "on|along|to|for|at|in the|each|every|both|its|a|each_of_the|both_of_the"
 _LONG = Patterns(f"{_BLOCKS} {_ON} long|longer|longest|larger side|sides|edge|edges")
 _SHORT = Patterns(f"{_BLOCKS} {_ON} short|shorter|shortest|smaller side|sides|edge|edges")
+HOLLOW = Patterns(
+    "with|but|leaving|keeping? nothing|no_block|no_blocks|no_cube|no_cubes in|inside|within the|its|it? "
+    "middle|center|inside|interior?",
+    "with|leaving|keeping? a|an empty|hollow|free|open middle|center|inside|interior",
+    "with? a? hole in the|its middle|center|inside",
+    "with|leaving|keeping|while|where? the|its middle|center|inside|interior is|stays|remains|being|left? "
+    "empty|free|open|hollow",
+    "that_is|which_is|it_is? left? hollow inside|within?",
+    "that_is|which_is|it_is? left? empty|free|open inside|within",
+    "hollow|empty|free|open in|at the|its middle|center|inside|interior",
+    "in the|its middle|center|inside|interior it|that is|stays empty|hollow|free",
+    "just|only|as? the|an|its? outline only?",
+    "not filled",
+)
+"""What makes a figure an outline."""
 _LEADS = ("with", ",", ", with", ":", "having", "that has", "which has", "and")
 _AND = ("and", ", and", ",", "but", ", but")
 

@@ -43,7 +43,10 @@ _RISING = {
     **dict.fromkeys(("increasing", "rising", "ascending", "growing", "climbing"), False),
     **dict.fromkeys(("decreasing", "falling", "descending", "shrinking", "dropping"), True),
 }
-_MARKED = frozenset(_RISING)
+_RISES = {**_RISE, **{f"{word}s": down for word, down in _RISE.items()}}
+_LEADS = ("that", "which", "and", "so that it", "so it", "so that they", "so they", "whose numbers", "whose values",
+          "where the numbers", "so that the numbers", "with numbers that")  # fmt: skip
+_MARKED = frozenset({*_RISING, *_RISES})
 _STEPS = frozenset({"staircase", "stairs", "stair", "stairway", "steps", "heights"})
 """What rises by itself."""
 _NUMBERS = frozenset({"numbers", "digits", "numerals", "values", "numerical"})
@@ -55,7 +58,9 @@ def rising(p: Parser, i: int) -> Iterator[tuple[OrderBy, int]]:
     if not p.rarely(_MARKED):
         return
     j = p.opt(i, ",")
-    descending = p.lex(j, _RISING)
+    finite = p.any_of(j, _LEADS)
+    j = finite or j
+    descending = p.lex(j, _RISES if finite else _RISING)
     if descending is None or not p.all.isdisjoint(_STEPS) or p.follows(j, _NUMBERS):
         return
     order = OrderBy(by="ascending", descending=descending, span=p.span(i, j + 1))

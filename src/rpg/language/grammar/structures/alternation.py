@@ -63,7 +63,11 @@ _ALONE = Patterns(
     "the|their|its? color|colors|blocks|cubes should|must|will|do|have_to? alternate|take_turns",
     "they|it should|must|will|do|does? alternate|take_turns in_color|colors?",
 )
-_IT_READS = Patterns(f"it|the_row|the_line|the_tower|this should|must|has_to? read|reads|look|looks|be|is {_SAME_BACK}")
+_IT_READS = Patterns(
+    "the|their|its colors|order|pattern is|are|must_be|should_be|shall_be|has_to_be|have_to_be "
+    "mirrored|symmetric|symmetrical|mirror_symmetric|mirror_symmetrical|palindromic|a_palindrome",
+    f"it|the_row|the_line|the_tower|this should|must|has_to? read|reads|look|looks|be|is {_SAME_BACK}",
+)
 _LINES = frozenset({*lexicon.STRUCTURE, "stack", "pile"})
 """Without a line of blocks, nothing follows of their order where those of a colour do not touch."""
 _KEPT_APART = ((_APART, "alternating"), (NEVER_TWICE, "alternating"))

@@ -49,6 +49,31 @@ def apposed_blocks(p: Parser, j: int, alone: bool = False) -> Results[Noun]:
             yield Noun(head="block", amount=amount, plural=True, traits=look, span=p.span(start, end)), end
 
 
+@rule
+def counted_lots(p: Parser, j: int) -> Results[Coord]:
+    """ "(one row,) 3 pink and 3 black, (colours alternating)": of how many blocks of which looks a line is made."""
+    start = p.one(j, (",", ":"))
+    items: list[Meaning] = []
+    at = start
+    while at and len(items) < _MOST_LOTS:
+        lot = next(((x, k) for x, k in simple(p, at) if isinstance(x, Noun) and _counted_look(x)), None)
+        if lot is None:
+            return
+        items.append(lot[0])
+        if len(items) > 1 and p.stands(lot[1], (",", ":")):
+            yield Coord(op="and", items=tuple(items), span=p.span(start, lot[1])), lot[1]
+        at = p.any_of(lot[1], (", and", "and", ","))
+
+
+_MOST_LOTS = 6
+
+
+def _counted_look(lot: Noun) -> bool:
+    """ "3 pink", "a white one": a number and a colour."""
+    exact = lot.amount is not None and lot.amount.low == lot.amount.high and lot.det in ("bare", "a")
+    return exact and len(lot.traits.colors) == 1 and lot.traits == Traits(colors=lot.traits.colors) and not lot.part_of
+
+
 def of_all_of_them(base: Structure, detail: Meaning) -> Structure | None:
     """ "(a row) with two green blocks and a red one in the middle": made of all of these, and the red one is there."""
     theme, place = (detail.theme, detail.adjuncts[0]) if isinstance(detail, Absolute) else (None, None)

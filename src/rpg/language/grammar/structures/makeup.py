@@ -13,6 +13,7 @@ from rpg.language.grammar.structures.apposed import (
     a_lot_each,
     apposed_blocks,
     colored_ones,
+    counted_lots,
     layers_told,
     of_all_of_them,
     symbols_told,
@@ -202,6 +203,9 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     plain = base.members is None and not base.traits.colors
     for blocks, k in apposed_blocks(p, j, not base.plural) if plain else ():
         yield replace(base, members=blocks, span=p.span(i, k)), k
+    alone = plain and not (base.plural or base.sizes) and base.kind in ("row", "line", "column", "stack")
+    for lots, k in counted_lots(p, j) if alone else ():
+        yield replace(base, members=lots, span=p.span(i, k)), k
     for blocks, k in symbols_told(p, j, base.kind) if plain else ():
         yield replace(base, members=blocks, span=p.span(i, k)), k
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")

@@ -64,6 +64,7 @@ def rising(p: Parser, i: int) -> Iterator[tuple[OrderBy, int]]:
     if descending is None or not p.all.isdisjoint(_STEPS) or p.follows(j, _NUMBERS):
         return
     order = OrderBy(by="ascending", descending=descending, span=p.span(i, j + 1))
-    if any(isinstance(way, Toward) and way.first for way, _ in toward(p, j + 1)):
+    closed = finite > 0 and (j + 1 >= p.end or p.stands(j + 1, (",", ";")))
+    if closed or any(isinstance(way, Toward) and way.first for way, _ in toward(p, j + 1)):
         yield order, j + 1
     yield from ((replace(order, first=first, span=p.span(i, end)), end) for first, end in whither(p, j + 1))

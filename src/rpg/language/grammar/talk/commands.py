@@ -92,7 +92,7 @@ COMMANDS = Patterns(
     "see if you can",
     "how about you",
     "it should be possible to",
-    "do",
+    "do me|us?",
     "want|need you to",
     "want to",
     "build me",

@@ -1,8 +1,22 @@
-"""What is told of each of several structures behind the last of them: "a red and a blue tower, each three high"."""
+"""What is told behind structures of each of them, "a red and a blue tower, each three high", or of their blocks."""
 
 from __future__ import annotations
 
-from rpg.language.meaning import Absolute, At, Chain, Clause, Coord, Meaning, Noun, Size, Structure, replace
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    At,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Meaning,
+    Noun,
+    Size,
+    Structure,
+    Traits,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 _EACH = frozenset({"each", "both", "apiece"})
@@ -12,7 +26,25 @@ _MADE = ("build", "exist")
 
 def told_of_each(chain: Chain, text: str) -> Chain:
     """The sentence with the size, and what is at an end, told of every one."""
-    return replace(chain, clauses=tuple(_of_each(c, text) if isinstance(c, Clause) else c for c in chain.clauses))
+    clauses = (_by_looks(_of_each(c, text)) if isinstance(c, Clause) else c for c in chain.clauses)
+    return replace(chain, clauses=tuple(clauses))
+
+
+def _by_looks(said: Clause) -> Clause:
+    """ "Five cubes in a row, two red, two blue and one yellow, mirrored": just these are the five."""
+    into = next((a for a in said.adjuncts if isinstance(a, Into)), None)
+    shape, theme = into.structure if into is not None else None, said.theme
+    lots = shape.members.items if isinstance(shape, Structure) and isinstance(shape.members, Coord) else ()
+    bare = isinstance(theme, Noun) and theme.traits == Traits() and theme.det == "bare" and not theme.conditions
+    if not lots or not bare or not isinstance(theme, Noun) or theme.amount is None or theme.part_of is not None:
+        return said
+    many = sum(x.amount.low for x in lots if isinstance(x, Noun) and x.amount is not None)
+    if not isinstance(shape, Structure) or into is None:
+        return said
+    if theme.amount != Amount(many, many):
+        raise refuse("count-mismatch", f"{many} are told of here", theme.span, "count as many as are told of")
+    plain = replace(into, structure=replace(shape, members=None))
+    return replace(said, theme=shape.members, adjuncts=tuple(plain if a is into else a for a in said.adjuncts))
 
 
 def _of_each(said: Clause, text: str) -> Clause:

@@ -13,6 +13,14 @@ from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Pla
 _LINED = ("grid", "row", "line", "column", "stack", "square", "circle", "rectangle", "wall", "checkerboard")
 
 
+def members_told(p: Parser, j: int, base: Structure) -> Results[Noun | Coord]:
+    """What a structure is made of, set off behind it."""
+    yield from apposed_blocks(p, j, not base.plural)
+    yield from symbols_told(p, j, base.kind)
+    if not (base.plural or base.sizes) and base.kind in ("row", "line", "column", "stack"):
+        yield from counted_lots(p, j)
+
+
 @rule
 def symbols_told(p: Parser, j: int, kind: str) -> Results[Noun]:
     """ ", letters A to F", ": digits 1, 2 and 3": the symbols that a structure shows."""

@@ -11,12 +11,10 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.along import listed_again, listed_along, listed_in_turn
 from rpg.language.grammar.structures.apposed import (
     a_lot_each,
-    apposed_blocks,
     colored_ones,
-    counted_lots,
     layers_told,
+    members_told,
     of_all_of_them,
-    symbols_told,
 )
 from rpg.language.grammar.structures.ascents import measures
 from rpg.language.grammar.structures.each_line import one_line_each
@@ -201,12 +199,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     if k := p.any_of(j, _LYING_FLAT) or (p.any_of(j, _DRAWN_FLAT) if drawn else 0):
         yield from _sized(p, i, k, replace(base, upright=False, span=p.span(i, k)))
     plain = base.members is None and not base.traits.colors
-    for blocks, k in apposed_blocks(p, j, not base.plural) if plain else ():
-        yield replace(base, members=blocks, span=p.span(i, k)), k
-    alone = plain and not (base.plural or base.sizes) and base.kind in ("row", "line", "column", "stack")
-    for lots, k in counted_lots(p, j) if alone else ():
-        yield replace(base, members=lots, span=p.span(i, k)), k
-    for blocks, k in symbols_told(p, j, base.kind) if plain else ():
+    for blocks, k in members_told(p, j, base) if plain else ():
         yield replace(base, members=blocks, span=p.span(i, k)), k
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
     flat = base.kind in _FLAT

@@ -122,9 +122,15 @@ def a_lot_each(p: Parser, i: int, many: int) -> Results[Coord]:
 
 _BLOCKS = ("blocks", "block", "cubes", "cube", "bricks", "ones", "one")
 _BELOW = ("at the bottom", "on the bottom", "in the bottom row", "in the bottom layer", "below", "as a base", "first",
-          "at the base", "on the ground", "in the first layer", "as the base", "down below")  # fmt: skip
+          "at the base", "on the ground", "in the first layer", "as the base", "down below", "in the lowest layer",
+          "in the lowest row", "on the bottom row", "on the bottom layer", "in the base", "in the base layer",
+          "in the base row", "along the bottom", "at the very bottom")  # fmt: skip
 _ABOVE = ("above", "on top", "on top of that", "above that", "at the top", "above them", "on them", "on those",
-          "on top of those", "on top of them", "at the very top", "in the next", "in the middle", "next")  # fmt: skip
+          "on top of those", "on top of them", "at the very top", "in the next", "in the middle", "next",
+          *(f"{at} the {part}" for at in ("at", "as", "for") for part in ("tip", "peak", "apex", "summit", "very top")),
+          *(f"{at} the {nth} {row}" for at in ("in", "on") for nth in ("second", "middle", "next", "third", "top",
+                                                                      "upper") for row in ("layer", "row", "level")),
+          "above these", "on these", "over them", "over those", "on it", "on top of these")  # fmt: skip
 AMID = ("in the middle", "in the center", "centered", "centrally", "in between", "between them", "over the gap",
         "centered on them", "centered over them", "over the middle", "across both", "across them", "astride them",
         "over the joint", "on the middle", "centered above them")  # fmt: skip
@@ -144,9 +150,19 @@ _OF_LAYERS = (
 @rule
 def layers_told(p: Parser, j: int) -> Results[Size]:
     """ "(a pyramid,) 3 blocks at the bottom, then 2, then 1": one less from layer to layer, down to one block."""
-    start = p.any_of(j, _OF_LAYERS)
-    number = p.number(start) if start else None
-    if not start or number is None or number < 2:
+    if start := p.any_of(j, _OF_LAYERS):
+        yield from _layers(p, start)
+
+
+def layers_alone(p: Parser, i: int) -> Results[Size]:
+    """In a sentence of its own: "(A pyramid.) 3 on the bottom row, 2 on those and 1 at the top." """
+    if i == 0:
+        yield from ((size, k) for size, k in _layers(p, i) if k >= p.end)
+
+
+def _layers(p: Parser, start: int) -> Results[Size]:
+    number = p.number(start)
+    if number is None or number < 2:
         return
     left, at = number, start + 1
     while True:

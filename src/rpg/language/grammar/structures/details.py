@@ -11,6 +11,7 @@ from rpg.language.grammar.places.absolutes import more_parts, one_more
 from rpg.language.grammar.places.around import surrounded
 from rpg.language.grammar.places.onto import piled_from_an_end
 from rpg.language.grammar.places.sides import at
+from rpg.language.grammar.structures.apposed import layers_alone
 from rpg.language.grammar.structures.each import each_clause
 from rpg.language.grammar.structures.each_line import each_line, lines_of
 from rpg.language.grammar.structures.ends_filled import ends_filled
@@ -67,7 +68,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j
     for agreed, j in pattern(p, i) if p.stands(i, ("each", "every")) or p.rarely(DIAGONALS) else ():
         yield Clause(verb="part", adjuncts=(agreed,), mode="goal", span=p.span(i, j)), j
-    for said, j in [*pointed(p, i), *opens(p, i), *steps_alone(p, i)]:
+    for said, j in [*pointed(p, i), *opens(p, i), *steps_alone(p, i), *layers_alone(p, i)]:
         yield Clause(verb="part", adjuncts=(said,), mode="goal", span=p.span(i, j)), j
     for several, j in wholes_told(p, i):
         yield _said(p, i, j, several), j

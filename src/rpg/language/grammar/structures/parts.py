@@ -204,8 +204,13 @@ _BLOCKS_OF = Patterns(
 )
 
 
+_BLOCK_IN = Patterns("the cube|block|brick|one in|at")
+
+
 def _blocks_of(p: Parser, i: int) -> Results[Meaning]:
-    """ "All cubes in the left column (are green)": the column."""
+    """ "All cubes in the left column (are green)": the column. "The cube in the near left corner": that corner."""
+    for j in _BLOCK_IN.matches(p, i):
+        yield from ((x, k) for x, k in part(p, j) if isinstance(x, Places) and x.unit == "cell")
     for j in _BLOCKS_OF.matches(p, i):
         for place, k in part(p, j):
             if isinstance(place, Places) and place.unit in _LAYERS and p.words[k - 1] in _LINE_WORDS:

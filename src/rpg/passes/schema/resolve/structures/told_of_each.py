@@ -26,8 +26,26 @@ _MADE = ("build", "exist")
 
 def told_of_each(chain: Chain, text: str) -> Chain:
     """The sentence with the size, and what is at an end, told of every one."""
-    clauses = (_by_looks(_of_each(c, text)) if isinstance(c, Clause) else c for c in chain.clauses)
+    clauses: list[Meaning] = []
+    for c in chain.clauses:
+        before = clauses[-1] if clauses else None
+        clauses.append(_by_looks(_of_each(_one_like_it(before, c), text)) if isinstance(c, Clause) else c)
     return replace(chain, clauses=tuple(clauses))
+
+
+def _one_like_it(before: Meaning | None, said: Clause) -> Clause:
+    """ "A red tower, three high, and a blue one, two high": a blue tower."""
+    shape = before.theme if isinstance(before, Clause) and before.verb == "build" else None
+    theme = said.theme
+    sized = bool(said.adjuncts) and all(isinstance(a, Size) for a in said.adjuncts) and said.verb == "be"
+    if not sized or not isinstance(shape, Structure) or shape.plural or shape.kind not in _LINES or shape.members:
+        return said
+    if not isinstance(theme, Noun) or (theme.head, theme.det, theme.amount) != ("any", "a", Amount(1, 1)):
+        return said
+    if theme.traits != Traits(colors=theme.traits.colors[:1]) or not theme.traits.colors or not shape.traits.colors:
+        return said
+    other = Structure(kind=shape.kind, det="a", amount=shape.amount, traits=theme.traits, span=theme.span)
+    return replace(said, verb="build", theme=other)
 
 
 def _by_looks(said: Clause) -> Clause:

@@ -13,7 +13,7 @@ from rpg.language.grammar.structures.equations import equation, promised, unequa
 from rpg.language.grammar.structures.heights import bar_chart
 from rpg.language.grammar.structures.makeup import per_color, sized_members
 from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
-from rpg.language.grammar.structures.ring_around import ring_around
+from rpg.language.grammar.structures.ring_around import ring_around, with_a_ring
 from rpg.language.grammar.structures.shapes import noun, upside_down
 from rpg.language.grammar.structures.sizes import dimensions, layers_of, rows_and_columns
 from rpg.language.grammar.structures.superlatives import largest
@@ -78,6 +78,7 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
         return
     yield from _as_many_symbols(p, i)
     yield from bar_chart(p, i)
+    yield from with_a_ring(p, i)
     yield from copies(p, i)
     for base, j in largest(p, i):
         yield from _tail(p, i, j, base)

@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.structures.either_shape import either_shape
 from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
 from rpg.passes.schema.resolve.structures.told_of_each import told_of_each
+from rpg.passes.schema.resolve.things.members_later import members_later
 from rpg.passes.schema.resolve.things.one_in_each import one_in_each
 from rpg.passes.schema.resolve.things.recounted import recounted
 from rpg.passes.schema.resolve.things.tally_filled import tally_filled
@@ -23,7 +24,7 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
-    listed = groups_listed(none_told(middle_of_ring(sorted_as_told(tally_filled(chains)))))
+    listed = groups_listed(none_told(middle_of_ring(sorted_as_told(tally_filled(members_later(chains))))))
     ways = (either_shape(one_in_each(told_of_each(chain, text))) for chain in listed)
     told = (shared_sides(recounted(chain), text) for chain in ways)
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)

@@ -22,7 +22,8 @@ _TURNS = Patterns(
     "so|so_that|such_that|where|in_which|while|and? the|their|its? color|colors|blocks|cubes "
     "should|must|will|do|does? alternate|alternates|take_turns",
     "whose|with the|their? color|colors|blocks should|must|will|do|does? alternate|alternates|alternating|taking_turns|"
-    "taking_their_turns|changing_every_time|changing_each_time",
+    "taking_their_turns|changing_every_time|changing_each_time "
+    "all_the_way|all_the_way_up|all_the_way_to_the_top|all_the_way_along|throughout|each_time|every_time?",
     "so_that|so|that|which|such_that they|it? should|must|will? alternate|alternates in_color|colors?",
     "taking|take|in turns|turn",
     "by|in turns",

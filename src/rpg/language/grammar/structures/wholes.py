@@ -280,9 +280,9 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
     number = p.number(j)
     counted_ = p.opt(j + 1, "block", *_UNIT_WORDS) if number else j
     high = p.any_of(counted_, ("high", "tall")) if number else 0
-    last = j + 1 >= p.end and p.anywhere(_UNIT_WORDS)  # "one has two floors and one has 4"
-    if number and not high and p.follows(j, _OF_SO_MANY) and (last or p.stands(j + 1, _AFTER_NUMBERS)):
-        high = counted_
+    if number and not high and p.follows(j, _OF_SO_MANY):  # "one has two floors and one has 4"
+        last = j + 1 >= p.end and p.anywhere(_UNIT_WORDS)
+        high = counted_ if last or p.stands(j + 1, _AFTER_NUMBERS) else 0
     if number and high:
         amount = Amount(number, number)
         yield Noun(head="block", amount=amount, plural=number > 1, span=p.span(j, high)), high

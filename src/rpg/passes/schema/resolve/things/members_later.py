@@ -18,6 +18,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.things.world import refuse
 
 _WITHIN = {
     "row": frozenset({"left", "right", "next", "beside", "adjacent", "between"}),
@@ -30,7 +31,7 @@ _FEWEST = 3
 
 
 def members_later(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
-    """The sentences with the line made of the blocks that are named, where they are just so many."""
+    """The sentences with the line made of the blocks that are named; others may be some of it, or further ones."""
     clauses = [c for chain in chains for c in chain.clauses]
     first = clauses[0] if clauses else None
     shape = first.theme if isinstance(first, Clause) and first.verb == "build" and not first.adjuncts else None
@@ -43,8 +44,11 @@ def members_later(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         if not found:
             return chains
         named |= {noun.traits: noun for noun in found}
-    if many < _FEWEST or len(named) != many:
+    if many < _FEWEST:
         return chains
+    if len(named) != many:
+        raise refuse("ambiguous", f"these could be blocks of the {shape.kind} or further ones", clauses[1].span,
+                     "name all of its blocks, and no others")  # fmt: skip
     items = tuple(replace(noun, det="bare") for noun in named.values())
     whole = replace(shape, sizes=(), members=Coord(op="and", items=items, span=shape.span))
     return tuple(

@@ -73,7 +73,8 @@ _THINGS = """
     farm village town city country beach sea ocean lake river forest mountain car bus bike bicycle train plane boat
     van lorry phone telephone mobile laptop computer tablet television radio fridge oven kettle toaster teapot mug
     cup glass bottle spoon fork knife plate bowl pan pot sofa couch armchair chair bed pillow blanket curtain lamp
-    candle vase flower bouquet tree bush umbrella coat jacket hat scarf glove shoe boot sock shirt
+    candle vase pen pencil crayon marker eraser notebook
+    flower bouquet tree bush umbrella coat jacket hat scarf glove shoe boot sock shirt
     dress skirt trousers jeans apron purse wallet bag suitcase backpack key watch necklace glasses toy balloon
     kite cake cookie biscuit bread butter cheese ham sausage egg milk juice water beer wine soup salad pizza pasta rice
     potato tomato onion carrot apple pear banana cherry strawberry lemon grape sweets candy chocolate sugar
@@ -83,7 +84,7 @@ _THINGS = """
 """What one has and sees about oneself. Tasks have none of it: nobody can be asked for it, or to put anything on it."""
 _VERBS = """
     admire adore agree amuse annoy apologise apologize applaud appreciate argue arrive ask astonish babysit bake beg
-    behave believe bet blame bless boast bother breathe brag calm care celebrate chat cheer chew clap comfort
+    behave believe bet blame bless boast bother breathe brag calm care celebrate chat check cheer chew clap comfort
     commute complain concentrate congratulate convince cook cough count crave cry cuddle dance dare decide demand
     deserve
     desire dictate die digest dine disappoint discuss dread dream drink drive earn eat embarrass
@@ -151,7 +152,7 @@ _INTERJECTIONS = """
     ha haha hahaha hehe hooray hurray yay wow oops gosh phew alas ahoy bravo cheers ciao adios hello hi hey hiya howdy
     greetings bye goodbye thanks thank ta thx welcome amen bingo voila bonjour hola aloha congrats congratulations
     sorry pardon please okay ok alright yes yeah yep sure lol omg oh ah aha well hmm ugh ouch yikes hallelujah
-    um uh er erm hm mm yo jeez blimey crikey
+    ooh oo aw aww yippee tada hurrah um uh er erm hm mm yo jeez blimey crikey
 """
 _NAMES = """
     tom tim jim john jack james peter paul max ben sam dan david daniel michael mike chris thomas george henry

@@ -53,7 +53,7 @@ def idle_at_an_end(tokens: Sequence[Token]) -> bool:
     """Whether they ask for nothing in front of a task or behind it."""
     words = _plain(tokens)
     return words is not None and (
-        idle(tokens) or _whole(words, TIMELY) or _thought(words) or _for_somebody(words)
+        idle(tokens) or _whole(words, TIMELY) or _thought(words) or _for_somebody(words) or _of_own_things(words)
     )  # fmt: skip
 
 
@@ -63,7 +63,7 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     if words is None or at == 0:
         return False
     timely = words[0] not in ("when", "once", "by") and _whole(words, TIMELY)
-    return timely or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words)
+    return timely or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
 
 
 def _plain(tokens: Sequence[Token]) -> list[str] | None:
@@ -119,3 +119,45 @@ def _for_somebody(words: list[str]) -> bool:
     if _NOUNS & set(said) <= _TIMES or (said[0] not in _OWN and not harmless.THINGS.isdisjoint(said)):
         return False
     return said[-1] in _NOUNS and all(word in _NOUNS | _TOLD | _OWN | _LINKING for word in said)
+
+
+def _of_own_things(words: list[str]) -> bool:
+    """ "So I can drive my toy car in", "I want to put my pen there": what somebody does with a thing of his own, of
+    which tasks have none."""
+    at = next((n for n, word in enumerate(words) if word not in _LEADING), len(words))
+    if at == len(words) or words[at] not in _WHO | _OWN or len(words) > 2 * _SHORT:
+        return False
+    own = any(word in _OWN and not _HAD.isdisjoint(words[n + 1 : n + 4]) for n, word in enumerate(words))
+    return own and all(word in _DONE_WITH_THEM | harmless.DOINGS | _HAD | _OWN | _WHO for word in words[at:])
+
+
+_HAD = harmless.THINGS | harmless.ANIMALS
+_LEADING = _words("so that because since as and for")
+_WHO = _words("i we he she")
+_DONE_WITH_THEM = _words(
+    "can could will would may might shall want wants need needs like to be able then later put puts place park keep "
+    "store set fit fits drive ride roll slide pass walk a an the little old new favorite toy there in into through "
+    "inside under on it between them is am are going"
+)
+
+
+def of_their_doings(tokens: Sequence[Token]) -> bool:
+    """ "They're fighting", "it is a bit lazy", "they do not like each other": what only somebody alive is or does."""
+    words = _plain(tokens)
+    if words is None or words[0] not in ("they", "it", "these", "those", "both") or len(words) > _SHORT:
+        return False
+    rest = words[1:]
+    alive = [word for word in rest if word in _ALIVE]
+    return bool(alive) and all(word in _ALIVE | _DEGREES | _AROUND for word in rest)
+
+
+_AROUND = _words(
+    "is are was were 'm 're 's a an the do does not always never still best good old each other one another"
+)
+_ALIVE = (
+    frozenset(word for word in harmless.DOINGS if word.endswith("ing"))
+    | harmless.PERSONAL
+    | harmless.ANIMALS
+    | harmless.PEOPLE
+    | _words("enemies friends quarrel fight like hate love")
+) - _words("going making having giving taking getting doing coming showing needing calling well early late ready open")

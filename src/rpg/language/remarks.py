@@ -10,8 +10,8 @@ from collections.abc import Collection, Iterator
 from itertools import pairwise, takewhile
 
 from rpg.language import lexicon
-from rpg.language.harmless import ANIMALS, OCCASIONS, PEOPLE, THINGS
-from rpg.language.idle_talk import idle, idle_at_an_end, reason_at
+from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THINGS
+from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason_at
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
 from rpg.language.tokens import Token
@@ -22,6 +22,8 @@ _BREAKS = _ENDS | _MARKS | {"(", ")"}
 _LIKE = (("like",), ("just", "like"), ("a", "bit", "like"), ("sort", "of", "like"), ("kind", "of", "like"),
          ("as", "in"), ("as", "on"), ("as", "if"), ("as", "though"), ("looking", "like"),
          ("similar", "to"), ("resembling",),
+         *((*who, "looks", *bit, "like") for who in ((), ("it",), ("that",), ("then", "it"))
+           for bit in ((), ("a", "bit"))),
          *((*just, "as", who, *would) for just in ((), ("just",), ("exactly",))
            for who in ("one", "you", "we", "people", "they", "i") for would in (("would",), ("do",), ("might",), ())
            if would or who != "one"),
@@ -106,6 +108,12 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
             yield mark, end
             last = mark
             break
+    laughed = last
+    while laughed > first + 2 and tokens[laughed - 1].word in INTERJECTIONS - vocabulary():
+        laughed -= 1
+    if laughed < last:
+        yield laughed, last
+        last = laughed
     for at in range(first + 2, last):
         bound = tokens[at].word not in _CONNECTING or tokens[at - 1].word in _BINDING
         if not bound and reason_at(tokens[:last], at):
@@ -155,15 +163,22 @@ def _compared(tokens: list[Token]) -> bool:
 
 _LIKING = frozenset({"would", "i", "we", "you", "they", "do", "does", "not", "to", "and", "or"})
 """Behind these "like" is what somebody does."""
-_STACKED = frozenset({"stack", "stacked", "stacking", "line", "lined"})
+_STACKED = frozenset({"stack", "stacked", "stacking", "line", "lined", "shape", "shaped"})
 
 
 def _in_brackets(tokens: list[Token]) -> Iterator[tuple[int, int]]:
     """Where "(which always gets lost)" stands."""
     for at in (n for n, token in enumerate(tokens) if token.word == "("):
         end = next((n for n in range(at, len(tokens)) if tokens[n].word == ")"), at)
-        if end > at + 1 and idle_at_an_end(tokens[at + 1 : end]):
+        parts = _parted(tokens[at + 1 : end])
+        if parts and all(idle_at_an_end(part) or of_their_doings(part) for part in parts):
             yield at, end + 1
+
+
+def _parted(tokens: list[Token]) -> list[list[Token]]:
+    """What stands between commas and stops."""
+    marks = [-1, *(n for n, token in enumerate(tokens) if token.word in _ENDS | {","}), len(tokens)]
+    return [tokens[one + 1 : other] for one, other in pairwise(marks) if other > one + 1]
 
 
 def _tells(token: Token) -> bool:

@@ -47,7 +47,7 @@ _GLUE = _words(
     "imagine imagining wonder wondering thinking talk talking gives given doing done writing going decided "
     "planning plans use used using visiting visit tested bring brings wait waiting let listen "
     "please kindly 'm 're 'd 'll 've s open sure long hear heard read reading remember forget welcome organizing "
-    "organising control controlling "
+    "organising control controlling name names "
     "operate operating programmed program understand",
 )
 _SUBJECTS = _words("colors letters numbers digits shapes blocks cubes towers patterns words equations figures order")

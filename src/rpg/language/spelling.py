@@ -237,9 +237,7 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
         if token.kind != "word":
             out.append(token)
             continue
-        if token.raw == "n" and _joins(tokens, index):
-            out.append(token.saying("and"))
-        elif _is_literal(tokens, index, known):
+        if _is_literal(tokens, index, known):
             out.append(replace(token, kind="literal", value=token.raw))
         elif token.word in SHORT_FORMS and not token.raw.isupper():
             out.append(replace(token, word=SHORT_FORMS[token.word], raw=SHORT_FORMS[token.word]))
@@ -255,19 +253,6 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
             wrong.append(unknown(token))
             out.append(token)
     return out, notes, wrong
-
-
-def _joins(tokens: list[Token], index: int) -> bool:
-    """ "3 red n 3 white", "in one pile n the others in another": in short for "and", and not the letter."""
-    if not index or index + 1 == len(tokens) or tokens[index - 1].kind == "punct":
-        return False
-    before, after = tokens[index - 1].word, tokens[index + 1]
-    joined = after.word in ("the", "a", "an", "one", "two") or after.word in lexicon.COLOR or after.kind == "number"
-    return joined and before not in _SHOWN
-
-
-_SHOWN = frozenset({"letter", "block", "cube", "the", "a", "an", "and", "letters", "of", "on", "to"})
-"""Behind these it is a letter."""
 
 
 def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:

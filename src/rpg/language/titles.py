@@ -51,6 +51,17 @@ _ACTIVITIES = _words(
 """What a text may be about, where it says more behind that."""
 _ERRANDS = (["pick", "and", "place"], ["pick", "place"], ["pick", "and", "stack"])
 """Such a title alone."""
+_ASPECTS = _words(
+    "constraint constraints completion relation relations relationship condition conditions requirement requirements "
+    "placement alignment rule rules specification spec evaluation reasoning understanding"
+)
+"""What a title ends with that tells what is tried in a text."""
+_TOPICS = _words(
+    "sequence distance equation spatial relative support stack stacking tower row grid pattern color colour count "
+    "counting quantifier negation grouping sorting spelling ordering rotation orientation symmetry swap region patch "
+    "placement tolerance structure size number logic disjunction conjunction temporal multi step goal object"
+)
+"""What such a title speaks of. Alone it is one only in front of a command, for a list may stand behind it as well."""
 _CALLS = _words("urgent important attention fyi hint tip ps nb todo update reminder warning announcement")
 _SPEAKERS = frozenset(PEOPLE.split("|")) | _words("me operator human speaker commander instructor")
 _MARKS = frozenset({":", "-", "–", "—"})
@@ -184,6 +195,10 @@ def _title(tokens: list[Token], at: int) -> int:
     if mark.word == "!" and len(words) == 1 and head.word in _CALLS:
         return end + 1
     sorts = words[:-1]
+    if mark.word == ":" and all(word.word in _TOPICS | _SORTS for word in sorts):
+        commanded = not sorts and head.word in _TOPICS and _commands(tokens[end + 1 :])
+        if commanded or (sorts and head.word in _ASPECTS):
+            return end + 1
     if head.word in _TEXTS or (mark.word != ":" and head.word == "time"):
         if not sorts:
             return at
@@ -204,6 +219,15 @@ def _about(tokens: list[Token], colon: int) -> int:
     told = tokens[colon + 1 : end]
     whole = end + 1 < len(tokens) and tokens[end].word in _ENDS
     return end + 1 if told and whole and all(t.word in _ACTIVITIES for t in told) else 0
+
+
+def _commands(tokens: list[Token]) -> bool:
+    """Whether a command begins here, and no list."""
+    begin = 1 if tokens[0].word in ("first", "please") else 0
+    return len(tokens) > begin + 2 and tokens[begin].word in _BASES and tokens[begin + 1].word not in (",", "and")
+
+
+_BASES = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
 
 
 def _tells_the_sort(token: Token) -> bool:

@@ -20,6 +20,7 @@ from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
 from rpg.language.nicknames import without_nicknames
+from rpg.language.open_colors import with_colors
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
 from rpg.language.spliced import in_sentences
@@ -30,6 +31,7 @@ from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
+from rpg.passes.schema.order_told import check_order
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.told_there import check_numbers, check_told, check_wanted
 
@@ -127,6 +129,7 @@ class BuiltinFrontEnd:
         words, told = told_plainly(rows_in_words(without_asides(spoken)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
+            check_order(words)
             check_told(told or told_behind(words), found.task)
             check_numbers(spoken, words, found)
         except Refusal:
@@ -174,7 +177,7 @@ def _undisturbed() -> Iterator[None]:
 
 
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
-    without_names, without_glosses, without_nicknames, without_feelings, in_centimetres,
+    without_names, without_glosses, without_nicknames, without_feelings, in_centimetres, with_colors,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _STRAY_HINTS = {

@@ -17,7 +17,11 @@ _NEXT = {
     **dict.fromkeys(("outer", "outermost", "end"), ("1", "last")),
 }  # fmt: skip
 """The places of two blocks of which one is told."""
-_ENDS = ("the two ends", "the ends", "both ends", "its ends", "its two ends")
+_ENDS = (
+    "the two ends", "the ends", "both ends", "its ends", "its two ends",
+    *(f"{those} {at} {ends}" for those in ("the two", "the ones", "the two blocks", "the blocks", "those", "the cubes")
+      for at in ("at", "on") for ends in ("the ends", "its ends", "the two ends", "both ends", "either end")),
+)  # fmt: skip
 _THE = frozenset({"the", "its", "their"})
 _UPRIGHT = frozenset({"top", "bottom"})
 

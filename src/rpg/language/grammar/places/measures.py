@@ -18,6 +18,10 @@ NEXT = tuple(
     for what in whats
 )  # fmt: skip
 """What stands side by side in a line."""
+_GROUPS = tuple(
+    f"{which}{groups}" for which in ("", "the ", "the two ", "the three ", "both ", "any two ", "every two ")
+    for groups in ("groups", "piles", "clusters", "bunches", "heaps")
+)  # fmt: skip
 _ENDS_OF = ("", " of the blocks", " of the cubes", " of them", *(f" of {next_}" for next_ in NEXT))
 AMONG = (
     *(f"between {next_}" for next_ in NEXT),
@@ -247,17 +251,15 @@ _BETWEEN_FACES = (
     *(f"between {their}{ends}{of}" for their in ("", "the ", "their ") for ends in ("faces", "sides")
       for of in _ENDS_OF),
     "between them", "between each other", "in between them", "in between", "between the two",
-    "between each", "between each block", "of space between them",
-    "of empty space between them", "of space between the blocks", "between the groups", "between the two groups",
-    "between groups", "between the piles", "between both groups", "between the two piles",
+    "between each", "between each block",
+    *(f"of {free}{space} between {whom}" for free in ("", "empty ", "free ") for space in ("space", "table", "room")
+      for whom in ("them", "the blocks", "the two", *_GROUPS)),
+    *(f"between {groups}" for groups in _GROUPS),
 )  # fmt: skip
-_ROOM = (
-    "gap", "gaps", "spaces", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance",
-)  # fmt: skip
-_NOTED = (
-    "spacing", "gap", "gaps", "distance", "with spacing", "with gaps", "center distance", "with a center distance",
-    "center to center distance",
-)  # fmt: skip
+_ROOM = ("gap", "gaps", "spaces", "of space", "of free space", "space", "wide gap", "spacing", "distance",
+         "of distance")  # fmt: skip
+_NOTED = ("spacing", "gap", "gaps", "distance", "with spacing", "with gaps", "center distance",
+          "with a center distance", "center to center distance")  # fmt: skip
 _GAPS_OF = (
     "with a gap of", "with gaps of", "leaving a gap of", "with a spacing of", "leaving gaps of", "at intervals of",
     "with a distance of", "with spacing of", "with a space of", "leaving a space of", "with spaces of",

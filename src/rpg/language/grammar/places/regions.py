@@ -143,6 +143,8 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
         if side in ("left", "right") or word in ("front", "back", "rear"):
             found.append((f"{side}_half", k, False))
         found += _corner(p, k, side)
+    if (very := p.one(j, "very")) and (utmost := p.peek(very, _HALVES)):
+        found.append((f"{utmost}_edge", p.opt(p.reach(very + 1), "edge", "end"), False))
     k = p.any_of(p.opt(j, "exact", "very", "dead"), ("middle", "center", "central area", "central part"))
     if k and not p.stands(k, ("between",)):
         found.append(("middle", p.opt(k, "part", "area"), False))

@@ -11,6 +11,7 @@ from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
+from rpg.language.grammar.talk.in_short import begins_thing, meant
 from rpg.language.grammar.talk.left_open import ANY_OF_THEM, FOREIGN, FREE, LOOSE
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.plainer import plainer
@@ -51,7 +52,8 @@ SOFT = "(soft)"
 _HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh"})
 _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
              "nice and neat", "nice and tidy", "good", "proper", "dead", "smack", "bang", "slap bang",
-             "smack bang", "plumb", "right smack")  # fmt: skip
+             "smack bang", "plumb", "right smack",
+             "entirely", "wholly", "completely", "fully")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""
 _ANYPLACE = ("anywhere", "anywhere you like", "anywhere you want", "wherever", "wherever you like", "wherever you want",
              "no matter where", "it does not matter where", "does not matter where")  # fmt: skip
@@ -63,17 +65,13 @@ _DEGREES = frozenset(_DEGREE_WORDS.split())
 """What an emphasis in front of them would change."""
 _BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "to", "of", "with"})
 """Words that are said again when what they begin is begun again."""
-_STANDING = frozenset({"behind", "on", "in", "next", "under", "above", "between", "near", "touching", "at", "beside"})
-"""After these "its" was meant as "it is"."""
-_NAMED = frozenset({"a", "an", "not", "only", "just", "there"})
-"""Before these "its" was meant as "it is" wherever it stands."""
-_ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "need", "when", "once", "should", "must"})
 
 
 def without_asides(tokens: list[Token]) -> list[Token]:
     """The tokens without words that mean nothing, and without the commas that set them off."""
     tokens = lists_in_one(corrected(tokens[_answering(tokens) or taste_told(tokens) :]))
     tokens = [(_side(tokens, n) or _between(tokens, n)) if t.word in _SHORT else t for n, t in enumerate(tokens)]
+    tokens = [token for n in range(len(tokens)) for token in _left_open(tokens, n)]
     words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
     p = Parser(tokens)
     out: list[Token] = []
@@ -107,7 +105,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
     out += waiting
-    plain = rephrased(plainer(in_words(repeated([token for n in range(len(out)) for token in _meant(out, n)]))))
+    plain = rephrased(plainer(in_words(repeated([token for n in range(len(out)) for token in meant(out, n)]))))
     return reckoned(exceptions_first(plain))
 
 
@@ -122,7 +120,7 @@ def _between(tokens: list[Token], at: int) -> Token:
     if token.word != "btw" or not 0 < at < len(tokens) - 1 or tokens[at - 1].word in _BREAKS:
         return token
     joined = any(t.word in ("and", "&", "n", "2", "two", "both") for t in tokens[at + 1 : at + 8])
-    return replace(token, word="between") if joined and _thing(tokens[at + 1]) else token
+    return replace(token, word="between") if joined and begins_thing(tokens[at + 1]) else token
 
 
 _SIDE = {"l": "left", "r": "right"}
@@ -144,16 +142,6 @@ def _side(tokens: list[Token], at: int) -> Token | None:
             side = _SIDE[tokens[at].word]
             return replace(tokens[at], word=side, raw=side)
     return None
-
-
-def _thing(token: Token) -> bool:
-    """Whether a thing may begin with it."""
-    letter = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper()
-    return letter or token.kind == "number" or any(token.word in table for table in (*_THINGS, _DETERMINERS))
-
-
-_THINGS = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.NUMBER)
-_DETERMINERS = frozenset({"the", "a", "an", "two", "both", "its", "one", "each", "every", "no"})
 
 
 def _shouted(token: Token) -> bool:
@@ -215,7 +203,15 @@ def _emphatic(words: list[str], end: int) -> bool:
     """Whether a description follows."""
     after = words[end] if end < len(words) else ""
     tidied = words[end - 1] == "tidy" and after in ("the", "this", "up", "your", "my", "our", "it", "them", "these")
-    return bool(after) and after not in _BREAKS | _DEGREES and not tidied
+    edge = words[end - 1] == "very" and after in ("front", "back", "left", "right")  # "the very front of the table"
+    return bool(after) and after not in _BREAKS | _DEGREES and not (tidied or edge)
+
+
+def _left_open(tokens: list[Token], at: int) -> list[Token]:
+    """A token; a comma for the "but" of "(next to it) but it does not matter on which side"."""
+    if tokens[at].word != "but" or [t.word for t in tokens[at + 1 : at + 5]] != ["it", "does", "not", "matter"]:
+        return [tokens[at]]
+    return [tokens[at].saying(",")] if at and tokens[at - 1].word != "," else []
 
 
 def _set_off(words: list[str], at: int, end: int) -> bool:
@@ -273,7 +269,7 @@ def _all_over(words: list[str], at: int, end: int) -> bool:
 
 
 _DOWNWARDS = frozenset({"downwards", "upwards", "downward", "upward"})
-_BUILT = ("finished", "completed", "resulting", "finalized")
+_BUILT = ("finished", "completed", "resulting", "finalized", "low")
 """What carries nothing in front of what is built."""
 _AT_ONCE = ("at the same time", "simultaneously")
 """What carries nothing where nothing is denied: all that is asked for holds in the end."""
@@ -285,7 +281,7 @@ _DO_THIS = tuple(
 )
 """What carries nothing in front of a command."""
 _COMMANDS = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
-_AT_ALL = ("at all", "whatsoever")
+_AT_ALL = ("at all", "whatsoever", "though")
 _FILLERS = ("like", "sort of", "kind of", "i think", "i believe")
 _COUNTING = frozenset({"with", "of", "and", "then", "have", "make", "use", "be", "is", "are"})
 _DENYING = frozenset({"no", "not", "none", "nothing", "never", "without", "neither", "nor", "nobody"})
@@ -335,36 +331,6 @@ def _closed(tokens: list[Token], out: list[Token], end: int, whole: bool) -> int
             del out[-size:]
             break
     return end
-
-
-_SHOWN = frozenset({"letter", "letters", "spell", "word", "and", "cube", "cubes", "block", "blocks", "symbol", "name"})
-"""Before a "w" that is a letter."""
-
-
-def _meant(tokens: list[Token], at: int) -> list[Token]:
-    """ "red n blue": "n" between two things is "and"; "can u": you; "so its behind": it is."""
-    token = tokens[at]
-    after = tokens[at + 1].word if at + 1 < len(tokens) else ""
-    if token.word == "either" and at and ((tokens[at + 1 :] and tokens[at + 1].kind == "literal") or after == "the"):
-        named = [t.word for t in tokens[at + 1 : at + 3]] == ["the", "word"] or tokens[at + 1].kind == "literal"
-        return [] if named else [token]
-    if token.word == "its" and at and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING:
-        return [replace(token, word=word) for word in ("it", "is")]
-    if token.word == "its" and after in _NAMED:
-        return [replace(token, word=word) for word in ("it", "is")]
-    if token.word == "…" and (at == 0 or tokens[at - 1].word in _STOPS):
-        return []
-    if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):
-        return [replace(token, word="you")]
-    if token.raw == "w" and 0 < at < len(tokens) - 1 and len(tokens[at - 1].word) > 2 and _thing(tokens[at + 1]):
-        return [replace(token, word="with")] if tokens[at - 1].word not in _SHOWN else [token]
-    if token.raw != "n" or not 0 < at < len(tokens) - 1:
-        return [token]
-    before = tokens[at - 1]
-    thing = before.kind == "number" or any(before.word in table for table in _THINGS)
-    place = before.word in ("top", "bottom", "left", "right", "middle")
-    letter = before.kind == "word" and len(before.raw) == 1 and before.raw.isupper()
-    return [replace(token, word="and") if thing or place or letter else token]
 
 
 def _of_so_many(words: list[str], first: int, last: int) -> bool:

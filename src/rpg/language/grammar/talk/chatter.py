@@ -30,7 +30,13 @@ _FREE = (
     "up_to_you|irrelevant|unimportant|not_important|of_no_importance|your_choice|your_decision|left_to_you|"
     "all_the_same_to_me|all_the_same|not_relevant|arbitrary|for_you_to_decide|for_you_to_choose"
 )
+_OF_WHAT = "of|in|on the|each|every|them|these? stacks|towers|groups|blocks|cubes|letters|digits|numbers|table?"
+_MATTERS = "do|does not really|actually? matter at_all|to_me|here|much?"
 CHATTER = Patterns(
+    f"the|their|its exact|final|precise? position|positions|location|locations|place|places|spot|spots "
+    f"{_OF_WHAT} {_MATTERS}",
+    f"the|their|its exact|final|precise? position|positions|location|locations|places {_MATTERS}",
+    f"the|their|its position|positions {_OF_WHAT} is|are {_FREE}|free|open|left_open",
     "i|we|my_boss|my_teacher|they do|does|really not really|particularly|much|actually? care|mind|worry|bother "
     f"about|at_all|much? {_OPEN}?",
     f"it|that does not really|actually? matter|make_a_difference|make_any_difference at_all|to_me|here? {_OPEN}?",
@@ -44,6 +50,11 @@ CHATTER = Patterns(
     "with_something|here|now|today?",
     "can|could|will|would you help|assist me|us with_this|with_something|here|out|now|today?",
     f"let us play|try|do a|another|the|this? little|quick|new|nice? {_ERRAND}|experiment|trick",
+    "let us do|try some? stairs|towers|rows|pyramids|letters|words|numbers|shapes|figures|steps|colors now|today?",
+    "it_is? time to|for tidy|clean|clear|play|build|learn|count|spell|begin|start|work|cleaning|tidying|playing "
+    "up|away? together|again|with_the_blocks|our_blocks|the_blocks|now|everyone?",
+    "shall|should|can|could|may|will we|i count|play|try|learn|begin|start|see|practise|practice|sing together|a_game|"
+    "something|a_bit|a_little|now|some_more?",
     "let us begin|start|go|get_started|get_going|do_this|do_it|get_to_work|try_this|try_something|see|go_ahead|play",
     f"my|our|the? {PEOPLE} wants|want|likes|like|loves|love|prefers|prefer|needs|need|expects a|the? "
     "tidy|neat|clean|nice|orderly? tidy|neat|clean|nice|orderly? table|desk|workspace",

@@ -13,6 +13,7 @@ from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.colored_groups import GROUPS, colored_groups
 from rpg.language.grammar.talk.cube_of_small_ones import SMALL, cube_of_small_ones, four_below
 from rpg.language.grammar.talk.dealt_out import dealt_out
+from rpg.language.grammar.talk.each_and_same import each_once, each_one, same_ones
 from rpg.language.grammar.talk.each_of_its_color import (
     ORGANIZED,
     each_on_its_own,
@@ -46,13 +47,17 @@ from rpg.language.grammar.talk.said_between import (
 )
 from rpg.language.grammar.talk.said_loosely import LOOSE, said_loosely
 from rpg.language.grammar.talk.short_turns import (
+    LETTING,
     anywhere_but,
     between_them,
+    not_stacked,
     number_made,
     turned_in_place,
+    without_letting,
     without_stacking,
 )
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
+from rpg.language.grammar.talk.structures_listed import PLURALS, one_of_each_color, structures_listed
 from rpg.language.grammar.talk.told_short import any_other, but_turned, every_other, halves_told, in_pairs, no_two
 from rpg.language.grammar.talk.towers_bounded import HIGHER, towers_bounded
 from rpg.language.grammar.talk.towers_in_short import (
@@ -66,6 +71,7 @@ from rpg.language.grammar.talk.towers_in_short import (
     tidied_into,
 )
 from rpg.language.grammar.talk.utmost_number import utmost_number
+from rpg.language.grammar.talk.verbs_told import OUT_OF, got_done, laid_flat, steps_built, who_builds
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -344,6 +350,8 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (of_so_many_ahead, frozenset({"of"})),
     (sorted_onto_mats, frozenset({"color", "colors"})),
     (floors_high, FLOORS),
+    (structures_listed, PLURALS),
+    (one_of_each_color, frozenset({"colors", "color"})),
     (one_height_for_all, frozenset({"each", "both", "all"})),
     (one_tower_has, frozenset({"tower", "stack"})),
     (tidied_into, frozenset({"into"})),
@@ -370,6 +378,8 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (dealt_out, frozenset({"half", "towers", "stacks", "each", "equation", "sum", "of"})),
     (between_them, frozenset({"between"})),
     (without_stacking, frozenset({"stacking"})),
+    (without_letting, LETTING),
+    (not_stacked, frozenset({"stacked"})),
     (anywhere_but, frozenset({"anywhere", "somewhere"})),
     (number_is, NUMBER),
     (both_of_so_many, frozenset({"both"})),
@@ -380,6 +390,13 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (not_touching, frozenset({"touching"})),
     (turned_in_place, frozenset({"spot"})),
     (number_made, frozenset({"digit", "digits", "number", "numbers"})),
+    (who_builds, OUT_OF),
+    (got_done, frozenset({"get", "have"})),
+    (steps_built, frozenset({"steps"})),
+    (laid_flat, frozenset({"flat"})),
+    (each_once, frozenset({"once"})),
+    (each_one, frozenset({"different"})),
+    (same_ones, frozenset({"same"})),
     (said_loosely, LOOSE),
 )
 """The changes, in their order, and words without one of which there is nothing for each to change."""

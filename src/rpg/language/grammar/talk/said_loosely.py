@@ -190,6 +190,31 @@ def _taken(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return [*there, *tokens[at:end], tokens[end].saying(":"), *rest]
 
 
+def _of_one_there(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "A tower consisting of a cyan block at the bottom and two pink ones above it": with one there."""
+    for at in (n + 1 for n, word in enumerate(words[:-4]) if word in _SINGLE):
+        comma = at + (words[at] == ",")
+        made = length_at(words, comma, _MADE_OF)
+        first = comma + made
+        if not made or first >= len(words) or words[first] not in ("a", "an", "one", "the"):
+            continue
+        end = first + 1
+        while end < len(words) and (words[end] in lexicon.COLOR or words[end] in lexicon.SIZE):
+            end += 1
+        end += end < len(words) and (words[end] in lexicon.BLOCK or words[end] == "one")
+        if length_at(words, end, _AT_AN_END):
+            return [*tokens[:at], tokens[at].saying("with"), *tokens[first:]]
+    return None
+
+
+_MADE_OF = (("of",), ("consisting", "of"), ("made", "of"), ("made", "up", "of"), ("composed", "of"), ("made", "from"),
+            ("formed", "of"), ("that", "consists", "of"), ("which", "consists", "of"), ("built", "from"))  # fmt: skip
+_AT_AN_END = tuple(
+    (*at, side) for at in (("at", "the"), ("on", "the"), ("in", "the"), ("as", "the"), ("on",))
+    for side in ("bottom", "top", "middle", "left", "right", "base")
+)  # fmt: skip
+
+
 _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_it, frozenset({"it"})),
     (_anywhere_else, frozenset({"anywhere"})),
@@ -204,6 +229,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_also_called, frozenset({"that"})),
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
+    (_of_one_there, frozenset({"of", "from"})),
 )
 """The changes, and words without one of which there is nothing for each to change."""
 LOOSE = frozenset(word for _, telling in _CHANGES for word in telling)

@@ -35,6 +35,32 @@ def without_stacking(tokens: list[Token], words: list[str]) -> list[Token] | Non
     return None
 
 
+def without_letting(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Without letting them touch": without them touching."""
+    for at in range(1, len(words) - 3):
+        if words[at] != "without" or words[at + 1] not in LETTING:
+            continue
+        touch = next((n for n in range(at + 2, min(at + 8, len(words))) if words[n] in ("touch", "touching")), 0)
+        if touch:
+            begin = touch - (words[touch - 1] == "to")
+            return [*tokens[: at + 1], *tokens[at + 2 : begin], tokens[touch].saying("touching"), *tokens[touch + 1 :]]
+    return None
+
+
+LETTING = frozenset({"letting", "having", "allowing", "making"})
+
+
+def not_stacked(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "(All three on the mat,) not stacked": without stacking them."""
+    for at in range(1, len(words) - 1):
+        ends = at + 2 == len(words) or words[at + 2] in (".", ",", "!", ";", "and")
+        set_off = words[at - 1] in (",", "but") or words[at - 1] in lexicon.PATCH
+        if words[at : at + 2] == ["not", "stacked"] and ends and set_off:
+            said = [tokens[at].saying(word) for word in ("without", "stacking", "them")]
+            return [*tokens[: at - (words[at - 1] == "but")], *said, *tokens[at + 2 :]]
+    return None
+
+
 def anywhere_but(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Anywhere, but not on the mat": anywhere but on it."""
     for at in range(2, len(words) - 2):

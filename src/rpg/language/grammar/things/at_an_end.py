@@ -25,6 +25,9 @@ _ENDS = {
     "middle": "middle", "central": "middle", "inner": "middle",
 }  # fmt: skip
 _ONES = frozenset({"ones", *(word for word, several in BLOCK.items() if several), "letters", "digits"})
+_BEHIND = frozenset({"off", "on", "onto", "and", "down", "away", "apart", "to", "must", "should", "are", "next", "in",
+                     "into", ",", "side", "beside"})  # fmt: skip
+"""What stands behind "the top two" where no blocks are named."""
 _OF_EACH = Patterns("of|in the|both|all|these|those two|2|three|3|four|4? towers|stacks|piles|rows|lines|columns",
                     "of|in both|each|each_of_the|every of_the? towers|tower|stacks|stack|rows|row")  # fmt: skip
 _LINES = ("stack", "row", "line", "column")
@@ -45,7 +48,7 @@ def at_an_end(p: Parser, i: int) -> Results[Noun]:
     k = p.one(j + 2, _ONES) or j + 2
     noun = Noun(head="block", det="the", amount=Amount(many, many), plural=True, traits=Traits(rank=rank),
                 span=p.span(i, k), cost=1)  # fmt: skip
-    if k > j + 2 and ahead is None:
+    if ahead is None and (k > j + 2 or k == p.end or p.stands(k, _BEHIND)):
         yield noun, k
     if end := p.any_of(k, OF_LINE):
         yield replace(noun, span=p.span(i, end)), end

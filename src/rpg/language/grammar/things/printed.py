@@ -7,7 +7,7 @@ from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.values import by_value
-from rpg.language.meaning import Absolute, Clause, Loc, Meaning, Noun, Pronoun, Traits, replace
+from rpg.language.meaning import Absolute, Clause, Coord, Loc, Meaning, Noun, Pronoun, Quality, Traits, replace
 
 _ON_IT = ("on it", "on them", "on its top", "on its top face", "on its faces", "on its sides", "on all sides",
           "on each side", "on their faces", "on all faces", "on every face", "on each of them", "painted on it",
@@ -77,13 +77,23 @@ _CUBES = frozenset({*lexicon.BLOCK, "one", "ones"})
 
 
 def colored_cubes(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:
-    """ "A, B and C (are) red cubes", "D (is) a blue one": there are such."""
+    """ "A, B and C (are) red cubes", "D (is) a blue one": there are such; "the H and the O are blue cubes"."""
+    if isinstance(theme, Coord) and theme.op == "and" and all(map(_shows_a_letter, theme.items)):
+        for named, k in color(p, j):
+            if end := p.one(k, _CUBES):
+                look = Quality(traits=Traits(colors=(named,)), span=p.span(j, end))
+                told = Clause(verb="be", theme=theme, adjuncts=(look,), mode="goal", span=p.span(i, end))
+                yield replace(told, lemma="fact"), end
     if not isinstance(theme, Noun) or not theme.traits.labels or theme.traits.colors or theme.part_of is not None:
         return
     for named, k in color(p, p.opt(j, "a")):
         if end := p.one(k, _CUBES):
             those = replace(theme, traits=replace(theme.traits, colors=(named,)), cost=0)
             yield Clause(verb="exist", lemma="stock", theme=those, mode="given", span=p.span(i, end)), end
+
+
+def _shows_a_letter(thing: Meaning) -> bool:
+    return isinstance(thing, Noun) and thing.det == "the" and bool(thing.traits.labels) and not thing.traits.colors
 
 
 _WAYS = frozenset({"upside", "upright", "sideways", "facing", "turned", "rotated", "readable"})

@@ -10,8 +10,10 @@ from rpg.passes.schema.resolve.clauses.taken_off import taken_off
 from rpg.passes.schema.resolve.clauses.told_behind import told_behind
 from rpg.passes.schema.resolve.orders.into_an_order import into_an_order
 from rpg.passes.schema.resolve.places.middle_of_ring import middle_of_ring
+from rpg.passes.schema.resolve.places.no_gap import no_gap
 from rpg.passes.schema.resolve.places.patch_in_common import patch_in_common
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
+from rpg.passes.schema.resolve.structures.checkered_grid import checkered_grid
 from rpg.passes.schema.resolve.structures.either_shape import either_shape
 from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
 from rpg.passes.schema.resolve.structures.told_of_each import told_of_each
@@ -24,8 +26,11 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
-    listed = groups_listed(none_told(middle_of_ring(sorted_as_told(tally_filled(members_later(chains))))))
-    ways = (either_shape(one_in_each(told_of_each(chain, text))) for chain in listed)
-    told = (shared_sides(recounted(chain), text) for chain in ways)
+    for together in (members_later, tally_filled, sorted_as_told, middle_of_ring, no_gap, none_told, groups_listed):
+        chains = together(chains)
+    chains = tuple(told_of_each(chain, text) for chain in chains)
+    for each in (checkered_grid, one_in_each, either_shape):
+        chains = tuple(map(each, chains))
+    told = (shared_sides(recounted(chain), text) for chain in chains)
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)
     return told_behind(in_one_tense(tuple(whichever(chain, text) for chain in plain), text), text)

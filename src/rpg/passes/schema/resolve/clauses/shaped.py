@@ -32,6 +32,7 @@ from rpg.passes.schema.resolve.places.relations import related
 from rpg.passes.schema.resolve.structures.boards import by_corners, by_layers
 from rpg.passes.schema.resolve.structures.figures import check_built
 from rpg.passes.schema.resolve.structures.lined_towers import line_of, lined_up
+from rpg.passes.schema.resolve.structures.lines_apart import between_lines
 from rpg.passes.schema.resolve.structures.on_each_patch import on_each_patch
 from rpg.passes.schema.resolve.structures.structures import make
 from rpg.passes.schema.resolve.things.refer import refer
@@ -61,8 +62,9 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     of_each = [replace(z, what="size") for z in spec.sizes if z.what == "columns"] if len(shapes) > 1 else []
     lines = [x for x in shapes if isinstance(x, Structure) and x.kind in ("row", "line", "column")]
     ways = [] if len(lines) < 2 or len(lines) < len(shapes) else [*spec.toward]
+    apart, spacings = between_lines(shapes, spec), [*spec.spacings]
     for shape in shapes:
-        spec.toward = [*ways] or spec.toward
+        spec.toward, spec.spacings = [*ways] or spec.toward, [*spacings]
         if of_each:
             spec.sizes = [*(z for z in spec.sizes if z.what not in ("columns", "size")), *of_each]
         if is_extra(shape) and len(shapes) > 1:
@@ -86,6 +88,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
         )
     used = list(goals)
+    spec.places += apart
     goals += _beside_the_other(parts, spec, scene, clause)
     if uses_orders(built):
         spec.orders = []

@@ -9,6 +9,7 @@ from rpg.language.meaning import Loc
 from rpg.passes.schema.resolve.goals.logic import conj, disj
 from rpg.passes.schema.resolve.places.patches import indefinite, one_lot_each
 from rpg.passes.schema.resolve.things.operands import foot
+from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 _OPPOSITE = {"across": (r.LeftOf, r.RightOf), "deep": (r.InFrontOf, r.Behind)}
@@ -23,7 +24,8 @@ def flanked(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
     several = len(mark.names) > 1 and not mark.built
     if mark.quant is not None or mark.op != "and" or several or set(names) & {*mark.names}:
         raise refuse("ambiguous", "it is not clear of what these are the sides", loc.span, "name one block")
-    told = "one" in loc.mods or len(theme.parts) == len(names)
+    named = len(names) == 2 and not alike([scene.things[name] for name in names])  # "C and D"
+    told = "one" in loc.mods or len(theme.parts) == len(names) or named
     if "each" in loc.mods and not told:
         raise refuse("ambiguous", "two opposite sides, or all four?", loc.span,
                      "say 'on its left and right', or 'on all four sides'")  # fmt: skip

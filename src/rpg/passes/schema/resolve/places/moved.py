@@ -32,7 +32,9 @@ def is_moved(clause: Clause, moves: list[Loc]) -> bool:
             hint = "say 'move ... somewhere else'"
             raise refuse("misplaced", "it is not clear where else this is", clause.span, hint)
         return True
-    return clause.verb == "place" and bool(moves)
+    away = [p for p in moves if p.low is not None and not (p.mods or p.negated)]  # "ends up 15 cm from where it was"
+    ends = clause.verb == "be" and clause.mode == "goal" and clause.lemma != "fact" and not clause.negated
+    return (clause.verb == "place" and bool(moves)) or (ends and bool(away))
 
 
 def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:

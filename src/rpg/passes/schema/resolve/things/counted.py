@@ -38,6 +38,10 @@ def counted_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
             alone = not any(isinstance(x, Noun) and _told_by_look(x) for c in found for x in parts_of(c))
             lots = {x: None for c in before for x in parts_of(c) if isinstance(x, Noun) and _open(x, alone)}
             shapes = any(isinstance(x, Structure) and x.plural for x in parts_of(before[-1]))
+            if not lots and not shapes and (there := _of_one_look(before, clause, many)) is not None:
+                kept_ = tuple(there if c is clause else c for c in found[n].clauses)
+                found[n] = replace(found[n], clauses=kept_)
+                continue
             if len({(x.traits, x.head) for x in lots}) != 1 or shapes:
                 raise refuse("ambiguous", "it is not clear of which blocks so many are there", clause.span,
                              "say for example 'the four red blocks'")  # fmt: skip
@@ -46,6 +50,16 @@ def counted_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
             found = [put(c, lot, _so_many(lot, many)) for c in found]
     kept = [n for n, chain in enumerate(found) if chain.clauses]
     return [links[n] for n in kept], tuple(found[n] for n in kept)
+
+
+def _of_one_look(before: list[Chain], clause: Meaning, many: Amount) -> Clause | None:
+    """ "One purple block in each corner. We have four of them": so many purple blocks, the only ones spoken of."""
+    told = [x for c in before for x in parts_of(c) if isinstance(x, Noun) and x.head in ("block", "any")]
+    one = told[0] if len(told) == 1 else None
+    if one is None or one.plural or one.det not in ("a", "bare") or one.amount != Amount(1, 1) or not one.traits.colors:
+        return None
+    theme = Noun(head="block", amount=many, plural=True, traits=one.traits, span=clause.span)
+    return Clause(verb="exist", theme=theme, mode="given", span=clause.span)
 
 
 def _counted_there(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:

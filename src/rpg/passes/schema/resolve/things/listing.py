@@ -156,8 +156,10 @@ def repeats(item: Noun, seen: list[Traits], members: bool = False) -> bool:
 
 
 def one_more(noun: Noun, scene: Scene) -> Noun:
-    """ "a second red block": another one, where one is there already."""
-    if noun.det != "a" or not (noun.traits.rank or "").isdigit():
+    """ "a second red block": another one, where one is there already; "the third red block" behind two of them."""
+    if noun.det not in ("a", "the") or noun.part_of is not None or not (noun.traits.rank or "").isdigit():
+        return noun
+    if noun.det == "the" and not _next_of_its_look(noun, scene):
         return noun
     marks = replace(noun.traits, rank=None)
     if noun.head == "any" and marks == Traits():
@@ -166,3 +168,12 @@ def one_more(noun: Noun, scene: Scene) -> Noun:
         told = f"only {there} of these were named before"
         raise refuse("count-mismatch", told, noun.span, "say 'another'", there=there)
     return replace(noun, det="another", amount=Amount(1, 1), traits=marks)
+
+
+def _next_of_its_look(noun: Noun, scene: Scene) -> bool:
+    """Whether one fewer of such blocks are there, and none of them in a structure in which they could be counted."""
+    marks = replace(noun.traits, rank=None)
+    there = matching(marks, scene, patch=False) if marks.colors and noun.head != "patch" else []
+    inside = {name for built in scene.built for name in built.members}
+    free = all(not thing.declared and thing.name not in inside for thing in there)
+    return len(there) == int(noun.traits.rank or 0) - 1 > 0 and free

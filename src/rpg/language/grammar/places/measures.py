@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.far_aside import to_a_side
+from rpg.language.grammar.places.their_ends import their_ends
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import block_widths, edge_lengths, length
 from rpg.language.grammar.things.nouns import noun_phrase
@@ -265,17 +266,6 @@ _GAPS_OF = (
     "with a distance of", "with spacing of", "with a space of", "leaving a space of", "with spaces of",
     "with a separation of", "leaving a distance of",
 )  # fmt: skip
-
-
-_THEIRS_ARE = {"faces": "faces", "sides": "faces", "centers": "centres", "middles": "centres"}
-_THEIRS = {f"{whose}{ends}": measure for whose in ("", "the ", "their ") for ends, measure in _THEIRS_ARE.items()}
-
-
-@choice
-def their_ends(p: Parser, i: int) -> Results[str]:
-    """ "their centers", "the faces of the blocks": between what a distance is measured, as the subject of a clause."""
-    for phrase, j in p.standing(i, _THEIRS):
-        yield _THEIRS[phrase], p.any_of(j, ("of the blocks", "of the two", "of the two blocks", "of the cubes")) or j
 
 
 _NEARER = ("closer than", "nearer than", "no closer than", "no nearer than", "not closer than", "farther than",

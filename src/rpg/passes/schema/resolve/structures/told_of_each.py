@@ -56,8 +56,9 @@ def _by_looks(said: Clause) -> Clause:
     bare = isinstance(theme, Noun) and theme.traits == Traits() and theme.det == "bare" and not theme.conditions
     if not lots or not bare or not isinstance(theme, Noun) or theme.amount is None or theme.part_of is not None:
         return said
-    many = sum(x.amount.low for x in lots if isinstance(x, Noun) and x.amount is not None)
-    if not isinstance(shape, Structure) or into is None:
+    counts = [x.amount.low for x in lots if isinstance(x, Noun) and x.amount is not None]
+    many = sum(counts)
+    if not isinstance(shape, Structure) or into is None or len(counts) < len(lots):
         return said
     if theme.amount != Amount(many, many):
         raise refuse("count-mismatch", f"{many} are told of here", theme.span, "count as many as are told of")

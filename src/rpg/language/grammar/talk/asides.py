@@ -52,8 +52,7 @@ SOFT = "(soft)"
 _HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh"})
 _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
              "nice and neat", "nice and tidy", "good", "proper", "dead", "smack", "bang", "slap bang",
-             "smack bang", "plumb", "right smack",
-             "entirely", "wholly", "completely", "fully")  # fmt: skip
+             "smack bang", "plumb", "right smack")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""
 _ANYPLACE = ("anywhere", "anywhere you like", "anywhere you want", "wherever", "wherever you like", "wherever you want",
              "no matter where", "it does not matter where", "does not matter where")  # fmt: skip
@@ -269,6 +268,8 @@ def _all_over(words: list[str], at: int, end: int) -> bool:
 
 
 _DOWNWARDS = frozenset({"downwards", "upwards", "downward", "upward"})
+_ALTOGETHER = ("entirely", "wholly", "completely", "fully", "purely")
+"""What carries nothing in front of a colour."""
 _BUILT = ("finished", "completed", "resulting", "finalized", "low")
 """What carries nothing in front of what is built."""
 _AT_ONCE = ("at the same time", "simultaneously")
@@ -354,6 +355,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_ALL_OVER, _all_over),
     (_AT_ONCE, lambda words, first, last: _DENYING.isdisjoint(words) and words[last : last + 1] != ["as"]),
     (_DO_THIS, lambda words, first, last: last < len(words) and words[last] in _COMMANDS),
+    (_ALTOGETHER, lambda words, first, last: last < len(words) and words[last] in lexicon.COLOR),
     (_BUILT, lambda words, first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
     (("only", "single", "sole"), _the_only),
     (_FILLERS, _filling),

@@ -36,3 +36,23 @@ def same_ones(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if words[at - 1 : at + 1] == ["the", "same"] and counted:
             return [*tokens[:at], *tokens[at + 1 :]]
     return None
+
+
+def one_of_each(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "One block of each color on the mat: red, blue and yellow": a red, a blue and a yellow block on the mat."""
+    for at in range(len(words) - 6):
+        if words[at] not in ("one", "a") or words[at + 1] not in lexicon.BLOCK:
+            continue
+        end = next((n for n in range(at + 2, len(words)) if words[n] in _STOPS), len(words))
+        colon = next((n for n in range(at + 2, end) if words[n] == ":"), 0)
+        listed = tokens[colon + 1 : end] if colon else []
+        hues = [token for token in listed if token.word in lexicon.COLOR]
+        each = words[at + 2 : at + 5] in (["of", "each", "color"], ["of", "every", "color"])
+        if not each or len(hues) < 2 or any(t.word not in ("and", ",") and t not in hues for t in listed):
+            continue
+        out = tokens[:at]
+        for n, hue in enumerate(hues):
+            out += [hue.saying("and" if n == len(hues) - 1 else ",")] if n else []
+            out += [hue.saying("a"), hue, *([tokens[at + 1]] if n == len(hues) - 1 else [])]
+        return [*out, *tokens[at + 5 : colon], *tokens[end:]]
+    return None

@@ -32,8 +32,9 @@ def meant(tokens: list[Token], at: int) -> list[Token]:
     stands = at > 0 and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING
     if token.word == "its" and (stands or after in _NAMED):
         return [replace(token, word=word) for word in ("it", "is")]
-    if [token.word, after] == ["nice", "and"] or (token.word == "and" and at and tokens[at - 1].word == "nice"):
-        return []  # "nice and close"
+    nice = [t.word for t in tokens[max(0, at - (token.word == "and")) :][:3]]
+    if token.word in ("nice", "and") and nice in (["nice", "and", "close"], ["nice", "and", "tight"]):
+        return []
     if token.word == "close" and at and tokens[at - 1].word in (",", "and") and after == "so":
         return []  # "next to it, close so that they touch"
     if token.word in _POSED and at and tokens[at - 1].word in ("is", "are", "was", "were", "'s"):

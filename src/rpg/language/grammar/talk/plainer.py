@@ -12,7 +12,7 @@ from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.colored_groups import GROUPS, colored_groups
 from rpg.language.grammar.talk.cube_of_small_ones import SMALL, cube_of_small_ones, four_below
 from rpg.language.grammar.talk.dealt_out import dealt_out
-from rpg.language.grammar.talk.each_and_same import each_once, each_one, same_ones
+from rpg.language.grammar.talk.each_and_same import each_once, each_one, one_of_each, same_ones
 from rpg.language.grammar.talk.each_of_its_color import (
     ORGANIZED,
     each_on_its_own,
@@ -50,6 +50,7 @@ from rpg.language.grammar.talk.short_turns import (
     LETTING,
     anywhere_but,
     between_them,
+    center_of_patch,
     not_stacked,
     number_made,
     turned_in_place,
@@ -356,6 +357,8 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (each_once, frozenset({"once"})),
     (each_one, frozenset({"different"})),
     (same_ones, frozenset({"same"})),
+    (one_of_each, frozenset({"each", "every"})),
+    (center_of_patch, frozenset({"'s"})),
     (said_loosely, LOOSE),
 )
 """The changes, in their order, and words without one of which there is nothing for each to change."""

@@ -190,6 +190,22 @@ def _taken(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return [*there, *tokens[at:end], tokens[end].saying(":"), *rest]
 
 
+def _one_look(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "A tower four blocks high, white only": all white."""
+    for at in range(2, len(words) - 1):
+        ends = at + 2 == len(words) or words[at + 2] in _STOPS
+        if words[at - 1] == "," and words[at] in lexicon.COLOR and words[at + 1] == "only" and ends:
+            return [*tokens[:at], tokens[at].saying("all"), tokens[at], *tokens[at + 2 :]]
+    return None
+
+
+def _everything(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Everything should be in one tower: A, then B": all blocks, where none were told before."""
+    if words[:1] == ["everything"] and words[1:2] and words[1] in _MUST:
+        return [tokens[0].saying("all"), tokens[0].saying("blocks"), *tokens[1:]]
+    return None
+
+
 def _of_one_there(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "A tower consisting of a cyan block at the bottom and two pink ones above it": with one there."""
     for at in (n + 1 for n, word in enumerate(words[:-4]) if word in _SINGLE):
@@ -229,6 +245,8 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_also_called, frozenset({"that"})),
     (_wanted, frozenset({"like"})),
     (_taken, frozenset({"take"})),
+    (_one_look, frozenset({"only"})),
+    (_everything, frozenset({"everything"})),
     (_of_one_there, frozenset({"of", "from"})),
 )
 """The changes, and words without one of which there is nothing for each to change."""

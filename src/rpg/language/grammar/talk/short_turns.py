@@ -94,3 +94,15 @@ def turned_in_place(tokens: list[Token], words: list[str]) -> list[Token] | None
             if done in _TURNS and not named and words.count("spot") == 1:
                 return [*tokens[:at], tokens[at].saying("in"), tokens[at + 2].saying("place"), *tokens[at + 3 :]]
     return None
+
+
+def center_of_patch(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "The yellow patch's center": the center of the yellow patch."""
+    for at in (n for n in range(2, len(words) - 1) if words[n] == "'s" and words[n + 1] in ("center", "middle")):
+        begin = at - 1
+        while begin > 0 and words[begin - 1] in lexicon.COLOR:
+            begin -= 1
+        if words[at - 1] in lexicon.PATCH and begin and words[begin - 1] == "the":
+            center = [tokens[begin - 1], tokens[at + 1], tokens[at].saying("of"), tokens[begin - 1].saying("the")]
+            return [*tokens[: begin - 1], *center, *tokens[begin:at], *tokens[at + 2 :]]
+    return None

@@ -40,7 +40,8 @@ def structures_listed(tokens: list[Token], words: list[str]) -> list[Token] | No
         numbers = [entry.number or shared for entry in entries]
         closed = entries and (entries[-1].end == len(words) or words[entries[-1].end] in (*_MARKS, ".", ";", "!"))
         alone = shared is not None and entries and entries[-1].end >= len(words) - 1
-        if len(entries) != tokens[at - 1].many or None in numbers or not closed or alone:
+        behind = words[entries[-1].end + 1 : entries[-1].end + 2] if entries else []
+        if len(entries) != tokens[at - 1].many or None in numbers or not closed or alone or behind == ["with"]:
             continue
         out = tokens[: at - 1]
         for n, (entry, number) in enumerate(zip(entries, numbers, strict=True)):

@@ -34,7 +34,7 @@ def got_done(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Get that mat cleared": clear that mat."""
     for begin in (n for n in range(len(words) - 3) if n == 0 or words[n - 1] in (*_STOPS, "please", "and", ",")):
         end = next((n for n in range(begin, len(words)) if words[n] in _STOPS), len(words))
-        done = [base for _, base, form in lexicon.VERB.get(words[end - 1], ()) if form == "past"]
+        done = [base for _, base, form in lexicon.VERB.get(words[end - 1], ()) if form == "past" and base != "leave"]
         what = words[begin + 1 : end - 1]
         if words[begin] in ("get", "have") and done and what and what[0] in _WHAT and len(what) <= _SHORT:
             return [*tokens[:begin], tokens[begin].saying(done[0]), *tokens[begin + 1 : end - 1], *tokens[end:]]

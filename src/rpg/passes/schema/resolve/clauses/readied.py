@@ -9,6 +9,8 @@ from rpg.passes.schema.resolve.clauses.sorted_as_told import sorted_as_told
 from rpg.passes.schema.resolve.clauses.taken_off import taken_off
 from rpg.passes.schema.resolve.clauses.told_behind import told_behind
 from rpg.passes.schema.resolve.orders.into_an_order import into_an_order
+from rpg.passes.schema.resolve.orders.left_of_two import left_of_two
+from rpg.passes.schema.resolve.places.both_of_a_stack import both_of_a_stack
 from rpg.passes.schema.resolve.places.middle_of_ring import middle_of_ring
 from rpg.passes.schema.resolve.places.no_gap import no_gap
 from rpg.passes.schema.resolve.places.patch_in_common import patch_in_common
@@ -26,7 +28,10 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
-    for together in (members_later, tally_filled, sorted_as_told, middle_of_ring, no_gap, none_told, groups_listed):
+    for together in (
+        members_later, tally_filled, sorted_as_told, middle_of_ring, no_gap, both_of_a_stack, left_of_two, none_told,
+        groups_listed,
+    ):  # fmt: skip
         chains = together(chains)
     chains = tuple(told_of_each(chain, text) for chain in chains)
     for each in (checkered_grid, one_in_each, either_shape):

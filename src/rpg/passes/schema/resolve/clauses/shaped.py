@@ -51,12 +51,8 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     elif clause.lemma == "line" and isinstance(clause.theme, Coord) and not spec.toward:
         raise refuse("misplaced", "it is not clear what is lined up", clause.span, "say '... from left to right'")
     clause = _where_all_of_it_is(on_each_patch(clause, spec.places, scene), spec, scope)
-    shapes: list[Meaning]
-    if clause.theme is None:
-        shapes = [spec.intos.pop(0).structure]
-    else:
-        shapes = list(clause.theme.items) if isinstance(clause.theme, Coord) else [clause.theme]
-    shapes = _out_of_one_stock(shapes, spec)
+    named = spec.intos.pop(0).structure if clause.theme is None else clause.theme
+    shapes = _out_of_one_stock(list(named.items) if isinstance(named, Coord) else [named], spec)
     parts: list[Ref] = []
     goals = []
     of_each = [replace(z, what="size") for z in spec.sizes if z.what == "columns"] if len(shapes) > 1 else []

@@ -167,10 +167,7 @@ def piled_on(names: tuple[str, ...], base: Operand, scene: Scene, span: Span) ->
 
 
 def _several_on_one(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
-    """ "Blue on red, and both on top of green": the lower one of them is on it, where it was told which that is."""
-    lowest = [name for name in theme.names if scene.on_top.get(name) not in theme.names]
-    if len(lowest) == 1 and not scene.denying:
-        return _on(lowest[0], mark.names, scene, span)
+    """ "stack the green and the yellow block on the red one": a tower on it in the order named, if it says so."""
     raise refuse(
         "ambiguous", "several blocks on one: a tower of them in the order named, or all side by side on it?", span,
         "say which block goes on which",

@@ -23,6 +23,7 @@ from rpg.language.nicknames import without_nicknames
 from rpg.language.open_colors import with_colors
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
+from rpg.language.spliced import in_sentences
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
@@ -88,6 +89,12 @@ class BuiltinFrontEnd:
             rest, remarks = plain
             with suppress(Refusal):
                 task, notes = self._read_tokens((rest, told[1]), text, name, seed, author, mended, remarks)
+                if task is not None:
+                    return task, notes
+        chosen = isinstance(refusal, Repairable | TwoReadings)
+        if found[0] is None and not chosen and (parted := in_sentences(told[0])) is not None:
+            with suppress(Refusal):
+                task, notes = self._read_tokens((parted, told[1]), text, name, seed, author, mended)
                 if task is not None:
                     return task, notes
         if refusal is not None:

@@ -35,6 +35,7 @@ _UNFOUND = (
     "these places contradict each other",
     "one block cannot lie on several blocks",
     "a block is named twice in this list",
+    "a row has no room on one block",
 )
 """Refusals that come of words joined that do not belong together, so that a pronoun or a place finds nothing to be
 of: a reading that joins them otherwise may be meant."""

@@ -12,7 +12,7 @@ from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.denials import denies_places, nor_does, nor_there, of_none
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
-from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_the_order, linked, other_side
+from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_the_order, linked, told_again, told_of_it
 from rpg.language.grammar.clauses.moves import of_the_same
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
 from rpg.language.grammar.clauses.same_letters import same_letters
@@ -141,7 +141,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 continue
             if denies and isinstance(item, Clause) and item.mode == "command" and not item.negated:
                 continue
-            if previous is not None and (more := _told_again(previous, item)) is not None:
+            if previous is not None and (more := told_again(previous, item)) is not None:
                 yield Chain(clauses=(*had[:-1], more), links=links, span=p.span(i, k)), k
                 continue
             if bare and isinstance(item, Clause) and item.cost and _adds(p, j, previous, item):
@@ -185,7 +185,7 @@ def _meant_again(
     neither = link == "or" and (previous.negated or of_none(previous.theme))
     link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
     apart = p.words[j - 1] == "," and (apposed(previous, item) or (len(had) == 1 and all_in_one(item)))
-    if apart or other_side(p, j, k, previous, item) or _told_again(previous, item) is not None:
+    if apart or told_of_it(p, j, k, previous, item) or told_again(previous, item) is not None:
         return None
     return item if p.stands(p.opt(at, ","), ("but",)) else _contrasted(previous, item, link), link
 
@@ -276,7 +276,7 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
         return True
     shape = item.theme if isinstance(item, Clause) else None
     part = listed and isinstance(shape, Structure) and shape.det == "bare"  # "a staircase of red, blue and green steps"
-    if part or other_side(p, j, k, previous, item) or nor_does(p, j, k, previous, item):
+    if part or told_of_it(p, j, k, previous, item) or nor_does(p, j, k, previous, item):
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
@@ -382,16 +382,6 @@ def _shared(had: tuple[Meaning, ...], item: Meaning, link: str) -> tuple[Meaning
         return had  # "UP in red letters and DOWN in blue letters"
     own = tuple(a for a in item.adjuncts if not isinstance(a, Using) or not isinstance(a.members, Pronoun))
     return (*had[:-1], replace(last, adjuncts=tuple(dict.fromkeys((*last.adjuncts, *own)))))
-
-
-def _told_again(before: Clause, item: Meaning) -> Clause | None:
-    """ "1 + 8 = 9 made with cubes, equation in a row": a bare noun for what was built carries on about it."""
-    theme, built = (item.theme if isinstance(item, Clause) else None), before.theme
-    if not (isinstance(theme, Structure) and isinstance(built, Structure) and isinstance(item, Clause)):
-        return None
-    plain = Structure(kind=built.kind, det="bare", span=theme.span)
-    same = replace(theme, cost=0) == plain and before.verb == item.verb
-    return replace(before, adjuncts=(*before.adjuncts, *item.adjuncts)) if same else None
 
 
 def _mere_time(item: Meaning) -> bool:

@@ -5,7 +5,24 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.commands import AFTER_THAT, THEN, WHEN_OVER
-from rpg.language.meaning import Absolute, At, Clause, In, Into, Loc, Meaning, OrderBy, Pronoun, Size, parts_of
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Clause,
+    In,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Size,
+    Structure,
+    Toward,
+    Traits,
+    parts_of,
+    replace,
+)
 
 _EARLIER = (
     "but first", "but before that", "and before that", "but only after", "only after", "only once", "but only once",
@@ -93,7 +110,45 @@ def all_in_one(item: Meaning) -> bool:
     return all_ and all(isinstance(a, Into | Size) for a in getattr(item, "adjuncts", ()))
 
 
-def other_side(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bool:
+def told_of_it(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bool:
+    """Whether what looks like a clause is an end of the line before it, or leaves open what it is beside."""
+    return _sorts(p, j, previous, item) or _other_side(p, j, k, previous, item)
+
+
+def _sorts(p: Parser, j: int, previous: Clause, item: Meaning) -> bool:
+    """ "(In a row,) the largest on the left": without a verb that is how the row is ordered."""
+    end = _extreme_there(item)
+    if p.words[j - 1] != "," or end is None or not any(isinstance(a, Into) for a in previous.adjuncts):
+        return False
+    theme, place = end.theme, end.adjuncts[0]
+    bare = isinstance(theme, Noun) and theme.head == "any" and theme.traits.kind is None
+    return bare and place.span[0] - theme.span[1] <= 1
+
+
+def _sorted_from(before: Clause, item: Meaning) -> Absolute | None:
+    """What is at which end of the line that is sorted."""
+    end = _extreme_there(item)
+    ordered = any(isinstance(a, OrderBy) and a.by in _SORTED for a in before.adjuncts)
+    directed = any(isinstance(a, Toward | Absolute) for a in before.adjuncts)
+    return end if ordered and not directed else None
+
+
+def _extreme_there(item: Meaning) -> Absolute | None:
+    """ "The largest (is) on the left"."""
+    if not isinstance(item, Clause) or item.verb not in ("be", "arrange", "place") or item.negated:
+        return None
+    theme, place = item.theme, item.adjuncts[0] if len(item.adjuncts) == 1 else None
+    if not isinstance(theme, Noun) or not isinstance(place, At) or place.index is not None or place.side == "middle":
+        return None
+    look = theme.traits
+    extreme = look.rank in ("smallest", "largest") and look == Traits(rank=look.rank, kind=look.kind)
+    return Absolute(theme=theme, adjuncts=(place,), span=item.span) if extreme else None
+
+
+_SORTED = ("attribute", "number", "size", "in_order")
+
+
+def _other_side(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bool:
     """ "Red is left of blue and green right", "blue left, green right of red", "red left, blue behind": is what has no
     landmark beside that of the other, or is it a side of the table?"""
     one, two = (_bare_side(p, end, clause) for end, clause in ((j - 1, previous), (k, item)))
@@ -123,3 +178,16 @@ def last_of_the_order(p: Parser, j: int, previous: Clause, item: Meaning) -> boo
     ordered = any(isinstance(a, OrderBy) and a.items and a.span[1] == previous.span[1] for a in previous.adjuncts)
     told = getattr(item, "adjuncts", ()) if ordered and p.words[j - 1] == "," else ()
     return bool(told) and all(isinstance(a, Absolute) for a in told)
+
+
+def told_again(before: Clause, item: Meaning) -> Clause | None:
+    """ "1 + 8 = 9 made with cubes, equation in a row": a bare noun for what was built carries on about it; "(sorted by
+    value,) and the largest is on the left": so it is sorted from there on."""
+    if (end := _sorted_from(before, item)) is not None:
+        return replace(before, adjuncts=(*before.adjuncts, end))
+    theme, built = (item.theme if isinstance(item, Clause) else None), before.theme
+    if not (isinstance(theme, Structure) and isinstance(built, Structure) and isinstance(item, Clause)):
+        return None
+    plain = Structure(kind=built.kind, det="bare", span=theme.span)
+    same = replace(theme, cost=0) == plain and before.verb == item.verb
+    return replace(before, adjuncts=(*before.adjuncts, *item.adjuncts)) if same else None

@@ -5,8 +5,8 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.colors_told import colors_told
 from rpg.language.grammar.clauses.on_the_way import on_the_way
+from rpg.language.grammar.clauses.pointing import direction, points
 from rpg.language.grammar.clauses.shifts import shifted, straight
-from rpg.language.grammar.clauses.some_way import SOME_WAY, SOME_WAYS
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.framing import IN_PICTURE, WHEN_DONE
 from rpg.language.grammar.talk.slots import Patterns
@@ -14,29 +14,6 @@ from rpg.language.grammar.things.excepted import NO_MORE
 from rpg.language.grammar.things.standby import AS_EXTRAS, said_idle
 from rpg.language.grammar.things.strangers import strangers
 from rpg.language.meaning import Manner, Meaning
-
-_FACE_WORDS = {"up": "up", "upward": "up", "upwards": "up", "down": "down", "downward": "down", "downwards": "down",
-    "left": "left",
-               "right": "right", "front": "front", "forward": "back", "back": "back", "backward": "front",
-               "camera": "viewer", "viewer": "viewer", "me": "viewer",
-               "robot": "front", "us": "viewer"}  # fmt: skip
-
-
-_AWAY = ("away from me", "away from us", "away from the camera", "away from the viewer", "away from the robot")
-
-
-@rule
-def direction(p: Parser, i: int) -> Results[str]:
-    """ "up", "to the left", "towards the camera"."""
-    j = p.any_of(i, ("to the", "toward the", "towards the", "to", "towards", "toward", "the")) or i
-    if side := p.peek(j, _FACE_WORDS):
-        k = p.any_of(p.reach(j + 1), ("side of the table", "side", "edge of the table", "end of the table")) or j + 1
-        yield side, k if p.words[j] in ("left", "right") else j + 1
-    if j := p.any_of(i, _AWAY):
-        yield "back", j
-    if j := p.any_of(i, SOME_WAYS):
-        yield SOME_WAY, j
-
 
 _ANY_WAY = Patterns(
     ", or|in? any|either|whatever|whichever direction|orientation|rotation|way|way_round|way_around "
@@ -66,7 +43,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         for side, end in direction(p, k):
             if not any(degrees_of(p, end)):  # "turned to the left by 90 degrees"
                 yield Manner(kind="facing", value=side, span=p.span(i, end)), end
-    yield from _pointed(p, i, comma)
+    yield from points(p, i, comma)
     if j := p.any_of(i, _RISING):
         yield from _rising(p, i, j)
     if j := p.any_of(i, _LEFTWARD):
@@ -99,6 +76,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         if phrase == "still" and j < p.end and not p.stands(j, _CLAUSE_ENDS):
             continue
         if phrase == "there" and p.follows(i, ("not",)):
+            continue
+        if kind == "time" and p.stands(j, ("from",)):  # "third from the left"
             continue
         if phrase == ", letters on top" and not _TOWERS.isdisjoint(p.words):
             continue
@@ -142,19 +121,6 @@ _FACING = (
     "facing", "faces", "face", "to face", "pointing", "points", "pointed", "showing", "turned", "so that it faces",
     "visible from",
 )  # fmt: skip
-_POINTERS = {
-    **{word: word.rpartition(" ")[2] for word in (
-        "corner", "foot", "opening", "open side", "open end", "mouth", "tip", "apex", "point", "top", "stem", "base",
-        "tail", "ends", "leg")},
-    **dict.fromkeys(("bar", "crossbar", "cross bar", "top bar", "crosspiece", "horizontal bar"), "bar"),
-}  # fmt: skip
-_LONG = tuple(f"{long} {arm}" for long in ("long", "longer") for arm in ("side", "arm", "leg", "bar"))
-_POINTING = (
-    "pointing", "facing", "points", "faces", "to", "towards", "toward", "on", "at", "directed", "going", "is",
-    "extending", "coming", "being", "is at", "is on", "is pointing", "is facing", "points to", "goes to",
-    "comes towards", "sticking out", *(f"{must} {point}" for must in ("should", "must", "shall", "has to", "is to")
-      for point in ("point", "face", "be", "go", "be at", "be on", "point to", "lie at", "open")),
-)  # fmt: skip
 _RISING = (
     *(
         f"{rise} {to}"
@@ -171,50 +137,6 @@ _CLOCKWISE, _COUNTER = (
        for way in ways), side)
     for ways, side in ((("clockwise",), "to the right"), ((*_AGAINST,), "to the left"))
 )  # fmt: skip
-
-
-def _pointed(p: Parser, i: int, comma: int) -> Results[Manner]:
-    """ "with its foot to the right", "tip pointing left"."""
-    j = p.any_of(comma, ("with its", "with the", "its", "with", "the", "whose", "with a"))
-    j = j or (comma if comma > i else 0)
-    if opened := p.any_of(comma, ("open to", "open towards", "open toward", "open on",
-                                  "with the opening at", "with its opening at", "with the open side at",
-                                  "opening to", "opening towards", "open at",
-                                  "that opens to", "which opens to", "opens to", "opened to")):  # fmt: skip
-        for side, e in whither(p, opened):
-            yield Manner(kind="pointing:opening", value=side, span=p.span(i, e)), e
-    for phrase, end in p.standing(j, _POINTERS) if j else ():
-        for side, e in whither(p, p.any_of(end, _POINTING) or end):
-            yield Manner(kind="pointing:" + _POINTERS[phrase], value=side, span=p.span(i, e)), e
-    away = p.any_of(j, _LONG) if j else 0
-    if e := p.any_of(p.any_of(away, _POINTING) or away, _AWAY) if away else 0:
-        yield Manner(kind="pointing:long", value="back", span=p.span(i, e)), e
-
-
-ENDS = frozenset({"foot", "opening", "mouth", "tip", "apex", "stem", "tail", "leg", "bar", "long"})
-"""What figures have, and blocks do not."""
-
-
-@choice
-def pointed(p: Parser, i: int) -> Results[Manner]:
-    """In a sentence of its own: "Its foot should point to the right." """
-    if p.stands(i, ("the", "its")):
-        yield from ((how, j) for how, j in _pointed(p, i, i) if how.kind.partition(":")[2] in ENDS)
-
-
-def whither(p: Parser, i: int) -> Results[str]:
-    """Where a part of a figure points, or where it lies: "to the left", "(at) the far side"."""
-    yield from direction(p, p.opt(i, "the"))
-    for phrase, j in p.standing(p.opt(i, "the"), _LIES_AT):
-        yield _LIES_AT[phrase], j
-
-
-_LIES_AT = {
-    "far side": "back", "far end": "back", "top": "back", "top side": "back", "near side": "front", "near end": "front",
-    "bottom": "front", "bottom side": "front", "back side": "back", "front side": "front", "side facing me": "front",
-    "far": "back", "near": "front", "far away": "back", "farthest from me": "back", "nearest to me": "front",
-    "closest to me": "front", "near me": "front", "rear": "back",
-}  # fmt: skip
 
 
 def _spun(p: Parser, i: int, j: int, degrees: float) -> Results[Meaning]:

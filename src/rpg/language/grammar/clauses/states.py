@@ -12,8 +12,9 @@ from rpg.language.grammar.clauses.denials import BARRED, denied_of_all, leave, n
 from rpg.language.grammar.clauses.just_moved import just_moved
 from rpg.language.grammar.clauses.keeping_away import keeps_away
 from rpg.language.grammar.clauses.made import MADE, drawn, made, under
-from rpg.language.grammar.clauses.manners import direction, manner
+from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.clauses.nowhere import nowhere
+from rpg.language.grammar.clauses.pointing import direction
 from rpg.language.grammar.clauses.put_back import lifted_off
 from rpg.language.grammar.clauses.reads import reads
 from rpg.language.grammar.clauses.sole import sole
@@ -186,14 +187,10 @@ _FILLERS = frozenset({
     "to", "also", "only", "all", "always", "both", "each", "ever", "end", "ends", "ended", "winds", "gets", "get", "up",
     "then", "still", "just", "simply", "finishes", "itself", "themselves",
 })  # fmt: skip
-
-
 _ADVERBS = frozenset({
     "all", "both", "each", "also", "still", "now", "currently", "already", "initially", "being", "originally",
     "be", "always", "then", "only", "going",
 })  # fmt: skip
-
-
 _UNREAL = frozenset({"if", "wish"})
 """After these "was" is no past: "it would be nice if the red block was ..."."""
 

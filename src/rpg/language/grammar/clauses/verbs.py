@@ -10,8 +10,9 @@ from rpg.language.grammar.clauses.covered import named_last
 from rpg.language.grammar.clauses.for_whom import behind_us
 from rpg.language.grammar.clauses.kept_stacked import kept_stacked
 from rpg.language.grammar.clauses.links import RATHER
-from rpg.language.grammar.clauses.manners import degrees_of, direction
+from rpg.language.grammar.clauses.manners import degrees_of
 from rpg.language.grammar.clauses.particles import WHITHER, across, added
+from rpg.language.grammar.clauses.pointing import direction
 from rpg.language.grammar.clauses.put_back import picked_out, put_back
 from rpg.language.grammar.clauses.remade import of_what_is_there, put_down, read_otherwise, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated

@@ -265,10 +265,10 @@ def _there_too(p: Parser, i: int, last: Meaning) -> Results[Absolute]:
 
 
 def _besides_these(p: Parser, i: int, had: tuple[Meaning, ...]) -> Results[Absolute]:
-    """ "(a tower of three with red in the middle) and two white blocks": these are all others of the whole."""
+    """ "(a tower of three with red at the bottom) and (over it) two white blocks": all others of the whole."""
     if not all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At) for x in had):
         return
-    for theme, k in simple(p, i):
+    for theme, k in simple(p, _past_it(p, i, had)):
         if not isinstance(theme, Noun) or theme.det != "bare" or theme.head == "patch" or theme.part_of or theme.cost:
             continue
         look, many = theme.traits, theme.amount

@@ -7,8 +7,9 @@ from typing import Any, cast
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import absolute
-from rpg.language.grammar.places.measures import AMONG, MEASURED_BETWEEN, NEXT, bounds, measured_so, room, their_ends
+from rpg.language.grammar.places.measures import AMONG, MEASURED_BETWEEN, NEXT, bounds, measured_so, room
 from rpg.language.grammar.places.sides import at
+from rpg.language.grammar.places.their_ends import their_ends
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.nouns import noun_phrase, simple

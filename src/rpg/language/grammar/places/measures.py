@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.far_aside import to_a_side
+from rpg.language.grammar.places.their_ends import their_ends
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import block_widths, edge_lengths, length
 from rpg.language.grammar.things.nouns import noun_phrase
@@ -267,29 +268,21 @@ _GAPS_OF = (
 )  # fmt: skip
 
 
-_THEIRS_ARE = {"faces": "faces", "sides": "faces", "centers": "centres", "middles": "centres"}
-_THEIRS = {f"{whose}{ends}": measure for whose in ("", "the ", "their ") for ends, measure in _THEIRS_ARE.items()}
-
-
-@choice
-def their_ends(p: Parser, i: int) -> Results[str]:
-    """ "their centers", "the faces of the blocks": between what a distance is measured, as the subject of a clause."""
-    for phrase, j in p.standing(i, _THEIRS):
-        yield _THEIRS[phrase], p.any_of(j, ("of the blocks", "of the two", "of the two blocks", "of the cubes")) or j
-
-
 _NEARER = ("closer than", "nearer than", "no closer than", "no nearer than", "not closer than", "farther than",
            "further than", "no farther than", "no further than", "not farther than", "not further than")  # fmt: skip
 """What blocks are to each other where nothing else is named."""
 
 
+_SPACED_AT = ("at", "by", "at intervals of", "at a distance of", "every", "with intervals of")
+_SPACED = ("spaced", *(f"spaced {at}" for at in _SPACED_AT))
 _APART = ("apart", "apart from each other", "away from each other", "from each other", "apart from one another")
 
 
 @choice
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
-    start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed", "pairwise")) or i
+    spaced = p.any_of(i, _SPACED) or (p.any_of(i, _SPACED_AT) if p.follows(i, ("spaced",)) else 0)
+    start = spaced or p.any_of(i, ("at a distance of", "separated by", "with", "placed", "pairwise")) or i
     start = _as_far(p, i) if start == i else start
     for measure, k in their_ends(p, p.opt(i, "with", ",")):
         for (low, high), j in bounds(p, p.opt(k, "being")):
@@ -299,10 +292,10 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
         end, measure = p.any_of(j, _BETWEEN_CENTERS), "centres"
         if not end:
             end, measure = p.any_of(j, _BETWEEN_FACES), "faces"
+        if not end and spaced:
+            end, measure = j, "centres"
         if not end and p.words[start - 1 : start] == ["by"]:
             end, measure = j, "faces"
-        if not end and start > i and p.words[start - 1] == "spaced":
-            end, measure = j, "centres"
         if not end and (j >= p.end or p.words[j] in (",", "and")) and (p.words[i] == "at" or p.any_of(i, _NEARER)):
             end, measure = (j if start > i or p.words[i] != "at" else 0), "centres"
         if end:

@@ -123,6 +123,10 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
             yield Toward(first="bottom", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
         if p.words[k : k + 1] in (["down"], ["downwards"], ["downward"]) and first == "top" and j > i:
             yield Toward(first="top", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
+    for along in _READ_ALONG.matches(p, i):
+        for way, k in toward(p, along) if p.stands(along, _FROM) else ():
+            if isinstance(way, Toward) and way.first is not None and not _ONWARD.isdisjoint(p.words[along:k]):
+                yield replace(way, span=p.span(i, k)), k
     lead = p.one(i, _READ_OFF)
     lead = p.opt(lead, "at", "off") if lead else 0
     named = p.any_of(lead, _THE_LINE) if lead else 0
@@ -146,6 +150,14 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
         yield Toward(axis=_ALONG[phrase], span=p.span(i, k)), k
 
 
+_READ_ALONG = Patterns(
+    ",? that|which is|can_be|may_be|should_be|must_be|is_to_be|has_to_be? read|reads|written",
+    ",? so|so_that|such_that|when|if|and|where|that|which you|i|one|we|they|people can|may|should|must? read|reads "
+    "it|them?",
+    ",? so|so_that|such_that|when|if|and it|they|the_word is|can_be|are|is_to_be|has_to_be? read|reads",
+    "to be read",
+)
+"""What tells from which end a line is read."""
 _FLAT = (("row", "row"), ("line", "row"), ("column", "row"))
 _WHOLES = (
     *_FLAT, ("stack", "stack"), ("tower", "stack"), ("pile", "stack"), ("pyramid", "pyramid"),

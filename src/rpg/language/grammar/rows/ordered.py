@@ -199,7 +199,6 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
      "put {1} in a row , {2}"),
     (f"^in an? row of ({_SYMBOLS})(?: ,| :) ((?:{_ITEM}{_IS} {_PLACE}{_JOIN} ?)+)$", "put {1} in a row , {2}"),
     (f"^((?:{_ITEM}{_IS} {_PLACE}{_JOIN} ?)+) in an? row of ({_SYMBOLS})$", "put {2} in a row , {1}"),
-    (f"^(.* in a row , .*?)({_ITEM}) (?:{_BE} )?(?:first|the first)(?: one)?(?=$| ,| and)", "{1} {2} at the left end"),
     (f"^(.* in a row , .*?)({_ITEM}) {_BE} (?={_PLACE}(?:$| ,| and))", "{1} {2} "),
     (f"^the (?:middle one|middle block|middle cube|one in the middle|middle) (?:of|in) an? row of ({_SYMBOLS}) "
      f"(?:{MUST} be|is) ({_ITEM})$", "put {1} in a row , {2} in the middle"),

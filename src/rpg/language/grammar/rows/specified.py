@@ -49,7 +49,7 @@ SPECIFIED_AT_ONCE: tuple[Turn, ...] = (
      "{1} {3} {2}"),
     ("\\b(be (?:formed|made|built|laid)) (?:of|from|out of) (.+ in the center and .+ around it)$", "{1} with {2}"),
     ("\\ban? (row|line|column) (?:that|which) (?:decreases|descends|falls)\\b", "a descending {1}"),
-    ("\\ban? (row|line|column) (?:that|which) (?:increases|ascends)\\b", "an ascending {1}"),
+    ("\\ban? (row|line|column) (?:that|which) (?:increases|ascends)\\b(?= from )", "an ascending {1}"),
     (f"^({_MANY} [^,]+?) ({MUST}) be (?:divided|distributed|split|placed|arranged) so that (?:exactly )?(one|{_MANY}) "
      f"(?:is|are|lie) (on .+?) and (?:exactly )?(one|{_MANY}) (?:is|are|lie)? ?(on .+)$",
      "{3} of {1} {2} be {4} and the other {5} {6}"),

@@ -9,7 +9,7 @@ from rpg.language.grammar.rows.vocabulary import MUST
 _CUBES = "(?:letter (?:cubes|blocks|tiles)|letters|the (?:letter )?(?:cubes|blocks|letters)|(?:the )?cubes|blocks)"
 _LETTERS = "((?:the )?(?:letters |letter cubes )(?:\\w (?:,|and|, and) )+\\w)"
 _FROM = "(?:with|from|using|out of)"
-_WORD = "(?:the (?:word|name) )?([a-z0-9]{2,})"
+_WORD = "(?:the (?:word|name) )?((?!from\\b)[a-z0-9]{2,})"
 _SPELL = "(?:spell|write|make|form|spell out|write out|lay out|read|say)"
 _SPELLED = "(?:spelled(?: out)?|written(?: out)?|spelt|formed|displayed|laid out|shown|read|readable)"
 _SPELLS = "(?:spells?|reads?|says?|forms?|makes?(?: up)?|gives?|shows?)"
@@ -45,7 +45,7 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:stack|pile)(?: up)? letter (?:blocks|cubes) (?:so|such) that {_WORD} (?:can be read|is readable|reads) "
      f"{_DOWN}$", "a tower that reads {1} from top to bottom"),
     (f"^{_WORD} {MUST} be {_SPELLED} (?:{_DOWN} )?by an? {_STACK}(?: of letter (?:cubes|blocks)| of letters)?(?: "
-     f",)?(?: (?:which is to be )?read)?(?: {_DOWN})?$", "a tower that reads {1} from top to bottom"),
+     f",)?(?: (?:which is to be )?read(?:ing)?)?(?: {_DOWN})?$", "a tower that reads {1} from top to bottom"),
     (f"^(?:build|make) an? {_STACK} of {_LETTERS} (?:in which|where) (?:you|one|i) (?:can )?read {_WORD} {_DOWN}$",
      "stack {1} so that they read {2} from top to bottom"),
     # words in a row

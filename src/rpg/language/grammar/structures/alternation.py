@@ -21,7 +21,9 @@ else:
 _TURNS = Patterns(
     "so|so_that|such_that|where|in_which|while|and? the|their|its? color|colors|blocks|cubes "
     "should|must|will|do|does? alternate|alternates|take_turns",
-    "whose|with the|their? color|colors|blocks should|must|will|do|does? alternate|alternates|alternating|taking_turns",
+    "whose|with the|their? color|colors|blocks should|must|will|do|does? alternate|alternates|alternating|taking_turns|"
+    "taking_their_turns|changing_every_time|changing_each_time "
+    "all_the_way|all_the_way_up|all_the_way_to_the_top|all_the_way_along|throughout|each_time|every_time?",
     "so_that|so|that|which|such_that they|it? should|must|will? alternate|alternates in_color|colors?",
     "taking|take|in turns|turn",
     "by|in turns",
@@ -46,7 +48,10 @@ _APART = Patterns(
 )
 """Nowhere along the line do two neighbours agree in colour."""
 _SAME_BACK = (
-    "the_same from|in|seen_from|read_from|when_read_from both|either ends|end|sides|side|directions|direction|ways"
+    "the_same from|in|seen_from|read_from|when_read_from|when_it_is_read_from|when_seen_from|when_read_in "
+    "both|either|the_left_and_the_right|the_left_and_from_the_right|left_and_right|the_left_as_from_the_right|"
+    "left_to_right_and_from_right_to_left|left_to_right_and_right_to_left|left_to_right_as_from_right_to_left "
+    "ends|end|sides|side|directions|direction|ways?"
 )
 _MIRRORED = Patterns(
     f"which|that|so_that_it|so_it|such_that_it? should|must|can_be|to? read|reads|reading|look|looks|is|be "
@@ -59,7 +64,11 @@ _ALONE = Patterns(
     "the|their|its? color|colors|blocks|cubes should|must|will|do|have_to? alternate|take_turns",
     "they|it should|must|will|do|does? alternate|take_turns in_color|colors?",
 )
-_IT_READS = Patterns(f"it|the_row|the_line|the_tower|this should|must|has_to? read|reads|look|looks|be|is {_SAME_BACK}")
+_IT_READS = Patterns(
+    "the|their|its colors|order|pattern is|are|must_be|should_be|shall_be|has_to_be|have_to_be "
+    "mirrored|symmetric|symmetrical|mirror_symmetric|mirror_symmetrical|palindromic|a_palindrome",
+    f"it|the_row|the_line|the_tower|this should|must|has_to? read|reads|look|looks|be|is {_SAME_BACK}",
+)
 _LINES = frozenset({*lexicon.STRUCTURE, "stack", "pile"})
 """Without a line of blocks, nothing follows of their order where those of a colour do not touch."""
 _KEPT_APART = ((_APART, "alternating"), (NEVER_TWICE, "alternating"))
@@ -91,7 +100,7 @@ _TWICE = frozenset(
 _RARE = (
     "alternate", "alternates", "alternating", "alternately", "alternation", "switching", "turn", "turns", "every", "no",
     "neighbors", "neighboring", "adjacent", "touching", "next", "different", "same", "mirrored", "symmetric",
-    "symmetrical", "symmetrically", *TOLD_BY,
+    "symmetrical", "symmetrically", "always", "strictly", "continuously", "constantly", "time", "way", *TOLD_BY,
 )  # fmt: skip
 _TELLING = frozenset(_RARE)
 """Words without one of which nothing is said of this here."""
@@ -151,6 +160,8 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
         for found, k in _two(p, i, two):  # ", three red and three white" is what there is
             if p.words[j] != "," or not any(isinstance(x, Noun) and x.amount for x in parts_of(found)):
                 yield found, k
+    for j in _ALWAYS.matches(p, i):
+        yield from _in_turn(p, i, j)
     lined = p.anywhere(_LINES)
     for patterns, by in (*_KEPT_APART[: 1 + lined], (_ANY_TWO, "alternating"), (_MIRRORED, "mirrored")):
         start = p.opt(i, ",") if patterns is _ANY_TWO else i
@@ -171,6 +182,32 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
                 yield OrderBy(by="alternating", items=(one, other), span=p.span(i, end)), end
         if k := p.any_of(j, _ONE):
             yield from _one_and_rest(p, i, k)
+
+
+_ALWAYS = Patterns(",|:? always|strictly|continuously|constantly|each_time|every_time|all_the_way")
+_ONE_OF = Patterns("one|a|1 single?")
+_THEN_ONE = Patterns("one|block|cube? ,|,_and|and? one|a|1? single?")
+_AND_SO_ON = Patterns(
+    ",? and? so_on|so_forth|repeating|repeated|over_and_over|again_and_again|all_the_way|all_the_way_up|throughout|"
+    "etc|until_the_end|to_the_end|in_turn|in_turns|by_turns",
+)
+
+
+def _in_turn(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """ "(always) one red one white": two colours, and nothing more behind them. "First red, then white" would tell as
+    well with which of them the line begins, but not from which side."""
+    for one, k in ((named, k) for start in {j, *_ONE_OF.matches(p, j)} for named, k in color(p, start)):
+        for m in _THEN_ONE.matches(p, k):
+            for other, end in color(p, m):
+                end = p.opt(end, "one", "block", "cube")
+                end = max(_AND_SO_ON.matches(p, end), default=end)
+                if one != other and (end >= p.end or p.stands(end, _OVER)):
+                    span = p.span(j, end)
+                    both = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=span) for x in (one, other))
+                    yield OrderBy(by="alternating", items=both, span=p.span(i, end)), end
+
+
+_OVER = frozenset({",", ";", "with", "so", "starting", "beginning", "in", "from", ")"})
 
 
 def _two(p: Parser, i: int, j: int) -> Results[Meaning]:

@@ -13,6 +13,14 @@ from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Pla
 _LINED = ("grid", "row", "line", "column", "stack", "square", "circle", "rectangle", "wall", "checkerboard")
 
 
+def members_told(p: Parser, j: int, base: Structure) -> Results[Noun | Coord]:
+    """What a structure is made of, set off behind it."""
+    yield from apposed_blocks(p, j, not base.plural)
+    yield from symbols_told(p, j, base.kind)
+    if not (base.plural or base.sizes) and base.kind in ("row", "line", "column", "stack"):
+        yield from counted_lots(p, j)
+
+
 @rule
 def symbols_told(p: Parser, j: int, kind: str) -> Results[Noun]:
     """ ", letters A to F", ": digits 1, 2 and 3": the symbols that a structure shows."""
@@ -47,6 +55,31 @@ def apposed_blocks(p: Parser, j: int, alone: bool = False) -> Results[Noun]:
         if end and not either and len(named) == 1 and (end >= p.end or p.words[end] == ","):
             look = Traits(colors=named)
             yield Noun(head="block", amount=amount, plural=True, traits=look, span=p.span(start, end)), end
+
+
+@rule
+def counted_lots(p: Parser, j: int) -> Results[Coord]:
+    """ "(one row,) 3 pink and 3 black, (colours alternating)": of how many blocks of which looks a line is made."""
+    start = p.one(j, (",", ":"))
+    items: list[Meaning] = []
+    at = start
+    while at and len(items) < _MOST_LOTS:
+        lot = next(((x, k) for x, k in simple(p, at) if isinstance(x, Noun) and _counted_look(x)), None)
+        if lot is None:
+            return
+        items.append(lot[0])
+        if len(items) > 1 and p.stands(lot[1], (",", ":")):
+            yield Coord(op="and", items=tuple(items), span=p.span(start, lot[1])), lot[1]
+        at = p.any_of(lot[1], (", and", "and", ","))
+
+
+_MOST_LOTS = 6
+
+
+def _counted_look(lot: Noun) -> bool:
+    """ "3 pink", "a white one": a number and a colour."""
+    exact = lot.amount is not None and lot.amount.low == lot.amount.high and lot.det in ("bare", "a")
+    return exact and len(lot.traits.colors) == 1 and lot.traits == Traits(colors=lot.traits.colors) and not lot.part_of
 
 
 def of_all_of_them(base: Structure, detail: Meaning) -> Structure | None:
@@ -89,9 +122,15 @@ def a_lot_each(p: Parser, i: int, many: int) -> Results[Coord]:
 
 _BLOCKS = ("blocks", "block", "cubes", "cube", "bricks", "ones", "one")
 _BELOW = ("at the bottom", "on the bottom", "in the bottom row", "in the bottom layer", "below", "as a base", "first",
-          "at the base", "on the ground", "in the first layer", "as the base", "down below")  # fmt: skip
+          "at the base", "on the ground", "in the first layer", "as the base", "down below", "in the lowest layer",
+          "in the lowest row", "on the bottom row", "on the bottom layer", "in the base", "in the base layer",
+          "in the base row", "along the bottom", "at the very bottom")  # fmt: skip
 _ABOVE = ("above", "on top", "on top of that", "above that", "at the top", "above them", "on them", "on those",
-          "on top of those", "on top of them", "at the very top", "in the next", "in the middle", "next")  # fmt: skip
+          "on top of those", "on top of them", "at the very top", "in the next", "in the middle", "next",
+          *(f"{at} the {part}" for at in ("at", "as", "for") for part in ("tip", "peak", "apex", "summit", "very top")),
+          *(f"{at} the {nth} {row}" for at in ("in", "on") for nth in ("second", "middle", "next", "third", "top",
+                                                                      "upper") for row in ("layer", "row", "level")),
+          "above these", "on these", "over them", "over those", "on it", "on top of these")  # fmt: skip
 AMID = ("in the middle", "in the center", "centered", "centrally", "in between", "between them", "over the gap",
         "centered on them", "centered over them", "over the middle", "across both", "across them", "astride them",
         "over the joint", "on the middle", "centered above them")  # fmt: skip
@@ -111,9 +150,19 @@ _OF_LAYERS = (
 @rule
 def layers_told(p: Parser, j: int) -> Results[Size]:
     """ "(a pyramid,) 3 blocks at the bottom, then 2, then 1": one less from layer to layer, down to one block."""
-    start = p.any_of(j, _OF_LAYERS)
-    number = p.number(start) if start else None
-    if not start or number is None or number < 2:
+    if start := p.any_of(j, _OF_LAYERS):
+        yield from _layers(p, start)
+
+
+def layers_alone(p: Parser, i: int) -> Results[Size]:
+    """In a sentence of its own: "(A pyramid.) 3 on the bottom row, 2 on those and 1 at the top." """
+    if i == 0:
+        yield from ((size, k) for size, k in _layers(p, i) if k >= p.end)
+
+
+def _layers(p: Parser, start: int) -> Results[Size]:
+    number = p.number(start)
+    if number is None or number < 2:
         return
     left, at = number, start + 1
     while True:

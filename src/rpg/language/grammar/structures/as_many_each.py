@@ -18,6 +18,9 @@ _EQUAL = Patterns(
     f"{_LEAD} equally many blocks|cubes? in|per {_EACH}",
     ",|and|both|all? of_the_same|of_equal|the_same|same|equal height|length",
     ",|and both|all? equally|just_as high|tall|long",
+    "which|that|both_of_which|and|, both|all|each|should|must|shall|will? have|has|having|be|are the|an? same|equal "
+    "height|heights|length|size",
+    "which|that are|be|should_be|must_be of the? same|equal height|length|size",
 )
 _TELLING = frozenset({"same", "equal", "identical", "equally"})
 

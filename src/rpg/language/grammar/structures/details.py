@@ -5,19 +5,20 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
-from rpg.language.grammar.clauses.manners import pointed
+from rpg.language.grammar.clauses.pointing import pointed
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import more_parts, one_more
 from rpg.language.grammar.places.around import surrounded
 from rpg.language.grammar.places.onto import piled_from_an_end
-from rpg.language.grammar.places.sides import at
+from rpg.language.grammar.places.sides import OPPOSITE, at
+from rpg.language.grammar.structures.apposed import layers_alone
 from rpg.language.grammar.structures.each import each_clause
 from rpg.language.grammar.structures.each_line import each_line, lines_of
 from rpg.language.grammar.structures.ends_filled import ends_filled
 from rpg.language.grammar.structures.levels import levels
 from rpg.language.grammar.structures.opening import opens
 from rpg.language.grammar.structures.ordered_whole import ordered_whole
-from rpg.language.grammar.structures.part_words import IS
+from rpg.language.grammar.structures.part_words import IS, THERE
 from rpg.language.grammar.structures.parts import part, part_statement
 from rpg.language.grammar.structures.patterns import DIAGONALS, pattern
 from rpg.language.grammar.structures.steps import steps_alone
@@ -67,7 +68,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j
     for agreed, j in pattern(p, i) if p.stands(i, ("each", "every")) or p.rarely(DIAGONALS) else ():
         yield Clause(verb="part", adjuncts=(agreed,), mode="goal", span=p.span(i, j)), j
-    for said, j in [*pointed(p, i), *opens(p, i), *steps_alone(p, i)]:
+    for said, j in [*pointed(p, i), *opens(p, i), *steps_alone(p, i), *layers_alone(p, i)]:
         yield Clause(verb="part", adjuncts=(said,), mode="goal", span=p.span(i, j)), j
     for several, j in wholes_told(p, i):
         yield _said(p, i, j, several), j
@@ -111,19 +112,34 @@ def _first_then(p: Parser, i: int) -> Results[Clause]:
     """ "First (comes) red, then white, and blue is last.": the blocks of a line from its beginning on."""
     start = p.any_of(i, ("first", "first comes", "first there is", "first of all", "the first is", "first :"))
     items: list[Meaning] = []
-    at = start
+    at, begin = start, None
     while at and len(items) < 12:
         theme, k = next(((x, k) for x, k in simple(p, at) if isinstance(x, Noun) and _one(x)), (None, 0))
         if theme is None:
             return
         items.append(theme)
+        there, k = _at_an_end(p, k)
+        begin = there if len(items) == 1 else begin
         end = p.any_of(k, _IS_LAST) or k
+        if there and len(items) > 1 and (end < p.end or OPPOSITE[there] != (begin or OPPOSITE[there])):
+            return
         if end >= p.end and len(items) > 1:
-            order = OrderBy(by="named", items=tuple(items), span=p.span(i, end))
+            begin = begin or OPPOSITE.get(there)
+            order = OrderBy(by="named", items=tuple(items), first=begin, span=p.span(i, end))
             yield Clause(verb="part", adjuncts=(order,), mode="goal", span=p.span(i, end), cost=1), end
         on = p.any_of(end, _ONWARD)
         last = p.any_of(end, (", and", "and"))
         at = (p.any_of(on, _COMES) or on) if on else last
+
+
+def _at_an_end(p: Parser, k: int) -> tuple[str, int]:
+    """ "(pink,) which is closest to me": at which end of the line a block is, if that is told."""
+    told = p.any_of(k, _WHICH_IS)
+    side, end = max(p.standing(p.opt(told, "the"), THERE), key=lambda x: x[1], default=("", 0)) if told else ("", 0)
+    return (THERE[side], end) if end and THERE[side] != "middle" else ("", k)
+
+
+_WHICH_IS = (", which is", "which is", ", that is", "is", ", being", ", and it is", "must be", "should be")
 
 
 def _one(theme: Noun) -> bool:

@@ -38,8 +38,9 @@ _BOTH_ARE = (*_BOTH, "arms", "each arm", "with each arm", "each leg", "each of i
 _PER_ARM = tuple(f"{along} {arm}" for along, arm in (
     *((along, arm) for along in ("along", "in", "for", "on") for arm in ("each arm", "each leg", "both arms",
                                                                              "both legs", "each of its arms")),
-    ("per", "arm"), ("per", "leg")))  # fmt: skip
-_ARMS = frozenset({"arm", "arms", "leg", "legs"})
+    ("per", "arm"), ("per", "leg"), ("each", "way"), ("both", "ways"), ("in each", "direction"),
+    ("in both", "directions"), ("along each", "side"), ("on each", "side"), ("each", "direction")))  # fmt: skip
+_ARMS = frozenset({"arm", "arms", "leg", "legs", "way", "ways", "direction", "directions", "side"})
 _SHARED = (
     "sharing the corner", "including the corner", "counting the corner", "including the corner block",
     "counting the corner twice", "with the corner shared", "sharing the corner block", "with a shared corner",

@@ -11,11 +11,10 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.along import listed_again, listed_along, listed_in_turn
 from rpg.language.grammar.structures.apposed import (
     a_lot_each,
-    apposed_blocks,
     colored_ones,
     layers_told,
+    members_told,
     of_all_of_them,
-    symbols_told,
 )
 from rpg.language.grammar.structures.ascents import measures
 from rpg.language.grammar.structures.each_line import one_line_each
@@ -23,10 +22,10 @@ from rpg.language.grammar.structures.gradients import gradient
 from rpg.language.grammar.structures.heights import with_heights
 from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
+from rpg.language.grammar.structures.outlines import HOLLOW, along_sides
 from rpg.language.grammar.structures.sizes import IN_TOTAL, as_high, each_told, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.structures.steps import steps_told
 from rpg.language.grammar.structures.told_by_one import left_open, placed_inside, told_by_one
-from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
 from rpg.language.grammar.things.labels import run
@@ -188,7 +187,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     if len(base.sizes) > 3:
         return
     hollow = p.any_of(j, (",", ", and", ", but", "and", "but", ":")) or j
-    if k := max(_HOLLOW.matches(p, hollow), default=0):
+    if k := max(HOLLOW.matches(p, hollow), default=0):
         yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
     if k := p.any_of(
         j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
@@ -200,9 +199,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     if k := p.any_of(j, _LYING_FLAT) or (p.any_of(j, _DRAWN_FLAT) if drawn else 0):
         yield from _sized(p, i, k, replace(base, upright=False, span=p.span(i, k)))
     plain = base.members is None and not base.traits.colors
-    for blocks, k in apposed_blocks(p, j, not base.plural) if plain else ():
-        yield replace(base, members=blocks, span=p.span(i, k)), k
-    for blocks, k in symbols_told(p, j, base.kind) if plain else ():
+    for blocks, k in members_told(p, j, base) if plain else ():
         yield replace(base, members=blocks, span=p.span(i, k)), k
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
     flat = base.kind in _FLAT
@@ -224,6 +221,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         pattern = Pattern(unit=unit, span=p.span(j, k))
         traits = replace(base.traits, colors=named)
         yield replace(base, traits=traits, details=(*base.details, pattern), span=p.span(i, k)), k
+    for told, k in along_sides(p, i, j, base):
+        yield from _sized(p, i, k, told)
     limbs = limb(p, j, base.kind) if base.kind in LIMBED else ()
     for (arms, way), k in arms_told(p, j) if base.kind == "L" else ():
         yield replace(base, sizes=(*base.sizes, *arms), details=(*base.details, *way), span=p.span(i, k)), k
@@ -233,8 +232,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 yield replace(base, traits=replace(base.traits, colors=named), span=p.span(i, k)), k
     tiers = layers_told(p, j) if base.kind == "pyramid" and not base.sizes else ()
     for size, k in [*limbs, *tiers, *lines_of(p, j, base.kind), *size_phrase(p, j)]:
-        if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
-            continue
+        if not base.plural and base.kind in _LINES and not _EACH_ONE.isdisjoint(p.words[j:k]):
+            continue  # "a red and a blue tower, each three high": said of both
         k = (p.any_of(k, _EACH) or k) if base.plural else k
         lines = size.what == "dims" and base.kind == "rectangle" and base.filled is not False
         lines = lines and not _LINE_WORDS.isdisjoint(p.words[j:k])
@@ -270,23 +269,7 @@ _ALL_IN = ("all in", "all", "in", "all blocks", "all cubes", "all of them", "all
            "all the blocks", "all blocks in", "all are", "everything")  # fmt: skip
 
 
-_HOLLOW = Patterns(
-    "with|but|leaving|keeping? nothing|no_block|no_blocks|no_cube|no_cubes in|inside|within the|its|it? "
-    "middle|center|inside|interior?",
-    "with|leaving|keeping? a|an empty|hollow|free|open middle|center|inside|interior",
-    "with? a? hole in the|its middle|center|inside",
-    "with|leaving|keeping|while|where? the|its middle|center|inside|interior is|stays|remains|being|left? "
-    "empty|free|open|hollow",
-    "that_is|which_is|it_is? left? hollow inside|within?",
-    "that_is|which_is|it_is? left? empty|free|open inside|within",
-    "hollow|empty|free|open in|at the|its middle|center|inside|interior",
-    "in the|its middle|center|inside|interior it|that is|stays empty|hollow|free",
-    "just|only|as? the|an|its? outline only?",
-    "not filled",
-)
-"""What makes a figure an outline."""
-
-
+_EACH_ONE = frozenset({"each", "both", "apiece", "every"})
 _LINES = ("row", "line", "column", "stack", "circle", "pile", "word")
 """Structures of which "two each" says nothing by itself: it is said of the kinds of blocks."""
 _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",

@@ -8,7 +8,8 @@ from rpg.language.meaning import Manner, OrderBy, Spacing
 MODIFIERS = {
     "straight": {}, "parallel": {"upright": False}, "layered": {}, "stepped": {}, "outline": {"filled": False},
     "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
-    "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
+    "filled": {"filled": True}, "solid": {"filled": True}, "compact": {"filled": True},
+    "hollow": {"filled": False}, "outlined": {"filled": False},
     "simple": {}, "whole": {}, "entire": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {},
     "upright": {"upright": True},
     "single file": {}, "standing": {"upright": True}, "closed": {}, "proper": {},

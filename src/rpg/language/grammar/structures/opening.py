@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.grammar.clauses.manners import whither
+from rpg.language.grammar.clauses.pointing import whither
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import Manner

@@ -56,6 +56,10 @@ _LEADS = frozenset(
     }
 )
 
+_WHICH_ARE = ("which is", "that is", "which are", "that are", "and is", "which should be", "that should be",
+              "which has to be", "which must be", "that must be")  # fmt: skip
+_ARRANGED = frozenset({"sorted", "ordered", "arranged", "organized"})
+_EXACTLY = ("strictly", "exactly", "precisely", ", strictly", ", exactly", ", precisely")
 READABLE = (
     "so that they can be read in",
     "so they can be read in",
@@ -92,7 +96,10 @@ def _sort(p: Parser, by: str, i: int, j: int) -> str:
 @rule
 def order(p: Parser, i: int) -> Results[Meaning]:
     """An order, a direction, a pattern, a spacing."""
-    j = p.one(i, _LEADS) or p.any_of(i, _READABLE) or i
+    if (exact := p.any_of(i, _EXACTLY)) and p.stands(exact, ("in",)):
+        yield from ((found, k) for found, k in order(p, exact) if isinstance(found, OrderBy) and found.by == "given")
+    which = p.any_of(i, _WHICH_ARE)
+    j = (p.one(which, _ARRANGED) if which else p.one(i, _LEADS)) or p.any_of(i, _READABLE) or i
     for start in {i: None, j: None}:
         for phrase, k in p.standing(start, _NAMED):
             by, descending = _NAMED[phrase]

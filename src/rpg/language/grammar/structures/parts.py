@@ -25,6 +25,7 @@ from rpg.language.grammar.structures.part_words import (
     UNITS,
 )
 from rpg.language.grammar.structures.sizes import dimensions
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
@@ -171,7 +172,7 @@ def _of_step(p: Parser, i: int, place: Meaning, j: int) -> tuple[Meaning, int]:
 @rule
 def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
     """ "the first row is red", "white on both ends", "black corners", "red in between"."""
-    for place, j in part(p, i, unit):
+    for place, j in (*part(p, i, unit), *_blocks_of(p, i)):
         place, j = _of_step(p, i, place, j)
         j = p.any_of(j, _OF_IT) or p.any_of(j, ("of which", "of it")) or j
         j = (p.any_of(j, _OF_LETTER) if getattr(place, "side", "") in _LIMBS else 0) or j
@@ -194,6 +195,32 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
     yield from _coloured(p, i)
     yield from _put(p, i, unit)
     yield from _place_first(p, i, unit)
+
+
+_BLOCKS_OF = Patterns(
+    "all|all_of? the|these? cubes|blocks|bricks|ones|those in|of|on|from|inside",
+    "every|each cube|block|brick|one in|of|on",
+    "everything in|on",
+)
+
+
+_BLOCK_IN = Patterns("the cube|block|brick|one in|at")
+
+
+def _blocks_of(p: Parser, i: int) -> Results[Meaning]:
+    """ "All cubes in the left column (are green)": the column. "The cube in the near left corner": that corner."""
+    for j in _BLOCK_IN.matches(p, i):
+        yield from ((x, k) for x, k in part(p, j) if isinstance(x, Places) and x.unit == "cell")
+    for j in _BLOCKS_OF.matches(p, i):
+        for place, k in part(p, j):
+            if isinstance(place, Places) and place.unit in _LAYERS and p.words[k - 1] in _LINE_WORDS:
+                yield place, k
+        for place, k in part(p, j, "column") if p.stands(j, ("the",)) else ():
+            if isinstance(place, Places) and place.unit in _LAYERS and p.words[k - 1] == "one":
+                yield place, k
+
+
+_LINE_WORDS = frozenset({"row", "rows", "column", "columns", "layer", "layers", "level", "one"})
 
 
 @choice
@@ -294,7 +321,7 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
                 corner = getattr(place, "unit", "") == "cell" and p.words[lead] == "its"
                 on_block = p.words[k] == "on" and (block or corner or isinstance(place, At))
                 own = (
-                    p.words[k] == "for"
+                    p.words[k] in ("for", "as")
                     or p.words[lead] in ("its", "each", "every", "either")
                     or getattr(place, "index", None) is not None
                 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.sides import AXIS, OPPOSITE, SIDES, toward
 from rpg.language.grammar.talk.slots import Patterns
@@ -43,7 +44,11 @@ _RISING = {
     **dict.fromkeys(("increasing", "rising", "ascending", "growing", "climbing"), False),
     **dict.fromkeys(("decreasing", "falling", "descending", "shrinking", "dropping"), True),
 }
-_MARKED = frozenset(_RISING)
+_RISES = {**_RISE, **{f"{word}s": down for word, down in _RISE.items()}}
+_LEADS = ("that", "which", "and", "so that it", "so it", "so that they", "so they", "whose numbers", "whose values",
+          "where the numbers", "so that the numbers", "with numbers that")  # fmt: skip
+_DIGITS = frozenset({"numbers", "digits", "number", "digit", *lexicon.NUMBER})
+_MARKED = frozenset({*_RISING, *_RISES})
 _STEPS = frozenset({"staircase", "stairs", "stair", "stairway", "steps", "heights"})
 """What rises by itself."""
 _NUMBERS = frozenset({"numbers", "digits", "numerals", "values", "numerical"})
@@ -55,10 +60,15 @@ def rising(p: Parser, i: int) -> Iterator[tuple[OrderBy, int]]:
     if not p.rarely(_MARKED):
         return
     j = p.opt(i, ",")
-    descending = p.lex(j, _RISING)
+    finite = p.any_of(j, _LEADS)
+    j = finite or j
+    descending = p.lex(j, _RISES if finite else _RISING)
     if descending is None or not p.all.isdisjoint(_STEPS) or p.follows(j, _NUMBERS):
         return
+    if finite and _DIGITS.isdisjoint(p.words) and all(token.kind != "number" for token in p.tokens):
+        return  # "a row which rises to the right"
     order = OrderBy(by="ascending", descending=descending, span=p.span(i, j + 1))
-    if any(isinstance(way, Toward) and way.first for way, _ in toward(p, j + 1)):
+    closed = finite > 0 and (j + 1 >= p.end or p.stands(j + 1, (",", ";")))
+    if closed or any(isinstance(way, Toward) and way.first for way, _ in toward(p, j + 1)):
         yield order, j + 1
     yield from ((replace(order, first=first, span=p.span(i, end)), end) for first, end in whither(p, j + 1))

@@ -18,7 +18,9 @@ def noun(p: Parser, i: int) -> Results[tuple[str, bool]]:
         j = (
             i + 1
             if kind in ("stack", "pile", "word")
-            else p.opt(p.opt(i + 1, "sign"), "shape", "formation", "outline", "pattern", "arrangement", "figure")
+            else p.opt(
+                p.opt(i + 1, "sign"), "shape", "formation", "outline", "frame", "pattern", "arrangement", "figure"
+            )
         )
         j = p.opt(j, "tower") if kind == "pyramid" else j
         yield (kind, plural), j
@@ -29,8 +31,9 @@ def noun(p: Parser, i: int) -> Results[tuple[str, bool]]:
         yield ("cube", p.words[i] == "cubes"), p.reach(i + 1)
     if p.words[i : i + 1] in (["block"], ["box"], ["cuboid"]) and _dims_before(p, i, 3):
         yield ("cube", False), p.reach(i + 1)
-    if p.stands(i, _LAYOUTS) and _dims_before(p, i, 2):
-        yield ("grid", False), p.reach(i + 1)
+    for many, kind in ((2, "grid"), (3, "cube")) if p.stands(i, _LAYOUTS) else ():
+        if _dims_before(p, i, many):
+            yield (kind, False), p.reach(i + 1)
     if j := p.any_of(i, ("chess board", "checker board", "checkers board", "chess pattern", "checker pattern")):
         yield ("checkerboard", False), p.opt(j, "pattern")
     if j := p.any_of(i, ("flight of stairs", "flight of steps", "set of stairs", "set of steps")):

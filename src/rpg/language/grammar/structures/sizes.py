@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.structures.outlines import A_SIDE
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.meaning import Manner, Meaning, Size, Structure
@@ -185,10 +186,6 @@ _COUNTED = (
         "in each level", "to a layer", "to each layer", "to the layer")[1 - bool(blocks) :])), "columns", 0),
     (("blocks per column", "blocks in each column", "cubes per column", "per column", "blocks in every column",
       "cubes in each column"), "rows", 0),
-    (("blocks per side", "cubes per side", "blocks on each side", "blocks along each side", "blocks to a side",
-      "per side", "cubes on each side", "to a side", "to each side", "on a side", "along each side", "on each side",
-      "on every side", "of them along each side", "of them on each side", "of them to a side", "cubes to a side",
-      "cubes along each side", "along every side", "blocks a side", "blocks on every side"), "side", 0),
     (("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row",
       "blocks at its base", "blocks in the base", "cubes at the bottom", "cubes in the bottom row",
       "blocks in the bottom layer", "blocks as its base", "at the base"), "base", 1),
@@ -216,6 +213,8 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
                 of_looks = p.words[end - 1] == "each" and p.all.isdisjoint(_SEVERAL)  # "red and blue, two each"
                 of_looks = of_looks and sum(word in lexicon.STRUCTURE for word in p.words) < 2
                 yield Size(what=what, amount=found, span=p.span(i, end), cost=cost + 5 * of_looks), end
+        for end in A_SIDE.matches(p, e):
+            yield Size(what="side", amount=found, span=p.span(i, end)), end
     lines = p.number(k)
     for dims, e in _lines_by_lines(p, k, lines) if lines is not None else ():
         yield Size(what="dims", dims=dims, span=p.span(i, e)), e

@@ -20,7 +20,9 @@ _UNITS = ("blocks high", "blocks tall", "block high", "block tall", "cubes high"
           *(f"{blocks}{piled}" for blocks in ("blocks ", "cubes ", "ones ", "")
            for piled in ("stacked", "on top of each other", "stacked on top of each other", "stacked up")),
          "stacked blocks", "stacked cubes", "blocks", "block", "cubes", "cube", "bricks", "brick")  # fmt: skip
-_NEXT = ("and then", "then", "and finally", "and")
+_NEXT = ("and then", "then", "and finally", "and", *(
+    f"{joint}{beside} {it}" for joint in ("", "and ", "then ", "and then ") for beside in ("next to", "beside")
+    for it in ("it", "that", "them", "those")))  # fmt: skip
 _PARTS = frozenset({"steps", "step", "columns", "column", "stairs", "stair", "towers", "tower"})
 _NAMES = frozenset({"stairs", "staircase", "stairway", "steps"})
 Told = tuple[Size, tuple[Meaning, ...], tuple[str, ...]]

@@ -13,7 +13,7 @@ from rpg.language.grammar.structures.equations import equation, promised, unequa
 from rpg.language.grammar.structures.heights import bar_chart
 from rpg.language.grammar.structures.makeup import per_color, sized_members
 from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
-from rpg.language.grammar.structures.ring_around import ring_around
+from rpg.language.grammar.structures.ring_around import ring_around, with_a_ring
 from rpg.language.grammar.structures.shapes import noun, upside_down
 from rpg.language.grammar.structures.sizes import dimensions, layers_of, rows_and_columns
 from rpg.language.grammar.structures.superlatives import largest
@@ -78,6 +78,7 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
         return
     yield from _as_many_symbols(p, i)
     yield from bar_chart(p, i)
+    yield from with_a_ring(p, i)
     yield from copies(p, i)
     for base, j in largest(p, i):
         yield from _tail(p, i, j, base)
@@ -273,6 +274,7 @@ def _named(p: Parser, i: int) -> Results[object]:
     yield from equation(p, i)
 
 
+_OUTLINES = frozenset({"outline", "frame"})
 _POINTED = frozenset({"that", "this", "these", "those"})
 _TOLD_BY = frozenset({":", ",", "of", "with", "that", "which", "made", "from", "in", "(", "where", "whose", "using"})
 """What may stand between "this tower" and what is told of it."""
@@ -316,7 +318,7 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             steps = Size(what="steps", amount=quantity.amount, span=p.span(i, k))
             plural, quantity, before = False, Quantity("a"), replace(before, sizes=(*before.sizes, steps))
         operator = before.operator or (OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
-        filled = False if "outline" in p.words[j:k] else before.filled
+        filled = False if not _OUTLINES.isdisjoint(p.words[j:k]) else before.filled
         if p.words[k - 1] in ("countdown", "countdowns"):
             down = OrderBy(by="number", descending=True, span=p.span(j, k))
             before = replace(before, details=(*before.details, down))

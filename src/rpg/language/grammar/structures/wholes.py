@@ -278,10 +278,11 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
     if spelt and (text := literal(p, spelt)) is not None:
         yield Structure(kind="word", det="the", letter=text, span=p.span(j, spelt + 1)), spelt + 1
     number = p.number(j)
-    counted_ = p.opt(j + 1, "blocks", "cubes", "block") if number else j
+    counted_ = p.opt(j + 1, "block", *_UNIT_WORDS) if number else j
     high = p.any_of(counted_, ("high", "tall")) if number else 0
-    if number and not high and p.follows(j, _OF_SO_MANY) and p.stands(j + 1, ("and", ",", "blocks", "cubes")):
-        high = counted_
+    if number and not high and p.follows(j, _OF_SO_MANY):  # "one has two floors and one has 4"
+        last = j + 1 >= p.end and p.anywhere(_UNIT_WORDS)
+        high = counted_ if last or p.stands(j + 1, _AFTER_NUMBERS) else 0
     if number and high:
         amount = Amount(number, number)
         yield Noun(head="block", amount=amount, plural=number > 1, span=p.span(j, high)), high
@@ -306,6 +307,8 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
             yield theme, k
 
 
+_UNIT_WORDS = frozenset({"blocks", "cubes", "floors", "levels", "layers", "stories", "storeys", "floor", "level"})
+_AFTER_NUMBERS = _UNIT_WORDS | {"and", ","}
 _GROUPS = frozenset({"group", "groups", "bunch", "bunches", "pile", "piles", "cluster", "clusters", "heap", "heaps"})
 
 
@@ -393,6 +396,4 @@ def _wholes(p: Parser, i: int, at: int, had: tuple[Absolute, ...]) -> Results[Co
     for told, k in _told(p, at):
         whole = (*had, told)
         yield Coord(op="absolutes", items=whole, span=p.span(i, k)), k
-        again = p.any_of(k, _AND) or k
-        if len(whole) < 9:
-            yield from _wholes(p, i, again, whole)
+        yield from _wholes(p, i, p.any_of(k, _AND) or k, whole) if len(whole) < 9 else ()

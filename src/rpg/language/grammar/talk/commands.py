@@ -92,7 +92,7 @@ COMMANDS = Patterns(
     "see if you can",
     "how about you",
     "it should be possible to",
-    "do",
+    "do me|us?",
     "want|need you to",
     "want to",
     "build me",
@@ -137,7 +137,8 @@ COMMANDS = Patterns(
 )
 
 _ORDERS = (
-    "do_it|do_this|do_them|do_that|do_everything|work|proceed|go? in this|the_following|that order :|,",
+    "do_it|do_this|do_them|do_that|do_everything|work|proceed|go|stack|stack_them|build|put_them|move_them? "
+    "strictly|exactly? in this|the_following|that|exactly_this order :|,",
     "this is the order :",
     "the order|sequence|plan of_events|of_steps|of_actions? is as_follows|this? :",
     "in order|sequence :",

@@ -30,6 +30,7 @@ from rpg.language.grammar.talk.exactly_so_many import (
     of_so_many_ahead,
     so_many_at_most,
 )
+from rpg.language.grammar.talk.freely import freely
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.numbers_told import NUMBER, TIPS, both_of_so_many, number_is, on_the_tip
 from rpg.language.grammar.talk.one_another import ANOTHER, CORNER, one_another, one_in_each_corner, other_half
@@ -203,11 +204,6 @@ def _tidied(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return None
 
 
-_FREELY = (("any", "way", "you", "like"), ("however", "you", "like"), ("any", "way", "you", "want"),
-           ("as", "you", "like"), ("in", "any", "way", "you", "like"),
-           ("in", "whatever", "order", "you", "like"), ("the", "order", "does", "not", "matter"),
-           ("the", "order", "is", "up", "to", "you"), ("any", "order", "will", "do"),
-           ("any", "order", "is", "fine"))  # fmt: skip
 _FAR = frozenset({"furthest", "farthest"})
 
 
@@ -224,24 +220,6 @@ def _furthest(tokens: list[Token], words: list[str]) -> list[Token] | None:
     if not lined or (words[at - 1] == "the" and not named) or not (named or after in _BREAKS or after == "and"):
         return None
     return [*tokens[:at], tokens[at].saying(f"{words[side]}most"), *tokens[end:]]
-
-
-_BUT = (("as", "long", "as"), ("so", "long", "as"), ("provided",), ("but", "with"))
-
-
-def _freely(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Stack them any way you like as long as green is in the middle": as long as it is there.
-    "DOG, but as a tower": as a tower."""
-    for at in range(1, len(words) - 2):
-        free = length_at(words, at, _FREELY)
-        comma = words[at + free : at + free + 1] == [","]
-        begun = at + free + comma
-        lead = length_at(words, begun, _BUT) if free else 0
-        if lead:
-            return [*tokens[:at], *tokens[begun + (lead if words[at - 1] in (".", ";", ":") else 0) :]]
-        if words[at : at + 2] == [",", "but"] and words[at + 2] in ("as", "in") and words[at + 3 : at + 4] == ["a"]:
-            return [*tokens[:at], *tokens[at + 2 :]] if words[at + 4 : at + 5] != ["group"] else None
-    return None
 
 
 _LEFT_OUT = frozenset({"ignore", "disregard", "forget"})
@@ -350,7 +328,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (_have_done, frozenset({"have"})),
     (_hedged, _HEDGING),
     (_tidied, _TIDIED),
-    (_freely, frozenset({"as", "but", "provided"})),
+    (freely, frozenset({"as", "but", "provided", "only", "just"})),
     (_around, _LEFT_OUT),
     (_like_a_grid, frozenset({"rows"})),
     (_finished_off, _TOPPED),

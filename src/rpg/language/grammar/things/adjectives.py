@@ -148,9 +148,8 @@ def colors(p: Parser, i: int) -> Results[tuple[tuple[str, ...], bool]]:
             word = p.words[k] if joined else ""
             if not more or (word and mixed and (word == "or") != (mixed == "or")):
                 break
-            if (
-                word and more[0][0] == first == listed[-1] and len(listed) == 1
-            ):  # "red is above blue and blue above green"
+            # "red is above blue and blue above green"; "red, green and blue, green at the left end"
+            if more[0][0] in listed and (mixed if not word else len(listed) == 1):
                 break
             mixed = word or mixed
             either = either or word == "or"

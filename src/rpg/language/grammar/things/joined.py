@@ -151,9 +151,12 @@ _NAMELY = ("that is", "namely", "that is to say", "meaning", "which are", "these
 
 
 def _namely(p: Parser, i: int, whole: Noun, j: int) -> Results[Meaning]:
-    """ "all odd digits, that is 1, 5 and 9, ...": just which they are."""
+    """ "all odd digits, that is 1, 5 and 9, ...", "the odd ones, 1, 5 and 9, ...": just which they are."""
     told = p.words[j - 1] == ":" and whole.amount is not None and whole.amount.low > 1
-    k = p.any_of(j, _NAMELY) or (j if told else 0)
+    ones = whole.det == "the" and whole.traits == Traits(quality=whole.traits.quality) and p.stands(j - 2, ("ones",))
+    if ones and whole.traits.quality in ("even", "odd"):
+        whole = replace(whole, traits=replace(whole.traits, kind="digit"))
+    k = p.any_of(j, _NAMELY) or (j if told or (ones and whole.traits.kind) else 0)
     for (labels, more), end in label_list(p, p.opt(k, ",", ":", "the")) if k else ():
         kind, quality = whole.traits.kind, whole.traits.quality
         if not more and named_by(whole, labels) and kind is not None:

@@ -43,6 +43,9 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     spec.orders = way_told([*spec.orders, *told_by_ends], names, scene)
     pointed = [o for o in spec.orders if o.first in sides and o.by in _FROM_AN_END]
     first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides and o not in pointed), None)
+    turned = next((o for o in spec.orders if o.by in ("named", "given") and o.first not in (None, first)), None)
+    if first is not None and turned is not None:
+        raise refuse("order-conflict", "this begins at two ends", turned.span, "keep one of them")
     wrong: Toward | OrderBy | None = next((t for t in spec.toward if t.first and t.first not in sides), None)
     wrong = wrong or next((o for o in spec.orders if o.first and o.first not in sides and o.by in _FROM_AN_END), None)
     if wrong is not None:

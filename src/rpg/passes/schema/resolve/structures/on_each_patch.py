@@ -24,7 +24,8 @@ def on_each_patch(clause: Clause, places: list[Meaning], scene: Scene) -> Clause
     if _of_known_blocks(theme.members):
         raise refuse("ambiguous", "these blocks cannot be on each of several patches at once", theme.span,
                      "say of what blocks the structure on each patch is")  # fmt: skip
-    return replace(clause, theme=replace(theme, plural=True, det="bare", amount=Amount(many, many)))
+    each = theme.det == "a" and theme.span != getattr(theme.members, "span", None)  # "a tower of two": two each
+    return replace(clause, theme=replace(theme, plural=True, det="bare", each_size=each, amount=Amount(many, many)))
 
 
 def _as_many(mark: Meaning | None, scene: Scene) -> int:

@@ -32,6 +32,7 @@ from rpg.passes.schema.resolve.structures.sharing import (
     in_turn,
     lots_of,
     named_lots,
+    of_all_of_them,
     shared_out,
 )
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
@@ -121,6 +122,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         own_unit(shape, place)
     looks, axis = told_looks(spec, count)
     shape = as_long_as_listed(shared_out(shape, looks, spec), looks, scene)
+    shape, theme = of_all_of_them(shape, looks, spec, theme, scene)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     told = all(isinstance(look, Structure) for look in looks)  # words are as long as they are
     if not told and not any(isinstance(look, Noun) and look.amount is not None for look in looks):

@@ -7,7 +7,9 @@ from dataclasses import replace as changed
 
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
+from rpg.passes.schema.resolve.things.members import certain
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
 Look = Noun | Coord | Structure | None
 """What is said of one of several structures."""
@@ -24,6 +26,38 @@ def shared_out(shape: Structure, looks: Sequence[Look], spec: Spec) -> Structure
                      "use as many blocks as are told of each")  # fmt: skip
     spec.usings = [] if shape.members is None else spec.usings
     return replace(shape, members=replace(stock, amount=None), each_size=False)
+
+
+def of_all_of_them(
+    shape: Structure, looks: Sequence[Look], spec: Spec, theme: Ref | None, scene: Scene
+) -> tuple[Structure, Ref | None]:
+    """ "Two rows from four red blocks": four are there for both, while "of four" says how many each has."""
+    members = shape.members or (spec.usings[0].members if len(spec.usings) == 1 else None)
+    items = members.items if isinstance(members, Coord) and members.op == "and" else (members,)
+    amounts = [x.amount for x in items if isinstance(x, Noun) and x.amount is not None]
+    each = shape.each_size or shape.sizes or shape.dims or shape.kind == "stack"
+    if theme is not None or each or members is None or len(amounts) < len(items):
+        return shape, theme
+    if any(x.low != x.high for x in amounts):
+        return shape, theme
+    told = any(looks)
+    if told and not (isinstance(members, Noun) and members.traits == Traits() and all(map(_colored, looks))):
+        return shape, theme
+    spec.usings = [] if shape.members is None else spec.usings
+    if not told:
+        theme = certain(refer(members, scene, Scope(role="member")), scene)
+    many, left = divmod(amounts[0].low, len(looks))
+    if told and left:
+        raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
+                     f"say how many blocks each {shape.kind} has")  # fmt: skip
+    equal = len(amounts) == 1 and not left and (told or shape.kind in _LINES)
+    sizes = (Size(what="size", amount=Amount(many, many), span=shape.span),) if equal else ()
+    return replace(shape, members=None, sizes=sizes), theme
+
+
+def _colored(look: Look) -> bool:
+    """Of which a colour is said, and no number."""
+    return isinstance(look, Noun) and look.amount is None and look.traits == Traits(colors=look.traits.colors[:1])
 
 
 def named_lots(theme: Ref | None, looks: Sequence[Look], scene: Scene) -> list[Ref | None]:

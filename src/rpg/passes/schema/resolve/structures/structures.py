@@ -22,6 +22,7 @@ from rpg.passes.schema.resolve.orders.runs import rainbow_of
 from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, stepped, symbols, towers
 from rpg.passes.schema.resolve.structures.heights import as_heights
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
+from rpg.passes.schema.resolve.structures.told_of_each import check_top
 from rpg.passes.schema.resolve.things.from_stock import from_stock
 from rpg.passes.schema.resolve.things.members import members_of
 from rpg.passes.schema.resolve.things.spoken import SPOKEN_OF, exact_size, known_ones, other_of_two
@@ -192,11 +193,9 @@ def _known_sizes(shape: Structure) -> None:
 def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     if theme is not None and theme.quant is not None:
         raise refuse("misplaced", "a tower is built of certain blocks", shape.span, "say which blocks")
-    if (
-        shape.plural
-        or (shape.amount and (shape.amount.high or 2) > 1)
-        or any(p.unit in ("stack", "pile") and p.different for p in spec.patterns)
-    ):
+    check_top(shape, spec.absolutes)
+    many = shape.plural or (shape.amount and (shape.amount.high or 2) > 1)
+    if many or any(p.unit in ("stack", "pile") and p.different for p in spec.patterns):
         if shape.dims:
             raise refuse("misplaced", "several towers have no such size", shape.span, "say how high each of them is")
         return towers.several(shape, spec, theme, scene, scope)

@@ -301,6 +301,8 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
         if not (phrase == "next" and p.words[j] == "to") and not part:
             link, start = "then", emphasised(p, p.opt(j, ",", ":"))
             break
+    if link == "and" and (j := _now_again(p, start)):
+        link, start = "then", j
     first = p.opt(p.opt(start, "first"), ",", ":")
     start = first if p.words[first] == "either" else start
     if link == "and" and (j := max(AFTER_THAT.matches(p, start), default=0)):
@@ -319,6 +321,13 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
         raise Refusal([stuck(p)])
     found.sort(key=lambda item: item[:2])
     return Sentence(link, tuple(c for _, _, c in found[:MAX_KEPT]))
+
+
+def _now_again(p: Parser, start: int) -> int:
+    """ "(Put red on the mat.) Now put it on blue.": the position behind a "now" that tells of the next step."""
+    j = p.one(start, "now")
+    verb = j and any(form == "base" for _, _, form in p.lex(j, lexicon.VERB) or ())
+    return p.opt(j, ",") if verb and p.stands(j + 1, ("it", "them")) else 0
 
 
 def _adds(tokens: list[Token]) -> bool:

@@ -18,6 +18,7 @@ from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.structures.checkered_grid import checkered_grid
 from rpg.passes.schema.resolve.structures.either_shape import either_shape
 from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
+from rpg.passes.schema.resolve.structures.last_of_list import check_last
 from rpg.passes.schema.resolve.structures.told_of_each import told_of_each
 from rpg.passes.schema.resolve.things.members_later import members_later
 from rpg.passes.schema.resolve.things.one_in_each import one_in_each
@@ -29,6 +30,7 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
     for together in (
+        check_last,
         members_later, tally_filled, sorted_as_told, middle_of_ring, no_gap, both_of_a_stack, left_of_two, none_told,
         groups_listed,
     ):  # fmt: skip

@@ -7,6 +7,10 @@ from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Noun, Traits, parts_of
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
+_LAYERED = frozenset({"pyramid", "wall", "staircase", "cube"})
+"""Of these it is told how many blocks each layer has."""
+_MOST = 9
+
 
 def check_bare_numbers(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
     """Refuse "there are five red cubes; 2 must be on the mat", where the five would only lie around."""
@@ -15,9 +19,12 @@ def check_bare_numbers(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) ->
     there = [x for x in scene.things.values() if x.declared]
     idle = [x for x in there if x.name not in told and not (x.patch or x.extra or x.label)]
     shown = {x.label for x in there}
+    layered = any(
+        built.kind in _LAYERED and not any(scene.things[n].label for n in built.members) for built in scene.built
+    )
     for part in (part for chain in chains for part in parts_of(chain)):
-        many = _number(part) if isinstance(part, Noun) and len(idle) > 1 else 0
-        if isinstance(part, Noun) and 0 < many <= len(idle) and str(many) not in shown:
+        many = _number(part) if isinstance(part, Noun) and (len(idle) > 1 or layered) else 0
+        if isinstance(part, Noun) and 0 < many <= (_MOST if layered else len(idle)) and str(many) not in shown:
             number = part.traits.labels[0]
             raise refuse(
                 "ambiguous",

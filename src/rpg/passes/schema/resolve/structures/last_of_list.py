@@ -13,7 +13,9 @@ def check_last(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         Refusal: where a single block behind several structures could be a thing of its own.
     """
     for chain in chains:
-        themes = [clause.theme for clause in chain.clauses if isinstance(clause, Clause)]
+        told = [clause for clause in chain.clauses if isinstance(clause, Clause)]
+        listed_on = all(clause.word is None or clause is told[0] for clause in told)  # no verb of its own
+        themes = [clause.theme for clause in (told if listed_on else told[:1])]
         shapes = [
             x for theme in themes for x in (theme.items if isinstance(theme, Coord) else (theme,)) if x is not None
         ]

@@ -57,6 +57,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             if word.word == "all of them" and (every := _all_of_them(word, mention, own, scene)) is not None:
                 return every
             _no_rivals(word, mention, own, scene)
+            if (listed := _listed_in_one(mention, scene)) is not None:
+                return listed
             _no_later_ones(word, mention, own, scene)
             built = ref.built if len(ref.built) > 1 or _told_together(ref) else _one_tower(ref, scene, scope)
             return replace(ref, quant=None, each=False, op="and" if ref.op == "nor" else ref.op, built=built)
@@ -233,6 +235,14 @@ def _no_rivals(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -
         if len(other.ref.names) > 1 and not other.ref.patch and not set(other.ref.names) & set(last.ref.names):
             raise refuse("ambiguous", f"{word.word!r} could be several things spoken of before", word.span,
                          "name the blocks that you mean")  # fmt: skip
+
+
+def _listed_in_one(last: Mention, scene: Scene) -> Ref | None:
+    """ "There are a red and a green block, and there are two blue ones. Stack them": all that the sentence lists."""
+    lists = [m for m in scene.mentions if (m.role, m.sentence, m.ref.patch) == ("given", last.sentence, False)]
+    names = [n for m in lists for n in m.ref.names if not scene.things[n].extra]
+    more = last in lists and len({m.clause for m in lists}) > 1 and not {*names} <= {*last.ref.names}
+    return Ref(names=tuple(dict.fromkeys(names)), plural=True) if more else None
 
 
 def _idle(mention: Mention, scene: Scene) -> bool:

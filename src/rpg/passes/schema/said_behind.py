@@ -28,6 +28,9 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _all_different(sentence, task)
     for sentence in told:
         _no_order(sentence, task)
+        _reversed(sentence, task)
+        _at_an_end(sentence, task)
+        _too(sentence, task)
     _one_way(tokens, task)
 
 
@@ -143,3 +146,52 @@ def _one_way(tokens: Sequence[Token], task: TaskSchema) -> None:
     alone = len(lines) == 1 and isinstance(lines[0], Row | Stack | Spells | Equation)
     if len(ways) > 1 and alone and len({axis for axis, _ in ways}) < len(ways) + isinstance(lines[0], Row):
         raise refuse("contradiction", "a line goes one way", [*ways.values()][-1], "leave one of them out")
+
+
+_SUBJECT = frozenset({"put", "place", "move", "bring", "get", "set", "lay", "should", "must"})
+
+
+def _too(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put red to the left of blue and the green one too" as left of both: is it green that is there, too?"""
+    said = [token for token in sentence if token.word not in STOPS]
+    words = [token.word for token in said]
+    end = len(words) - (2 if words[-2:] == ["as", "well"] else 1)
+    if (words[-1:] != ["too"] and end != len(words) - 2) or _SUBJECT.isdisjoint(words) or "and" not in words:
+        return
+    behind = said[len(words) - 1 - words[::-1].index("and") + 1 : end]
+    looks = {
+        lexicon.COLOR.get(t.word) or t.raw for t in behind if t.word not in _ARTICLES and t.word not in lexicon.BLOCK
+    }
+    those = {block.name for block in task.blocks if len(looks) == 1 and looks & _looks(block)}
+    told = [x for x in atoms(task.goal) if those & {*names(x)}]
+    if those and told and all(hasattr(x, "b") and those <= {*members(x.b)} for x in told):
+        raise refuse("ambiguous", "is this one there, too, or what the others are next to?", behind[0].span,
+                     "say it in a sentence of its own")  # fmt: skip
+
+
+def _reversed(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "sort the red and blue blocks by color in reverse order", where nothing is in any order."""
+    for order, before in zip(sentence[1:], sentence, strict=False):
+        if order.word != "order" or before.word not in ("reverse", "reversed", "opposite", "inverse"):
+            continue
+        found = [x for part in (task.goal, *task.init.arranged) for x in atoms(part)]
+        kinds = {_order_by(x) for x in found} - {"", "any", "together"}
+        if not kinds and not any(isinstance(x, Spells | Equation) or hasattr(x, "up") for x in found):
+            raise refuse("misplaced", "there is no order here that could be reversed", before.span,
+                         "say which comes first")  # fmt: skip
+
+
+def _at_an_end(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "line up A, B and C, the red one first" with the red one anywhere in the line."""
+    said = [token for token in sentence if token.word not in STOPS]
+    if (
+        len(said) < 5
+        or said[-1].word not in ("first", "last")
+        or said[-2].word not in ("one", "ones", "block", "blocks")
+    ):
+        return
+    look, article, comma = said[-3], said[-4], said[-5]
+    color = lexicon.COLOR.get(look.word)
+    those = {block.name for block in task.blocks if color is not None and block.color == color}
+    if article.word == "the" and comma.word == "," and those and not _comes_first(those, task):
+        raise refuse("misplaced", "nothing here has such an end", said[-1].span, "say in which order they should be")

@@ -86,7 +86,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     towers = Towers.of(scene)
     scene.placing = clause.verb in ("place", "use") and getattr(clause.theme, "word", "") != "same"
     scene.denying, scene.describing = clause.negated, clause.verb == "be"
-    goals = of_the_same(_dispatch(clause, spec, scene, scope), clause)
+    goals = of_the_same(_dispatch(clause, spec, scene, scope), clause, scene)
     scene.denying = False
     towers.after(scene, start=start, denied=clause.negated)
     if clause.negated and len(scene.loose) > loose:

@@ -7,16 +7,16 @@ from rpg.ir import relations as r
 from rpg.ir.walk import names
 from rpg.language.meaning import Clause, In, Loc, Manner, Pronoun
 from rpg.passes.schema.resolve.goals.logic import conj
-from rpg.passes.schema.resolve.things.world import refuse
+from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
-def of_the_same(goals: list[g.Goal], clause: Clause) -> list[g.Goal]:
+def of_the_same(goals: list[g.Goal], clause: Clause, scene: Scene) -> list[g.Goal]:
     """The goals of a clause, where several of them count the same blocks: so many of which all is true.
 
     What so many are put on holds no more of them than that.
     """
     if isinstance(clause.theme, Pronoun) and clause.theme.word == "same":
-        _told_before(goals, clause)
+        _told_before(goals, clause, scene)
     if sum(isinstance(part, Loc | In | Manner) for part in clause.adjuncts) < 2:
         return goals  # "one of them in each corner"
     lots = [(goal, found) for goal in goals if (found := _counted(goal)) is not None]
@@ -54,8 +54,10 @@ def _no_others(lots: list[tuple[g.Goal, g.Goal]], goals: list[g.Goal], clause: C
                          "name the blocks that you mean")  # fmt: skip
 
 
-def _told_before(goals: list[g.Goal], clause: Clause) -> None:
+def _told_before(goals: list[g.Goal], clause: Clause, scene: Scene) -> None:
     """Refuse "two of the three are on the mat and should not touch the green one": the same two?"""
-    if any(isinstance(goal, g.Count) for goal in goals):
+    told = [m.ref for m in scene.mentions if m.clause == scene.clause - 1 and m.role == "theme"]
+    some = any(ref.quant is not None and 0 < ref.quant.low < len(ref.names) for ref in told)
+    if some or any(isinstance(goal, g.Count) for goal in goals):
         raise refuse("ambiguous", "it is not clear whether this is said of the same ones", clause.span,
                      "name the blocks, or say it without a second verb")  # fmt: skip

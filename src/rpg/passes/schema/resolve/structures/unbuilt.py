@@ -41,7 +41,7 @@ def _nowhere_built(marks: list[Meaning | None], chains: tuple[Chain, ...], scene
     builds = (
         not listed or any(clause.verb in _BUILDING for clause in clauses) or any(shape.det != "the" for shape in shapes)
     )
-    for mark in marks if not (builds or scene.start_goals or scene.on_top) and listed else ():
+    for mark in marks if not (builds or begun or scene.on_top) and listed else ():
         if isinstance(mark, Structure) and mark.det == "the" and _bare(mark) and not mark.plural:
             raise refuse("no-referent", "this is spoken of as known, but nothing says that it is there or is built",
                          mark.span, f"say first that there is a {mark.kind}, or what is to be one")  # fmt: skip

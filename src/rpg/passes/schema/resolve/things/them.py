@@ -197,13 +197,21 @@ def _all_of_them(word: Pronoun, last: Mention, own: list[Mention], scene: Scene)
 def _no_later_ones(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> None:
     """Refuse "them" behind "put A, B and C in a row. Put red next to blue": the three, the two, or all five?"""
     several: dict[int, set[str]] = {}
+    one_more = False
     for mention in scene.mentions[scene.mentions.index(last) + 1 :]:
         if mention.clause not in (last.clause, scene.clause) and mention not in own:
-            told = (n for n in mention.ref.names if not (scene.things[n].patch or scene.things[n].extra))
+            told = [n for n in mention.ref.names if not (scene.things[n].patch or scene.things[n].extra)]
             several.setdefault(mention.clause, set()).update(told)
-    if any(len(names) > 1 and not names & set(last.ref.names) for names in several.values()):
+            one_more |= _in_one_breath(last, mention, scene) and not {*told} <= {*last.ref.names}
+    if one_more or any(len(names) > 1 and not names & set(last.ref.names) for names in several.values()):
         raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
                      "name the blocks that you mean")  # fmt: skip
+
+
+def _in_one_breath(last: Mention, other: Mention, scene: Scene) -> bool:
+    """ "Put two on the red mat and one on the blue one": what is told of by the same verb, in an earlier sentence."""
+    themes = last.role == other.role == "theme" and last.sentence == other.sentence < scene.sentence
+    return themes and scene.verbs.get(last.clause) == scene.verbs.get(other.clause)
 
 
 def _both_piles(word: Pronoun, scene: Scene) -> tuple[str, ...]:

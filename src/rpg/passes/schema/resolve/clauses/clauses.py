@@ -82,8 +82,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
         _first_thats(clause.theme, spec, scene)
         for one in (p for p in spec.places if universal(clause.theme) and "besides" in getattr(p, "mods", ())):
             raise refuse("ambiguous", "all but this one, or all away from it?", one.span, "say 'except' or 'away from'")
-    loose = len(scene.loose)
-    towers = Towers.of(scene)
+    loose, towers = len(scene.loose), Towers.of(scene)
     scene.placing = clause.verb in ("place", "use") and getattr(clause.theme, "word", "") != "same"
     scene.denying, scene.describing = clause.negated, clause.verb == "be"
     goals = of_the_same(_dispatch(clause, spec, scene, scope), clause, scene)

@@ -39,9 +39,10 @@ def _nowhere_built(marks: list[Meaning | None], chains: tuple[Chain, ...], scene
     shapes = [part for chain in chains for part in parts_of(chain) if isinstance(part, Structure)]
     listed = any(thing.declared and not thing.patch for thing in scene.things.values())
     begun = any(goal.kind not in ("row", "on_patch", "in_region") for goal in scene.start_goals)
-    builds = any(clause.verb in _BUILDING for clause in clauses) or any(shape.det != "the" for shape in shapes)
-    for mark in marks if not (builds or begun or scene.on_top) and listed else ():
-        if isinstance(mark, Structure) and mark.det == "the" and _bare(mark) and not mark.plural:
+    builds = begun or bool(scene.on_top) or any(clause.verb in _BUILDING for clause in clauses)
+    told = {shape.kind for shape in shapes if shape.det != "the"}
+    for mark in marks if listed and not builds else ():
+        if isinstance(mark, Structure) and mark.det == "the" and _bare(mark) and not (mark.plural or mark.kind in told):
             raise refuse("no-referent", "this is spoken of as known, but nothing says that it is there or is built",
                          mark.span, f"say first that there is a {mark.kind}, or what is to be one")  # fmt: skip
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Chain, Clause, Coord, Into, Loc, Manner, Meaning, Noun, Pronoun, replace
+from rpg.language.meaning import At, Chain, Clause, Coord, Into, Loc, Manner, Meaning, Noun, Pronoun, replace
 
 _TURNS = frozenset({"facing", "turn", "by", "by?"})
 _LINES = frozenset({"line", "align"})
@@ -13,6 +13,7 @@ def turned_as_well(chain: Chain) -> Chain:
     clauses: list[Meaning] = []
     links: list[str] = []
     for link, clause in zip(chain.links, chain.clauses, strict=True):
+        clause = _as_far(clauses[-1] if clauses else None, clause)
         turns = _turns(clause)
         if isinstance(clause, Clause) and turns:
             rest = tuple(part for part in clause.adjuncts if part not in turns)
@@ -23,7 +24,20 @@ def turned_as_well(chain: Chain) -> Chain:
         else:
             clauses.append(clause)
             links.append(link)
-    return replace(chain, clauses=tuple(clauses), links=tuple(links)) if len(links) > len(chain.links) else chain
+    whole = replace(chain, clauses=tuple(clauses), links=tuple(links))
+    return whole if whole.clauses != chain.clauses else chain
+
+
+def _as_far(before: Meaning | None, clause: Meaning) -> Meaning:
+    """ "Turn red by 90 degrees to the left and blue to the right": by as much, the other way."""
+    if not isinstance(before, Clause) or not isinstance(clause, Clause) or before.word != clause.word:
+        return clause
+    by = [part for part in before.adjuncts if isinstance(part, Manner) and part.kind == "by"]
+    side = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    if clause.verb != "turn" or len(by) != 1 or not isinstance(side, At) or side.side not in ("left", "right"):
+        return clause
+    degrees = abs(float(by[0].value or 0.0)) * (1 if side.side == "left" else -1)
+    return replace(clause, adjuncts=(replace(by[0], value=degrees, span=side.span),))
 
 
 def _turns(clause: Meaning) -> tuple[Manner, ...]:

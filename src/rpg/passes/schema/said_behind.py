@@ -125,8 +125,15 @@ def _all_different(sentence: Sequence[Token], task: TaskSchema) -> None:
 _ACROSS = {"left": "y", "right": "y", "front": "x", "back": "x", "bottom": "z", "top": "z", "near": "x", "far": "x"}
 
 
+_CORRECTING = frozenset({"same", "rather", "correction", "instead", "sorry", "mean", "meant", "wait", "actually", "no",
+                         "palindrome"})  # fmt: skip
+"""What leads to another way that is told for the first one, or beside it."""
+
+
 def _one_way(tokens: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "line up five blocks from left to right. From front to back" as one of the two."""
+    if not _CORRECTING.isdisjoint(token.word for token in tokens):
+        return
     words = [token for token in tokens if token.word != "the"]
     words = [
         token for before, token in zip([None, *words], words, strict=False) if not (before and before.word == "not")

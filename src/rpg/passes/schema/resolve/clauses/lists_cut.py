@@ -16,9 +16,15 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
     for chain in chains:
         for head, rest in _cuts(chain):
             between = text[head.span[1] : rest.span[0]].strip(" ,")
-            if between in ("and", "&") and (_open(head, text) or _goes_on(head, rest, text)):
+            finite = text[rest.span[1] :].lower().split()[:1] in _FINITE
+            cut = (_open(head, text) and not finite) or _goes_on(head, rest, text)
+            if between in ("and", "&") and cut:
                 raise refuse("ambiguous", "it is not clear whether this is said of all that is listed, or of the last",
                              rest.span, "say it in a sentence of its own")  # fmt: skip
+
+
+_FINITE = (["is"], ["are"], ["should"], ["must"], ["has"], ["goes"], ["stands"], ["lies"])
+"""What is said of the last one alone behind these."""
 
 
 def _cuts(chain: Chain) -> Iterator[tuple[Noun, Noun]]:
@@ -39,7 +45,7 @@ def _cuts(chain: Chain) -> Iterator[tuple[Noun, Noun]]:
 
 def _told_short(clause: Clause) -> bool:
     """A clause without a verb, or with a participle for one: "blue blocks in front", "C standing on the mat"."""
-    return clause.theme is not None and clause.span[0] == clause.theme.span[0]
+    return clause.theme is not None and clause.verb != "part" and clause.span[0] == clause.theme.span[0]
 
 
 def _last(told: Meaning | None) -> Iterator[Noun]:

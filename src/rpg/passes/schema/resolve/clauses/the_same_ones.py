@@ -5,7 +5,8 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.walk import names
-from rpg.language.meaning import Clause, In, Loc, Manner, Pronoun
+from rpg.language.meaning import Clause, In, Loc, Pronoun
+from rpg.passes.schema.resolve.clauses.turned_as_well import TURNS
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
@@ -17,7 +18,7 @@ def of_the_same(goals: list[g.Goal], clause: Clause, scene: Scene) -> list[g.Goa
     """
     if isinstance(clause.theme, Pronoun) and clause.theme.word == "same":
         _told_before(goals, clause, scene)
-    if sum(isinstance(part, Loc | In | Manner) for part in clause.adjuncts) < 2:
+    if sum(isinstance(part, Loc | In) or getattr(part, "kind", "") in TURNS for part in clause.adjuncts) < 2:
         return goals  # "one of them in each corner"
     lots = [(goal, found) for goal in goals if (found := _counted(goal)) is not None]
     if len(lots) != len(goals):
@@ -58,6 +59,9 @@ def _told_before(goals: list[g.Goal], clause: Clause, scene: Scene) -> None:
     """Refuse "two of the three are on the mat and should not touch the green one": the same two?"""
     told = [m.ref for m in scene.mentions if m.clause == scene.clause - 1 and m.role == "theme"]
     some = any(ref.quant is not None and 0 < ref.quant.low < len(ref.names) for ref in told)
+    again = scene.verbs[scene.clause][0] == scene.verbs.get(scene.clause - 1, (None,))[0]
+    if again and not clause.negated:
+        return  # "one of them is on red or on blue"
     if some or any(isinstance(goal, g.Count) for goal in goals):
         raise refuse("ambiguous", "it is not clear whether this is said of the same ones", clause.span,
                      "name the blocks, or say it without a second verb")  # fmt: skip

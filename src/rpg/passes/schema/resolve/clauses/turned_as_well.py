@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language.meaning import At, Chain, Clause, Coord, Into, Loc, Manner, Meaning, Noun, Pronoun, replace
 
-_TURNS = frozenset({"facing", "turn", "by", "by?"})
+TURNS = frozenset({"facing", "turn", "by", "by?"})
 _LINES = frozenset({"line", "align"})
 
 
@@ -48,5 +48,5 @@ def _turns(clause: Meaning) -> tuple[Manner, ...]:
     lined = any(isinstance(part, Into) for part in clause.adjuncts) and clause.verb in ("place", "arrange", "be")
     arranged = lined or clause.verb == "stack" or (clause.verb == "arrange" and clause.lemma in _LINES)
     placed = any(isinstance(part, Loc) for part in clause.adjuncts)
-    turns = tuple(part for part in clause.adjuncts if isinstance(part, Manner) and part.kind in _TURNS)
+    turns = tuple(part for part in clause.adjuncts if isinstance(part, Manner) and part.kind in TURNS)
     return turns if several and arranged and not placed else ()

@@ -160,6 +160,21 @@ def _on_whichever(goal: g.Count, say: Speaker) -> str | None:
     return f"{say.the((goal.var,))} {say.be((goal.var,))} on any of {say.the(tuple(part.patch for part in on))}"
 
 
+def _of_the_same(goal: g.Count, say: Speaker) -> str | None:
+    """ "Exactly two are on the mat and in the left half": it is counted of which both is true."""
+    parts = goal.goal.goals if isinstance(goal.goal, g.All) else ()
+    who = f"{say.aliases[goal.var]} "
+    told = [spoken(part, say) for part in parts]
+    if len(told) < 2 or not all(text.startswith(who) for text in told):
+        return None
+    lead = next((f"{who}{be} " for be in ("must be", "is", "are") if told[0].startswith(f"{who}{be} ")), who)
+    denied = lead.replace("must be", "must not be") if "must be" in lead else f"{lead}not "
+    if not all(text.startswith((lead, denied)) for text in told):
+        return join([told[0], *(text[len(who) :] for text in told[1:])])
+    rest = (f"not {text[len(denied) :]}" if text.startswith(denied) else text[len(lead) :] for text in told[1:])
+    return join([told[0], *rest])
+
+
 def _counted(goal: g.Count, say: Speaker) -> str:
     low, high, total = goal.at_least, goal.at_most, len(goal.over)
     if high == 0:
@@ -176,7 +191,7 @@ def _counted(goal: g.Count, say: Speaker) -> str:
     say.aliases[goal.var] = one or f"{many} of {say.the(goal.over)}"
     if many != "exactly one" and not one:
         say.plural.add(goal.var)
-    text = _on_whichever(goal, say) or spoken(goal.goal, say)
+    text = _on_whichever(goal, say) or _of_the_same(goal, say) or spoken(goal.goal, say)
     say.plural.discard(goal.var)
     del say.aliases[goal.var]
     return text

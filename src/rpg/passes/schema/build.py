@@ -14,21 +14,7 @@ from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import (
-    Chain,
-    Clause,
-    In,
-    Manner,
-    Noun,
-    OrderBy,
-    Pronoun,
-    Quality,
-    Size,
-    Traits,
-    cost_of,
-    parts_of,
-    replace,
-)
+from rpg.language.meaning import Chain, OrderBy, Pronoun, Traits, cost_of, parts_of, replace
 from rpg.language.read import Sentence, read_sentences
 from rpg.language.tokens import Token
 from rpg.passes.schema.ambiguity import TwoReadings, same
@@ -38,14 +24,16 @@ from rpg.passes.schema.invented import check_invented
 from rpg.passes.schema.joints import check_joints
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, aimless, patience, torn
+from rpg.passes.schema.reading_order import THEM, as_they_are_read, of_everything
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_first
-from rpg.passes.schema.resolve.clauses.between_two import of_a_line
 from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
 from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
 from rpg.passes.schema.resolve.clauses.in_parts import links_left
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
+from rpg.passes.schema.resolve.clauses.left_out_behind import left_out_behind
+from rpg.passes.schema.resolve.clauses.lists_cut import check_lists
 from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.clauses.readied import readied
 from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
@@ -56,7 +44,6 @@ from rpg.passes.schema.resolve.goals.only_denied import still_ahead
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.goals.untouched import left_as_they_are
 from rpg.passes.schema.resolve.orders.told_places import places_told
-from rpg.passes.schema.resolve.places.mutual import WHATEVER
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
@@ -69,7 +56,7 @@ from rpg.passes.schema.resolve.things.of_each import each_later
 from rpg.passes.schema.resolve.things.rest import listed_alone, selects, speaks_of_rest
 from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one_by_one
 from rpg.passes.schema.resolve.things.sized import sized
-from rpg.passes.schema.resolve.things.spare import definite, leaves_out, none_ignored
+from rpg.passes.schema.resolve.things.spare import none_ignored
 from rpg.passes.schema.resolve.things.taken import all_plainly
 from rpg.passes.schema.resolve.things.things import fits, matching, note_named
 from rpg.passes.schema.resolve.things.world import Scene, refuse, said
@@ -159,8 +146,9 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
+    check_lists(chains, text)
     chains = from_heaps(readied(chains, text), text)
-    links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(links, chains, text))))
+    links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(*left_out_behind(links, chains), text))))
     told = begun(chains, text)
     links, every = links_left(links, chains, told), links
     facts = cleared_of(told, links)
@@ -220,17 +208,13 @@ def _resolved(
     scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
     note_named(chains, scene)
     check_words(chains, scene)
-    pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))
+    pointed = any(isinstance(part, Pronoun) and part.word in THEM for chain in chains for part in parts_of(chain))
     chains = chains if pointed else kinds_last(chains)
     late = [
-        n for n, chain in enumerate(chains) if _of_everything(chain, pointed) or (not pointed and waits(chain, chains))
+        n for n, chain in enumerate(chains) if of_everything(chain, pointed) or (not pointed and waits(chain, chains))
     ]
-    order = sorted(
-        range(len(chains)),
-        key=lambda n: (n in late, not _sets_scene(chains[n]), not _counts_each(chains[n]), n),
-    )
     stated: dict[int, list[g.Goal]] = {}
-    for n in order:
+    for n in as_they_are_read(chains, late):
         scene.sentence, loose = n, len(scene.loose)
         stated[n] = chain_goals(chains[n], scene)
         at_their_times(links[max(n, 1) : n + 2], stated[n], loose, scene)
@@ -317,79 +301,6 @@ def _passed_over(traits: Traits, scene: Scene) -> int:
     """How many blocks of these looks were said to be distractors after they were counted."""
     things = [scene.things[name] for name in scene.ignored]
     return sum(not thing.patch and fits(thing, traits) for thing in things)
-
-
-def _counts_each(chain: Chain) -> bool:
-    """ "Two blocks of each": as many of every look that is listed, before or behind."""
-    clauses = [clause for clause in chain.clauses if isinstance(clause, Clause) and clause.theme is None]
-    sizes = [part for clause in clauses for part in clause.adjuncts]
-    return bool(sizes) and all(isinstance(x, Size) and x.what == "each" for x in sizes)
-
-
-def _sets_scene(chain: Chain) -> bool:
-    """Whether a sentence only says what there is or how it starts: it is read first."""
-    return all(leaves_out(c) or (isinstance(c, Clause) and _brings_up(c)) for c in chain.clauses)
-
-
-def _brings_up(clause: Clause) -> bool:
-    """What there is; or "two blue blocks lie around": blocks that come into the task by this."""
-    extra = any(isinstance(m, Manner) and m.kind == "extra" for m in clause.adjuncts)
-    told = clause.mode == "given" and not of_a_line(clause)
-    return told or (extra and clause.theme is not None and not definite(clause.theme))
-
-
-_THEM = frozenset(
-    {"them", "they", "these", "those", "everything", "all", "all of them", "each of them", "the others", "the rest"}
-)
-
-
-def _of_everything(chain: Chain, pointed: bool) -> bool:
-    """ "All blocks are 5 cm wide": what all look like can only be said of those that the other sentences bring up."""
-    if all(isinstance(clause, Clause) and _of_no_block(clause) for clause in chain.clauses):
-        return True
-    if not pointed and all(isinstance(clause, Clause) and _begins_with_all(clause) for clause in chain.clauses):
-        return True
-    return all(
-        isinstance(clause, Clause)
-        and clause.verb == "be"
-        and isinstance(clause.theme, Noun)
-        and clause.theme.head == "block"
-        and (clause.theme.det in ("all", "each") or (clause.theme.det == "the" and _sizes(clause)))
-        and (clause.theme.traits, clause.theme.part_of) == (Traits(), None)
-        and (clause.theme.amount is None or clause.theme.det == "all")
-        and bool(clause.adjuncts)
-        and all(isinstance(adjunct, Quality) for adjunct in clause.adjuncts)
-        for clause in chain.clauses
-    )
-
-
-def _sizes(clause: Clause) -> bool:
-    """ "The cubes are 5 cm wide"."""
-    plural = isinstance(clause.theme, Noun) and clause.theme.plural
-    marks = [a.traits for a in clause.adjuncts if isinstance(a, Quality)]
-    return plural and all(x == Traits(edge=x.edge, size=x.size) for x in marks)
-
-
-def _of_no_block(clause: Clause) -> bool:
-    """ "No block is in the middle of the table", "the right half stays empty": whichever blocks there are."""
-    theme = clause.theme
-    if clause.adjuncts and all(getattr(getattr(x, "landmark", None), "word", "") in WHATEVER for x in clause.adjuncts):
-        return True
-    if isinstance(theme, Noun) and theme.det == "no" and theme.amount and not (theme.part_of or theme.traits.colors):
-        return True  # "no two letters may touch"
-    none = isinstance(theme, Noun) and theme.head == "block" and theme.det == "no" and theme.traits == Traits()
-    return none and {type(part) for part in clause.adjuncts} in ({In}, {In, Manner})
-
-
-def _begins_with_all(clause: Clause) -> bool:
-    """ "The blocks start in a heap": those that the other sentences bring up."""
-    theme = clause.theme
-    if clause.mode != "start" or not isinstance(theme, Noun) or theme.head != "block" or not theme.plural:
-        return False
-    plain = (theme.traits, theme.part_of) == (Traits(), None)
-    named = (part.traits for part in parts_of(clause.adjuncts) if isinstance(part, Noun))
-    plain = plain and not any(traits.colors or traits.labels for traits in named)
-    return plain and (theme.det == "all" or (theme.det == "the" and theme.amount is None))
 
 
 def _no_goal(scene: Scene, text: str) -> Refusal:

@@ -263,7 +263,10 @@ def _on_one(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
     at = next((n for n, word in enumerate(here) if word in ("on", "onto")), 0)
     here = [t.word for t in words[index + 1 + at : index + 5 + at]]
     one = here[:1] in (["on"], ["onto"]) and here[1:2] in (["a"], ["one"]) and bool({*here[2:4]} & lexicon.PATCH.keys())
+    stacks = [x for x in atoms(task.goal) if isinstance(x, Stack) and x.patch is not None]
     placed = [x for x in atoms(task.goal) if isinstance(x, OnPatch)]
+    if one and not placed and len(stacks) == 1 and _alone(task):
+        return True  # "stack three blocks, each on a mat"
     return one and len({x.patch for x in placed}) == 1 and any(len(members(x.a)) > 1 for x in placed)
 
 

@@ -33,6 +33,7 @@ from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
 from rpg.passes.schema.order_told import check_order
 from rpg.passes.schema.respelt import Respelt
+from rpg.passes.schema.said_behind import check_behind
 from rpg.passes.schema.told_there import check_numbers, check_told, check_wanted
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
@@ -125,13 +126,14 @@ class BuiltinFrontEnd:
         if notes and mended is None:
             return self._as_meant(Respelt.of(text, words, tokens), name, seed, author, notes)
         notes = [*(mended or notes), *named]
-        spoken = with_beginnings(words)
+        typed, spoken = words, with_beginnings(words)
         words, told = told_plainly(rows_in_words(without_asides(spoken)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
             check_order(words)
             check_told(told or told_behind(words), found.task)
             check_numbers(spoken, words, found)
+            check_behind(typed, found.task)
         except Refusal:
             for ahead, wanted in ((shape_ahead(words), ""), *stocks_ahead(words)):
                 if ahead is None:
@@ -142,6 +144,7 @@ class BuiltinFrontEnd:
                     check_told(told, found.task)
                     check_numbers(spoken, ahead, found)
                     check_wanted(words if wanted else [], found.task, each_block=wanted == "block")
+                    check_behind(typed, found.task)
                     return found.task, found.notes
             raise
         return found.task, found.notes

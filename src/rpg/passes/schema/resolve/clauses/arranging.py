@@ -213,7 +213,9 @@ def _in_time(order: OrderBy, verb: str, theme: Ref, spec: Spec) -> bool:
 
 def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
     """ "red, then green, then blue on the patch"; "in temporal order (blue first, then red)": one stage for each."""
-    units = theme.parts
+    units = theme.parts or tuple(Ref(names=(n,)) for n in theme.names)
+    if theme.quant is not None and theme.quant.low < len(theme.names):
+        raise refuse("ambiguous", "it is not said which blocks come one after the other", span, "name them")
     if temporal is not None and temporal.items:
         found = [refer(item, scene, Scope(pool=theme.names)) for item in temporal.items]
         del scene.mentions[-len(found) :]
@@ -228,8 +230,6 @@ def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, 
                 "count-mismatch", "the order leaves some of the blocks out", temporal.span, "name every block once"
             )
         units = tuple(found)
-    if not units:
-        units = tuple(Ref(names=(n,)) for n in theme.names)
     stages = []
     mark = _one_mark(spec, scene, scope)
     for unit in units:

@@ -27,6 +27,7 @@ from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
 from rpg.passes.schema.resolve.clauses.staged import staged
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
+from rpg.passes.schema.resolve.clauses.turned_as_well import turned_as_well
 from rpg.passes.schema.resolve.goals.conflicts import required
 from rpg.passes.schema.resolve.goals.logic import conj, disj
 from rpg.passes.schema.resolve.orders.loose import settle
@@ -38,7 +39,7 @@ Goals = list[g.Goal]
 
 def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     """The goals of a chain of clauses; those about the start go to the scene instead."""
-    chain = put_at_once(each_by_itself(chain))
+    chain = put_at_once(each_by_itself(turned_as_well(chain)))
     if timed(chain):
         return chain_goals(untimed(chain), scene, start)
     chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(chain))))

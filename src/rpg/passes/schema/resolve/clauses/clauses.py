@@ -40,6 +40,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
 from rpg.passes.schema.resolve.clauses.started import laid_down, partly, was_so
 from rpg.passes.schema.resolve.clauses.swapped import mere_result, swap
+from rpg.passes.schema.resolve.clauses.the_same_ones import of_the_same
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
@@ -81,11 +82,10 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
         _first_thats(clause.theme, spec, scene)
         for one in (p for p in spec.places if universal(clause.theme) and "besides" in getattr(p, "mods", ())):
             raise refuse("ambiguous", "all but this one, or all away from it?", one.span, "say 'except' or 'away from'")
-    loose = len(scene.loose)
-    towers = Towers.of(scene)
+    loose, towers = len(scene.loose), Towers.of(scene)
     scene.placing = clause.verb in ("place", "use") and getattr(clause.theme, "word", "") != "same"
     scene.denying, scene.describing = clause.negated, clause.verb == "be"
-    goals = _dispatch(clause, spec, scene, scope)
+    goals = of_the_same(_dispatch(clause, spec, scene, scope), clause, scene)
     scene.denying = False
     towers.after(scene, start=start, denied=clause.negated)
     if clause.negated and len(scene.loose) > loose:

@@ -16,3 +16,9 @@ def of_a_line(ref: Ref, at_: At, scene: Scene) -> None:
         if b.kind in SIDES and begun and (inside or b.kind != "stack"):
             raise refuse("ambiguous", f"this could be the middle of the {b.kind} or of the table", at_.span,
                          "say 'of the table', or name the blocks in the order that they should have")  # fmt: skip
+
+
+def beside_another(ats: list[At], scene: Scene) -> bool:
+    """ "Put red on blue with green in the middle": between the two, or in the middle of the table?"""
+    marks = [m for m in scene.mentions if m.clause == scene.clause and m.role == "landmark"]
+    return any(at_.side == "middle" for at_ in ats) and any(not (m.ref.patch or m.ref.table) for m in marks)

@@ -29,6 +29,7 @@ from rpg.passes.schema.resolve.goals.logic import negation
 from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.across_the_table import table_sides
 from rpg.passes.schema.resolve.places.centred import centred
+from rpg.passes.schema.resolve.places.middles import beside_another
 from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
 from rpg.passes.schema.resolve.places.pointed import of_a_part, of_its_own_corner, of_the_nearest, onto_a_list, whom
@@ -302,7 +303,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         if inner.ats and ref.built and not set(theme.names) & set(ref.names):
             raise refuse("misplaced", "this place does not fit the structure", inner.ats[0].span,
                          "say 'on top', or name the block among its members")  # fmt: skip
-        if inner.ats and len(ref.names) > 1 and not set(theme.names) & set(ref.names):
+        several = len(ref.names) > 1 or beside_another(inner.ats, scene)
+        if inner.ats and several and not set(theme.names) & set(ref.names):
             raise refuse("ambiguous", "it is not clear of what this is a part", inner.ats[0].span, "say where it is")
         if inner.ats:
             goals += loose_ats(theme, inner, scene, scope, item.span)

@@ -165,6 +165,8 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
                 Traits(labels=(symbol,), colors=traits.colors[:1], edge=traits.edge, size=traits.size), scene, False
             )
         names.append(found.name)
+    if isinstance(source, Noun) and source.part_of is not None and not {*names} <= {t.name for t in pool}:
+        raise refuse("order-misfit", f"these blocks do not show {text}", source.span, "use letter blocks")
     if len(pool) > len(names):
         scene.used.update(names)
     if theme is not None:

@@ -57,6 +57,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             if word.word == "all of them" and (every := _all_of_them(word, mention, own, scene)) is not None:
                 return every
             _no_rivals(word, mention, own, scene)
+            if (listed := _listed_in_one(mention, scene)) is not None:
+                return listed
             _no_later_ones(word, mention, own, scene)
             built = ref.built if len(ref.built) > 1 or _told_together(ref) else _one_tower(ref, scene, scope)
             return replace(ref, quant=None, each=False, op="and" if ref.op == "nor" else ref.op, built=built)
@@ -195,13 +197,21 @@ def _all_of_them(word: Pronoun, last: Mention, own: list[Mention], scene: Scene)
 def _no_later_ones(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> None:
     """Refuse "them" behind "put A, B and C in a row. Put red next to blue": the three, the two, or all five?"""
     several: dict[int, set[str]] = {}
+    one_more = False
     for mention in scene.mentions[scene.mentions.index(last) + 1 :]:
         if mention.clause not in (last.clause, scene.clause) and mention not in own:
-            told = (n for n in mention.ref.names if not (scene.things[n].patch or scene.things[n].extra))
+            told = [n for n in mention.ref.names if not (scene.things[n].patch or scene.things[n].extra)]
             several.setdefault(mention.clause, set()).update(told)
-    if any(len(names) > 1 and not names & set(last.ref.names) for names in several.values()):
+            one_more |= _in_one_breath(last, mention, scene) and not {*told} <= {*last.ref.names}
+    if one_more or any(len(names) > 1 and not names & set(last.ref.names) for names in several.values()):
         raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
                      "name the blocks that you mean")  # fmt: skip
+
+
+def _in_one_breath(last: Mention, other: Mention, scene: Scene) -> bool:
+    """ "Put two on the red mat and one on the blue one": what is told of by the same verb, in an earlier sentence."""
+    themes = last.role == other.role == "theme" and last.sentence == other.sentence < scene.sentence
+    return themes and scene.verbs.get(last.clause) == scene.verbs.get(other.clause)
 
 
 def _both_piles(word: Pronoun, scene: Scene) -> tuple[str, ...]:
@@ -233,6 +243,14 @@ def _no_rivals(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -
         if len(other.ref.names) > 1 and not other.ref.patch and not set(other.ref.names) & set(last.ref.names):
             raise refuse("ambiguous", f"{word.word!r} could be several things spoken of before", word.span,
                          "name the blocks that you mean")  # fmt: skip
+
+
+def _listed_in_one(last: Mention, scene: Scene) -> Ref | None:
+    """ "There are a red and a green block, and there are two blue ones. Stack them": all that the sentence lists."""
+    lists = [m for m in scene.mentions if (m.role, m.sentence, m.ref.patch) == ("given", last.sentence, False)]
+    names = [n for m in lists for n in m.ref.names if not scene.things[n].extra]
+    more = last in lists and len({m.clause for m in lists}) > 1 and not {*names} <= {*last.ref.names}
+    return Ref(names=tuple(dict.fromkeys(names)), plural=True) if more else None
 
 
 def _idle(mention: Mention, scene: Scene) -> bool:

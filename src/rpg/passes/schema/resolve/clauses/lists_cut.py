@@ -1,0 +1,71 @@
+""" "Line up A, B and C, standing on the mat", "two towers of red and blue blocks in the left half": a list is one, and
+what is said behind it is not of its last item alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from rpg.language import lexicon
+from rpg.language.meaning import Absolute, Chain, Clause, Coord, Meaning, Noun, Structure, Traits, parts_of
+from rpg.passes.schema.resolve.things.world import refuse
+
+
+def check_lists(chains: tuple[Chain, ...], text: str) -> None:
+    """Refuse a reading that cuts a list in two."""
+    for chain in chains:
+        for head, rest in _cuts(chain):
+            between = text[head.span[1] : rest.span[0]].strip(" ,")
+            finite = text[rest.span[1] :].lower().split()[:1] in _FINITE
+            cut = (_open(head, text) and not finite) or _goes_on(head, rest, text)
+            if between in ("and", "&") and cut:
+                raise refuse("ambiguous", "it is not clear whether this is said of all that is listed, or of the last",
+                             rest.span, "say it in a sentence of its own")  # fmt: skip
+
+
+_FINITE = (["is"], ["are"], ["should"], ["must"], ["has"], ["goes"], ["stands"], ["lies"])
+"""What is said of the last one alone behind these."""
+
+
+def _cuts(chain: Chain) -> Iterator[tuple[Noun, Noun]]:
+    """What stands last in a clause, with what the words behind it are said of."""
+    for link, (clause, after) in zip(chain.links[1:], pairwise(chain.clauses), strict=True):
+        if link == "and" and isinstance(after, Clause) and isinstance(after.theme, Noun) and _told_short(after):
+            yield from ((head, after.theme) for head in _last(clause))
+    for clause in chain.clauses:
+        for part in clause.adjuncts if isinstance(clause, Clause) else ():
+            if isinstance(part, Absolute) and isinstance(part.theme, Noun) and isinstance(clause, Clause):
+                yield from ((head, part.theme) for head in _last(clause.theme))
+        theme = clause.theme if isinstance(clause, Clause) else None
+        items = theme.items if isinstance(theme, Coord) and theme.op == "and" else ()
+        for one, other in pairwise(items):
+            if isinstance(one, Structure) and isinstance(other, Noun):
+                yield from ((head, other) for head in _last(one))
+
+
+def _told_short(clause: Clause) -> bool:
+    """A clause without a verb, or with a participle for one: "blue blocks in front", "C standing on the mat"."""
+    return clause.theme is not None and clause.verb != "part" and clause.span[0] == clause.theme.span[0]
+
+
+def _last(told: Meaning | None) -> Iterator[Noun]:
+    """The noun with which some words end."""
+    nouns = [part for part in parts_of(told) if isinstance(part, Noun)] if told is not None else []
+    end = max((noun.span[1] for noun in nouns), default=0)
+    yield from [noun for noun in nouns if noun.span[1] == end][-1:]
+
+
+def _open(head: Noun, text: str) -> bool:
+    """ "A, B": a list whose last item has not come yet."""
+    named = len(head.traits.labels) > 1 or len(head.traits.colors) > 1
+    return named and "," in text[slice(*head.span)] and " and " not in text[slice(*head.span)]
+
+
+def _goes_on(head: Noun, rest: Noun, text: str) -> bool:
+    """ "red" and "blue blocks", whose noun is for both."""
+    alike = head.head == "any" and head.det == "bare" and head.amount is None and bool(head.traits.colors)
+    plain = head.traits == Traits(colors=head.traits.colors)
+    words = text[slice(*rest.span)].lower().split()
+    bare = rest.head == "block" and rest.det == "bare" and bool(words) and words[0] in lexicon.COLOR
+    several = rest.plural or any(lexicon.BLOCK.get(word.strip(",")) for word in words)
+    return alike and plain and bare and several and bool(rest.traits.colors)

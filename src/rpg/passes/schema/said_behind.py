@@ -1,0 +1,204 @@
+"""What a later sentence says of an earlier one must show in the task: what begins a line, that no order is asked for,
+that no two blocks are alike, which way a line goes. It is looked for in the words as they were typed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir.assets import Block
+from rpg.ir.node import members
+from rpg.ir.order import Order
+from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import Equation, Row, Spells, Stack
+from rpg.ir.walk import atoms, names
+from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import STOPS, sentences
+from rpg.language.tokens import Token
+from rpg.passes.schema.numbers_had import symbols_of
+from rpg.passes.schema.resolve.things.world import refuse
+
+
+def check_behind(tokens: list[Token], task: TaskSchema) -> None:
+    """Refuse a task in which nothing comes of a sentence that tells more of what was said before it."""
+    told = sentences(tokens)
+    for sentence in told[1:]:
+        _begun_with(sentence, task)
+        _all_different(sentence, task)
+    for sentence in told:
+        _no_order(sentence, task)
+        _reversed(sentence, task)
+        _at_an_end(sentence, task)
+        _too(sentence, task)
+    _one_way(tokens, task)
+
+
+_POLITE = frozenset({"please", "and", "but", "then", "always", "just"})
+_BEGIN = frozenset({"begin", "start"})
+_ARTICLES = frozenset({"the", "a", "one", "of", "with", "from"})
+
+
+def _begun_with(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put red next to blue, and green next to white. Begin with the green block" as in any order."""
+    said = [token for token in sentence if token.word not in _POLITE | STOPS]
+    if len(said) < 3 or said[0].word not in _BEGIN or said[1].word not in ("with", "from"):
+        return
+    rest = [token for token in said[2:] if token.word not in _ARTICLES]
+    looks = {lexicon.COLOR.get(t.word) or t.raw.upper() for t in rest if t.word not in lexicon.BLOCK}
+    first = {block.name for block in task.blocks if looks & _looks(block)}
+    if len(looks) == 1 and first and not _comes_first(first, task):
+        raise refuse("misplaced", "nothing here has a beginning with which this could be done", said[0].span,
+                     "say what is done first, and what then")  # fmt: skip
+
+
+def _looks(block: Block) -> set[str]:
+    return {block.color, *symbols_of(block)}
+
+
+def _comes_first(blocks: set[str], task: TaskSchema) -> bool:
+    """Whether one of some blocks is at an end of a line, or is dealt with in a first stage, or is no matter at all."""
+    for part in (task.goal, *task.init.arranged):
+        for atom in atoms(part):
+            ranks = _ends(atom)
+            if any(blocks & {*rank} for rank in ranks):
+                return True
+    stages = _stages(task.goal)
+    return bool(stages) and bool(blocks & {*names(stages[0])})
+
+
+def _stages(goal: g.Goal) -> list[g.Goal]:
+    parts = goal.goals if isinstance(goal, g.All) else (goal,)
+    return [stage.goal for part in parts if isinstance(part, g.Sequence) for stage in part.stages]
+
+
+def _ends(atom: g.Goal) -> list[tuple[str, ...]]:
+    """The blocks at either end of what is ordered, as far as it is told."""
+    order = getattr(atom, "order", None) or getattr(getattr(atom, "pattern", None), "order", None)
+    if isinstance(atom, Spells | Equation) or not isinstance(order, Order):
+        read = members(getattr(atom, "blocks", ()))
+        return [read[:1], read[-1:]] if getattr(atom, "reverse", False) else [read[:1]]
+    if order.by == "given" and order.ranks:
+        return [order.ranks[0], order.ranks[-1]]
+    return [members(getattr(atom, "blocks", ()))] if order.by != "any" else []
+
+
+_FREE = frozenset({"matter", "matters", "any", "free", "irrelevant", "important", "regardless", "unimportant", "random",
+                   "whatever", "whichever", "open", "particular"})  # fmt: skip
+_ORDERED = frozenset({"label", "number", "size", "rainbow"})
+
+
+def _no_order(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "spell CAT. The order does not matter"."""
+    said = {token.word: token for token in sentence}
+    if "order" not in said or _FREE.isdisjoint(said) or not {"rest", "others", "other"}.isdisjoint(said):
+        return
+    found = [x for part in (task.goal,) for x in atoms(part)]
+    asked = [x for x in found if isinstance(x, Spells | Equation) or _order_by(x) in _ORDERED]
+    if asked and not any(_order_by(x) == "any" and isinstance(x, Row | Stack) for x in found):
+        raise refuse("contradiction", "the order is told, and yet it is not to matter", said["order"].span,
+                     "leave one of them out")  # fmt: skip
+
+
+def _order_by(atom: g.Goal) -> str:
+    order = getattr(atom, "order", None)
+    return order.by if isinstance(order, Order) else ""
+
+
+_SUBJECTS = frozenset({"they", "these", "those", "blocks", "cubes", "colors", "of", "them", "all", "the", "and",
+                       "should", "must", "be", "are", "have", "color", "each", "has", "a", "completely", "both",
+                       "with"})  # fmt: skip
+
+
+def _all_different(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "build a tower of three red blocks. They are all different"."""
+    words = [token.word for token in sentence if token.word not in STOPS]
+    at = next((n for n, word in enumerate(words) if word == "different"), 0)
+    if not at or not _SUBJECTS.issuperset([*words[:at], *words[at + 1 :]]):
+        return
+    used = {*names(task.goal)}
+    looks = [(block.color, *sorted(symbols_of(block)), block.size) for block in task.blocks if block.name in used]
+    if len({*looks}) < len(looks):
+        raise refuse("contradiction", "some of these look alike", sentence[at].span, "say how each of them looks")
+
+
+_ACROSS = {"left": "y", "right": "y", "front": "x", "back": "x", "bottom": "z", "top": "z", "near": "x", "far": "x"}
+
+
+_CORRECTING = frozenset({"same", "rather", "correction", "instead", "sorry", "mean", "meant", "wait", "actually", "no",
+                         "palindrome"})  # fmt: skip
+"""What leads to another way that is told for the first one, or beside it."""
+
+
+def _one_way(tokens: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "line up five blocks from left to right. From front to back" as one of the two."""
+    if not _CORRECTING.isdisjoint(token.word for token in tokens):
+        return
+    words = [token for token in tokens if token.word != "the"]
+    words = [
+        token for before, token in zip([None, *words], words, strict=False) if not (before and before.word == "not")
+    ]
+    ways: dict[tuple[str, str], Span] = {}
+    for lead, start, to, end in zip(words, words[1:], words[2:], words[3:], strict=False):
+        axis = _ACROSS.get(start.word)
+        if (
+            lead.word == "from"
+            and to.word == "to"
+            and axis
+            and axis == _ACROSS.get(end.word)
+            and start.word != end.word
+        ):
+            ways.setdefault((axis, start.word), (lead.span[0], end.span[1]))
+    lines = [x for part in (task.goal, *task.init.arranged) for x in atoms(part) if getattr(x, "blocks", ())]
+    alone = len(lines) == 1 and isinstance(lines[0], Row | Stack | Spells | Equation)
+    if len(ways) > 1 and alone and len({axis for axis, _ in ways}) < len(ways) + isinstance(lines[0], Row):
+        raise refuse("contradiction", "a line goes one way", [*ways.values()][-1], "leave one of them out")
+
+
+_SUBJECT = frozenset({"put", "place", "move", "bring", "get", "set", "lay", "should", "must"})
+
+
+def _too(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put red to the left of blue and the green one too" as left of both: is it green that is there, too?"""
+    said = [token for token in sentence if token.word not in STOPS]
+    words = [token.word for token in said]
+    end = len(words) - (2 if words[-2:] == ["as", "well"] else 1)
+    if (words[-1:] != ["too"] and end != len(words) - 2) or _SUBJECT.isdisjoint(words) or "and" not in words:
+        return
+    behind = said[len(words) - 1 - words[::-1].index("and") + 1 : end]
+    looks = {
+        lexicon.COLOR.get(t.word) or t.raw for t in behind if t.word not in _ARTICLES and t.word not in lexicon.BLOCK
+    }
+    those = {block.name for block in task.blocks if len(looks) == 1 and looks & _looks(block)}
+    told = [x for x in atoms(task.goal) if those & {*names(x)}]
+    if those and told and all(hasattr(x, "b") and those <= {*members(x.b)} for x in told):
+        raise refuse("ambiguous", "is this one there, too, or what the others are next to?", behind[0].span,
+                     "say it in a sentence of its own")  # fmt: skip
+
+
+def _reversed(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "sort the red and blue blocks by color in reverse order", where nothing is in any order."""
+    for order, before in zip(sentence[1:], sentence, strict=False):
+        if order.word != "order" or before.word not in ("reverse", "reversed", "opposite", "inverse"):
+            continue
+        found = [x for part in (task.goal, *task.init.arranged) for x in atoms(part)]
+        kinds = {_order_by(x) for x in found} - {"", "any", "together"}
+        if not kinds and not any(isinstance(x, Spells | Equation) or hasattr(x, "up") for x in found):
+            raise refuse("misplaced", "there is no order here that could be reversed", before.span,
+                         "say which comes first")  # fmt: skip
+
+
+def _at_an_end(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "line up A, B and C, the red one first" with the red one anywhere in the line."""
+    said = [token for token in sentence if token.word not in STOPS]
+    if (
+        len(said) < 5
+        or said[-1].word not in ("first", "last")
+        or said[-2].word not in ("one", "ones", "block", "blocks")
+    ):
+        return
+    look, article, comma = said[-3], said[-4], said[-5]
+    color = lexicon.COLOR.get(look.word)
+    those = {block.name for block in task.blocks if color is not None and block.color == color}
+    if article.word == "the" and comma.word == "," and those and not _comes_first(those, task):
+        raise refuse("misplaced", "nothing here has such an end", said[-1].span, "say in which order they should be")

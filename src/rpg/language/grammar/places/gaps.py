@@ -7,6 +7,8 @@ from typing import Any, cast
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import absolute
+from rpg.language.grammar.places.denied_bounds import denied_bounds
+from rpg.language.grammar.places.free_room import behind_room
 from rpg.language.grammar.places.measures import AMONG, MEASURED_BETWEEN, NEXT, bounds, measured_so, room, their_ends
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.talk.slots import Patterns
@@ -141,7 +143,7 @@ def _between_first(p: Parser, i: int) -> Results[Clause]:
             measure = measures or measure
             named = p.one(j, noun)
             told = p.any_of(named, _IS)
-            for (low, high), end in bounds(p, told) if named and told else ():
+            for (low, high), end in (*(bounds(p, told) if told else ()), *denied_bounds(p, named)) if named else ():
                 yield _far_apart(p, i, end, theme, low, high, measure), end
 
 
@@ -199,8 +201,9 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
             for theme, end in _parted(p, m) if m else theirs:
                 yield from _alike(p, i, end, theme)
                 made = end if p.words[i] in ("make", "keep") else 0
-                end = p.any_of(end, _IS) or made
-                wide_ = [*bounds(p, end), *(room(p, end) if measure == "faces" else ())] if end else []
+                told = p.any_of(end, _IS) or made
+                wide_ = [*bounds(p, told), *(room(p, told) if measure == "faces" else ())] if told else []
+                wide_ += denied_bounds(p, end)
                 for (low, high), last in wide_:
                     last = p.opt(last, "wide")
                     yield _far_apart(p, i, last, theme, low, high, measure), last
@@ -216,6 +219,7 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                     both = Coord(op="and", items=(one, two), span=p.span(k, end))
                     yield _far_apart(p, i, end, both, low, high, measure), end
     for (low, high), k, measure in spans:
+        k = behind_room(p, k)
         if m := p.one(max(_REMAINS.matches(p, k), default=k), "between"):
             if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):
                 m, measure = centres, "centres"
@@ -273,7 +277,7 @@ def _from_to(p: Parser, i: int, j: int, measure: str) -> Results[Clause]:
         for two, end in simple(p, p.one(k, "to")) if p.one(k, "to") else ():
             both = isinstance(one, Noun) and isinstance(two, Noun)
             told = p.any_of(end, _IS) or (p.one(end, ":") if both else 0)
-            for (low, high), last in bounds(p, told) if both and told else ():
+            for (low, high), last in (*(bounds(p, told) if told else ()), *denied_bounds(p, end)) if both else ():
                 theme = Coord(op="and", items=(one, two), span=p.span(j, end))
                 yield _far_apart(p, i, last, theme, low, high, measure), last
 

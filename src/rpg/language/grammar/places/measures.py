@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.far_aside import to_a_side
+from rpg.language.grammar.places.free_room import behind_room
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import block_widths, edge_lengths, length
 from rpg.language.grammar.things.nouns import noun_phrase
@@ -39,8 +40,13 @@ _LIMITS = {
     "a maximum of": "high", "closer than": "high", "over": "low", "under": "high",
     "maximum": "high", "minimum": "low", "nearer than": "high", "farther than": "low", "further than": "low",
     "no closer than": "low", "no nearer than": "low", "no farther than": "high", "no further than": "high",
-    "smaller than": "high", "shorter than": "high", "greater than": "low", "larger than": "low", "bigger than": "low",
-    "not over": "high", "not exceeding": "high", "fewer than": "high",
+    "not over": "high", "not under": "low", "below": "high", "above": "low", "not below": "low", "not above": "high",
+    "beyond": "low",
+    **{f"{no}{more} than": "high" if bool(no) == (way == "low") else "low"
+       for way, words in (("high", ("smaller", "shorter", "narrower", "lower")),
+                          ("low", ("greater", "larger", "bigger", "wider", "longer")))
+       for more in words for no in ("", "no ", "not ")},
+    "not exceeding": "high", "fewer than": "high",
 }  # fmt: skip
 """What a length that follows bounds."""
 
@@ -252,8 +258,7 @@ _BETWEEN_FACES = (
       for of in _ENDS_OF),
     "between them", "between each other", "in between them", "in between", "between the two",
     "between each", "between each block",
-    *(f"of {free}{space} between {whom}" for free in ("", "empty ", "free ") for space in ("space", "table", "room")
-      for whom in ("them", "the blocks", "the two", *_GROUPS)),
+    "between the blocks",
     *(f"between {groups}" for groups in _GROUPS),
 )  # fmt: skip
 _ROOM = ("gap", "gaps", "spaces", "of space", "of free space", "space", "wide gap", "spacing", "distance",
@@ -268,6 +273,10 @@ _GAPS_OF = (
 
 
 _THEIRS_ARE = {"faces": "faces", "sides": "faces", "centers": "centres", "middles": "centres"}
+_OF_THEM = Patterns(
+    "of the|both two? blocks|cubes|boxes|bricks?", "that|which look|point at|towards|toward each_other|one_another",
+    "that|which face|meet each_other|one_another", "facing|looking_at each_other|one_another",
+)  # fmt: skip
 _THEIRS = {f"{whose}{ends}": measure for whose in ("", "the ", "their ") for ends, measure in _THEIRS_ARE.items()}
 
 
@@ -275,7 +284,7 @@ _THEIRS = {f"{whose}{ends}": measure for whose in ("", "the ", "their ") for end
 def their_ends(p: Parser, i: int) -> Results[str]:
     """ "their centers", "the faces of the blocks": between what a distance is measured, as the subject of a clause."""
     for phrase, j in p.standing(i, _THEIRS):
-        yield _THEIRS[phrase], p.any_of(j, ("of the blocks", "of the two", "of the two blocks", "of the cubes")) or j
+        yield _THEIRS[phrase], max(_OF_THEM.matches(p, j), default=j)
 
 
 _NEARER = ("closer than", "nearer than", "no closer than", "no nearer than", "not closer than", "farther than",
@@ -298,7 +307,7 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     for (low, high), j in bounds(p, start):
         end, measure = p.any_of(j, _BETWEEN_CENTERS), "centres"
         if not end:
-            end, measure = p.any_of(j, _BETWEEN_FACES), "faces"
+            end, measure = p.any_of(behind_room(p, j), _BETWEEN_FACES), "faces"
         if not end and p.words[start - 1 : start] == ["by"]:
             end, measure = j, "faces"
         if not end and start > i and p.words[start - 1] == "spaced":

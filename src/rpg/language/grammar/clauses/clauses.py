@@ -27,6 +27,7 @@ from rpg.language.grammar.clauses.having import finally_there, having, structure
 from rpg.language.grammar.clauses.identified import identified, what_is_there
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.none_empty import none_empty
+from rpg.language.grammar.clauses.numbers_compared import numbers_compared
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.replaced import replaced
 from rpg.language.grammar.clauses.reversed_end import reverse_of_it
@@ -122,7 +123,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from having(p, i, when)
     yield from occupied(p, i, when)
     yield from none_empty(p, i, when)
-    yield from equal_numbers(p, i) if mode != "start" else ()
+    yield from (*equal_numbers(p, i), *numbers_compared(p, i)) if mode != "start" else ()
     yield from on_what_is_named(p, i, when)
     yield from told_before(p, i, when)
     if mode != "start":

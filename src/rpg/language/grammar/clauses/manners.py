@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.colors_told import colors_told
+from rpg.language.grammar.clauses.numbers_denied import EXACTLY, number_denied
 from rpg.language.grammar.clauses.shifts import shifted, straight
 from rpg.language.grammar.clauses.some_way import SOME_WAY, SOME_WAYS
-from rpg.language.grammar.clauses.numbers_denied import EXACTLY, number_denied
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.framing import IN_PICTURE, WHEN_DONE
 from rpg.language.grammar.talk.slots import Patterns

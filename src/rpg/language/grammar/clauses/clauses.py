@@ -24,6 +24,7 @@ from rpg.language.grammar.clauses.each_kind import each_kind
 from rpg.language.grammar.clauses.equal_numbers import equal_numbers
 from rpg.language.grammar.clauses.given_own import given_own
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
+from rpg.language.grammar.clauses.heights_bounded import heights_bounded, stacks_more
 from rpg.language.grammar.clauses.identified import identified, what_is_there
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.none_empty import none_empty
@@ -123,7 +124,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from having(p, i, when)
     yield from occupied(p, i, when)
     yield from none_empty(p, i, when)
-    yield from (*equal_numbers(p, i), *numbers_compared(p, i)) if mode != "start" else ()
+    yield from (*equal_numbers(p, i), *numbers_compared(p, i), *heights_bounded(p, i)) if mode != "start" else ()
     yield from on_what_is_named(p, i, when)
     yield from told_before(p, i, when)
     if mode != "start":
@@ -314,6 +315,8 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
         if found.verb == "touch" and p.words[i] == "not" and p.follows(i, ("but",)):
             continue  # "should stand next to it but not touch it": said of what stands there
+        if j > i and stacks_more(p, j):
+            continue
         if negated or found.negated or j > i:
             found = nothing_at_all(replace(found, negated=negated, span=p.span(i, k)))
         yield ever(denied_of_all(p, i, found), never), k

@@ -132,9 +132,10 @@ def _holders(p: Parser, i: int) -> Iterator[tuple[Loc | In, int]]:
     for name, j in named_regions(p, p.opt(i, "the")):
         yield In(region=name, span=p.span(i, j)), j
     for one, j in simple(p, i):
-        if isinstance(one, Noun) and not one.plural and one.part_of is None:
-            if one.head == "patch" or (one.head == "any" and one.traits.colors):
-                yield Loc(rel="on", landmark=one, span=one.span), j
+        if not isinstance(one, Noun) or one.plural or one.part_of is not None:
+            continue
+        if one.head == "patch" or (one.head == "any" and one.traits.colors):
+            yield Loc(rel="on", landmark=one, span=one.span), j
 
 
 def _holding(p: Parser, i: int) -> Results[Clause]:

@@ -7,6 +7,7 @@ from typing import TypeGuard
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.walk import names as names_in
+from rpg.language.grammar.clauses.heights_bounded import BOUNDED
 from rpg.language.grammar.clauses.numbers_compared import COMPARED
 from rpg.language.grammar.things.retold import universal
 from rpg.language.meaning import (
@@ -32,6 +33,7 @@ from rpg.passes.schema.resolve.clauses.begun_facts import moved_from
 from rpg.passes.schema.resolve.clauses.between_two import counted_between
 from rpg.passes.schema.resolve.clauses.company import in_company
 from rpg.passes.schema.resolve.clauses.denials import denied, denied_of_any, denied_once
+from rpg.passes.schema.resolve.clauses.heights_bounded import bounded_heights
 from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
 from rpg.passes.schema.resolve.clauses.numbers_compared import compared_numbers
 from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_its_noun
@@ -156,7 +158,8 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
     return isinstance(place, Loc) and place.rel == "off" and not place.negated
 
 
-_BY_VERB = {"sort": sort, "spell": spell, "read": spell, COMPARED: compared_numbers}
+_BY_VERB = {"sort": sort, "spell": spell, "read": spell, COMPARED: compared_numbers,
+            BOUNDED: bounded_heights}  # fmt: skip
 
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:

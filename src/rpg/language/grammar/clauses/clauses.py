@@ -274,6 +274,17 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     return found
 
 
+_STAND = frozenset({"lie", "are", "stand", "stay", "sit", "remain", "rest"})
+
+
+def _of_what_stands(p: Parser, i: int) -> bool:
+    """ "should stand next to it but not touch it", "they lie there and touch no other": said of what stands there."""
+    if p.words[i] == "not" and p.follows(i, ("but",)):
+        return True
+    told = p.follows(i, ("and",)) and p.peek(0, lexicon.VERB) is None and not _STAND.isdisjoint(p.words[1:i])
+    return told and (p.words[i] == "touch" or p.words[i : i + 3] == ["do", "not", "touch"])
+
+
 @rule
 def _command(p: Parser, i: int) -> Results[Meaning]:
     """ "stack the red block on ...", "do not move ...", "never touch ..."."""
@@ -313,8 +324,8 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
                 alone = Manner(kind="only", span=p.span(i, k))
                 yield replace(found, adjuncts=(*found.adjuncts, alone), span=p.span(i, end)), end
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
-        if found.verb == "touch" and p.words[i] == "not" and p.follows(i, ("but",)):
-            continue  # "should stand next to it but not touch it": said of what stands there
+        if found.verb == "touch" and _of_what_stands(p, i):
+            continue
         if j > i and stacks_more(p, j):
             continue
         if negated or found.negated or j > i:

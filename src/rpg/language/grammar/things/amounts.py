@@ -241,6 +241,8 @@ def _others(p: Parser, i: int) -> Results[Quantity]:
         yield Quantity("another", Amount(1, 1), False), j
         for found, k in amount(p, j):
             yield Quantity("another", found, found.high != 1), k
+    if j := p.seq(i, "any other"):
+        yield Quantity("another", Amount(1, 1), False), j
     if j := p.seq(i, "all other"):
         yield Quantity("other"), j
     j = p.opt(i, "all")

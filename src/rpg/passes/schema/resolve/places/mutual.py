@@ -213,11 +213,11 @@ def among_themselves(theme: Ref, mark: Meaning, scene: Scene, denied: bool) -> b
     return all(t.name in theme.names or t.extra for t in matching(mark.traits, scene, False)) or not denied
 
 
-def check_further(theme: Ref, mark: Meaning | None, scene: Scene) -> None:
+def check_further(theme: Ref, mark: Meaning | None, scene: Scene, denied: bool) -> None:
     """Refuse "exactly one of the three red blocks touches another red block": one of the three, or a fourth?"""
-    if not isinstance(mark, Noun) or mark.det != "another" or mark.head == "patch":
-        return
-    some = theme.quant is not None and theme.quant.high != 0
+    if not isinstance(mark, Noun) or mark.det != "another" or mark.head == "patch" or denied:
+        return  # "none of them touches another block": nor any other
+    some = theme.quant is not None
     others = set(scene.whole) - set(theme.names) if scene.parted.issuperset(theme.names) else ()
     left = theme.names if some else others
     if any(fits(scene.things[name], mark.traits) for name in left):
@@ -248,6 +248,9 @@ def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate)
     any_such = none and bool(there) and not theme.built and _any_such(mark)
     if mark.det not in ("another", "other") and not any_such:
         return None
+    if loc.rel in LEVEL and not none and len(theme.names) > 1 and not theme.each:
+        raise refuse("ambiguous", "other ones than all of these, or may these not touch each other either?", loc.span,
+                     "say 'none of them touches another', or name the others")  # fmt: skip
     scene.surveyed.append((mark.traits, (*theme.names, *there), mark.span))
     pairs = dict.fromkeys((a, b) for a in theme.names for b in there if a != b)
     both_ways = loc.rel in ("on", "above", "under", *DIRECTIONS)

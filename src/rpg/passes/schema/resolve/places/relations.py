@@ -137,11 +137,11 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         return compared_far(theme, loc, scene, scope, span)
     check_bodies(theme, loc, scene)
     check_same(theme, loc, scene)
-    check_further(theme, loc.landmark, scene)
     denied = loc.negated or scene.denying
     none = theme.quant is not None and theme.quant.high == 0
-    if theme.each and theme.quant is None and not denied and (others := none_of_others(loc.landmark)) is not None:
-        return negation(_loc(theme, replace(loc, landmark=others), scene, scope, span), span)
+    check_further(theme, loc.landmark, scene, denied or none)
+    if not denied and (others := none_of_others(theme, loc.landmark)) is not None:
+        return negation(_loc(theme, replace(loc, landmark=others, negated=True), scene, scope, span), span)
     if len(theme.names) > 1 and among_themselves(theme, loc.landmark, scene, denied or none):
         mutual = denied or theme.quant is not None
         return to_each_other(theme, loc, scene, span) if mutual else to_others(theme, loc, span)

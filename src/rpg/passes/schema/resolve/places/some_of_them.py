@@ -8,7 +8,7 @@ from math import comb
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.node import EACH
-from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.orders.positions import looks
 from rpg.passes.schema.resolve.places.mutual import ALL_OTHERS, of_every_two, reciprocal, some_other
@@ -82,7 +82,11 @@ def _to_so_many(name: str, theme: Ref, loc: Loc, many: Amount, span: Span) -> g.
     return g.Count(over=others, at_least=many.low, at_most=many.high, goal=one, span=span)
 
 
-def none_of_others(mark: Meaning | None) -> Pronoun | None:
-    """ "(each touches) none of the others": what is denied of each of them."""
-    others = mark.part_of if isinstance(mark, Noun) and mark.det == "no" and mark.head == "any" else None
+def none_of_others(theme: Ref, mark: Meaning | None) -> Meaning | None:
+    """ "(Each touches) none of the others", "(it touches) no other block": what is denied of it."""
+    if not isinstance(mark, Noun) or theme.quant is not None or mark.head == "patch":
+        return None
+    if mark.det == "no other" and mark.amount is None:
+        return replace(mark, det="another", amount=Amount(1, 1), plural=False)
+    others = mark.part_of if mark.det == "no" and mark.head == "any" and theme.each else None
     return others if isinstance(others, Pronoun) and others.word in ALL_OTHERS else None

@@ -86,7 +86,9 @@ def of_the_towers(theme: Ref, loc: Loc, scene: Scene) -> Ref:
         return replace(theme, built=apart) if {n for b in apart for n in b.members} == {*theme.names} else theme
     stacks = [b for b in scene.built if b.kind == "stack" and len(b.members) > 1]
     own = [b for b in stacks if set(theme.names) == set(b.members)]
-    begun = bool(own) and set(own[0].members[1:]) <= scene.begun_on  # of a tower of the start blocks are said anything
+    piles = [{*x.blocks} for x in scene.start_goals if isinstance(x, s.Stack)]
+    begun = bool(own) and ({*own[0].members} in piles or {*own[0].members[1:]} <= scene.begun_on)
+    # Of a tower of the start blocks are said anything.
     several = len(theme.parts) > 1 or len(theme.built) > 1 or theme.quant is not None
     if not own or begun or loc.rel not in _LEVEL or several:
         return theme

@@ -15,20 +15,19 @@ from rpg.language.grammar.clauses.ahead import (
     of_a_place,
     of_hues,
 )
+from rpg.language.grammar.clauses.amounts_told import amounts_told
 from rpg.language.grammar.clauses.becoming import staying
 from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.each_kind import each_kind
-from rpg.language.grammar.clauses.equal_numbers import equal_numbers
 from rpg.language.grammar.clauses.given_own import given_own
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
-from rpg.language.grammar.clauses.heights_bounded import heights_bounded, stacks_more
+from rpg.language.grammar.clauses.heights_bounded import stacks_more
 from rpg.language.grammar.clauses.identified import identified, what_is_there
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.none_empty import none_empty
-from rpg.language.grammar.clauses.numbers_compared import numbers_compared
 from rpg.language.grammar.clauses.occupied import occupied
 from rpg.language.grammar.clauses.replaced import replaced
 from rpg.language.grammar.clauses.reversed_end import reverse_of_it
@@ -124,7 +123,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from having(p, i, when)
     yield from occupied(p, i, when)
     yield from none_empty(p, i, when)
-    yield from (*equal_numbers(p, i), *numbers_compared(p, i), *heights_bounded(p, i)) if mode != "start" else ()
+    yield from amounts_told(p, i) if mode != "start" else ()
     yield from on_what_is_named(p, i, when)
     yield from told_before(p, i, when)
     if mode != "start":

@@ -25,6 +25,7 @@ from rpg.language.meaning import (
     Noun,
     Pronoun,
     Spacing,
+    Structure,
     That,
     Traits,
     replace,
@@ -103,7 +104,9 @@ def _parted(p: Parser, i: int) -> Results[Meaning]:
     """Behind "between": some blocks, or those side by side in a line."""
     if j := p.any_of(i, NEXT):
         yield Pronoun(word="them", span=p.span(i, j)), j
-    yield from noun_phrase(p, i)
+    for told, j in noun_phrase(p, i):
+        every = isinstance(told, Structure) and told.plural and p.stands(i, ("any", "every", "each", "neighboring"))
+        yield (replace(told, det="the", amount=None) if every and isinstance(told, Structure) else told), j
 
 
 _SAME = tuple(

@@ -268,7 +268,8 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
     start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed", "pairwise")) or i
     start = _as_far(p, i) if start == i else start
-    for measure, k in their_ends(p, p.opt(i, "with", ",")):
+    groups = p.any_of(p.opt(i, "with", ","), _GROUPS)
+    for measure, k in (*their_ends(p, p.opt(i, "with", ",")), *((("centres", groups),) if groups else ())):
         for (low, high), j in bounds(p, p.opt(k, "being")):
             if end := p.any_of(j, ("apart", "from each other", "apart from each other")):
                 yield _each_other(p, i, end, low, high, measure), end

@@ -58,6 +58,7 @@ _LINED = ("row", "line", "column", "stack", "grid")
 
 def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
+    _one_for_each(spec)
     divides = clause.lemma in DIVIDES or (clause.lemma in _SORTS and (_from_others(spec) or _opposites(clause.theme)))
     line = any(getattr(i.structure, "kind", "") in _LINED for i in spec.intos)
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward or any(map(tells_an_end, spec.absolutes))
@@ -116,6 +117,14 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     equal(built, spec)
     goals += _sides_of(built, spec, scene)
     return goals + places(replace(theme, built=tuple(built)), spec, scene, scope, clause.span)
+
+
+def _one_for_each(spec: Spec) -> None:
+    """ "(Group the cubes), one cluster per color": by what they are sorted."""
+    for told in [x for x in spec.patterns if x.unit == "pile" and x.different and not x.values]:
+        spec.patterns.remove(told)
+        if not any(o.by == "attribute" for o in spec.orders):
+            spec.orders.append(OrderBy(by="attribute", attribute=told.attribute, span=told.span))
 
 
 def _by_color(theme: Ref, spec: Spec, scene: Scene) -> str | None:

@@ -18,6 +18,9 @@ _EQUAL = Patterns(
     f"{_LEAD} equally many blocks|cubes? in|per {_EACH}",
     ",|and|both|all? of_the_same|of_equal|the_same|same|equal height|length",
     ",|and both|all? equally|just_as high|tall|long",
+    "that|which both|all? have|are the|of_the|of same|equal|identical height|length",
+    "that|which are both|all? equally|just_as high|tall|long",
+    "with|having the|an same|equal|identical height|length",
 )
 _TELLING = frozenset({"same", "equal", "identical", "equally"})
 

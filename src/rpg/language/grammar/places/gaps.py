@@ -100,10 +100,16 @@ def _measured_ahead(p: Parser, i: int) -> Results[str]:
         yield from ((MEASURED_BETWEEN[phrase], p.opt(k, ",")) for phrase, k in p.standing(i, MEASURED_BETWEEN))
 
 
+_ANY_TWO = ("any two of", "every two of", "each two of", "each pair of", "every pair of", "any pair of")
+"""Behind these stand all of the blocks, of which so much is said of two at a time."""
+
+
 def _parted(p: Parser, i: int) -> Results[Meaning]:
     """Behind "between": some blocks, or those side by side in a line."""
     if j := p.any_of(i, NEXT):
         yield Pronoun(word="them", span=p.span(i, j)), j
+    if of := p.any_of(i, _ANY_TWO):
+        yield from ((some, j) for some, j in simple(p, of) if isinstance(some, Noun) and some.plural)
     for told, j in noun_phrase(p, i):
         every = isinstance(told, Structure) and told.plural and p.stands(i, ("any", "every", "each", "neighboring"))
         yield (replace(told, det="the", amount=None) if every and isinstance(told, Structure) else told), j

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.things.left_alone import left_alone
 from rpg.language.meaning import Amount
 
 
@@ -241,7 +242,8 @@ def _others(p: Parser, i: int) -> Results[Quantity]:
         yield Quantity("another", Amount(1, 1), False), j
         for found, k in amount(p, j):
             yield Quantity("another", found, found.high != 1), k
-    if j := p.seq(i, "any other"):
+    without = p.words[i - 2] == "without" if p.follows(i, ("touching",)) else False
+    if (j := p.seq(i, "any other")) and not (without or left_alone(p, i)):
         yield Quantity("another", Amount(1, 1), False), j
     if j := p.seq(i, "all other"):
         yield Quantity("other"), j

@@ -48,6 +48,8 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse(
             "ambiguous", "it is not clear which blocks are counted on each patch", span, "say it of one patch at a time"
         )
+    if mark.det == "both" and indefinite(theme) and len(theme.names) > 1 and not (theme.built or mark.each):
+        raise refuse("ambiguous", "so many on each of them, or on both together?", span, "say 'on each of the two'")
     if mark.each and indefinite(theme) and not theme.built:
         lots = one_lot_each(theme, len(patches), scene)
         if _unnamed(lots, scene):
@@ -65,7 +67,12 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         )
     if mark.each and (theme.built or len(theme.names) < len(patches)):
         raise refuse("ambiguous", "this cannot be on each of several patches at once", span, "name what each one gets")
+    if theme.quant is not None and mark.det == "both" and theme.quant.high != 0:
+        return conj([_on_patch(theme, p, span) for p in patches], span)
     if theme.quant is not None and not mark.each:
+        if len(mark.parts) > 1 and theme.quant.high != 0:
+            raise refuse("ambiguous", "so many on each of them, or on all of them together?", span,
+                         "say 'on each of the ... patches'")  # fmt: skip
         return _on_any(theme, patches, span)
     if len(theme.names) == len(patches) and not whole:
         pairs = zip(theme.names, patches, strict=True)

@@ -81,7 +81,8 @@ def _lot(p: Parser, i: int) -> Results[Noun]:
         plain = isinstance(blocks, Noun) and blocks.head != "patch" and blocks.part_of is None and not blocks.conditions
         if not plain or not isinstance(blocks, Noun) or blocks.det not in ("bare", "the") or blocks.amount is not None:
             continue
-        if blocks.plural or (blocks.head == "any" and len(blocks.traits.colors) == 1):
+        one = p.follows(i, ("more", "fewer")) and i > 1 and p.number(i - 2) == 1  # "one more block than ..."
+        if blocks.plural or one or (blocks.head == "any" and len(blocks.traits.colors) == 1):
             yield blocks, j
 
 

@@ -13,9 +13,9 @@ EXACTLY = frozenset({"exactly", "precisely", "only", "just"})
 
 def number_denied(p: Parser, i: int) -> Results[None]:
     """At the end of a sentence that has told an exact number, another one."""
-    told = {p.number(n + 1) for n in range(i) if p.words[n] in EXACTLY} - {None}
-    for k in _NOT.matches(p, i) if len(told) == 1 else ():
-        for end in _numbers(p, k, told):
+    for k in _NOT.matches(p, i):
+        told = {p.number(n + 1) for n in range(i) if p.words[n] in EXACTLY} - {None}
+        for end in _numbers(p, k, told) if len(told) == 1 else ():
             if end >= p.end:
                 yield None, end
 

@@ -58,12 +58,12 @@ _LINED = ("row", "line", "column", "stack", "grid")
 
 def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
-    _one_for_each(spec)
     divides = clause.lemma in DIVIDES or (clause.lemma in _SORTS and (_from_others(spec) or _opposites(clause.theme)))
     line = any(getattr(i.structure, "kind", "") in _LINED for i in spec.intos)
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward or any(map(tells_an_end, spec.absolutes))
     if any(o.by in ("ascending", "number", "label") for o in spec.orders):  # "sort by value, descending"
         spec.orders = [o for o in spec.orders if (o.by, o.attribute) != ("attribute", "label")]
+    _one_for_each(spec)
     _no_order(clause, spec, line)
     if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
         return _sort_piles(clause.theme, spec, scene, scope)[1]
@@ -108,8 +108,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return [r.Apart(a=(one,), b=(other,), span=clause.span), *places(theme, spec, scene, scope, clause.span)]
     if divides and attribute is None and (apart is not None or len(theme.parts) == 2 or spec.usings):
         return _separate(theme, apart, spec, scene, scope, clause)
-    shape = _pile_target(spec)
-    attribute = attribute_of(spec)
+    shape, attribute = _pile_target(spec), attribute_of(spec)
     if attribute is None and shape is not None and clause.lemma in DIVIDES:
         built, goals = share_out(theme, shape, spec, scene, clause.span)
     else:

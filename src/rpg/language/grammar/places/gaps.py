@@ -210,8 +210,8 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
             for theme, end in _parted(p, m) if m else theirs:
                 yield from _alike(p, i, end, theme)
                 made = end if p.words[i] in ("make", "keep") else 0
-                told = p.any_of(end, _IS) or made
-                wide_ = [*bounds(p, told), *(room(p, told) if measure == "faces" else ())] if told else []
+                be = p.any_of(end, _IS) or made
+                wide_ = [*bounds(p, be), *(room(p, be) if measure == "faces" else ())] if be else []
                 wide_ += denied_bounds(p, end)
                 for (low, high), last in wide_:
                     last = p.opt(last, "wide")

@@ -20,7 +20,7 @@ _HIGHER = Patterns(
     f"no {_TOWER} {_THERE}? may|can|must|should|shall have|hold|contain|consist_of|comprise|count more than",
     f"with? no {_TOWER} {_THERE}? has|having|holds|contains|containing|exceeds|exceeding more than",
     "nothing|none may|can|must|should|shall be stacked|piled higher than",
-    "no|not|never more than", "at most", "do_not|never stack|pile more than",
+    "no|not|never more than", "at most", "do_not|never stack|pile|heap up? more than",
 )  # fmt: skip
 _UNITS = ("blocks", "cubes", "bricks", "boxes", "block", "cube", "layers", "levels", "of them")
 _HIGH = ("high", "tall", "on top of each other", "on top of one another", "in one stack", "in a stack", "in one tower",
@@ -53,4 +53,5 @@ def _told_of_stacks(p: Parser, i: int, j: int) -> bool:
 
 def stacks_more(p: Parser, j: int) -> bool:
     """ "(do not) stack more than two": how many, and not which."""
-    return p.words[j] in ("stack", "pile") and p.words[j + 1 : j + 3] == ["more", "than"]
+    k = j + 1 + (p.words[j + 1] == "up")
+    return p.words[j] in ("stack", "pile", "heap") and p.words[k : k + 2] == ["more", "than"]

@@ -49,7 +49,7 @@ def numbers_compared(p: Parser, i: int) -> Results[Clause]:
             for lots, spots, end in _compared(p, j, rel):
                 yield _clause(p, i, end, rel, by, lots, spots), end
     for spot, j in _places(p, i) if p.stands(i, _ON) else ():
-        for start in (j, *_LEADS.matches(p, p.opt(j, ","))):
+        for start in (j, *_LEADS.matches(p, p.opt(j, ",")), *_BE.matches(p, j)):
             for rel, by, k in _relation(p, start):
                 for lots, end in _two_lots(p, k, rel):
                     yield _clause(p, i, end, rel, by, lots, (spot,)), end

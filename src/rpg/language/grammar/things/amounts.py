@@ -175,6 +175,9 @@ _SHARES = {
     "half of": "half", "half": "half", "one half of": "half", "a half of": "half", "exactly half of": "half",
     "a third of": "third", "one third of": "third", "a quarter of": "quarter", "one quarter of": "quarter",
     "most of": "most", "the majority of": "most", "a majority of": "most", "more than half of": "most",
+    "at least half of": "at least half", "half or more of": "at least half", "no fewer than half of": "at least half",
+    "at most half of": "at most half", "no more than half of": "at most half", "not more than half of": "at most half",
+    "less than half of": "less than half", "fewer than half of": "less than half",
     "not all of": "not all", "not all": "not all", "not every one of": "not all", "some but not all": "some",
     "not both of": "not all", "not both": "not all", "not every": "not all",
 }  # fmt: skip

@@ -197,7 +197,7 @@ def _who_builds(tokens: list[Token], words: list[str]) -> list[Token] | None:
         for at in range(begin + 3, end - 1) if words[begin] in _OUT_OF else ():
             who = length_at(words, at, _WHO)
             modal = at + who
-            if who and words[modal] in _SHALL and words[modal + 1] in _BASES:
+            if who and modal + 1 < len(words) and words[modal] in _SHALL and words[modal + 1] in _BASES:
                 return [*tokens[:at], *tokens[modal + 1 :]]
     return None
 

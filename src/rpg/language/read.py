@@ -196,6 +196,15 @@ _JUST_SO = frozenset({"no", "not", "more", "fewer", "less", "and", "or", ",", "n
 """Of such words are sentences that say no more than that a number is exact: "No more, no fewer."."""
 
 
+_HOW_MANY = frozenset({"not", "or", "and", ",", "all", "both", "just", "only", "even", "of", "them"})
+
+
+def _denies_a_number(part: list[Token]) -> bool:
+    """ "Not two!": behind a sentence with a number that is exact, and no sentence of its own."""
+    told = [token for token in part if token.word not in _HOW_MANY]
+    return part[0].word == "not" and len(part) > 1 and all(t.kind == "number" or t.word in lexicon.NUMBER for t in told)
+
+
 def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
     """ "A must be on the patch. C must not be.": one sentence, for the second has no predicate of its own; and so are
     "The table looks like this." and what follows it."""
@@ -205,7 +214,7 @@ def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
             comma = replace(part[0], kind="punct", word=",", raw=",", value=None)
             out[-1] = [*out[-1], comma, *(token for token in part if token.word in ("nothing", "else"))]
             continue
-        if out and {token.word for token in part} <= _JUST_SO:
+        if out and ({token.word for token in part} <= _JUST_SO or _denies_a_number(part)):
             out[-1] = [*out[-1], replace(part[0], kind="punct", word=",", raw=",", value=None), *part]
             continue
         if out and announces(out[-1]):

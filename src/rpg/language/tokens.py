@@ -296,6 +296,8 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
                 out.append(replace(token, kind="word", word="to"))
             elif after.kind == "word":
                 tokens[index + 1] = replace(after, joined=True)
+        elif token.raw == "x" and before and after and _multiplies(before, after, tokens):
+            out.append(replace(token, kind="sign", word="*"))
         elif token.raw == "×" and _times(before, token, after):
             out.append(replace(token, kind="word", word="x"))
         elif (
@@ -329,6 +331,12 @@ def _listed_sign(before: list[Token], after: list[Token]) -> bool:
 
 def _symbolic(token: Token) -> bool:
     return token.kind == "number" or token.word in _LISTING
+
+
+def _multiplies(before: Token, after: Token, tokens: list[Token]) -> bool:
+    """ "2, 4, 8, x and =": the sign, in a list with the one of equality."""
+    beside = all(token.word in (",", "and") for token in (before, after))
+    return beside and any(t.word == "=" for t in tokens) and any(t.kind == "number" for t in tokens)
 
 
 def _times(before: Token | None, token: Token, after: Token | None) -> bool:

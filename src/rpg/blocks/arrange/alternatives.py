@@ -195,7 +195,7 @@ def _count(count: g.Count, world: World, wanted: bool) -> Iterator[Conjunction]:
     low, high = count.at_least, total if count.at_most is None else min(count.at_most, total)
     allowed = range(low, high + 1)
     sizes = [k for k in range(total + 1) if (k in allowed) == wanted]
-    if wanted and low == 0:
+    if wanted and low == 0 and not isinstance(count.goal, Above):  # how high stacks may be at most asks for none
         sizes.reverse()
     open_ended = wanted and high == total
     each = instances(count)

@@ -11,9 +11,9 @@ from itertools import groupby
 from pydantic import BaseModel
 
 from rpg.ir.assets import EDGE, FACES, Asset, SemanticCube
-from rpg.ir.goal import All, Not
+from rpg.ir.goal import All, Count, Not
 from rpg.ir.node import members
-from rpg.ir.relations import Clear, On, Ranged, Shifted, Swapped
+from rpg.ir.relations import Above, Clear, InRegion, On, Ranged, Shifted, Swapped
 from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Staircase
 from rpg.ir.walk import atoms, names
@@ -71,6 +71,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     for part in (task.goal, *task.init.arranged, *task.init.heaps):
         yield from _inside(part)
     parts = task.goal.goals if isinstance(task.goal, All) else (task.goal,)
+    bounds = [part for part in parts if isinstance(part, Count) and isinstance(part.goal, Above)]
+    yield from (part.at_most + 1 for part in bounds if part.at_most is not None)  # "no stack higher than two"
     denied = [part.goal for part in parts if isinstance(part, Not)]
     yield from Counter((x.kind, getattr(x, "patch", getattr(x, "b", None))) for x in denied).values()  # "three off it"
     if task.assumed(EXCHANGED_LATER):
@@ -86,6 +88,7 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
         yield from Counter(map(colors.get, line.blocks)).values()  # "each of three red blocks and a blue one"
         if line.order.by == "given":  # "with three pink cubes on each side of it"
             yield from (len([*run]) for _, run in groupby(line.order.ranks, lambda rank: {*map(colors.get, rank)}))
+    yield sum(isinstance(atom, InRegion) and atom.region.endswith("corner") for atom in atoms(task.goal))
     for atom in atoms(task.goal):
         if isinstance(atom, Figure) and atom.gap is not None:
             yield from _how_large(atom, max(asset.size for asset in task.blocks if asset.name in atom.blocks))

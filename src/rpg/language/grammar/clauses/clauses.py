@@ -15,6 +15,7 @@ from rpg.language.grammar.clauses.ahead import (
     of_a_place,
     of_hues,
 )
+from rpg.language.grammar.clauses.amounts_told import amounts_told
 from rpg.language.grammar.clauses.becoming import staying
 from rpg.language.grammar.clauses.by_someone import by_someone
 from rpg.language.grammar.clauses.compared import measuring
@@ -22,9 +23,9 @@ from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.each_kind import each_kind
-from rpg.language.grammar.clauses.equal_numbers import equal_numbers
 from rpg.language.grammar.clauses.given_own import given_own
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
+from rpg.language.grammar.clauses.heights_bounded import stacks_more
 from rpg.language.grammar.clauses.identified import identified, what_is_there
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.none_empty import none_empty
@@ -123,7 +124,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from having(p, i, when)
     yield from occupied(p, i, when)
     yield from none_empty(p, i, when)
-    yield from equal_numbers(p, i) if mode != "start" else ()
+    yield from amounts_told(p, i) if mode != "start" else ()
     yield from on_what_is_named(p, i, when)
     yield from told_before(p, i, when)
     if mode != "start":
@@ -275,6 +276,17 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     return found
 
 
+_STAND = frozenset({"lie", "are", "stand", "stay", "sit", "remain", "rest"})
+
+
+def _of_what_stands(p: Parser, i: int) -> bool:
+    """ "should stand next to it but not touch it", "they lie there and touch no other": said of what stands there."""
+    if p.words[i] == "not" and p.follows(i, ("but",)):
+        return True
+    told = p.follows(i, ("and",)) and p.peek(0, lexicon.VERB) is None and not _STAND.isdisjoint(p.words[1:i])
+    return told and (p.words[i] == "touch" or p.words[i : i + 3] == ["do", "not", "touch"])
+
+
 @rule
 def _command(p: Parser, i: int) -> Results[Meaning]:
     """ "stack the red block on ...", "do not move ...", "never touch ..."."""
@@ -320,8 +332,10 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
                 alone = Manner(kind="only", span=p.span(i, k))
                 yield replace(found, adjuncts=(*found.adjuncts, alone), span=p.span(i, end)), end
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
-        if found.verb == "touch" and p.words[i] == "not" and p.follows(i, ("but",)):
-            continue  # "should stand next to it but not touch it": said of what stands there
+        if found.verb == "touch" and _of_what_stands(p, i):
+            continue
+        if j > i and stacks_more(p, j):
+            continue
         if negated or found.negated or j > i:
             found = nothing_at_all(replace(found, negated=negated, span=p.span(i, k)))
         yield ever(denied_of_all(p, i, found), never), k

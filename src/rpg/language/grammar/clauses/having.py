@@ -6,6 +6,7 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.each_has import denied, is_owner, may_have, said_of_each
+from rpg.language.grammar.clauses.shared import all_patches, are_patches
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import part_list
 from rpg.language.grammar.places.gaps import apart_by
@@ -93,6 +94,7 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 on = Loc(rel="on", landmark=mark, span=p.span(j, end))
                 yield _stated(p, i, end, owner, (on,), mode), end
         patch = isinstance(owner, Noun) and owner.head == "patch"
+        owner = _each_of_both(owner, p.stands(given or i, ("both",)))
         had = p.any_of(j, _HAS) or may_have(p, owner, j) or (p.any_of(j, _IS_FOR) if patch else 0)
         if k := j if given else had:
             yield from ((replace(far, mode=mode), end) for far, end in apart_by(p, i, k, owner))
@@ -126,6 +128,16 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                     if not found or _owned(found, owner) is not None:
                         place = Loc(rel="on", landmark=owner, span=p.span(i, j))
                         yield replace(_stated(p, i, end, theme, (place,), mode), subject=owner), end
+
+
+def _each_of_both(owner: Meaning, both: bool) -> Meaning:
+    """ "Both mats (have two blocks on them)", "both the red and the blue mat": each of them."""
+    if both and isinstance(owner, Coord) and are_patches(owner):
+        return Noun(head="patch", det="each", plural=True, part_of=all_patches(owner), span=owner.span)
+    if not isinstance(owner, Noun) or (owner.head, owner.det, owner.part_of) != ("patch", "both", None):
+        return owner
+    two = replace(owner, det="the", amount=Amount(2, 2))
+    return Noun(head="patch", det="each", plural=True, part_of=two, span=owner.span)
 
 
 def _it_has(p: Parser, i: int, j: int, it: Pronoun, mode: str) -> Results[Clause]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Amount, Chain, Clause, Coord, Into, Meaning, Noun, Pronoun, Structure, That
 
-_GROUPS = ("group", "bunch", "cluster", "pile", "heap", "clump")
+GROUPS = ("group", "bunch", "cluster", "pile", "heap", "clump")
 _MUST = ("", "should ", "must ", "shall ", "are to ", "have to ", "will ")
 _FORM = (
     *(f"{must}{form}" for must in _MUST for form in ("form", "make", "make up", "build", "constitute")),
@@ -15,14 +16,14 @@ _FORM = (
     "to form",
     "forming",
 )
-_ONE = tuple(f"{one} {group}" for one in ("one", "a", "the first") for group in _GROUPS)
+_ONE = tuple(f"{one} {group}" for one in ("one", "a", "the first") for group in GROUPS)
 _ANOTHER = (
     *(f"{other} {group}" for other in ("another", "the other", "a second", "the second", "a further", "the first")
-      for group in (*_GROUPS, "one")),
+      for group in (*GROUPS, "one")),
     "another", "the other", "a second", "the second", "one more",
 )  # fmt: skip
 _AND = (", and", ", while", ", whereas", ", but", "and", "while", "whereas", ",", ";")
-_SAID = frozenset(_GROUPS)
+_SAID = frozenset(GROUPS)
 
 
 @rule
@@ -36,16 +37,16 @@ def into_groups(p: Parser, i: int, mode: str) -> Results[Clause]:
         for other, k in noun_phrase(p, joint) if joint else ():
             end = p.any_of(p.any_of(k, _FORM) or k, _ANOTHER) if _blocks(other) else 0
             if end:
-                second = Clause(verb="be", theme=other, adjuncts=(_pile(p, k, end, "another"),), mode=mode,
+                second = Clause(verb="be", theme=other, adjuncts=(in_a_pile(p.span(k, end), "another"),), mode=mode,
                                 span=p.span(joint, end))  # fmt: skip
                 also = That(kind="so", clauses=Chain(clauses=(second,), links=("and",), span=second.span),
                             span=second.span)  # fmt: skip
-                said = (_pile(p, j, one, "bare"), also)
+                said = (in_a_pile(p.span(j, one), "bare"), also)
                 yield Clause(verb="be", theme=theme, adjuncts=said, mode=mode, span=p.span(i, end)), end
 
 
-def _pile(p: Parser, i: int, j: int, det: str) -> Into:
-    return Into(structure=Structure(kind="pile", det=det, amount=Amount(1, 1), span=p.span(i, j)), span=p.span(i, j))
+def in_a_pile(span: Span, det: str) -> Into:
+    return Into(structure=Structure(kind="pile", det=det, amount=Amount(1, 1), span=span), span=span)
 
 
 def _blocks(theme: Meaning) -> bool:

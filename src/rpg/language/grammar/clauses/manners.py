@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.colors_told import colors_told
+from rpg.language.grammar.clauses.numbers_denied import EXACTLY, number_denied
 from rpg.language.grammar.clauses.on_the_way import on_the_way
 from rpg.language.grammar.clauses.pointing import direction, points
 from rpg.language.grammar.clauses.shifts import shifted, straight
@@ -61,6 +62,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
             yield Manner(kind=kind, span=p.span(i, j)), j
     if p.anywhere(_NO_MORE_OF) and (j := p.any_of(comma, _NO_MORE)):
         yield Manner(kind="idle", span=p.span(i, j)), j
+    if p.anywhere(EXACTLY):
+        yield from ((Manner(kind="idle", span=p.span(i, j)), j) for _, j in number_denied(p, comma))
     if i > 0 and (j := p.any_of(comma, NO_MORE)) and (j >= p.end or p.stands(j, _POLITE)):
         yield Manner(kind="no more", span=p.span(i, j)), j
     if j := p.any_of(i, _ONE_EACH) if i > 0 else 0:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import never_there
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
+from rpg.language.grammar.clauses.denials import leave
 from rpg.language.grammar.clauses.done_there import likewise
 from rpg.language.grammar.clauses.having import topped, with_more
 from rpg.language.grammar.core import Parser, Results, rule
@@ -23,6 +24,7 @@ from rpg.language.meaning import (
     At,
     Clause,
     Coord,
+    In,
     Into,
     Loc,
     Manner,
@@ -169,7 +171,7 @@ def _along(p: Parser, i: int, j: int, first: Toward, when: str) -> Results[Meani
 @rule
 def exists(p: Parser, i: int) -> Results[Meaning]:
     """ "there are three red blocks", "there should be a tower ...", "there must never be anything on ..."."""
-    yield from never_there(p, i)
+    yield from (*never_there(p, i), *_may_be_there(p, i))
     j = p.any_of(
         i,
         (
@@ -214,6 +216,25 @@ def exists(p: Parser, i: int) -> Results[Meaning]:
             verb = "be" if said == "goal" and with_more(theme, found) else "exist"
             there = Clause(verb=verb, theme=theme, adjuncts=found, mode=said, span=p.span(i, end))
             yield (_borne_there(there) if said == "given" else there), end
+
+
+_MAY = ("there may be", "there can be", "there are allowed to be", "there may only be", "there can only be")
+
+
+def _may_be_there(p: Parser, i: int) -> Results[Clause]:
+    """ "There may be at most two blocks on the mat": no more than that."""
+    j = p.any_of(i, _MAY)
+    for theme, k in noun_phrase(p, j) if j else ():
+        many = theme.amount if isinstance(theme, Noun) else None
+        only = p.words[j - 2] == "only" and many is not None and isinstance(theme, Noun)
+        if only and many is not None and isinstance(theme, Noun):
+            theme = replace(theme, amount=Amount(many.low, many.high, True))
+        elif many is None or not many.strict or (many.low and getattr(theme, "det", "") != "no"):
+            continue
+        for found, end in adjuncts(p, k):
+            if any(isinstance(x, Loc | In) for x in found):
+                said = Clause(verb="be", theme=theme, adjuncts=found, mode="goal", span=p.span(i, end))
+                yield leave(said, only, p.span(i, j)), end
 
 
 def _borne_there(there: Clause) -> Clause:

@@ -7,6 +7,8 @@ from typing import Any, cast
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import absolute
+from rpg.language.grammar.places.denied_bounds import denied_bounds
+from rpg.language.grammar.places.free_room import behind_room
 from rpg.language.grammar.places.measures import AMONG, MEASURED_BETWEEN, NEXT, bounds, measured_so, room
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.places.their_ends import their_ends
@@ -24,6 +26,7 @@ from rpg.language.meaning import (
     Noun,
     Pronoun,
     Spacing,
+    Structure,
     That,
     Traits,
     replace,
@@ -98,11 +101,19 @@ def _measured_ahead(p: Parser, i: int) -> Results[str]:
         yield from ((MEASURED_BETWEEN[phrase], p.opt(k, ",")) for phrase, k in p.standing(i, MEASURED_BETWEEN))
 
 
+_ANY_TWO = ("any two of", "every two of", "each two of", "each pair of", "every pair of", "any pair of")
+"""Behind these stand all of the blocks, of which so much is said of two at a time."""
+
+
 def _parted(p: Parser, i: int) -> Results[Meaning]:
     """Behind "between": some blocks, or those side by side in a line."""
     if j := p.any_of(i, NEXT):
         yield Pronoun(word="them", span=p.span(i, j)), j
-    yield from noun_phrase(p, i)
+    if of := p.any_of(i, _ANY_TWO):
+        yield from ((some, j) for some, j in simple(p, of) if isinstance(some, Noun) and some.plural)
+    for told, j in noun_phrase(p, i):
+        every = isinstance(told, Structure) and told.plural and p.stands(i, ("any", "every", "each", "neighboring"))
+        yield (replace(told, det="the", amount=None) if every and isinstance(told, Structure) else told), j
 
 
 _SAME = tuple(
@@ -142,7 +153,7 @@ def _between_first(p: Parser, i: int) -> Results[Clause]:
             measure = measures or measure
             named = p.one(j, noun)
             told = p.any_of(named, _IS)
-            for (low, high), end in bounds(p, told) if named and told else ():
+            for (low, high), end in (*(bounds(p, told) if told else ()), *denied_bounds(p, named)) if named else ():
                 yield _far_apart(p, i, end, theme, low, high, measure), end
 
 
@@ -200,8 +211,9 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
             for theme, end in _parted(p, m) if m else theirs:
                 yield from _alike(p, i, end, theme)
                 made = end if p.words[i] in ("make", "keep") else 0
-                end = p.any_of(end, _IS) or made
-                wide_ = [*bounds(p, end), *(room(p, end) if measure == "faces" else ())] if end else []
+                be = p.any_of(end, _IS) or made
+                wide_ = [*bounds(p, be), *(room(p, be) if measure == "faces" else ())] if be else []
+                wide_ += denied_bounds(p, end)
                 for (low, high), last in wide_:
                     last = p.opt(last, "wide")
                     yield _far_apart(p, i, last, theme, low, high, measure), last
@@ -217,6 +229,7 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                     both = Coord(op="and", items=(one, two), span=p.span(k, end))
                     yield _far_apart(p, i, end, both, low, high, measure), end
     for (low, high), k, measure in spans:
+        k = behind_room(p, k)
         if m := p.one(max(_REMAINS.matches(p, k), default=k), "between"):
             if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):
                 m, measure = centres, "centres"
@@ -274,7 +287,7 @@ def _from_to(p: Parser, i: int, j: int, measure: str) -> Results[Clause]:
         for two, end in simple(p, p.one(k, "to")) if p.one(k, "to") else ():
             both = isinstance(one, Noun) and isinstance(two, Noun)
             told = p.any_of(end, _IS) or (p.one(end, ":") if both else 0)
-            for (low, high), last in bounds(p, told) if both and told else ():
+            for (low, high), last in (*(bounds(p, told) if told else ()), *denied_bounds(p, end)) if both else ():
                 theme = Coord(op="and", items=(one, two), span=p.span(j, end))
                 yield _far_apart(p, i, last, theme, low, high, measure), last
 

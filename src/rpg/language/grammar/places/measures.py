@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.far_aside import to_a_side
+from rpg.language.grammar.places.free_room import behind_room
+from rpg.language.grammar.places.limits import AROUND, GIVE, LIMITS, OR_LESS, OR_MORE
 from rpg.language.grammar.places.their_ends import their_ends
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import block_widths, edge_lengths, length
@@ -31,31 +33,11 @@ AMONG = (
 )  # fmt: skip
 
 
-_AROUND = {"about": 0.25, "around": 0.25, "roughly": 0.25, "approximately": 0.25, "nearly": 0.25,
-           "circa": 0.25, "ca": 0.25, "some": 0.25, "more or less": 0.25, "exactly": 0.0, "precisely": 0.0}  # fmt: skip
-_LIMITS = {
-    "at least": "low", "more than": "low", "no less than": "low", "a minimum of": "low", "at most": "high",
-    "less than": "high", "no more than": "high", "within": "high", "up to": "high", "not more than": "high",
-    "not less than": "low", "not farther than": "high", "not further than": "high", "not closer than": "low",
-    "a maximum of": "high", "closer than": "high", "over": "low", "under": "high",
-    "maximum": "high", "minimum": "low", "nearer than": "high", "farther than": "low", "further than": "low",
-    "no closer than": "low", "no nearer than": "low", "no farther than": "high", "no further than": "high",
-    "smaller than": "high", "shorter than": "high", "greater than": "low", "larger than": "low", "bigger than": "low",
-    "not over": "high", "not exceeding": "high", "fewer than": "high",
-}  # fmt: skip
-"""What a length that follows bounds."""
-
-
-_OR_MORE = ("or more", "or farther", "or further", "and more", "at least", "at the least", "minimum", "at minimum")
-_OR_LESS = ("or less", "or closer", "or nearer", "at most", "at the most", "maximum", "at maximum")
-"""What bounds a length in front of it."""
-
-
 def _other_bound(p: Parser, i: int, first: str) -> Results[float]:
     """ "at least 5 cm but at most 10 cm", "at most 10 cm and at least 5 cm": the other end of the range."""
     j = p.any_of(p.opt(i, ","), ("but", "and", "yet"))
-    for phrase, k in p.standing(j, _LIMITS) if j else ():
-        if _LIMITS[phrase] != first:
+    for phrase, k in p.standing(j, LIMITS) if j else ():
+        if LIMITS[phrase] != first:
             yield from length(p, k)
 
 
@@ -74,18 +56,18 @@ def room(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
 @rule
 def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
     """A length as a range: "5 cm" is ±1 cm, "about 5 cm" ±25 %, "at least 5 cm", "no more than 5 cm"."""
-    for phrase, j in p.standing(i, _LIMITS):
+    for phrase, j in p.standing(i, LIMITS):
         for metres, k in length(p, j):
-            yield ((metres, None) if _LIMITS[phrase] == "low" else (None, metres)), k
-            for other, end in _other_bound(p, k, _LIMITS[phrase]):
-                yield ((metres, other) if _LIMITS[phrase] == "low" else (other, metres)), end
+            yield ((metres, None) if LIMITS[phrase] == "low" else (None, metres)), k
+            for other, end in _other_bound(p, k, LIMITS[phrase]):
+                yield ((metres, other) if LIMITS[phrase] == "low" else (other, metres)), end
         if (least := p.figure(j)) is not None and p.stands(j + 1, ("but", "and", ",")):  # one unit for both
-            for other, end in _other_bound(p, j + 1, _LIMITS[phrase]):
+            for other, end in _other_bound(p, j + 1, LIMITS[phrase]):
                 metres = round(least * other / (_last_figure(p, j + 1, end) or other), 6)
-                yield ((metres, other) if _LIMITS[phrase] == "low" else (other, metres)), end
-    for word, j in p.standing(i, _AROUND):
+                yield ((metres, other) if LIMITS[phrase] == "low" else (other, metres)), end
+    for word, j in p.standing(i, AROUND):
         for metres, k in length(p, j):
-            slack = metres * _AROUND[word] if _AROUND[word] else 0.01
+            slack = metres * AROUND[word] if AROUND[word] else 0.01
             yield (round(max(0.0, metres - slack), 6), round(metres + slack, 6)), k
     if j := p.one(i, "between"):
         low = p.figure(j)
@@ -97,27 +79,19 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
             for metres, k in length(p, after + 1) if p.one(after, "and") else ():
                 yield (least, metres), k
     for metres, k in length(p, i):
-        if end := p.any_of(k, _OR_MORE):
+        if end := p.any_of(k, OR_MORE):
             yield (metres, None), end
-        if end := p.any_of(k, _OR_LESS):
+        if end := p.any_of(k, OR_LESS):
             yield (None, metres), end
         for slack, end in _tolerance(p, k):
             yield (round(max(0.0, metres - slack), 6), round(metres + slack, 6)), end
         yield (round(max(0.0, metres - 0.01), 6), round(metres + 0.01, 6)), k
 
 
-_GIVE = (
-    "plus or minus", "plus minus", "+ / -", "+ -", "give or take", "with a tolerance of", "tolerance",
-    "tolerance of", "to within", "with tolerance", "tolerance :", "with an accuracy of", "with a precision of",
-    "to an accuracy of", "with an error of at most", "accurate to", "accurate to within", "with a tolerance of at most",
-    "with a margin of", "within a tolerance of", "to a tolerance of", "+ or -",
-)  # fmt: skip
-
-
 @choice
 def _tolerance(p: Parser, i: int) -> Results[float]:
     """ "plus or minus 5 mm" behind a length."""
-    if j := p.any_of(p.opt(i, ","), _GIVE):
+    if j := p.any_of(p.opt(i, ","), GIVE):
         yield from length(p, j)
 
 
@@ -253,8 +227,7 @@ _BETWEEN_FACES = (
       for of in _ENDS_OF),
     "between them", "between each other", "in between them", "in between", "between the two",
     "between each", "between each block",
-    *(f"of {free}{space} between {whom}" for free in ("", "empty ", "free ") for space in ("space", "table", "room")
-      for whom in ("them", "the blocks", "the two", *_GROUPS)),
+    "between the blocks",
     *(f"between {groups}" for groups in _GROUPS),
 )  # fmt: skip
 _ROOM = ("gap", "gaps", "spaces", "of space", "of free space", "space", "wide gap", "spacing", "distance",
@@ -284,14 +257,15 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     spaced = p.any_of(i, _SPACED) or (p.any_of(i, _SPACED_AT) if p.follows(i, ("spaced",)) else 0)
     start = spaced or p.any_of(i, ("at a distance of", "separated by", "with", "placed", "pairwise")) or i
     start = _as_far(p, i) if start == i else start
-    for measure, k in their_ends(p, p.opt(i, "with", ",")):
+    groups = p.any_of(p.opt(i, "with", ","), _GROUPS)
+    for measure, k in (*their_ends(p, p.opt(i, "with", ",")), *((("centres", groups),) if groups else ())):
         for (low, high), j in bounds(p, p.opt(k, "being")):
             if end := p.any_of(j, ("apart", "from each other", "apart from each other")):
                 yield _each_other(p, i, end, low, high, measure), end
     for (low, high), j in bounds(p, start):
         end, measure = p.any_of(j, _BETWEEN_CENTERS), "centres"
         if not end:
-            end, measure = p.any_of(j, _BETWEEN_FACES), "faces"
+            end, measure = p.any_of(behind_room(p, j), _BETWEEN_FACES), "faces"
         if not end and spaced:
             end, measure = j, "centres"
         if not end and p.words[start - 1 : start] == ["by"]:
@@ -300,6 +274,10 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
             end, measure = (j if start > i or p.words[i] != "at" else 0), "centres"
         if end:
             yield from measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
+    at = p.any_of(i, ("at", "spaced at", "placed at"))
+    for (low, high), j in bounds(p, at) if at and not p.stands(at, ("least", "most")) else ():
+        if end := p.any_of(j, _OF_CENTERS):  # "evenly spaced at 6 cm center to center"
+            yield _each_other(p, i, end, low, high, "centres"), end
     for (low, high), j in room(p, start):
         if (end := p.any_of(j, _APART)) and not p.stands(end, ("from",)):
             yield _each_other(p, i, end, low, high, "faces"), end

@@ -79,6 +79,7 @@ _NEAR = (
     "lined up to within", "aligned to",
 )  # fmt: skip
 _APART = ("apart", "of each other", "from each other", "off", "off each other", "away from each other")
+_ACROSS = ("horizontally", "sideways", "laterally")
 _SO = ("so that", "such that", "so", "where", "and")
 
 
@@ -117,7 +118,8 @@ def _centers(p: Parser, i: int, at: int) -> Results[Loc]:
     j = p.any_of(at, _CENTERS)
     end = p.any_of(j, _NEAR) or j if j else 0
     apart = [*_most(p, end), *(length(p, end) if p.words[end - 1] == "within" else ())] if end else []
-    yield from (_loc(p, i, p.any_of(k, _APART) or k, far) for far, k in apart)
+    ends = ((far, p.any_of(k, _APART) or k) for far, k in apart)
+    yield from (_loc(p, i, p.opt(end, *_ACROSS), far) for far, end in ends)
 
 
 def _said(p: Parser, i: int, j: int, most: bool) -> Results[Loc]:

@@ -61,7 +61,9 @@ EVERY_CORNER = (
     "every one of the four corners", "all four corners", "all corners", "the four corners", "all the corners",
     "the corners",
 )  # fmt: skip
-_LEADS = ("in", "at", "on", "into", "to", "one in", ", one in", ", one block in", ", one each in")
+_OVER = ("over", "among", "across")
+_DEALING = (",", "one", "per", *_OVER)
+_LEADS = ("in", "at", "on", "into", "to", *_OVER, "one in", ", one in", ", one block in", ", one each in")
 EACH_CORNER = (
     "per corner", ", one per corner", "one per corner",
     *(f"{lead} {which}" for lead in _LEADS for which in EVERY_CORNER),
@@ -84,7 +86,7 @@ TWO_CORNERS = {
 def region(p: Parser, i: int) -> Results[In]:
     """A region, with or without "of the table" where its name alone is plain."""
     exact = p.opt(i, "exactly", "right", "precisely", "just", "directly", "somewhere", "anywhere")
-    if k := p.any_of(exact, EACH_CORNER) if p.stands(i, (",", "one", "per")) else 0:
+    if k := p.any_of(exact, EACH_CORNER) if p.stands(i, _DEALING) else 0:
         end = of_table(p, k)
         yield In(region=_of_corners(p, i, k, end), span=p.span(i, end or k)), end or k
     for phrase, k in p.standing(exact, TWO_CORNERS):
@@ -174,6 +176,9 @@ _OPPOSITE = {
     "opposite corner": "opposite_corner", "diagonally opposite corner": "opposite_corner",
     "opposite one": "opposite_corner", "opposite corners": "opposite_corners",
     "diagonally opposite corners": "opposite_corners",
+    **{f"corner {diagonally}{opposite}{it}": "opposite_corner" for diagonally in ("", "diagonally ")
+       for opposite in ("opposite", "across") for it in ("", " it", " to it", " from it", " of it", " to that")
+       if diagonally or opposite == "opposite"},
 }  # fmt: skip
 _TWO_SIDES = {
     f"{opposite} {sides}": region

@@ -21,6 +21,9 @@ _EQUAL = Patterns(
     "which|that|both_of_which|and|, both|all|each|should|must|shall|will? have|has|having|be|are the|an? same|equal "
     "height|heights|length|size",
     "which|that are|be|should_be|must_be of the? same|equal height|length|size",
+    "that|which both|all? have|are the|of_the|of same|equal|identical height|length",
+    "that|which are both|all? equally|just_as high|tall|long",
+    "with|having the|an same|equal|identical height|length",
 )
 _TELLING = frozenset({"same", "equal", "identical", "equally"})
 

@@ -15,6 +15,7 @@ from rpg.language.meaning import Clause, Loc, Noun, OrderBy, Traits, replace
 
 _COLORS = Patterns(
     "each|every single|different? color",
+    "each|every pair",
     "each|every|each_one|all of the two|three|four? colors",
     "the|all|all_the different|two|three|four? colors",
     "same|equal|like|matching|identical|different colors",
@@ -91,7 +92,8 @@ def of_each_color(p: Parser, i: int) -> Results[Clause]:
         by = OrderBy(by="attribute", span=span)
         word = p.span(i, i + 1)
         said = Clause(verb=verb, lemma=verb, theme=blocks, adjuncts=(by,), mode="goal", span=span, word=word, cost=cost)
-        if not p.seq(j, ", each"):  # that is said of the stacks or groups, of which this names none
+        # What is said of each behind this is said of the stacks or groups, of which this names none.
+        if "pair" not in p.words[i:j] and not p.seq(j, ", each"):
             yield said, j
         for strange, k in strangers(p, j) if verb == "sort" else ():
             yield replace(said, adjuncts=(by, strange), span=p.span(i, k)), k

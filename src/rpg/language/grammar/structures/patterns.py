@@ -36,7 +36,8 @@ _ONE_FOR_EACH = {
     f"{one} {noun} {each}": unit
     for one in ("one", "a")
     for noun, unit in (
-        ("tower", "stack"), ("stack", "stack"), ("group", "pile"), ("pile", "pile"), ("bunch", "pile"), ("heap", "pile")
+        ("tower", "stack"), ("stack", "stack"), ("group", "pile"), ("pile", "pile"), ("bunch", "pile"),
+        ("heap", "pile"), ("cluster", "pile"),
     )
     for each in ("per color", "for each color", "for every color", "of each color", "for each", "each", "for each one")
 }  # fmt: skip
@@ -74,7 +75,7 @@ def pattern(p: Parser, i: int) -> Results[Meaning]:
     for phrase, k in p.standing(j, _PER):
         yield Pattern(unit=_PER[phrase], span=p.span(i, k)), k
     for phrase, k in p.standing(p.opt(i, ","), _ONE_FOR_EACH):
-        if k >= p.end or p.words[k] in (":", ",", ";"):
+        if k >= p.end or p.words[k] in (":", ",", ";", "and", "with"):
             yield Pattern(unit=_ONE_FOR_EACH[phrase], span=p.span(i, k)), k
     yield from _checkered(p, i)
     if k := p.any_of(i, ("one per color", "one for each color", "one tower per color", "one stack per color",

@@ -17,9 +17,23 @@ def lists_in_one(tokens: list[Token]) -> list[Token]:
     """The tokens with a comma for each semicolon inside a list, and none before the "and" of two counted colours."""
     out = list(tokens)
     for n, token in enumerate(tokens):
-        if token.word == ";" and token.raw.strip() == ";" and _goes_on(tokens, n):
+        if token.word == ";" and token.raw.strip() == ";" and (_goes_on(tokens, n) or _of_groups(tokens, n)):
             out[n] = replace(token, word=",", raw=",")
     return _digits([token for n, token in enumerate(out) if not _before_and(out, n)])
+
+
+_GROUPS = frozenset({"groups", "clusters", "bunches", "piles", "heaps", "clumps"})
+_LOTS = frozenset({"letters", "digits", "numbers", "the", "and", ",", ";", "plain", "cube", *lexicon.BLOCK})
+
+
+def _of_groups(tokens: list[Token], n: int) -> bool:
+    """Whether the semicolon stands between groups that are listed: "three groups: the letters A, B; two red cubes"."""
+    colon = next((k for k in range(n - 1, 0, -1) if tokens[k].word == ":"), 0)
+    if not colon or tokens[colon - 1].word not in _GROUPS:
+        return False
+    end = next((k for k in range(n, len(tokens)) if tokens[k].word in _STOPS - {";"}), len(tokens))
+    return all(token.word in _LOTS or _counts(token) or _item(tokens, k)[0]
+               for k, token in enumerate(tokens[colon + 1 : end], colon + 1))  # fmt: skip
 
 
 _DONE = frozenset({"stack", "pile", "up", "put", "place", "arrange", "sort", "order"})

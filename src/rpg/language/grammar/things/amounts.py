@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.things.left_alone import left_alone
 from rpg.language.meaning import Amount
 
 
@@ -174,6 +175,9 @@ _SHARES = {
     "half of": "half", "half": "half", "one half of": "half", "a half of": "half", "exactly half of": "half",
     "a third of": "third", "one third of": "third", "a quarter of": "quarter", "one quarter of": "quarter",
     "most of": "most", "the majority of": "most", "a majority of": "most", "more than half of": "most",
+    "at least half of": "at least half", "half or more of": "at least half", "no fewer than half of": "at least half",
+    "at most half of": "at most half", "no more than half of": "at most half", "not more than half of": "at most half",
+    "less than half of": "less than half", "fewer than half of": "less than half",
     "not all of": "not all", "not all": "not all", "not every one of": "not all", "some but not all": "some",
     "not both of": "not all", "not both": "not all", "not every": "not all",
 }  # fmt: skip
@@ -241,6 +245,9 @@ def _others(p: Parser, i: int) -> Results[Quantity]:
         yield Quantity("another", Amount(1, 1), False), j
         for found, k in amount(p, j):
             yield Quantity("another", found, found.high != 1), k
+    without = p.words[i - 2] == "without" if p.follows(i, ("touching",)) else False
+    if (j := p.seq(i, "any other")) and not (without or left_alone(p, i)):
+        yield Quantity("another", Amount(1, 1), False), j
     if j := p.seq(i, "all other"):
         yield Quantity("other"), j
     j = p.opt(i, "all")

@@ -338,6 +338,8 @@ def _no_item(p: Parser, before: Meaning, item: Meaning, joined: bool, at: int) -
         if known and mere and p.words[at + 1] == "one":  # "left of the red one and one behind it"
             return True
         return (both and _amid_colors(p, at)) or of_both(before, item)
+    if isinstance(item, Noun) and (item.head, item.det, item.traits) == ("any", "each", Traits()):
+        return True  # "four red blocks, each one touching ..."
     told = isinstance(item, Noun) and bare_color(item) and (isinstance(before, Structure) or _of_sizes(before))
     return told or (isinstance(item, Noun) and (mere_size(item) or _of_them(before, item)))
 

@@ -146,7 +146,7 @@ def with_commas(tokens: list[Token]) -> list[Token] | None:
 
 def _next_counted(tokens: list[Token], at: int) -> bool:
     """ "one red cube | one blue cube", "2 red | 2 blue": a block that is counted, and right behind it another one."""
-    bare = 0 < at < len(tokens) - 2 and _colored(tokens, at) and _colored(tokens, at + 2)
+    bare = 0 < at < len(tokens) - 2 and all(_colored(tokens, n) or _hued(tokens[n]) for n in (at, at + 2))
     if bare and _number(tokens[at - 1]) and _number(tokens[at + 1]):
         return True
     return _counted(tokens, at - 2) and _counted(tokens, at + 1)
@@ -164,6 +164,11 @@ _AT = frozenset({"on", "in", "at"})
 
 def _number(token: Token) -> bool:
     return token.kind == "number" or token.word in lexicon.NUMBER
+
+
+def _hued(token: Token) -> bool:
+    """ "reds"."""
+    return token.kind == "word" and token.word in lexicon.COLOR_PLURAL
 
 
 def _counted(tokens: list[Token], at: int) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.things.left_alone import left_alone
 from rpg.language.meaning import Amount, Meaning, Noun, Pronoun
 
 _NOUNS = frozenset(
@@ -76,7 +77,7 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Noun(head="any", amount=Amount(1, 1, True), part_of=them, span=them.span), j
     if p.follows(i, _BEFORE_WHICH) and (j := p.any_of(i, ("each of which", "both of which"))):
         yield Pronoun(word="each of them" if p.words[i] == "each" else "them", span=p.span(i, j)), j
-    if j := _left_alone(p, i):
+    if j := left_alone(p, i):
         yield Pronoun(word="the others", span=p.span(i, j)), j
     for phrase, j in p.standing(i, ("each other", "one another", "the other ones", "the other one", "the others",
                    "the rest", "others",
@@ -98,23 +99,5 @@ _ALL_THAT = tuple(
     for stuff in ("junk", "stuff", "rubbish", "clutter", "trash", "garbage")
 )  # fmt: skip
 """What people call all that lies there."""
-_ANY_OTHER = ("anything else", "any of the others", "any of the other blocks", "any of the other cubes",
-              *(f"any other {block}" for block in ("block", "blocks", "cube", "cubes", "one", "object", "objects")),
-              "other blocks", "other cubes")  # fmt: skip
-_DISTURB = frozenset({"move", "touch", "disturb"})
-_DISTURBING = frozenset({"moving", "disturbing"})
-_BEGINS = frozenset({"", ",", ";", ":", "and", "but", "please"})
-
-
-def _left_alone(p: Parser, i: int) -> int:
-    """ "(Do not move) anything else", "(without disturbing) any other block": the position behind all the others."""
-    if not p.rarely(_DISTURB | _DISTURBING):
-        return 0
-    behind = p.words[i - 2] == "without" if p.follows(i, _DISTURBING) else False
-    if p.follows(i, _DISTURB) and i > 2:
-        behind = p.words[i - 3 : i - 1] == ["do", "not"] and (i == 3 or p.words[i - 4] in _BEGINS)
-    return p.any_of(i, _ANY_OTHER) if behind else 0
-
-
 _STAYS = frozenset({"stays", "remains", "goes", "is"})
 """Before these "rest" is no verb."""

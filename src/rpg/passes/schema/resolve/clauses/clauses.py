@@ -6,8 +6,9 @@ from typing import TypeGuard
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.ir import relations as r
 from rpg.ir.walk import names as names_in
+from rpg.language.grammar.clauses.heights_bounded import BOUNDED
+from rpg.language.grammar.clauses.numbers_compared import COMPARED
 from rpg.language.grammar.things.retold import universal
 from rpg.language.meaning import (
     Amount,
@@ -32,7 +33,9 @@ from rpg.passes.schema.resolve.clauses.begun_facts import moved_from
 from rpg.passes.schema.resolve.clauses.between_two import counted_between
 from rpg.passes.schema.resolve.clauses.company import in_company
 from rpg.passes.schema.resolve.clauses.denials import denied, denied_of_any, denied_once
+from rpg.passes.schema.resolve.clauses.heights_bounded import bounded_heights
 from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
+from rpg.passes.schema.resolve.clauses.numbers_compared import compared_numbers
 from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_its_noun
 from rpg.passes.schema.resolve.clauses.shaped import all_it_has, shaped
 from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
@@ -42,6 +45,7 @@ from rpg.passes.schema.resolve.clauses.started import laid_down, partly, was_so
 from rpg.passes.schema.resolve.clauses.swapped import mere_result, swap
 from rpg.passes.schema.resolve.clauses.the_same_ones import of_the_same
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
+from rpg.passes.schema.resolve.goals.logic import forbids
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
 from rpg.passes.schema.resolve.places.alone import kept_away, none_further, told_alone
@@ -100,7 +104,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
         goals = not_both(goals, clause.span)
     leave = spec.manner("allowed") is not None and not clause.negated
     goals = kept_away(scene) if leave and getattr(clause.theme, "op", "") == "only" else goals
-    if leave and not all(_forbids(x) for x in goals):
+    if leave and not all(forbids(x) for x in goals):
         raise refuse("no-goal", "this is allowed, but not asked for", clause.span, "say 'must' or 'should'")
     for name in [n for goal in goals for n in names_in(goal)]:
         scene.held.pop(name, None)
@@ -115,13 +119,6 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if always and not start:
         goals = held_throughout(goals, scene, clause.span)
     return [*built, *goals, *later]
-
-
-def _forbids(goal: g.Goal) -> bool:
-    """ "no two may touch", "at most one may be on the patch": what limits the end, so that "may" is no mere leave."""
-    if isinstance(goal, g.All):
-        return all(_forbids(x) for x in goal.goals)
-    return isinstance(goal, g.Not | r.Clear | r.Empty) or (isinstance(goal, g.Count) and goal.at_least == 0)
 
 
 def _deny(loose: int, goals: Goals, scene: Scene, span: Span) -> None:
@@ -161,6 +158,10 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
     return isinstance(place, Loc) and place.rel == "off" and not place.negated
 
 
+_BY_VERB = {"sort": sort, "spell": spell, "read": spell, COMPARED: compared_numbers,
+            BOUNDED: bounded_heights}  # fmt: skip
+
+
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     place_of_which(clause, clause.lemma in LEAVING)
     by_centring(clause, spec, scene)
@@ -188,10 +189,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return ignore(clause, scene, scope)
         case "keep" | "touch" | "pick" | "unstack" | "remove" | "swap" | "replace" | "turn" | "use" | "reverse":
             return _special(clause, spec, scene, scope)
-        case "sort":
-            return sort(clause, spec, scene, scope)
-        case "spell" | "read":
-            return spell(clause, spec, scene, scope)
+        case verb if verb in _BY_VERB:
+            return _BY_VERB[verb](clause, spec, scene, scope)
         case "part":
             return parts_alone(spec, scene, scope, clause.span)
         case "offset":

@@ -36,6 +36,22 @@ def _last(chain: Chain) -> Chain:
 
 
 def waits(chain: Chain, chains: tuple[Chain, ...]) -> bool:
-    """Whether a sentence of a kind alone is to be read behind the others, for these name its symbols."""
+    """Whether a sentence of a kind alone is to be read behind the others, for these name its symbols, or count it."""
     others = [other for other in chains if other is not chain]
+    hues = [_denied_hue(clause) for clause in chain.clauses]
+    if all(hues):
+        counted = {x.traits.colors for x in parts_of(tuple(others)) if isinstance(x, Noun) and _counts(x)}
+        return counted.issuperset(hues)
     return all(map(of_a_kind, chain.clauses)) and any(map(_names, others))
+
+
+def _denied_hue(clause: Meaning) -> tuple[str, ...]:
+    """The colour of "no red block is next to another red block", told of blocks that other sentences bring up."""
+    theme = clause.theme if isinstance(clause, Clause) and (clause.verb, clause.mode) == ("be", "goal") else None
+    if not isinstance(theme, Noun) or theme.det != "no" or theme.head == "patch" or theme.part_of or theme.conditions:
+        return ()
+    return theme.traits.colors if theme.traits == Traits(colors=theme.traits.colors[:1]) else ()
+
+
+def _counts(noun: Noun) -> bool:
+    return noun.head != "patch" and noun.det == "bare" and noun.amount is not None and noun.part_of is None

@@ -63,6 +63,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward or any(map(tells_an_end, spec.absolutes))
     if any(o.by in ("ascending", "number", "label") for o in spec.orders):  # "sort by value, descending"
         spec.orders = [o for o in spec.orders if (o.by, o.attribute) != ("attribute", "label")]
+    _one_for_each(spec)
     _no_order(clause, spec, line)
     if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
         return _sort_piles(clause.theme, spec, scene, scope)[1]
@@ -107,8 +108,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return [r.Apart(a=(one,), b=(other,), span=clause.span), *places(theme, spec, scene, scope, clause.span)]
     if divides and attribute is None and (apart is not None or len(theme.parts) == 2 or spec.usings):
         return _separate(theme, apart, spec, scene, scope, clause)
-    shape = _pile_target(spec)
-    attribute = attribute_of(spec)
+    shape, attribute = _pile_target(spec), attribute_of(spec)
     if attribute is None and shape is not None and clause.lemma in DIVIDES:
         built, goals = share_out(theme, shape, spec, scene, clause.span)
     else:
@@ -116,6 +116,14 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     equal(built, spec)
     goals += _sides_of(built, spec, scene)
     return goals + places(replace(theme, built=tuple(built)), spec, scene, scope, clause.span)
+
+
+def _one_for_each(spec: Spec) -> None:
+    """ "(Group the cubes), one cluster per color": by what they are sorted."""
+    for told in [x for x in spec.patterns if x.unit == "pile" and x.different and not x.values]:
+        spec.patterns.remove(told)
+        if not any(o.by == "attribute" for o in spec.orders):
+            spec.orders.append(OrderBy(by="attribute", attribute=told.attribute, span=told.span))
 
 
 def _by_color(theme: Ref, spec: Spec, scene: Scene) -> str | None:

@@ -67,3 +67,10 @@ def _flat(goal: g.Goal) -> Iterator[g.Goal]:
             yield from _flat(part)
     else:
         yield goal
+
+
+def forbids(goal: g.Goal) -> bool:
+    """ "no two may touch", "at most one may be on the patch": what limits the end, so that "may" is no mere leave."""
+    if isinstance(goal, g.All):
+        return all(forbids(x) for x in goal.goals)
+    return isinstance(goal, g.Not | r.Clear | r.Empty) or (isinstance(goal, g.Count) and goal.at_least == 0)

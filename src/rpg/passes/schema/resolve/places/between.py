@@ -8,7 +8,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest
 from rpg.ir.order import Order
-from rpg.language.meaning import Clause, Loc, Toward, replace
+from rpg.language.meaning import Clause, Loc, Toward, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.ends import two_ends
@@ -20,6 +20,10 @@ HALFWAY_GAP = 10.0
 """How far apart two blocks with one halfway between them may be, in edges: as far as the workspace allows."""
 
 
+_APART = ("distance", "apart", "left", "right", "front", "behind")
+"""What blocks with nothing else between them may be to each other, not close."""
+
+
 def between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     """One or several blocks between two ends."""
     if mark.quant is not None:
@@ -27,6 +31,13 @@ def between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
                      "say 'between the red block and the blue block'")  # fmt: skip
     ends = two_ends(mark, loc, scene)
     b, c = (foot(e) for e in ends)
+    if theme.everything and theme.quant is not None and theme.quant.high == 0:  # nothing else than the ends
+        others = tuple(n for n in theme.names if n not in mark.names)
+        apart = any(m.clause == scene.clause and m.rel in _APART for m in scene.mentions)
+        if not others and not apart:
+            raise refuse("ambiguous", "no other block, or no gap?", loc.span, "say 'touching' if there is to be no gap")
+        scene.surveyed.append((Traits(), tuple({*theme.names, *mark.names}), span))
+        return conj([g.Not(goal=r.Between(a=(n,), b=b, c=c, span=span), span=span) for n in others], span)
     if loc.rel == "sandwiched":
         if len(theme.names) != 1 or any(len(e.names) != 1 for e in ends):
             raise refuse("misplaced", "one block is sandwiched between two", loc.span)

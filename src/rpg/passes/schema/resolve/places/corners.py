@@ -29,6 +29,7 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     there = [where for where in CORNERS if told in where]  # "both far corners"
     if indefinite(theme) and not theme.quant:  # "red blocks in the corners": one in each
         theme = replace(theme, names=scene.fit(theme.names, len(there)))
+    theme = _but_the_rest(theme, meaning, len(there), scene)
     names = theme.names
     one_of_four = theme.quant is not None and (theme.quant.low, theme.quant.high) == (1, 1) and not theme.parts
     if one_of_four and len(names) == len(there):
@@ -63,6 +64,17 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     return [r.InRegion(a=lot, region=where, span=span) for lot, where in zip(lots, there, strict=True)]  # type: ignore[arg-type]
 
 
+def _but_the_rest(theme: Ref, meaning: In, many: int, scene: Scene) -> Ref:
+    """ "Five white cubes, one in each corner, and the fifth in the middle": four of them."""
+    names, told = theme.names, scene.speaks_of_rest and meaning.region.startswith("each_corner")
+    apart = not scene.parted.isdisjoint(names) or theme.quant is not None or theme.built or theme.op != "and"
+    if not told or apart or len(names) <= many or not alike([scene.things[n] for n in names]):
+        return theme
+    scene.parted.update(names[:many])
+    scene.whole = names
+    return replace(theme, names=names[:many])
+
+
 def _some_in(names: tuple[str, ...], where: str, span: Span) -> g.Goal:
     """One of the blocks is in this corner; as there are four, each has a corner of its own."""
     there = r.InRegion(a=(EACH,), region=where, span=span)  # type: ignore[arg-type]
@@ -75,8 +87,13 @@ def one_for_each_corner(theme: Meaning, places: list[Meaning], scene: Scene) -> 
     one = isinstance(theme, Noun) and theme.traits == Traits() and theme.part_of is None and not theme.conditions
     one = one and isinstance(theme, Noun) and _single(theme)
     there = [t for t in scene.blocks() if t.declared and not t.extra]
+    one = one or (isinstance(theme, Pronoun) and theme.word == "one")
     if corner and one and len(there) == len(CORNERS):
         return Pronoun(word="everything", span=theme.span)
+    if corner and one and len(there) > len(CORNERS) and scene.speaks_of_rest and alike(there):
+        four = Amount(len(CORNERS), len(CORNERS))  # "... and the fifth in the middle"
+        them = Pronoun(word="everything", span=theme.span)
+        return Noun(head="any", det="some", amount=four, plural=True, part_of=them, span=theme.span)
     return theme
 
 

@@ -86,10 +86,9 @@ def of_the_towers(theme: Ref, loc: Loc, scene: Scene) -> Ref:
         return replace(theme, built=apart) if {n for b in apart for n in b.members} == {*theme.names} else theme
     stacks = [b for b in scene.built if b.kind == "stack" and len(b.members) > 1]
     own = [b for b in stacks if set(theme.names) == set(b.members)]
-    stood = [x.blocks for x in scene.start_goals if isinstance(x, s.Stack)]
-    begun = bool(own) and (
-        set(own[0].members[1:]) <= scene.begun_on or own[0].members in stood
-    )  # of a tower of the start blocks are said anything
+    piles = [{*x.blocks} for x in scene.start_goals if isinstance(x, s.Stack)]
+    begun = bool(own) and ({*own[0].members} in piles or {*own[0].members[1:]} <= scene.begun_on)
+    # Of a tower of the start blocks are said anything.
     several = len(theme.parts) > 1 or len(theme.built) > 1 or theme.quant is not None
     if not own or begun or loc.rel not in _LEVEL or several:
         return theme
@@ -216,11 +215,11 @@ def among_themselves(theme: Ref, mark: Meaning, scene: Scene, denied: bool) -> b
     return all(t.name in theme.names or t.extra for t in matching(mark.traits, scene, False)) or not denied
 
 
-def check_further(theme: Ref, mark: Meaning | None, scene: Scene) -> None:
+def check_further(theme: Ref, mark: Meaning | None, scene: Scene, denied: bool) -> None:
     """Refuse "exactly one of the three red blocks touches another red block": one of the three, or a fourth?"""
-    if not isinstance(mark, Noun) or mark.det != "another" or mark.head == "patch":
-        return
-    some = theme.quant is not None and theme.quant.high != 0
+    if not isinstance(mark, Noun) or mark.det != "another" or mark.head == "patch" or denied:
+        return  # "none of them touches another block": nor any other
+    some = theme.quant is not None
     others = set(scene.whole) - set(theme.names) if scene.parted.issuperset(theme.names) else ()
     left = theme.names if some else others
     if any(fits(scene.things[name], mark.traits) for name in left):
@@ -251,6 +250,9 @@ def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate)
     any_such = none and bool(there) and not theme.built and _any_such(mark)
     if mark.det not in ("another", "other") and not any_such:
         return None
+    if loc.rel in LEVEL and not none and len(theme.names) > 1 and not theme.each:
+        raise refuse("ambiguous", "other ones than all of these, or may these not touch each other either?", loc.span,
+                     "say 'none of them touches another', or name the others")  # fmt: skip
     scene.surveyed.append((mark.traits, (*theme.names, *there), mark.span))
     pairs = dict.fromkeys((a, b) for a in theme.names for b in there if a != b)
     both_ways = loc.rel in ("on", "above", "under", *DIRECTIONS)

@@ -48,6 +48,7 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse(
             "ambiguous", "it is not clear which blocks are counted on each patch", span, "say it of one patch at a time"
         )
+    _each_or_together(theme, mark, span)
     if mark.each and indefinite(theme) and not theme.built:
         lots = one_lot_each(theme, len(patches), scene)
         if _unnamed(lots, scene):
@@ -65,6 +66,8 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         )
     if mark.each and (theme.built or len(theme.names) < len(patches)):
         raise refuse("ambiguous", "this cannot be on each of several patches at once", span, "name what each one gets")
+    if theme.quant is not None and mark.det == "both" and theme.quant.high != 0:
+        return conj([_on_patch(theme, p, span) for p in patches], span)
     if theme.quant is not None and not mark.each:
         return _on_any(theme, patches, span)
     if len(theme.names) == len(patches) and not whole:
@@ -74,6 +77,16 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse("ambiguous", "it is not said how many patches there are, and which block goes on which", span,
                      "say how many, and 'one on each', or name the patch of each")  # fmt: skip
     return _on_any(replace(theme, built=()), patches, span)
+
+
+def _each_or_together(theme: Ref, mark: Ref, span: Span) -> None:
+    """Refuse "two blocks are on both mats", "at least two are on the red and the blue mat"."""
+    if mark.each or theme.built:
+        return
+    some = theme.quant is not None and theme.quant.high != 0 and len(mark.parts) > 1 and mark.det != "both"
+    if some or (mark.det == "both" and indefinite(theme) and theme.quant is None and len(theme.names) > 1):
+        raise refuse("ambiguous", "so many on each of them, or on all of them together?", span,
+                     "say 'on each of the ... patches'")  # fmt: skip
 
 
 def _in_turn(theme: Ref, mark: Ref, scene: Scene) -> bool:

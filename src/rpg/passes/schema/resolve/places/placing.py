@@ -314,10 +314,9 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             if isinstance(mark, Pronoun) and mark.word in _POINTED and pointed and isinstance(adjunct, Loc):
                 of_a_part(ref, theme, mark, adjunct, spec.absolutes)
                 of_the_nearest(item, mark, adjunct, scene)
-                nothing = theme.everything and theme.quant is not None
-                if (nothing or adjunct.negated) and any(
-                    m.role == "landmark" and m.clause == scene.clause for m in scene.mentions
-                ):
+                nothing = theme.everything and theme.quant is not None and adjunct.rel != "between"
+                marked = any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions)
+                if (nothing or adjunct.negated) and marked:
                     raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")
                 that = last if mark.word == "that" and last is not None else whom(ref, last, mark, adjunct, scene)
                 found = related(theme, that, adjunct, scene, item.span)

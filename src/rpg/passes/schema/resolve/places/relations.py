@@ -41,7 +41,7 @@ from rpg.passes.schema.resolve.places.patches import (
     one_lot_each,
 )
 from rpg.passes.schema.resolve.places.side_lengths import MEASURES, so_large
-from rpg.passes.schema.resolve.places.some_of_them import to_each_other, to_others
+from rpg.passes.schema.resolve.places.some_of_them import none_of_others, to_each_other, to_others
 from rpg.passes.schema.resolve.places.stacking import Towers, check_bodies, vertical
 from rpg.passes.schema.resolve.places.where_was import took_place
 from rpg.passes.schema.resolve.things.none_of import one_and_all
@@ -137,9 +137,11 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         return compared_far(theme, loc, scene, scope, span)
     check_bodies(theme, loc, scene)
     check_same(theme, loc, scene)
-    check_further(theme, loc.landmark, scene)
     denied = loc.negated or scene.denying
     none = theme.quant is not None and theme.quant.high == 0
+    check_further(theme, loc.landmark, scene, denied or none)
+    if not denied and (others := none_of_others(theme, loc.landmark)) is not None:
+        return negation(_loc(theme, replace(loc, landmark=others, negated=True), scene, scope, span), span)
     if len(theme.names) > 1 and among_themselves(theme, loc.landmark, scene, denied or none):
         mutual = denied or theme.quant is not None
         return to_each_other(theme, loc, scene, span) if mutual else to_others(theme, loc, span)

@@ -8,7 +8,7 @@ from math import comb
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.node import EACH
-from rpg.language.meaning import Amount, Loc, Noun
+from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.orders.positions import looks
 from rpg.passes.schema.resolve.places.mutual import ALL_OTHERS, of_every_two, reciprocal, some_other
@@ -80,3 +80,13 @@ def _to_so_many(name: str, theme: Ref, loc: Loc, many: Amount, span: Span) -> g.
     others = tuple(other for other in theme.names if other != name)
     one = conj(reciprocal(Ref(names=(name, EACH)), loc, span), span)
     return g.Count(over=others, at_least=many.low, at_most=many.high, goal=one, span=span)
+
+
+def none_of_others(theme: Ref, mark: Meaning | None) -> Meaning | None:
+    """ "(Each touches) none of the others", "(it touches) no other block": what is denied of it."""
+    if not isinstance(mark, Noun) or theme.quant is not None or mark.head == "patch":
+        return None
+    if mark.det == "no other" and mark.amount is None:
+        return replace(mark, det="another", amount=Amount(1, 1), plural=False)
+    others = mark.part_of if mark.det == "no" and mark.head == "any" and theme.each else None
+    return others if isinstance(others, Pronoun) and others.word in ALL_OTHERS else None

@@ -94,7 +94,9 @@ def told_apart(theme: Meaning | None) -> Meaning | None:
     first, *rest = theme.items
     if len(rest) < 2 and len(getattr(getattr(rest[0], "traits", None), "labels", ())) < 2:
         return theme
-    if not isinstance(first, Noun) or first.head != "block" or first.amount is None or first.traits != Traits():
+    if not isinstance(first, Noun) or first.head != "block" or first.amount is None:
+        return theme
+    if first.traits not in (Traits(), Traits(kind="plain")):
         return theme
     things = [item for item in rest if isinstance(item, Noun) and (item.traits.colors or item.traits.labels)]
     if len(things) != len(rest):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language.grammar.clauses.numbers_compared import COMPARED
 from rpg.language.meaning import (
     Amount,
     Chain,
@@ -14,6 +15,7 @@ from rpg.language.meaning import (
     Structure,
     Traits,
     Using,
+    parts_of,
     replace,
 )
 from rpg.passes.schema.resolve.things.counted import put
@@ -35,7 +37,8 @@ def each_later(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
                 found[line] = replace(found[line], clauses=whole)
                 continue
             alone = sum(len(x.clauses) for x in chains) == 2
-            if alone and (kinds := _quantified(clauses[place])) and isinstance(clause, Clause):
+            kinds = _some_of_each(chains, many) or (_quantified(clauses[place]) if alone else ())
+            if kinds and isinstance(clause, Clause):
                 items = tuple(_so_many(x, many) for x in kinds)
                 there = replace(clause, theme=Coord(op="and", items=items, span=clause.span), adjuncts=())
                 found[n] = replace(found[n], clauses=tuple(there if x is clause else x for x in found[n].clauses))
@@ -83,6 +86,21 @@ def _quantified(clause: Meaning) -> tuple[Noun, ...]:
     kinds = tuple(replace(x, det="bare", amount=None, plural=False) for x in (theme, mark))
     alone = all(map(_single, kinds)) and theme.traits != mark.traits
     return kinds if some and alone else ()
+
+
+def _some_of_each(chains: tuple[Chain, ...], many: int) -> tuple[Noun, ...]:
+    """The kinds of "at least one red and one blue block on the mat": what is said of some of them tells no number."""
+    told = [c for x in chains for c in x.clauses if isinstance(c, Clause) and c.verb in ("place", "be", COMPARED)]
+    told = [c for c in told if c.mode in ("command", "goal") and c.theme is not None]
+    nouns = [x for c in told for x in parts_of(c.theme) if isinstance(x, Noun) and x.head != "patch"]
+    hued = [x for x in nouns if x.traits == Traits(colors=x.traits.colors[:1]) and x.traits.colors]
+    some = any(x.amount is not None and x.amount.low < many for x in hued) or any(c.verb == COMPARED for c in told)
+    places = [p for c in told for p in c.adjuncts if isinstance(p, Loc)]
+    marks = [p.landmark for p in places if isinstance(p.landmark, Noun) and p.landmark.head == "block"]
+    kinds = {x.traits: x for x in hued}
+    if not some or len(hued) < len(nouns) or marks or len(kinds) < 2:
+        return ()
+    return tuple(Noun(head="block", traits=traits, span=x.span) for traits, x in kinds.items())
 
 
 def _counted(clause: Meaning, many: Many) -> Meaning:

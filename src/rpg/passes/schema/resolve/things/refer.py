@@ -187,7 +187,7 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return towers
     noun = one_more(noun, scene)
     if noun.part_of is None and elliptical(noun, scene, scope):
-        if noun.amount is not None and noun.amount.strict:
+        if noun.amount is not None and (noun.amount.strict or scene.speaks_of_rest):
             return _of_them(noun, scene, scope)
         not_of_a_structure(noun, scene)
     if noun.traits.rank and isinstance(noun.part_of, Structure):

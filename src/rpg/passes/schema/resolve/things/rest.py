@@ -4,14 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language.meaning import Chain, Meaning, Noun, Pronoun, Traits
+from rpg.language.meaning import Chain, In, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.passes.schema.resolve.places.corners import CORNERS
 
 
 def speaks_of_rest(parts: Sequence[Meaning]) -> bool:
     """ "the others", "the rest"; "the third one" beside "two of them"."""
-    counted = {x.amount.low for x in parts if isinstance(x, Noun) and x.part_of is not None and x.amount is not None}
-    ranks = {x.traits.rank for x in parts if isinstance(x, Noun) and x.traits == Traits(rank=x.traits.rank)}
-    return any(map(_rest, parts)) or any(str(many + 1) in ranks for many in counted)
+    nouns = [x for x in parts if isinstance(x, Noun)]
+    counted = {x.amount.low for x in nouns if x.amount is not None and (x.part_of is not None or _so_many(x))}
+    counted |= {len(CORNERS) for x in parts if isinstance(x, In) and x.region.startswith("each_corner")}
+    ranks = {x.traits.rank for x in nouns if x.traits == Traits(rank=x.traits.rank) and x.head == "any"}
+    last = bool(counted) and "last" in ranks and not any(isinstance(x, Structure) for x in parts)
+    return last or any(map(_rest, parts)) or any(str(many + 1) in ranks for many in counted)
+
+
+def _so_many(noun: Noun) -> bool:
+    """ "(Three red blocks.) Two (go there)"."""
+    return noun.head == "any" and noun.traits == Traits() and noun.det in ("bare", "some")
 
 
 def _rest(part: Meaning) -> bool:

@@ -6,7 +6,8 @@ from rpg.language.meaning import Amount, Noun
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 _PARTS = {"half": 2, "third": 3, "quarter": 4}
-SHARES = frozenset({*_PARTS, "most", "not all", "some", "all but"})
+_BOUNDS = frozenset({"at least half", "at most half", "less than half"})
+SHARES = frozenset({*_PARTS, *_BOUNDS, "most", "not all", "some", "all but"})
 
 
 def share_of(noun: Noun, whole: Ref, scene: Scene) -> Amount | None:
@@ -25,6 +26,10 @@ def share_of(noun: Noun, whole: Ref, scene: Scene) -> Amount | None:
     total = len(whole.names)
     if noun.det == "most":
         return Amount(total // 2 + 1, None, True)
+    if noun.det == "at least half":
+        return Amount((total + 1) // 2, None, True)
+    if noun.det in _BOUNDS:
+        return Amount(0, (total - (noun.det == "less than half")) // 2, True)
     if noun.det == "not all":
         return Amount(0, total - 1, True)
     if noun.det == "all but":

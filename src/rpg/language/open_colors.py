@@ -21,6 +21,8 @@ _MORE = tuple(
 def with_colors(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     """The tokens with a colour for each number of blocks of which it is only said that they have one of their own."""
     words = [token.word for token in tokens]
+    if words.count("of") < 2 or set(words).isdisjoint(_COLORS):
+        return tokens, []
     found = [(n, k) for n in range(1, len(words)) if (k := length_at(words, n, _MORE if _begun(words, n) else _FIRST))]
     spots = [(_number(tokens, n), n, n + k) for n, k in found]
     if len(spots) < 2 or any(at < 0 for at, _, _ in spots):

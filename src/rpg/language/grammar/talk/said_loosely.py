@@ -223,7 +223,7 @@ _WHICH_IS_MADE = tuple(
 
 def _everything(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Everything should be in one tower: A, then B": all blocks, where none were told before."""
-    if words[:1] == ["everything"] and words[1:2] and words[1] in _MUST:
+    if words[:1] == ["everything"] and words[1:2] and words[1] in _MUST and words[2:3] != ["look"]:
         return [tokens[0].saying("all"), tokens[0].saying("blocks"), *tokens[1:]]
     return None
 

@@ -24,7 +24,7 @@ REPEATS = {
     "their colours are open, and differ": r"(?:five|four|A, B, C and D|base of three|CAT).*They are all different",
     "each of these has a colour of its own": r"(?:red.*blue|red block).*They are all different",
     "none that is red was named": r"^(?!.*\bred\b.*None).*None of them is red",
-    "all of them are on patches, and only red ones there": r"(?:yellow|blue) patch\. (?:None on the table|Only red blocks)",
+    "all of them are on patches, only red ones there": r"(?:yellow|blue) patch\. (?:None on the table|Only red blocks)",
     "the middle of a tower stays so when it is reversed": r"Reverse the tower. The second one is green",
     "the yellow one was spoken of": r"yellow one\. There is also a yellow block",
     "one of three red blocks is red": r"Sort three red .* The first is red",

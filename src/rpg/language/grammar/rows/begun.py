@@ -1,4 +1,4 @@
-"""How things are at the beginning, in whichever words: what is given, and what becomes of it, as
+"""How things are at the beginning, in whichever words: what is given, what carries what, where something comes from, as
 rows that say it in a sentence of its own."""
 
 from __future__ import annotations
@@ -19,6 +19,8 @@ TIME = (
 )
 """When something is so at the beginning; with a blank behind it where it stands in front."""
 _LED = f"(?:{TIME} (?:, )?)"
+_AT_START = f"(?=.*\\b(?:{TIME}|(?:we|you) (?:start|begin) with\\b))"
+"""Somewhere in the sentence it is said that this is so at the beginning."""
 END = f"(?:at the end of the {EVENT}|(?:at|in) the end|finally|afterwards|when (?:you are|all is|everything is) done)"
 STARTS = "(?:starts?|begins?)(?: out| off)?"
 SITS = f"(?:{LIES}|(?:is|are) (?:lying|sitting|standing|located|placed|resting)|{STARTS})"
@@ -36,7 +38,12 @@ UP = (
 )
 ORDER = f"(?:{UP} (?:, |: )?{LIST}|{LIST}(?: ,)? {UP}|{_LAYERS})"
 """An order in full."""
+_REGION = "(?:the )?((?:left|right|near|far|front|back) half|(?:(?:near|far|front|back|left|right) ){2}(?:corner|one))"
+_TABLE = "(?: of the table)?"
+_THERE = "(?:there|on the table|already there|already standing there|standing there|in place)"
 MOVE = "(?:put|move|bring|carry|take|transfer)"
+_BROUGHT = "(?:be )?(?:brought|moved|taken|carried|transferred|put)"
+GOES = f"(?:goes|travels?|moves?|wanders?|comes|gets|{MUST} (?:go|travel|move|get|come|{_BROUGHT}))"
 WHICH = "(?:which|that|who)"
 _WHERE_IT_IS = f", (?:where|on which|in which|which is where) (?:it|they) (?:{SITS}|{TIME} {SITS})(?: {TIME})?"
 COMMAND = (
@@ -55,18 +62,33 @@ _FACT = (
 """How something is, by nothing but facts."""
 _BECOMES = f"(?:{MUST}|becomes?|ends?|finish(?:es)?|goes|comes|turns?)"
 _A_LINE = f"(?:the {BRICK}s|all {BRICK}s|three {BRICK}s|everything)"
+_HAVE = "(?:there (?:is|are)|we have|you have|i have|(?:we|you) (?:start|begin) with)"
 _GETS = "(?:gets?|has|have|is given|are given|receives?|finds?)"
 
-_ENDED = f"({END} (?:, )?)?"
-_TRADE = "(?:change|switch|swap|exchange|trade)"
+_CARRIES = "(?:has|holds|carries|bears)"
+_LISTED = f", (?:{ORDER})(?: ,)?"
+_UNDO = "(?:reverse|invert|flip|rebuild|restack|unstack|dismantle|disassemble)"
+"""What is done to a line that is there."""
+_IN_A_HEAP = f"in (an?|one) (?:settled |random |messy |mixed |loose )?({HEAP})"
+_OF_EACH = (
+    f" , ({MANY})(?: of them)? ({COLOR})(?: ones)?(?: ,| and| , and) ({MANY})(?: of them)? ({COLOR})(?: ones)?\\b"
+)
 
 BEGUN_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b(?:(?:at|on|upon) reset|when (?:the|this|an|each|every) {EVENT} (?:starts|begins)|when (?:we|you) "
+     "(?:start|begin)(?= [,:]|$))\\b", "at the start"),
+    ("^(start|end|goal|initial state|start state|final state) , (?!then\\b|at last\\b)", "{1} : "),
+    (f"^(?:start|initial state|starting (?:state|scene|position)) : "
+     f"(?=.*\\b(?:{TIME}|starts?|begins?|starting)\\b)", ""),
+    (f"(^|: )when (?:you are|everything is|all is) (?:done|finished)(?: ,)? (?={_THEM}\\b)", "{1} at the end , "),
     # how it is, and what becomes of it, in one sentence
     (f"^{_FACT} [,:] ((?:please )?(?:first )?{COMMAND} {_THEM}\\b.+)$", "{1} . {2}"),
+    (f"^(?!there (?:is|are) ,){_FACT} [,:] (?:and |but )?({END})(?: ,)? ({_THEM}\\b.+)$", "{1} . {2} , {3}"),
     (f"^(?!there (?:is|are) ){_FACT} [,:] (?:and |but )?((?:it|they|both|the two|each|all"
      f"|(?:the )?{COLOR}(?: one| {BRICK})?) {_BECOMES}\\b.+)$",
      "{1} . {2}"),
     (f"\\b(from [^,]+?) {_WHERE_IT_IS} ,? ?(?=(?:over )?(?:to|onto|into|back) )", "{1}"),
+    (f"\\b((?:leave|keep) [^,]+? where (?:it|they)) (?:{STARTS}|started|began|was|were)(?: {TIME})?\\b", "{1} is"),
     (f"^(an? (?:\\w+ )?{_SHAPE}\\b.+?)(?: ,)? is (?:given|already there|what (?:you|we|i) start with|the start)$",
      "at the start there is {1}"),
     (f"^from ({MARK}) , where (?:it|they) {SITS}(?: {TIME})? , ({ONE}) (.+)$",
@@ -76,24 +98,67 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
     # heaps
     (f"^{_LED}?(?:the robot|we|you|i) {_GETS} (an? (?:\\w+ )?{HEAP} (?:of|with)\\b.+)$", "at the start there is {1}"),
     (f"^(?:the )?(?:initial|starting|given) ({HEAP}) (?:: |is |of |has )(.+)$", "at the start there is a {1} of {2}"),
+    (f"^{_AT_START}{_LED}?({MANY} {BRICK}s) (?:lie|are|start|begin)(?: {TIME})? {_IN_A_HEAP}(?: {TIME})?{_OF_EACH}",
+     "at the start there is {2} {3} of {1} , {4} {5} and {6} {7}"),
+    (f"^({MANY} {BRICK}s) (?:start|begin) {_IN_A_HEAP}{_OF_EACH}",
+     "at the start there is {2} {3} of {1} , {4} {5} and {6} {7}"),
+    (f"^({MANY} {BRICK}s) lie {_IN_A_HEAP}{_OF_EACH}", "there is {2} {3} of {1} , {4} {5} and {6} {7}"),
     (f"^(.+?) , {WHICH} (?:{TIME} )?(?:lie|start|begin|are|lying)(?: {TIME})?(?: lying)? (in an? "
      f"{HEAP})(?: {TIME})?(?: ,)? ({MUST}) (.+)$", "at the start {1} lie {2} . they {3} {4}"),
+    (f"^(.+?) (?:from|of|out of) ({MANY} (?:{COLOR} )?{BRICK}s) , {WHICH} (?:{TIME} )?(?:lie|are|"
+     f"start)(?: {TIME})?(?: lying)? (in an? {HEAP})(?: {TIME})?$", "at the start {2} lie {3} . {1} from them"),
     (f"^(?:out of|from) the ({HEAP}) in which (?:the )?(.+?) {SITS}(?: {TIME})? , (.+)$",
      "at the start {2} lie in a {1} . {3}"),
+    # layers told of blocks
+    (f"\\bthe ({COLOR}) (?:{BRICK}|one) (at the bottom) ,(?: and)? the ({COLOR}) (?:{BRICK}|one) (in the middle)(?: "
+     f",)? "
+     f"and the ({COLOR}) (?:{BRICK}|one) (on top|at the top)\\b", "{1} {2} , {3} {4} and {5} {6}"),
+    (f"\\bthe ({COLOR}) (?:{BRICK}|one) (on top|at the top) ,(?: and)? the ({COLOR}) (?:{BRICK}|one) (in the "
+     f"middle)(?: ,"
+     f")? and the ({COLOR}) (?:{BRICK}|one) (at the bottom)\\b", "{1} {2} , {3} {4} and {5} {6}"),
     # lines that are there
     (f"^the ({LINE}) (?:that|which) is (?:already )?there(?: now| {TIME})? (?:is|has|reads) ({CHAIN}|{ORDER})$",
      "at the start the {1} is {2}"),
+    (f"^take the ({LINE}) (?:that|which) is (?:already )?there ({_LISTED}) apart\\b",
+     "at the start there is a {1} {2} . take it apart"),
+    (f"^(?:reverse )?the order of the ({LINE}) (?:that|which) is (?:already )?there ({_LISTED})"
+     f"(?: {MUST} be reversed)?$", "at the start there is a {1} {2} . reverse its order"),
+    (f"^{_LED}?the ({LINE}) {STARTS} as ({CHAIN})$", "at the start there is a {1} of {2}"),
+    (f"^{_LED}?the ({LINE}) {STARTS}(?: as| with| like this :)? ({ORDER})$", "at the start there is a {1} : {2}"),
+    (f"^{_LED}the ({LINE}) (?:has|is|reads) ({ORDER})$", "at the start there is a {1} : {2}"),
+    (f"^({UP}) the ({LINE}) {STARTS}(?: as| with)? ({LIST})$", "at the start there is a {2} : {3} {1}"),
     (f"^the ({LINE}) {TIME} (?:has|is|reads)(?: ,)? ({ORDER})$", "at the start there is a {1} : {2}"),
+    (f"^the ({LINE}) (?:is|has|reads) {TIME} ({ORDER})$", "at the start there is a {1} : {2}"),
+    (f"^the ({LINE}) (?:is|has|reads) ({ORDER}) {TIME}$", "at the start there is a {1} : {2}"),
     (f"^{_A_LINE} (?:{STARTS}|(?:are|is) {TIME})(?: stacked)? (?:in|as) (?:an?|one) ({LINE}) [,:] ({ORDER})$",
      "at the start there is a {1} : {2}"),
     (f"^{_A_LINE} (?:{STARTS} stacked|are stacked {TIME}) [,:] ({ORDER})$", "at the start there is a tower : {1}"),
+    (f"^{_A_LINE} (?:{STARTS} lined up|are lined up {TIME}) [,:] ({ORDER})$", "at the start there is a row : {1}"),
+    (f"^(?:the )?left(?:most)? {BRICK} (?:of|in) a row is ({COLOR}) {TIME} , the middle one (?:is )?({COLOR})(?: ,)? "
+     f"and the right(?:most)? one (?:is )?({COLOR})$", "at the start there is a row : {1} , {2} , {3} from left to "
+     "right"),
+    (f"^(?:the |an? )?({COLOR})(?: {BRICK})? {STARTS} on (?:the |an? )?({COLOR})(?: {BRICK}| one)? , {WHICH} {SITS} "
+     f"on "
+     f"(?:the |an? )?({COLOR})(?: {BRICK}| one)?$", "at the start there is a tower of {1} on {2} on {3}"),
+    (f"^{_AT_START}{_LED}?(?:{_HAVE} )?two (?:towers|stacks)(?: {TIME})? [,:] ({COLOR}) on ({COLOR})(?: and| ,| , and) "
+     f"({COLOR}) on ({COLOR})$", "at the start , {1} is on {2} and {3} is on {4}"),
     (f"^two stacked {BRICK}s {TIME} [,:] ({ONE}) on(?: top of)? ({ONE})$", "at the start , {1} is on {2}"),
     (f"^(?:take )?(?:the|an?) ({LINE})(?: of)? (.+?)(?: ,)? {WHICH} (?:is|stands|lies)(?: already)?(?: standing| "
      f"lying)? "
      "(?:there|here)(?: ,)? and (.+)$", "at the start there is a {1} of {2} . {3}"),
+    (f"^({_UNDO}(?: the order of)?) (?:the|an?) ({LINE}) {WHICH} (?:{STARTS} (?:as|with)|is|has) ({CHAIN})$",
+     "at the start there is a {2} of {3} . {1} it"),
+    (f"^({_UNDO}(?: the order of)?) (?:the|an?) ({LINE}) {WHICH} (?:{STARTS} (?:as|with)|is|has) ({ORDER})$",
+     "at the start there is a {2} : {3} . {1} it"),
     # what is on a patch, told aside
+    (f"^(?:clear|empty) ({MARK}) , (?:where|on which) (.+?) {SITS}(?: {TIME})?$", "at the start , {2} is on {1} . "
+     "clear {1}"),
     (f"^((?:first )?(?:clear|empty) ({MARK})) \\( ({ONE}) {SITS} (?:there|on it) \\)(?: ,)? (.*)$",
      "at the start , {3} is on {2} . {1} , {4}"),
+    (f"^from ({MARK}) , (?:where|on which) (.+?) {SITS}(?: {TIME})? , (?:it|they) {GOES} (?:to|onto|on) (.+)$",
+     "at the start , {2} is on {1} . put {2} on {3}"),
+    (f"( , {WHICH} {SITS} on ({MARK})(?: {TIME})? ,) ((?:{MUST} )?(?:stays?|remains?)) (?:there|on it)\\b", "{1} "
+     "{3} on {2}"),
     (f"^({ONE} and {ONE}) , {WHICH} (?:start|begin)(?: out)? ([^,]+?) , {MUST} (?:end|finish)(?: up)? (.+)$",
      "at the start {1} are {2} . at the end they must be {3}"),
     (f"^separate ({ONE}) from ({ONE}) [,:] (touching|next to each other|side by side) at (?:the )?start , (.+?) at "
@@ -101,25 +166,44 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "at the start , {1} and {2} are {3} . at the end , {1} and {2} must be {4}"),
     (f"^swap the two {BRICK}s on the (?:patches|mats|zones|spots|areas) [,:] (.+? {STARTS} on .+)$", "{1} . swap "
      "the two"),
-    # what becomes of it
-    (f"\\bwhen (?:you are|everything is|all is) (?:done|finished)\\b(?!(?: ,)? (?:please )?{COMMAND}\\b)",
-     "at the end"),
-    # lines in another order
-    (f"^{_ENDED}(?:it|the (?:row|line)) (?:{MUST} (?:read|be|become|end up(?: as)?)|reads|becomes|ends up(?: as)?) "
-     f"({LIST}(?: ,)? from left to "
-     f"right)$",
-     "{1} build a row of {2}"),
-    (f"\\b(?:build|stack|set) (it|the {LINE}) (?:up )?again\\b", "rebuild {1}"),
-    (f"\\b(?:build|stack|set up) the same ({LINE}) (?:up )?again\\b", "rebuild the {1}"),
-    (f"^(?:{END} (?:, )?)?(?:the|its) order (?:of the {LINE} )?(?:{MUST} be|is) reversed$", "reverse its order"),
-    # places that are traded
-    (f"^(?:let|make) them {_TRADE} sides(?: , so that| : so that| so that| ,|) ?(.*)$",
-     "each of them must be in the other half . {1}"),
+    (f"^(.+? {STARTS}) (?:in|on) the (left|right|near|far) side(?: of the table)?(?=$| [,:])",
+     "{1} in the {2} half of the table"),
 )  # fmt: skip
 """What is read otherwise as it stands."""
 
 BEGUN: tuple[Turn, ...] = (
+    (f"^put (an? .+?) on ({MARK}) only (?:after|when|once) ({ONE}) , {WHICH} {STARTS} (?:there|on it) , (?:has left it|"
+     "is off it|is gone)$", "at the start , {3} is on {2} . first take {3} off {2} , then put {1} on {2}"),
+    (f"^({ONE} {STARTS} on ({MARK})) and {MUST} never leave it$", "{1} . it must never leave {2}"),
+    (f"^{TIME} (?:, )?the ({LINE}) is ({LIST})(?: ,)? ({UP}) , {END} ({LIST})$",
+     "at the start there is a {1} : {2} {3} . build a {1} of {4} {3}"),
+    (f"^{TIME} (?:, )?it is ({CHAIN}) , {END} (?:it is )?({CHAIN})$",
+     "at the start there is a tower of {1} . build a tower of {2}"),
+    # where a block comes from
+    (f"^{MOVE} (.+?) from {_REGION}{_TABLE}(?: over)? (?:in)?to {_REGION}{_TABLE}$",
+     "at the start , {1} is in the {2} of the table . put {1} in the {3} of the table"),
+    (f"^(the [^,]+?|{COLOR}) {GOES} from {_REGION}{_TABLE}(?: over)? (?:in)?to {_REGION}{_TABLE}$",
+     "at the start , {1} is in the {2} of the table . put {1} in the {3} of the table"),
+    (f"^(the [^,]+?|{COLOR}) from {_REGION}{_TABLE} (?:in)?to {_REGION}{_TABLE}$",
+     "at the start , {1} is in the {2} of the table . put {1} in the {3} of the table"),
+    (f"^(?:clear|empty) ({MARK}) by (?:moving|putting|stacking|placing) ({ONE}) {WHICH} {STARTS} on it (on(?:to)? .+)$",
+     "at the start , {2} is on {1} . put {2} {3}"),
+    (f"^from {_REGION}{_TABLE} (?:in)?to {_REGION}{_TABLE} with (.+)$",
+     "at the start , {3} is in the {1} of the table . put {3} in the {2} of the table"),
+    ("^(.+?) 's (?:starting|start|initial) (?:place|position|spot|point) is ((?:in|on|at|next) .+)$",
+     "at the start , {1} is {2}"),
+    (f"^the (?:starting|start|initial) (?:place|position|spot|point) of ([^,]+?) is ({MARK})$", "at the start , {1} "
+     "is on {2}"),
+    # what a patch carries
+    (f"^{_AT_START}{_LED}?({MARK}) {_CARRIES} ((?:(?! [,:] ).)+?)(?: on it)?(?: {TIME})?(?: on it)?(?: ,| and) "
+     f"({MARK}) (?:has )?(an? (?:(?! [,:] ).)+?)(?: on it)?(?: {TIME})?$",
+     "at the start , {2} is on {1} and {4} is on {3}"),
+    (f"^{_AT_START}{_LED}?({MARK}) {_CARRIES} ((?:(?! [,:] ).)+?)(?: on it)?(?: {TIME})?(?: on it)?$",
+     "at the start , {2} is on {1}"),
     # what is given
+    (f"^{_AT_START}(an? (?:\\w+ )?{_SHAPE}\\b.+?)(?: ,)? (?:is|stands|lies|exists)(?: {_THERE})?(?: {TIME})?(?: "
+     f"{_THERE})?$", "at the start there is {1}"),
+    (f"^({CHAIN}) is what (?:you|we|i) (?:start|begin) with$", "at the start there is a tower of {1}"),
     (f"^with (.+?) {TIME} (in|on|at|next to) ([^,]+) , (.+)$", "at the start , {1} is {2} {3} . {4}"),
     (f"^(?:start(?:ing)?|begin(?:ning)?) from (an? {_SHAPE}\\b.+?) , (an? .+?) {MUST} be (?:built|made|formed|"
      f"assembled)(?: from "
@@ -127,16 +211,19 @@ BEGUN: tuple[Turn, ...] = (
     (f"^from (an? {LINE})((?: ,|:| with| of) .+?)(?: ,)? ({COMMAND} .+)$", "at the start there is {1} {2} . {3}"),
     (f"^(?:unstack|dismantle|restack|rebuild|reverse) : ({CHAIN}) at (?:the )?start , (.+?)(?: at the end)?$",
      "at the start there is a tower of {1} . at the end , {2}"),
+    (f"^from ({CHAIN}) to ({CHAIN})$", "at the start there is a tower of {1} . build a tower of {2}"),
     # what lies on a patch, and leaves it
+    (f"^(?:the )?({MANY} (?:{COLOR} )?{BRICK}s) {WHICH} (?:{STARTS}|{TIME} {LIES}|{LIES})(?: {TIME})? (on .+?) "
+     f"({MUST}) (.+)$",
+     "at the start {1} are {2} . they {3} {4}"),
+    (f"^{MOVE} (?:the )?({MANY} (?:{COLOR} )?{BRICK}s) (?:lying|starting|standing|sitting|that (?:start|lie|are)) "
+     f"(on .+?) "
+     "(?:to|onto|over to) (.+)$", "at the start {1} are {2} . put them on {3}"),
     (f"^(?:clear|empty) ({MARK}) , (?:where|on which) (.+?) {SITS}(?: {TIME})? , by (?:moving|putting|stacking|"
      f"placing) (?:it|"
      f"that {BRICK}) (on(?:to)? .+)$", "at the start , {2} is on {1} . put {2} {3}"),
     (f"^from ({MARK}) , (?:where|on which) (.+?) {SITS}(?: {TIME})? , (?:all(?: the)? {BRICK}s?|it|they|every "
      f"{BRICK}|both|all of "
      f"them) {MUST} be (?:removed|taken away|taken|cleared)$", "at the start , {2} is on {1} . clear {1}"),
-    (f"^({MOVE}) to ({MARK}) (the .+)$", "{1} {3} to {2}"),
-    (f"^(.+? (?:lie|start|begin|are)(?: {TIME})? in an? {HEAP}(?: {TIME})?)(?: ,)? and (?:{MUST} )?(?:become|make|"
-     f"form|end as|end up "
-     "as|turn into) (.+?)(?: at the end)?$", "{1} . make {2} of them"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
@@ -60,6 +61,7 @@ _OF_ALL = (
     *BESIDES_AT_ONCE,
     *PATCHES_AT_ONCE,
     *BEGUN_AT_ONCE,
+    *BECOME_AT_ONCE,
     *IN_STEPS,
     *COUNTED,
     *SHARED_OUT,
@@ -96,6 +98,7 @@ _OF_THE_UNREAD = (
     *CONTRASTED,
     *BEFORE_IT,
     *BEGUN,
+    *BECOME,
     *OTHERWISE,
     *EVERYDAY,
     *REWORDED,

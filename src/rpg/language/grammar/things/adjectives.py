@@ -291,9 +291,8 @@ _EDGE_OF = (
 )  # fmt: skip
 """What stands before the length of a block's edge."""
 _OWN = ("of its own", "of their own", "to itself", "to themselves")
+_BESIDE = frozenset({"next", "beside", "behind", "front", "near", "left", "right"})
 _MARKED = tuple(f"{how}on the table" for how in ("", "designated ", "marked ", "painted ", "drawn "))
-
-
 _EDGES = ("edges", "edge", "sides", "side", "edge length", "side length", "edge lengths", "side lengths")
 
 
@@ -323,7 +322,8 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         yield Marks({"scheme": "same"}), j
     if head in ("patch", "block") and (j := p.any_of(i, _OWN)):
         yield Marks({"scheme": "different"}), j
-    if head == "patch" and (j := p.any_of(i, _MARKED)):
+    beside = p.stands(i, ("on",)) and not _BESIDE.isdisjoint(p.words[max(0, i - 6) : i])
+    if head == "patch" and not beside and (j := p.any_of(i, _MARKED)):
         yield Marks({"target": True}), j
     yield from ((Marks({"matching": True}), j) for j in _LIKE_THE_BLOCK.matches(p, i) if head == "patch")
     for phrase, j in p.standing(i, _MATCHING):

@@ -18,13 +18,19 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
             between = text[head.span[1] : rest.span[0]].strip(" ,")
             finite = text[rest.span[1] :].lower().split()[:1] in _FINITE
             cut = (_open(head, text) and not finite) or _goes_on(head, rest, text)
-            if between in ("and", "&") and cut:
+            if between in ("and", "&") and cut and not _ordered(rest, text):
                 raise refuse("ambiguous", "it is not clear whether this is said of all that is listed, or of the last",
                              rest.span, "say it in a sentence of its own")  # fmt: skip
 
 
 _FINITE = (["is"], ["are"], ["should"], ["must"], ["has"], ["goes"], ["stands"], ["lies"])
 """What is said of the last one alone behind these."""
+
+
+def _ordered(rest: Noun, text: str) -> bool:
+    """ "Line up A, B and C in alphabetical order": an order is that of them all."""
+    words = text[rest.span[1] :].lower().split()
+    return words[:1] == ["in"] and "order" in words[1:4]
 
 
 def _cuts(chain: Chain) -> Iterator[tuple[Noun, Noun]]:

@@ -10,7 +10,8 @@ from rpg.language.colons import told_first
 from rpg.language.conditions import conditional, inverted
 from rpg.language.grammar.clauses.chains import chain
 from rpg.language.grammar.clauses.clauses import tail
-from rpg.language.grammar.clauses.links import emphasised, next_step
+from rpg.language.grammar.clauses.links import emphasised, next_step, now_again
+from rpg.language.grammar.clauses.numbers_denied import denies_a_number
 from rpg.language.grammar.core import Parser, TooMuchWork
 from rpg.language.grammar.rows.formal import plainly
 from rpg.language.grammar.structures.copies import in_one_sentence
@@ -196,15 +197,6 @@ _JUST_SO = frozenset({"no", "not", "more", "fewer", "less", "and", "or", ",", "n
 """Of such words are sentences that say no more than that a number is exact: "No more, no fewer."."""
 
 
-_HOW_MANY = frozenset({"not", "or", "and", ",", "all", "both", "just", "only", "even", "of", "them"})
-
-
-def _denies_a_number(part: list[Token]) -> bool:
-    """ "Not two!": behind a sentence with a number that is exact, and no sentence of its own."""
-    told = [token for token in part if token.word not in _HOW_MANY]
-    return part[0].word == "not" and len(part) > 1 and all(t.kind == "number" or t.word in lexicon.NUMBER for t in told)
-
-
 def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
     """ "A must be on the patch. C must not be.": one sentence, for the second has no predicate of its own; and so are
     "The table looks like this." and what follows it."""
@@ -214,7 +206,7 @@ def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
             comma = replace(part[0], kind="punct", word=",", raw=",", value=None)
             out[-1] = [*out[-1], comma, *(token for token in part if token.word in ("nothing", "else"))]
             continue
-        if out and ({token.word for token in part} <= _JUST_SO or _denies_a_number(part)):
+        if out and ({token.word for token in part} <= _JUST_SO or denies_a_number(part)):
             out[-1] = [*out[-1], replace(part[0], kind="punct", word=",", raw=",", value=None), *part]
             continue
         if out and announces(out[-1]):
@@ -310,7 +302,7 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
         if not (phrase == "next" and p.words[j] == "to") and not part:
             link, start = "then", emphasised(p, p.opt(j, ",", ":"))
             break
-    if link == "and" and (j := _now_again(p, start)):
+    if link == "and" and (j := now_again(p, start)):
         link, start = "then", j
     first = p.opt(p.opt(start, "first"), ",", ":")
     start = first if p.words[first] == "either" else start
@@ -330,13 +322,6 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
         raise Refusal([stuck(p)])
     found.sort(key=lambda item: item[:2])
     return Sentence(link, tuple(c for _, _, c in found[:MAX_KEPT]))
-
-
-def _now_again(p: Parser, start: int) -> int:
-    """ "(Put red on the mat.) Now put it on blue.": the position behind a "now" that tells of the next step."""
-    j = p.one(start, "now")
-    verb = j and any(form == "base" for _, _, form in p.lex(j, lexicon.VERB) or ())
-    return p.opt(j, ",") if verb and p.stands(j + 1, ("it", "them")) else 0
 
 
 def _adds(tokens: list[Token]) -> bool:

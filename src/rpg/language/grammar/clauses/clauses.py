@@ -30,6 +30,7 @@ from rpg.language.grammar.clauses.identified import identified, what_is_there
 from rpg.language.grammar.clauses.made import told_before
 from rpg.language.grammar.clauses.none_empty import none_empty
 from rpg.language.grammar.clauses.occupied import occupied
+from rpg.language.grammar.clauses.participles import participle
 from rpg.language.grammar.clauses.replaced import replaced
 from rpg.language.grammar.clauses.reversed_end import reverse_of_it
 from rpg.language.grammar.clauses.shared import shared
@@ -37,7 +38,7 @@ from rpg.language.grammar.clauses.sole import just_these
 from rpg.language.grammar.clauses.states import state
 from rpg.language.grammar.clauses.terse import about, said_of, terse
 from rpg.language.grammar.clauses.there import exists, listed_there, on_what_is_named, stands_there
-from rpg.language.grammar.clauses.verbs import PARTICLES, ever, verb_phrase
+from rpg.language.grammar.clauses.verbs import ever, verb_phrase
 from rpg.language.grammar.clauses.weighed import rows_forming, weighed
 from rpg.language.grammar.clauses.wheres import is_where, trading_places
 from rpg.language.grammar.core import Parser, Results, rule
@@ -386,23 +387,7 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 said = Clause(verb="build" if shaped else "arrange", theme=theme, mode=mode, span=p.span(i, k), cost=1)
                 for found, end in adjuncts(p, k):
                     yield replace(said, adjuncts=(into, *found), span=p.span(i, end)), end
-        yield from _participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode)
-
-
-def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
-    """ "three red blocks stacked on ...", "four cubes, lined up and touching"."""
-    j = p.opt(p.opt(j, ","), "all", "both", "each")
-    for sense, lemma, form in p.lex(j, lexicon.VERB) or ():
-        if form not in ("past", "ing"):
-            continue
-        apart = (p.opt(j + 1, ","),) if sense == "stack" else ()
-        for at_ in dict.fromkeys((p.opt(j + 1, *PARTICLES), j + 1, *apart)):
-            lined = lemma == "line" and p.words[at_ - 1] == "up"
-            for found, k in [*adjuncts(p, at_), *(adjuncts(p, p.opt(at_, "and")) if lined else ())]:
-                if found or sense == "stack" or lined:
-                    told = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, mode=mode, span=p.span(i, k),
-                                  word=p.span(j, j + 1), cost=1)  # fmt: skip
-                    yield nothing_at_all(told), k
+        yield from participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode)
 
 
 def tail(p: Parser, i: int) -> int:

@@ -191,3 +191,10 @@ def told_again(before: Clause, item: Meaning) -> Clause | None:
     plain = Structure(kind=built.kind, det="bare", span=theme.span)
     same = replace(theme, cost=0) == plain and before.verb == item.verb
     return replace(before, adjuncts=(*before.adjuncts, *item.adjuncts)) if same else None
+
+
+def now_again(p: Parser, start: int) -> int:
+    """ "(Put red on the mat.) Now put it on blue.": the position behind a "now" that tells of the next step."""
+    j = p.one(start, "now")
+    verb = j and any(form == "base" for _, _, form in p.lex(j, lexicon.VERB) or ())
+    return p.opt(j, ",") if verb and p.stands(j + 1, ("it", "them")) else 0

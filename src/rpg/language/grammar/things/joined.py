@@ -102,6 +102,7 @@ def _looks(listed: Meaning) -> tuple[Traits, ...]:
 ARE = ("are", "is", "should be", "must be", "have to be", "has to be", "shall be", "will be", "being")
 """What a colour may follow that tells what some of the blocks look like."""
 _OF_WHICH = ("of which", "of them", "of these", "of whom")
+_NAMELY = ("that is", "namely", "that is to say", "meaning", "which are", "these are", "i . e .", "ie")
 
 
 def _of_which(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
@@ -145,9 +146,6 @@ def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
 def _of_kind(item: Meaning, whole: Noun) -> Meaning:
     """ "red" of "two mats, red and blue": a mat."""
     return replace(item, head=whole.head) if isinstance(item, Noun) and item.head == "any" else item
-
-
-_NAMELY = ("that is", "namely", "that is to say", "meaning", "which are", "these are", "i . e .", "ie")
 
 
 def _namely(p: Parser, i: int, whole: Noun, j: int) -> Results[Meaning]:
@@ -338,7 +336,7 @@ def _no_item(p: Parser, before: Meaning, item: Meaning, joined: bool, at: int) -
         if known and mere and p.words[at + 1] == "one":  # "left of the red one and one behind it"
             return True
         return (both and _amid_colors(p, at)) or of_both(before, item)
-    if isinstance(item, Noun) and (item.head, item.det, item.traits) == ("any", "each", Traits()):
+    if getattr(item, "det", "") == "each" and isinstance(item, Noun) and (item.head, item.traits) == ("any", Traits()):
         return True  # "four red blocks, each one touching ..."
     told = isinstance(item, Noun) and bare_color(item) and (isinstance(before, Structure) or _of_sizes(before))
     return told or (isinstance(item, Noun) and (mere_size(item) or _of_them(before, item)))

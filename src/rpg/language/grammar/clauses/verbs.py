@@ -341,7 +341,9 @@ _COMES_NEXT = ("comes next", "is next", "goes next", "should come next", "must c
 
 @rule
 def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
-    """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
+    """ "... and the green one on the yellow one", "... then back to the mat": the verb of the clause before is meant
+    again."""
+    i = p.opt(i, "back") if p.follows(i, ("then",)) else i
     so = p.any_of(i, _SO_IS) if before.adjuncts and before.verb in ("be", "place") and not before.negated else 0
     for theme, j in noun_phrase(p, so) if so else ():
         if isinstance(theme, Noun | Coord):

@@ -30,7 +30,8 @@ def told_then_asked(chain: Chain, text: str) -> Chain:
         between = text[fact.span[1] : order.span[1]]
         if order.negated or not _places(order) or BESIDES.search(between) or _ENDED.search(own):
             continue
-        wished = _WISHED.search(joint or between) is not None or _BUT.search(joint) is not None
+        but = _BUT.search(joint) is not None and order.lemma != "fact"
+        wished = _WISHED.search(joint or between) is not None or but
         wished = wished or (order.mode == "command" and order.verb in ("place", "stack"))
         if not wished:
             continue

@@ -13,6 +13,7 @@ from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
 from rpg.language.feelings import without_feelings
 from rpg.language.formulas import formulas_told
+from rpg.language.frames import retold
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.begun_with import with_beginnings
@@ -146,8 +147,21 @@ class BuiltinFrontEnd:
                     check_wanted(words if wanted else [], found.task, each_block=wanted == "block")
                     check_behind(typed, found.task)
                     return found.task, found.notes
+            if (again := self._retold(without_asides(spoken), text, notes, name, seed, author)) is not None:
+                return again
             raise
         return found.task, found.notes
+
+    def _retold(
+        self, words: list[Token], text: str, notes: list[str], name: str | None, seed: int, author: str | None
+    ) -> Reading | None:
+        """The reading of a text that tells of one figure part by part, with a note of how it was understood."""
+        if (plainly := retold(words)) is None:
+            return None
+        with suppress(Refusal):
+            found = build(plainly[0], text, [*notes, f"understood as: {plainly[1]}"], name=name, seed=seed, author=author)
+            return found.task, found.notes
+        return None
 
     def _as_meant(self, respelt: Respelt, name: str | None, seed: int, author: str | None, notes: list[str]) -> Reading:
         """The reading of a text with misspelt words: that of the text without them."""

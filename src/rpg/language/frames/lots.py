@@ -1,0 +1,146 @@
+"""Lots of blocks: what a family says of its blocks, and how many there are of each look."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby, pairwise
+
+from rpg.language.frames.pieces import Pattern, Piece, Unclear, number, patterns
+
+_DET = "the|these|those|my|our|your|all|all the|both|both the|a|an|exactly|just|only|the other"
+LOTS: list[Pattern] = [
+    *patterns("lot", None,
+        rf"(?:(?P<det>{_DET}) )?(?:(?P<count>NUM) )?(?:(?P<size>SIZE) )?(?:plain )?(?P<color>COLOR)(?P<many>s)?"
+        r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one))?"),
+    *patterns("total", lambda match: number(match["count"]),
+        r"(?:of |from |with |using )?(?:the |all |exactly )?(?P<count>NUM) (?:identical |plain )?BLOCK"
+        r"(?: in total| in all| altogether| overall)?",
+        r"of (?:exactly )?(?P<count>NUM)(?= [,.;])",
+        r"(?P<count>NUM) (?:in total|in all|altogether|overall)"),
+]  # fmt: skip
+"""Kinds "lot" (see `lot_of`) and "total" (a number)."""
+_SINGLE = frozenset({"block", "cube", "piece", "element", "one"})
+
+
+@dataclass(frozen=True)
+class Lot:
+    """Blocks of one look. `count`: None where it is left open; `known`: "the red one", which was told before."""
+
+    look: str
+    count: int | None = None
+    known: bool = False
+
+    @property
+    def blocks(self) -> str:
+        """The lot as it is told: "2 red blocks", "red blocks"."""
+        if self.count is None:
+            return f"{self.look} blocks"
+        return f"{self.count} {self.look} block{'s' if self.count > 1 else ''}"
+
+    @property
+    def again(self) -> str:
+        """The lot with its verb where it is spoken of again: "the red block is"."""
+        return f"the {self.look} block is" if self.count == 1 else f"the {self.count} {self.look} blocks are"
+
+
+def lot_of(piece: Piece) -> Lot:
+    """The blocks that a piece of the kind "lot" names."""
+    named = piece.named
+    look = f"{named.get('size') or named.get('behind', '')} {named['color']}".strip()
+    det, single = named.get("det", ""), "many" not in named and named.get("noun") in _SINGLE
+    count = number(named["count"]) if "count" in named else None
+    if count is None and (single or det in ("a", "an") or (det == "the" and "noun" not in named and "many" not in named)):
+        count = 1
+    return Lot(look, count, det.split()[:1] in (["the"], ["these"], ["those"], ["both"]))
+
+
+def counted(lots: Sequence[Lot], total: int | None, *, evenly: bool = False, singly: bool = False) -> list[Lot]:
+    """The lots with their numbers, as far as they follow from the number of all of them. `evenly`: several lots whose
+    numbers are left open share what is left; `singly`: where nothing else is told each of them is one block.
+
+    Raises:
+        Unclear: the numbers do not agree, or do not follow.
+    """
+    if len({lot.look for lot in lots}) < len(lots):
+        raise Unclear
+    left = [lot for lot in lots if lot.count is None]
+    if total is not None:
+        rest = total - sum(lot.count or 0 for lot in lots)
+        if rest != 0 if not left else (rest < len(left) or rest % len(left)):
+            raise Unclear
+        if len(left) > 1 and rest > len(left) and not evenly:
+            raise Unclear
+        return [lot if lot.count else replace(lot, count=rest // len(left)) for lot in lots]
+    return [lot if lot.count or not singly else replace(lot, count=1) for lot in lots]
+
+
+def with_placed(lots: Iterable[Lot], placed: Iterable[tuple[Lot, str]]) -> list[Lot]:
+    """All lots: those of the figure, and those that are only told with their place.
+
+    Raises:
+        Unclear: "one red block" at a place where red blocks are told of already, or "the red one" where none is.
+    """
+    found = list(lots)
+    first = len(found)
+    for lot, _ in placed:
+        same = [other for other in found if other.look == lot.look]
+        if not same and lot.known and first:
+            raise Unclear
+        if same and not lot.known and lot.count is not None:
+            raise Unclear
+        found += [] if same else [replace(lot, count=lot.count or 1)]
+    return found
+
+
+def check_listed(pieces: Sequence[Piece]) -> None:
+    """Lots are parted from each other, and are one list.
+
+    Raises:
+        Unclear: "a red blue tower", "red and blue, and green and yellow".
+    """
+    for one, other in pairwise(pieces):
+        if one.kind == other.kind == "lot":
+            raise Unclear
+    for together, run in groupby(pieces, lambda piece: piece.kind in ("lot", "break")):
+        said = [piece.words if piece.kind == "break" else piece.kind for piece in run] if together else []
+        if said[said.index("lot") :].count("and") > 1 if "lot" in said else False:
+            raise Unclear
+
+
+def placed_lots(pieces: Sequence[Piece]) -> tuple[list[Lot], list[tuple[Lot, str]]]:
+    """The lots of the figure, and those with a place in it: between two breaks each place has the lot beside it.
+
+    Raises:
+        Unclear: a place without blocks.
+    """
+    free: list[Lot] = []
+    placed: list[tuple[Lot, str]] = []
+    part: list[Piece] = []
+    for piece in [*pieces, Piece("break", "")]:
+        if piece.kind in ("lot", "place"):
+            part.append(piece)
+        if piece.kind != "break":
+            continue
+        kinds = [p.kind for p in part]
+        if "place" not in kinds:
+            free += map(lot_of, part)
+        elif len(kinds) % 2 or kinds != kinds[:2] * (len(kinds) // 2) or kinds[0] == kinds[1]:
+            raise Unclear
+        else:
+            pairs = zip(part[::2], part[1::2], strict=True)
+            placed += [(lot_of(a), b.value) if a.kind == "lot" else (lot_of(b), a.value) for a, b in pairs]
+        part = []
+    return free, placed
+
+
+def one(pieces: Sequence[Piece], kind: str) -> Piece | None:
+    """The one piece of a kind, if there is one; what is said twice in the same way counts once.
+
+    Raises:
+        Unclear: there are several.
+    """
+    found = [piece for piece in pieces if piece.kind == kind]
+    if any(piece.value != found[0].value for piece in found):
+        raise Unclear
+    return found[0] if found else None

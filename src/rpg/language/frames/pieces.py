@@ -1,0 +1,115 @@
+"""A text cut into pieces, each one part of what may be said of a figure; no word is passed over."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+
+class Unclear(Exception):
+    """The pieces do not tell of one figure, or not of all of it."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A part of what is said: `words` as `coded`, `value` what the pattern says of it, `named` groups of its words."""
+
+    kind: str
+    words: str
+    value: Any = None
+    named: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """A way to say a part. `value`: what it says, or how that is found from the match."""
+
+    kind: str
+    expression: re.Pattern[str]
+    value: Any = None
+
+
+_CLASSES = {
+    "COLOR": "|".join(lexicon.COLORS),
+    "NUM": r"\d+|one|single|lone",
+    "SIZE": "|".join(word for word, size in lexicon.SIZE.items() if size != "medium"),
+    "BLOCK": "blocks?|cubes?|pieces?|elements?",
+    "PATCH": "|".join(lexicon.PATCH_NOUNS.split()),
+    "TABLE": "|".join(lexicon.TABLE_NOUNS.split()),
+    "BE": "(?:(?:that|which) )?(?:must be|should be|has to be|have to be|will be|shall be|needs to be|to be|is|are|being|"
+    "be|(?:must |should |shall |has to |have to )?(?:go|come|sit|stand|lie|rest|belong)|goes|comes|sits|stands|lies|"
+    "rests|belongs|going|sitting|standing|lying|resting)",
+}
+"""Names of classes of words, in patterns."""
+
+
+def patterns(kind: str, value: Any, *texts: str) -> list[Pattern]:
+    """Patterns of one kind: regular expressions over words with a space behind each, and names of classes."""
+    found = []
+    for text in texts:
+        for name, words in _CLASSES.items():
+            text = re.sub(rf"\b{name}\b", lambda _, said=words: f"(?:{said})", text)
+        found.append(Pattern(kind, re.compile(f"(?:{text}) "), value))
+    return found
+
+
+def number(said: str) -> int:
+    """The number that a word of the class NUM says."""
+    return int(said) if said.isdigit() else 1
+
+
+def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
+    """The numbers that named groups say, by their names."""
+    return lambda match: {name: number(match[name]) for name in names}
+
+
+def coded(tokens: Sequence[Token]) -> list[str]:
+    """Each token as one word that patterns know: numbers in digits, colours by their names ("reds" where several are
+    meant), symbols in capitals, words to be spelt in quotation marks; `<other>` for what has no such word."""
+    return [_code(tokens, n) for n in range(len(tokens))]
+
+
+def _code(tokens: Sequence[Token], n: int) -> str:
+    token = tokens[n]
+    word = token.word
+    if token.kind in ("literal", "quote"):
+        return f"'{str(token.value).upper()}'" if str(token.value).isalnum() else "<other>"
+    if token.kind == "dims" and isinstance(token.value, tuple):
+        return "x".join(map(str, token.value))
+    if token.kind == "number" and isinstance(token.value, float):
+        return f"{token.value:g}"
+    if token.kind == "punct":
+        return word
+    if token.kind != "word" or " " in word:
+        return "<other>"
+    begins = n == 0 or tokens[n - 1].word in (".", "!", "?", ";", ":")
+    if len(token.raw) == 1 and token.raw.isupper() and not (begins and token.raw in "AI"):
+        return token.raw
+    if word != "one" and word in lexicon.NUMBER:
+        return str(lexicon.NUMBER[word])
+    many = lexicon.COLOR_PLURAL.get(word)
+    return f"{many}s" if many else lexicon.COLOR.get(word, word)
+
+
+def cut(tokens: Sequence[Token], told: Sequence[Pattern]) -> list[Piece] | None:
+    """The pieces, at each place the longest that stands there; None where a word belongs to none."""
+    words = coded(tokens)
+    text = "".join(f"{word} " for word in words)
+    found: list[Piece] = []
+    at = 0
+    while at < len(text):
+        matches = [(match.end(), -n, match) for n, p in enumerate(told) if (match := p.expression.match(text, at))]
+        if not matches:
+            return None
+        end, n, match = max(matches, key=lambda item: item[:2])
+        pattern = told[-n]
+        value = pattern.value(match) if callable(pattern.value) else pattern.value
+        named = {name: said.strip() for name, said in match.groupdict().items() if said}
+        found.append(Piece(pattern.kind, text[at:end].strip(), value, named))
+        at = end
+    return found

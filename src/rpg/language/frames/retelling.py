@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
 from rpg.language import lexicon
-from rpg.language.frames import tower
+from rpg.language.frames import moments, tower
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
@@ -32,6 +34,7 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     if (whole := plainly(tokens)) is not None:
         yield _standing(whole, tokens), whole
         return
+    yield from _by_moments(tokens)
     if not _BINDING.isdisjoint(token.word for token in tokens):
         return
     parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
@@ -41,6 +44,28 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     for ahead, behind in parts:
         if (last := plainly(behind)) is not None:
             yield [*ahead, *_standing(last, behind)], f"{_text(ahead)} {last}"
+
+
+_LEADS_TO = {"start": ("At the start,", "At the start:"), "end": ("", "At the end,", "At the end:"), "": ("",)}
+
+
+def _by_moments(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The text with plain words that lead to what is said of the start, and of the end."""
+    parts = moments.told_in_time(tokens)
+    for leads in product(*(_LEADS_TO[part.moment] for part in parts)) if parts else ():
+        out: list[Token] = []
+        for lead, part in zip(leads, parts, strict=True):
+            alone = part.moment == "end" and not lead and len(parts) == 1  # else its blocks may be told before
+            said = plainly(part.said) if alone else None
+            told = [*part.said, part.said[-1].saying(".")] if said is None else _standing(said, part.said)
+            out += [*_standing(lead, part.lead or part.said), *told]
+        yield out, _text(out)
+
+
+def words() -> frozenset[str]:
+    """Every word that is known here."""
+    patterns = [pattern.expression for known, _ in FAMILIES for pattern in known] + [lead for _, lead in moments.PATTERNS]
+    return frozenset(word for x in patterns for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", x.pattern))
 
 
 def plainly(tokens: Sequence[Token]) -> str | None:
@@ -78,5 +103,5 @@ def _standing(text: str, told: Sequence[Token]) -> list[Token]:
 
 
 def _text(tokens: Sequence[Token]) -> str:
-    return " ".join({token.span: token.raw for token in tokens}.values())
+    return " ".join(token.raw for token in tokens)
 

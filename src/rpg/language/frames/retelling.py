@@ -8,7 +8,8 @@ from dataclasses import replace
 from itertools import product
 
 from rpg.language import lexicon
-from rpg.language.frames import moments, tower
+from rpg.language.frames import beside, moments, tower
+from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
@@ -31,10 +32,10 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     is left as it is. Most of the text comes first. Told words stand where what they tell again stands."""
     if not 0 < len(tokens) <= _MOST:
         return
-    if (whole := plainly(tokens)) is not None:
-        yield _standing(whole, tokens), whole
-        return
-    yield from _by_moments(tokens)
+    yield from _as_a_whole(tokens)
+    for rest, stretch, distractors in without_distractors(tokens):
+        for told, said in ((rest, _text(rest)), *_as_a_whole(rest)):
+            yield [*told, *_standing(distractors, stretch)], f"{said} {distractors}"
     if not _BINDING.isdisjoint(token.word for token in tokens):
         return
     parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
@@ -49,8 +50,10 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
 _LEADS_TO = {"start": ("At the start,", "At the start:"), "end": ("", "At the end,", "At the end:"), "": ("",)}
 
 
-def _by_moments(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
-    """The text with plain words that lead to what is said of the start, and of the end."""
+def _as_a_whole(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The text of one figure, or with plain words that lead to what is said of the start, and of the end."""
+    if (whole := plainly(tokens)) is not None:
+        yield _standing(whole, tokens), whole
     parts = moments.told_in_time(tokens)
     for leads in product(*(_LEADS_TO[part.moment] for part in parts)) if parts else ():
         out: list[Token] = []
@@ -64,7 +67,8 @@ def _by_moments(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
 
 def words() -> frozenset[str]:
     """Every word that is known here."""
-    patterns = [pattern.expression for known, _ in FAMILIES for pattern in known] + [lead for _, lead in moments.PATTERNS]
+    told = [*beside.TOLD, *(pattern for known, _ in FAMILIES for pattern in known)]
+    patterns = [*(pattern.expression for pattern in told), *(lead for _, lead in moments.PATTERNS)]
     return frozenset(word for x in patterns for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", x.pattern))
 
 

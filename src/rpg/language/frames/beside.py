@@ -17,7 +17,8 @@ _COUNTED = "(?:a|an|NUM) (?:SIZE )?COLOR"
 _D = "(?:distractors?|distraction|decoys?)"
 _LEAD = (
     r"(?:(?:[,;.:]|and|with|plus|amid|among|also|please|now|but|besides|additionally|in addition|furthermore|"
-    r"there (?:is|are|should be|must be|shall be)(?: also)?|add|include|spawn|scatter|have|put|place|set|drop|i want|we have|"
+    r"there (?:is|are|should be|must be|shall be)(?: also)?|add|include|spawn|scatter|have|put|place|set|drop|i "
+    r"want|we have|"
     r"in the scene|on the TABLE) )*"
 )
 _TAIL = (
@@ -27,7 +28,8 @@ _TAIL = (
 )
 TOLD = [
     *patterns("items", None,
-        rf"{_LEAD}{_ITEMS}{_TAIL} (?:(?:serving|acting|there|just|only|merely) )*(?:as|for) (?:(?:a|the|mere) )?{_D}{_TAIL}",
+        rf"{_LEAD}{_ITEMS}{_TAIL} (?:(?:serving|acting|there|just|only|merely) )*(?:as|for) (?:(?:a|the|mere) "
+        rf")?{_D}{_TAIL}",
         rf"{_LEAD}(?:the )?{_D}(?: (?:is|are))? : {_ITEMS}{_TAIL}",
         rf"{_LEAD}(?:(?:a|an|NUM|some) )?{_D} : {_ITEMS}{_TAIL}",
         rf"{_LEAD}(?:as|for) (?:(?:a|the|mere) )?{_D}(?: :| ,)?(?: there (?:is|are))?(?: also)? {_ITEMS}{_TAIL}"),
@@ -60,7 +62,7 @@ def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], 
         ):
             items = match["items"].strip()
             last = items.split()[-1]
-            bare = last in lexicon.COLORS or last in _ONE or last.isdigit() and last == items
+            bare = last in lexicon.COLORS or last in _ONE or (last.isdigit() and last == items)
             noun = (" block" if items.split()[0] in _ONE else " blocks") if bare else ""
             yield rest, list(tokens[n:m]), f"There are also {items}{noun} as distractors."
         return

@@ -16,20 +16,32 @@ _STATE = (
     "(?:state|configuration|config|layout|arrangement|setup|scene|situation|position|condition|picture|image|scenario|"
     "pose|poses)"
 )
-_IS = "(?:(?: is| are| shows| has| contains| looks like this| consists of| means| requires)?(?: that| to have| to be)?(?: :)?| ,| -)?"
+_IS = (
+    "(?:(?: is| are| shows| has| contains| looks like this| consists of| means| requires)?"
+    "(?: that| to have| to be)?(?: :)?| ,| -)?"
+)
 _EPISODE = "(?:episode|task|trial|scene|run|rollout|exercise|game|test|experiment|world|table|simulation)"
 _LEADS: tuple[tuple[Moment, str], ...] = (
-    ("start", rf"(?:in |with |as )?(?:the |my |our |an |a )?(?:initial|starting|start|beginning|opening) {_STATE}{_IS}"),
+    ("start", rf"(?:in |with |as )?(?:the |my |our |an |a )?(?:initial|starting|start|beginning|opening) "
+        rf"{_STATE}{_IS}"),
     ("start", "(?:start|beginning|initial|init|before) :"),
     ("start", "initially(?: :| ,)?"),
-    ("start", rf"(?:right )?(?:at|in) (?:the )?(?:very )?(?:start|beginning|outset)(?: of (?:the|each|every) {_EPISODE})?(?: :| ,)?"),
-    ("start", rf"(?:the |each |every )?{_EPISODE} (?:starts|begins|opens|is initialized|is reset)(?: out)?(?: with| from| as| in| to)(?: :)?"),
-    ("start", "(?:it|everything|things|we|all)(?: all)? (?:starts|begins|start|begin)(?: out| off)?(?: with| from| as)(?: :)?"),
-    ("start", rf"(?:initialize|reset|sample|set up)(?: (?:the|each|every) (?:start|{_EPISODE}))?(?: with| from| as| to| in)(?: :)?"),
-    ("end", rf"(?:in |as )?(?:the |my |our |a )?(?:goal|target|final|end|desired|finished|completed|closing|wanted|required|resulting) {_STATE}{_IS}"),
-    ("end", rf"(?:the |my |our )?(?:goal|task|aim|objective|mission|job|assignment)(?: itself| here)?(?: is| :)(?: to(?: have)?(?= )| that)?(?: :)?"),
-    ("end", rf"(?:it|everything|(?:the |each |every )?{_EPISODE})(?: must| should| shall| has to| will)? (?:ends|finishes|end|finish)(?: up)?(?: with| as| in)(?: :)?"),
+    ("start", rf"(?:right )?(?:at|in) (?:the )?(?:very )?(?:start|beginning|outset)(?: of (?:the|each|every) "
+        rf"{_EPISODE})?(?: :| ,)?"),
+    ("start", rf"(?:the |each |every )?{_EPISODE} (?:starts|begins|opens|is initialized|is reset)(?: out)?(?: with| "
+        rf"from| as| in| to)(?: :)?"),
+    ("start", "(?:it|everything|things|we|all)(?: all)? (?:starts|begins|start|begin)(?: out| off)?(?: with| from| "
+        "as)(?: :)?"),
+    ("start", rf"(?:initialize|reset|sample|set up)(?: (?:the|each|every) (?:start|{_EPISODE}))?(?: with| from| as| "
+        rf"to| in)(?: :)?"),
+    ("end", rf"(?:in |as )?(?:the |my |our |a )?(?:goal|target|final|end|desired|finished|completed|closing|wanted|"
+        rf"required|resulting) {_STATE}{_IS}"),
+    ("end", r"(?:the |my |our )?(?:goal|task|aim|objective|mission|job|assignment)(?: itself| here)?(?: is| :)(?: "
+        r"to(?: have)?(?= )| that)?(?: :)?"),
+    ("end", rf"(?:it|everything|(?:the |each |every )?{_EPISODE})(?: must| should| shall| has to| will)? (?:ends|"
+        rf"finishes|end|finish)(?: up)?(?: with| as| in)(?: :)?"),
     ("end", rf"(?:and )?(?:at|by|in) the (?:very )?end(?: of (?:the|each|every) {_EPISODE})?(?: :| ,)?"),
+    ("end", "and (?:it )?(?:ends|finishes|end|finish)(?: up)?(?: with| as| in)(?: :)?"),
     ("end", "(?:success|done|solved) (?:means|is|requires)(?: that| when| if)?(?: :)?"),
     ("end", "(?:goal|target|end|result|success|task|todo|finish)(?: :)"),
 )  # fmt: skip
@@ -53,11 +65,16 @@ def parts_of(tokens: Sequence[Token]) -> list[Part]:
     found: list[tuple[int, int, Moment]] = []
     n = 0
     while n < len(words):
-        if n == 0 or words[n - 1] in _BREAKS or (words[n - 1] in _JOINS and words[n - 2] in _BREAKS):
+        if (
+            n == 0
+            or words[n] == "and"
+            or words[n - 1] in _BREAKS
+            or (words[n - 1] in _JOINS and words[n - 2] in _BREAKS)
+        ):
             text = "".join(f"{word} " for word in words[n : n + 16])
-            ends = [(match.end(), moment) for moment, lead in PATTERNS if (match := lead.match(text))]
-            if ends:
-                end, moment = max(ends)
+            met = [(match.end(), moment) for moment, lead in PATTERNS if (match := lead.match(text))]
+            if met:
+                end, moment = max(met)
                 length = text[:end].count(" ")
                 found.append((n, n + length, moment))
                 n += length

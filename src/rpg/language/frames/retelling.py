@@ -23,6 +23,8 @@ _BINDING = frozenset({
     "initial", "initially", "start", "starting", "begin", "beginning", "goal", "end", "until", "or", "if", ":",
 })  # fmt: skip
 """With these, sentences do not stand for themselves."""
+_ANY = re.compile(r"from \d+ blocks")
+"""Blocks of no told look may be those that another sentence names."""
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -40,10 +42,10 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
         return
     parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
     for ahead, behind in reversed(parts):
-        if (first := plainly(ahead)) is not None:
+        if (first := plainly(ahead)) is not None and not _ANY.search(first):
             yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"
     for ahead, behind in parts:
-        if (last := plainly(behind)) is not None:
+        if (last := plainly(behind)) is not None and not _ANY.search(last):
             yield [*ahead, *_standing(last, behind)], f"{_text(ahead)} {last}"
 
 
@@ -107,5 +109,4 @@ def _standing(text: str, told: Sequence[Token]) -> list[Token]:
 
 
 def _text(tokens: Sequence[Token]) -> str:
-    return " ".join(token.raw for token in tokens)
-
+    return re.sub(r" (?=[,.;:!?])", "", " ".join(token.raw for token in tokens))

@@ -13,9 +13,7 @@ from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
-FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
-    (tower.PATTERNS, tower.told),
-)
+FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = ((tower.PATTERNS, tower.told),)
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})
 _LEADS = frozenset({"please", "then", "now", "you", "to", ",", "and", "first", "just", "should"})
@@ -91,11 +89,7 @@ def plainly(tokens: Sequence[Token]) -> str | None:
 def commands(tokens: Sequence[Token]) -> bool:
     """Whether a sentence asks for something to be done; one that only describes may tell of the start."""
     begins = [0, *(n + 1 for n, token in enumerate(tokens) if token.word in _ENDS or token.word in _LEADS)]
-    return any(_asks(tokens[n]) for n in begins if n < len(tokens))
-
-
-def _asks(token: Token) -> bool:
-    return any(tense == "base" for _, _, tense in lexicon.VERB.get(token.word, ()))
+    return any(lexicon.commands(tokens[n].word) for n in begins if n < len(tokens))
 
 
 def _parted(tokens: list[Token]) -> Iterator[tuple[list[Token], list[Token]]]:

@@ -11,6 +11,7 @@ from rpg.language import lexicon
 from rpg.language.frames import beside, moments, tower
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
+from rpg.language.frames.turned import without_turns
 from rpg.language.tokens import Token, tokenize
 
 FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = ((tower.PATTERNS, tower.told),)
@@ -35,9 +36,10 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     if not 0 < len(tokens) <= _MOST:
         return
     yield from _as_a_whole(tokens)
-    for rest, stretch, distractors in without_distractors(tokens):
-        for told, said in ((rest, _text(rest)), *_as_a_whole(rest)):
-            yield [*told, *_standing(distractors, stretch)], f"{said} {distractors}"
+    for rest, stretch, aside in (*without_distractors(tokens), *without_turns(tokens)):
+        rest = beside.stopped(rest, stretch[0])
+        for told, said in ((rest, _text(rest)), *_as_a_whole(rest)) if rest else (([], ""),):
+            yield [*told, *_standing(aside, stretch)], f"{said} {aside}".strip()
     if not _BINDING.isdisjoint(token.word for token in tokens):
         return
     parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
@@ -105,4 +107,4 @@ def _standing(text: str, told: Sequence[Token]) -> list[Token]:
 
 
 def _text(tokens: Sequence[Token]) -> str:
-    return re.sub(r" (?=[,.;:!?])", "", " ".join(token.raw for token in tokens))
+    return re.sub(r" (?=[,.;:!?])", "", " ".join({token.span: token.raw for token in tokens}.values()))

@@ -7,6 +7,7 @@ Kept by what may be said with them. Words that could be meant of blocks in some 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from rpg.language.grammar.talk.people import PEOPLE as FOLK
@@ -53,6 +54,7 @@ _OCCASIONS = """
     supper tea coffee snack meal bedtime playtime break nap sleep bath weekend weekday monday tuesday wednesday thursday
     friday saturday sunday january february march april june july august september october november december spring
     summer autumn winter season morning afternoon evening night tonight midnight today tomorrow yesterday day week
+    noon lunchtime dinnertime afternoon
     month year century moment minute hour while time times future past childhood youth life world memory dream wish hope
     idea thought opinion reason cause sake fun pleasure joy delight happiness luck fortune love friendship peace quiet
     patience courage pride honour honor respect trust faith mood humour humor laughter smile tears sorrow grief pity
@@ -163,6 +165,17 @@ _NAMES = """
     britain ireland scotland wales america canada mexico brazil india china japan korea australia europe africa asia
     london paris berlin rome madrid
 """
+
+
+_CALLS = re.compile(r"o+h*|a+h+|w+h?o+(?:a+h*)?|w+h+e{2,}|e{2,}k+|h+m{2,}|m{2,}h*|u+h+|(?:ha){2,}h?|(?:he){2,}|y+a{2,}y+|"
+                    r"y+e{2,}s+|w+o+w{2,}|w+o{2,}h*o+|t+a+d+a{2,}|hooray+|psst+|shh+|brr+|hell+o{2,}|hi{2,}|he+y{2,}|"
+                    r"ple+a+se{2,}|pleas{2,}e|so{3,}")  # fmt: skip
+"""Calls as they are drawn out."""
+
+
+def exclaimed(word: str) -> bool:
+    """Whether a word is a call: "ooh", "yaaay"."""
+    return word in INTERJECTIONS or _CALLS.fullmatch(word) is not None
 
 
 def _words(text: str) -> frozenset[str]:

@@ -12,6 +12,7 @@ from rpg.language import harmless
 from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.phrases import Rows
 from rpg.language.smalltalk import small_talk
+from rpg.language.talk_forms import by_form, takes_care, polite_condition, reason_or_aim
 from rpg.language.tokens import Token
 
 
@@ -50,10 +51,18 @@ def idle(tokens: Sequence[Token]) -> bool:
 
 
 def idle_at_an_end(tokens: Sequence[Token]) -> bool:
-    """Whether they ask for nothing in front of a task or behind it."""
+    """Whether they ask for nothing in front of a task or behind it: all of it, or what an "and" or "but" joins."""
+    joints = [n for n, token in enumerate(tokens) if token.word in ("and", "but") and 0 < n < len(tokens) - 1]
+    return _whole_at_an_end(tokens) or any(
+        _whole_at_an_end(tokens[:n]) and idle_at_an_end(tokens[n + 1 :]) for n in joints
+    )
+
+
+def _whole_at_an_end(tokens: Sequence[Token]) -> bool:
     words = _plain(tokens)
     return words is not None and (
-        idle(tokens) or _whole(words, TIMELY) or _thought(words) or _for_somebody(words) or _of_own_things(words)
+        idle(tokens) or by_form(tokens) or _whole(words, TIMELY) or _thought(words) or _for_somebody(words)
+        or _of_own_things(words)
     )  # fmt: skip
 
 
@@ -63,7 +72,8 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     if words is None or at == 0:
         return False
     timely = words[0] not in ("when", "once", "by") and _whole(words, TIMELY)
-    return timely or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
+    formed = reason_or_aim(tokens[at:]) or polite_condition(words) or (words[0] == "with" and takes_care(words))
+    return timely or formed or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
 
 
 def _plain(tokens: Sequence[Token]) -> list[str] | None:
@@ -100,7 +110,7 @@ def _aimed(tokens: Sequence[Token], leads: Collection[str]) -> bool:
 
 def _thought(words: list[str]) -> bool:
     """ "Lovely", "very important", "honestly", "wow"."""
-    if all(word in _ALONE or word == "," for word in words):
+    if all(word in _ALONE or word == "," or harmless.exclaimed(word) for word in words):
         return True
     behind = words[words.index("to") :] if "to" in words else []
     ahead = words[: len(words) - len(behind)]

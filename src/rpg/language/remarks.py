@@ -10,10 +10,11 @@ from collections.abc import Collection, Iterator
 from itertools import pairwise, takewhile
 
 from rpg.language import lexicon
-from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THINGS
+from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THINGS, exclaimed
 from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason_at
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
+from rpg.language.talk_forms import addressed_at
 from rpg.language.tokens import Token
 
 _ENDS = frozenset({".", "!", "?", ";", "…"})
@@ -43,14 +44,18 @@ _ASKING = frozenset(word for word, forms in lexicon.VERB.items() if any(form == 
 _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", "for", "before", "after", "when",
                          "whenever", "if", "by", "today", "tonight", "now", "right", "immediately", "at", "this",
                          "soon", "asap", "real", "quickly", "in", "just", "straight", "pretty", "please",
-                         "once"})  # fmt: skip
+                         "once", "to", "with", "provided", "such"})  # fmt: skip
 """What a reason or a time of the day begins with that nothing parts from the task in front of it."""
 _PLEASE = frozenset({"please", "just", "now", "then", "could", "can", "kindly"})
+_TURNED = frozenset({"would", "will", "i", "we", "let", "do", "you", "make"})
+"""What a task begins with behind whom it is said to."""
 _WISHED = frozenset({"need", "want", "would", "wish"})
 """Who wishes it is told in front of an "and": "we are making a video and need a row"."""
 _BINDING = frozenset({"not", "no", "never", "only", "except", "nor", "or", "and", "but", "just", "even", "than", "as",
                       "is", "are", "be", "to", "if", "unless", "until", "without", "instead"})  # fmt: skip
 """Behind these no reason is told, but which one it is, or is not."""
+_KIND = frozenset({"thank", "thanks", "many", "have", "take", "good", "enjoy"})
+"""What is said behind an "and" at the end: "and thank you for that"."""
 _TAKES_BACK = frozenset({"sorry", "oops", "pardon", "well", "oh", "actually", "hm", "hmm", "um", "uh", "er", "erm",
                          "ah", "okay", "ok", "indeed", "really", "surely"})  # fmt: skip
 """What is said behind these may be put in the place of what was said before."""
@@ -62,7 +67,7 @@ def without_remarks(tokens: list[Token]) -> tuple[list[Token], list[str]] | None
     """The tokens without what asks for nothing, and notes of it; None where there is no such thing, or nothing else."""
     gone: set[int] = set()
     notes: list[str] = []
-    found = (*_comparisons(tokens), *_in_brackets(tokens), *_said_around(tokens)) if len(tokens) <= _MOST else ()
+    found = (*_said_around(tokens), *_comparisons(tokens), *_in_brackets(tokens)) if len(tokens) <= _MOST else ()
     for begin, end in found:
         if gone.isdisjoint(range(begin, end)):
             told = [t for t in tokens[begin:end] if t.word not in _BREAKS]
@@ -91,7 +96,7 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         return
     marks = [n for n in range(begin, end) if tokens[n].word in _MARKS]
     parts = [tokens[one + 1 : other] for one, other in pairwise([begin - 1, *marks, end]) if other > one + 1]
-    if idle_at_an_end(tokens[begin:end]) or all(idle_at_an_end(part) for part in parts):
+    if idle_at_an_end(tokens[begin:end]) or _all_idle(parts):
         yield begin, stop
         return
     first, last = begin, end
@@ -114,6 +119,11 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
     if laughed < last:
         yield laughed, last
         last = laughed
+    for at in range(first + 2, last - 1):
+        if tokens[at].word == "and" and tokens[at + 1].word in _KIND and idle_at_an_end(tokens[at + 1 : last]):
+            yield at, last
+            last = at
+            break
     for at in range(first + 2, last):
         bound = tokens[at].word not in _CONNECTING or tokens[at - 1].word in _BINDING
         if not bound and reason_at(tokens[:last], at):
@@ -125,8 +135,21 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
             yield one, other + (tokens[other + 1].word not in ("and", "then", "but"))
 
 
+def _all_idle(parts: list[list[Token]]) -> bool:
+    """Whether all that stands between marks is idle, or leads to what is: "right, let us begin"."""
+    said = [part for part in parts if any(token.word not in _FILLING for token in part)]
+    return bool(said) and all(map(idle_at_an_end, said))
+
+
+_FILLING = frozenset({"right", "so", "now", "then", "well", "and", "but"})
+
+
 def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
     """ "I am in a hurry so put ...", "today put ...": talk that nothing sets off; "we" stays in front of "and need"."""
+    called = addressed_at([token.word for token in tokens[begin:end]])
+    called = called or (exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary())
+    if called and begin + called < end - 2 and (tokens[begin + called].word in _ASKING | _PLEASE | _TURNED):
+        return begin, begin + called
     for at in range(begin + 1, end - 2):
         if tokens[at].word in _MARKS:
             return None

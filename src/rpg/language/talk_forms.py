@@ -1,0 +1,217 @@
+"""Talk by its form: whom it is said to, what is looked forward to, reasons, aims, polite conditions, care.
+
+What stands in such a place can tell of blocks only by a word that the language has. So words that mean nothing here
+are let pass where the form says that somebody, or the work as a whole, is spoken of; nowhere else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.language import harmless
+from rpg.language.smalltalk import asks, harmless_word, is_strange, small_talk
+from rpg.language.tokens import Token
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+_GREETINGS = _words("good morning evening afternoon day greetings now so right")
+_CALLED = _words("my our dear little old good sweet mister mr mrs ms miss big young clever smart brave lovely") | (
+    harmless.FINE - _words("real ideal fine true best better")
+)
+_LISTENERS = harmless.PEOPLE | _words("robot arm machine computer agent gripper helper gentlemen human humans you one")
+_AFTER_NAMES = _words("over there up here all again of mine and out arm friend my")
+_HELPERS = _words(
+    "robot robots arm machine computer agent helper assistant friend friends buddy mate pal dear darling sweetheart "
+    "sweetie honey love chap fella lad dude bro genius angel sir madam kids children everyone everybody folks team class"
+)
+"""Those that a command is given to with nothing between: "dear robot put ..."."""
+_COMING = tuple(
+    tuple(f"{ahead} {comes}".split())
+    for ahead in ("now", "here", "next", "then", "this", "that", "it", "and now", "and here", "now this", "i have", "we have",
+                  "i 've got", "there", "let us try", "let me try", "up next", "first")
+    for comes in ("", "comes", "is", "'s", "goes", "will be", "is going to be", "follows", "got", "'s got")
+)  # fmt: skip
+_SORTS_OF_ERRANDS = (harmless.FINE - _words("true real")) | _words(
+    "a an the my our your one little small big quick short next new last final first second third another today 's easier "
+    "harder easiest hardest main actual important tiny just only more very really so super pretty quite rather bit fresh"
+)
+_ERRANDS = _words(
+    "request question task favor job challenge puzzle exercise game assignment mission errand problem riddle quiz one part "
+    "bit round thing order wish idea experiment test demo trick turn lesson warm-up warmup attempt try brainteaser"
+)
+"""What is announced, of which nothing is told yet."""
+_CONDITIONS = (("if",), ("when",), ("whenever",), ("as", "long", "as"), ("provided",), ("should",), ("once",),
+               ("in", "case"), ("assuming",))  # fmt: skip
+_OBLIGING = _words(
+    "you it that this i we is are would could can will may might do does not no too so very much really at all any a an "
+    "the bit little free spare to for of with me us please mind minding ask asking request be being okay ok fine alright "
+    "all right possible convenient happen have has find get got time minute moment second minutes seconds trouble bother "
+    "work effort hassle problem burden inconvenience kind good nice able ready manage feel like up awake willing kindly "
+    "busy hands your somehow perhaps 's 're 've 'd don't permit allow allows permits may excuse"
+)
+"""Of what somebody asks who is polite."""
+_ASKED_OF = _words("you it that this i")
+_OBLIGED = _words(
+    "mind okay ok fine alright right possible convenient time minute moment second minutes seconds trouble bother work "
+    "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit would "
+    "could can"
+)
+_EXHORTING = (("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"), ("should", "we"),
+              ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"), ("off", "to"),
+              ("get", "ready", "to"), ("get", "ready", "for"), ("who", "wants", "to"), ("who", "is", "ready", "for"),
+              ("how", "about"), ("what", "about"), ("we", "want", "to"), ("we", "are", "going", "to"),
+              ("are", "you", "ready", "to"), ("are", "you", "ready", "for"), ("i", "am", "going", "to"),
+              ("we", "will"), ("we", "are"), ("i", "am"))  # fmt: skip
+_BEFORE_THEM = _words("it is 's now okay ok and so well right alright high come on then hey today here")
+_WORK = _words(
+    "build building play playing count counting learn learning work working tidy tidying clean cleaning begin start "
+    "starting stack stacking sort sorting spell spelling write writing read reading make making do doing try see go going "
+    "get practise practice some something things stuff together again up with our blocks towers shapes letters numbers "
+    "words colors patterns figures rows stairs pyramids steps cubes fun a bit little while the next one"
+)
+"""What is done with blocks at large, none of which is told."""
+_AT_LARGE = _words("blocks towers shapes letters numbers words colors patterns figures rows stairs pyramids cubes")
+_TRIED = _words("do try see start begin play practise practice hear")
+_REASONS = _words("because since cause cos coz")
+_HELD = _words("must should shall ought needs need has unless if only without not no never")
+_OWN_WAY = _words("stands standing sits sitting lies lying looks looking stays where so nicely well prettily there "
+                  "otherwise")  # fmt: skip
+"""How something is where it is anyway."""
+_AIMS = (("to",), ("in", "order", "to"), ("so", "as", "to"), ("just", "to"))
+_SOCIAL = _words(
+    "please impress cheer surprise amuse entertain help teach celebrate test practise practice pass win save keep make "
+    "thank comfort welcome honor congratulate tease annoy delight inspire calm show demonstrate convince persuade prove"
+)
+_RESULTS = (("so", "that"), ("so",), ("such", "that"), ("in", "order", "that"))
+_WHAT_STANDS = _words("it they nothing none everything this that all of them the whole thing")
+_HOLDS = _words(
+    "fall falls falling fell tip tips topple topples wobble wobbles collapse collapses crash crashes break breaks tumble "
+    "tumbles slip slips drop drops over down off apart stable steady safe secure safely does do not can could will would "
+    "is are be stays stay remain remains to get gets in my our your their its his her way bother bothers disturb disturbs "
+    "anybody anyone us me each other one another look looks nice pretty lovely good beautiful neat tidy happens happen "
+    "anything bad goes go wrong gets lost damaged hurt scratched stands stand well the floor and nicely better"
+)
+_CARE = _words(
+    "slowly slow gently gentle carefully careful softly quietly calmly patiently precisely steady steadily cautiously "
+    "kindly easy with great much lots a lot of all some little extra special care caution patience love attention "
+    "precision very really nice and as you can so ever please be your the best most utmost bit way in gentlest hurry no"
+)
+_CARED = _words("slowly slow gently gentle carefully careful softly quietly calmly patiently cautiously care caution patience "
+                "love precision steady easy gentlest")  # fmt: skip
+
+
+def by_form(tokens: Sequence[Token]) -> bool:
+    """Whether what is set off asks for nothing: an address, a call to begin, a condition or a word of care."""
+    words = [token.word for token in tokens]
+    return (
+        addresses(words) or _announces(tokens) or polite_condition(words) or takes_care(words) or _exhorts(tokens) or reason_or_aim(tokens)
+    )  # fmt: skip
+
+
+def addresses(words: Sequence[str]) -> bool:
+    """ "Good morning mister robot", "my dear helper", "hey you over there"."""
+    at = 0
+    while at < len(words) and (words[at] in _GREETINGS | _CALLED | {","} or harmless.exclaimed(words[at])):
+        at += 1
+    named = at
+    while named < len(words) and words[named] in _LISTENERS | harmless.NAMES:
+        named += 1
+    return at > 0 and named > at and all(word in _AFTER_NAMES for word in words[named:])
+
+
+def addressed_at(words: Sequence[str]) -> int:
+    """How many of the first words say whom a command is for, with nothing behind them: "dear robot put ..."."""
+    return next((n for n in range(4, 0, -1) if words[n - 1 : n] and words[n - 1] in _HELPERS and addresses(words[:n])), 0)
+
+
+def _announces(tokens: Sequence[Token]) -> bool:
+    """ "Small request from the kitchen team", "next one for you", "now comes the tricky part"."""
+    words = [token.word for token in tokens]
+    at = _led(words, _COMING)
+    while at < len(words) and words[at] in _SORTS_OF_ERRANDS:
+        at += 1
+    if at >= len(words) or words[at] not in _ERRANDS:
+        return False
+    behind = tokens[at + 1 :]
+    whose = not behind or behind[0].word in ("for", "from", "of", "by", "to", "today", "now", "please", ",", "before")
+    return whose and all(
+        harmless_word(behind, n) or t.word in harmless.THINGS | {"from"} or is_strange(t.word) for n, t in enumerate(behind)
+    )
+
+
+def polite_condition(words: Sequence[str]) -> bool:
+    """ "If that is not too much to ask", "when you have a free minute"."""
+    lead = _led(words, _CONDITIONS)
+    behind = words[lead:]
+    return (
+        bool(lead)
+        and len(behind) > 1
+        and behind[0] in _ASKED_OF
+        and all(word in _OBLIGING for word in behind)
+        and not _OBLIGED.isdisjoint(behind[1:])
+        and not ("not" in behind and {"mind", "too", "bother", "trouble", "busy", "problem", "much"}.isdisjoint(behind))
+    )  # fmt: skip
+
+
+def _exhorts(tokens: Sequence[Token]) -> bool:
+    """ "Time to play", "shall we try something together", "let us do stairs"."""
+    words = [token.word for token in tokens]
+    at = next((n for n, word in enumerate(words) if word not in _BEFORE_THEM), 0)
+    lead = _led(words[at:], _EXHORTING)
+    behind = words[at + lead :]
+    if not lead or not behind or not {"not", "never", "again", "twice", "more", "instead"}.isdisjoint(behind):
+        return False
+    pointed = [n for n, word in enumerate(behind) if word in ("it", "this", "that", "them", "these", "those")]
+    if any(n != 1 or behind[0] not in _TRIED for n in pointed) or behind[-1] in ("it", "them"):
+        return False
+    named = [n for n, word in enumerate(behind) if word in _AT_LARGE]
+    if any(n and behind[n - 1] not in _WORK | {"the", "some", "our", "with", "for"} for n in named) or len(named) > 1:
+        return False
+    used = not {"build", "make", "write", "spell", "stack", "sort"}.isdisjoint(behind)
+    return all(
+        word in _WORK or harmless_word(tokens, at + lead + n) or (not used and is_strange(word) and word.endswith("ing"))
+        for n, word in enumerate(behind)
+    )
+
+
+def reason_or_aim(tokens: Sequence[Token]) -> bool:
+    """ "Because it looks so pretty", "to make my daughter smile", "so that nothing falls down"."""
+    words = [token.word for token in tokens]
+    if words[0] in _REASONS and len(words) > 2:
+        return _told_why(tokens[1:])
+    if (lead := _led(words, _AIMS)) and words[lead : lead + 1] and words[lead] in _SOCIAL:
+        behind = tokens[lead + 1 :]
+        social = any(t.word in harmless.PEOPLE | harmless.OCCASIONS | {"me", "us", "you"} for t in behind)
+        return social and all(harmless_word(behind, n) or is_strange(t.word) for n, t in enumerate(behind))
+    if (lead := _led(words, _RESULTS)) and len(words) > lead + 1:
+        behind_words = words[lead:]
+        held = behind_words[0] in _WHAT_STANDS and all(w in _HOLDS | _WHAT_STANDS for w in behind_words)
+        denied = behind_words[0] in ("nothing", "none") or "not" in behind_words
+        return held and (denied or not {"nice", "pretty", "lovely", "good", "beautiful", "stable", "steady", "safe",
+                                        "secure", "safely"}.isdisjoint(behind_words))  # fmt: skip
+    return False
+
+
+def _told_why(tokens: Sequence[Token]) -> bool:
+    """Whether a reason is one that no block has a part in but by being what it is."""
+    words = [token.word for token in tokens]
+    if small_talk(tokens):
+        return True
+    plain = _HELD.isdisjoint(words) and not asks(words)
+    return plain and all(
+        word in _OWN_WAY or harmless_word(tokens, n) or word in harmless.EVERYDAY or is_strange(word)
+        for n, word in enumerate(words)
+    )
+
+
+def takes_care(words: Sequence[str]) -> bool:
+    """ "Nice and slow", "with great care"."""
+    return all(word in _CARE for word in words) and not _CARED.isdisjoint(words)
+
+
+def _led(words: Sequence[str], leads: Sequence[tuple[str, ...]]) -> int:
+    """How many words the longest of some leads has that they begin with."""
+    return max((len(lead) for lead in leads if tuple(words[: len(lead)]) == lead), default=0)

@@ -11,6 +11,7 @@ from itertools import pairwise, takewhile
 
 from rpg.language import lexicon
 from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THINGS, exclaimed
+from rpg.language.lead_ins import command_behind, state_behind
 from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason_at
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
@@ -146,10 +147,13 @@ _FILLING = frozenset({"right", "so", "now", "then", "well", "and", "but"})
 
 def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
     """ "I am in a hurry so put ...", "today put ...": talk that nothing sets off; "we" stays in front of "and need"."""
-    called = addressed_at([token.word for token in tokens[begin:end]])
+    words = [token.word for token in tokens[begin:end]]
+    called = addressed_at(words)
     called = called or (exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary())
     if called and begin + called < end - 2 and (tokens[begin + called].word in _ASKING | _PLEASE | _TURNED):
         return begin, begin + called
+    if led := command_behind(words) or state_behind(words):
+        return begin, begin + led
     for at in range(begin + 1, end - 2):
         if tokens[at].word in _MARKS:
             return None

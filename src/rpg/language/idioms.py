@@ -51,6 +51,13 @@ _WHOLE = (
     "chop chop",
     "here|there|off we|you|goes go|are|nothing then?",
     "go for it",
+    "your attention please?",
+    "here goes",
+    "fingers|everything crossed",
+    "is everything|all clear|understood|okay|ok|fine|ready for_you|so_far?",
+    "report back|to_me? when|once|as_soon_as you are|have|'re done|finished|ready?",
+    "i|we would|'d like|love to_see|to_have|to_get something nice|new|special|beautiful|fun|cool|lovely|interesting today|now|"
+    "from_you?",
     "pay close|good|full? attention please|now|everybody|robot|here?",
     "attention attention|please|now|everybody?",
     "listen|concentrate|focus|relax|attention|quiet carefully|well|please|everybody|everyone|all|to_me|now?",

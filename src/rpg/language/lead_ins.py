@@ -34,6 +34,7 @@ _SAID_WITH = _words(
     "expected expect meant instructed invited allowed able willing prepared know how see wonder wondering trouble bother "
     "feel free proceed remember sure make going me us him her them somebody someone anybody anyone game lesson class "
     "school work experiment scene demo show test exam up free challenged encouraged chance opportunity idea mind "
+    "called morning evening promised promise day what bet dare dared week decided "
     "important necessary essential crucial vital urgent matters need "
 )
 _DENYING = _words("not no never nothing without too only nobody none had was were did")
@@ -78,7 +79,7 @@ def _leads_in(words: Sequence[str]) -> bool:
     known = all(
         n in turned or (word not in _DENYING and (word in _SAID_WITH or word in _WHO)) for n, word in enumerate(words)
     )
-    return known and bool(who) and (words[-1] != "and" or not _BASES.isdisjoint(words[:-1]))
+    return known and (bool(who) or words[:2] == ["what", "a"]) and (words[-1] != "and" or not _BASES.isdisjoint(words[:-1]))
 
 
 def state_behind(words: Sequence[str]) -> int:

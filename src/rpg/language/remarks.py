@@ -6,7 +6,7 @@ nothing. Both are left out, with a note; where a comparison may be all that tell
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
 from rpg.language import lexicon
@@ -16,6 +16,7 @@ from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
 from rpg.language.talk_forms import addressed_at
+from rpg.language.telling import tells
 from rpg.language.tokens import Token
 
 _ENDS = frozenset({".", "!", "?", ";", "…"})
@@ -32,15 +33,6 @@ _LIKE = (("like",), ("just", "like"), ("a", "bit", "like"), ("sort", "of", "like
          *(("so", *that, who, *look, "like") for that in (("that",), ()) for who in ("it", "they", "this")
            for look in (("looks",), ("look",), ("looks", "a", "bit"), ("will", "look"))))  # fmt: skip
 """What leads to something that it is compared with."""
-_TELLING: tuple[Collection[str], ...] = (
-    lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER,
-    lexicon.ORDINAL, lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL, lexicon.SIZE,
-    frozenset({
-        "left", "right", "top", "bottom", "middle", "center", "front", "back", "behind", "order", "first", "last",
-        "not", "no", "never", "without", "none", "upside", "reversed", "reverse", "touching", "apart", "each", "every",
-    }),
-)  # fmt: skip
-"""What tells of the task, wherever it stands."""
 _ASKING = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
 _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", "for", "before", "after", "when",
                          "whenever", "if", "by", "today", "tonight", "now", "right", "immediately", "at", "this",
@@ -78,7 +70,7 @@ def without_remarks(tokens: list[Token]) -> tuple[list[Token], list[str]] | None
     rest = _closed([token for n, token in enumerate(tokens) if n not in gone])
     while rest and rest[-1].word == "…":
         rest.pop()
-    return (rest, notes) if gone and any(_tells(t) or t.word in _ASKING for t in rest) else None
+    return (rest, notes) if gone and any(tells(t) or t.word in _ASKING for t in rest) else None
 
 
 def _said_around(tokens: list[Token]) -> Iterator[tuple[int, int]]:
@@ -121,7 +113,8 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         yield laughed, last
         last = laughed
     for at in range(first + 2, last - 1):
-        if tokens[at].word == "and" and tokens[at + 1].word in _KIND and idle_at_an_end(tokens[at + 1 : last]):
+        long = last > at + 3 or tokens[at + 1].word in _KIND
+        if tokens[at].word in ("and", "but") and long and idle_at_an_end(tokens[at + 1 : last]):
             yield at, last
             last = at
             break
@@ -186,7 +179,7 @@ def _comparisons(tokens: list[Token]) -> Iterator[tuple[int, int]]:
 def _compared(tokens: list[Token]) -> bool:
     """Whether this is nothing of which tasks are made, but something of daily life or that is not known."""
     strange = any(t.word not in vocabulary() or t.word in PEOPLE | ANIMALS | OCCASIONS | THINGS for t in tokens)
-    return strange and not any(map(_tells, tokens))
+    return strange and not any(map(tells, tokens))
 
 
 _LIKING = frozenset({"would", "i", "we", "you", "they", "do", "does", "not", "to", "and", "or"})
@@ -207,11 +200,6 @@ def _parted(tokens: list[Token]) -> list[list[Token]]:
     """What stands between commas and stops."""
     marks = [-1, *(n for n, token in enumerate(tokens) if token.word in _ENDS | {","}), len(tokens)]
     return [tokens[one + 1 : other] for one, other in pairwise(marks) if other > one + 1]
-
-
-def _tells(token: Token) -> bool:
-    shown = token.kind in ("number", "dims", "literal", "quote") or (len(token.raw) == 1 and token.raw.isupper())
-    return (shown and token.word != "a") or any(token.word in table for table in _TELLING)
 
 
 def _break(words: list[str], at: int) -> int:

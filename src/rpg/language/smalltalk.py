@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from rpg.language import harmless
+from rpg.language import harmless, lexicon
 from rpg.language.grammar.talk.people import WORKERS
 from rpg.language.spelling import vocabulary
+from rpg.language.telling import may_tell
 from rpg.language.tokens import Token
 
 
@@ -59,8 +60,10 @@ _LIKED = _words("about love loves like likes learn learning study studying teach
 _PLACED = _words("in on at from by during after before under through")
 _TURN = _words("first second third next last final main only same open")
 _NEGATED = _words("not no never nothing")
+_ABLE = _words("can could")
 _CALM = _words("sure much long fair far any") | _FEELINGS
 _POLITELY = _words("can could may please would do ok okay fine possible alright")
+_UNSURE = _words("curious wonder wondering know see sure ask doubt excuse forgive sorry pardon me")
 _VAGUE = _words("you we i it that he she they everyone")
 
 
@@ -91,7 +94,9 @@ _SAID_OF_SCENES = _words("picture pictures photo photos photograph scene image g
                          "session result assembly way everything something thing things rule")  # fmt: skip
 """Whatever is told of these may be told of blocks."""
 _ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS) - _SAID_OF_SCENES
-_AHEAD = _LEADS | harmless.ADVERBS | harmless.INTERJECTIONS | _words("when while that because since after before how")
+_AHEAD = _LEADS | harmless.ADVERBS | harmless.INTERJECTIONS | _words(
+    "when while that because since after before how afterwards"
+)
 """What may stand in front of whom it is told of."""
 _WORKING = _words("you robot robots machine arm gripper")
 """Of these it is told what they have to do."""
@@ -106,7 +111,8 @@ _WANTED = _words("want wants wanted need needs needed like likes wish wishes hop
 _DEMANDED = _WANTED | _words(
     "would 'd should must shall ought wished hoped prefer prefers preferred insist insists insisted demand demands demanded "
     "require requires required expect expects expected ask asks asked order orders ordered request requests requested "
-    "desire desires say says said tell tells told think thinks thought"
+    "desire desires say says said tell tells told think thinks thought dream dreams dreamt dreamed "
+    "dreaming hoping wishing"
 )
 """What is wished for behind these may be told in words that are not known."""
 _TAKEN_BACK = (
@@ -132,7 +138,7 @@ def small_talk(tokens: Sequence[Token]) -> bool:
     if not words or (strong.isdisjoint(words) and not offered) or asks(words):
         return False
     return all(
-        token.kind in ("word", "punct") and (_talk(token, words, n) or (of_people and _daily(tokens, words, n)))
+        (token.kind in ("word", "punct") and _talk(token, words, n)) or (of_people and _daily(tokens, words, n))
         for n, token in enumerate(tokens)
     )
 
@@ -152,7 +158,7 @@ def _of_people(words: Sequence[str]) -> bool:
 def _daily(tokens: Sequence[Token], words: Sequence[str], n: int) -> bool:
     """Whether a word of a clause of people is of daily life; or means nothing here, and is nothing that is wished for."""
     word = words[n]
-    if tokens[n].kind != "word" or (len(tokens[n].raw) > 1 and tokens[n].raw.isupper()):
+    if tokens[n].kind not in ("word", "number") or (len(tokens[n].raw) > 1 and tokens[n].raw.isupper()):
         return False
     after = words[n + 1 : n + 5]
     if word in _SOMEWHERE or (word in _POSTURES and words[0] not in _THING):
@@ -160,7 +166,14 @@ def _daily(tokens: Sequence[Token], words: Sequence[str], n: int) -> bool:
     pointed = not _THING.isdisjoint(words)
     if word in _HANDLING:
         return not pointed and not _ERRANDS.isdisjoint(after[:3])
-    return word in _DAILY or (is_strange(word) and not pointed and _DEMANDED.isdisjoint(words))
+    if tokens[n].kind == "number" or word in lexicon.NUMBER:
+        return not harmless.TIMES.isdisjoint(after[:1])
+    return word in _DAILY or (not pointed and _DEMANDED.isdisjoint(words) and _of_nothing_here(word))
+
+
+def _of_nothing_here(word: str) -> bool:
+    """Whether a word can tell nothing of blocks where people are spoken of, and takes nothing back."""
+    return is_strange(word) or (word.isalpha() and word in vocabulary() and not may_tell(word) and word not in _NEGATED)
 
 
 def is_strange(word: str) -> bool:
@@ -177,13 +190,26 @@ def asks(words: Sequence[str]) -> bool:
         return True
     pairs = list(pairwise(words))
     told = any(
-        word in _THING and behind in _BINDING and words[n + 2 : n + 3] not in (["sound"], ["seem"])
+        word in _THING and behind in _BINDING and not _judged(words[n + 1 : n + 4])
         for n, (word, behind) in enumerate(pairs)
     )
+    if words[:2] == ["you", "have"] or (words[0] == "you" and len(words) > 1 and words[1] in _DOABLE):
+        return True
     if not _HATED.isdisjoint(words) and not _THING.isdisjoint(words):
         return True
     wanted = _WANTED | ({"do"} if words[0] == "does" else {"do", "does"})
-    return told or any(word in wanted and behind in _THING for word, behind in pairs)
+    return told or any(
+        word in wanted and behind in _THING and _ABLE.isdisjoint(words[max(0, n - 2) : n])
+        for n, (word, behind) in enumerate(pairs)
+    )
+
+
+def _judged(words: Sequence[str]) -> bool:
+    """ "(It) may sound silly", "(that) was hard"."""
+    if words[1:2] in (["sound"], ["seem"]):
+        return True
+    liked = [word for word in words[1:] if word not in ("so", "very", "really", "a", "bit")]
+    return words[0] in ("was", "has") and bool(liked) and liked[0] in harmless.FINE - {"better"}
 
 
 def takes_back(words: Sequence[str]) -> bool:
@@ -215,21 +241,25 @@ def _talk(token: Token, words: list[str], n: int) -> bool:
         case "next" | "rest" if not after and n > 1:
             return words[n - 1] in ("do", "comes", "may", "can", "could", "will")
         case word if word in _NEGATED:
-            return not _CALM.isdisjoint(after[:3])
+            able = n > 0 and words[n - 1] in _ABLE and words[0] != "you"
+            return able or not _CALM.isdisjoint(after[:3])
         case word if word in _TURN:
-            return not _ERRANDS.isdisjoint(after[:2])
+            return not (_ERRANDS | {"time"}).isdisjoint(after[:2])
         case word if word in _PLACED:
             if word == "at" and after and after[0] in harmless.DOINGS and after[0].endswith("ing"):
                 return True
             named = next((k for k, x in enumerate(after) if x in _PERSONS | _ERRANDS | harmless.NAMES), None)
             return named is not None and all(x in _GLUE | _FEELINGS | _TURN for x in after[:named])
         case "if":
-            return bool(after) and after[0] in _VAGUE and not _POLITELY.isdisjoint(after[1:3])
+            asked = not _UNSURE.isdisjoint(words[max(0, n - 3) : n])
+            return bool(after) and after[0] in _VAGUE and (asked or not _POLITELY.isdisjoint(after[1:3]))
         case "forward":
             return n > 0 and words[n - 1].startswith("look")
         case "one":
-            return n > 0 and words[n - 1] in ("this", "that", "quick", "easy", "simple", "last", "next")
+            return n > 0 and words[n - 1] in ("this", "that", "you", "quick", "easy", "simple", "last", "next")
         case word if word in _SUBJECTS:
             return not _LIKED.isdisjoint(words[max(0, n - 3) : n])
+    if harmless.exclaimed(token.word):
+        return True
     named = token.word in harmless.NAMES and n > 0 and words[n - 1] in _PLACED
     return named or token.word in _GLUE or token.word in _STRONG

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from rpg.language import harmless
 from rpg.language.smalltalk import asks, harmless_word, is_strange, small_talk
+from rpg.language.telling import may_tell
 from rpg.language.tokens import Token
 
 
@@ -34,6 +35,7 @@ _COMING = tuple(
                   "i 've got", "there", "let us try", "let me try", "up next", "first")
     for comes in ("", "comes", "is", "'s", "goes", "will be", "is going to be", "follows", "got", "'s got")
 )  # fmt: skip
+_BEGINNINGS = ("to begin with", "to start with", "for a start", "for starters", "to warm up")
 _SORTS_OF_ERRANDS = (harmless.FINE - _words("true real")) | _words(
     "a an the my our your one little small big quick short next new last final first second third another today 's easier "
     "harder easiest hardest main actual important tiny just only more very really so super pretty quite rather bit fresh"
@@ -43,20 +45,20 @@ _ERRANDS = _words(
     "bit round thing order wish idea experiment test demo trick turn lesson warm-up warmup attempt try brainteaser"
 )
 """What is announced, of which nothing is told yet."""
-_CONDITIONS = (("if",), ("when",), ("whenever",), ("as", "long", "as"), ("provided",), ("should",), ("once",),
-               ("in", "case"), ("assuming",))  # fmt: skip
+_CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"))  # fmt: skip
 _OBLIGING = _words(
     "you it that this i we is are would could can will may might do does not no too so very much really at all any a an "
     "the bit little free spare to for of with me us please mind minding ask asking request be being okay ok fine alright "
     "all right possible convenient happen have has find get got time minute moment second minutes seconds trouble bother "
     "work effort hassle problem burden inconvenience kind good nice able ready manage feel like up awake willing kindly "
-    "busy hands your somehow perhaps 's 're 've 'd don't permit allow allows permits may excuse"
+    "busy hands your somehow perhaps 's 're 've 'd don't permit allow allows permits may excuse "
+    "schedule suits other things else"
 )
 """Of what somebody asks who is polite."""
-_ASKED_OF = _words("you it that this i")
+_ASKED_OF = _words("you it that this i your time")
 _OBLIGED = _words(
     "mind okay ok fine alright right possible convenient time minute moment second minutes seconds trouble bother work "
-    "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit would "
+    "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit permits allow allows suits would "
     "could can"
 )
 _EXHORTING = (("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"), ("should", "we"),
@@ -66,9 +68,14 @@ _EXHORTING = (("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), (
               ("are", "you", "ready", "to"), ("are", "you", "ready", "for"), ("i", "am", "going", "to"),
               ("we", "will"), ("we", "are"), ("i", "am"))  # fmt: skip
 _BEFORE_THEM = _words("it is 's now okay ok and so well right alright high come on then hey today here")
+_OTHERWISE = _words("not never again twice more instead another different else other over stop")
+_GOING = ("give it a go", "give it a try", "give it a shot", "give it a whirl", "have a go", "have a try",
+          "get this show on the road", "get down to business", "get to work", "get this party started", "roll",
+          "get it done", "get this done", "get on with it", "get the ball rolling")  # fmt: skip
+"""Beginnings in set phrases."""
 _WORK = _words(
     "build building play playing count counting learn learning work working tidy tidying clean cleaning begin start "
-    "starting stack stacking sort sorting spell spelling write writing read reading make making do doing try see go going "
+    "starting stack stacking spell spelling write writing read reading make making do doing try see go going "
     "get practise practice some something things stuff together again up with our blocks towers shapes letters numbers "
     "words colors patterns figures rows stairs pyramids steps cubes fun a bit little while the next one"
 )
@@ -76,7 +83,7 @@ _WORK = _words(
 _AT_LARGE = _words("blocks towers shapes letters numbers words colors patterns figures rows stairs pyramids cubes")
 _TRIED = _words("do try see start begin play practise practice hear")
 _REASONS = _words("because since cause cos coz")
-_HELD = _words("must should shall ought needs need has unless if only without not no never")
+_HELD = _words("must should shall ought needs need unless if only without not no never nobody")
 _OWN_WAY = _words("stands standing sits sitting lies lying looks looking stays where so nicely well prettily there "
                   "otherwise")  # fmt: skip
 """How something is where it is anyway."""
@@ -117,6 +124,9 @@ def addresses(words: Sequence[str]) -> bool:
     while at < len(words) and (words[at] in _GREETINGS | _CALLED | {","} or harmless.exclaimed(words[at])):
         at += 1
     named = at
+    while at and named < len(words) and is_strange(words[named]) and words[named] not in _LISTENERS:
+        named += 1
+    at = named
     while named < len(words) and words[named] in _LISTENERS | harmless.NAMES:
         named += 1
     return at > 0 and named > at and all(word in _AFTER_NAMES for word in words[named:])
@@ -130,9 +140,12 @@ def addressed_at(words: Sequence[str]) -> int:
 def _announces(tokens: Sequence[Token]) -> bool:
     """ "Small request from the kitchen team", "next one for you", "now comes the tricky part"."""
     words = [token.word for token in tokens]
-    at = _led(words, _COMING)
+    begin = 1 if words[0] in ("and", "but", "so") else 0
+    at = begin + _led(words[begin:], _COMING)
     while at < len(words) and words[at] in _SORTS_OF_ERRANDS:
         at += 1
+    if words[at : at + 1] == ["something"] and words[at + 1 : at + 2] and words[at + 1] in harmless.FINE:
+        return not words[at + 2 :] or " ".join(words[at + 2 :]) in _BEGINNINGS or words[at + 2] == "for"
     if at >= len(words) or words[at] not in _ERRANDS:
         return False
     behind = tokens[at + 1 :]
@@ -150,6 +163,7 @@ def polite_condition(words: Sequence[str]) -> bool:
         bool(lead)
         and len(behind) > 1
         and behind[0] in _ASKED_OF
+        and (behind[0] in ("you", "i", "we", "your") or "free" not in behind)
         and all(word in _OBLIGING for word in behind)
         and not _OBLIGED.isdisjoint(behind[1:])
         and not ("not" in behind and {"mind", "too", "bother", "trouble", "busy", "problem", "much"}.isdisjoint(behind))
@@ -162,8 +176,10 @@ def _exhorts(tokens: Sequence[Token]) -> bool:
     at = next((n for n, word in enumerate(words) if word not in _BEFORE_THEM), 0)
     lead = _led(words[at:], _EXHORTING)
     behind = words[at + lead :]
-    if not lead or not behind or not {"not", "never", "again", "twice", "more", "instead"}.isdisjoint(behind):
+    if not lead or not behind or not _OTHERWISE.isdisjoint(behind):
         return False
+    if " ".join(behind) in _GOING:
+        return True
     pointed = [n for n, word in enumerate(behind) if word in ("it", "this", "that", "them", "these", "those")]
     if any(n != 1 or behind[0] not in _TRIED for n in pointed) or behind[-1] in ("it", "them"):
         return False
@@ -185,14 +201,35 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
     if (lead := _led(words, _AIMS)) and words[lead : lead + 1] and words[lead] in _SOCIAL:
         behind = tokens[lead + 1 :]
         social = any(t.word in harmless.PEOPLE | harmless.OCCASIONS | {"me", "us", "you"} for t in behind)
-        return social and all(harmless_word(behind, n) or is_strange(t.word) for n, t in enumerate(behind))
+        made = words[lead] in ("make", "keep", "show")
+        return social and all(
+            harmless_word(behind, n) or (is_strange(t.word) and not made) or (n > 1 and not may_tell(t.word))
+            for n, t in enumerate(behind)
+        )
     if (lead := _led(words, _RESULTS)) and len(words) > lead + 1:
         behind_words = words[lead:]
+        if _so_that_people_can(tokens[lead:]):
+            return True
         held = behind_words[0] in _WHAT_STANDS and all(w in _HOLDS | _WHAT_STANDS for w in behind_words)
         denied = behind_words[0] in ("nothing", "none") or "not" in behind_words
         return held and (denied or not {"nice", "pretty", "lovely", "good", "beautiful", "stable", "steady", "safe",
                                         "secure", "safely"}.isdisjoint(behind_words))  # fmt: skip
     return False
+
+
+def _so_that_people_can(tokens: Sequence[Token]) -> bool:
+    """ "(So that) the visitors can take photos of it"."""
+    words = [token.word for token in tokens]
+    could = next((n for n, word in enumerate(words[:6]) if word in _COULD), 0)
+    whose = {*words[:could]} & (harmless.PEOPLE | _words("i we he she everybody everyone"))
+    plain = could > 0 and bool(whose) and could + 1 < len(words) and _HELD.isdisjoint(words)
+    return plain and all(
+        t.kind == "word" and (harmless_word(tokens, n) or not may_tell(t.word)) and not t.raw[1:].isupper()
+        for n, t in enumerate(tokens)
+    )
+
+
+_COULD = _words("can could may might will would have has 'll 'd")
 
 
 def _told_why(tokens: Sequence[Token]) -> bool:

@@ -24,7 +24,8 @@ _WHOLE = (
     "tell|call|wake|ping|text|show me|us please? when|once|as_soon_as you are|have|'re done|finished|ready|through please?",
     "you can|may|will then? rest|relax|sleep|go_home|go_to_sleep|take_a_break|have_a_break|stop now|then|after_that|"
     "afterwards?",
-    "take your time|all_the_time_you_need|it_easy|care|a_deep_breath",
+    "what shall|should|do|can|could we do|try|play|build next|now|today|then?",
+    "take your time|all_the_time_you_need|it_easy|care|a_deep_breath with_it|with_this|with_that|please?",
     "take as long as you like|need|want",
     "there is|'s? no|not_any need|reason|cause to? hurry|rush|worry|panic|for_panic?",
     "no need|reason to hurry|rush|worry|panic|be_afraid",

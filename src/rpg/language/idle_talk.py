@@ -44,6 +44,10 @@ _SHORT, _MOST = 6, 25
 """So many words at most an exclamation and any other talk have."""
 
 
+_LATER = (("after", "that"), ("afterwards",), ("after", "this"), ("and", "then"), ("and", "afterwards"), ("then",), ("later",))
+"""What is said behind these comes when the task is done."""
+
+
 def idle(tokens: Sequence[Token]) -> bool:
     """Whether these words ask for nothing, wherever they stand between marks."""
     words = _plain(tokens)
@@ -53,6 +57,9 @@ def idle(tokens: Sequence[Token]) -> bool:
 def idle_at_an_end(tokens: Sequence[Token]) -> bool:
     """Whether they ask for nothing in front of a task or behind it: all of it, or what an "and" or "but" joins."""
     joints = [n for n, token in enumerate(tokens) if token.word in ("and", "but") and 0 < n < len(tokens) - 1]
+    later = next((len(lead) for lead in _LATER if tuple(t.word for t in tokens[: len(lead)]) == lead), 0)
+    if later and len(tokens) > later + 1 and _whole_at_an_end(tokens[later:]):
+        return True
     return _whole_at_an_end(tokens) or any(
         _whole_at_an_end(tokens[:n]) and idle_at_an_end(tokens[n + 1 :]) for n in joints
     )

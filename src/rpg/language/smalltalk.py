@@ -51,7 +51,7 @@ _GLUE = _words(
     "please kindly 'm 're 'd 'll 've s open sure long hear heard read reading remember forget welcome organizing "
     "organising control controlling name names "
     "start starts started "
-    "operate operating programmed program understand such sound nicer perfectly",
+    "operate operating programmed program understand out myself yourself ourselves himself herself such sound nicer perfectly",
 )
 _SUBJECTS = _words("colors letters numbers digits shapes blocks cubes towers patterns words equations figures order")
 _LIKED = _words("about love loves like likes learn learning study studying teach teaching practise practising "
@@ -61,7 +61,7 @@ _PLACED = _words("in on at from by during after before under through")
 _TURN = _words("first second third next last final main only same open")
 _NEGATED = _words("not no never nothing")
 _ABLE = _words("can could")
-_CALM = _words("sure much long fair far any") | _FEELINGS
+_CALM = _words("sure much long fair far any worry worried scared nervous") | _FEELINGS
 _POLITELY = _words("can could may please would do ok okay fine possible alright")
 _UNSURE = _words("curious wonder wondering know see sure ask doubt excuse forgive sorry pardon me")
 _VAGUE = _words("you we i it that he she they everyone")
@@ -84,7 +84,7 @@ _HANDLING = _words(
     "make makes making made take takes taking took give gives giving gave given get gets getting got do does doing did "
     "done show shows buy buys sell sells"
 )
-_DAILY = harmless.THINGS | harmless.ANIMALS | (harmless.DOINGS - _HANDLING)
+_DAILY = (harmless.TIMES - {"second"}) | harmless.THINGS | harmless.ANIMALS | (harmless.DOINGS - _HANDLING)
 """What people have about them, and do, of whom it is told."""
 _SOMEWHERE = _PLACED | _words("behind beside around near over next along since until till within")
 _WHERE_PEOPLE_ARE = _PERSONS | _ERRANDS | harmless.NAMES | harmless.THINGS | _words("me us you him her them work home")
@@ -94,6 +94,11 @@ _SAID_OF_SCENES = _words("picture pictures photo photos photograph scene image g
                          "session result assembly way everything something thing things rule")  # fmt: skip
 """Whatever is told of these may be told of blocks."""
 _ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS) - _SAID_OF_SCENES
+_ONES_OWN = _words("my our his her their me us mine yours")
+_OF_OURS = _words("is 's was reminds reminded helps helped would will makes made means meant comes came belongs")
+_WORKS = _words("works worked went goes sounds sounded looks looked seems seemed")
+_WELL = _words("well perfectly badly nicely fine before already too brilliantly smoothly")
+_SCENES = _words("arrangement combination design pattern picture logo")
 _AHEAD = _LEADS | harmless.ADVERBS | harmless.INTERJECTIONS | _words(
     "when while that because since after before how afterwards"
 )
@@ -135,7 +140,11 @@ def small_talk(tokens: Sequence[Token]) -> bool:
     offered = words[:1] == ["here"] and words[-2:] == ["for", "you"]  # "here's a scale for you"
     of_people = offered or _of_people(words)
     strong = _STRONG | _DAILY if of_people else _STRONG
-    if not words or (strong.isdisjoint(words) and not offered) or asks(words):
+    if not words or asks(words):
+        return False
+    if _of_it(words):
+        return True
+    if strong.isdisjoint(words) and not offered:
         return False
     return all(
         (token.kind in ("word", "punct") and _talk(token, words, n)) or (of_people and _daily(tokens, words, n))
@@ -147,12 +156,32 @@ def _of_people(words: Sequence[str]) -> bool:
     """Whether somebody is told of, "my wife is waiting", or something of daily life, "the soup gets cold"."""
     at = next((n for n, word in enumerate(words) if word not in _AHEAD), len(words))
     said = words[at:]
-    if not said or _DOES.isdisjoint(said[1:]) or not _WORKING.isdisjoint(said[:2]):
+    spoken = said[1:] and said[0] in ("i", "we", "he", "she")
+    if not said or (not spoken and _DOES.isdisjoint(said[1:])) or not _WORKING.isdisjoint(said[:2]):
         return False
     if not _ACTING.isdisjoint(said[:2]) and said[0] not in _SPEAKERS and _BEING.isdisjoint(said[1:4]):
         return False  # "the child sings a song" is asked for
     noun = next((word for word in said[1:4] if word not in _LOOKS_OF_PEOPLE), "")
     return said[0] in _SPEAKERS or not _PERSONS.isdisjoint(said[:2]) or (said[0] in _DET and noun in _ABOUT | _PERSONS)
+
+
+def _of_it(words: Sequence[str]) -> bool:
+    """ "It's the logo of our club", "this is what the customer ordered", "yesterday it worked perfectly"."""
+    at = next((n for n, word in enumerate(words) if word not in _AHEAD or word == "that"), len(words))
+    at += words[at : at + 1] == ["yesterday"]
+    if words[at : at + 1] not in (["it"], ["this"], ["that"]) or len(words) < at + 3 or not _NEGATED.isdisjoint(words):
+        return False
+    verb, behind = words[at + 1], words[at + 2 :]
+    whose = _ONES_OWN | harmless.PEOPLE | {"what"}
+    if verb in _WORKS:
+        return all(word in _GLUE | _FEELINGS | _WELL for word in behind)
+    if verb not in _OF_OURS or whose.isdisjoint(behind) or "too" in behind or any(map(may_tell, behind)):
+        return False
+    return all(
+        word in _GLUE | _STRONG | _DAILY | _SCENES | harmless.EVERYDAY
+        or (is_strange(word) and (behind[max(0, n - 1)] in _DET | {"of", "for"} or word.endswith("ly")))
+        for n, word in enumerate(behind)
+    )
 
 
 def _daily(tokens: Sequence[Token], words: Sequence[str], n: int) -> bool:
@@ -214,7 +243,8 @@ def _judged(words: Sequence[str]) -> bool:
 
 def takes_back(words: Sequence[str]) -> bool:
     """Whether the mind was changed, "that was the old plan", "we had better not", or there should be "some more"."""
-    if words[-1] in ("more", "another", "too"):
+    bad = any(word == "bad" and behind in _CHANGED | {"example"} for word, behind in pairwise(words))
+    if words[-1] in ("more", "another", "too") or bad:
         return True
     other = not _OTHER.isdisjoint(words)
     return other and not (_CHANGED | {"not", "never", "without"}).isdisjoint(words)

@@ -142,7 +142,7 @@ def _announces(tokens: Sequence[Token]) -> bool:
     words = [token.word for token in tokens]
     begin = 1 if words[0] in ("and", "but", "so") else 0
     at = begin + _led(words[begin:], _COMING)
-    while at < len(words) and words[at] in _SORTS_OF_ERRANDS:
+    while at < len(words) and words[at] in _SORTS_OF_ERRANDS - _ERRANDS:
         at += 1
     if words[at : at + 1] == ["something"] and words[at + 1 : at + 2] and words[at + 1] in harmless.FINE:
         return not words[at + 2 :] or " ".join(words[at + 2 :]) in _BEGINNINGS or words[at + 2] == "for"
@@ -203,12 +203,12 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
         social = any(t.word in harmless.PEOPLE | harmless.OCCASIONS | {"me", "us", "you"} for t in behind)
         made = words[lead] in ("make", "keep", "show")
         return social and all(
-            harmless_word(behind, n) or (is_strange(t.word) and not made) or (n > 1 and not may_tell(t.word))
+            harmless_word(behind, n) or (is_strange(t.word) and not made) or (n > 1 and not made and not may_tell(t.word))
             for n, t in enumerate(behind)
         )
     if (lead := _led(words, _RESULTS)) and len(words) > lead + 1:
         behind_words = words[lead:]
-        if _so_that_people_can(tokens[lead:]):
+        if _of_what_people_can(tokens[lead:]):
             return True
         held = behind_words[0] in _WHAT_STANDS and all(w in _HOLDS | _WHAT_STANDS for w in behind_words)
         denied = behind_words[0] in ("nothing", "none") or "not" in behind_words
@@ -217,25 +217,25 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
     return False
 
 
-def _so_that_people_can(tokens: Sequence[Token]) -> bool:
-    """ "(So that) the visitors can take photos of it"."""
-    words = [token.word for token in tokens]
+def _of_what_people_can(tokens: Sequence[Token]) -> bool:
+    """ "(So that) the visitors can take photos of it", "(because) I can't do it myself"."""
+    words = " ".join(token.word for token in tokens).replace("can not ", "can ").split()
     could = next((n for n, word in enumerate(words[:6]) if word in _COULD), 0)
-    whose = {*words[:could]} & (harmless.PEOPLE | _words("i we he she everybody everyone"))
+    whose = {*words[:could]} & (harmless.PEOPLE | _words("i we he she you everybody everyone"))
     plain = could > 0 and bool(whose) and could + 1 < len(words) and _HELD.isdisjoint(words)
-    return plain and all(
-        t.kind == "word" and (harmless_word(tokens, n) or not may_tell(t.word)) and not t.raw[1:].isupper()
-        for n, t in enumerate(tokens)
+    known = all(
+        t.kind == "word" and (t.word == "not" or harmless_word(tokens, n) or not may_tell(t.word)) for n, t in enumerate(tokens)
     )
+    return plain and known and not any(len(t.raw) > 1 and t.raw.isupper() for t in tokens)
 
 
-_COULD = _words("can could may might will would have has 'll 'd")
+_COULD = _words("can could may might will would have has is are am was were 'll 'd 're 's 'm")
 
 
 def _told_why(tokens: Sequence[Token]) -> bool:
     """Whether a reason is one that no block has a part in but by being what it is."""
     words = [token.word for token in tokens]
-    if small_talk(tokens):
+    if small_talk(tokens) or _of_what_people_can(tokens):
         return True
     plain = _HELD.isdisjoint(words) and not asks(words)
     return plain and all(

@@ -232,8 +232,9 @@ TAGS = Patterns(
     "thank you very_much?",
     "if you can|could|please",
     "if possible",
-    "so|so_that nothing|it|they|none_of_them|not_a_single_one does_not|do_not|can_not|can? falls|fall|tips|topples "
+    "so|so_that it|they|none_of_them|not_a_single_one does_not|do_not|can_not falls|fall|tips|topples|tip|topple "
     "over|down|off?",
+    "so|so_that nothing|none_of_them|not_a_single_one can? falls|fall|tips|topples over|down|off?",
     "for me",
     "would|will|can|could you",
     "as well",

@@ -12,7 +12,7 @@ from rpg.language import harmless
 from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.phrases import Rows
 from rpg.language.smalltalk import small_talk
-from rpg.language.talk_forms import by_form, takes_care, polite_condition, reason_or_aim
+from rpg.language.talk_forms import by_form, meanwhile, polite_condition, reason_or_aim, takes_care
 from rpg.language.tokens import Token
 
 
@@ -79,7 +79,8 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     if words is None or at == 0:
         return False
     timely = words[0] not in ("when", "once", "by") and _whole(words, TIMELY)
-    formed = reason_or_aim(tokens[at:]) or polite_condition(words) or (words[0] == "with" and takes_care(words))
+    careful = words[0] in ("with", "without", "in") and takes_care(words)
+    formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful
     return timely or formed or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
 
 

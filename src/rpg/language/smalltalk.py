@@ -31,8 +31,8 @@ _FELT = _words(
     "fancy gentle impressive mind precise accurate quick warm thrill love loves hope hopes hurry rush bother trouble"
 )
 _FEELINGS = _FELT | harmless.FINE | harmless.PERSONAL
-_PERSONS = harmless.PEOPLE | _words("computer examiner gentlemen human humans machine mentor robot robots")
-_STRONG = _PERSONS | _ERRANDS | _FEELINGS | {"sure"}
+PERSONS = harmless.PEOPLE | _words("computer examiner gentlemen human humans machine mentor robot robots")
+_STRONG = PERSONS | _ERRANDS | _FEELINGS | {"sure"}
 _GLUE = _words(
     "i we you he she they it this that these me us them him her my our your his their its mine yours "
     "am is are was were be been being do does did have has had having will would can could may might shall should must "
@@ -87,13 +87,13 @@ _HANDLING = _words(
 _DAILY = (harmless.TIMES - {"second"}) | harmless.THINGS | harmless.ANIMALS | (harmless.DOINGS - _HANDLING)
 """What people have about them, and do, of whom it is told."""
 _SOMEWHERE = _PLACED | _words("behind beside around near over next along since until till within")
-_WHERE_PEOPLE_ARE = _PERSONS | _ERRANDS | harmless.NAMES | harmless.THINGS | _words("me us you him her them work home")
+_WHERE_PEOPLE_ARE = PERSONS | _ERRANDS | harmless.NAMES | harmless.THINGS | _words("me us you him her them work home")
 """What places of people are told by: "in the kitchen", "right next to me"."""
 _POSTURES = _words("stand stands standing sit sits sitting lie lies lying stood sat lay rest resting stay stays staying")
-_SAID_OF_SCENES = _words("picture pictures photo photos photograph scene image goal task tasks plan description geometry "
+SAID_OF_SCENES = _words("picture pictures photo photos photograph scene image goal task tasks plan description geometry "
                          "session result assembly way everything something thing things rule")  # fmt: skip
 """Whatever is told of these may be told of blocks."""
-_ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS) - _SAID_OF_SCENES
+_ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS) - SAID_OF_SCENES
 _ONES_OWN = _words("my our his her their me us mine yours")
 _OF_OURS = _words("is 's was reminds reminded helps helped would will makes made means meant comes came belongs")
 _WORKS = _words("works worked went goes sounds sounded looks looked seems seemed")
@@ -105,15 +105,15 @@ _AHEAD = _LEADS | harmless.ADVERBS | harmless.INTERJECTIONS | _words(
 """What may stand in front of whom it is told of."""
 _WORKING = _words("you robot robots machine arm gripper")
 """Of these it is told what they have to do."""
-_ACTING = WORKERS | _words("children kids students pupils players somebody someone people they user users")
-_BEING = _words("is am are was were will would can could has have had 's 'm 're 'll")
-_DOES = harmless.DOINGS | _BEING
+ACTING = WORKERS | _words("children kids students pupils players somebody someone people they user users")
+BEING = _words("is am are was were will would can could has have had 's 'm 're 'll")
+_DOES = harmless.DOINGS | BEING
 _DET = _words("the a an my our your his her their this")
-_LOOKS_OF_PEOPLE = harmless.FINE | harmless.PERSONAL | _words("little old young big small whole new good next other")
-_THING = _words("it this that they them these those everything")
+LOOKS_OF_PEOPLE = harmless.FINE | harmless.PERSONAL | _words("little old young big small whole new good next other")
+THING = _words("it this that they them these those everything")
 _BINDING = _words("should must shall may might ought was were has have had")
 _WANTED = _words("want wants wanted need needs needed like likes wish wishes hope hopes")
-_DEMANDED = _WANTED | _words(
+DEMANDED = _WANTED | _words(
     "would 'd should must shall ought wished hoped prefer prefers preferred insist insists insisted demand demands demanded "
     "require requires required expect expects expected ask asks asked order orders ordered request requests requested "
     "desire desires say says said tell tells told think thinks thought dream dreams dreamt dreamed "
@@ -159,10 +159,10 @@ def _of_people(words: Sequence[str]) -> bool:
     spoken = said[1:] and said[0] in ("i", "we", "he", "she")
     if not said or (not spoken and _DOES.isdisjoint(said[1:])) or not _WORKING.isdisjoint(said[:2]):
         return False
-    if not _ACTING.isdisjoint(said[:2]) and said[0] not in _SPEAKERS and _BEING.isdisjoint(said[1:4]):
+    if not ACTING.isdisjoint(said[:2]) and said[0] not in _SPEAKERS and BEING.isdisjoint(said[1:4]):
         return False  # "the child sings a song" is asked for
-    noun = next((word for word in said[1:4] if word not in _LOOKS_OF_PEOPLE), "")
-    return said[0] in _SPEAKERS or not _PERSONS.isdisjoint(said[:2]) or (said[0] in _DET and noun in _ABOUT | _PERSONS)
+    noun = next((word for word in said[1:4] if word not in LOOKS_OF_PEOPLE), "")
+    return said[0] in _SPEAKERS or not PERSONS.isdisjoint(said[:2]) or (said[0] in _DET and noun in _ABOUT | PERSONS)
 
 
 def _of_it(words: Sequence[str]) -> bool:
@@ -190,14 +190,14 @@ def _daily(tokens: Sequence[Token], words: Sequence[str], n: int) -> bool:
     if tokens[n].kind not in ("word", "number") or (len(tokens[n].raw) > 1 and tokens[n].raw.isupper()):
         return False
     after = words[n + 1 : n + 5]
-    if word in _SOMEWHERE or (word in _POSTURES and words[0] not in _THING):
+    if word in _SOMEWHERE or (word in _POSTURES and words[0] not in THING):
         return word in _POSTURES or any(x in _WHERE_PEOPLE_ARE or is_strange(x) for x in after[:4])
-    pointed = not _THING.isdisjoint(words)
+    pointed = not THING.isdisjoint(words)
     if word in _HANDLING:
         return not pointed and not _ERRANDS.isdisjoint(after[:3])
     if tokens[n].kind == "number" or word in lexicon.NUMBER:
         return not harmless.TIMES.isdisjoint(after[:1])
-    return word in _DAILY or (not pointed and _DEMANDED.isdisjoint(words) and _of_nothing_here(word))
+    return word in _DAILY or (not pointed and DEMANDED.isdisjoint(words) and _of_nothing_here(word))
 
 
 def _of_nothing_here(word: str) -> bool:
@@ -219,16 +219,16 @@ def asks(words: Sequence[str]) -> bool:
         return True
     pairs = list(pairwise(words))
     told = any(
-        word in _THING and behind in _BINDING and not _judged(words[n + 1 : n + 4])
+        word in THING and behind in _BINDING and not _judged(words[n + 1 : n + 4])
         for n, (word, behind) in enumerate(pairs)
     )
     if words[:2] == ["you", "have"] or (words[0] == "you" and len(words) > 1 and words[1] in _DOABLE):
         return True
-    if not _HATED.isdisjoint(words) and not _THING.isdisjoint(words):
+    if not _HATED.isdisjoint(words) and not THING.isdisjoint(words):
         return True
     wanted = _WANTED | ({"do"} if words[0] == "does" else {"do", "does"})
     return told or any(
-        word in wanted and behind in _THING and _ABLE.isdisjoint(words[max(0, n - 2) : n])
+        word in wanted and behind in THING and _ABLE.isdisjoint(words[max(0, n - 2) : n])
         for n, (word, behind) in enumerate(pairs)
     )
 
@@ -278,7 +278,7 @@ def _talk(token: Token, words: list[str], n: int) -> bool:
         case word if word in _PLACED:
             if word == "at" and after and after[0] in harmless.DOINGS and after[0].endswith("ing"):
                 return True
-            named = next((k for k, x in enumerate(after) if x in _PERSONS | _ERRANDS | harmless.NAMES), None)
+            named = next((k for k, x in enumerate(after) if x in PERSONS | _ERRANDS | harmless.NAMES), None)
             return named is not None and all(x in _GLUE | _FEELINGS | _TURN for x in after[:named])
         case "if":
             asked = not _UNSURE.isdisjoint(words[max(0, n - 3) : n])

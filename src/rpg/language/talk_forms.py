@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language import harmless
-from rpg.language.smalltalk import asks, harmless_word, is_strange, small_talk
+from rpg.language import harmless, lexicon
+from rpg.language.of_people import of_people
+from rpg.language.smalltalk import THING, asks, harmless_word, is_strange, small_talk
 from rpg.language.telling import may_tell
 from rpg.language.tokens import Token
 
@@ -104,17 +105,19 @@ _HOLDS = _words(
 _CARE = _words(
     "slowly slow gently gentle carefully careful softly quietly calmly patiently precisely steady steadily cautiously "
     "kindly easy with great much lots a lot of all some little extra special care caution patience love attention "
-    "precision very really nice and as you can so ever please be your the best most utmost bit way in gentlest hurry no"
+    "precision very really nice and as you can so ever please be your the best most utmost bit way in gentlest hurry no "
+    "due usual possible without any own time smoothly tenderly delicately attentively"
 )
 _CARED = _words("slowly slow gently gentle carefully careful softly quietly calmly patiently cautiously care caution patience "
-                "love precision steady easy gentlest")  # fmt: skip
+                "love precision steady easy gentlest hurry smoothly tenderly delicately")  # fmt: skip
 
 
 def by_form(tokens: Sequence[Token]) -> bool:
     """Whether what is set off asks for nothing: an address, a call to begin, a condition or a word of care."""
     words = [token.word for token in tokens]
     return (
-        addresses(words) or _announces(tokens) or polite_condition(words) or takes_care(words) or _exhorts(tokens) or reason_or_aim(tokens)
+        addresses(words) or _announces(tokens) or polite_condition(words) or takes_care(words) or _exhorts(tokens)
+        or reason_or_aim(tokens) or meanwhile(tokens) or rewards(tokens) or of_people(tokens)
     )  # fmt: skip
 
 
@@ -198,6 +201,8 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
     words = [token.word for token in tokens]
     if words[0] in _REASONS and len(words) > 2:
         return _told_why(tokens[1:])
+    if (lead := _led(words, _AIMS)) and _done_to_ours(tokens[lead:]):
+        return True
     if (lead := _led(words, _AIMS)) and words[lead : lead + 1] and words[lead] in _SOCIAL:
         behind = tokens[lead + 1 :]
         social = any(t.word in harmless.PEOPLE | harmless.OCCASIONS | {"me", "us", "you"} for t in behind)
@@ -208,13 +213,62 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
         )
     if (lead := _led(words, _RESULTS)) and len(words) > lead + 1:
         behind_words = words[lead:]
-        if _of_what_people_can(tokens[lead:]):
+        if _of_what_people_can(tokens[lead:]) or (words[lead] != "you" and of_people(tokens[lead:], denied=True)):
             return True
         held = behind_words[0] in _WHAT_STANDS and all(w in _HOLDS | _WHAT_STANDS for w in behind_words)
         denied = behind_words[0] in ("nothing", "none") or "not" in behind_words
         return held and (denied or not {"nice", "pretty", "lovely", "good", "beautiful", "stable", "steady", "safe",
                                         "secure", "safely"}.isdisjoint(behind_words))  # fmt: skip
     return False
+
+
+def _done_to_ours(tokens: Sequence[Token]) -> bool:
+    """ "(To) calibrate the camera", "(to) cheer up my sick friend": what is done to something that no task has."""
+    words = [token.word for token in tokens]
+    det = next((n for n, word in enumerate(words[1:4], 1) if word in _OF_SOME), 0)
+    verb = words[:1] and words[0] not in lexicon.VERB and not words[0].startswith(_LIKENESS)
+    if not (verb and det and len(words) > det + 1 and THING.isdisjoint(words)) or asks(words[1:]):
+        return False
+    ours = harmless.PEOPLE | harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS | _words("camera cameras arm robot")
+    known = all(
+        word in ours | _OF_SOME | _words("up out for at in with and")
+        or harmless_word(tokens, n) or is_strange(word) or word in harmless.EVERYDAY
+        for n, word in enumerate(words)
+    )  # fmt: skip
+    return known and not ours.isdisjoint(words[det + 1 :])
+
+
+_OF_SOME = _words("the my our his her their your")
+_LIKENESS = ("match", "resembl", "mimic", "imitat", "copy", "mirror", "reflect", "represent", "depict", "replicat",
+             "reproduc", "follow", "obey", "fit", "hide", "cover", "block", "obstruct", "protect", "surround", "support")  # fmt: skip
+"""How words begin of which something would follow for the blocks."""
+
+
+def meanwhile(tokens: Sequence[Token]) -> bool:
+    """ "While I make a cup of tea", "until my wife is home", "during the coffee break"."""
+    words = [token.word for token in tokens]
+    if words[0] in ("while", "whilst", "until", "till") and len(words) > 2:
+        return words[1] != "you" and of_people(tokens[1:])
+    known = harmless.OCCASIONS | harmless.PEOPLE | harmless.FINE | _words("the our my your a this 's little whole next")
+    return words[0] == "during" and words[-1] in harmless.OCCASIONS and all(word in known for word in words[1:])
+
+
+def rewards(tokens: Sequence[Token]) -> bool:
+    """ "If it works I owe you a beer", "if you manage we will clap"."""
+    words = [token.word for token in tokens]
+    lead = _led(words, _IF_DONE)
+    return bool(lead) and words[lead : lead + 1] in (["i"], ["we"], ["my"], ["everybody"]) and of_people(tokens[lead:])
+
+
+_IF_DONE = tuple(
+    (*when, *done, *mark)
+    for when in (("if",), ("when",), ("once",), ("as", "soon", "as"))
+    for done in (("it", "works"), ("this", "works"), ("that", "works"), ("you", "manage"), ("you", "do", "it"),
+                 ("you", "succeed"), ("you", "can", "do", "it"), ("you", "make", "it"), ("you", "win"), ("it", "is", "done"),
+                 ("you", "manage", "that"), ("you", "manage", "it"), ("you", "are", "done"), ("you", "do", "well"),
+                 ("you", "do", "this"), ("you", "do", "that"))
+    for mark in ((), (",",), ("then",), (",", "then"))
+)  # fmt: skip
 
 
 def _of_what_people_can(tokens: Sequence[Token]) -> bool:
@@ -235,7 +289,7 @@ _COULD = _words("can could may might will would have has is are am was were 'll 
 def _told_why(tokens: Sequence[Token]) -> bool:
     """Whether a reason is one that no block has a part in but by being what it is."""
     words = [token.word for token in tokens]
-    if small_talk(tokens) or _of_what_people_can(tokens):
+    if small_talk(tokens) or _of_what_people_can(tokens) or of_people(tokens, denied=True):
         return True
     plain = _HELD.isdisjoint(words) and not asks(words)
     return plain and all(

@@ -39,7 +39,11 @@ _OF_BLOCKS = _words(
     "pattern patterns alternating alternate alternately direction upwards downwards up down facing visible hidden touch "
     "touches contact aligned align centered balanced position positions place places placed color colors shape shapes "
     "sequence sorted mixed twice once only all both any some few many more most fewer less than exactly if unless until "
-    "except instead or nor"
+    "except instead or nor symmetry asymmetry asymmetric symmetrically asymmetrical parallel perpendicular zigzag spiral "
+    "slanted leaning lean clockwise counterclockwise anticlockwise colorful colourful monochrome rainbow palindrome "
+    "overlap overlapping overhang offset staggered scattered spread clutter cluttered tidy untidy neat neatly stable "
+    "unstable steady sturdy firm firmly backwards forwards sideways vertically horizontally centrally central outermost "
+    "innermost nearby opposite reach reachable blocked aligning alignment sequence sequences arrangement arrangements"
 )
 
 

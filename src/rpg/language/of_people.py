@@ -1,0 +1,107 @@
+"""Clauses of people: "my back hurts", "we do not miss the bus", "you look strong today", "the inspector comes at noon".
+
+What is told of somebody, of his body or of what he has about him can be in any words but those that could be meant of
+blocks: those are known. So words that mean nothing here are let pass; none that points to what was told, or wishes for
+something, for that may be told in such words as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.language import harmless, lexicon
+from rpg.language.smalltalk import (
+    ACTING, BEING, DEMANDED, LOOKS_OF_PEOPLE, PERSONS, SAID_OF_SCENES, THING, asks, harmless_word, is_strange,
+)
+from rpg.language.spelling import vocabulary
+from rpg.language.telling import may_tell
+from rpg.language.tokens import Token
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+_AHEAD = harmless.ADVERBS | harmless.INTERJECTIONS | _words("and but so well okay ok then also that all")
+_SPEAKERS = _words("i we he she")
+_ANYBODY = _words("everybody everyone somebody someone nobody people who")
+_DET = _words("my our his her their your the a an this")
+_OWN = _words("my our his her your")
+_BODY = _words(
+    "arm arms hand hands finger fingers leg legs foot feet knee knees back neck head eye eyes eyesight ear ears hearing "
+    "sight memory joints bones muscles tummy stomach heart brain nerves voice hip hips shoulder shoulders thumb wrist "
+    "battery patience time schedule shift flight appetite english"
+)
+_ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS | harmless.TIMES) - SAID_OF_SCENES - {"second"}
+_TO_YOU = _words("are 're look looked looks seem seemed sound did were deserve rock know knew deserved do amaze rule make")
+"""What is said of whom a command is for that is none."""
+_PHRASAL = _words(
+    "down up over away around through across short long low high tall all any some few many more than enough only far "
+    "back alone both together inside outside free once deep wide touch rest over"
+)
+"""They could be meant of blocks, but not where somebody is told of."""
+_MEASURED = _words("year years old o'clock sharp today now tomorrow already")
+_OF_AGE = _words("is am are turns turned at just almost nearly only")
+_LEFT_OUT = _words("allowed supposed permitted serious mean meant care")
+_DENYING = _words("not never no nothing none without neither nor")
+_BEFORE_NOT = _words("can could do does did is am are was were will would 'm 're has have")
+_DOING = harmless.DOINGS | BEING
+
+
+def of_people(tokens: Sequence[Token], *, denied: bool = False) -> bool:
+    """Whether only somebody is told of. `denied`: what he is or does not may be told, as in reasons."""
+    words = [token.word for token in tokens]
+    begin = next((n for n, word in enumerate(words) if word not in _AHEAD), len(words))
+    at = begin + _subject(words[begin:])
+    if at == begin or at >= len(words) or asks(words):
+        return False
+    doing = [n for n in range(at, len(words)) if words[n] in _DOING or is_strange(words[n])]
+    if not doing or doing[0] > at + 2 or not (DEMANDED | _words("must should may might")).isdisjoint(words[begin:]):
+        return False
+    if not _no_task(words[begin], words[begin:at], words[at : at + 2]):
+        return False
+    if words[begin] == "you" and (words[at] not in _TO_YOU or words[at + 1 : at + 2] in (["to"], ["not"])):
+        return False
+    return all(_fits(tokens, n, denied) for n in range(at, len(words)))
+
+
+def _subject(words: Sequence[str]) -> int:
+    """How many of the first words say of whom it is told."""
+    if not words:
+        return 0
+    if words[0] in _SPEAKERS | _ANYBODY | {"you"} | harmless.NAMES:
+        return 1
+    at = 1 if words[0] in _DET else 0
+    while at < min(4, len(words)) and words[at] in LOOKS_OF_PEOPLE and words[at] not in PERSONS:
+        at += 1
+    noun = words[at] if at < len(words) else ""
+    person = noun in PERSONS - _words("robot robots machine computer") and (words[0] in _DET or not noun.endswith("er"))
+    about = words[0] in _DET and (noun in _ABOUT or (words[0] in _OWN and noun in _BODY))
+    end = at + 1
+    while (person or about) and end < len(words) and (words[end] in PERSONS | _ABOUT or words[end] == "'s"):
+        end += 1
+    return end if person or about else 0
+
+
+def _no_task(first: str, subject: Sequence[str], verb: Sequence[str]) -> bool:
+    """ "The child sings a song" may be asked for; what "my child" does, and what the child "is singing", is not."""
+    return first in _SPEAKERS | _OWN or ACTING.isdisjoint(subject) or not BEING.isdisjoint(verb)
+
+
+def _fits(tokens: Sequence[Token], n: int, denied: bool) -> bool:
+    """Whether a word can only be of people, where one is told of."""
+    words, token = [token.word for token in tokens], tokens[n]
+    word, before, after = token.word, words[n - 1], words[n + 1 : n + 3]
+    if token.kind == "number" or word in lexicon.NUMBER:
+        return before in _OF_AGE and (not after or after[0] in _MEASURED | harmless.TIMES | {"and"})
+    if token.kind != "word" or (len(token.raw) > 1 and token.raw.isupper()):
+        return word == "'s"
+    if word in THING:
+        return word in ("this", "that", "these", "those") and bool(after) and after[0] in harmless.TIMES | {"far", "much"}
+    if word in _DENYING:
+        able = before in ("can", "could")
+        return word in ("not", "never") and before in _BEFORE_NOT and (able or denied) and _LEFT_OUT.isdisjoint(after)
+    if word == "back":
+        return before in BEING | _OWN | _words("come comes came coming go went goes got get gets")
+    plain = word in _PHRASAL or harmless_word(tokens, n) or is_strange(word)
+    return plain or word in harmless.EVERYDAY or (word in vocabulary() and not may_tell(word))

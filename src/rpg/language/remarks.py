@@ -11,7 +11,7 @@ from itertools import pairwise, takewhile
 
 from rpg.language import lexicon
 from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THINGS, exclaimed
-from rpg.language.lead_ins import command_behind, state_behind
+from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason_at
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
@@ -147,6 +147,9 @@ def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
     if called and begin + called < end - 2 and (tokens[begin + called].word in _ASKING | _PLEASE | _TURNED):
         return begin, begin + called
     if led := command_behind(words) or state_behind(words):
+        return begin, begin + led
+    alone = not any(map(tells, tokens[:begin])) and not any(map(tells, tokens[end:]))
+    if alone and (led := thing_behind(words)):
         return begin, begin + led
     for at in range(begin + 1, end - 2):
         if tokens[at].word in _MARKS:

@@ -228,9 +228,14 @@ def asks(words: Sequence[str]) -> bool:
         return True
     wanted = _WANTED | ({"do"} if words[0] == "does" else {"do", "does"})
     return told or any(
-        word in wanted and behind in THING and _ABLE.isdisjoint(words[max(0, n - 2) : n])
+        word in wanted and behind in THING and _ABLE.isdisjoint(words[max(0, n - 2) : n]) and not _content(words, n)
         for n, (word, behind) in enumerate(pairs)
     )
+
+
+def _content(words: Sequence[str], n: int) -> bool:
+    """ "(The kids) like this", "(my wife) likes it that way"."""
+    return words[n] in ("like", "likes") and (n + 2 == len(words) or words[n + 2 :] == ["that", "way"])
 
 
 def _judged(words: Sequence[str]) -> bool:

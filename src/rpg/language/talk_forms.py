@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
+from rpg.language.lead_ins import set_in
 from rpg.language.of_people import of_people
 from rpg.language.smalltalk import THING, asks, harmless_word, is_strange, small_talk
 from rpg.language.telling import may_tell
@@ -116,7 +117,7 @@ def by_form(tokens: Sequence[Token]) -> bool:
     """Whether what is set off asks for nothing: an address, a call to begin, a condition or a word of care."""
     words = [token.word for token in tokens]
     return (
-        addresses(words) or _announces(tokens) or polite_condition(words) or takes_care(words) or _exhorts(tokens)
+        set_in(words) == len(words) or addresses(words) or _announces(tokens) or polite_condition(words) or takes_care(words) or _exhorts(tokens)
         or reason_or_aim(tokens) or meanwhile(tokens) or rewards(tokens) or of_people(tokens)
     )  # fmt: skip
 

@@ -243,6 +243,8 @@ _WHOLE = (
     "quiz|show|"
     "snack|exam time again|everybody|everyone|kids|now?",
     "my name is|was always? what|not_important",
+    "would|will|could|can|wo not? you please|now|dear|darling|love?",
+    "i|we need|could_use|want a|your|some little? hand|help|assistance please|here?",
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )
 TIMES = (

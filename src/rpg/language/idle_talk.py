@@ -11,7 +11,7 @@ from collections.abc import Collection, Sequence
 from rpg.language import harmless
 from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.phrases import Rows
-from rpg.language.smalltalk import small_talk
+from rpg.language.smalltalk import is_strange, small_talk
 from rpg.language.talk_forms import by_form, meanwhile, polite_condition, reason_or_aim, takes_care
 from rpg.language.tokens import Token
 
@@ -33,7 +33,7 @@ _DEGREES = _words(
 )
 _NOUNS = harmless.PEOPLE | harmless.ANIMALS | harmless.OCCASIONS | harmless.THINGS | harmless.NAMES
 _TOLD = harmless.FINE | harmless.PERSONAL
-_LINKING = _words("a an the 's of little old new s all at in open next today tomorrow")
+_LINKING = _words("a an the 's and of with from little old new s all at in open next today tomorrow")
 _TIMES = _words(
     "while minute minutes moment moments hour hours day days week weeks month months year years time times night "
     "second "
@@ -86,16 +86,16 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
 
 def _plain(tokens: Sequence[Token]) -> list[str] | None:
     """The words, if each of them could be harmless."""
-    if not 0 < len(tokens) <= _MOST or any(not _could_be(token) for token in tokens):
+    if not 0 < len(tokens) <= _MOST or any(not _could_be(token, n == 0) for n, token in enumerate(tokens)):
         return None
     return [token.word for token in tokens]
 
 
-def _could_be(token: Token) -> bool:
+def _could_be(token: Token, first: bool) -> bool:
     if token.kind == "punct":
         return token.word in ("'s", ",", "…")
     shouted = token.raw.isupper() and len(token.raw) > 1 and token.word not in harmless.INTERJECTIONS
-    letter = len(token.raw) == 1 and token.raw.isupper() and token.word not in ("i", "a")
+    letter = len(token.raw) == 1 and token.raw.isupper() and token.word != "i" and not (token.word == "a" and first)
     return token.kind == "word" and not shouted and not letter
 
 
@@ -130,13 +130,22 @@ def _thought(words: list[str]) -> bool:
 def _for_somebody(words: list[str]) -> bool:
     """ "For my daughter's birthday", "for the kids"."""
     said = [word for word in words[1:] if word not in ("please", "thanks", ",")]
+    if words[0] in ("just", "only", "all") and words[1:2] == ["for"]:
+        return _for_somebody(words[1:])
     if words[0] != "for" or not said or len(said) > _SHORT + 2:
         return False
     if len(said) == 1 and said[0] in ("me", "us", "him", "her", "them", "you"):
         return said[0] in ("me", "us", "her", "him")
+    if not _PURPOSES.isdisjoint(said) and all(w in _NOUNS | _TOLD | _OWN | _LINKING | _PURPOSES or is_strange(w) for w in said):
+        return True
     if _NOUNS & set(said) <= _TIMES or (said[0] not in _OWN and not harmless.THINGS.isdisjoint(said)):
         return False
-    return said[-1] in _NOUNS and all(word in _NOUNS | _TOLD | _OWN | _LINKING for word in said)
+    whose = not (_OWN | harmless.PEOPLE).isdisjoint(said)
+    known = all(word in _NOUNS | _TOLD | _OWN | _LINKING or (whose and is_strange(word)) for word in said)
+    return known and (said[-1] in _NOUNS or (whose and is_strange(said[-1])))
+
+
+_PURPOSES = _words("purpose purposes benefit sake reasons amusement enjoyment entertainment pleasure fun joy use of it")
 
 
 def _of_own_things(words: list[str]) -> bool:

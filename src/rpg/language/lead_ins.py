@@ -38,7 +38,7 @@ _SAID_WITH = _words(
     "called morning evening promised promise day what bet dare dared week decided all , basically honestly actually "
     "essentially literally obviously ideally normally usually hopefully certainly definitely absolutely favour honour "
     "choose accept chosen moon from hand world once more glory effort make get take way head over gratitude eternally "
-    "forever much obliged trouble supposed been 'd duties demonstration trial experiment lesson meeting course "
+    "forever much obliged : trouble supposed been 'd duties demonstration trial experiment lesson meeting course "
     "important necessary essential crucial vital urgent matters need "
 )
 _DENYING = _words("not no never nothing without too only nobody none had was were did")
@@ -76,12 +76,12 @@ def command_behind(words: Sequence[str]) -> int:
     begin += words[begin : begin + 1] == [","]
     if not words or words[0] in _IFS:
         return 0
+    found = 0
     for at in range(begin + 2, min(_MOST, len(words) - 2)):
         handed = words[at - 1] in _HANDING_ON or (words[at - 1] in ("is", ":") and not _ALL_SAID.isdisjoint(words[begin:at]))
         if words[at] in _BASES and handed and words[at + 1] not in ("to", "that", "sure"):
-            if _leads_in(words[begin:at]):
-                return at
-    return 0
+            found = at if _leads_in(words[begin:at]) else found
+    return found
 
 
 _ALL_SAID = _words("what all thing hand")
@@ -94,13 +94,16 @@ def _leads_in(words: Sequence[str]) -> bool:
     known = all(
         n in turned or (word not in _DENYING and (word in _SAID_WITH or word in _WHO)) for n, word in enumerate(words)
     )
-    asked = bool(who) or words[:2] == ["what", "a"] or not _SOUGHT.isdisjoint(words)
+    asked = bool(who) or words[:2] in (["what", "a"], ["get", "ready"], ["feel", "free"], ["go", "ahead"]) or not _SOUGHT.isdisjoint(words)
     begun = words[-1] == "and"
     done = not _AT_LARGE.isdisjoint(words) and _TURNED_SO.isdisjoint(words)
-    return known and asked and (not begun or (not done and not _BASES.isdisjoint(words[:-1])))
+    return known and asked and (not begun or (not done and not (_BASES | {"do", "be"}).isdisjoint(words[:-1])))
 
 
-_OCCASIONS = (harmless.OCCASIONS | {"experiments", "behalf", "agenda", "phone", "manual", "work", "handbook"}) - (
+_OCCASIONS = (harmless.OCCASIONS | _words(
+    "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event opening "
+    "tour house instructions"
+)) - (
     harmless.TIMES | _words("everything something way ways bit lot lots sort kind present rule thing things stuff one")
 )
 _SETTINGS = tuple(
@@ -193,8 +196,8 @@ _WISHING = _words(
 _SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | (_OCCASIONS - _SADLY) | _words(
     "show shows showing shown depicts depict displays see sees looks there on to has have had what all will would 'd must "
     "should shall is be are i'd next final closing last desk wall fridge today now here always really so much am been "
-    "'m 've 's get something build out front another with"
-) - {"another"}  # fmt: skip
+    "'m 've 's get something build out front with make small little nice quick"
+)  # fmt: skip
 _SHOWN = _words("shows show showing depicts displays of is are see sees has want wants need needs like love for imagine : "
                 "with wanted needed ordered requested requests orders asks requires demands have")  # fmt: skip
 _ARTICLES = _words("a an one") | frozenset(lexicon.NUMBER)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import (
-    ACTING, BEING, DEMANDED, LOOKS_OF_PEOPLE, PERSONS, SAID_OF_SCENES, THING, asks, harmless_word, is_strange,
+    ACTING, BEING, DEMANDED, LOOKS_OF_PEOPLE, PERSONS, SAID_OF_SCENES, THING, asks, harmless_word, is_strange, takes_back,
 )
 from rpg.language.spelling import vocabulary
 from rpg.language.telling import may_tell
@@ -22,7 +22,7 @@ def _words(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
 
-_AHEAD = harmless.ADVERBS | harmless.INTERJECTIONS | _words("and but so well okay ok then also that all")
+_AHEAD = (harmless.ADVERBS - _words("once again later only")) | harmless.INTERJECTIONS | _words("and but well okay ok also that")
 _SPEAKERS = _words("i we he she")
 _ANYBODY = _words("everybody everyone somebody someone nobody people who")
 _DET = _words("my our his her their your the a an this")
@@ -42,6 +42,11 @@ _PHRASAL = _words(
 """They could be meant of blocks, but not where somebody is told of."""
 _MEASURED = _words("year years old o'clock sharp today now tomorrow already")
 _OF_AGE = _words("is am are turns turned at just almost nearly only")
+_LOOKED_ON = _words(
+    "film films filming record records recording photograph photographing watch watches watching admire admires admiring "
+    "broadcast tape taping study studies studying discuss show showing shows love loves enjoy enjoys about"
+)
+"""What is looked at and shown may be what is asked for."""
 _LEFT_OUT = _words("allowed supposed permitted serious mean meant care")
 _DENYING = _words("not never no nothing none without neither nor")
 _BEFORE_NOT = _words("can could do does did is am are was were will would 'm 're has have")
@@ -53,9 +58,10 @@ def of_people(tokens: Sequence[Token], *, denied: bool = False) -> bool:
     words = [token.word for token in tokens]
     begin = next((n for n, word in enumerate(words) if word not in _AHEAD), len(words))
     at = begin + _subject(words[begin:])
-    if at == begin or at >= len(words) or asks(words):
+    if at == begin or at >= len(words) or _asks(words, begin, at):
         return False
-    doing = [n for n in range(at, len(words)) if words[n] in _DOING or is_strange(words[n])]
+    denied = denied or not _BODY.isdisjoint(words[begin:at])
+    doing = [n for n in range(at, len(words)) if words[n] in _DOING or is_strange(words[n]) or words[n] in lexicon.VERB]
     if not doing or doing[0] > at + 2 or not (DEMANDED | _words("must should may might")).isdisjoint(words[begin:]):
         return False
     if not _no_task(words[begin], words[begin:at], words[at : at + 2]):
@@ -83,6 +89,14 @@ def _subject(words: Sequence[str]) -> int:
     return end if person or about else 0
 
 
+def _asks(words: Sequence[str], begin: int, at: int) -> bool:
+    """Whether they ask for something; "you look strong" is no command, nor is anything asked for "again" where it is
+    told how somebody is."""
+    if words[begin] == "you":
+        return takes_back(words)
+    return asks([word for word in words if word != "again"] if words[at] in BEING else words)
+
+
 def _no_task(first: str, subject: Sequence[str], verb: Sequence[str]) -> bool:
     """ "The child sings a song" may be asked for; what "my child" does, and what the child "is singing", is not."""
     return first in _SPEAKERS | _OWN or ACTING.isdisjoint(subject) or not BEING.isdisjoint(verb)
@@ -96,6 +110,8 @@ def _fits(tokens: Sequence[Token], n: int, denied: bool) -> bool:
         return before in _OF_AGE and (not after or after[0] in _MEASURED | harmless.TIMES | {"and"})
     if token.kind != "word" or (len(token.raw) > 1 and token.raw.isupper()):
         return word == "'s"
+    if word in THING and before in _LOOKED_ON:
+        return True
     if word in THING:
         return word in ("this", "that", "these", "those") and bool(after) and after[0] in harmless.TIMES | {"far", "much"}
     if word in _DENYING:

@@ -89,13 +89,13 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
     if begin and all(token.word in _TAKES_BACK for token in said):
         return
     marks = [n for n in range(begin, end) if tokens[n].word in _MARKS]
-    parts = [tokens[one + 1 : other] for one, other in pairwise([begin - 1, *marks, end]) if other > one + 1]
+    parts = _between(tokens, begin, end)
     if idle_at_an_end(tokens[begin:end]) or _all_idle(parts):
         yield begin, stop
         return
     first, last = begin, end
     for mark in reversed(marks):
-        if idle_at_an_end(tokens[begin:mark]):
+        if idle_at_an_end(tokens[begin:mark]) or _all_idle(_between(tokens, begin, mark)):
             first = mark + 1 + (tokens[mark + 1].word in ("but", "and", "so"))
             yield begin, first
             break
@@ -103,7 +103,8 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         yield ahead
         first = ahead[1]
     for mark in marks:
-        if mark > first and idle_at_an_end(tokens[mark + 1 : end]):
+        behind = _between(tokens, mark + 1, end)
+        if mark > first and (idle_at_an_end(tokens[mark + 1 : end]) or (behind and all(map(idle_at_an_end, behind)))):
             yield mark, end
             last = mark
             break
@@ -130,6 +131,12 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
             yield one, other + (tokens[other + 1].word not in ("and", "then", "but"))
 
 
+def _between(tokens: list[Token], begin: int, end: int) -> list[list[Token]]:
+    """What stands between marks."""
+    marks = [begin - 1, *(n for n in range(begin, end) if tokens[n].word in _MARKS), end]
+    return [tokens[one + 1 : other] for one, other in pairwise(marks) if other > one + 1]
+
+
 def _all_idle(parts: list[list[Token]]) -> bool:
     """Whether all that stands between marks is idle, or leads to what is: "right, let us begin"."""
     said = [part for part in parts if any(token.word not in _FILLING for token in part)]
@@ -146,10 +153,9 @@ def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
     called = called or (exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary())
     if called and begin + called < end - 2 and (tokens[begin + called].word in _ASKING | _PLEASE | _TURNED):
         return begin, begin + called
-    if led := command_behind(words) or state_behind(words):
-        return begin, begin + led
-    alone = not any(map(tells, tokens[:begin])) and not any(map(tells, tokens[end:]))
-    if alone and (led := thing_behind(words)):
+    ahead, behind = any(map(tells, tokens[:begin])), any(map(tells, tokens[end:]))
+    state = 0 if ahead else state_behind(words)
+    if led := command_behind(words) or state or (0 if ahead or behind else thing_behind(words)):
         return begin, begin + led
     for at in range(begin + 1, end - 2):
         if tokens[at].word in _MARKS:

@@ -64,7 +64,7 @@ _ABLE = _words("can could")
 _CALM = _words("sure much long fair far any worry worried scared nervous") | _FEELINGS
 _POLITELY = _words("can could may please would do ok okay fine possible alright")
 _UNSURE = _words("curious wonder wondering know see sure ask doubt excuse forgive sorry pardon me")
-_VAGUE = _words("you we i it that he she they everyone")
+_VAGUE = _words("you we i it this that he she they everyone")
 
 
 _LEADS = _words("and but so please then also now just , well okay ok")
@@ -283,7 +283,7 @@ def _talk(token: Token, words: list[str], n: int) -> bool:
         case word if word in _PLACED:
             if word == "at" and after and after[0] in harmless.DOINGS and after[0].endswith("ing"):
                 return True
-            named = next((k for k, x in enumerate(after) if x in PERSONS | _ERRANDS | harmless.NAMES), None)
+            named = next((k for k, x in enumerate(after) if x in PERSONS | _ERRANDS | harmless.NAMES | {"us"}), None)
             return named is not None and all(x in _GLUE | _FEELINGS | _TURN for x in after[:named])
         case "if":
             asked = not _UNSURE.isdisjoint(words[max(0, n - 3) : n])

@@ -47,16 +47,18 @@ _ERRANDS = _words(
     "bit round thing order wish idea experiment test demo trick turn lesson warm-up warmup attempt try brainteaser"
 )
 """What is announced, of which nothing is told yet."""
-_CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"))  # fmt: skip
+_CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"), ("provided",), ("provided", "that"),
+               ("as", "long", "as"))  # fmt: skip
 _OBLIGING = _words(
     "you it that this i we is are would could can will may might do does not no too so very much really at all any a an "
     "the bit little free spare to for of with me us please mind minding ask asking request be being okay ok fine alright "
     "all right possible convenient happen have has find get got time minute moment second minutes seconds trouble bother "
     "work effort hassle problem burden inconvenience kind good nice able ready manage feel like up awake willing kindly "
     "busy hands your somehow perhaps 's 're 've 'd don't permit allow allows permits may excuse "
-    "schedule suits other things else"
+    "schedule suits other things else tired course"
 )
 """Of what somebody asks who is polite."""
+_RESTED = _words("have 've had finished eaten drunk taken your a the some morning little nice well")
 _ASKED_OF = _words("you it that this i your time")
 _OBLIGED = _words(
     "mind okay ok fine alright right possible convenient time minute moment second minutes seconds trouble bother work "
@@ -150,8 +152,10 @@ def _announces(tokens: Sequence[Token]) -> bool:
         at += 1
     if words[at : at + 1] == ["something"] and words[at + 1 : at + 2] and words[at + 1] in harmless.FINE:
         return not words[at + 2 :] or " ".join(words[at + 2 :]) in _BEGINNINGS or words[at + 2] == "for"
-    if at >= len(words) or words[at] not in _ERRANDS:
+    if at >= len(words) or words[at] not in _ERRANDS or not THING.isdisjoint(words[at:]):
         return False
+    if words[at] == "one" and (at == begin or words[at + 1 : at + 2] in (["of"], ["to"])):
+        return False  # "one of them", "one to its right"
     behind = tokens[at + 1 :]
     whose = not behind or behind[0].word in ("for", "from", "of", "by", "to", "today", "now", "please", ",", "before")
     return whose and all(
@@ -161,6 +165,10 @@ def _announces(tokens: Sequence[Token]) -> bool:
 
 def polite_condition(words: Sequence[str]) -> bool:
     """ "If that is not too much to ask", "when you have a free minute"."""
+    if words[:2] == ["unless", "you"]:
+        return all(word in _OBLIGING for word in words[1:]) and not {"busy", "mind", "tired"}.isdisjoint(words)
+    if words[:2] in (["after", "you"], ["once", "you"], ["when", "you"]):
+        return words[-1] in harmless.OCCASIONS and all(word in _RESTED | harmless.OCCASIONS for word in words[2:])
     lead = _led(words, _CONDITIONS)
     behind = words[lead:]
     return (
@@ -277,13 +285,15 @@ def _of_what_people_can(tokens: Sequence[Token]) -> bool:
     words = " ".join(token.word for token in tokens).replace("can not ", "can ").split()
     could = next((n for n, word in enumerate(words[:6]) if word in _COULD), 0)
     whose = {*words[:could]} & (harmless.PEOPLE | _words("i we he she you everybody everyone"))
-    plain = could > 0 and bool(whose) and could + 1 < len(words) and _HELD.isdisjoint(words)
+    plain = _LEGIBLE.isdisjoint(words) and could > 0 and bool(whose) and could + 1 < len(words) and _HELD.isdisjoint(words)
     known = all(
         t.kind == "word" and (t.word == "not" or harmless_word(tokens, n) or not may_tell(t.word)) for n, t in enumerate(tokens)
     )
     return plain and known and not any(len(t.raw) > 1 and t.raw.isupper() for t in tokens)
 
 
+_LEGIBLE = _words("read reads reading legible readable")
+"""Letters have to be turned for that."""
 _COULD = _words("can could may might will would have has is are am was were 'll 'd 're 's 'm")
 
 

@@ -43,7 +43,7 @@ _OF_BLOCKS = _words(
     "slanted leaning lean clockwise counterclockwise anticlockwise colorful colourful monochrome rainbow palindrome "
     "overlap overlapping overhang offset staggered scattered spread clutter cluttered tidy untidy neat neatly stable "
     "unstable steady sturdy firm firmly backwards forwards sideways vertically horizontally centrally central outermost "
-    "innermost nearby opposite reach reachable blocked aligning alignment sequence sequences arrangement arrangements"
+    "innermost nearby opposite blocked aligning alignment sequence sequences arrangement arrangements"
 )
 
 

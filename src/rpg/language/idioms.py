@@ -245,6 +245,10 @@ _WHOLE = (
     "my name is|was always? what|not_important",
     "would|will|could|can|wo not? you please|now|dear|darling|love?",
     "i|we need|could_use|want a|your|some little? hand|help|assistance please|here?",
+    "take care|be_careful not_to hurt|burn|strain|cut yourself|anybody|anyone|somebody",
+    "you know|see how to_do it|that|this|these_things|such_things",
+    "it|that|this should|will|would|might keep you busy|occupied|entertained|happy for_a_while|today?",
+    "in|at your own time|pace|leisure|convenience",
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )
 TIMES = (

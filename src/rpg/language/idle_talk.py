@@ -10,6 +10,7 @@ from collections.abc import Collection, Sequence
 
 from rpg.language import harmless
 from rpg.language.idioms import IDIOMS, TIMELY
+from rpg.language.lead_ins import set_in
 from rpg.language.phrases import Rows
 from rpg.language.smalltalk import is_strange, small_talk
 from rpg.language.talk_forms import by_form, meanwhile, polite_condition, reason_or_aim, takes_care
@@ -79,8 +80,9 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     if words is None or at == 0:
         return False
     timely = words[0] not in ("when", "once", "by") and _whole(words, TIMELY)
+    wanted = words[0] in ("for", "as", "according", "per") and set_in(words) == len(words)
     careful = words[0] in ("with", "without", "in") and takes_care(words)
-    formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful
+    formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful or wanted
     return timely or formed or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
 
 

@@ -84,6 +84,8 @@ def command_behind(words: Sequence[str]) -> int:
     return found
 
 
+_THINGS = _words("it they this that everything")
+_MODAL = _words("would could can may might will shall should must 'd 'll")
 _ALL_SAID = _words("what all thing hand")
 
 
@@ -94,14 +96,15 @@ def _leads_in(words: Sequence[str]) -> bool:
     known = all(
         n in turned or (word not in _DENYING and (word in _SAID_WITH or word in _WHO)) for n, word in enumerate(words)
     )
+    told = words[-2:-1] and words[-2] in _THINGS and words[-1] in _MODAL  # "it should (turn left)"
     asked = bool(who) or words[:2] in (["what", "a"], ["get", "ready"], ["feel", "free"], ["go", "ahead"]) or not _SOUGHT.isdisjoint(words)
     begun = words[-1] == "and"
     done = not _AT_LARGE.isdisjoint(words) and _TURNED_SO.isdisjoint(words)
-    return known and asked and (not begun or (not done and not (_BASES | {"do", "be"}).isdisjoint(words[:-1])))
+    return known and asked and not told and (not begun or (not done and not (_BASES | {"do", "be"}).isdisjoint(words[:-1])))
 
 
 _OCCASIONS = (harmless.OCCASIONS | _words(
-    "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event opening "
+    "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event "
     "tour house instructions"
 )) - (
     harmless.TIMES | _words("everything something way ways bit lot lots sort kind present rule thing things stuff one")

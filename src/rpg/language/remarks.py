@@ -38,7 +38,7 @@ _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", 
                          "whenever", "if", "by", "today", "tonight", "now", "right", "immediately", "at", "this",
                          "soon", "asap", "real", "quickly", "in", "just", "straight", "pretty", "please",
                          "once", "to", "with", "provided", "such", "while", "whilst", "until", "till", "during",
-                         "without", "unless"})  # fmt: skip
+                         "without", "unless", "according", "per", "after"})  # fmt: skip
 """What a reason or a time of the day begins with that nothing parts from the task in front of it."""
 _PLEASE = frozenset({"please", "just", "now", "then", "could", "can", "kindly"})
 _TURNED = frozenset({"would", "will", "i", "we", "let", "do", "you", "make"})
@@ -164,7 +164,7 @@ def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
         joined = tokens[at].word in ("and", "but") and (wished or tokens[at + 1].word in _ASKING | _PLEASE)
         if (joined or tokens[at].word == "so") and idle_at_an_end(tokens[begin:at]):
             return begin + (joined and wished), at + 1
-        told = tokens[at - 1].word in ("has", "have", "had")  # "someone has put ..."
+        told = tokens[at - 1].word in ("has", "have", "had") or tokens[at - 1].word in PEOPLE  # "someone has put ..."
         if tokens[at].word in _ASKING and at < begin + 3 and not told and idle_at_an_end(tokens[begin:at]):
             return begin, at
     return None

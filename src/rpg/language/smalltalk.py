@@ -290,6 +290,8 @@ def _talk(token: Token, words: list[str], n: int) -> bool:
             return bool(after) and after[0] in _VAGUE and (asked or not _POLITELY.isdisjoint(after[1:3]))
         case "forward":
             return n > 0 and words[n - 1].startswith("look")
+        case "way":
+            return words[n - 2 : n] == ["it", "that"]
         case "one":
             return n > 0 and words[n - 1] in ("this", "that", "you", "quick", "easy", "simple", "last", "next")
         case word if word in _SUBJECTS:

@@ -166,7 +166,7 @@ def _announces(tokens: Sequence[Token]) -> bool:
 def polite_condition(words: Sequence[str]) -> bool:
     """ "If that is not too much to ask", "when you have a free minute"."""
     if words[:2] == ["unless", "you"]:
-        return all(word in _OBLIGING for word in words[1:]) and not {"busy", "mind", "tired"}.isdisjoint(words)
+        return all(word in _OBLIGING for word in words[1:]) and not {"busy", "mind"}.isdisjoint(words)
     if words[:2] in (["after", "you"], ["once", "you"], ["when", "you"]):
         return words[-1] in harmless.OCCASIONS and all(word in _RESTED | harmless.OCCASIONS for word in words[2:])
     lead = _led(words, _CONDITIONS)
@@ -210,6 +210,8 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
     words = [token.word for token in tokens]
     if words[0] in _REASONS and len(words) > 2:
         return _told_why(tokens[1:])
+    if words[0] in ("as", "for", "so") and words[1:2] != ["you"] and of_people(tokens[1:], denied=True):
+        return True
     if (lead := _led(words, _AIMS)) and _done_to_ours(tokens[lead:]):
         return True
     if (lead := _led(words, _AIMS)) and words[lead : lead + 1] and words[lead] in _SOCIAL:
@@ -244,7 +246,7 @@ def _done_to_ours(tokens: Sequence[Token]) -> bool:
         or harmless_word(tokens, n) or is_strange(word) or word in harmless.EVERYDAY
         for n, word in enumerate(words)
     )  # fmt: skip
-    return known and not ours.isdisjoint(words[det + 1 :])
+    return known and (not ours.isdisjoint(words[det + 1 :]) or (words[0] in _SOCIAL and is_strange(words[-1])))
 
 
 _OF_SOME = _words("the my our his her their your")

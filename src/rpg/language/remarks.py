@@ -95,6 +95,8 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         return
     first, last = begin, end
     for mark in reversed(marks):
+        if begin and tokens[mark].word == ":" and tokens[mark - 1].word in _OF_A_TIME:
+            break  # behind what is so at the start
         if idle_at_an_end(tokens[begin:mark]) or _all_idle(_between(tokens, begin, mark)):
             first = mark + 1 + (tokens[mark + 1].word in ("but", "and", "so"))
             yield begin, first
@@ -129,6 +131,9 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
     for one, other in pairwise(mark for mark in marks if first <= mark < last):
         if tokens[one + 1].word not in _TAKES_BACK and idle(tokens[one + 1 : other]):
             yield one, other + (tokens[other + 1].word not in ("and", "then", "but"))
+
+
+_OF_A_TIME = frozenset({"goal", "end", "result", "target", "start", "task", "outcome", "scene", "finish", "finally"})
 
 
 def _between(tokens: list[Token], begin: int, end: int) -> list[list[Token]]:

@@ -224,6 +224,9 @@ def asks(words: Sequence[str]) -> bool:
     )
     if words[:2] == ["you", "have"] or (words[0] == "you" and len(words) > 1 and words[1] in _DOABLE):
         return True
+    if any(word in _WANTED and behind in ("a", "an", "one", "some") and _of_things(words[n + 2 : n + 5])
+           for n, (word, behind) in enumerate(pairs)):
+        return True  # "I want a heart"
     if not _HATED.isdisjoint(words) and not THING.isdisjoint(words):
         return True
     wanted = _WANTED | ({"do"} if words[0] == "does" else {"do", "does"})
@@ -231,6 +234,10 @@ def asks(words: Sequence[str]) -> bool:
         word in wanted and behind in THING and _ABLE.isdisjoint(words[max(0, n - 2) : n]) and not _content(words, n)
         for n, (word, behind) in enumerate(pairs)
     )
+
+
+def _of_things(words: Sequence[str]) -> bool:
+    return not (harmless.THINGS | harmless.ANIMALS).isdisjoint(words)
 
 
 def _content(words: Sequence[str], n: int) -> bool:

@@ -224,7 +224,8 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
         )
     if (lead := _led(words, _RESULTS)) and len(words) > lead + 1:
         behind_words = words[lead:]
-        if _of_what_people_can(tokens[lead:]) or (words[lead] != "you" and of_people(tokens[lead:], denied=True)):
+        hidden = "not" in words and not THING.isdisjoint(words)  # "so that I can not see it"
+        if (not hidden and _of_what_people_can(tokens[lead:])) or (words[lead] != "you" and of_people(tokens[lead:], denied=True)):
             return True
         held = behind_words[0] in _WHAT_STANDS and all(w in _HOLDS | _WHAT_STANDS for w in behind_words)
         denied = behind_words[0] in ("nothing", "none") or "not" in behind_words

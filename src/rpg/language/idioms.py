@@ -184,7 +184,6 @@ _WHOLE = (
     "if that|it|this is|'s okay|ok|alright|fine|all_right|possible|convenient|no_bother|no_trouble|not_a_bother|"
     "not_a_problem|not_too_much_trouble|not_too_much_bother|not_too_much_to_ask|no_problem|not_asking_too_much "
     "with_you|for_you|by_you?",
-    "without further ado",
     "in the meantime",
     "meanwhile",
     "for the fun|sake|hell|love of it|science|argument|art|beauty|god|peace",
@@ -249,6 +248,11 @@ _WHOLE = (
     "you know|see how to_do it|that|this|these_things|such_things",
     "it|that|this should|will|would|might keep you busy|occupied|entertained|happy for_a_while|today?",
     "in|at your own time|pace|leisure|convenience",
+    "without further|any|more ado|delay|hesitation|fuss",
+    "with a big? smile|grin on_your_face?",
+    "it|this|that will|would|should|does|need not take long|a_minute|forever|much_time|you_long",
+    "is|was|does|did not? it|this|that|he|she not?",
+    "if it|that is all? the_same|one to you",
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )
 TIMES = (

@@ -79,11 +79,12 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     words = _plain(tokens[at:])
     if words is None or at == 0:
         return False
+    said = words[0] in ("if", "with", "without", "for", "in", "just") and _whole(words, IDIOMS)
     timely = words[0] not in ("when", "once", "by") and _whole(words, TIMELY)
-    wanted = words[0] in ("for", "as", "according", "per") and set_in(words) == len(words)
+    wanted = words[0] in ("for", "as", "according", "per", "with", "using") and set_in(words) == len(words)
     careful = words[0] in ("with", "without", "in") and takes_care(words)
     formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful or wanted
-    return timely or formed or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
+    return said or timely or formed or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
 
 
 def _plain(tokens: Sequence[Token]) -> list[str] | None:

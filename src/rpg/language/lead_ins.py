@@ -38,7 +38,7 @@ _SAID_WITH = _words(
     "called morning evening promised promise day what bet dare dared week decided all , basically honestly actually "
     "essentially literally obviously ideally normally usually hopefully certainly definitely absolutely favour honour "
     "choose accept chosen moon from hand world once more glory effort make get take way head over gratitude eternally "
-    "forever much obliged : trouble supposed been 'd duties demonstration trial experiment lesson meeting course "
+    "forever helping old young dear new much obliged : trouble supposed been 'd duties demonstration trial experiment lesson meeting course "
     "important necessary essential crucial vital urgent matters need "
 )
 _DENYING = _words("not no never nothing without too only nobody none had was were did")
@@ -104,7 +104,7 @@ def _leads_in(words: Sequence[str]) -> bool:
 
 
 _OCCASIONS = (harmless.OCCASIONS | _words(
-    "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event "
+    "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event spirit interest interests "
     "tour house instructions"
 )) - (
     harmless.TIMES | _words("everything something way ways bit lot lots sort kind present rule thing things stuff one")
@@ -120,7 +120,7 @@ _SETTINGS = tuple(
                    for by in ("in", "on", "by", "at", "with", "during", "for", "from")))
 )  # fmt: skip
 """What a setting begins with."""
-_TOOLS = _words("arm gripper hand hands fingers claw skills precision care strength magic charm talent grace expertise")
+_TOOLS = _words("arm gripper hand hands fingers claw skills precision care strength charm talent grace expertise")
 _SET = _OCCASIONS | harmless.PEOPLE | harmless.NAMES | harmless.FINE | _words(
     "the a an my our your his her their this that these today tonight 's of for on in with by from next whole little new "
     "open house usual own great live annual famous"
@@ -132,7 +132,7 @@ def set_in(words: Sequence[str]) -> int:
     the manual", "using your arm", "on behalf of the whole class"."""
     if words[:1] in (["with"], ["using"]):
         at = 1
-        while at < len(words) and words[at] in _words("your the my usual robot robotic one own mechanical great strong"):
+        while at < len(words) and words[at] in _words("your the my usual robot robotic one own mechanical great strong magic clever nimble skilled skilful steady two"):
             at += 1
         return at + 1 if at > 1 and at < len(words) and words[at] in _TOOLS else 0
     at = max((len(lead) for lead in _SETTINGS if tuple(words[: len(lead)]) == lead), default=0)
@@ -157,7 +157,7 @@ _IN_WHICH = _words("the a an my our your this for of at in 's its by")
 _SUCCESS = _words(
     "pass passes passed succeed succeeds succeeded success successful win wins won victory accomplished complete completed "
     "completes finished fulfilled solved accepted approved points point score reward rewarded credit happy satisfied "
-    "correct valid right met achieved granted good okay ok"
+    "correct valid right met achieved granted good okay ok marks awarded prize"
 )
 _SUCCEEDING = _SUCCESS | _WHO | _IN_WHICH | _words(
     "we you it this that result solution attempt run trial test task mission game episode round experiment check exercise "
@@ -189,16 +189,16 @@ def _strange_noun(words: Sequence[str], n: int) -> bool:
 _MEDIA = _words(
     "photo photograph picture image drawing painting sketch postcard poster brochure catalog catalogue book cover page "
     "card screen frame slide video film shot scene plan sheet worksheet flyer leaflet magazine website exhibit illustration "
-    "diagram cartoon snapshot blueprint logo painting mind head vision"
+    "design poster diagram cartoon snapshot blueprint logo painting mind head vision"
 )
 _WISHING = _words(
     "want wants wanted need needs needed like dream dreams dreaming dreamt dreamed imagine imagining think thinking hope hoping wish "
     "wishes wishing ask asks asking calls order orders ordered request requests requested require requires demand demands "
-    "love crave"
+    "love crave waiting mood longing eager keen"
 )
 _SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | (_OCCASIONS - _SADLY) | _words(
     "show shows showing shown depicts depict displays see sees looks there on to has have had what all will would 'd must "
-    "should shall is be are i'd next final closing last desk wall fridge today now here always really so much am been "
+    "should shall is be are i'd next final closing last desk wall fridge today now here winning always really so much am been "
     "'m 've 's get something build out front with make small little nice quick"
 )  # fmt: skip
 _SHOWN = _words("shows show showing depicts displays of is are see sees has want wants need needs like love for imagine : "
@@ -206,12 +206,17 @@ _SHOWN = _words("shows show showing depicts displays of is are see sees has want
 _ARTICLES = _words("a an one") | frozenset(lexicon.NUMBER)
 
 
+def _place_of_it(words: Sequence[str], n: int) -> bool:
+    """ "(The poster in the) hall"."""
+    return n > 2 and is_strange(words[n]) and words[n - 1] in _IN_WHICH and not _MEDIA.isdisjoint(words[:n])
+
+
 def thing_behind(words: Sequence[str]) -> int:
     """How many of the first words lead in what is to be there: "the brochure has a photo of (a tower ...)"."""
     found = 0
     for at in range(2, min(_MOST, len(words) - 2)):
         ahead = words[:at]
-        if any(word not in _SHOWING for word in ahead):
+        if any(word not in _SHOWING and not _place_of_it(words, n) for n, word in enumerate(ahead)):
             break
         medium, wished = not _MEDIA.isdisjoint(ahead), not _WISHING.isdisjoint(ahead)
         last = "last" not in ahead or words[ahead.index("last") + 1] in _MEDIA

@@ -37,14 +37,14 @@ _TO_YOU = _words("are 're look looked looks seem seemed sound did were deserve r
 """What is said of whom a command is for that is none."""
 _PHRASAL = _words(
     "down up over away around through across short long low high tall all any some few many more than enough only far "
-    "back alone both together inside outside free once deep wide touch rest over"
+    "back alone both together inside outside free once deep wide touch rest steady neatly tidy firm"
 )
 """They could be meant of blocks, but not where somebody is told of."""
 _MEASURED = _words("year years old o'clock sharp today now tomorrow already")
 _OF_AGE = _words("is am are turns turned at just almost nearly only")
 _LOOKED_ON = _words(
     "film films filming record records recording photograph photographing watch watches watching admire admires admiring "
-    "broadcast tape taping study studies studying discuss show showing shows love loves enjoy enjoys about"
+    "broadcast tape taping study studies studying discuss show showing shows love loves enjoy enjoys about bought inherited received got"
 )
 """What is looked at and shown may be what is asked for."""
 _LEFT_OUT = _words("allowed supposed permitted serious mean meant care")
@@ -53,11 +53,13 @@ _BEFORE_NOT = _words("can could do does did is am are was were will would 'm 're
 _DOING = harmless.DOINGS | BEING
 
 
-def of_people(tokens: Sequence[Token], *, denied: bool = False) -> bool:
-    """Whether only somebody is told of. `denied`: what he is or does not may be told, as in reasons."""
+def of_people(tokens: Sequence[Token], *, denied: bool = False, anything: bool = False) -> bool:
+    """Whether only somebody is told of. `denied`: what he is or does not may be told, as in reasons; `anything`: so may
+    what any thing does that means nothing here, "the bell rings"."""
     words = [token.word for token in tokens]
     begin = next((n for n, word in enumerate(words) if word not in _AHEAD), len(words))
-    at = begin + _subject(words[begin:])
+    strange = anything and words[begin : begin + 1] == ["the"] and any(map(is_strange, words[begin + 1 : begin + 2]))
+    at = begin + (2 if strange else _subject(words[begin:]))
     if at == begin or at >= len(words) or _asks(words, begin, at):
         return False
     denied = denied or not _BODY.isdisjoint(words[begin:at])
@@ -66,7 +68,7 @@ def of_people(tokens: Sequence[Token], *, denied: bool = False) -> bool:
         return False
     if not _no_task(words[begin], words[begin:at], words[at : at + 2]):
         return False
-    if words[begin] == "you" and (words[at] not in _TO_YOU or words[at + 1 : at + 2] in (["to"], ["not"])):
+    if words[begin] == "you" and (words[at] not in _TO_YOU | ({"have"} if denied else set()) or words[at + 1 : at + 2] in (["to"], ["not"])):
         return False
     return all(_fits(tokens, n, denied) for n in range(at, len(words)))
 
@@ -107,6 +109,8 @@ def _fits(tokens: Sequence[Token], n: int, denied: bool) -> bool:
     words, token = [token.word for token in tokens], tokens[n]
     word, before, after = token.word, words[n - 1], words[n + 1 : n + 3]
     if token.kind == "number" or word in lexicon.NUMBER:
+        if after and after[0] in harmless.TIMES:
+            return True
         return before in _OF_AGE and (not after or after[0] in _MEASURED | harmless.TIMES | {"and"})
     if token.kind != "word" or (len(token.raw) > 1 and token.raw.isupper()):
         return word == "'s"
@@ -117,6 +121,8 @@ def _fits(tokens: Sequence[Token], n: int, denied: bool) -> bool:
     if word in _DENYING:
         able = before in ("can", "could")
         return word in ("not", "never") and before in _BEFORE_NOT and (able or denied) and _LEFT_OUT.isdisjoint(after)
+    if word == "left":
+        return before in harmless.TIMES
     if word == "back":
         return before in BEING | _OWN | _words("come comes came coming go went goes got get gets")
     plain = word in _PHRASAL or harmless_word(tokens, n) or is_strange(word)

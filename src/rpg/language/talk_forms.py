@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from rpg.language import harmless, lexicon
 from rpg.language.lead_ins import set_in
 from rpg.language.of_people import of_people
-from rpg.language.smalltalk import THING, asks, harmless_word, is_strange, small_talk
+from rpg.language.smalltalk import SAID_OF_SCENES, THING, asks, harmless_word, is_strange, small_talk
 from rpg.language.telling import may_tell
 from rpg.language.tokens import Token
 
@@ -24,7 +24,7 @@ _GREETINGS = _words("good morning evening afternoon day greetings now so right")
 _CALLED = _words("my our dear little old good sweet mister mr mrs ms miss big young clever smart brave lovely") | (
     harmless.FINE - _words("real ideal fine true best better")
 )
-_LISTENERS = harmless.PEOPLE | _words("robot arm machine computer agent gripper helper gentlemen human humans you one")
+_LISTENERS = harmless.PEOPLE | _words("fellow fellows creature sir madam guys ladies robot arm machine computer agent gripper helper gentlemen human humans you one")
 _AFTER_NAMES = _words("over there up here all again of mine and out arm friend my")
 _HELPERS = _words(
     "robot robots arm machine computer agent helper assistant friend friends buddy mate pal dear darling sweetheart "
@@ -55,14 +55,14 @@ _OBLIGING = _words(
     "all right possible convenient happen have has find get got time minute moment second minutes seconds trouble bother "
     "work effort hassle problem burden inconvenience kind good nice able ready manage feel like up awake willing kindly "
     "busy hands your somehow perhaps 's 're 've 'd don't permit allow allows permits may excuse "
-    "schedule suits other things else tired course"
+    "schedule suits other things else course make wish request suggestion"
 )
 """Of what somebody asks who is polite."""
-_RESTED = _words("have 've had finished eaten drunk taken your a the some morning little nice well")
+_RESTED = _words("are 're done with taking have 've had finished eaten drunk taken your a the some morning little nice well")
 _ASKED_OF = _words("you it that this i your time")
 _OBLIGED = _words(
     "mind okay ok fine alright right possible convenient time minute moment second minutes seconds trouble bother work "
-    "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit permits allow allows suits would "
+    "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit permits allow allows suits would wish request suggestion "
     "could can"
 )
 _EXHORTING = (("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"), ("should", "we"),
@@ -119,15 +119,29 @@ def by_form(tokens: Sequence[Token]) -> bool:
     """Whether what is set off asks for nothing: an address, a call to begin, a condition or a word of care."""
     words = [token.word for token in tokens]
     return (
-        set_in(words) == len(words) or addresses(words) or _announces(tokens) or polite_condition(words) or takes_care(words) or _exhorts(tokens)
+        _of_the_day(words) or set_in(words) == len(words) or addresses(words) or _announces(tokens) or polite_condition(words) or takes_care(words) or _exhorts(tokens)
         or reason_or_aim(tokens) or meanwhile(tokens) or rewards(tokens) or of_people(tokens)
     )  # fmt: skip
+
+
+def _of_the_day(words: Sequence[str]) -> bool:
+    """ "It is raining outside", "it's Friday already"."""
+    said = words[3:] if words[:3] == ["and", "it", "is"] else words[2:]
+    known = harmless.OCCASIONS | harmless.ADVERBS | _words(
+        "raining snowing sunny rainy stormy foggy freezing late early outside inside already getting still almost nearly time for "
+        "again here the in pouring"
+    )  # fmt: skip
+    led = words[:2] in (["it", "is"], ["it", "'s"]) or words[:3] == ["and", "it", "is"]
+    return led and bool(said) and all(word in known - _SAID_OF_WORK for word in said)
+
+
+_SAID_OF_WORK = SAID_OF_SCENES | _words("mess chaos once later only")
 
 
 def addresses(words: Sequence[str]) -> bool:
     """ "Good morning mister robot", "my dear helper", "hey you over there"."""
     at = 0
-    while at < len(words) and (words[at] in _GREETINGS | _CALLED | {","} or harmless.exclaimed(words[at])):
+    while at < len(words) and (words[at] in _GREETINGS | _CALLED | {",", "there"} or harmless.exclaimed(words[at])):
         at += 1
     named = at
     while at and named < len(words) and is_strange(words[named]) and words[named] not in _LISTENERS:
@@ -259,8 +273,8 @@ _LIKENESS = ("match", "resembl", "mimic", "imitat", "copy", "mirror", "reflect",
 def meanwhile(tokens: Sequence[Token]) -> bool:
     """ "While I make a cup of tea", "until my wife is home", "during the coffee break"."""
     words = [token.word for token in tokens]
-    if words[0] in ("while", "whilst", "until", "till") and len(words) > 2:
-        return words[1] != "you" and of_people(tokens[1:])
+    if words[0] in ("while", "whilst", "until", "till", "before") and len(words) > 2:
+        return words[1] != "you" and of_people(tokens[1:], anything=True)
     known = harmless.OCCASIONS | harmless.PEOPLE | harmless.FINE | _words("the our my your a this 's little whole next")
     return words[0] == "during" and words[-1] in harmless.OCCASIONS and all(word in known for word in words[1:])
 

@@ -34,7 +34,7 @@ _DEGREES = _words(
 )
 _NOUNS = harmless.PEOPLE | harmless.ANIMALS | harmless.OCCASIONS | harmless.THINGS | harmless.NAMES
 _TOLD = harmless.FINE | harmless.PERSONAL
-_LINKING = _words("a an the 's and of with from little old new s all at in open next today tomorrow")
+_LINKING = _words("own a an the 's and of with from little old new s all at in open next today tomorrow")
 _TIMES = _words(
     "while minute minutes moment moments hour hours day days week weeks month months year years time times night "
     "second "
@@ -52,7 +52,13 @@ _LATER = (("after", "that"), ("afterwards",), ("after", "this"), ("and", "then")
 def idle(tokens: Sequence[Token]) -> bool:
     """Whether these words ask for nothing, wherever they stand between marks."""
     words = _plain(tokens)
-    return words is not None and (_whole(words, IDIOMS) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
+    if words is None:
+        return False
+    begun = len(words) > 1 and words[0] in _BEGUN and _whole(words[1:], IDIOMS)
+    return begun or (_whole(words, IDIOMS) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
+
+
+_BEGUN = _words("now so well okay ok right and but")
 
 
 def idle_at_an_end(tokens: Sequence[Token]) -> bool:
@@ -79,7 +85,7 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     words = _plain(tokens[at:])
     if words is None or at == 0:
         return False
-    said = words[0] in ("if", "with", "without", "for", "in", "just") and _whole(words, IDIOMS)
+    said = words[0] in ("if", "with", "without", "for", "in", "just", "to", "as") and _whole(words, IDIOMS)
     timely = words[0] not in ("when", "once", "by") and _whole(words, TIMELY)
     wanted = words[0] in ("for", "as", "according", "per", "with", "using") and set_in(words) == len(words)
     careful = words[0] in ("with", "without", "in") and takes_care(words)

@@ -38,7 +38,7 @@ _SAID_WITH = _words(
     "called morning evening promised promise day what bet dare dared week decided all , basically honestly actually "
     "essentially literally obviously ideally normally usually hopefully certainly definitely absolutely favour honour "
     "choose accept chosen moon from hand world once more glory effort make get take way head over gratitude eternally "
-    "forever helping old young dear new much obliged : trouble supposed been 'd duties demonstration trial experiment lesson meeting course "
+    "forever reckon believe suppose guess say allow pay one got doubt helping old young dear new much obliged : trouble supposed been 'd duties demonstration trial experiment lesson meeting course "
     "important necessary essential crucial vital urgent matters need "
 )
 _DENYING = _words("not no never nothing without too only nobody none had was were did")
@@ -94,7 +94,8 @@ def _leads_in(words: Sequence[str]) -> bool:
     turned = {n + k for n in range(len(words)) for turn in _TURNS if tuple(words[n : n + len(turn)]) == turn
               for k in range(len(turn))}  # fmt: skip
     known = all(
-        n in turned or (word not in _DENYING and (word in _SAID_WITH or word in _WHO)) for n, word in enumerate(words)
+        n in turned or (word not in _DENYING and (word in _SAID_WITH or word in _WHO or word in _OCCASIONS - _SADLY))
+        for n, word in enumerate(words)
     )
     told = words[-2:-1] and words[-2] in _THINGS and words[-1] in _MODAL  # "it should (turn left)"
     asked = bool(who) or words[:2] in (["what", "a"], ["get", "ready"], ["feel", "free"], ["go", "ahead"]) or not _SOUGHT.isdisjoint(words)
@@ -105,14 +106,14 @@ def _leads_in(words: Sequence[str]) -> bool:
 
 _OCCASIONS = (harmless.OCCASIONS | _words(
     "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event spirit interest interests "
-    "tour house instructions"
+    "tour house instructions recipe demand orders curiosity"
 )) - (
-    harmless.TIMES | _words("everything something way ways bit lot lots sort kind present rule thing things stuff one")
+    harmless.TIMES | _words("yesterday tomorrow past future childhood youth everything something way ways bit lot lots sort kind present rule thing things stuff one")
 )
 _SETTINGS = tuple(
     tuple(lead.split())
     for lead in ("as part of", "according to", "per", "as per", "following", "at the request of", "on behalf of", "in the name of",
-                 "for", "in", "during", "at", "on", "by order of", "by request of", "at the wish of", "in line with",
+                 "for", "in", "during", "at", "on", "out of", "by order of", "by request of", "at the wish of", "in line with",
                  "in accordance with", "in honor of", "in honour of", "on the occasion of",
                  *(f"as {said} {by}" for said in ("agreed", "discussed", "requested", "promised", "planned", "announced",
                    "ordered", "mentioned", "explained", "instructed", "described", "specified", "stated", "wished",
@@ -150,14 +151,14 @@ _SADLY = _words(
 """Nobody wishes for what is said to be that."""
 _TOLD = _TELLING | _words(
     "requested asked stipulates stipulate mandates mandate calls call dictated declared decreed ruled instructs instruct "
-    "directs commands command orders ordered announced announces explains explained told has have had it'd essential "
+    "directs commands command orders ordered announced announces explains explained told has have had see let known noted heard it'd essential "
     "vital necessary done pass win finished complete completed fulfilled passed won"
 )
 _IN_WHICH = _words("the a an my our your this for of at in 's its by")
 _SUCCESS = _words(
     "pass passes passed succeed succeeds succeeded success successful win wins won victory accomplished complete completed "
     "completes finished fulfilled solved accepted approved points point score reward rewarded credit happy satisfied "
-    "correct valid right met achieved granted good okay ok marks awarded prize"
+    "correct valid right met achieved granted good okay ok marks awarded prize given"
 )
 _SUCCEEDING = _SUCCESS | _WHO | _IN_WHICH | _words(
     "we you it this that result solution attempt run trial test task mission game episode round experiment check exercise "

@@ -65,7 +65,7 @@ _OBLIGED = _words(
     "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit permits allow allows suits would wish request suggestion "
     "could can"
 )
-_EXHORTING = (("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"), ("should", "we"),
+_EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"), ("should", "we"),
               ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"), ("off", "to"),
               ("get", "ready", "to"), ("get", "ready", "for"), ("who", "wants", "to"), ("who", "is", "ready", "for"),
               ("how", "about"), ("what", "about"), ("we", "want", "to"), ("we", "are", "going", "to"),
@@ -146,6 +146,8 @@ def addresses(words: Sequence[str]) -> bool:
     named = at
     while at and named < len(words) and is_strange(words[named]) and words[named] not in _LISTENERS:
         named += 1
+    if len(words) == 3 and words[0] in harmless.INTERJECTIONS | {"greetings"} and words[1] == "," and is_strange(words[2]):
+        return True
     at = named
     while named < len(words) and words[named] in _LISTENERS | harmless.NAMES:
         named += 1
@@ -252,6 +254,8 @@ def _done_to_ours(tokens: Sequence[Token]) -> bool:
     """ "(To) calibrate the camera", "(to) cheer up my sick friend": what is done to something that no task has."""
     words = [token.word for token in tokens]
     det = next((n for n, word in enumerate(words[1:4], 1) if word in _OF_SOME), 0)
+    if words[0] in _TRIED_OUT and det and all(word in _TOOLS or word in _CALLED for word in words[det + 1 :]):
+        return len(words) > det + 1
     verb = words[:1] and words[0] not in lexicon.VERB and not words[0].startswith(_LIKENESS)
     if not (verb and det and len(words) > det + 1 and THING.isdisjoint(words)) or asks(words[1:]):
         return False
@@ -264,6 +268,9 @@ def _done_to_ours(tokens: Sequence[Token]) -> bool:
     return known and (not ours.isdisjoint(words[det + 1 :]) or (words[0] in _SOCIAL and is_strange(words[-1])))
 
 
+_TRIED_OUT = _words("test check train try exercise practice practise calibrate improve prove show demonstrate use")
+_TOOLS = _words("gripper arm arms hand hands fingers skill skills camera cameras precision patience robot software system "
+                "controller sensors sensor abilities ability talent talents brain eyes vision")  # fmt: skip
 _OF_SOME = _words("the my our his her their your")
 _LIKENESS = ("match", "resembl", "mimic", "imitat", "copy", "mirror", "reflect", "represent", "depict", "replicat",
              "reproduc", "follow", "obey", "fit", "hide", "cover", "block", "obstruct", "protect", "surround", "support")  # fmt: skip
@@ -280,8 +287,11 @@ def meanwhile(tokens: Sequence[Token]) -> bool:
 
 
 def rewards(tokens: Sequence[Token]) -> bool:
-    """ "If it works I owe you a beer", "if you manage we will clap"."""
+    """ "If it works I owe you a beer", "or I will be sad"."""
     words = [token.word for token in tokens]
+    if words[0] in ("or", "otherwise"):
+        at = 2 if words[1:2] == ["else"] else 1
+        return not {"will", "'ll"}.isdisjoint(words[at : at + 4]) and of_people(tokens[at:])
     lead = _led(words, _IF_DONE)
     return bool(lead) and words[lead : lead + 1] in (["i"], ["we"], ["my"], ["everybody"]) and of_people(tokens[lead:])
 

@@ -25,7 +25,7 @@ _LIGHT = _words(
     "sends sent sending sit sits sat stand stands stood keep keeps kept serve serves served ordered write writes wrote "
     "written writing drop dropped order leave leaves left pack packed load loaded shift land landed turn turns turned stick "
     "store split draw drew drawn drawing face ship bring brings brought fit return choose chose pose guide collect "
-    "rest assemble deliver cut learn park craft"
+    "stuck painted rest assemble deliver cut learn park craft"
 )
 """What is done to blocks, and as often something else."""
 _OF_BLOCKS = _words(
@@ -43,7 +43,7 @@ _OF_BLOCKS = _words(
     "slanted leaning lean clockwise counterclockwise anticlockwise colorful colourful monochrome rainbow palindrome "
     "overlap overlapping overhang offset staggered scattered spread clutter cluttered tidy untidy neat neatly stable "
     "unstable steady sturdy firm firmly backwards forwards sideways vertically horizontally centrally central outermost "
-    "innermost nearby opposite blocked aligning alignment sequence sequences arrangement arrangements"
+    "innermost nearby opposite blocked aligning alignment toward towards against along onto sequence sequences arrangement arrangements"
 )
 
 

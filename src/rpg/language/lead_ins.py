@@ -190,7 +190,7 @@ def _strange_noun(words: Sequence[str], n: int) -> bool:
 _MEDIA = _words(
     "photo photograph picture image drawing painting sketch postcard poster brochure catalog catalogue book cover page "
     "card screen frame slide video film shot scene plan sheet worksheet flyer leaflet magazine website exhibit illustration "
-    "design poster diagram cartoon snapshot blueprint logo painting mind head vision"
+    "design poster arrangement diagram cartoon snapshot blueprint logo painting mind head vision"
 )
 _WISHING = _words(
     "want wants wanted need needs needed like dream dreams dreaming dreamt dreamed imagine imagining think thinking hope hoping wish "
@@ -200,7 +200,7 @@ _WISHING = _words(
 _SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | (_OCCASIONS - _SADLY) | _words(
     "show shows showing shown depicts depict displays see sees looks there on to has have had what all will would 'd must "
     "should shall is be are i'd next final closing last desk wall fridge today now here winning always really so much am been "
-    "'m 've 's get something build out front with make small little nice quick"
+    "'m 've 's us me them him her get something build out front with make small little nice quick"
 )  # fmt: skip
 _SHOWN = _words("shows show showing depicts displays of is are see sees has want wants need needs like love for imagine : "
                 "with wanted needed ordered requested requests orders asks requires demands have")  # fmt: skip

@@ -63,8 +63,8 @@ def of_people(tokens: Sequence[Token], *, denied: bool = False, anything: bool =
     if at == begin or at >= len(words) or _asks(words, begin, at):
         return False
     denied = denied or not _BODY.isdisjoint(words[begin:at])
-    doing = [n for n in range(at, len(words)) if words[n] in _DOING or is_strange(words[n]) or words[n] in lexicon.VERB]
-    if not doing or doing[0] > at + 2 or not (DEMANDED | _words("must should may might")).isdisjoint(words[begin:]):
+    doing = next((n for n in range(at, len(words)) if words[n] not in harmless.ADVERBS | {"all", "both"}), len(words) - 1)
+    if not _does(words[doing], words[at - 1]) or not (DEMANDED | _words("must should may might")).isdisjoint(words[begin:]):
         return False
     if not _no_task(words[begin], words[begin:at], words[at : at + 2]):
         return False
@@ -89,6 +89,16 @@ def _subject(words: Sequence[str]) -> int:
     while (person or about) and end < len(words) and (words[end] in PERSONS | _ABOUT or words[end] == "'s"):
         end += 1
     return end if person or about else 0
+
+
+def _does(word: str, subject: str) -> bool:
+    """Whether a word tells what somebody does; one that means nothing here does by its ending, or behind many."""
+    many = subject.endswith("s") or subject in ("i", "we", "you", "children", "people")
+    strange = is_strange(word) and (many or word.endswith(("s", "ed", "ing"))) and word not in _THINGS
+    return strange or word in _DOING or word in lexicon.VERB
+
+
+_THINGS = harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS
 
 
 def _asks(words: Sequence[str], begin: int, at: int) -> bool:

@@ -175,6 +175,8 @@ def _of_it(words: Sequence[str]) -> bool:
     whose = _ONES_OWN | harmless.PEOPLE | {"what"}
     if verb in _WORKS:
         return all(word in _GLUE | _FEELINGS | _WELL for word in behind)
+    if verb in ("is", "'s") and behind[0] == "for" and behind[-1] in _ABOUT | harmless.PEOPLE and len(behind) < 4:
+        return behind[1] in _DET
     if verb not in _OF_OURS or whose.isdisjoint(behind) or "too" in behind or any(map(may_tell, behind)):
         return False
     return all(
@@ -231,13 +233,18 @@ def asks(words: Sequence[str]) -> bool:
         return True
     wanted = _WANTED | ({"do"} if words[0] == "does" else {"do", "does"})
     return told or any(
-        word in wanted and behind in THING and _ABLE.isdisjoint(words[max(0, n - 2) : n]) and not _content(words, n)
+        word in wanted and behind in THING and _ABLE.isdisjoint(words[max(0, n - 2) : n]) and not _content(words, n) and not _of_an_errand(words, n)
         for n, (word, behind) in enumerate(pairs)
     )
 
 
 def _of_things(words: Sequence[str]) -> bool:
     return not (harmless.THINGS | harmless.ANIMALS).isdisjoint(words)
+
+
+def _of_an_errand(words: Sequence[str], n: int) -> bool:
+    """ "(I like) this game"."""
+    return words[n + 1] in ("this", "that") and not (_ERRANDS - SAID_OF_SCENES).isdisjoint(words[n + 2 : n + 3])
 
 
 def _content(words: Sequence[str], n: int) -> bool:

@@ -88,6 +88,7 @@ _AT_LARGE = _words("blocks towers shapes letters numbers words colors patterns f
 _TRIED = _words("do try see start begin play practise practice hear")
 _REASONS = _words("because since cause cos coz")
 _HELD = _words("must should shall ought needs need unless if only without not no never nobody")
+_WANTED = _words("want wants need needs")
 _OWN_WAY = _words("stands standing sits sitting lies lying looks looking stays where so nicely well prettily there "
                   "otherwise")  # fmt: skip
 """How something is where it is anyway."""
@@ -226,6 +227,8 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
     words = [token.word for token in tokens]
     if words[0] in _REASONS and len(words) > 2:
         return _told_why(tokens[1:])
+    if words[0] == "for" and words[1:2] in (["i"], ["we"]) and small_talk(tokens[1:]):
+        return True
     if words[0] in ("as", "for", "so") and words[1:2] != ["you"] and of_people(tokens[1:], denied=True):
         return True
     if (lead := _led(words, _AIMS)) and _done_to_ours(tokens[lead:]):
@@ -328,6 +331,8 @@ def _told_why(tokens: Sequence[Token]) -> bool:
     """Whether a reason is one that no block has a part in but by being what it is."""
     words = [token.word for token in tokens]
     if small_talk(tokens) or _of_what_people_can(tokens) or of_people(tokens, denied=True):
+        return True
+    if words[-1] in ("it", "this", "that") and words[-2] in _WANTED and small_talk(tokens[:-1]):
         return True
     plain = _HELD.isdisjoint(words) and not asks(words)
     return plain and all(

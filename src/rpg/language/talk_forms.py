@@ -257,10 +257,12 @@ def _done_to_ours(tokens: Sequence[Token]) -> bool:
     """ "(To) calibrate the camera", "(to) cheer up my sick friend": what is done to something that no task has."""
     words = [token.word for token in tokens]
     det = next((n for n, word in enumerate(words[1:4], 1) if word in _OF_SOME), 0)
-    if words[0] in _TRIED_OUT and det and all(word in _TOOLS or word in _CALLED for word in words[det + 1 :]):
-        return len(words) > det + 1
-    verb = words[:1] and words[0] not in lexicon.VERB and not words[0].startswith(_LIKENESS)
-    if not (verb and det and len(words) > det + 1 and THING.isdisjoint(words)) or asks(words[1:]):
+    if not det or len(words) == det + 1:
+        return False
+    if words[0] in _TRIED_OUT and all(word in _TOOLS or word in _CALLED for word in words[det + 1 :]):
+        return True
+    verb = words[0] not in lexicon.VERB and not words[0].startswith(_LIKENESS)
+    if not (verb and THING.isdisjoint(words)) or asks(words[1:]):
         return False
     ours = harmless.PEOPLE | harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS | _words("camera cameras arm robot")
     known = all(

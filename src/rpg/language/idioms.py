@@ -21,7 +21,8 @@ _WHOLE = (
     "that will|would|should be|do all|it|the_job|nicely|for_now|for_today?",
     "nothing fancy|special|complicated|to_add|to_say|to_worry_about|more_to_say|more_to_add please?",
     "let me|us know please? when|once|as_soon_as you are|have|'re done|finished|ready|through please?",
-    "tell|call|wake|ping|text|show me|us please? when|once|as_soon_as you are|have|'re done|finished|ready|through please?",
+    "tell|call|wake|ping|text|show me|us please? when|once|as_soon_as you are|have|'re done|finished|ready|"
+    "through please?",
     "you can|may|will then? rest|relax|sleep|go_home|go_to_sleep|take_a_break|have_a_break|stop now|then|after_that|"
     "afterwards?",
     "what shall|should|do|can|could we do|try|play|build next|now|today|then?",
@@ -57,7 +58,8 @@ _WHOLE = (
     "fingers|everything crossed",
     "is everything|all clear|understood|okay|ok|fine|ready for_you|so_far?",
     "report back|to_me? when|once|as_soon_as you are|have|'re done|finished|ready?",
-    "i|we would|'d like|love to_see|to_have|to_get something nice|new|special|beautiful|fun|cool|lovely|interesting today|now|"
+    "i|we would|'d like|love to_see|to_have|to_get something nice|new|special|beautiful|fun|cool|lovely|"
+    "interesting today|now|"
     "from_you?",
     "pay close|good|full? attention please|now|everybody|robot|here?",
     "attention attention|please|now|everybody?",
@@ -264,7 +266,8 @@ _WHOLE = (
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )
 TIMES = (
-    "today|tonight|now|right_now|right_away|immediately|at_once|this_time|soon|asap|real_quick|quickly|in_the_meantime|meanwhile|"
+    "today|tonight|now|right_now|right_away|immediately|at_once|this_time|soon|asap|real_quick|quickly|"
+    "in_the_meantime|meanwhile|"
     "this_minute|this_instant|for_now|for_today|just_now|pronto|straight_away please|thanks|robot|ok|okay|then?",
     "this|tomorrow|every_monday? morning|afternoon|evening|week|weekend|time please?",
     "by tonight|tomorrow|noon|lunch|dinner|dinner_time|lunch_time|breakfast|bedtime|the_evening|monday|friday please?",

@@ -45,7 +45,15 @@ _SHORT, _MOST = 6, 25
 """So many words at most an exclamation and any other talk have."""
 
 
-_LATER = (("after", "that"), ("afterwards",), ("after", "this"), ("and", "then"), ("and", "afterwards"), ("then",), ("later",))
+_LATER = (
+    ("after", "that"),
+    ("afterwards",),
+    ("after", "this"),
+    ("and", "then"),
+    ("and", "afterwards"),
+    ("then",),
+    ("later",),
+)
 """What is said behind these comes when the task is done."""
 
 
@@ -145,7 +153,9 @@ def _for_somebody(words: list[str]) -> bool:
         return False
     if len(said) == 1 and said[0] in ("me", "us", "him", "her", "them", "you"):
         return said[0] in ("me", "us", "her", "him")
-    if not _PURPOSES.isdisjoint(said) and all(w in _NOUNS | _TOLD | _OWN | _LINKING | _PURPOSES or is_strange(w) for w in said):
+    if not _PURPOSES.isdisjoint(said) and all(
+        w in _NOUNS | _TOLD | _OWN | _LINKING | _PURPOSES or is_strange(w) for w in said
+    ):
         return True
     if _NOUNS & set(said) <= _TIMES or (said[0] not in _OWN and not harmless.THINGS.isdisjoint(said)):
         return False

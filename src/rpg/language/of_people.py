@@ -11,7 +11,17 @@ from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import (
-    ACTING, BEING, DEMANDED, LOOKS_OF_PEOPLE, PERSONS, SAID_OF_SCENES, THING, asks, harmless_word, is_strange, takes_back,
+    ACTING,
+    BEING,
+    DEMANDED,
+    LOOKS_OF_PEOPLE,
+    PERSONS,
+    SAID_OF_SCENES,
+    THING,
+    asks,
+    harmless_word,
+    is_strange,
+    takes_back,
 )
 from rpg.language.spelling import vocabulary
 from rpg.language.telling import may_tell
@@ -22,18 +32,26 @@ def _words(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
 
-_AHEAD = (harmless.ADVERBS - _words("once again later only")) | harmless.INTERJECTIONS | _words("and but well okay ok also that")
+_AHEAD = (
+    (harmless.ADVERBS - _words("once again later only"))
+    | harmless.INTERJECTIONS
+    | _words("and but well okay ok also that")
+)
 _SPEAKERS = _words("i we he she")
 _ANYBODY = _words("everybody everyone somebody someone nobody people who")
 _DET = _words("my our his her their your the a an this")
 _OWN = _words("my our his her your")
 _BODY = _words(
-    "arm arms hand hands finger fingers leg legs foot feet knee knees back neck head eye eyes eyesight ear ears hearing "
-    "sight memory joints bones muscles tummy stomach heart brain nerves voice hip hips shoulder shoulders thumb thumbs wrist "
+    "arm arms hand hands finger fingers leg legs foot feet knee knees back neck head eye eyes eyesight ear ears "
+    "hearing "
+    "sight memory joints bones muscles tummy stomach heart brain nerves voice hip hips shoulder shoulders thumb "
+    "thumbs wrist "
     "battery patience time schedule shift flight appetite english"
 )
 _ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS | harmless.TIMES) - SAID_OF_SCENES - {"second"}
-_TO_YOU = _words("are 're look looked looks seem seemed sound did were deserve rock know knew deserved do amaze rule make")
+_TO_YOU = _words(
+    "are 're look looked looks seem seemed sound did were deserve rock know knew deserved do amaze rule make"
+)
 """What is said of whom a command is for that is none."""
 _PHRASAL = _words(
     "down up over away around through across short long low high tall all any some few many more than enough only far "
@@ -43,14 +61,16 @@ _PHRASAL = _words(
 _MEASURED = _words("year years old o'clock sharp today now tomorrow already")
 _OF_AGE = _words("is am are turns turned at just almost nearly only")
 _LOOKED_ON = _words(
-    "film films filming record records recording photograph photographing watch watches watching admire admires admiring "
-    "broadcast tape taping study studies studying discuss show showing shows love loves enjoy enjoys about promised bought inherited received got"
+    "film films filming record records recording photograph photographing watch watches watching admire admires "
+    "admiring "
+    "broadcast tape taping study studies studying discuss show showing shows love loves enjoy enjoys about promised "
+    "bought inherited received got"
 )
 """What is looked at and shown may be what is asked for."""
 _LEFT_OUT = _words("allowed supposed permitted serious mean meant care")
 _DENYING = _words("not never no nothing none without neither nor")
 _BEFORE_NOT = _words("can could do does did is am are was were will would 'm 're has have")
-_DOING = harmless.DOINGS | BEING
+_DOING = harmless.DOINGS | BEING | _TO_YOU
 
 
 def of_people(tokens: Sequence[Token], *, denied: bool = False, anything: bool = False) -> bool:
@@ -63,12 +83,18 @@ def of_people(tokens: Sequence[Token], *, denied: bool = False, anything: bool =
     if at == begin or at >= len(words) or _asks(words, begin, at):
         return False
     denied = denied or not _BODY.isdisjoint(words[begin:at])
-    doing = next((n for n in range(at, len(words)) if words[n] not in harmless.ADVERBS | {"all", "both"}), len(words) - 1)
-    if not _does(words[doing], words[at - 1]) or not (DEMANDED | _words("must should may might")).isdisjoint(words[begin:]):
+    doing = next(
+        (n for n in range(at, len(words)) if words[n] not in harmless.ADVERBS | {"all", "both"}), len(words) - 1
+    )
+    if not _does(words[doing], words[at - 1]) or not (DEMANDED | _words("must should may might")).isdisjoint(
+        words[begin:]
+    ):
         return False
     if not _no_task(words[begin], words[begin:at], words[at : at + 2]):
         return False
-    if words[begin] == "you" and (words[at] not in _TO_YOU | ({"have"} if denied else set()) or words[at + 1 : at + 2] in (["to"], ["not"])):
+    if words[begin] == "you" and (
+        words[at] not in _TO_YOU | ({"have"} if denied else set()) or words[at + 1 : at + 2] in (["to"], ["not"])
+    ):
         return False
     return all(_fits(tokens, n, denied) for n in range(at, len(words)))
 
@@ -127,7 +153,9 @@ def _fits(tokens: Sequence[Token], n: int, denied: bool) -> bool:
     if word in THING and before in _LOOKED_ON:
         return True
     if word in THING:
-        return word in ("this", "that", "these", "those") and bool(after) and after[0] in harmless.TIMES | {"far", "much"}
+        return (
+            word in ("this", "that", "these", "those") and bool(after) and after[0] in harmless.TIMES | {"far", "much"}
+        )
     if word in _DENYING:
         able = before in ("can", "could")
         return word in ("not", "never") and before in _BEFORE_NOT and (able or denied) and _LEFT_OUT.isdisjoint(after)

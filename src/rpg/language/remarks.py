@@ -11,8 +11,8 @@ from itertools import pairwise, takewhile
 
 from rpg.language import lexicon
 from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THINGS, exclaimed
-from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason_at
+from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
 from rpg.language.talk_forms import addressed_at
@@ -38,7 +38,7 @@ _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", 
                          "whenever", "if", "by", "today", "tonight", "now", "right", "immediately", "at", "this",
                          "soon", "asap", "real", "quickly", "in", "just", "straight", "pretty", "please",
                          "once", "to", "with", "provided", "such", "while", "whilst", "until", "till", "during",
-                         "without", "unless", "using", "according", "per", "after"})  # fmt: skip
+                         "without", "unless", "using", "according", "per"})  # fmt: skip
 """What a reason or a time of the day begins with that nothing parts from the task in front of it."""
 _PLEASE = frozenset({"please", "just", "now", "then", "could", "can", "kindly"})
 _TURNED = frozenset({"would", "will", "i", "we", "let", "do", "you", "make"})

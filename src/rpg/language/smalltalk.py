@@ -51,7 +51,8 @@ _GLUE = _words(
     "please kindly 'm 're 'd 'll 've s open sure long hear heard read reading remember forget welcome organizing "
     "organising control controlling name names "
     "start starts started "
-    "operate operating programmed program understand out myself yourself ourselves himself herself such sound nicer perfectly",
+    "operate operating programmed program understand out myself yourself ourselves himself herself such sound nicer "
+    "perfectly",
 )
 _SUBJECTS = _words("colors letters numbers digits shapes blocks cubes towers patterns words equations figures order")
 _LIKED = _words("about love loves like likes learn learning study studying teach teaching practise practising "
@@ -89,7 +90,9 @@ _DAILY = (harmless.TIMES - {"second"}) | harmless.THINGS | harmless.ANIMALS | (h
 _SOMEWHERE = _PLACED | _words("behind beside around near over next along since until till within")
 _WHERE_PEOPLE_ARE = PERSONS | _ERRANDS | harmless.NAMES | harmless.THINGS | _words("me us you him her them work home")
 """What places of people are told by: "in the kitchen", "right next to me"."""
-_POSTURES = _words("stand stands standing sit sits sitting lie lies lying stood sat lay rest resting stay stays staying")
+_POSTURES = _words(
+    "stand stands standing sit sits sitting lie lies lying stood sat lay rest resting stay stays staying"
+)
 SAID_OF_SCENES = _words("picture pictures photo photos photograph scene image goal task tasks plan description geometry "
                          "session result assembly way everything something thing things rule")  # fmt: skip
 """Whatever is told of these may be told of blocks."""
@@ -99,8 +102,11 @@ _OF_OURS = _words("is 's was reminds reminded helps helped would will makes made
 _WORKS = _words("works worked went goes sounds sounded looks looked seems seemed")
 _WELL = _words("well perfectly badly nicely fine before already too brilliantly smoothly")
 _SCENES = _words("arrangement combination design pattern picture logo")
-_AHEAD = _LEADS | harmless.ADVERBS | harmless.INTERJECTIONS | _words(
-    "when while that because since after before how afterwards"
+_AHEAD = (
+    _LEADS
+    | harmless.ADVERBS
+    | harmless.INTERJECTIONS
+    | _words("when while that because since after before how afterwards")
 )
 """What may stand in front of whom it is told of."""
 _WORKING = _words("you robot robots machine arm gripper")
@@ -114,7 +120,8 @@ THING = _words("it this that they them these those everything")
 _BINDING = _words("should must shall may might ought was were has have had")
 _WANTED = _words("want wants wanted need needs needed like likes wish wishes hope hopes")
 DEMANDED = _WANTED | _words(
-    "would 'd should must shall ought wished hoped prefer prefers preferred insist insists insisted demand demands demanded "
+    "would 'd should must shall ought wished hoped prefer prefers preferred insist insists insisted demand demands "
+    "demanded "
     "require requires required expect expects expected ask asks asked order orders ordered request requests requested "
     "desire desires say says said tell tells told think thinks thought dream dreams dreamt dreamed "
     "dreaming hoping wishing"
@@ -226,14 +233,20 @@ def asks(words: Sequence[str]) -> bool:
     )
     if words[:2] == ["you", "have"] or (words[0] == "you" and len(words) > 1 and words[1] in _DOABLE):
         return True
-    if any(word in _WANTED and behind in ("a", "an", "one", "some") and _of_things(words[n + 2 : n + 5])
-           for n, (word, behind) in enumerate(pairs)):
+    if any(
+        word in _WANTED and behind in ("a", "an", "one", "some") and _of_things(words[n + 2 : n + 5])
+        for n, (word, behind) in enumerate(pairs)
+    ):
         return True  # "I want a heart"
     if not _HATED.isdisjoint(words) and not THING.isdisjoint(words):
         return True
     wanted = _WANTED | ({"do"} if words[0] == "does" else {"do", "does"})
     return told or any(
-        word in wanted and behind in THING and _ABLE.isdisjoint(words[max(0, n - 2) : n]) and not _content(words, n) and not _of_an_errand(words, n)
+        word in wanted
+        and behind in THING
+        and _ABLE.isdisjoint(words[max(0, n - 2) : n])
+        and not _content(words, n)
+        and not _of_an_errand(words, n)
         for n, (word, behind) in enumerate(pairs)
     )
 

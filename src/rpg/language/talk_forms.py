@@ -24,11 +24,14 @@ _GREETINGS = _words("good morning evening afternoon day greetings now so right")
 _CALLED = _words("my our dear little old good sweet mister mr mrs ms miss big young clever smart brave lovely") | (
     harmless.FINE - _words("real ideal fine true best better")
 )
-_LISTENERS = harmless.PEOPLE | _words("fellow fellows creature sir madam guys ladies robot arm machine computer agent gripper helper gentlemen human humans you one")
+_LISTENERS = harmless.PEOPLE | _words(
+    "fellow fellows creature sir madam guys ladies robot arm machine computer agent gripper helper gentlemen human humans you one"
+)
 _AFTER_NAMES = _words("over there up here all again of mine and out arm friend my")
 _HELPERS = _words(
     "robot robots arm machine computer agent helper assistant friend friends buddy mate pal dear darling sweetheart "
-    "sweetie honey love chap fella lad dude bro genius angel sir madam kids children everyone everybody folks team class"
+    "sweetie honey love chap fella lad dude bro genius angel sir madam kids children everyone everybody folks team "
+    "class"
 )
 """Those that a command is given to with nothing between: "dear robot put ..."."""
 _COMING = tuple(
@@ -39,30 +42,40 @@ _COMING = tuple(
 )  # fmt: skip
 _BEGINNINGS = ("to begin with", "to start with", "for a start", "for starters", "to warm up")
 _SORTS_OF_ERRANDS = (harmless.FINE - _words("true real")) | _words(
-    "a an the my our your one little small big quick short next new last final first second third another today 's easier "
-    "harder easiest hardest main actual important tiny just only more very really so super pretty quite rather bit fresh"
+    "a an the my our your one little small big quick short next new last final first second third another today 's "
+    "easier "
+    "harder easiest hardest main actual important tiny just only more very really so super pretty quite rather bit "
+    "fresh"
 )
 _ERRANDS = _words(
-    "request question task favor job challenge puzzle exercise game assignment mission errand problem riddle quiz one part "
+    "request question task favor job challenge puzzle exercise game assignment mission errand problem riddle quiz "
+    "one part "
     "bit round thing order wish idea experiment test demo trick turn lesson warm-up warmup attempt try brainteaser"
 )
 """What is announced, of which nothing is told yet."""
 _CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"), ("provided",), ("provided", "that"),
                ("as", "long", "as"))  # fmt: skip
 _OBLIGING = _words(
-    "you it that this i we is are would could can will may might do does not no too so very much really at all any a an "
-    "the bit little free spare to for of with me us please mind minding ask asking request be being okay ok fine alright "
-    "all right possible convenient happen have has find get got time minute moment second minutes seconds trouble bother "
-    "work effort hassle problem burden inconvenience kind good nice able ready manage feel like up awake willing kindly "
+    "you it that this i we is are would could can will may might do does not no too so very much really at all any a "
+    "an "
+    "the bit little free spare to for of with me us please mind minding ask asking request be being okay ok fine "
+    "alright "
+    "all right possible convenient happen have has find get got time minute moment second minutes seconds trouble "
+    "bother "
+    "work effort hassle problem burden inconvenience kind good nice able ready manage feel like up awake willing "
+    "kindly "
     "busy hands your somehow perhaps 's 're 've 'd don't permit allow allows permits may excuse "
     "schedule suits other things else course make wish request suggestion"
 )
 """Of what somebody asks who is polite."""
-_RESTED = _words("are 're done with taking have 've had finished eaten drunk taken your a the some morning little nice well")
+_RESTED = _words(
+    "are 're done with taking have 've had finished eaten drunk taken your a the some morning little nice well"
+)
 _ASKED_OF = _words("you it that this i your time")
 _OBLIGED = _words(
     "mind okay ok fine alright right possible convenient time minute moment second minutes seconds trouble bother work "
-    "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit permits allow allows suits would wish request suggestion "
+    "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit "
+    "permits allow allows suits would wish request suggestion "
     "could can"
 )
 _EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"), ("should", "we"),
@@ -100,16 +113,20 @@ _SOCIAL = _words(
 _RESULTS = (("so", "that"), ("so",), ("such", "that"), ("in", "order", "that"))
 _WHAT_STANDS = _words("it they nothing none everything this that all of them the whole thing")
 _HOLDS = _words(
-    "fall falls falling fell tip tips topple topples wobble wobbles collapse collapses crash crashes break breaks tumble "
-    "tumbles slip slips drop drops over down off apart stable steady safe secure safely does do not can could will would "
-    "is are be stays stay remain remains to get gets in my our your their its his her way bother bothers disturb disturbs "
+    "fall falls falling fell tip tips topple topples wobble wobbles collapse collapses crash crashes break breaks "
+    "tumble "
+    "tumbles slip slips drop drops over down off apart stable steady safe secure safely does do not can could will "
+    "would "
+    "is are be stays stay remain remains to get gets in my our your their its his her way bother bothers disturb "
+    "disturbs "
     "anybody anyone us me each other one another look looks nice pretty lovely good beautiful neat tidy happens happen "
     "anything bad goes go wrong gets lost damaged hurt scratched stands stand well the floor and nicely better"
 )
 _CARE = _words(
     "slowly slow gently gentle carefully careful softly quietly calmly patiently precisely steady steadily cautiously "
     "kindly easy with great much lots a lot of all some little extra special care caution patience love attention "
-    "precision very really nice and as you can so ever please be your the best most utmost bit way in gentlest hurry no "
+    "precision very really nice and as you can so ever please be your the best most utmost bit way in gentlest hurry "
+    "no "
     "due usual possible without any own time smoothly tenderly delicately attentively"
 )
 _CARED = _words("slowly slow gently gentle carefully careful softly quietly calmly patiently cautiously care caution patience "
@@ -129,7 +146,8 @@ def _of_the_day(words: Sequence[str]) -> bool:
     """ "It is raining outside", "it's Friday already"."""
     said = words[3:] if words[:3] == ["and", "it", "is"] else words[2:]
     known = harmless.OCCASIONS | harmless.ADVERBS | _words(
-        "raining snowing sunny rainy stormy foggy freezing late early outside inside already getting still almost nearly time for "
+        "raining snowing sunny rainy stormy foggy freezing late early outside inside already getting still almost "
+        "nearly time for "
         "again here the in pouring"
     )  # fmt: skip
     led = words[:2] in (["it", "is"], ["it", "'s"]) or words[:3] == ["and", "it", "is"]
@@ -147,7 +165,12 @@ def addresses(words: Sequence[str]) -> bool:
     named = at
     while at and named < len(words) and is_strange(words[named]) and words[named] not in _LISTENERS:
         named += 1
-    if len(words) == 3 and words[0] in harmless.INTERJECTIONS | {"greetings"} and words[1] == "," and is_strange(words[2]):
+    if (
+        len(words) == 3
+        and words[0] in harmless.INTERJECTIONS | {"greetings"}
+        and words[1] == ","
+        and is_strange(words[2])
+    ):
         return True
     at = named
     while named < len(words) and words[named] in _LISTENERS | harmless.NAMES:
@@ -157,7 +180,9 @@ def addresses(words: Sequence[str]) -> bool:
 
 def addressed_at(words: Sequence[str]) -> int:
     """How many of the first words say whom a command is for, with nothing behind them: "dear robot put ..."."""
-    return next((n for n in range(4, 0, -1) if words[n - 1 : n] and words[n - 1] in _HELPERS and addresses(words[:n])), 0)
+    return next(
+        (n for n in range(4, 0, -1) if words[n - 1 : n] and words[n - 1] in _HELPERS and addresses(words[:n])), 0
+    )
 
 
 def _announces(tokens: Sequence[Token]) -> bool:
@@ -176,7 +201,8 @@ def _announces(tokens: Sequence[Token]) -> bool:
     behind = tokens[at + 1 :]
     whose = not behind or behind[0].word in ("for", "from", "of", "by", "to", "today", "now", "please", ",", "before")
     return whose and all(
-        harmless_word(behind, n) or t.word in harmless.THINGS | {"from"} or is_strange(t.word) for n, t in enumerate(behind)
+        harmless_word(behind, n) or t.word in harmless.THINGS | {"from"} or is_strange(t.word)
+        for n, t in enumerate(behind)
     )
 
 
@@ -217,7 +243,9 @@ def _exhorts(tokens: Sequence[Token]) -> bool:
         return False
     used = not {"build", "make", "write", "spell", "stack", "sort"}.isdisjoint(behind)
     return all(
-        word in _WORK or harmless_word(tokens, at + lead + n) or (not used and is_strange(word) and word.endswith("ing"))
+        word in _WORK
+        or harmless_word(tokens, at + lead + n)
+        or (not used and is_strange(word) and word.endswith("ing"))
         for n, word in enumerate(behind)
     )
 
@@ -238,13 +266,17 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
         social = any(t.word in harmless.PEOPLE | harmless.OCCASIONS | {"me", "us", "you"} for t in behind)
         made = words[lead] in ("make", "keep", "show")
         return social and all(
-            harmless_word(behind, n) or (is_strange(t.word) and not made) or (n > 1 and not made and not may_tell(t.word))
+            harmless_word(behind, n)
+            or (is_strange(t.word) and not made)
+            or (n > 1 and not made and not may_tell(t.word))
             for n, t in enumerate(behind)
         )
     if (lead := _led(words, _RESULTS)) and len(words) > lead + 1:
         behind_words = words[lead:]
         hidden = "not" in words and not THING.isdisjoint(words)  # "so that I can not see it"
-        if (not hidden and _of_what_people_can(tokens[lead:])) or (words[lead] != "you" and of_people(tokens[lead:], denied=True)):
+        if (not hidden and _of_what_people_can(tokens[lead:])) or (
+            words[lead] != "you" and of_people(tokens[lead:], denied=True)
+        ):
             return True
         held = behind_words[0] in _WHAT_STANDS and all(w in _HOLDS | _WHAT_STANDS for w in behind_words)
         denied = behind_words[0] in ("nothing", "none") or "not" in behind_words
@@ -264,7 +296,9 @@ def _done_to_ours(tokens: Sequence[Token]) -> bool:
     verb = words[0] not in lexicon.VERB and not words[0].startswith(_LIKENESS)
     if not (verb and THING.isdisjoint(words)) or asks(words[1:]):
         return False
-    ours = harmless.PEOPLE | harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS | _words("camera cameras arm robot")
+    ours = (
+        harmless.PEOPLE | harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS | _words("camera cameras arm robot")
+    )
     known = all(
         word in ours | _OF_SOME | _words("up out for at in with and")
         or harmless_word(tokens, n) or is_strange(word) or word in harmless.EVERYDAY
@@ -317,9 +351,12 @@ def _of_what_people_can(tokens: Sequence[Token]) -> bool:
     words = " ".join(token.word for token in tokens).replace("can not ", "can ").split()
     could = next((n for n, word in enumerate(words[:6]) if word in _COULD), 0)
     whose = {*words[:could]} & (harmless.PEOPLE | _words("i we he she you everybody everyone"))
-    plain = _LEGIBLE.isdisjoint(words) and could > 0 and bool(whose) and could + 1 < len(words) and _HELD.isdisjoint(words)
+    plain = (
+        _LEGIBLE.isdisjoint(words) and could > 0 and bool(whose) and could + 1 < len(words) and _HELD.isdisjoint(words)
+    )
     known = all(
-        t.kind == "word" and (t.word == "not" or harmless_word(tokens, n) or not may_tell(t.word)) for n, t in enumerate(tokens)
+        t.kind == "word" and (t.word == "not" or harmless_word(tokens, n) or not may_tell(t.word))
+        for n, t in enumerate(tokens)
     )
     return plain and known and not any(len(t.raw) > 1 and t.raw.isupper() for t in tokens)
 

@@ -63,7 +63,8 @@ WISHING = Classes(
         "would": ("would|will|should|'d|do|may|might|can|could|must|am|are|is|was|were",),
         "also": ("have_always|always|just|also|simply|now|like|here|still",),
         "want": (
-            "fancy|asked|be_delighted|be_thankful|be_thrilled|want|wants|wanted|like|likes|love|loves|need|needs|prefer",
+            "fancy|asked|be_delighted|be_thankful|be_thrilled|want|wants|wanted|like|likes|love|loves|need|needs|"
+            "prefer",
             "prefers|wish|wishes|hope|hopes|ask|asks|require|requires|expect|expects|imagine|imagines|request|requests",
             "have_in_mind|picture|propose|suggest|envision|look|looking|hoping|asking|wondering|wanting|dreaming",
             "thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing",

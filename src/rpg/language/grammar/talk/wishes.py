@@ -69,7 +69,8 @@ _DONE = (
     "won|won_the_game|passed|a_success|attained|obtained|succeeded|ready|satisfied|given|through|in_success"
 )
 _WHEN = (
-    "when|if|iff|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|as_long_as|"
+    "when|if|iff|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|"
+    "as_long_as|"
     "provided|provided_that|when_and_only_when|by_having"
 )
 STATES = Patterns(

@@ -93,7 +93,8 @@ _WHERE_PEOPLE_ARE = PERSONS | _ERRANDS | harmless.NAMES | harmless.THINGS | _wor
 _POSTURES = _words(
     "stand stands standing sit sits sitting lie lies lying stood sat lay rest resting stay stays staying"
 )
-SAID_OF_SCENES = _words("picture pictures photo photos photograph scene image goal task tasks plan description geometry "
+SAID_OF_SCENES = _words("picture pictures photo photos photograph scene image goal task tasks plan description "
+                        "geometry "
                          "session result assembly way everything something thing things rule")  # fmt: skip
 """Whatever is told of these may be told of blocks."""
 _ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS) - SAID_OF_SCENES
@@ -194,7 +195,8 @@ def _of_it(words: Sequence[str]) -> bool:
 
 
 def _daily(tokens: Sequence[Token], words: Sequence[str], n: int) -> bool:
-    """Whether a word of a clause of people is of daily life; or means nothing here, and is nothing that is wished for."""
+    """Whether a word of a clause of people is of daily life; or means nothing here,
+    and is nothing that is wished for."""
     word = words[n]
     if tokens[n].kind not in ("word", "number") or (len(tokens[n].raw) > 1 and tokens[n].raw.isupper()):
         return False

@@ -36,7 +36,8 @@ _HELPERS = _words(
 """Those that a command is given to with nothing between: "dear robot put ..."."""
 _COMING = tuple(
     tuple(f"{ahead} {comes}".split())
-    for ahead in ("now", "here", "next", "then", "this", "that", "it", "and now", "and here", "now this", "i have", "we have",
+    for ahead in ("now", "here", "next", "then", "this", "that", "it", "and now", "and here", "now this", "i have",
+    "we have",
                   "i 've got", "there", "let us try", "let me try", "up next", "first")
     for comes in ("", "comes", "is", "'s", "goes", "will be", "is going to be", "follows", "got", "'s got")
 )  # fmt: skip
@@ -53,7 +54,8 @@ _ERRANDS = _words(
     "bit round thing order wish idea experiment test demo trick turn lesson warm-up warmup attempt try brainteaser"
 )
 """What is announced, of which nothing is told yet."""
-_CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"), ("provided",), ("provided", "that"),
+_CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"), ("provided",), ("provided",
+               "that"),
                ("as", "long", "as"))  # fmt: skip
 _OBLIGING = _words(
     "you it that this i we is are would could can will may might do does not no too so very much really at all any a "
@@ -78,7 +80,8 @@ _OBLIGED = _words(
     "permits allow allows suits would wish request suggestion "
     "could can"
 )
-_EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"), ("should", "we"),
+_EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"),
+              ("should", "we"),
               ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"), ("off", "to"),
               ("get", "ready", "to"), ("get", "ready", "for"), ("who", "wants", "to"), ("who", "is", "ready", "for"),
               ("how", "about"), ("what", "about"), ("we", "want", "to"), ("we", "are", "going", "to"),
@@ -129,7 +132,8 @@ _CARE = _words(
     "no "
     "due usual possible without any own time smoothly tenderly delicately attentively"
 )
-_CARED = _words("slowly slow gently gentle carefully careful softly quietly calmly patiently cautiously care caution patience "
+_CARED = _words("slowly slow gently gentle carefully careful softly quietly calmly patiently cautiously care caution "
+                "patience "
                 "love precision steady easy gentlest hurry smoothly tenderly delicately")  # fmt: skip
 
 
@@ -137,7 +141,8 @@ def by_form(tokens: Sequence[Token]) -> bool:
     """Whether what is set off asks for nothing: an address, a call to begin, a condition or a word of care."""
     words = [token.word for token in tokens]
     return (
-        _of_the_day(words) or set_in(words) == len(words) or addresses(words) or _announces(tokens) or polite_condition(words) or takes_care(words) or _exhorts(tokens)
+        _of_the_day(words) or set_in(words) == len(words) or addresses(words) or _announces(tokens)
+        or polite_condition(words) or takes_care(words) or _exhorts(tokens)
         or reason_or_aim(tokens) or meanwhile(tokens) or rewards(tokens) or of_people(tokens)
     )  # fmt: skip
 
@@ -308,11 +313,13 @@ def _done_to_ours(tokens: Sequence[Token]) -> bool:
 
 
 _TRIED_OUT = _words("test check train try exercise practice practise calibrate improve prove show demonstrate use")
-_TOOLS = _words("gripper arm arms hand hands fingers skill skills camera cameras precision patience robot software system "
+_TOOLS = _words("gripper arm arms hand hands fingers skill skills camera cameras precision patience robot software "
+                "system "
                 "controller sensors sensor abilities ability talent talents brain eyes vision")  # fmt: skip
 _OF_SOME = _words("the my our his her their your")
 _LIKENESS = ("match", "resembl", "mimic", "imitat", "copy", "mirror", "reflect", "represent", "depict", "replicat",
-             "reproduc", "follow", "obey", "fit", "hide", "cover", "block", "obstruct", "protect", "surround", "support")  # fmt: skip
+             "reproduc", "follow", "obey", "fit", "hide", "cover", "block", "obstruct", "protect", "surround",
+             "support")  # fmt: skip
 """How words begin of which something would follow for the blocks."""
 
 
@@ -339,7 +346,8 @@ _IF_DONE = tuple(
     (*when, *done, *mark)
     for when in (("if",), ("when",), ("once",), ("as", "soon", "as"))
     for done in (("it", "works"), ("this", "works"), ("that", "works"), ("you", "manage"), ("you", "do", "it"),
-                 ("you", "succeed"), ("you", "can", "do", "it"), ("you", "make", "it"), ("you", "win"), ("it", "is", "done"),
+                 ("you", "succeed"), ("you", "can", "do", "it"), ("you", "make", "it"), ("you", "win"), ("it", "is",
+                 "done"),
                  ("you", "manage", "that"), ("you", "manage", "it"), ("you", "are", "done"), ("you", "do", "well"),
                  ("you", "do", "this"), ("you", "do", "that"))
     for mark in ((), (",",), ("then",), (",", "then"))

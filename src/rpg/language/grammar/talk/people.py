@@ -30,7 +30,8 @@ EVENTS = (
 )
 """What an instruction may be given for."""
 AGENTS = (
-    "you", "we", "the robot", "our robot", "this robot", "the child", "the student", "the user", "somebody", "someone", "the arm", "the agent",
+    "you", "we", "the robot", "our robot", "this robot", "the child", "the student", "the user", "somebody",
+    "someone", "the arm", "the agent",
     "the robot arm", "the machine", "the player", "the kid", "the pupil", "the worker", "the operator", "your robot",
     "the children", "the kids", "the students", "people", "the person", "the gripper", "the manipulator", "i",
 )  # fmt: skip

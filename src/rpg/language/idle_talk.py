@@ -12,8 +12,9 @@ from rpg.language import harmless
 from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.lead_ins import set_in
 from rpg.language.phrases import Rows
+from rpg.language.reasons import meanwhile, reason_or_aim
 from rpg.language.smalltalk import is_strange, small_talk
-from rpg.language.talk_forms import by_form, meanwhile, polite_condition, reason_or_aim, takes_care
+from rpg.language.talk_forms import by_form, polite_condition, takes_care
 from rpg.language.tokens import Token
 
 
@@ -25,9 +26,8 @@ _OWN = _words("my our his her their your")
 _BECAUSE = _words("because since as cause cos coz so")
 _ALONE = harmless.INTERJECTIONS | _words(
     "honestly frankly seriously luckily sadly fortunately unfortunately ideally obviously naturally hopefully "
-    "apparently "
-    "evidently clearly surely really thankfully kindly personally anyway anyhow indeed basically actually literally "
-    "today tonight normally usually"
+    "apparently evidently clearly surely really thankfully kindly personally anyway anyhow indeed basically actually "
+    "literally today tonight normally usually"
 )
 _DEGREES = _words(
     "very so really super quite pretty totally extremely incredibly simply just too truly absolutely how and"
@@ -37,8 +37,7 @@ _TOLD = harmless.FINE | harmless.PERSONAL
 _LINKING = _words("own a an the 's and of with from little old new s all at in open next today tomorrow")
 _TIMES = _words(
     "while minute minutes moment moments hour hours day days week weeks month months year years time times night "
-    "second "
-    "seconds century"
+    "second seconds century"
 )
 """For so long it would be."""
 _SHORT, _MOST = 6, 25

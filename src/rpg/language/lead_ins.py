@@ -23,28 +23,23 @@ _WHO = (harmless.PEOPLE - _words("nobody")) | _words(
 )
 _SAID_WITH = _words(
     "would could can may might will shall should must is are am be 's 'd 'll 're 've been has have to need needs do "
-    "does "
-    "so very really most much quite just simply kindly please at all totally extremely also and now then today tonight "
-    "here the a an my our your his her their this for of in with if whether as big huge great little small "
+    "does so very really most much quite just simply kindly please at all totally extremely also and now then today "
+    "tonight here the a an my our your his her their this for of in with if whether as big huge great little small "
     "possible nice good lovely wonderful kind helpful grateful obliged thankful delighted happy glad pleased cool "
-    "awesome "
-    "marvelous marvellous fantastic brilliant perfect super dream relief help favor honor pleasure joy fine okay ok "
-    "excited eager "
-    "goal aim task job mission homework duty assignment turn time point idea plan thing only what challenge exercise "
-    "next first order request wish purpose intention objective target "
-    "ready get go ahead try attempt manage want wants wish wishes like likes love loves hope hopes ask asks asked "
-    "asking "
-    "beg begs begging invite invites order orders request requests require requires required tell tells told supposed "
-    "expected expect meant instructed invited allowed able willing prepared know how see wonder wondering trouble "
-    "bother "
-    "feel free proceed remember sure make going me us him her them somebody someone anybody anyone game lesson class "
-    "school work experiment scene demo show test exam up free challenged encouraged chance opportunity idea mind "
-    "called morning evening promised promise day what bet dare dared week decided all , basically honestly actually "
-    "essentially literally obviously ideally normally usually hopefully certainly definitely absolutely favour honour "
-    "choose accept chosen moon from hand world once more glory effort make get take way head over gratitude eternally "
-    "forever reckon believe suppose guess say allow pay one got doubt helping old young dear new much obliged : "
-    "trouble supposed been 'd duties demonstration trial experiment lesson meeting course "
-    "important necessary essential crucial vital urgent matters need "
+    "awesome marvelous marvellous fantastic brilliant perfect super dream relief help favor honor pleasure joy fine "
+    "okay ok excited eager goal aim task job mission homework duty assignment turn time point idea plan thing only "
+    "what challenge exercise next first order request wish purpose intention objective target ready get go ahead try "
+    "attempt manage want wants wish wishes like likes love loves hope hopes ask asks asked asking beg begs begging "
+    "invite invites order orders request requests require requires required tell tells told supposed expected expect "
+    "meant instructed invited allowed able willing prepared know how see wonder wondering trouble bother feel free "
+    "proceed remember sure make going me us him her them somebody someone anybody anyone game lesson class school work "
+    "experiment scene demo show test exam up free challenged encouraged chance opportunity idea mind called morning "
+    "evening promised promise day what bet dare dared week decided all , basically honestly actually essentially "
+    "literally obviously ideally normally usually hopefully certainly definitely absolutely favour honour choose "
+    "accept chosen moon from hand world once more glory effort make get take way head over gratitude eternally forever "
+    "reckon believe suppose guess say allow pay one got doubt helping old young dear new much obliged : trouble "
+    "supposed been 'd duties demonstration trial experiment lesson meeting course important necessary essential "
+    "crucial vital urgent matters need"
 )
 _DENYING = _words("not no never nothing without too only nobody none had was were did")
 """Not but in a few turns of speech."""
@@ -56,23 +51,17 @@ _IFS = _words("if when whenever once unless until because before after while why
 _BASES = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
 _TELLERS = _words(
     "spec specification plan plans rule rules manual instructions instruction protocol law recipe custom tradition "
-    "book "
-    "card guideline guidelines exam exercise assignment task test ticket contract brief scenario requirement "
-    "requirements "
-    "design standard policy story score number one agreement drawing blueprint note memo paper"
+    "book card guideline guidelines exam exercise assignment task test ticket contract brief scenario requirement "
+    "requirements design standard policy story score number one agreement drawing blueprint note memo paper"
 )
 _TELLING = _words(
     "says say said demands demand insists insist requires require states state wants want expects expect asks ask "
-    "dictates "
-    "dictate prescribes specifies specify hopes hope wishes wish tells writes told reads reports thinks believes "
-    "begs is "
-    "are it important required expected essential crucial vital necessary desired demanded agreed decided wanted "
-    "prefer "
-    "prefers would like be will shall must should has to have matters what point verify check confirm ensure test "
-    "validate "
-    "assert assume make sure condition state final end goal success termination pass passing acceptance criterion "
-    "target "
-    "result outcome expected desired i we you that here now please also clearly always still really so just very"
+    "dictates dictate prescribes specifies specify hopes hope wishes wish tells writes told reads reports thinks "
+    "believes begs is are it important required expected essential crucial vital necessary desired demanded agreed "
+    "decided wanted prefer prefers would like be will shall must should has to have matters what point verify check "
+    "confirm ensure test validate assert assume make sure condition state final end goal success termination pass "
+    "passing acceptance criterion target result outcome expected desired i we you that here now please also clearly "
+    "always still really so just very"
 )
 _MOST = 16
 """So many words at most a lead-in has."""
@@ -133,13 +122,13 @@ _OCCASIONS = (
     harmless.OCCASIONS
     | _words(
         "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event "
-        "spirit interest interests "
-        "tour house instructions recipe demand orders curiosity"
+        "spirit interest interests tour house instructions recipe demand orders curiosity"
     )
 ) - (
     harmless.TIMES
     | _words(
-        "yesterday tomorrow past future childhood youth everything something way ways bit lot lots sort kind present rule thing things stuff one"
+        "yesterday tomorrow past future childhood youth everything something way ways bit lot lots sort kind present "
+        "rule thing things stuff one"
     )
 )
 _SETTINGS = tuple(
@@ -163,9 +152,8 @@ _SET = (
     | harmless.NAMES
     | harmless.FINE
     | _words(
-        "the a an my our your his her their this that these today tonight 's of for on in with by from next whole little "
-        "new "
-        "open house usual own great live annual famous"
+        "the a an my our your his her their this that these today tonight 's of for on in with by from next whole "
+        "little new open house usual own great live annual famous"
     )
 )
 
@@ -176,7 +164,8 @@ def set_in(words: Sequence[str]) -> int:
     if words[:1] in (["with"], ["using"]):
         at = 1
         while at < len(words) and words[at] in _words(
-            "your the my usual robot robotic one own mechanical great strong magic clever nimble skilled skilful steady two"
+            "your the my usual robot robotic one own mechanical great strong magic clever nimble skilled skilful "
+            "steady two"
         ):
             at += 1
         return at + 1 if at > 1 and at < len(words) and words[at] in _TOOLS else 0
@@ -195,17 +184,14 @@ _SADLY = _words(
 """Nobody wishes for what is said to be that."""
 _TOLD = _TELLING | _words(
     "requested asked stipulates stipulate mandates mandate calls call dictated declared decreed ruled instructs "
-    "instruct "
-    "directs commands command orders ordered announced announces explains explained told has have had see let known "
-    "noted heard it'd essential "
-    "vital necessary done pass win finished complete completed fulfilled passed won"
+    "instruct directs commands command orders ordered announced announces explains explained told has have had see let "
+    "known noted heard it'd essential vital necessary done pass win finished complete completed fulfilled passed won"
 )
 _IN_WHICH = _words("the a an my our your this for of at in 's its by")
 _SUCCESS = _words(
     "pass passes passed succeed succeeds succeeded success successful win wins won victory accomplished complete "
-    "completed "
-    "completes finished fulfilled solved accepted approved points point score reward rewarded credit happy satisfied "
-    "correct valid right met achieved granted good okay ok marks awarded prize given"
+    "completed completes finished fulfilled solved accepted approved points point score reward rewarded credit happy "
+    "satisfied correct valid right met achieved granted good okay ok marks awarded prize given"
 )
 _SUCCEEDING = (
     _SUCCESS
@@ -213,9 +199,9 @@ _SUCCEEDING = (
     | _IN_WHICH
     | _words(
         "we you it this that result solution attempt run trial test task mission game episode round experiment check "
-        "exercise "
-        "challenge condition criterion criteria goal is are be will get gets got receive receives earn earns full only "
-        "considered counted count counts as deemed called regarded judged marked rated exactly just then job picture scene"
+        "exercise challenge condition criterion criteria goal is are be will get gets got receive receives earn earns "
+        "full only considered counted count counts as deemed called regarded judged marked rated exactly just then job "
+        "picture scene"
     )
 )
 _WHENEVER = (("if", "and", "only", "if"), ("as", "soon", "as"), ("provided", "that"), ("when",), ("if",), ("once",),
@@ -243,22 +229,17 @@ def _strange_noun(words: Sequence[str], n: int) -> bool:
 _MEDIA = _words(
     "photo photograph picture image drawing painting sketch postcard poster brochure catalog catalogue book cover page "
     "card screen frame slide video film shot scene plan sheet worksheet flyer leaflet magazine website exhibit "
-    "illustration "
-    "design poster arrangement diagram cartoon snapshot blueprint logo painting mind head vision"
+    "illustration design poster arrangement diagram cartoon snapshot blueprint logo painting mind head vision"
 )
 _WISHING = _words(
     "want wants wanted need needs needed like dream dreams dreaming dreamt dreamed imagine imagining think thinking "
-    "hope hoping wish "
-    "wishes wishing ask asks asking calls order orders ordered request requests requested require requires demand "
-    "demands "
-    "love crave waiting mood longing eager keen"
+    "hope hoping wish wishes wishing ask asks asking calls order orders ordered request requests requested require "
+    "requires demand demands love crave waiting mood longing eager keen"
 )
 _SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | (_OCCASIONS - _SADLY) | _words(
     "show shows showing shown depicts depict displays see sees looks there on to has have had what all will would 'd "
-    "must "
-    "should shall is be are i'd next final closing last desk wall fridge today now here winning always really so "
-    "much am been "
-    "'m 've 's us me them him her get something build out front with make small little nice quick"
+    "must should shall is be are i'd next final closing last desk wall fridge today now here winning always really so "
+    "much am been 'm 've 's us me them him her get something build out front with make small little nice quick"
 )  # fmt: skip
 _SHOWN = _words("shows show showing depicts displays of is are see sees has want wants need needs like love for "
                 "imagine : "

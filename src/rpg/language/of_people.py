@@ -43,10 +43,8 @@ _DET = _words("my our his her their your the a an this")
 _OWN = _words("my our his her your")
 _BODY = _words(
     "arm arms hand hands finger fingers leg legs foot feet knee knees back neck head eye eyes eyesight ear ears "
-    "hearing "
-    "sight memory joints bones muscles tummy stomach heart brain nerves voice hip hips shoulder shoulders thumb "
-    "thumbs wrist "
-    "battery patience time schedule shift flight appetite english"
+    "hearing sight memory joints bones muscles tummy stomach heart brain nerves voice hip hips shoulder shoulders "
+    "thumb thumbs wrist battery patience time schedule shift flight appetite english"
 )
 _ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS | harmless.TIMES) - SAID_OF_SCENES - {"second"}
 _TO_YOU = _words(
@@ -62,9 +60,8 @@ _MEASURED = _words("year years old o'clock sharp today now tomorrow already")
 _OF_AGE = _words("is am are turns turned at just almost nearly only")
 _LOOKED_ON = _words(
     "film films filming record records recording photograph photographing watch watches watching admire admires "
-    "admiring "
-    "broadcast tape taping study studies studying discuss show showing shows love loves enjoy enjoys about promised "
-    "bought inherited received got"
+    "admiring broadcast tape taping study studies studying discuss show showing shows love loves enjoy enjoys about "
+    "promised bought inherited received got"
 )
 """What is looked at and shown may be what is asked for."""
 _LEFT_OUT = _words("allowed supposed permitted serious mean meant care")

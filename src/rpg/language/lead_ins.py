@@ -134,14 +134,12 @@ _OCCASIONS = (
 _SETTINGS = tuple(
     tuple(lead.split())
     for lead in ("as part of", "according to", "per", "as per", "following", "at the request of", "on behalf of",
-    "in the name of",
-                 "for", "in", "during", "at", "on", "out of", "by order of", "by request of", "at the wish of",
-                 "in line with",
-                 "in accordance with", "in honor of", "in honour of", "on the occasion of",
+                 "in the name of", "for", "in", "during", "at", "on", "out of", "by order of", "by request of",
+                 "at the wish of", "in line with", "in accordance with", "in honor of", "in honour of",
+                 "on the occasion of",
                  *(f"as {said} {by}" for said in ("agreed", "discussed", "requested", "promised", "planned",
-                 "announced",
-                   "ordered", "mentioned", "explained", "instructed", "described", "specified", "stated", "wished",
-                   "desired", "told", "asked", "usual", "is usual", "is tradition", "is custom")
+                   "announced", "ordered", "mentioned", "explained", "instructed", "described", "specified", "stated",
+                   "wished", "desired", "told", "asked", "usual", "is usual", "is tradition", "is custom")
                    for by in ("in", "on", "by", "at", "with", "during", "for", "from")))
 )  # fmt: skip
 """What a setting begins with."""
@@ -242,8 +240,7 @@ _SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | (_OCCASIONS - _SADLY) | _words
     "much am been 'm 've 's us me them him her get something build out front with make small little nice quick"
 )  # fmt: skip
 _SHOWN = _words("shows show showing depicts displays of is are see sees has want wants need needs like love for "
-                "imagine : "
-                "with wanted needed ordered requested requests orders asks requires demands have")  # fmt: skip
+                "imagine : with wanted needed ordered requested requests orders asks requires demands have")  # fmt: skip
 _ARTICLES = _words("a an one") | frozenset(lexicon.NUMBER)
 
 

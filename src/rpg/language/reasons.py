@@ -116,8 +116,7 @@ def _done_to_ours(tokens: Sequence[Token]) -> bool:
 
 _TRIED_OUT = _words("test check train try exercise practice practise calibrate improve prove show demonstrate use")
 _TOOLS = _words("gripper arm arms hand hands fingers skill skills camera cameras precision patience robot software "
-                "system "
-                "controller sensors sensor abilities ability talent talents brain eyes vision")  # fmt: skip
+                "system controller sensors sensor abilities ability talent talents brain eyes vision")  # fmt: skip
 _OF_SOME = _words("the my our his her their your")
 _LIKENESS = ("match", "resembl", "mimic", "imitat", "copy", "mirror", "reflect", "represent", "depict", "replicat",
              "reproduc", "follow", "obey", "fit", "hide", "cover", "block", "obstruct", "protect", "surround",
@@ -148,9 +147,7 @@ _IF_DONE = tuple(
     (*when, *done, *mark)
     for when in (("if",), ("when",), ("once",), ("as", "soon", "as"))
     for done in (("it", "works"), ("this", "works"), ("that", "works"), ("you", "manage"), ("you", "do", "it"),
-                 ("you", "succeed"), ("you", "can", "do", "it"), ("you", "make", "it"), ("you", "win"), ("it", "is",
-                 "done"),
-                 ("you", "manage", "that"), ("you", "manage", "it"), ("you", "are", "done"), ("you", "do", "well"),
+                 ("you", "succeed"), ("you", "can", "do", "it"), ("you", "make", "it"), ("you", "win"), ("it", "is", "done"), ("you", "manage", "that"), ("you", "manage", "it"), ("you", "are", "done"), ("you", "do", "well"),
                  ("you", "do", "this"), ("you", "do", "that"))
     for mark in ((), (",",), ("then",), (",", "then"))
 )  # fmt: skip

@@ -94,8 +94,7 @@ _POSTURES = _words(
     "stand stands standing sit sits sitting lie lies lying stood sat lay rest resting stay stays staying"
 )
 SAID_OF_SCENES = _words("picture pictures photo photos photograph scene image goal task tasks plan description "
-                        "geometry "
-                         "session result assembly way everything something thing things rule")  # fmt: skip
+                        "geometry session result assembly way everything something thing things rule")  # fmt: skip
 """Whatever is told of these may be told of blocks."""
 _ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS) - SAID_OF_SCENES
 _ONES_OWN = _words("my our his her their me us mine yours")

@@ -38,8 +38,7 @@ _HELPERS = _words(
 _COMING = tuple(
     tuple(f"{ahead} {comes}".split())
     for ahead in ("now", "here", "next", "then", "this", "that", "it", "and now", "and here", "now this", "i have",
-    "we have",
-                  "i 've got", "there", "let us try", "let me try", "up next", "first")
+                  "we have", "i 've got", "there", "let us try", "let me try", "up next", "first")
     for comes in ("", "comes", "is", "'s", "goes", "will be", "is going to be", "follows", "got", "'s got")
 )  # fmt: skip
 _BEGINNINGS = ("to begin with", "to start with", "for a start", "for starters", "to warm up")
@@ -54,8 +53,8 @@ _ERRANDS = _words(
     "brainteaser"
 )
 """What is announced, of which nothing is told yet."""
-_CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"), ("provided",), ("provided",
-               "that"),
+_CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"), ("provided",),
+               ("provided", "that"),
                ("as", "long", "as"))  # fmt: skip
 _OBLIGING = _words(
     "you it that this i we is are would could can will may might do does not no too so very much really at all any a "
@@ -76,8 +75,7 @@ _OBLIGED = _words(
     "permits allow allows suits would wish request suggestion could can"
 )
 _EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"),
-              ("should", "we"),
-              ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"), ("off", "to"),
+              ("should", "we"), ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"), ("off", "to"),
               ("get", "ready", "to"), ("get", "ready", "for"), ("who", "wants", "to"), ("who", "is", "ready", "for"),
               ("how", "about"), ("what", "about"), ("we", "want", "to"), ("we", "are", "going", "to"),
               ("are", "you", "ready", "to"), ("are", "you", "ready", "for"), ("i", "am", "going", "to"),
@@ -104,8 +102,7 @@ _CARE = _words(
     "no due usual possible without any own time smoothly tenderly delicately attentively"
 )
 _CARED = _words("slowly slow gently gentle carefully careful softly quietly calmly patiently cautiously care caution "
-                "patience "
-                "love precision steady easy gentlest hurry smoothly tenderly delicately")  # fmt: skip
+                "patience love precision steady easy gentlest hurry smoothly tenderly delicately")  # fmt: skip
 
 
 def by_form(tokens: Sequence[Token]) -> bool:

@@ -90,6 +90,10 @@ def command_behind(words: Sequence[str]) -> int:
 
 
 _THINGS = _words("it they this that everything")
+_AGENTS = _words(
+    "you robot arm machine computer agent gripper helper policy participant subject contestant candidate human humans "
+    "manipulator operator"
+)
 _MODAL = _words("would could can may might will shall should must 'd 'll")
 _ALL_SAID = _words("what all thing hand")
 
@@ -102,7 +106,8 @@ def _leads_in(words: Sequence[str]) -> bool:
         n in turned or (word not in _DENYING and (word in _SAID_WITH or word in _WHO or word in _OCCASIONS - _SADLY))
         for n, word in enumerate(words)
     )
-    told = words[-2:-1] and words[-2] in _THINGS and words[-1] in _MODAL  # "it should (turn left)"
+    done_by = _AGENTS.isdisjoint(words) or words[-2:-1] == [] or words[-2] in _THINGS
+    told = words[-1] in _MODAL and done_by  # "it should (turn left)", "my wife will (take the other one)"
     asked = (
         bool(who)
         or words[:2] in (["what", "a"], ["get", "ready"], ["feel", "free"], ["go", "ahead"])
@@ -240,7 +245,8 @@ _SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | (_OCCASIONS - _SADLY) | _words
     "much am been 'm 've 's us me them him her get something build out front with make small little nice quick"
 )  # fmt: skip
 _SHOWN = _words("shows show showing depicts displays of is are see sees has want wants need needs like love for "
-                "imagine : with wanted needed ordered requested requests orders asks requires demands have")  # fmt: skip
+                "imagine : with wanted needed ordered requested requests orders asks requires demands "
+                "have")  # fmt: skip
 _ARTICLES = _words("a an one") | frozenset(lexicon.NUMBER)
 
 

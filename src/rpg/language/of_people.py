@@ -64,6 +64,7 @@ _LOOKED_ON = _words(
     "promised bought inherited received got"
 )
 """What is looked at and shown may be what is asked for."""
+_ANOTHER = _words("other another every each same different")
 _LEFT_OUT = _words("allowed supposed permitted serious mean meant care")
 _DENYING = _words("not never no nothing none without neither nor")
 _BEFORE_NOT = _words("can could do does did is am are was were will would 'm 're has have")
@@ -158,6 +159,10 @@ def _fits(tokens: Sequence[Token], n: int, denied: bool) -> bool:
         return word in ("not", "never") and before in _BEFORE_NOT and (able or denied) and _LEFT_OUT.isdisjoint(after)
     if word == "left":
         return before in harmless.TIMES
+    if word == "right":
+        return before in BEING or after[:1] in (["now"], ["away"])
+    if word in _ANOTHER:
+        return False
     if word == "back":
         return before in BEING | _OWN | _words("come comes came coming go went goes got get gets")
     plain = word in _PHRASAL or harmless_word(tokens, n) or is_strange(word)

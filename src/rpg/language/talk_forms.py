@@ -75,7 +75,8 @@ _OBLIGED = _words(
     "permits allow allows suits would wish request suggestion could can"
 )
 _EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"),
-              ("should", "we"), ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"), ("off", "to"),
+              ("should", "we"), ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"),
+              ("off", "to"),
               ("get", "ready", "to"), ("get", "ready", "for"), ("who", "wants", "to"), ("who", "is", "ready", "for"),
               ("how", "about"), ("what", "about"), ("we", "want", "to"), ("we", "are", "going", "to"),
               ("are", "you", "ready", "to"), ("are", "you", "ready", "for"), ("i", "am", "going", "to"),

@@ -147,7 +147,8 @@ _IF_DONE = tuple(
     (*when, *done, *mark)
     for when in (("if",), ("when",), ("once",), ("as", "soon", "as"))
     for done in (("it", "works"), ("this", "works"), ("that", "works"), ("you", "manage"), ("you", "do", "it"),
-                 ("you", "succeed"), ("you", "can", "do", "it"), ("you", "make", "it"), ("you", "win"), ("it", "is", "done"),
+                 ("you", "succeed"), ("you", "can", "do", "it"), ("you", "make", "it"),
+                 ("you", "win"), ("it", "is", "done"),
                  ("you", "manage", "that"), ("you", "manage", "it"), ("you", "are", "done"), ("you", "do", "well"),
                  ("you", "do", "this"), ("you", "do", "that"))
     for mark in ((), (",",), ("then",), (",", "then"))

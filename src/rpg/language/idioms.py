@@ -256,6 +256,8 @@ _WHOLE = (
     "mind your fingers|head|step|language|manners",
     "you will not regret|be_sorry it|that?",
     "to break|pass|kill the_ice|the|some? time?",
+    "without breaking|damaging|hurting|scratching|spilling anything|anybody|anyone|yourself",
+    "do not worry|despair|panic if it|this|that takes a_while|long|some_time|time|forever",
     "end of story|discussion|message",
     "hugs|love|kisses and hugs|kisses",
     "a? piece of cake for_you|for_a_robot?",

@@ -44,7 +44,7 @@ _SAID_WITH = _words(
 _DENYING = _words("not no never nothing without too only nobody none had was were did")
 """Not but in a few turns of speech."""
 _TURNS = (("the", "only", "thing"), ("was", "wondering"), ("was", "hoping"), ("was", "thinking"), ("was", "going"),
-          ("were", "wondering"), ("were", "hoping"), ("only", "thing"), ("left", "for"), ("left", "to"))  # fmt: skip
+          ("all", "right"), ("it", "falls", "to"), ("were", "wondering"), ("were", "hoping"), ("only", "thing"), ("left", "for"), ("left", "to"))  # fmt: skip
 _HANDING_ON = _words("would could can may might will shall should must 'd 'll please to and kindly just")
 _IFS = _words("if when whenever once unless until because before after while why who where which")
 """A lead-in that begins with them would be a condition, or a question."""
@@ -127,7 +127,7 @@ _OCCASIONS = (
     harmless.OCCASIONS
     | _words(
         "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event "
-        "spirit interest interests tour house instructions recipe demand orders curiosity"
+        "spirit interest interests tour house instructions recipe demand orders curiosity preparation"
     )
 ) - (
     harmless.TIMES
@@ -148,7 +148,9 @@ _SETTINGS = tuple(
                    for by in ("in", "on", "by", "at", "with", "during", "for", "from")))
 )  # fmt: skip
 """What a setting begins with."""
-_TOOLS = _words("arm gripper hand hands fingers claw skills precision care strength charm talent grace expertise")
+_TOOLS = _words(
+    "arm gripper hand hands fingers claw skills permission leave precision care strength charm talent grace expertise"
+)
 _SET = (
     _OCCASIONS
     | harmless.PEOPLE
@@ -244,15 +246,19 @@ _SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | (_OCCASIONS - _SADLY) | _words
     "must should shall is be are i'd next final closing last desk wall fridge today now here winning always really so "
     "much am been 'm 've 's us me them him her get something build out front with make small little nice quick"
 )  # fmt: skip
-_SHOWN = _words("shows show showing depicts displays of is are see sees has want wants need needs like love for "
-                "imagine : with wanted needed ordered requested requests orders asks requires demands "
-                "have")  # fmt: skip
+_SHOWN = _words(
+    "shows show showing depicts displays of is are see sees has want wants need needs like love for imagine : with "
+    "wanted needed ordered requested requests orders asks requires demands have"
+)  # fmt: skip
 _ARTICLES = _words("a an one") | frozenset(lexicon.NUMBER)
 
 
 def _place_of_it(words: Sequence[str], n: int) -> bool:
-    """ "(The poster in the) hall"."""
-    return n > 2 and is_strange(words[n]) and words[n - 1] in _IN_WHICH and not _MEDIA.isdisjoint(words[:n])
+    """ "(The poster in the) hall", "(our) mascot (needs)"."""
+    if not n or not is_strange(words[n]) or words[n - 1] not in _IN_WHICH:
+        return False
+    named = n == 1 and (words[2:3] == ["i"] or not (_MEDIA | _WISHING).isdisjoint(words[2:3]))
+    return named or (n > 2 and not _MEDIA.isdisjoint(words[:n]))
 
 
 def thing_behind(words: Sequence[str]) -> int:

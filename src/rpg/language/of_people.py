@@ -77,7 +77,7 @@ def of_people(tokens: Sequence[Token], *, denied: bool = False, anything: bool =
     words = [token.word for token in tokens]
     begin = next((n for n, word in enumerate(words) if word not in _AHEAD), len(words))
     strange = anything and words[begin : begin + 1] == ["the"] and any(map(is_strange, words[begin + 1 : begin + 2]))
-    at = begin + (2 if strange else _subject(words[begin:]))
+    at = begin + (2 if strange else subject_of(words[begin:]))
     if at == begin or at >= len(words) or _asks(words, begin, at):
         return False
     denied = denied or not _BODY.isdisjoint(words[begin:at])
@@ -94,10 +94,10 @@ def of_people(tokens: Sequence[Token], *, denied: bool = False, anything: bool =
         words[at] not in _TO_YOU | ({"have"} if denied else set()) or words[at + 1 : at + 2] in (["to"], ["not"])
     ):
         return False
-    return all(_fits(tokens, n, denied) for n in range(at, len(words)))
+    return all(fits(tokens, n, denied) for n in range(at, len(words)))
 
 
-def _subject(words: Sequence[str]) -> int:
+def subject_of(words: Sequence[str]) -> int:
     """How many of the first words say of whom it is told."""
     if not words:
         return 0
@@ -138,7 +138,7 @@ def _no_task(first: str, subject: Sequence[str], verb: Sequence[str]) -> bool:
     return first in _SPEAKERS | _OWN or ACTING.isdisjoint(subject) or not BEING.isdisjoint(verb)
 
 
-def _fits(tokens: Sequence[Token], n: int, denied: bool) -> bool:
+def fits(tokens: Sequence[Token], n: int, denied: bool = False) -> bool:
     """Whether a word can only be of people, where one is told of."""
     words, token = [token.word for token in tokens], tokens[n]
     word, before, after = token.word, words[n - 1], words[n + 1 : n + 3]

@@ -22,8 +22,9 @@ def _words(text: str) -> frozenset[str]:
 _REASONS = _words("because since cause cos coz")
 _HELD = _words("must should shall ought needs need unless if only without not no never nobody")
 _WANTED = _words("want wants need needs")
-_OWN_WAY = _words("stands standing sits sitting lies lying looks looking stays where so nicely well prettily there "
-                  "otherwise")  # fmt: skip
+_OWN_WAY = _words(
+    "stands standing sits sitting lies lying looks looking stays where so nicely well prettily there otherwise"
+)  # fmt: skip
 """How something is where it is anyway."""
 _AIMS = (("to",), ("in", "order", "to"), ("so", "as", "to"), ("just", "to"))
 _SOCIAL = _words(
@@ -65,7 +66,11 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
         return True
     if words[0] in ("as", "for", "so") and words[1:2] != ["you"] and of_people(tokens[1:], denied=True):
         return True
+    if words[0] == "as" and words[-1] in _WISHED and len(words) > 2 and all(word in _BY_WHOM for word in words[1:-1]):
+        return True
     if (lead := length_of_lead(words, _AIMS)) and _done_to_ours(tokens[lead:]):
+        return True
+    if words[0] == "to" and len(words) > 2 and THING.isdisjoint(words) and small_talk(tokens):
         return True
     if (lead := length_of_lead(words, _AIMS)) and words[lead : lead + 1] and words[lead] in _SOCIAL:
         behind = tokens[lead + 1 :]
@@ -92,12 +97,22 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
     return False
 
 
+_WISHED = _words(
+    "ordered wished asked wanted said told requested expects expected promised demanded instructed suggested"
+)
+_BY_WHOM = (
+    harmless.PEOPLE | harmless.NAMES | LOOKS_OF_PEOPLE | _words("the my our his her your i we he she has have us me")
+)
+
+
 def _done_to_ours(tokens: Sequence[Token]) -> bool:
     """ "(To) calibrate the camera", "(to) cheer up my sick friend": what is done to something that no task has."""
     words = [token.word for token in tokens]
     det = next((n for n, word in enumerate(words[1:4], 1) if word in _OF_SOME), 0)
     if not det or len(words) == det + 1:
         return False
+    if words[0] in _BEGUN_AND_ENDED and all(word in harmless.OCCASIONS for word in words[det + 1 :]):
+        return True
     if words[0] in _TRIED_OUT and all(word in _TOOLS or word in LOOKS_OF_PEOPLE for word in words[det + 1 :]):
         return True
     verb = words[0] not in lexicon.VERB and not words[0].startswith(_LIKENESS)
@@ -114,9 +129,13 @@ def _done_to_ours(tokens: Sequence[Token]) -> bool:
     return known and (not ours.isdisjoint(words[det + 1 :]) or (words[0] in _SOCIAL and is_strange(words[-1])))
 
 
-_TRIED_OUT = _words("test check train try exercise practice practise calibrate improve prove show demonstrate use")
-_TOOLS = _words("gripper arm arms hand hands fingers skill skills camera cameras precision patience robot software "
-                "system controller sensors sensor abilities ability talent talents brain eyes vision")  # fmt: skip
+_BEGUN_AND_ENDED = _words("finish end open close begin start win pass save celebrate mark conclude complete continue")
+_TRIED_OUT = _words("warm test check train try exercise practice practise calibrate improve prove show demonstrate use")
+_TOOLS = _words(
+    "gripper arm arms hand hands fingers skill skills camera cameras precision patience robot software system "
+    "controller sensors sensor abilities ability talent talents brain eyes vision motors motor engine engines joints "
+    "muscles circuits"
+)  # fmt: skip
 _OF_SOME = _words("the my our his her their your")
 _LIKENESS = ("match", "resembl", "mimic", "imitat", "copy", "mirror", "reflect", "represent", "depict", "replicat",
              "reproduc", "follow", "obey", "fit", "hide", "cover", "block", "obstruct", "protect", "surround",

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from rpg.language import harmless
 from rpg.language.lead_ins import set_in
-from rpg.language.of_people import of_people
+from rpg.language.of_people import fits, of_people, subject_of
 from rpg.language.reasons import length_of_lead, meanwhile, reason_or_aim, rewards
 from rpg.language.smalltalk import SAID_OF_SCENES, THING, harmless_word, is_strange
 from rpg.language.tokens import Token
@@ -43,7 +43,7 @@ _COMING = tuple(
 )  # fmt: skip
 _BEGINNINGS = ("to begin with", "to start with", "for a start", "for starters", "to warm up")
 _SORTS_OF_ERRANDS = (harmless.FINE - _words("true real")) | _words(
-    "a an the my our your one little small big quick short next new last final first second third another today 's "
+    "practice practise bonus a an the my our your one little small big quick short next new last final first second third another today 's "
     "easier harder easiest hardest main actual important tiny just only more very really so super pretty quite rather "
     "bit fresh"
 )
@@ -62,7 +62,7 @@ _OBLIGING = _words(
     "alright all right possible convenient happen have has find get got time minute moment second minutes seconds "
     "trouble bother work effort hassle problem burden inconvenience kind good nice able ready manage feel like up "
     "awake willing kindly busy hands your somehow perhaps 's 're 've 'd don't permit allow allows permits may excuse "
-    "schedule suits other things else course make wish request suggestion"
+    "schedule suits other things else course make wish request suggestion chance my asking"
 )
 """Of what somebody asks who is polite."""
 _RESTED = _words(
@@ -72,7 +72,7 @@ _ASKED_OF = _words("you it that this i your time")
 _OBLIGED = _words(
     "mind okay ok fine alright right possible convenient time minute moment second minutes seconds trouble bother work "
     "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit "
-    "permits allow allows suits would wish request suggestion could can"
+    "permits allow allows suits would wish request suggestion chance could can"
 )
 _EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"),
               ("should", "we"), ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"),
@@ -98,12 +98,14 @@ _AT_LARGE = _words("blocks towers shapes letters numbers words colors patterns f
 _TRIED = _words("do try see start begin play practise practice hear")
 _CARE = _words(
     "slowly slow gently gentle carefully careful softly quietly calmly patiently precisely steady steadily cautiously "
-    "kindly easy with great much lots a lot of all some little extra special care caution patience love attention "
-    "precision very really nice and as you can so ever please be your the best most utmost bit way in gentlest hurry "
-    "no due usual possible without any own time smoothly tenderly delicately attentively"
+    "manner calm fashion kindly easy with great much lots a lot of all some little extra special care caution patience "
+    "love attention precision very really nice and as you can so ever please be your the best most utmost bit way in "
+    "gentlest hurry no due usual possible without any own time smoothly tenderly delicately attentively"
 )
-_CARED = _words("slowly slow gently gentle carefully careful softly quietly calmly patiently cautiously care caution "
-                "patience love precision steady easy gentlest hurry smoothly tenderly delicately")  # fmt: skip
+_CARED = _words(
+    "slowly slow gently gentle carefully careful softly quietly calmly calm patiently cautiously care caution patience "
+    "love precision steady easy gentlest hurry smoothly tenderly delicately"
+)  # fmt: skip
 
 
 def by_form(tokens: Sequence[Token]) -> bool:
@@ -112,6 +114,7 @@ def by_form(tokens: Sequence[Token]) -> bool:
     return (
         _of_the_day(words) or set_in(words) == len(words) or addresses(words) or _announces(tokens)
         or polite_condition(words) or takes_care(words) or _exhorts(tokens)
+        or _regards(tokens) or _asks_of_people(tokens)
         or reason_or_aim(tokens) or meanwhile(tokens) or rewards(tokens) or of_people(tokens)
     )  # fmt: skip
 
@@ -128,6 +131,32 @@ def _of_the_day(words: Sequence[str]) -> bool:
 
 
 _SAID_OF_WORK = SAID_OF_SCENES | _words("mess chaos once later only")
+
+
+def _regards(tokens: Sequence[Token]) -> bool:
+    """ "Sorry for waking you so early", "best wishes from Oslo"."""
+    words = [token.word for token in tokens]
+    at = next((n for n, word in enumerate(words) if word not in _KINDLY), len(words))
+    begun = 0 < at < len(words) - 1 and not _REGARDS.isdisjoint(words[:at]) and words[at] in ("for", "from", "about")
+    return begun and THING.isdisjoint(words[at + 1 :]) and all(fits(tokens, n) for n in range(at + 1, len(words)))
+
+
+_REGARDS = _words(
+    "sorry thanks thank apologies excuse love greetings regards wishes cheers hugs kisses congratulations"
+)
+_KINDLY = _REGARDS | _words(
+    "i am we are 'm 're so very many best kind warm warmest again and you me please my our much all"
+)
+
+
+def _asks_of_people(tokens: Sequence[Token]) -> bool:
+    """ "Are we recording", "is my wife at home"."""
+    asked = tokens[0].word in _ASKED_WITH and len(tokens) > 2
+    behind = tokens[1 : 1 + subject_of([token.word for token in tokens[1:]])] if asked else ()
+    return bool(behind) and behind[0].word != "you" and of_people([*behind, tokens[0], *tokens[1 + len(behind) :]])
+
+
+_ASKED_WITH = _words("are is am was were has have did")
 
 
 def addresses(words: Sequence[str]) -> bool:

@@ -37,14 +37,15 @@ _SAID_WITH = _words(
     "evening promised promise day what bet dare dared week decided all , basically honestly actually essentially "
     "literally obviously ideally normally usually hopefully certainly definitely absolutely favour honour choose "
     "accept chosen moon from hand world once more glory effort make get take way head over gratitude eternally forever "
-    "reckon believe suppose guess say allow pay one got doubt helping old young dear new much obliged : trouble "
-    "supposed been 'd duties demonstration trial experiment lesson meeting course important necessary essential "
-    "crucial vital urgent matters need"
+    "best appreciate informed reckon believe suppose guess say allow pay one got doubt helping old young dear new much "
+    "obliged : trouble supposed been 'd duties demonstration trial experiment lesson meeting course important "
+    "necessary essential crucial vital urgent matters need"
 )
 _DENYING = _words("not no never nothing without too only nobody none had was were did")
 """Not but in a few turns of speech."""
 _TURNS = (("the", "only", "thing"), ("was", "wondering"), ("was", "hoping"), ("was", "thinking"), ("was", "going"),
-          ("all", "right"), ("it", "falls", "to"), ("were", "wondering"), ("were", "hoping"), ("only", "thing"), ("left", "for"), ("left", "to"))  # fmt: skip
+          ("all", "right"), ("it", "falls", "to"), ("were", "wondering"), ("were", "hoping"), ("only", "thing"),
+          ("left", "for"), ("left", "to"))  # fmt: skip
 _HANDING_ON = _words("would could can may might will shall should must 'd 'll please to and kindly just")
 _IFS = _words("if when whenever once unless until because before after while why who where which")
 """A lead-in that begins with them would be a condition, or a question."""
@@ -189,8 +190,9 @@ _SADLY = _words(
 """Nobody wishes for what is said to be that."""
 _TOLD = _TELLING | _words(
     "requested asked stipulates stipulate mandates mandate calls call dictated declared decreed ruled instructs "
-    "instruct directs commands command orders ordered announced announces explains explained told has have had see let "
-    "known noted heard it'd essential vital necessary done pass win finished complete completed fulfilled passed won"
+    "instruct directs commands command orders ordered announced announces explains explained told has have had been "
+    "see let known noted heard it'd essential vital necessary done pass win finished complete completed fulfilled "
+    "passed won"
 )
 _IN_WHICH = _words("the a an my our your this for of at in 's its by")
 _SUCCESS = _words(
@@ -206,7 +208,7 @@ _SUCCEEDING = (
         "we you it this that result solution attempt run trial test task mission game episode round experiment check "
         "exercise challenge condition criterion criteria goal is are be will get gets got receive receives earn earns "
         "full only considered counted count counts as deemed called regarded judged marked rated exactly just then job "
-        "picture scene"
+        "picture scene would all so very really more"
     )
 )
 _WHENEVER = (("if", "and", "only", "if"), ("as", "soon", "as"), ("provided", "that"), ("when",), ("if",), ("once",),

@@ -43,9 +43,9 @@ _COMING = tuple(
 )  # fmt: skip
 _BEGINNINGS = ("to begin with", "to start with", "for a start", "for starters", "to warm up")
 _SORTS_OF_ERRANDS = (harmless.FINE - _words("true real")) | _words(
-    "practice practise bonus a an the my our your one little small big quick short next new last final first second third another today 's "
-    "easier harder easiest hardest main actual important tiny just only more very really so super pretty quite rather "
-    "bit fresh"
+    "practice practise bonus a an the my our your one little small big quick short next new last final first second "
+    "third another today 's easier harder easiest hardest main actual important tiny just only more very really so "
+    "super pretty quite rather bit fresh"
 )
 _ERRANDS = _words(
     "request question task favor job challenge puzzle exercise game assignment mission errand problem riddle quiz one "

@@ -7,6 +7,7 @@ import pytest
 from rpg.language.formulas import formulas_told
 from rpg.language.remarks import without_remarks
 from rpg.language.tokens import Token, tokenize
+from rpg.passes.schema.frontend import BuiltinFrontEnd
 
 ASKED = "put the red block on the blue one"
 
@@ -109,6 +110,9 @@ KEPT = (
     ("We fail if {}", "fail"),
     ("It is a shame that {}", "shame"),
     ("The opening shot shows {}", "opening"),
+    ("My wife will take the other one", "wife"),
+    ("The photographer will stand on the left", "photographer"),
+    ("{}. My son counts from the right.", "counts"),
 )
 
 
@@ -125,6 +129,18 @@ def test_a_picture_is_no_wish_where_more_is_told() -> None:
 def test_a_heading_behind_the_start_is_kept() -> None:
     told = "Setup: red on blue. Goal: green next to blue."
     assert "Goal :" in _rest(told)
+
+
+@pytest.mark.parametrize("lead", ["All the kids want {}", "Everybody needs {}", "I had {}", "The old photo shows {}"])
+def test_what_may_be_one_each_or_gone_is_kept(lead: str) -> None:
+    told = lead.format("a tower of three red blocks")
+    assert _rest(told) == told
+
+
+def test_a_question_behind_a_task_is_no_place() -> None:
+    plain, asked = (BuiltinFrontEnd().read(f"{ASKED}{end}")[0] for end in (".", ", right?"))
+    assert plain is not None and asked is not None
+    assert asked.goal == plain.goal
 
 
 def _rest(text: str) -> str:

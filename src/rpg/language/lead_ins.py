@@ -99,12 +99,33 @@ _MODAL = _words("would could can may might will shall should must 'd 'll")
 _ALL_SAID = _words("what all thing hand")
 
 
+_OCCASIONS = (
+    harmless.OCCASIONS
+    | _words(
+        "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event "
+        "spirit interest interests tour house instructions recipe demand orders curiosity preparation"
+    )
+) - (
+    harmless.TIMES
+    | _words(
+        "yesterday tomorrow past future childhood youth everything something way ways bit lot lots sort kind present "
+        "rule thing things stuff one"
+    )
+)
+_SADLY = _words(
+    "shame regret worry fear panic stress trouble bother problem difficulty crisis emergency accident disaster mess "
+    "chaos nightmare headache illness fever cold flu secret gossip pity grief sorrow dream dreams joke trick lie"
+)
+"""Nobody wishes for what is said to be that."""
+_GLADLY = _OCCASIONS - _SADLY
+
+
 def _leads_in(words: Sequence[str]) -> bool:
     who = [word for word in words if word in _WHO]
     turned = {n + k for n in range(len(words)) for turn in _TURNS if tuple(words[n : n + len(turn)]) == turn
               for k in range(len(turn))}  # fmt: skip
     known = all(
-        n in turned or (word not in _DENYING and (word in _SAID_WITH or word in _WHO or word in _OCCASIONS - _SADLY))
+        n in turned or (word not in _DENYING and (word in _SAID_WITH or word in _WHO or word in _GLADLY))
         for n, word in enumerate(words)
     )
     done_by = _AGENTS.isdisjoint(words) or words[-2:-1] == [] or words[-2] in _THINGS
@@ -124,19 +145,6 @@ def _leads_in(words: Sequence[str]) -> bool:
     )
 
 
-_OCCASIONS = (
-    harmless.OCCASIONS
-    | _words(
-        "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event "
-        "spirit interest interests tour house instructions recipe demand orders curiosity preparation"
-    )
-) - (
-    harmless.TIMES
-    | _words(
-        "yesterday tomorrow past future childhood youth everything something way ways bit lot lots sort kind present "
-        "rule thing things stuff one"
-    )
-)
 _SETTINGS = tuple(
     tuple(lead.split())
     for lead in ("as part of", "according to", "per", "as per", "following", "at the request of", "on behalf of",
@@ -183,11 +191,6 @@ def set_in(words: Sequence[str]) -> int:
     return named if named > at else 0
 
 
-_SADLY = _words(
-    "shame regret worry fear panic stress trouble bother problem difficulty crisis emergency accident disaster mess "
-    "chaos nightmare headache illness fever cold flu secret gossip pity grief sorrow dream dreams joke trick lie"
-)
-"""Nobody wishes for what is said to be that."""
 _TOLD = _TELLING | _words(
     "requested asked stipulates stipulate mandates mandate calls call dictated declared decreed ruled instructs "
     "instruct directs commands command orders ordered announced announces explains explained told has have had been "
@@ -223,7 +226,7 @@ def state_behind(words: Sequence[str]) -> int:
             return at + long
     end = next((n for n, word in enumerate(words[: _MOST + 1]) if word in ("that", ":", "=") and n), 0)
     said = words[:end]
-    whose = _TELLERS | _WHO | _IN_WHICH | (_OCCASIONS - _SADLY)
+    whose = _TELLERS | _WHO | _IN_WHICH | _GLADLY
     known = all(word in _TOLD or word in whose or _strange_noun(said, n) for n, word in enumerate(said))
     return end + 1 if end and known and not _TOLD.isdisjoint(said) and end + 3 < len(words) else 0
 
@@ -243,7 +246,7 @@ _WISHING = _words(
     "hope hoping wish wishes wishing ask asks asking calls order orders ordered request requests requested require "
     "requires demand demands love crave waiting mood longing eager keen"
 )
-_SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | (_OCCASIONS - _SADLY) | _words(
+_SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | _GLADLY | _words(
     "show shows showing shown depicts depict displays see sees looks there on to has have had what all will would 'd "
     "must should shall is be are i'd next final closing last desk wall fridge today now here winning always really so "
     "much am been 'm 've 's us me them him her get something build out front with make small little nice quick"
@@ -253,6 +256,10 @@ _SHOWN = _words(
     "wanted needed ordered requested requests orders asks requires demands have"
 )  # fmt: skip
 _ARTICLES = _words("a an one") | frozenset(lexicon.NUMBER)
+
+
+_TOGETHER = _words("i we waiting see")
+"""With these all people are not told to have one each."""
 
 
 def _place_of_it(words: Sequence[str], n: int) -> bool:
@@ -272,6 +279,7 @@ def thing_behind(words: Sequence[str]) -> int:
             break
         medium, wished = not _MEDIA.isdisjoint(ahead), not _WISHING.isdisjoint(ahead)
         last = "last" not in ahead or words[ahead.index("last") + 1] in _MEDIA
-        if words[at] in _ARTICLES and words[at - 1] in _SHOWN and (medium or wished) and last:
+        each = "all" in ahead[1:] or (ahead[0] in ("all", "everybody", "everyone") and _TOGETHER.isdisjoint(ahead))
+        if words[at] in _ARTICLES and words[at - 1] in _SHOWN and (medium or wished) and last and not each:
             found = at if words[at + 1] not in _MEDIA else found
     return found

@@ -46,6 +46,7 @@ _BODY = _words(
     "hearing sight memory joints bones muscles tummy stomach heart brain nerves voice hip hips shoulder shoulders "
     "thumb thumbs wrist battery patience time schedule shift flight appetite english"
 )
+_FOLK = PERSONS - _words("robot robots machine computer")
 _ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS | harmless.TIMES) - SAID_OF_SCENES - {"second"}
 _TO_YOU = _words(
     "are 're look looked looks seem seemed sound did were deserve rock know knew deserved do amaze rule make"
@@ -69,6 +70,8 @@ _LEFT_OUT = _words("allowed supposed permitted serious mean meant care")
 _DENYING = _words("not never no nothing none without neither nor")
 _BEFORE_NOT = _words("can could do does did is am are was were will would 'm 're has have")
 _DOING = harmless.DOINGS | BEING | _TO_YOU
+_BEFORE_VERBS = harmless.ADVERBS | {"all", "both"}
+_ASKING = DEMANDED | _words("must should may might")
 
 
 def of_people(tokens: Sequence[Token], *, denied: bool = False, anything: bool = False) -> bool:
@@ -81,12 +84,8 @@ def of_people(tokens: Sequence[Token], *, denied: bool = False, anything: bool =
     if at == begin or at >= len(words) or _asks(words, begin, at):
         return False
     denied = denied or not _BODY.isdisjoint(words[begin:at])
-    doing = next(
-        (n for n in range(at, len(words)) if words[n] not in harmless.ADVERBS | {"all", "both"}), len(words) - 1
-    )
-    if not _does(words[doing], words[at - 1]) or not (DEMANDED | _words("must should may might")).isdisjoint(
-        words[begin:]
-    ):
+    doing = next((n for n in range(at, len(words)) if words[n] not in _BEFORE_VERBS), len(words) - 1)
+    if not _does(words[doing], words[at - 1]) or not _ASKING.isdisjoint(words[begin:]):
         return False
     if not _no_task(words[begin], words[begin:at], words[at : at + 2]):
         return False
@@ -107,7 +106,7 @@ def subject_of(words: Sequence[str]) -> int:
     while at < min(4, len(words)) and words[at] in LOOKS_OF_PEOPLE and words[at] not in PERSONS:
         at += 1
     noun = words[at] if at < len(words) else ""
-    person = noun in PERSONS - _words("robot robots machine computer") and (words[0] in _DET or not noun.endswith("er"))
+    person = noun in _FOLK and (words[0] in _DET or not noun.endswith("er"))
     about = words[0] in _DET and (noun in _ABOUT or (words[0] in _OWN and noun in _BODY))
     end = at + 1
     while (person or about) and end < len(words) and (words[end] in PERSONS | _ABOUT or words[end] == "'s"):

@@ -13,7 +13,9 @@ from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
-FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = ((tower.PATTERNS, tower.told),)
+FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
+    (tower.PATTERNS, tower.told),
+)
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})
 _LEADS = frozenset({"please", "then", "now", "you", "to", ",", "and", "first", "just", "should"})

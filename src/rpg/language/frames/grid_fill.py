@@ -82,7 +82,7 @@ class Filling:
         axis = self._axis_of(place)
         lines = self._lines(axis)
         numbers = self._numbers(place, axis, lines)
-        if numbers[0] not in range(len(lines)) or numbers[-1] not in range(len(lines)):
+        if not numbers or not 0 <= min(numbers) <= max(numbers) < len(lines):
             raise Unclear
         if axis == self.figure.axis:
             self._step = 1 if (self._line is None and numbers[0] == 0) else self._step

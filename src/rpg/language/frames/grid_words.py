@@ -122,11 +122,13 @@ COLORS: list[Pattern] = [
     *patterns("labels", lambda match: _span(match["first"], match["last"]),
         r"(?:the |of )?(?:letters?|letter (?:blocks|cubes)|digits?|digit (?:blocks|cubes)|numbers?|number (?:blocks|cubes)|numerals|blocks|cubes|symbols) (?:from )?(?P<first>[A-Z]|\d) (?:to|through|until|up to|till) (?P<last>[A-Z]|\d)",
         "(?P<first>[A-Z]) (?:to|through|until|up to) (?P<last>[A-Z])"),
+    *patterns("labels", lambda match: _span(match["first"], match["last"]),
+        r"(?P<first>\d) (?:to|through|until|up to) (?P<last>\d)(?! (?:BLOCK|rows?|columns?|layers?))"),
     *patterns("labels", lambda match: re.findall(r"\b(?:[A-Z]|\d)(?= )", f"{match[0]} "),
         r"(?:the )?(?:(?:letters|letter (?:blocks|cubes)|digits|digit (?:blocks|cubes)|numbers|number (?:blocks|cubes)) )(?:[A-Z]|\d)(?: (?:, |and |, and )?(?:[A-Z]|\d))+",
         "(?:the )?[A-Z](?: (?:, |and |, and )?[A-Z])+"),
-    *patterns("reading", None, "(?:(?:arranged|told|ordered|going|sorted|all) )?(?:in |by )?(?:the )?(?:usual |normal |their )?reading order", "(?:read )?row by row", "(?:read|reads|reading|laid out|to be read|that reads|which reads) (?:like|as|in) (?:a |the )?(?:page|book|text)(?: of a book| of text)?", "(?:line by line)",
-        "(?:in )?(?:alphabetical|numerical|numeric|ascending|increasing|counting|natural|rising)(?: numerical)? order", "in order", "alphabetically"),
+    *patterns("reading", "told", "(?:(?:arranged|told|ordered|going|sorted|all) )?(?:in |by )?(?:the )?(?:usual |normal |their )?reading order", "(?:read )?row by row", "(?:read|reads|reading|laid out|to be read|that reads|which reads) (?:like|as|in) (?:a |the )?(?:page|book|text)(?: of a book| of text)?", "(?:line by line)"),
+    *patterns("reading", "ordered", "(?:in )?(?:alphabetical|numerical|numeric|ascending|increasing|counting|natural|rising)(?: numerical)? order", "in order", "alphabetically"),
 ]  # fmt: skip
 _N = "(?:BLOCK )?"
 _EACH = "(?:each|every|a|one|the)"
@@ -189,3 +191,14 @@ def _span(first: str, last: str) -> list[str]:
     return [chr(code) for code in range(ord(first), ord(last) + 1)]
 
 
+
+
+JOINTS: list[Pattern] = [
+    *patterns("then", None, "(?:and )?then", "followed by", "and after that"),
+    *patterns("except", None, "except(?: for)?", "apart from", "save for"),
+    *patterns("some", None, r"(?:a |the )?(?P<count>NUM)(?: (?:of (?:them|these)|ones?))?"),
+    *patterns("glue", None, "(?:whose|it|its|they|where|so|so that|such that|in which|here|also|too|completely|"
+        "entirely|all over|fill|fills|filled|cover|covers|tile|occupied|occupies|bear|bears|wide|shall|must|be|"
+        "stacked|side by side|close together|tightly packed|without gaps|standing|upright|lying|flat)"),
+]  # fmt: skip
+"""Kinds "then" and "except", which part; "some" (a number of blocks); and words that say nothing beside the parts."""

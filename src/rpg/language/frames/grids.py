@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from itertools import pairwise, product
 
 from rpg.language.frames.grid_fill import Cell, Filling, completed
 from rpg.language.frames.grid_parts import Blocks, Said, said
 from rpg.language.frames.grid_sizes import Figure, Sizes, figures
 from rpg.language.frames.grid_words import COLORS, FIGURES, JOINTS, PLACES, SIZES
-from rpg.language.frames.grid_words import Place
 from rpg.language.frames.lots import LOTS, Lot, check_listed, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
 PATTERNS = [*FIGURES, *SIZES, *PLACES, *COLORS, *LOTS, *WHERE, *JOINTS, *BREAKS, *GLUE]
-_NAMES = {"rectangle": "grid", "square": "grid", "board": "grid"}
+_BASES = frozenset({"pyramid", "cube"})
+"""Figures whose base is a square or a rectangle."""
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -26,29 +26,169 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: its size does not follow, or which blocks are where.
     """
     check_listed(pieces)
+    checkered = any(piece.kind == "checkered" or piece.value == "board" for piece in pieces)
     kind, words = _figure(pieces)
-    where = _where(pieces)
+    where = one(pieces, "where")
     parts = said(pieces, dims_are_blocks=kind == "pyramid")
-    checkered = kind == "board" or any(piece.kind == "checkered" for piece in pieces)
-    labels = [item.look for item in parts.free if item.label]
-    sizes = _sizes(pieces, kind, parts)
-    total = _total(parts, kind)
-    reading = any(piece.kind == "reading" for piece in pieces)
-    if any(piece.kind == "taper" for piece in pieces) and kind != "pyramid" or (reading and not labels):
+    sizes = _sizes(pieces, parts)
+    if any(piece.kind == "taper" for piece in pieces) and kind != "pyramid":
+        raise Unclear
+    if not (sizes.any or _total(parts) or any(item.count for _, items in parts.placed for item in items)):
+        raise Unclear
+    found: list[str] = []
+    for figure in figures(kind, words, sizes):
+        try:
+            found.append(_checkered(figure, parts) if checkered else _filled(figure, parts, sizes, pieces))
+        except Unclear:
+            continue
+        if kind == "pyramid":
+            break  # one that stands in a line is meant, where it can be
+    if len(found) != 1:
+        raise Unclear
+    name = kind if kind in ("wall", "pyramid") else "grid"
+    return f"{found[0]} The {name} is {where.value}." if where else found[0]
+
+
+def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
+    """The kind of the one figure, and the words it is called by; of rows and columns without a name it is a grid.
+
+    Raises:
+        Unclear: there are several, or none.
+    """
+    at = [n for n, piece in enumerate(pieces) if piece.kind == "figure"]
+    kinds = {"grid" if pieces[n].value in ("rectangle", "board") else pieces[n].value for n in at}
+    words = " ".join(pieces[n].words for n in at)
+    if len(kinds) > 1:
+        kinds.discard("square")
+        kinds -= {"grid"} if "cube" in kinds else set()
+    for before, n in pairwise(at):
+        ahead = " ".join(piece.words for piece in pieces[before + 1 : n])
+        if pieces[before].value == pieces[n].value and not ahead.endswith(("the", "this", "as a", "it is a")):
+            raise Unclear  # "a red grid and a blue grid"
+    if not kinds:
+        kinds = {"cube" if any("layers" in piece.value for piece in pieces if piece.kind == "size") else "grid"}
+        if not any(piece.kind == "dims" or (piece.kind == "size" and len(piece.value) > 1) for piece in pieces):
+            raise Unclear
+    if len(kinds) != 1:
+        raise Unclear
+    return kinds.pop(), words
+
+
+def _sizes(pieces: Sequence[Piece], parts: Said) -> Sizes:
+    """All that is told of the size.
+
+    Raises:
+        Unclear: two numbers for the same.
+    """
+    each: dict[str, int] = {}
+    for piece in pieces:
+        for name, size in piece.value.items() if piece.kind == "size" else ():
+            if each.setdefault(name, size) != size:
+                raise Unclear
+    dims, base = one(pieces, "dims"), one(pieces, "base")
+    bases = [item.base for item in [*parts.free, *(item for _, items in parts.placed for item in items)] if item.base]
+    if bases:
+        return Sizes(each, None, base.value if base else max(bases))
+    return Sizes(each, dims.value if dims else None, base.value if base else None)
+
+
+def _total(parts: Said) -> int | None:
+    """How many blocks there are in all, where that is told.
+
+    Raises:
+        Unclear: two such numbers.
+    """
+    found = {item.count for item in parts.free if not item.look and not item.base}
+    if len(found) > 1:
+        raise Unclear
+    return found.pop() if found else None
+
+
+def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) -> str:
+    """A figure whose blocks are told by their places, or only by their numbers."""
+    total = _total(parts)
+    filling = Filling(figure, parts)
+    below = figure.widths[-1] if "base" in sizes.each else 0
+    if filling.looks and total is None and len(filling.looks) + below < len(figure.cells) and not figure.flat:
+        counted = any(item.count for _, items in parts.placed for item in items)
+        if counted and not any(item.look for item in parts.free):
+            raise Unclear  # the number of each layer is told, but for some
+    free = [item for item in parts.free if item.look]
+    reading = {piece.value for piece in pieces if piece.kind == "reading"}
+    if reading:
+        return _read(figure, free, total, ordered="ordered" in reading, filled=bool(filling.looks))
+    counts = completed(filling, free, total)
+    if parts.each and not parts.listed:
+        return _each(figure, counts, filling.looks, parts)
+    if counts is not None:
+        return f"Build {figure.told} from {_lots(counts)}."
+    return f"Build {figure.told}{_cells(figure, filling.looks)}"
+
+
+def _read(figure: Figure, free: Sequence[Blocks], total: int | None, *, ordered: bool, filled: bool) -> str:
+    """Blocks listed in the order in which the places are read."""
+    listed = [item.look for item in free for _ in range(item.count or 1)]
+    if len(listed) != len(figure.cells) or total not in (None, len(listed)) or filled:
+        raise Unclear
+    if ordered and (not all(item.label for item in free) or listed != sorted(listed)):
+        raise Unclear
+    return f"Build {figure.told}, in reading order: {', '.join(listed)}."
+
+
+def _each(figure: Figure, counts: Mapping[str, int] | None, looks: Mapping[Cell, str], parts: Said) -> str:
+    """A figure of which each line has one colour, and it is not told which line has which."""
+    if any(looks.values()) or (counts is None and any(item.look for item in parts.free)):
+        raise Unclear
+    blocks = _lots(counts) if counts else f"{len(figure.cells)} blocks"
+    axis = "layer" if parts.each == "row" and not figure.flat else parts.each
+    return f"Build {figure.told} from {blocks}. Each {axis} has one color."
+
+
+def _lots(counts: Mapping[str, int]) -> str:
+    if all(count == 1 for count in counts.values()):
+        return ", ".join(counts) if all(len(look) == 1 for look in counts) else f"{', '.join(counts)} blocks"
+    return " and ".join(Lot(look, count).blocks for look, count in counts.items())
+
+
+def _cells(figure: Figure, looks: Mapping[Cell, str]) -> str:
+    """What all places hold."""
+    listed = [looks.get(cell, "") for cell in figure.cells]
+    if not any(listed):
+        return f" from {len(listed)} blocks."
+    if len(set(listed)) == 1:
+        return f" from {Lot(listed[0], len(listed)).blocks}."
+    return f", in reading order: {', '.join(listed)}."
+
+
+def _checkered(figure: Figure, parts: Said) -> str:
+    """A figure of two colours by turns, both ways.
+
+    Raises:
+        Unclear: these are not two colours, or their numbers or places are not such.
+    """
+    others = [item for places, items in parts.placed for item in items if places[0].kind == "rest"]
+    placed = [(places, items) for places, items in parts.placed if places[0].kind != "rest"]
+    fixed = Filling(figure, Said(placed=placed)).looks
+    free = [item for item in [*parts.free, *others] if item.look]
+    names = list(dict.fromkeys([*(item.look for item in free), *fixed.values()]))
+    if parts.listed or parts.each or len(names) not in (0, 2) or not figure.columns or figure.square:
+        raise Unclear
+    if _total(parts) not in (None, len(figure.cells)):
         raise Unclear
     found = []
-    if checkered and not sizes.any:
-        found = [_bare_board(parts, total)]
-    else:
-        for figure in figures(kind, words, sizes):
-            try:
-                text = _checkered(figure, parts, total) if checkered else _filled(figure, parts, total, sizes, reading)
-            except Unclear:
-                continue
-            found.append((figure, text))
-            if kind == "pyramid":
-                break
-    if len(found) != 1 or (kind == "pyramid" and not _sized(sizes, parts, total)):
+    for first, second in (names, names[::-1]) if names else ():
+        looks = {(line, n): second if (line + n) % 2 else first for line, n in figure.cells}
+        counts = Counter(looks.values())
+        if all(looks[cell] == look for cell, look in fixed.items()) and all(
+            item.count in (None, counts[item.look]) for item in free
+        ):
+            found.append((looks, counts))
+    rows, columns = len(figure.widths), figure.widths[0]
+    board = f"Build a {rows}x{columns} checkerboard"
+    if not names:
+        return f"{board} from {rows * columns} blocks."
+    if len(found) == 1:
+        return f"Build {figure.told}{_cells(figure, found[0][0])}"
+    if not found or not figure.flat:
         raise Unclear
-    name = "wall" if kind == "wall" else kind if kind == "pyramid" else "grid"
-    return f"{found[0]}{f' The {name} is {where}.' if where else ''}"
+    return f"{board} of {names[0]} and {names[1]} blocks."

@@ -8,13 +8,14 @@ from dataclasses import replace
 from itertools import product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, moments, tower
+from rpg.language.frames import beside, grids, moments, tower
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
 FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
     (tower.PATTERNS, tower.told),
+    (grids.PATTERNS, grids.told),
 )
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from itertools import groupby
 
 from rpg.language.frames.grid_parts import Blocks, Said
 from rpg.language.frames.grid_sizes import Figure
@@ -22,7 +23,7 @@ class Filling:
         self.looks: dict[Cell, str] = {}
         self._told = told
         self._axis = told.axis or next((p.axis for ps, _ in told.placed for p in ps if p.axis), None)
-        self._line: int | None = None
+        self._line = len(figure.widths) - 1 if told.based else None
         self._step = -1
         self._rests: list[tuple[Place, list[Blocks]]] = []
         for places, blocks in told.placed:
@@ -42,7 +43,7 @@ class Filling:
             self._rests.append((places[0], blocks))
             return
         found = [cell for place in places for cell in self._cells(place)]
-        if len(set(found)) < len(found):
+        if len(set(found)) < len(found) or any(place.count not in (0, len(found)) for place in places):
             raise Unclear
         self._put(found, blocks)
 
@@ -53,8 +54,10 @@ class Filling:
                 raise Unclear
         else:  # one behind the other in their line
             looks = [one.look for one in blocks for _ in range(one.count or 1)]
-            if len({line for line, _ in cells}) > 1 and len({n for _, n in cells}) > 1:
-                raise Unclear
+            if len({line for line, _ in cells}) > 1 or not (
+                self._told.in_lines or all(one.label for one in blocks) or _again(looks)
+            ):
+                raise Unclear  # in which order?
         if len(looks) != len(cells) or not cells or any(cell in self.looks for cell in cells):
             raise Unclear
         self.looks |= dict(zip(cells, looks, strict=True))
@@ -64,6 +67,8 @@ class Filling:
         axis = "layer" if axis == "row" and not self.figure.flat else axis
         start = start or {"row": "far", "column": "left"}.get(axis)  # as one reads
         lines = self._lines(axis)
+        if self._told.alternating and len(listed) == 2 and len(lines) > 1:
+            listed = [listed[n % 2] for n in range(len(lines))]
         if start is None or start not in _ENDS[axis] or len(lines) != len(listed) or self.looks:
             raise Unclear
         for line, one in zip(lines if _ENDS[axis][start] == 0 else lines[::-1], listed, strict=True):
@@ -79,6 +84,8 @@ class Filling:
     def _cells(self, place: Place) -> list[Cell]:
         if place.kind == "cells":
             return self._single(place.side)
+        if place.side == "middle" and place.axis is None and self._central():
+            return self._single("center")
         axis = self._axis_of(place)
         lines = self._lines(axis)
         numbers = self._numbers(place, axis, lines)
@@ -88,6 +95,11 @@ class Filling:
             self._step = 1 if (self._line is None and numbers[0] == 0) else self._step
             self._line = numbers[0]
         return [cell for n in numbers for cell in lines[n]]
+
+    def _central(self) -> bool:
+        """Whether "the middle" is a block: no other lines are told."""
+        others = [p for ps, _ in self._told.placed for p in ps if p.kind == "line" and p.side != "middle"]
+        return self.figure.columns and not others and self._axis is None
 
     def _axis_of(self, place: Place) -> str:
         axis = place.axis
@@ -160,6 +172,11 @@ class Filling:
         if not column or line not in _ENDS[self.figure.axis]:
             raise Unclear
         return [corners[(2 if _ENDS[self.figure.axis][line] else 0) + (column == "right")]]
+
+
+def _again(looks: list[str]) -> bool:
+    """Whether a look comes again behind another, so that the order is told."""
+    return len([look for look, _ in groupby(looks)]) > len(set(looks))
 
 
 def completed(filling: Filling, free: Iterable[Blocks], total: int | None) -> dict[str, int] | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import prod
 
 from rpg.language.frames.grid_words import Place
@@ -28,7 +28,9 @@ class Blocks:
 @dataclass
 class Said:
     """`free`: blocks without a place; `placed`: places and the blocks there; `listed`: colours of one line after
-    another along `axis` from `start`; `each`: every line of that axis has one colour."""
+    another along `axis` from `start`; `each`: every line of that axis has one colour; `in_lines`: blocks in a line are
+    told from left to right; `alternating`: two colours are told of the lines by turns; `based`: the lowest layer is told
+    as the base."""
 
     free: list[Blocks] = field(default_factory=list)
     placed: list[tuple[list[Place], list[Blocks]]] = field(default_factory=list)
@@ -36,6 +38,9 @@ class Said:
     axis: str | None = None
     start: str | None = None
     each: str | None = None
+    in_lines: bool = False
+    alternating: bool = False
+    based: bool = False
 
 
 def blocks_of(piece: Piece) -> list[Blocks]:
@@ -50,6 +55,15 @@ def blocks_of(piece: Piece) -> list[Blocks]:
     if count is None and named.get("noun") in _SINGLE and "many" not in named and named.get("det") != "all":
         count = 1
     return [Blocks(look, count, bare=not {"count", "noun", "size"} & set(named))]
+
+
+def _rest_of(piece: Piece) -> list[Place]:
+    """ "The other two blue": a place of blocks that are named with it."""
+    named = piece.named
+    if piece.kind != "lot" or named.get("det") != "the other":
+        return []
+    single = "many" not in named and named.get("noun") in _SINGLE
+    return [Place("rest", "", None, number(named["count"]) if "count" in named else int(single))]
 
 
 def said(pieces: Sequence[Piece], *, dims_are_blocks: bool) -> Said:
@@ -73,10 +87,12 @@ class _Reader:
         self._row: list[Blocks] | None = None
         self._listing = False
         self._last = ""
+        self._bare = False
 
     def read(self, pieces: Sequence[Piece]) -> Said:
         part: list[Piece] = []
         cut = "."
+        self._said.alternating = any(piece.kind == "alternating" for piece in pieces)
         for piece in [*pieces, Piece("break", ".")]:
             if piece.kind in self._kinds:
                 part.append(piece)
@@ -87,7 +103,14 @@ class _Reader:
                     self._end()
                 joined = cut in (",", *_STRONG) and not part and piece.words not in (",", *_STRONG)
                 cut, part = piece.words if part or joined or piece.words in _STRONG else cut, []
-        return self._said
+        this = self._said
+        if this.each and this.start is None and not any(piece.kind == "lines" for piece in pieces):
+            this.free += this.listed  # which line has which colour is left open
+            this.listed = []
+        for piece in pieces:
+            if piece.kind == "lot each":
+                this.free = [replace(item, count=piece.value) for item in this.free if item.look]
+        return this
 
     def _end(self) -> None:
         if self._waiting:
@@ -102,14 +125,16 @@ class _Reader:
             elif piece.kind in ("lines", "each", "direction"):
                 self._along(piece, bool(items) or self._listing or bool(self._said.listed))
             else:
-                items += blocks_of(piece)
+                items += [*_rest_of(piece), *blocks_of(piece)]
         letters = "".join("P" if isinstance(item, Place) else "B" for item in items)
         blocks = [item for item in items if isinstance(item, Blocks)]
+        bare, self._bare = letters == "B" and blocks[0].bare and bool(blocks[0].look), False
         places = [item for item in items if isinstance(item, Place)]
         if not letters:
             return
         if not places:
             self._blocks(blocks, cut)
+            self._bare = bare
         elif not blocks:
             self._places(places, cut)
         elif letters == "PB" * len(places) or letters.startswith("PB") and len(places) == 1:
@@ -118,6 +143,8 @@ class _Reader:
         elif letters == "BP" * len(places) or letters.endswith("BP") and all(one.label for one in blocks):
             if self._waiting or (len(places) > 1 and len(blocks) != len(places)):
                 raise Unclear
+            if self._bare and cut == "and":
+                raise Unclear  # "red and blue in front"
             self._pairs(places, [blocks] if len(places) == 1 else [[one] for one in blocks])
             self._last, self._row, self._listing = "BP", None, False
         else:
@@ -160,6 +187,9 @@ class _Reader:
         """A word for all lines of an axis, or for their order; `behind`: the colours were told ahead of it."""
         this = self._said
         if piece.kind == "direction":
+            if piece.value == ("column", "left") and this.placed and not self._listing:
+                this.in_lines, self._last = True, ""
+                return
             if this.start not in (None, piece.value[1]):
                 raise Unclear
             this.start = piece.value[1]

@@ -59,7 +59,7 @@ def figures(kind: str, words: str, sizes: Sizes) -> Iterator[Figure]:
     """All figures of a kind that have the sizes told. `words`: the figure as it was called."""
     if kind in ("grid", "board", "rectangle", "square"):
         tall = "layers" in sizes.each or len(sizes.dims or ()) == 3
-        yield from _cubes(words, sizes) if tall and kind == "grid" else _flat(kind, words, sizes)
+        yield from _cubes(words, sizes) if tall else _flat(kind, words, sizes)
     elif kind == "wall":
         yield from _walls(sizes)
     elif kind == "cube":
@@ -85,10 +85,14 @@ def _flat(kind: str, words: str, sizes: Sizes) -> Iterator[Figure]:
 
 
 def _walls(sizes: Sizes) -> Iterator[Figure]:
-    for wide, high in product(range(2, 13), range(2, 9)):
-        if wide * high > MOST or sizes.dims not in (None, (wide, high)) or sizes.base:
+    sides = list(product(range(2, 13), range(2, 9)))
+    if sizes.dims:
+        sides = [sizes.dims[:2], sizes.dims[1::-1]] if len(sizes.dims) == 2 else []
+    for wide, high in sides:
+        if wide * high > MOST or sizes.base:
             continue
-        if sizes.agree(columns=wide, wide=wide, layer=wide, base=wide, rows=high, layers=high, high=high, deep=1):
+        below = {"columns": wide, "wide": wide, "layer": wide, "base": wide, "line": wide}
+        if sizes.agree(**below, rows=high, layers=high, high=high, deep=1):
             yield Figure(f"a wall {wide} blocks wide and {high} blocks high", (wide,) * high)
 
 
@@ -113,7 +117,7 @@ def _pyramids(words: str, sizes: Sizes) -> Iterator[Figure]:
     base = sizes.base or sizes.dims
     if base is None and not called & {"square", "based"}:
         for n in range(2, 8):
-            if sizes.agree(base=n, wide=n, layers=n, high=n, rows=n):
+            if sizes.agree(base=n, line=n, wide=n, layers=n, high=n, rows=n):
                 yield Figure(f"a pyramid with a base of {n} blocks", tuple(range(1, n + 1)), columns=False)
     if called & {"flat", "triangular", "dimensional"}:
         return

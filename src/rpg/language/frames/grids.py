@@ -6,17 +6,18 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from itertools import pairwise, product
 
+from rpg.language.frames.grid_colors import COLORS
+from rpg.language.frames.grid_each import plain
 from rpg.language.frames.grid_fill import Cell, Filling, completed
+from rpg.language.frames.grid_measures import SIZES
 from rpg.language.frames.grid_parts import Blocks, Said, said
 from rpg.language.frames.grid_sizes import Figure, Sizes, figures
-from rpg.language.frames.grid_words import COLORS, FIGURES, JOINTS, PLACES, SIZES
+from rpg.language.frames.grid_words import FIGURES, JOINTS, PLACES
 from rpg.language.frames.lots import LOTS, Lot, check_listed, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
 PATTERNS = [*FIGURES, *SIZES, *PLACES, *COLORS, *LOTS, *WHERE, *JOINTS, *BREAKS, *GLUE]
-_BASES = frozenset({"pyramid", "cube"})
-"""Figures whose base is a square or a rectangle."""
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -26,23 +27,23 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: its size does not follow, or which blocks are where.
     """
     check_listed(pieces)
-    checkered = any(piece.kind == "checkered" or piece.value == "board" for piece in pieces)
     kind, words = _figure(pieces)
+    pieces = plain(pieces, kind)
     where = one(pieces, "where")
     parts = said(pieces, dims_are_blocks=kind == "pyramid")
     sizes = _sizes(pieces, parts)
-    if any(piece.kind == "taper" for piece in pieces) and kind != "pyramid":
-        raise Unclear
+    _check(pieces, kind, parts)
     if not (sizes.any or _total(parts) or any(item.count for _, items in parts.placed for item in items)):
         raise Unclear
+    checkered = any(piece.kind == "checkered" or piece.value == "board" for piece in pieces)
     found: list[str] = []
     for figure in figures(kind, words, sizes):
         try:
             found.append(_checkered(figure, parts) if checkered else _filled(figure, parts, sizes, pieces))
         except Unclear:
             continue
-        if kind == "pyramid":
-            break  # one that stands in a line is meant, where it can be
+        if kind in ("pyramid", "wall"):
+            break  # the first that can be: of pyramids one that stands in a line, "3 by 2" is 3 wide
     if len(found) != 1:
         raise Unclear
     name = kind if kind in ("wall", "pyramid") else "grid"
@@ -56,10 +57,10 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
         Unclear: there are several, or none.
     """
     at = [n for n, piece in enumerate(pieces) if piece.kind == "figure"]
-    kinds = {"grid" if pieces[n].value in ("rectangle", "board") else pieces[n].value for n in at}
+    kinds = {"grid" if pieces[n].value == "board" else pieces[n].value for n in at}
     words = " ".join(pieces[n].words for n in at)
     if len(kinds) > 1:
-        kinds.discard("square")
+        kinds -= {"square", "rectangle"}
         kinds -= {"grid"} if "cube" in kinds else set()
     for before, n in pairwise(at):
         ahead = " ".join(piece.words for piece in pieces[before + 1 : n])
@@ -67,11 +68,39 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
             raise Unclear  # "a red grid and a blue grid"
     if not kinds:
         kinds = {"cube" if any("layers" in piece.value for piece in pieces if piece.kind == "size") else "grid"}
-        if not any(piece.kind == "dims" or (piece.kind == "size" and len(piece.value) > 1) for piece in pieces):
+        if not _is_grid(pieces):
             raise Unclear
     if len(kinds) != 1:
         raise Unclear
     return kinds.pop(), words
+
+
+def _is_grid(pieces: Sequence[Piece]) -> bool:
+    """Whether rows and columns are told, so that it need not be said that this is a grid; "two rows of three" may lie
+    anywhere."""
+    sizes = [piece for piece in pieces if piece.kind == "size"]
+    dims = any(piece.kind == "dims" for piece in pieces) and any(piece.kind in ("place", "checkered") or (
+        piece.kind in ("lot", "total") and piece.named.get("noun", piece.kind)) for piece in pieces)
+    across = any(piece.kind == "each" and piece.value == "column" for piece in pieces) or any(
+        piece.kind in ("checkered", "reading") for piece in pieces
+    ) or any(piece.kind == "place" and piece.value.axis == "column" for piece in pieces)
+    names = {name for piece in sizes for name in piece.value if "taken" not in piece.named or len(piece.value) == 1}
+    by_row = {name for piece in sizes for name in piece.value}
+    return dims or {"rows", "columns"} <= names or {"layers"} < by_row or (across and {"rows", "columns"} <= by_row)
+
+
+def _check(pieces: Sequence[Piece], kind: str, parts: Said) -> None:
+    """What is told in passing is told of something that is there.
+
+    Raises:
+        Unclear: it is not.
+    """
+    kinds = {piece.kind for piece in pieces}
+    labels = [item for item in [*parts.free, *(one for _, items in parts.placed for one in items)] if item.label]
+    if ("taper" in kinds and kind != "pyramid") or ("symbols" in kinds and not labels):
+        raise Unclear
+    if ("square" in kinds and kind != "pyramid") or ("alternating" in kinds and len(parts.listed) != 2):
+        raise Unclear
 
 
 def _sizes(pieces: Sequence[Piece], parts: Said) -> Sizes:
@@ -86,6 +115,7 @@ def _sizes(pieces: Sequence[Piece], parts: Said) -> Sizes:
             if each.setdefault(name, size) != size:
                 raise Unclear
     dims, base = one(pieces, "dims"), one(pieces, "base")
+    parts.based = bool(base or {"base", "line"} & set(each))
     bases = [item.base for item in [*parts.free, *(item for _, items in parts.placed for item in items)] if item.base]
     if bases:
         return Sizes(each, None, base.value if base else max(bases))
@@ -107,8 +137,11 @@ def _total(parts: Said) -> int | None:
 def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) -> str:
     """A figure whose blocks are told by their places, or only by their numbers."""
     total = _total(parts)
+    for counts in (piece.value for piece in pieces if piece.kind == "counts"):
+        if tuple(sorted(map(int, counts))) != figure.widths or list(counts) not in (sorted(counts), sorted(counts)[::-1]):
+            raise Unclear
     filling = Filling(figure, parts)
-    below = figure.widths[-1] if "base" in sizes.each else 0
+    below = figure.widths[-1] if {"base", "line"} & set(sizes.each) else 0
     if filling.looks and total is None and len(filling.looks) + below < len(figure.cells) and not figure.flat:
         counted = any(item.count for _, items in parts.placed for item in items)
         if counted and not any(item.look for item in parts.free):

@@ -1,0 +1,70 @@
+"""What is said of each line or each colour of a grid, wall, pyramid or cube, and lists of numbers, made plain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rpg.language.frames.pieces import Piece, Unclear, number
+
+_OF = {"row": "columns", "column": "rows", "layer": "layer"}
+"""By an axis: how many blocks each of its lines has."""
+
+
+def plain(pieces: Sequence[Piece], kind: str) -> list[Piece]:
+    """The pieces, with "each" told of a line or of a colour, and numbers in a list told as symbols, or, in a pyramid, as
+    "counts" of its layers.
+
+    Raises:
+        Unclear: it is not clear of what each is told.
+    """
+    found: list[Piece] = []
+    for piece in pieces:
+        if piece.kind == "digits":
+            found.append(replace(piece, kind="counts" if kind == "pyramid" else "labels"))
+        elif piece.kind == "each" and piece.value is None:
+            found.append(replace(piece, value=_axis(found)))
+        elif piece.kind == "apiece":
+            _apiece(found, pieces)
+        else:
+            found.append(piece)
+    return found
+
+
+def _axis(told: Sequence[Piece]) -> str:
+    """The axis that was spoken of last.
+
+    Raises:
+        Unclear: none was.
+    """
+    for piece in reversed(told):
+        if piece.kind in ("lines", "each") and piece.value:
+            return str(piece.value)
+        if piece.kind == "place" and piece.value.axis:
+            return str(piece.value.axis)
+        axes = [axis for axis in _OF if piece.kind == "size" and f"{axis}s" in piece.value]
+        if axes:
+            return axes[0]
+    raise Unclear
+
+
+def _apiece(found: list[Piece], pieces: Sequence[Piece]) -> None:
+    """Takes "each" to the number ahead of it: how many are in each line, or of each colour."""
+    last = next((n for n in range(len(found) - 1, -1, -1) if found[n].kind != "glue"), None)
+    if last is None:
+        raise Unclear
+    piece, lots = found[last], [p for p in pieces if p.kind == "lot"]
+    ahead = [p for p in found[:last] if p.kind not in ("glue", "break")]
+    if piece.kind == "size" and len(piece.value) > 1:
+        return
+    if piece.kind == "lot" and ahead and ahead[-1].kind == "size" and "taken" in ahead[-1].named:
+        return
+    count = number(piece.named["count"]) if "count" in piece.named else 0
+    if piece.kind in ("some", "total") and len(lots) > 1 and not any("count" in lot.named for lot in lots):
+        found[last] = replace(piece, kind="lot each", value=count)
+    elif count and (piece.kind in ("some", "total") or (piece.kind == "lot" and len(lots) == 1)):
+        named = {name: said for name, said in piece.named.items() if name != "count"}
+        found[last:] = [Piece("size", piece.words, {_OF[_axis(found[:last])]: count})]
+        found += [replace(piece, named={**named, "noun": "blocks"})] if piece.kind == "lot" else []
+    else:
+        raise Unclear

@@ -79,11 +79,14 @@ COLORS: list[Pattern] = [
     *patterns("labels", lambda match: list(match["word"]), "(?:the word )?'(?P<word>[A-Z]{2,5})'"),
     *patterns("digits", _listed, rf"\d{_NEXT}(?:\d|one)(?! (?:by|x|BLOCK|ones|COLOR)))+(?! (?:by|x|rows?|columns?|"
         r"layers?|COLOR))"),
-    *patterns("symbols", None, f"(?:of |the |with )?{_SYMBOLS}", "(?:says?|spells?|reads?|reading|show|shows)"),
+    *patterns("symbols", None, f"(?:of |the |with )?{_SYMBOLS}"),
+    *patterns("reading", "verb", "(?:(?:which|that|it|they) )?(?:says?|spells?|reads?|reading)"),
     *patterns("reading", "told",
         "(?:(?:arranged|told|ordered|going|sorted|all) )?(?:in |by )?(?:the )?(?:usual |normal |their )?reading order",
         "(?:read )?row by row", "(?:read|reads|reading|laid out|to be read|that reads|which reads) (?:like|as|in) "
-        "(?:a |the )?(?:page|book|text)(?: of a book| of text)?", "(?:line by line)"),
+        "(?:a |the )?(?:page|book|text)(?: of a book| of text)?", "(?:line by line)",
+        "(?:like|as) (?:a|the) (?:page|book|text)(?: of a book| of text)?",
+        "(?:so that |so )?(?:(?:we|you|i|one|they) )?(?:can )?(?:be )?read (?:(?:them|it) )?(?:in|like)(?: a page| a book| order)"),
     *patterns("reading", "ordered",
         "(?:(?:read|reads|reading|sorted|go|run) )?(?:in )?(?:alphabetical|numerical|numeric|ascending|increasing|"
         "counting|natural|rising)(?: numerical)? order", "(?:both |all |each )?in order", "alphabetically"),

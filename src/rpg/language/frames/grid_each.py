@@ -57,10 +57,11 @@ def _apiece(found: list[Piece], pieces: Sequence[Piece]) -> None:
     ahead = [p for p in found[:last] if p.kind not in ("glue", "break")]
     if piece.kind == "size" and len(piece.value) > 1:
         return
-    if piece.kind == "lot" and ahead and ahead[-1].kind == "size" and "taken" in ahead[-1].named:
+    if piece.kind == "lot" and ahead and ahead[-1].kind == "size" and len(ahead[-1].value) > 1:
         return
     count = number(piece.named["count"]) if "count" in piece.named else 0
-    if piece.kind in ("some", "total") and len(lots) > 1 and not any("count" in lot.named for lot in lots):
+    lines = any(p.kind == "place" and p.value.kind == "line" for p in pieces)
+    if piece.kind in ("some", "total") and len(lots) > 1 and not lines and not any("count" in lot.named for lot in lots):
         found[last] = replace(piece, kind="lot each", value=count)
     elif count and (piece.kind in ("some", "total") or (piece.kind == "lot" and len(lots) == 1)):
         named = {name: said for name, said in piece.named.items() if name != "count"}

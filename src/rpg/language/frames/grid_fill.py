@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from dataclasses import replace
 from itertools import groupby
 
 from rpg.language.frames.grid_parts import Blocks, Said
@@ -32,7 +33,8 @@ class Filling:
             self._list()
         for place, blocks in self._rests:
             rest = [cell for cell in figure.cells if cell not in self.looks]
-            if place.many not in (0, len(rest)) or not self.looks:
+            lines = self._left_lines(self._axis) if self._axis and place.many else []
+            if place.many not in (0, len(rest), len(lines)) or not self.looks:
                 raise Unclear
             self._put(rest, blocks)
 
@@ -45,7 +47,14 @@ class Filling:
         found = [cell for place in places for cell in self._cells(place)]
         if len(set(found)) < len(found) or any(place.count not in (0, len(found)) for place in places):
             raise Unclear
+        if any(place.kind == "cells" and place.many for place in places) and blocks[0].count == 1:
+            blocks = [replace(blocks[0], count=None)]  # "one in each corner"
         self._put(found, blocks)
+
+    def _left_lines(self, axis: str) -> list[int]:
+        """The lines of an axis of which nothing is told yet."""
+        lines = self.lines("layer" if axis == "row" and not self.figure.flat else axis)
+        return [n for n, line in enumerate(lines) if not any(cell in self.looks for cell in line)]
 
     def _put(self, cells: list[Cell], blocks: list[Blocks]) -> None:
         if len(blocks) == 1:
@@ -66,7 +75,7 @@ class Filling:
         axis, start, listed = self._told.axis or self.figure.axis, self._told.start, self._told.listed
         axis = "layer" if axis == "row" and not self.figure.flat else axis
         start = start or {"row": "far", "column": "left"}.get(axis)  # as one reads
-        lines = self._lines(axis)
+        lines = self.lines(axis)
         if self._told.alternating and len(listed) == 2 and len(lines) > 1:
             listed = [listed[n % 2] for n in range(len(lines))]
         if start is None or start not in _ENDS[axis] or len(lines) != len(listed) or self.looks:
@@ -74,7 +83,8 @@ class Filling:
         for line, one in zip(lines if _ENDS[axis][start] == 0 else lines[::-1], listed, strict=True):
             self._put(line, [one])
 
-    def _lines(self, axis: str) -> list[list[Cell]]:
+    def lines(self, axis: str) -> list[list[Cell]]:
+        """The cells of each line of an axis."""
         if axis == self.figure.axis:
             return [[(n, k) for k in range(width)] for n, width in enumerate(self.figure.widths)]
         if axis != "column" or not self.figure.columns:
@@ -87,7 +97,7 @@ class Filling:
         if place.side == "middle" and place.axis is None and self._central():
             return self._single("center")
         axis = self._axis_of(place)
-        lines = self._lines(axis)
+        lines = self.lines(axis)
         numbers = self._numbers(place, axis, lines)
         if not numbers or not 0 <= min(numbers) <= max(numbers) < len(lines):
             raise Unclear
@@ -99,7 +109,7 @@ class Filling:
     def _central(self) -> bool:
         """Whether "the middle" is a block: no other lines are told."""
         others = [p for ps, _ in self._told.placed for p in ps if p.kind == "line" and p.side != "middle"]
-        return self.figure.columns and not others and self._axis is None
+        return self.figure.flat and not others and self._axis is None
 
     def _axis_of(self, place: Place) -> str:
         axis = place.axis
@@ -140,7 +150,7 @@ class Filling:
                 raise Unclear
             return [first]
         if side == "other":
-            left = [n for n, line in enumerate(lines) if not any(cell in self.looks for cell in line)]
+            left = self._left_lines(axis)
             if len(left) != many:
                 raise Unclear
             return left
@@ -151,7 +161,7 @@ class Filling:
         if side == "above it" and self.figure.columns or side == "middle":
             raise Unclear
         if self._line is None:
-            if side == "next" or (side == "below") + (count == 2) == 0:
+            if side == "next" or (side != "below" and count != 2):
                 raise Unclear
             return count - 1 if side == "below" else 0
         return self._line + {"below": 1, "next": self._step}.get(side, -1)
@@ -164,10 +174,13 @@ class Filling:
         corners = [(0, 0), (0, wide - 1), (high - 1, 0), (high - 1, wide - 1)]
         if side == "corners":
             return corners
-        if side == "center" and high % 2 and wide % 2:
+        if side == "center" and high % 2 and wide % 2 and self.figure.flat:
             return [(high // 2, wide // 2)]
+        border = [(n, k) for n, k in self.figure.cells if n in (0, high - 1) or k in (0, wide - 1)]
         if side == "border" and min(high, wide) > 2:
-            return [(n, k) for n, k in self.figure.cells if n in (0, high - 1) or k in (0, wide - 1)]
+            return border
+        if side == "inside":
+            return [cell for cell in self.figure.cells if cell not in border]
         line, _, column = side.partition(" ")
         if not column or line not in _ENDS[self.figure.axis]:
             raise Unclear
@@ -202,6 +215,9 @@ def completed(filling: Filling, free: Iterable[Blocks], total: int | None) -> di
     elif left and there:
         raise Unclear
     counts = Counter(looks.get(cell, "") for cell in cells)
+    bare = [one.look for one in free if one.bare]
+    if len(set(bare)) < len(bare):
+        raise Unclear  # "white, black, white"
     if any(one.count not in (None, counts[one.look]) for one in free) or (names and not left):
         raise Unclear
     return None

@@ -15,12 +15,12 @@ _HAS = (
 _WITH = (
     "(?:(?:of|with|by|having|containing|each of|each with|each having|each containing|that each have|which each have) )"
 )
-_TAKEN = "(?P<taken>(?= (?:plain )?(?:COLOR)))"
 _NO_LINES = "(?! (?:rows?|columns?|files?|layers?|levels?|by|x) )"
+_NO_LOOK = "(?! (?:rows?|columns?|files?|layers?|levels?|by|x|plain|SIZE|COLOR)s? )"
 
 
 def _size(match: re.Match[str]) -> dict[str, int]:
-    return {name: number(said) for name, said in match.groupdict().items() if said and name != "taken"}
+    return {name: number(said) for name, said in match.groupdict().items() if said}
 
 
 def _dims(match: re.Match[str]) -> tuple[int, ...]:
@@ -31,7 +31,7 @@ def _lines_of(lines: str, name: str, of: str) -> str:
     """ "Two rows of three": lines, and how many blocks each of them has."""
     one = name[:-1]
     return (
-        rf"(?P<{name}>NUM) (?:full |straight )?(?:{lines})s? {_WITH}(?P<{of}>NUM){_NO_LINES}{_TAKEN}?(?: BLOCK)?"
+        rf"(?P<{name}>NUM) (?:full |straight )?(?:{lines})s? {_WITH}(?P<{of}>NUM){_NO_LINES}(?: BLOCK)?"
         rf"(?: (?:each|apiece|per {one}|in (?:each|every)(?: {one}| one)?))?"
     )
 
@@ -51,7 +51,7 @@ _OF = (
     "consisting|a row of|a square of|square))*"
 )
 SIZES: list[Pattern] = [
-    *patterns("dims", _dims, rf"(?:(?:a|an|the|of|measuring|sized|size|dimensions|with) )*{_DIMS}(?: BLOCK)?",
+    *patterns("dims", _dims, rf"(?:(?:on a|a|an|the|of|measuring|sized|size|dimensions|full|filled|solid|complete|big|large|small|little|neat) )*{_DIMS}(?: BLOCK)?",
         rf"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| a| measuring)* {_DIMS}(?: BLOCK)?"),
     *patterns("size", _size,
         r"(?P<rows>NUM) (?:full |complete |straight )?rows?(?: deep)?",
@@ -70,16 +70,16 @@ SIZES: list[Pattern] = [
         r"(?:a |the |its )?depth (?:(?:of|is|:|being) )*(?P<deep>NUM)(?: BLOCK)?",
         rf"(?:with )?(?P<side>NUM) {_N}(?:on|along|to|per|at|in) (?:(?:each|every|a|one|its) )?(?:side|edge)",
         r"(?:a )?(?:side|sides|edge|edges)(?: length)? of (?P<side>NUM)(?: BLOCK)?",
-        rf"(?:its |whose |the )?{_BASE}{_OF} (?P<base>NUM){_NO_LINES}(?: BLOCK)?",
-        rf"(?:its |whose |the )?(?:{_BASE_ROW}){_OF} (?P<line>NUM){_NO_LINES}(?: BLOCK)?",
+        rf"(?:its |whose |the )?{_BASE}{_OF} (?P<base>NUM){_NO_LOOK}(?: BLOCK)?",
+        rf"(?:its |whose |the )?(?:{_BASE_ROW}){_OF} (?P<line>NUM){_NO_LOOK}(?: BLOCK)?",
         rf"(?:its |whose |the )?{_BASE}{_OF} (?P<line>NUM)(?: BLOCK)? (?:wide|long|across|in (?:a|one) (?:row|line))",
         rf"(?P<base>NUM) {_N}base", rf"(?P<line>NUM) {_N}wide base",
         "(?:starts?|starting|begins?|beginning) (?:with|from) (?P<base>NUM)(?: BLOCK)?(?: (?:at|in|on) the "
         "(?:bottom|base))?",
         rf"(?P<line>NUM) {_N}(?:wide|long|across) (?:at|in|on) the (?:base|bottom)"),
-    *patterns("base", _dims, rf"(?:its |whose |the |a )?(?:square )?{_BASE}{_OF}(?: a| by)* {_DIMS}(?: BLOCK)?"
+    *patterns("base", _dims, rf"(?:(?:its|whose|the|a|with|on) )*(?:square )?{_BASE}{_OF}(?: a| by)* {_DIMS}(?: BLOCK)?"
         "(?: square)?",
-        rf"(?:a )?{_DIMS}(?: BLOCK)? (?:square )?(?:base|based|footprint)(?: layer)?"),
+        rf"(?:(?:its|the|a|with|on|of) )*{_DIMS}(?: BLOCK)? (?:square )?(?:base|based|footprint)(?: layer)?"),
     *patterns("square", None, "(?:a )?square (?:base|ground plan|footprint)", "(?:whose |its |the )base is (?:a )?square"),
     *patterns("taper", None,
         "(?:with )?(?:always )?(?:one|a BLOCK) (?:BLOCK )?(?:fewer|less) (?:(?:in|on|for|with|at) )?(?:each|every)"

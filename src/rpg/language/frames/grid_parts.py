@@ -128,13 +128,12 @@ class _Reader:
                 items += [*_rest_of(piece), *blocks_of(piece)]
         letters = "".join("P" if isinstance(item, Place) else "B" for item in items)
         blocks = [item for item in items if isinstance(item, Blocks)]
-        bare, self._bare = letters == "B" and blocks[0].bare and bool(blocks[0].look), False
+        joined, self._bare = self._bare and cut == "and", letters == "B" and blocks[0].bare and bool(blocks[0].look)
         places = [item for item in items if isinstance(item, Place)]
         if not letters:
             return
         if not places:
             self._blocks(blocks, cut)
-            self._bare = bare
         elif not blocks:
             self._places(places, cut)
         elif letters == "PB" * len(places) or letters.startswith("PB") and len(places) == 1:
@@ -143,7 +142,7 @@ class _Reader:
         elif letters == "BP" * len(places) or letters.endswith("BP") and all(one.label for one in blocks):
             if self._waiting or (len(places) > 1 and len(blocks) != len(places)):
                 raise Unclear
-            if self._bare and cut == "and":
+            if joined:
                 raise Unclear  # "red and blue in front"
             self._pairs(places, [blocks] if len(places) == 1 else [[one] for one in blocks])
             self._last, self._row, self._listing = "BP", None, False

@@ -85,11 +85,8 @@ def _flat(kind: str, words: str, sizes: Sizes) -> Iterator[Figure]:
 
 
 def _walls(sizes: Sizes) -> Iterator[Figure]:
-    sides = list(product(range(2, 13), range(2, 9)))
-    if sizes.dims:
-        sides = [sizes.dims[:2], sizes.dims[1::-1]] if len(sizes.dims) == 2 else []
-    for wide, high in sides:
-        if wide * high > MOST or sizes.base:
+    for wide, high in product(range(2, 13), range(2, 9)):
+        if wide * high > MOST or sizes.dims not in (None, (wide, high)) or sizes.base:
             continue
         below = {"columns": wide, "wide": wide, "layer": wide, "base": wide, "line": wide}
         if sizes.agree(**below, rows=high, layers=high, high=high, deep=1):

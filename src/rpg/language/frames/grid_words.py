@@ -67,7 +67,7 @@ def _rest(match: re.Match[str]) -> Place:
 
 
 _KINDS = (
-    "(?:(?:small|little|tiny|simple|plain|nice|neat|proper|regular|complete|full|filled|solid|flat|low|short|thick|"
+    "(?:(?:one|single|small|little|tiny|simple|plain|nice|neat|proper|regular|complete|full|filled|solid|flat|low|short|thick|"
     "standing|upright|brick|mini|decent) )*"
 )
 _CHECKER = "(?:checkerboard|chessboard|checkered|chequered|checker|checkers|chess|chess board|checker board)"
@@ -89,13 +89,13 @@ FIGURES: list[Pattern] = [
         "pyramid"),
     *patterns("figure", "cube",
         f"{_KINDS}(?:big|large|huge|giant|bigger|larger|solid|compact)(?: solid)? (?:cube|block|cuboid|box)", "cuboid",
-        "(?:cube|block)(?= (?:of|from|out of|made|consisting|built) )", r"cube(?= \d+x\d+x\d+ )",
+        "(?:cube|block)(?= (?:of|from|out of|made|consisting|built|that is made|which is made|that consists|which consists) )", r"cube(?= \d+x\d+x\d+ )",
         r"(?<=\dx\d )cube", r"(?<=\dx\dx\d )cube"),
     *patterns("figure", "board", f"{_KINDS}{_BOARD}(?: pattern| grid)?"),
     *patterns("checkered", None,
-        f"(?:in |with |like |as |has |showing |to form |after )*(?:a |the )?{_CHECKER}(?: like)? "
+        f"(?:in |with |like |as |has |showing |to form |after )*(?:(?:a|the) )?{_CHECKER}(?: like)? "
         "(?:pattern|fashion|style|way|arrangement|order|manner|coloring|design)",
-        f"(?:{_ALTERNATING} )?(?:like|as|after the manner of|in the manner of) (?:on |in )?(?:a |the )?"
+        f"(?:{_ALTERNATING} )?(?:(?:that|which|to|it) )?(?:(?:look|looks|looking) )?(?:like|as|after the manner of|in the manner of) (?:on |in )?(?:a |the )?"
         f"(?:small |real )?{_BOARD}",
         "(?:checkered|chequered)"),
 ]  # fmt: skip
@@ -121,8 +121,9 @@ PLACES: list[Pattern] = [
         rf"(?:all )?(?:in |on )?(?:(?:the|both|its) )*(?P<many>\d+) {_side()} {AXES}s",
         rf"{_IN}(?:the |both )?{_side('1', 'last', 'top', 'bottom', 'far', 'near', 'left', 'right', 'other')} "
         rf"(?P<many>\d+) {AXES}s",
-        rf"{_IN}(?:the |its )(?:very )?{_side()}(?: one| end)?", rf"{_IN}(?:the )?{_side('far', 'near')}{_FROM}",
-        rf"(?:all )?(?:in|at|on|to|as) (?:(?:the|a) )?(?:very )?{_side(*_PLAIN)}(?: side| end)?",
+        rf"{_IN}(?:the |its )(?:very )?{_side()}(?: one| end)?", rf"the one (?:in|at|on) the {_side(*_PLAIN)}{_FROM}", rf"{_IN}(?:the )?{_side('far', 'near')}{_FROM}",
+        rf"(?:all )?(?:in|at|to|as) (?:(?:the|a) )?(?:very )?{_side(*_PLAIN)}(?: side| end)?",
+        rf"(?:all )?on (?:(?:the|a) )?(?:very )?{_side('left', 'right', 'top', 'bottom')}(?: side| end)?",
         rf"(?:at|as|in) its {_side(*_PLAIN)}", rf"(?:at|as) (?:its |the )?{_side('top', 'bottom')}{_OF}",
         rf"on {_side('top')} {_MIDDLE}",
         rf"(?:the |its )?{_side(*_PLAIN)} (?P<count>\d+)(?: BLOCK| ones)?(?! (?:rows|columns|layers|by|x))",
@@ -131,6 +132,10 @@ PLACES: list[Pattern] = [
         rf"{_side(*_PLAIN, '1', '2', '3', '4', 'last')}(?: (?:row|column|layer))?(?= (?::|(?:all )?COLOR))"),
     *patterns("place", Place("line", "top"),
         "(?:(?:which|that) is )?(?:is )?(?:crowned|topped|capped|finished)(?: off)?(?: (?:by|with))"),
+    *patterns("place", Place("line", "bottom", None, 1),
+        "(?:with )?(?:a |the |its )?(?:base|baseline|(?:base|bottom|lowest) (?:row|layer|line))(?: (?:of|is|being|has|"
+        "having|with|made of|consists of|consisting of|containing|contains|shall|should|must|be|a row of))* "
+        "(?=(?:(?:the|a) )?(?:NUM )?(?:SIZE )?COLOR)".replace("* (?=", "*(?= ")),
     *patterns("place", Place("line", "2", "layer"),
         f"{_UPON} (?:the|its) (?:base|bottom|bottom (?:layer|row)|base (?:layer|row)|first (?:layer|row))"),
     *patterns("place", Place("line", "far"), "(?:all )?behind(?: (?:it|them|that))?",
@@ -147,21 +152,26 @@ PLACES: list[Pattern] = [
         f"(?:in |on )?(?:the )?{_LINE} (?:below|under|underneath|beneath)(?: (?:it|that|them))?"),
     *patterns("place", Place("cells", "center"),
         f"{_IN}{_THE}(?:exact |dead )?(?:middle|center|central) (?:BLOCK|cell|square|position|spot|place|field){_OF}",
-        f"(?:for )?the (?:one|BLOCK|cell|square) (?:in|at) the (?:very )?(?:middle|center){_OF}",
+        f"(?:for )?the (?:BLOCK|cell|square) (?:in|at) the (?:very )?(?:middle|center){_OF}",
         f"(?:right )?(?:in|at) (?:the|its) (?:very |exact )(?:middle|center){_OF}",
         "(?:right )?(?:in|at) (?:the |its )?dead center", "dead center"),
     *patterns("place", Place("cells", "corners"),
         f"{_IN}(?:(?:the|its|all|4) )*(?:corners|corner (?:blocks|cubes|cells|squares|positions|ones|places)){_OF}",
+),
+    *patterns("place", Place("cells", "corners", None, 4),
         f"(?:(?:in|at) )?(?:each|every)(?: one)?(?: of (?:the|its)(?: 4)?)? corners?{_OF}"),
     *patterns("place", Place("cells", "border"),
-        "(?:all )?around(?: (?:it|that|the (?:middle|center)(?: one| block)?))?", f"{_IN}(?:the |its )(?:border|rim)"),
+        "(?:all )?around(?: (?:it|that|the (?:middle|center)(?: one| block)?))?", f"{_IN}(?:(?:the|its|a) )?(?:outer )?(?:border|rim|frame)",
+        f"{_IN}(?:the |its )?(?:outer|outside|outermost|edge|border) (?:blocks|cubes|ones|cells)"),
+    *patterns("place", Place("cells", "inside"), f"{_IN}(?:(?:the|its|a) )?(?:inside|interior|inner part|inner square)",
+        f"{_IN}(?:the |its )?(?:inner|interior|inside) (?:blocks|cubes|ones|cells)"),
     *patterns("place", _corner,
         rf"{_IN}(?:the )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) (?P<b>left|right)(?: hand)?"
         rf"(?: (?:corner|BLOCK|cell|one|square|position))?{_OF}",
         rf"{_IN}(?:the )?(?P<b>left|right) (?:hand )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
         rf"(?:corner|BLOCK|cell|one|square|position){_OF}"),
     *patterns("place", _rest,
-        f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere",
+        f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere", "in between", "between them",
         "(?:all )?(?:(?:of )?the )?(?:others|rest|remainder)(?: of (?:it|them))?", r"(?:all )?the (?P<many>\d+) others",
         r"(?:all )?(?:the )?(?:other|remaining)(?: (?P<many>\d+))? (?:blocks|cubes|pieces|ones|cells|squares|"
         r"positions|places|rows|columns|layers)", r"the (?:other|remaining) (?P<many>\d+)"),
@@ -171,13 +181,16 @@ JOINTS: list[Pattern] = [
     *patterns("then", None, "(?:and )?then", "followed by"),
     *patterns("except", None, "except(?: for| that)?", "apart from", "save for"),
     *patterns("some", None, r"(?P<count>NUM)(?: (?:of (?:them|these|which)|ones?))?"),
-    *patterns("glue", None, "(?:whose|it|its|they|where|so|so that|such that|in which|here|also|too|completely|in all|"
+    *patterns("glue", None, "(?:whose|it|its|they|where|so that|such that|in which|here|also|too|completely|in all|"
         "entirely|all over|fill|fills|filled|filled in|cover|covers|tile|occupied by|occupied|occupies|shall|must|be|"
-        "upright|standing|lying|on|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
+        "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
         "a (?:row|line|square|layer) of|over the 4|centered)",
         "(?:all )?(?:on|of|with|in) which"),
+    *patterns("glue", None, "lay|set|put|spread", "out(?= (?:as|in|of|on|into|a|the) )", "make up", "erected|raised",
+        "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
+    *patterns("break", None, r"[()]"),
     *patterns("glue", None, r"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| consisting of)*(?= "
         r"(?:a )?\d+ rows)"),
 ]  # fmt: skip

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from itertools import pairwise, product
+from dataclasses import replace
+from itertools import pairwise
 
 from rpg.language.frames.grid_colors import COLORS
 from rpg.language.frames.grid_each import plain
@@ -35,15 +36,17 @@ def told(pieces: Sequence[Piece]) -> str:
     _check(pieces, kind, parts)
     if not (sizes.any or _total(parts) or any(item.count for _, items in parts.placed for item in items)):
         raise Unclear
-    checkered = any(piece.kind == "checkered" or piece.value == "board" for piece in pieces)
+    checkered = any(piece.kind == "checkered" or piece.value == "board" for piece in pieces) or (
+        any(piece.kind == "alternating" for piece in pieces) and not parts.axis
+    )
     found: list[str] = []
     for figure in figures(kind, words, sizes):
         try:
             found.append(_checkered(figure, parts) if checkered else _filled(figure, parts, sizes, pieces))
         except Unclear:
             continue
-        if kind in ("pyramid", "wall"):
-            break  # the first that can be: of pyramids one that stands in a line, "3 by 2" is 3 wide
+        if kind == "pyramid":
+            break  # one that stands in a line is meant, where it can be
     if len(found) != 1:
         raise Unclear
     name = kind if kind in ("wall", "pyramid") else "grid"
@@ -78,15 +81,19 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
 def _is_grid(pieces: Sequence[Piece]) -> bool:
     """Whether rows and columns are told, so that it need not be said that this is a grid; "two rows of three" may lie
     anywhere."""
-    sizes = [piece for piece in pieces if piece.kind == "size"]
-    dims = any(piece.kind == "dims" for piece in pieces) and any(piece.kind in ("place", "checkered") or (
-        piece.kind in ("lot", "total") and piece.named.get("noun", piece.kind)) for piece in pieces)
-    across = any(piece.kind == "each" and piece.value == "column" for piece in pieces) or any(
-        piece.kind in ("checkered", "reading") for piece in pieces
-    ) or any(piece.kind == "place" and piece.value.axis == "column" for piece in pieces)
-    names = {name for piece in sizes for name in piece.value if "taken" not in piece.named or len(piece.value) == 1}
-    by_row = {name for piece in sizes for name in piece.value}
-    return dims or {"rows", "columns"} <= names or {"layers"} < by_row or (across and {"rows", "columns"} <= by_row)
+    sizes = [set(piece.value) for piece in pieces if piece.kind == "size"]
+    names = {name for size in sizes for name in size}
+    apart = {name for size in sizes if len(size) == 1 for name in size}
+    if {"rows", "columns"} <= apart or {"layers"} < names:
+        return True
+    if any(piece.kind == "dims" for piece in pieces):
+        return any(piece.kind in ("place", "checkered", "total", "reading") or "noun" in piece.named for piece in pieces)
+    column = any(
+        piece.value == "column" if piece.kind == "each" else piece.kind == "place" and piece.value.axis == "column"
+        for piece in pieces
+    )
+    across = column or any(piece.kind in ("checkered", "reading") for piece in pieces)
+    return across and {"rows", "columns"} <= names
 
 
 def _check(pieces: Sequence[Piece], kind: str, parts: Said) -> None:
@@ -99,7 +106,7 @@ def _check(pieces: Sequence[Piece], kind: str, parts: Said) -> None:
     labels = [item for item in [*parts.free, *(one for _, items in parts.placed for one in items)] if item.label]
     if ("taper" in kinds and kind != "pyramid") or ("symbols" in kinds and not labels):
         raise Unclear
-    if ("square" in kinds and kind != "pyramid") or ("alternating" in kinds and len(parts.listed) != 2):
+    if ("square" in kinds and kind != "pyramid") or ("alternating" in kinds and parts.axis and len(parts.listed) != 2):
         raise Unclear
 
 
@@ -148,10 +155,15 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
             raise Unclear  # the number of each layer is told, but for some
     free = [item for item in parts.free if item.look]
     reading = {piece.value for piece in pieces if piece.kind == "reading"}
-    if reading:
+    if reading - {"verb"} or (reading and any(item.label for item in free)):
         return _read(figure, free, total, ordered="ordered" in reading, filled=bool(filling.looks))
+    if parts.each and free and all(item.count is None for item in free) and not filling.looks:
+        lines = filling.lines(parts.each)
+        if len({len(line) for line in lines}) > 1 or len(lines) != len(free):
+            raise Unclear
+        free = [replace(item, count=len(lines[0])) for item in free]
     counts = completed(filling, free, total)
-    if parts.each and not parts.listed:
+    if parts.each and not parts.listed and not any(filling.looks.values()):
         return _each(figure, counts, filling.looks, parts)
     if counts is not None:
         return f"Build {figure.told} from {_lots(counts)}."
@@ -170,7 +182,7 @@ def _read(figure: Figure, free: Sequence[Blocks], total: int | None, *, ordered:
 
 def _each(figure: Figure, counts: Mapping[str, int] | None, looks: Mapping[Cell, str], parts: Said) -> str:
     """A figure of which each line has one colour, and it is not told which line has which."""
-    if any(looks.values()) or (counts is None and any(item.look for item in parts.free)):
+    if looks or (counts is None and any(item.look for item in parts.free)):
         raise Unclear
     blocks = _lots(counts) if counts else f"{len(figure.cells)} blocks"
     axis = "layer" if parts.each == "row" and not figure.flat else parts.each

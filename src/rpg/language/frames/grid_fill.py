@@ -14,6 +14,8 @@ from rpg.language.frames.pieces import Unclear
 
 Cell = tuple[int, int]
 _ENDS = {"row": {"far": 0, "top": 0, "near": -1, "bottom": -1}, "column": {"left": 0, "right": -1}, "layer": {"top": 0, "bottom": -1}}  # fmt: skip
+_BETWEEN = Place("rest", "between")
+"""Between other lines, or blocks."""
 
 
 class Filling:
@@ -39,6 +41,8 @@ class Filling:
             self._put(rest, blocks)
 
     def _place(self, places: list[Place], blocks: list[Blocks]) -> None:
+        if places == [_BETWEEN] and any(p.kind == "line" for ps, _ in self._told.placed for p in ps):
+            places = [_BETWEEN._replace(kind="line", side="middle", many=1)]
         if any(place.kind == "rest" for place in places):
             if len(places) > 1:
                 raise Unclear
@@ -158,6 +162,8 @@ class Filling:
 
     def _beside(self, side: str, count: int) -> int:
         """A line told by the one before."""
+        if any(p.side in ("middle", "between") for ps, _ in self._told.placed for p in ps) and side in ("above", "below"):
+            return 0 if side == "above" else count - 1
         if side == "above it" and self.figure.columns or side == "middle":
             raise Unclear
         if self._line is None:

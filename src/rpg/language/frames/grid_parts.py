@@ -104,8 +104,8 @@ class _Reader:
                 joined = cut in (",", *_STRONG) and not part and piece.words not in (",", *_STRONG)
                 cut, part = piece.words if part or joined or piece.words in _STRONG else cut, []
         this = self._said
-        if this.each and this.start is None and not any(piece.kind == "lines" for piece in pieces):
-            this.free += this.listed  # which line has which colour is left open
+        if this.each and this.start is None and not all(item.bare for item in this.listed):
+            this.free += this.listed  # "two red and two blue blocks": which line has which colour is left open
             this.listed = []
         for piece in pieces:
             if piece.kind == "lot each":

@@ -136,6 +136,7 @@ PLACES: list[Pattern] = [
         "(?:with )?(?:a |the |its )?(?:base|baseline|(?:base|bottom|lowest) (?:row|layer|line))(?: (?:of|is|being|has|"
         "having|with|made of|consists of|consisting of|containing|contains|shall|should|must|be|a row of))* "
         "(?=(?:(?:the|a) )?(?:NUM )?(?:SIZE )?COLOR)".replace("* (?=", "*(?= ")),
+    *patterns("place", Place("rest", "between"), "in between", "between(?: them)?"),
     *patterns("place", Place("line", "2", "layer"),
         f"{_UPON} (?:the|its) (?:base|bottom|bottom (?:layer|row)|base (?:layer|row)|first (?:layer|row))"),
     *patterns("place", Place("line", "far"), "(?:all )?behind(?: (?:it|them|that))?",
@@ -171,7 +172,7 @@ PLACES: list[Pattern] = [
         rf"{_IN}(?:the )?(?P<b>left|right) (?:hand )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
         rf"(?:corner|BLOCK|cell|one|square|position){_OF}"),
     *patterns("place", _rest,
-        f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere", "in between", "between them",
+        f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere",
         "(?:all )?(?:(?:of )?the )?(?:others|rest|remainder)(?: of (?:it|them))?", r"(?:all )?the (?P<many>\d+) others",
         r"(?:all )?(?:the )?(?:other|remaining)(?: (?P<many>\d+))? (?:blocks|cubes|pieces|ones|cells|squares|"
         r"positions|places|rows|columns|layers)", r"the (?:other|remaining) (?P<many>\d+)"),

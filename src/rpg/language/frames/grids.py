@@ -163,6 +163,9 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
             raise Unclear
         free = [replace(item, count=len(lines[0])) for item in free]
     counts = completed(filling, free, total)
+    for line in filling.lines(parts.each) if parts.each else ():
+        if len({filling.looks.get(cell, "") for cell in line}) > 1:
+            raise Unclear
     if parts.each and not parts.listed and not any(filling.looks.values()):
         return _each(figure, counts, filling.looks, parts)
     if counts is not None:

@@ -9,7 +9,7 @@ from rpg.language.frames.pieces import Pattern, patterns
 
 _HAVE = (
     "(?:(?:is|are|be|being|has|have|having|of|in|with|shows|gets|get|shall|should|must|made|has to|have to|only|just|"
-    "exactly|its|their) )*"
+    "exactly|its|their|all|entirely|be) )*"
 )
 _ONE_COLOR = (
     "(?:a |an |the )?(?:own|one|single|uniform|same|different|distinct|1)(?: and the same| single| plain|,| and)* "
@@ -51,6 +51,8 @@ COLORS: list[Pattern] = [
     *patterns("each", None, f"each(?: of (?:them|which))? {_HAVE}{_ONE_COLOR}"),
     *patterns("glue", None, "(?:the )?colors (?:being|are|:)", "(?:all|each|each one)(?: of)?(?: in)? (?:a )?different"
         "(?: colors?)?(?= [,.;:])"),
+    *patterns("any line", axis_of, f"(?:one|another) {AXES}(?: (?:BE|has|of|in|all|with|only|made|entirely))*"),
+    *patterns("free order", None, "(?:in )?(?:any|whatever|some) order(?: you like)?", "(?:it )?does not matter which"),
     *patterns("lines", axis_of, f"(?:the |its |whose |with the |their |these )?{AXES}s(?: (?:being|colored|BE))?"),
     *patterns("alternating", None, "(?:colored )?(?:alternately|alternate|alternates|alternating|in alternation|"
         "by turns|taking turns)(?: (?:between|in color|colors|from))?"),

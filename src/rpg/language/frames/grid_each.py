@@ -19,13 +19,51 @@ def plain(pieces: Sequence[Piece], kind: str) -> list[Piece]:
         Unclear: it is not clear of what each is told.
     """
     found: list[Piece] = []
-    for piece in pieces:
-        if piece.kind == "digits":
+    for piece in _with_base(pieces) if kind == "pyramid" else _any_lines(pieces):
+        if found and found[-1].kind == "some" and " of " in found[-1].words and piece.kind == "lot":
+            named = {**piece.named, "count": found.pop().named["count"]}  # "five of them black"
+            found.append(replace(piece, named=named))
+        elif piece.kind == "digits":
             found.append(replace(piece, kind="counts" if kind == "pyramid" else "labels"))
         elif piece.kind == "each" and piece.value is None:
             found.append(replace(piece, value=_axis(found)))
         elif piece.kind == "apiece":
             _apiece(found, pieces)
+        else:
+            found.append(piece)
+    return found
+
+
+def _with_base(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    """A pyramid "with a base of three red blocks", of which no other blocks are told, is red."""
+    at = [n for n, piece in enumerate(pieces) if piece.kind == "lot"]
+    places = [n for n, piece in enumerate(pieces) if piece.kind == "place"]
+    if len(at) != 1 or len(places) != 1 or places[0] != at[0] - 1 or " of" not in pieces[places[0]].words:
+        return pieces
+    lot = pieces[at[0]]
+    if "count" not in lot.named:
+        return pieces
+    named = {name: said for name, said in lot.named.items() if name != "count"}
+    size = Piece("size", lot.words, {"base": number(lot.named["count"])})
+    return [*pieces[: places[0]], size, replace(lot, named={**named, "noun": "blocks"}), *pieces[at[0] + 1 :]]
+
+
+def _any_lines(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    """ "One row red, the other blue": each row has a colour, and it is left open which."""
+    lines = [piece for piece in pieces if piece.kind == "any line"]
+    if not lines:
+        return pieces
+    found = []
+    for piece in pieces:
+        if piece.kind == "place" and piece.value.side == "other" and piece.value.many == 1:
+            continue
+        if piece.kind == "place" or piece.kind in ("each", "lines", "direction"):
+            raise Unclear
+        if piece.kind == "any line":
+            found += [replace(piece, kind="each")] if piece is lines[0] else []
+        elif piece.kind == "lot":
+            named = {name: said for name, said in piece.named.items() if name != "det"}
+            found.append(replace(piece, named={**named, "noun": "blocks"}))
         else:
             found.append(piece)
     return found

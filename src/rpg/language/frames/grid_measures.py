@@ -13,14 +13,14 @@ _HAS = (
     "(?:(?:has|with|of|contains|containing|having|consists|is|holding|holds|shall|should|must|have|consist|contain) )+"
 )
 _WITH = (
-    "(?:(?:of|with|by|having|containing|each of|each with|each having|each containing|that each have|which each have) )"
+    "(?:(?:of|by|having|containing|each of|each with|each having|each containing|that each have|which each have) )"
 )
 _NO_LINES = "(?! (?:rows?|columns?|files?|layers?|levels?|by|x) )"
 _NO_LOOK = "(?! (?:rows?|columns?|files?|layers?|levels?|by|x|plain|SIZE|COLOR)s? )"
 
 
 def _size(match: re.Match[str]) -> dict[str, int]:
-    return {name: number(said) for name, said in match.groupdict().items() if said}
+    return {name.strip("_"): number(said) for name, said in match.groupdict().items() if said}
 
 
 def _dims(match: re.Match[str]) -> tuple[int, ...]:
@@ -32,7 +32,8 @@ def _lines_of(lines: str, name: str, of: str) -> str:
     one = name[:-1]
     return (
         rf"(?P<{name}>NUM) (?:full |straight )?(?:{lines})s? {_WITH}(?P<{of}>NUM){_NO_LINES}(?: BLOCK)?"
-        rf"(?: (?:each|apiece|per {one}|in (?:each|every)(?: {one}| one)?))?"
+        rf"(?: (?:each|apiece|per {one}|in (?:each|every)(?: {one}| one)?))?|(?P<{name}_>NUM) (?:{lines})s? with "
+        rf"(?P<{of}_>NUM)(?: BLOCK)? (?:each|apiece|per {one}|in (?:each|every)(?: {one}| one)?)"
     )
 
 
@@ -51,11 +52,12 @@ _OF = (
     "consisting|a row of|a square of|square))*"
 )
 SIZES: list[Pattern] = [
-    *patterns("dims", _dims, rf"(?:(?:on a|a|an|the|of|measuring|sized|size|dimensions|full|filled|solid|complete|big|large|small|little|neat) )*{_DIMS}(?: BLOCK)?",
+    *patterns("dims", _dims, rf"(?:(?:on a|a|an|the|of|measuring|sized|size|dimensions|full|filled|solid|complete|big|large|small|little|neat|"
+        rf"compact|tight|flat|single|one) )*{_DIMS}(?: (?:blocks|cubes|pieces))?",
         rf"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| a| measuring)* {_DIMS}(?: BLOCK)?"),
     *patterns("size", _size,
-        r"(?P<rows>NUM) (?:full |complete |straight )?rows?(?: deep)?",
-        r"(?P<columns>NUM) (?:full |complete |straight )?(?:columns?|files?)(?: wide)?",
+        r"(?P<rows>\d+) (?:full |complete |straight |parallel )?rows(?: deep)?",
+        r"(?P<columns>\d+) (?:full |complete |straight |parallel )?(?:columns|files)(?: wide)?",
         r"(?P<layers>NUM) (?:full |complete |flat )?(?:layers?|levels?|tiers?|floors?|stories|storeys)"
         r"(?: high| tall)?",
         _lines_of("row", "rows", "columns"), _lines_of("column", "columns", "rows"),
@@ -63,9 +65,9 @@ SIZES: list[Pattern] = [
         *_each_has("row", "columns", "(?:wide|long)"), *_each_has("column", "rows", "(?:high|tall|deep)"),
         *_each_has("layer|level|tier", "layer", "(?:wide|long)"),
         rf"(?P<wide>NUM) {_N}(?:wide|across|long|in width|in length|from left to right|along)",
-        r"(?:a |the |its )?(?:width|length) (?:(?:of|is|:|being) )*(?P<wide>NUM)(?: BLOCK)?",
+        r"(?:a |the |its |whose )?(?:width|length)(?: of (?:which|it|the wall))? (?:(?:of|is|:|being|shall|should|must|be) )*(?P<wide>NUM)(?: BLOCK)?",
         rf"(?P<high>NUM) {_N}(?:high|tall|in height|up|upwards)",
-        r"(?:a |the |its )?height (?:(?:of|is|:|being) )*(?P<high>NUM)(?: BLOCK)?",
+        r"(?:a |the |its |whose )?height(?: of (?:which|it|the wall))? (?:(?:of|is|:|being|shall|should|must|be) )*(?P<high>NUM)(?: BLOCK)?",
         rf"(?P<deep>NUM) {_N}(?:deep|in depth|from front to back|from back to front)",
         r"(?:a |the |its )?depth (?:(?:of|is|:|being) )*(?P<deep>NUM)(?: BLOCK)?",
         rf"(?:with )?(?P<side>NUM) {_N}(?:on|along|to|per|at|in) (?:(?:each|every|a|one|its) )?(?:side|edge)",
@@ -87,7 +89,7 @@ SIZES: list[Pattern] = [
         "(?:each|every)(?: next| higher)? (?:layer|row|level)(?: above)?(?: it)?(?: (?:has|is|having|being))? "
         "(?:one|1) (?:BLOCK )?(?:fewer|less|smaller|shorter)(?: than the (?:one|layer|row) (?:below|under|beneath)"
         "(?: it)?)?"),
-    *patterns("glue", None, r"by (?=\d+ (?:rows|columns|files|layers|levels) )"),
+    *patterns("glue", None, r"(?:by|x|times)(?= \d+ (?:rows|columns|files|layers|levels) )"),
     *patterns("apiece", None, "each", "apiece", "(?:in|per|for) (?:each|every|a)? ?(?:row|column|layer)"),
 ]  # fmt: skip
 """Kinds "dims" and "base" (numbers), "size" (numbers by name), "square" (base), "taper", "apiece"."""

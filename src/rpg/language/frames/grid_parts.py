@@ -96,6 +96,10 @@ class _Reader:
         for piece in [*pieces, Piece("break", ".")]:
             if piece.kind in self._kinds:
                 part.append(piece)
+            elif piece.kind == "figure":
+                if part:
+                    self._part(part, cut)
+                part, cut = [], ""
             elif piece.kind in ("break", "then", "except") and piece.words != ":":
                 if part:
                     self._part(part, cut)
@@ -104,7 +108,14 @@ class _Reader:
                 joined = cut in (",", *_STRONG) and not part and piece.words not in (",", *_STRONG)
                 cut, part = piece.words if part or joined or piece.words in _STRONG else cut, []
         this = self._said
-        if this.each and this.start is None and not all(item.bare for item in this.listed):
+        kinds = {piece.kind for piece in pieces}
+        if "free order" in kinds and not this.each:
+            raise Unclear
+        if this.start and not this.listed and (this.axis or this.start in ("top", "bottom")):
+            this.axis = this.axis or "layer"
+            this.listed = [item for item in this.free if item.bare and item.look]
+            this.free = [item for item in this.free if item not in this.listed]
+        if this.each and ("free order" in kinds or (this.start is None and not all(item.bare for item in this.listed))):
             this.free += this.listed  # "two red and two blue blocks": which line has which colour is left open
             this.listed = []
         for piece in pieces:
@@ -119,6 +130,9 @@ class _Reader:
 
     def _part(self, part: list[Piece], cut: str) -> None:
         items: list[Blocks | Place] = []
+        if len(part) > 1 and part[0].kind == "total" and part[1].kind in ("lot", "labels"):
+            self._part(part[:1], cut)
+            part, cut = part[1:], ""
         for piece in part:
             if piece.kind == "place":
                 items.append(piece.value)
@@ -164,6 +178,9 @@ class _Reader:
                 raise Unclear
             self._said.placed.append((self._waiting, [*blocks]))
             self._waiting, self._row, self._last = [], None, "PB"
+        elif cut == "then" and self._row is not None and (self._row[-1].count or blocks[-1].count):
+            self._said.placed.append(([Place("line", "next")], [*blocks]))
+            self._row = self._said.placed[-1][1]
         elif self._row is not None and all(one.look for one in blocks):
             self._row += blocks
         elif self._listing:

@@ -50,10 +50,16 @@ def axis_of(match: re.Match[str]) -> str:
     return _AXIS_OF.get(match["axis"], "layer")
 
 
+_HALF = -1
+"""As `many` of a place: half of all lines."""
+
+
 def _line(match: re.Match[str]) -> Place:
     named = match.groupdict()
     side = number(named["number"]) if named.get("number") else _SIDE_OF[named["side"]]
     axis = axis_of(match) if named.get("axis") else None
+    if named.get("half"):
+        return Place("line", str(side), axis, _HALF)
     count = 1 if named.get("single") else int(named.get("count") or 0)
     return Place("line", str(side), axis, int(named.get("many") or 1), count)
 
@@ -82,6 +88,7 @@ FIGURES: list[Pattern] = [
     *patterns("figure", "rectangle",
         "(?:(?:small|flat|little) )*(?:filled|filled in|solid|full|complete)(?: flat)? rectangle",
         "rectangle(?: (?:that is )?filled)"),
+    *patterns("figure", "outline", "(?:(?:small|flat|little) )*rectangle"),
     *patterns("figure", "square", f"{_KINDS}square(?: (?:that is )?filled(?: in)?)?"),
     *patterns("figure", "wall", f"{_KINDS}(?:long |tall |high |big )?wall"),
     *patterns("figure", "pyramid",
@@ -106,7 +113,7 @@ _IN = "(?:all )?(?:in |at |to |along |for |as )?"
 _LEVELS = "(?P<axis>layer|level|tier|floor|storey|story)"
 _OF = f"(?: of (?:it|them|the {_FIGURE}))?"
 _FROM = "(?: away)?(?: (?:from|to) (?:me|us|you|the (?:viewer|camera|robot)))?"
-_THEM = "(?:them|that|those|these|this)"
+_THEM = "(?:them|that|those|these|this|both(?: of them)?|the 2|the others)"
 _UPON = "(?:on top of|over|above|upon)"
 _LINE = "(?:row|layer|level|one)"
 _MIDDLE = "(?:in|at|on) (?:the|its) (?:very |exact )?(?:middle|center)"
@@ -129,7 +136,8 @@ PLACES: list[Pattern] = [
         rf"(?:the |its )?{_side(*_PLAIN)} (?P<count>\d+)(?: BLOCK| ones)?(?! (?:rows|columns|layers|by|x))",
         rf"(?:the |its )?{_side(*_PLAIN)} (?:blocks|cubes|ones)(?: in {AXES})?",
         rf"(?:the |its )?(?:very )?{_side('top', 'bottom')} (?P<single>block|cube|piece|element)",
-        rf"{_side(*_PLAIN, '1', '2', '3', '4', 'last')}(?: (?:row|column|layer))?(?= (?::|(?:all )?COLOR))"),
+        rf"{_side(*_PLAIN, '1', '2', '3', '4', 'last')}(?: one)?(?= (?::|(?:all )?COLOR))",
+        rf"{_side('middle')}", "(?P<side>tip|peak|apex)", rf"(?:the )?{_side(*_PLAIN[:-1])} (?P<half>half)"),
     *patterns("place", Place("line", "top"),
         "(?:(?:which|that) is )?(?:is )?(?:crowned|topped|capped|finished)(?: off)?(?: (?:by|with))"),
     *patterns("place", Place("line", "bottom", None, 1),
@@ -159,6 +167,7 @@ PLACES: list[Pattern] = [
     *patterns("place", Place("cells", "corners"),
         f"{_IN}(?:(?:the|its|all|4) )*(?:corners|corner (?:blocks|cubes|cells|squares|positions|ones|places)){_OF}",
 ),
+    *patterns("place", Place("cells", "corners"), "on the(?: 4)? corners"),
     *patterns("place", Place("cells", "corners", None, 4),
         f"(?:(?:in|at) )?(?:each|every)(?: one)?(?: of (?:the|its)(?: 4)?)? corners?{_OF}"),
     *patterns("place", Place("cells", "border"),
@@ -167,7 +176,8 @@ PLACES: list[Pattern] = [
     *patterns("place", Place("cells", "inside"), f"{_IN}(?:(?:the|its|a) )?(?:inside|interior|inner part|inner square)",
         f"{_IN}(?:the |its )?(?:inner|interior|inside) (?:blocks|cubes|ones|cells)"),
     *patterns("place", _corner,
-        rf"{_IN}(?:the )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) (?P<b>left|right)(?: hand)?"
+        rf"(?:the (?:BLOCK|one) )?{_IN}(?:the )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
+        rf"(?P<b>left|right)(?: hand)?"
         rf"(?: (?:corner|BLOCK|cell|one|square|position))?{_OF}",
         rf"{_IN}(?:the )?(?P<b>left|right) (?:hand )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
         rf"(?:corner|BLOCK|cell|one|square|position){_OF}"),
@@ -182,13 +192,15 @@ JOINTS: list[Pattern] = [
     *patterns("then", None, "(?:and )?then", "followed by"),
     *patterns("except", None, "except(?: for| that)?", "apart from", "save for"),
     *patterns("some", None, r"(?P<count>NUM)(?: (?:of (?:them|these|which)|ones?))?"),
-    *patterns("glue", None, "(?:whose|it|its|they|where|so that|such that|in which|here|also|too|completely|in all|"
+    *patterns("glue", None, "(?:it|its|they|where|here|also|too|completely|in all|"
         "entirely|all over|fill|fills|filled|filled in|cover|covers|tile|occupied by|occupied|occupies|shall|must|be|"
         "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
         "a (?:row|line|square|layer) of|over the 4|centered)",
-        "(?:all )?(?:on|of|with|in) which"),
+        "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|"
+        "compact|solid|them(?= (?:out )?(?:as|in|into|to) )"),
+    *patterns("break", None, "whose|such that|so that|(?:all )?(?:on|of|with|in) which"),
     *patterns("glue", None, "lay|set|put|spread", "out(?= (?:as|in|of|on|into|a|the) )", "make up", "erected|raised",
         "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
     *patterns("break", None, r"[()]"),

@@ -14,11 +14,13 @@ from rpg.language.frames.grid_measures import SIZES
 from rpg.language.frames.grid_parts import Blocks, Said, said
 from rpg.language.frames.grid_sizes import Figure, Sizes, figures
 from rpg.language.frames.grid_words import FIGURES, JOINTS, PLACES
-from rpg.language.frames.lots import LOTS, Lot, check_listed, one
+from rpg.language.frames.lots import LOTS, Lot, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
 PATTERNS = [*FIGURES, *SIZES, *PLACES, *COLORS, *LOTS, *WHERE, *JOINTS, *BREAKS, *GLUE]
+
+_FILLED = frozenset({"filled", "full", "solid", "complete"})
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -27,14 +29,14 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: its size does not follow, or which blocks are where.
     """
-    check_listed(pieces)
     kind, words = _figure(pieces)
     pieces = plain(pieces, kind)
     where = one(pieces, "where")
     parts = said(pieces, dims_are_blocks=kind == "pyramid")
     sizes = _sizes(pieces, parts)
     _check(pieces, kind, parts)
-    if not (sizes.any or _total(parts) or any(item.count for _, items in parts.placed for item in items)):
+    counted = [item.count for _, items in parts.placed for item in items]
+    if not (sizes.any or _total(parts) or any(counted)):
         raise Unclear
     checkered = any(piece.kind == "checkered" or piece.value == "board" for piece in pieces) or (
         any(piece.kind == "alternating" for piece in pieces) and not parts.axis
@@ -60,7 +62,11 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
         Unclear: there are several, or none.
     """
     at = [n for n, piece in enumerate(pieces) if piece.kind == "figure"]
-    kinds = {"grid" if pieces[n].value == "board" else pieces[n].value for n in at}
+    dims = " ".join(piece.words for piece in pieces if piece.kind == "dims")
+    rows = any("rows" in piece.value for piece in pieces if piece.kind == "size")
+    if any(pieces[n].value == "outline" for n in at) and not rows and _FILLED.isdisjoint(dims.split()):
+        raise Unclear  # of a rectangle without a word more the outline is meant
+    kinds = {{"board": "grid", "outline": "rectangle"}.get(pieces[n].value, pieces[n].value) for n in at}
     words = " ".join(pieces[n].words for n in at)
     if len(kinds) > 1:
         kinds -= {"square", "rectangle"}
@@ -102,6 +108,9 @@ def _check(pieces: Sequence[Piece], kind: str, parts: Said) -> None:
     Raises:
         Unclear: it is not.
     """
+    for piece, after in pairwise(pieces):
+        if piece.kind == "lot" and after.kind == "figure" and not piece.named.keys().isdisjoint({"size", "behind"}):
+            raise Unclear  # "a large red wall" is no wall of large blocks
     kinds = {piece.kind for piece in pieces}
     labels = [item for item in [*parts.free, *(one for _, items in parts.placed for one in items)] if item.label]
     if ("taper" in kinds and kind != "pyramid") or ("symbols" in kinds and not labels):
@@ -136,6 +145,8 @@ def _total(parts: Said) -> int | None:
         Unclear: two such numbers.
     """
     found = {item.count for item in parts.free if not item.look and not item.base}
+    if not found and parts.free and not parts.placed and all(item.count for item in parts.free):
+        return sum(item.count or 0 for item in parts.free)
     if len(found) > 1:
         raise Unclear
     return found.pop() if found else None

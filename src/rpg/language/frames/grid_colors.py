@@ -31,7 +31,7 @@ _ENDS = "(?: (?:row|side|end|one|layer|column))?"
 
 def _span(match: re.Match[str]) -> list[str]:
     """All labels from one to another."""
-    return [chr(code) for code in range(ord(match["first"]), ord(match["last"]) + 1)]
+    return [chr(code) for code in range(ord(match["first"].replace("one", "1")), ord(match["last"]) + 1)]
 
 
 def _listed(match: re.Match[str]) -> list[str]:
@@ -48,6 +48,8 @@ COLORS: list[Pattern] = [
         f"(?:all |the |whose )?{AXES}s {_HAVE}(?:each )?{_HAVE}(?:an? )?(?:single|one|different|own) colors?(?: each)?",
         f"(?:a )?different colors? (?:per|for each|for every|in each|in every) {AXES}",
         f"(?:each|every) {AXES} (?:is |being )?(?:colored )?(?:differently|uniformly|unicolored)(?: colored)?"),
+    *patterns("every", axis_of, f"(?:each|every) (?:single )?{AXES}(?= of (?:the|this|it))"),
+    *patterns("one color", None, f"{_HAVE}{_ONE_COLOR}"),
     *patterns("each", None, f"each(?: of (?:them|which))? {_HAVE}{_ONE_COLOR}"),
     *patterns("glue", None, "(?:the )?colors (?:being|are|:)", "(?:all|each|each one)(?: of)?(?: in)? (?:a )?different"
         "(?: colors?)?(?= [,.;:])"),
@@ -74,10 +76,11 @@ COLORS: list[Pattern] = [
         rf"(?:the |of )?(?:{_SYMBOLS}|blocks|cubes) (?:from )?(?P<first>[A-Z]|\d) (?:to|through|until|up to|till) "
         r"(?P<last>[A-Z]|\d)",
         "(?P<first>[A-Z]) (?:to|through|until|up to) (?P<last>[A-Z])",
-        r"(?P<first>\d) (?:to|through|until|up to) (?P<last>\d)(?! (?:BLOCK|rows?|columns?|layers?))"),
+        r"(?:numbers |digits |the )*(?P<first>\d|one) (?:to|through|until|up to) (?P<last>\d)(?! (?:BLOCK|rows?|columns?|layers?))"),
     *patterns("labels", _listed,
         rf"(?:the |of )?(?:{_SYMBOLS}|blocks|cubes) (?:[A-Z]|\d){_NEXT}(?:[A-Z]|\d))+", rf"(?:the )?[A-Z]{_NEXT}"
         "[A-Z])+"),
+    *patterns("labels", lambda match: [match["label"]], "(?:the )?(?:letter |block |cube )?(?P<label>[A-Z])(?: BLOCK)?"),
     *patterns("labels", lambda match: list(match["word"]), "(?:the word )?'(?P<word>[A-Z]{2,5})'"),
     *patterns("digits", _listed, rf"\d{_NEXT}(?:\d|one)(?! (?:by|x|BLOCK|ones|COLOR)))+(?! (?:by|x|rows?|columns?|"
         r"layers?|COLOR))"),
@@ -87,7 +90,7 @@ COLORS: list[Pattern] = [
         "(?:(?:arranged|told|ordered|going|sorted|all) )?(?:in |by )?(?:the )?(?:usual |normal |their )?reading order",
         "(?:read )?row by row", "(?:read|reads|reading|laid out|to be read|that reads|which reads) (?:like|as|in) "
         "(?:a |the )?(?:page|book|text)(?: of a book| of text)?", "(?:line by line)",
-        "(?:like|as) (?:a|the) (?:page|book|text)(?: of a book| of text)?",
+        "(?:like|as) (?:on |in )?(?:a|the) (?:page|book|text)(?: of a book| of text)?",
         "(?:so that |so )?(?:(?:we|you|i|one|they) )?(?:can )?(?:be )?read (?:(?:them|it) )?(?:in|like)(?: a page| a book| order)"),
     *patterns("reading", "ordered",
         "(?:(?:read|reads|reading|sorted|go|run) )?(?:in )?(?:alphabetical|numerical|numeric|ascending|increasing|"

@@ -19,10 +19,15 @@ def plain(pieces: Sequence[Piece], kind: str) -> list[Piece]:
         Unclear: it is not clear of what each is told.
     """
     found: list[Piece] = []
+    every = [piece for piece in pieces if piece.kind == "every"]
+    if [piece.kind for piece in pieces].count("one color") != len(every) or len(every) > 1:
+        raise Unclear
     for piece in _with_base(pieces) if kind == "pyramid" else _any_lines(pieces):
         if found and found[-1].kind == "some" and " of " in found[-1].words and piece.kind == "lot":
             named = {**piece.named, "count": found.pop().named["count"]}  # "five of them black"
             found.append(replace(piece, named=named))
+        elif piece.kind == "one color":
+            found.append(replace(every[0], kind="each"))
         elif piece.kind == "digits":
             found.append(replace(piece, kind="counts" if kind == "pyramid" else "labels"))
         elif piece.kind == "each" and piece.value is None:

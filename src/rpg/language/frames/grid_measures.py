@@ -6,7 +6,10 @@ import re
 
 from rpg.language.frames.pieces import Pattern, number, patterns
 
-_DIMS = r"(?:\d+x\d+(?:x\d+)?|\d+ (?:BLOCK )?(?:by|times|x) \d+(?: (?:BLOCK )?(?:by|times|x) \d+)?)"
+_DIMS = (
+    r"(?:\d+x\d+(?:x\d+)?|\d+ (?:(?:BLOCK|squares|fields) )?(?:by|times|x) \d+(?: (?:BLOCK )?(?:by|times|x) \d+)?)"
+    r"(?: (?:squares|fields))?"
+)
 _N = "(?:BLOCK )?"
 _EACH = "(?:each|every|a|one|the)"
 _HAS = (
@@ -53,12 +56,13 @@ _OF = (
 )
 SIZES: list[Pattern] = [
     *patterns("dims", _dims, rf"(?:(?:on a|a|an|the|of|measuring|sized|size|dimensions|full|filled|solid|complete|big|large|small|little|neat|"
-        rf"compact|tight|flat|single|one) )*{_DIMS}(?: (?:blocks|cubes|pieces))?",
+        rf"compact|tight|flat|single|one) )*{_DIMS}(?: (?:blocks|cubes|pieces))?(?: (?:per|in each|in every) (?:layer|level))?",
         rf"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| a| measuring)* {_DIMS}(?: BLOCK)?"),
     *patterns("size", _size,
-        r"(?P<rows>\d+) (?:full |complete |straight |parallel )?rows(?: deep)?",
+        r"(?P<rows>\d+) (?:full |complete |straight |parallel )?rows(?: deep)?", r"(?P<rows>[2-9]|1\d) row",
         r"(?P<columns>\d+) (?:full |complete |straight |parallel )?(?:columns|files)(?: wide)?",
-        r"(?P<layers>NUM) (?:full |complete |flat )?(?:layers?|levels?|tiers?|floors?|stories|storeys)"
+        r"(?P<columns>[2-9]|1\d) column",
+        r"(?P<layers>NUM) (?:full |complete |flat )?(?:layers?|levels?|tiers?|floors?|stories|storeys|courses)"
         r"(?: high| tall)?",
         _lines_of("row", "rows", "columns"), _lines_of("column", "columns", "rows"),
         _lines_of("layer|level|tier", "layers", "layer"),
@@ -82,7 +86,7 @@ SIZES: list[Pattern] = [
     *patterns("base", _dims, rf"(?:(?:its|whose|the|a|with|on) )*(?:square )?{_BASE}{_OF}(?: a| by)* {_DIMS}(?: BLOCK)?"
         "(?: square)?",
         rf"(?:(?:its|the|a|with|on|of) )*{_DIMS}(?: BLOCK)? (?:square )?(?:base|based|footprint)(?: layer)?"),
-    *patterns("square", None, "(?:a )?square (?:base|ground plan|footprint)", "(?:whose |its |the )base is (?:a )?square"),
+    *patterns("square", None, "(?:(?:on|with|having) )?(?:a )?square (?:base|ground plan|footprint)", "(?:whose |its |the )base is (?:a )?square"),
     *patterns("taper", None,
         "(?:with )?(?:always )?(?:one|a BLOCK) (?:BLOCK )?(?:fewer|less) (?:(?:in|on|for|with|at) )?(?:each|every)"
         "(?: next| higher)? (?:layer|row|level|step)(?: (?:above|up|going up|higher))?(?: it| that)?",

@@ -171,7 +171,7 @@ class _Reader:
         self._row, self._waiting = self._said.placed[-1][1], []
 
     def _blocks(self, blocks: list[Blocks], cut: str) -> None:
-        if len(blocks) > 1 and not all(one.label for one in blocks):
+        if len(blocks) > 1 and not all(one.label for one in blocks) and self._row is None and not self._listing:
             raise Unclear
         if self._waiting:
             if cut != ",":

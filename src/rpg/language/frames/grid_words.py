@@ -36,7 +36,7 @@ _SIDE_OF = {word: side for side, words in _SIDES.items() for word in words.split
 _AXIS_OF = {"row": "row", "line": "row", "column": "column", "file": "column"}
 """Axes by their words; all the others are layers."""
 _PLAIN = ("far", "near", "left", "right", "top", "bottom", "middle")
-AXES = "(?P<axis>row|line|column|file|layer|level|tier|floor|storey|story)"
+AXES = "(?P<axis>row|line|column|file|layer|level|tier|floor|storey|story|course)"
 
 
 def _side(*sides: str) -> str:
@@ -90,7 +90,7 @@ FIGURES: list[Pattern] = [
         "rectangle(?: (?:that is )?filled)"),
     *patterns("figure", "outline", "(?:(?:small|flat|little) )*rectangle"),
     *patterns("figure", "square", f"{_KINDS}square(?: (?:that is )?filled(?: in)?)?"),
-    *patterns("figure", "wall", f"{_KINDS}(?:long |tall |high |big )?wall"),
+    *patterns("figure", "wall", f"{_KINDS}(?:long |tall |high |big )?(?:block )?wall"),
     *patterns("figure", "pyramid",
         f"{_KINDS}(?:big )?(?:step |stepped |layered )?(?:square |square based |flat |two dimensional |triangular )?"
         "pyramid"),
@@ -110,7 +110,7 @@ FIGURES: list[Pattern] = [
 _FIGURE = "(?:grid|array|matrix|wall|pyramid|cube|square|rectangle|figure|checkerboard|chessboard|board)"
 _THE = "(?:the |its |their |your |my )?(?:very )?"
 _IN = "(?:all )?(?:in |at |to |along |for |as )?"
-_LEVELS = "(?P<axis>layer|level|tier|floor|storey|story)"
+_LEVELS = "(?P<axis>layer|level|tier|floor|storey|story|course)"
 _OF = f"(?: of (?:it|them|the {_FIGURE}))?"
 _FROM = "(?: away)?(?: (?:from|to) (?:me|us|you|the (?:viewer|camera|robot)))?"
 _THEM = "(?:them|that|those|these|this|both(?: of them)?|the 2|the others)"
@@ -137,11 +137,12 @@ PLACES: list[Pattern] = [
         rf"(?:the |its )?{_side(*_PLAIN)} (?:blocks|cubes|ones)(?: in {AXES})?",
         rf"(?:the |its )?(?:very )?{_side('top', 'bottom')} (?P<single>block|cube|piece|element)",
         rf"{_side(*_PLAIN, '1', '2', '3', '4', 'last')}(?: one)?(?= (?::|(?:all )?COLOR))",
-        rf"{_side('middle')}", "(?P<side>tip|peak|apex)", rf"(?:the )?{_side(*_PLAIN[:-1])} (?P<half>half)"),
+        rf"{_side('middle')}(?: one)?", "(?P<side>tip|peak|apex)", rf"(?:the )?{_side(*_PLAIN[:-1])} (?P<half>half)"),
     *patterns("place", Place("line", "top"),
-        "(?:(?:which|that) is )?(?:is )?(?:crowned|topped|capped|finished)(?: off)?(?: (?:by|with))"),
+        "(?:(?:which|that) is )?(?:is )?(?:crowned|topped|capped|finished)(?: off)?(?: (?:by|with))",
+        "(?:crowns?|tops?|caps?|finishes)(?: off)? (?:it|them|this|everything|the pyramid)"),
     *patterns("place", Place("line", "bottom", None, 1),
-        "(?:with )?(?:a |the |its )?(?:base|baseline|(?:base|bottom|lowest) (?:row|layer|line))(?: (?:of|is|being|has|"
+        "(?:(?:with|on|upon|over) )?(?:a |the |its )?(?:base|baseline|(?:base|bottom|lowest) (?:row|layer|line))(?: (?:of|is|being|has|"
         "having|with|made of|consists of|consisting of|containing|contains|shall|should|must|be|a row of))* "
         "(?=(?:(?:the|a) )?(?:NUM )?(?:SIZE )?COLOR)".replace("* (?=", "*(?= ")),
     *patterns("place", Place("rest", "between"), "in between", "between(?: them)?"),
@@ -153,7 +154,7 @@ PLACES: list[Pattern] = [
         f"{_IN}the (?:row|one) (?:in front|before it)(?: of (?:it|them|that))?"),
     *patterns("place", Place("line", "above"), f"(?:{_UPON}|on) {_THEM}", "above",
         f"(?:in |on |as )?the {_LINE} (?:above|over|on(?: top)?(?: of)?)(?: (?:it|{_THEM}))?",
-        f"(?:in |on |as )?(?:the )?next {_LINE}(?: up| above)?"),
+        f"(?:in |on |as )?(?:the )?next(?: {_LINE})?(?: up| above)?"),
     *patterns("place", lambda match: Place("line", "above", None, 1, int(match["count"])),
         r"the (?P<count>\d+) (?:BLOCK |ones )?above"),
     *patterns("place", Place("line", "above it"), f"(?:{_UPON}|on) it"),
@@ -198,12 +199,14 @@ JOINTS: list[Pattern] = [
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
         "a (?:row|line|square|layer) of|over the 4|centered)",
-        "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|"
+        "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|comprising|comprises?|made up of|(?:it is )?requested(?: that)?|"
+        "do|love|wants|'s|style|goes? (?:in|into|on)|that is|put|into|all is|everything in|completely in|together|"
+        "(?:the )?colors?(?: of (?:(?:the|all) )*(?:blocks|cubes|it|them))?(?: is| :| being)?|"
         "compact|solid|them(?= (?:out )?(?:as|in|into|to) )"),
     *patterns("break", None, "whose|such that|so that|(?:all )?(?:on|of|with|in) which"),
     *patterns("glue", None, "lay|set|put|spread", "out(?= (?:as|in|of|on|into|a|the) )", "make up", "erected|raised",
         "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
-    *patterns("break", None, r"[()]"),
+    *patterns("break", None, r"[()&/-]"),
     *patterns("glue", None, r"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| consisting of)*(?= "
         r"(?:a )?\d+ rows)"),
 ]  # fmt: skip

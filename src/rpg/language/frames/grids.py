@@ -15,12 +15,15 @@ from rpg.language.frames.grid_parts import Blocks, Said, said
 from rpg.language.frames.grid_sizes import Figure, Sizes, figures
 from rpg.language.frames.grid_words import FIGURES, JOINTS, PLACES
 from rpg.language.frames.lots import LOTS, Lot, one
-from rpg.language.frames.pieces import Piece, Unclear
+from rpg.language.frames.pieces import Piece, Unclear, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
-PATTERNS = [*FIGURES, *SIZES, *PLACES, *COLORS, *LOTS, *WHERE, *JOINTS, *BREAKS, *GLUE]
+_WHERE = patterns("where", lambda match: f"on the {match['patch']}", "on (?P<patch>(?:(?:SIZE|long|round) )?COLOR PATCH)")
+PATTERNS = [*FIGURES, *SIZES, *PLACES, *COLORS, *LOTS, *WHERE, *_WHERE, *JOINTS, *BREAKS, *GLUE]
 
 _FILLED = frozenset({"filled", "full", "solid", "complete"})
+_OF_GRIDS = frozenset({"place", "checkered", "total", "reading", "lines", "each"})
+"""What is only said of a grid, so that "3x3" is one."""
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -93,7 +96,7 @@ def _is_grid(pieces: Sequence[Piece]) -> bool:
     if {"rows", "columns"} <= apart or {"layers"} < names:
         return True
     if any(piece.kind == "dims" for piece in pieces):
-        return any(piece.kind in ("place", "checkered", "total", "reading") or "noun" in piece.named for piece in pieces)
+        return any(piece.kind in _OF_GRIDS or "noun" in piece.named for piece in pieces)
     column = any(
         piece.value == "column" if piece.kind == "each" else piece.kind == "place" and piece.value.axis == "column"
         for piece in pieces

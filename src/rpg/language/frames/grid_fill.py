@@ -139,7 +139,7 @@ class Filling:
     def _numbers(self, place: Place, axis: str, lines: list[list[Cell]]) -> list[int]:
         """Which lines of an axis are meant."""
         side, count = place.side, len(lines)
-        many = place.many if place.many >= 0 else count // 2 if count % 2 == 0 else count
+        many = (place.many or 1) if place.many >= 0 else count // 2 if count % 2 == 0 else count
         if side in _ENDS[axis]:
             if many >= count:
                 raise Unclear

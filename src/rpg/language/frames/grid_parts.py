@@ -100,7 +100,9 @@ class _Reader:
                 if part:
                     self._part(part, cut)
                 part, cut = [], ""
-            elif piece.kind in ("break", "then", "except") and piece.words != ":":
+            elif piece.kind in ("break", "then", "except") and not (
+                piece.words == ":" and part and part[-1].kind == "place"
+            ):
                 if part:
                     self._part(part, cut)
                 if piece.words in _STRONG:

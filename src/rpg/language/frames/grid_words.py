@@ -136,13 +136,14 @@ PLACES: list[Pattern] = [
         rf"(?:the |its )?{_side(*_PLAIN)} (?P<count>\d+)(?: BLOCK| ones)?(?! (?:rows|columns|layers|by|x))",
         rf"(?:the |its )?{_side(*_PLAIN)} (?:blocks|cubes|ones)(?: in {AXES})?",
         rf"(?:the |its )?(?:very )?{_side('top', 'bottom')} (?P<single>block|cube|piece|element)",
-        rf"{_side(*_PLAIN, '1', '2', '3', '4', 'last')}(?: one)?(?= (?::|(?:all )?COLOR))",
+        rf"{_side(*_PLAIN, '1', '2', '3', '4', 'last')}(?: one)?(?= (?::|'s|is|are|BE|(?:all )?COLOR))",
         rf"{_side('middle')}(?: one)?", "(?P<side>tip|peak|apex)", rf"(?:the )?{_side(*_PLAIN[:-1])} (?P<half>half)"),
     *patterns("place", Place("line", "top"),
         "(?:(?:which|that) is )?(?:is )?(?:crowned|topped|capped|finished)(?: off)?(?: (?:by|with))",
         "(?:crowns?|tops?|caps?|finishes)(?: off)? (?:it|them|this|everything|the pyramid)"),
     *patterns("place", Place("line", "bottom", None, 1),
-        "(?:(?:with|on|upon|over) )?(?:a |the |its )?(?:base|baseline|(?:base|bottom|lowest) (?:row|layer|line))(?: (?:of|is|being|has|"
+        "(?:(?:with|on|upon|over) )?(?:a |the |its )?(?:base|baseline|(?:base|bottom|lowest) (?:row|layer|line))"
+        "(?: of (?:it|the (?:pyramid|wall|figure|cube)))?(?: (?:of|is|being|has|"
         "having|with|made of|consists of|consisting of|containing|contains|shall|should|must|be|a row of))* "
         "(?=(?:(?:the|a) )?(?:NUM )?(?:SIZE )?COLOR)".replace("* (?=", "*(?= ")),
     *patterns("place", Place("rest", "between"), "in between", "between(?: them)?"),
@@ -183,7 +184,7 @@ PLACES: list[Pattern] = [
         rf"{_IN}(?:the )?(?P<b>left|right) (?:hand )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
         rf"(?:corner|BLOCK|cell|one|square|position){_OF}"),
     *patterns("place", _rest,
-        f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere",
+        f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere", "the other color(?: is| being)?",
         "(?:all )?(?:(?:of )?the )?(?:others|rest|remainder)(?: of (?:it|them))?", r"(?:all )?the (?P<many>\d+) others",
         r"(?:all )?(?:the )?(?:other|remaining)(?: (?P<many>\d+))? (?:blocks|cubes|pieces|ones|cells|squares|"
         r"positions|places|rows|columns|layers)", r"the (?:other|remaining) (?P<many>\d+)"),
@@ -193,14 +194,14 @@ JOINTS: list[Pattern] = [
     *patterns("then", None, "(?:and )?then", "followed by"),
     *patterns("except", None, "except(?: for| that)?", "apart from", "save for"),
     *patterns("some", None, r"(?P<count>NUM)(?: (?:of (?:them|these|which)|ones?))?"),
-    *patterns("glue", None, "(?:it|its|they|where|here|also|too|completely|in all|"
+    *patterns("glue", None, "(?:it|its|they|where|here|completely|in all|"
         "entirely|all over|fill|fills|filled|filled in|cover|covers|tile|occupied by|occupied|occupies|shall|must|be|"
         "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
         "a (?:row|line|square|layer) of|over the 4|centered)",
         "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|comprising|comprises?|made up of|(?:it is )?requested(?: that)?|"
-        "do|love|wants|'s|style|goes? (?:in|into|on)|that is|put|into|all is|everything in|completely in|together|"
+        "do|love|wants|'s|style|go(?:es)? (?:in|into|on)|that is|put|into|all is|everything in|completely in|together|"
         "(?:the )?colors?(?: of (?:(?:the|all) )*(?:blocks|cubes|it|them))?(?: is| :| being)?|"
         "compact|solid|them(?= (?:out )?(?:as|in|into|to) )"),
     *patterns("break", None, "whose|such that|so that|(?:all )?(?:on|of|with|in) which"),

@@ -79,6 +79,9 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
         if pieces[before].value == pieces[n].value and not ahead.endswith(("the", "this", "as a", "it is a")):
             raise Unclear  # "a red grid and a blue grid"
     if not kinds:
+        named = {word for piece in pieces if piece.kind == "place" for word in piece.words.split()}
+        kinds = named & {"grid", "wall", "pyramid"}  # "the base of the pyramid"
+    if not kinds:
         kinds = {"cube" if any("layers" in piece.value for piece in pieces if piece.kind == "size") else "grid"}
         if not _is_grid(pieces):
             raise Unclear
@@ -176,6 +179,10 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
         if len({len(line) for line in lines}) > 1 or len(lines) != len(free):
             raise Unclear
         free = [replace(item, count=len(lines[0])) for item in free]
+    told_counts = [item.count or 0 for item in free]
+    if not figure.flat and not parts.placed and len(free) > 1 and told_counts == sorted({*told_counts}, reverse=True):
+        if all(above - below == 1 for above, below in pairwise(told_counts)):
+            raise Unclear  # "a pyramid: three red, two blue, one green" may tell its layers
     counts = completed(filling, free, total)
     for line in filling.lines(parts.each) if parts.each else ():
         if len({filling.looks.get(cell, "") for cell in line}) > 1:

@@ -26,6 +26,11 @@ def plain(pieces: Sequence[Piece], kind: str) -> list[Piece]:
         if found and found[-1].kind == "some" and " of " in found[-1].words and piece.kind == "lot":
             named = {**piece.named, "count": found.pop().named["count"]}  # "five of them black"
             found.append(replace(piece, named=named))
+        elif found and found[-1].kind == "total" and piece.kind == "lot" and not {"count", "det"} & piece.named.keys():
+            named = {**piece.named, "count": found.pop().named["count"]}  # "three cubes green"
+            found.append(replace(piece, named=named))
+        elif piece.kind == "lot" and len(found) > 1 and found[-1].words in ("(", ":") and _axes(found[-2]):
+            found += [Piece("lines", found[-1].words, _axes(found[-2])), piece]  # "three columns: red, white, blue"
         elif piece.kind == "one color":
             found.append(replace(every[0], kind="each"))
         elif piece.kind == "digits":
@@ -85,10 +90,14 @@ def _axis(told: Sequence[Piece]) -> str:
             return str(piece.value)
         if piece.kind == "place" and piece.value.axis:
             return str(piece.value.axis)
-        axes = [axis for axis in _OF if piece.kind == "size" and f"{axis}s" in piece.value]
-        if axes:
-            return axes[0]
+        if axis := _axes(piece):
+            return axis
     raise Unclear
+
+
+def _axes(piece: Piece) -> str:
+    """The axis whose lines a piece counts; empty for any other piece."""
+    return next((axis for axis in _OF if piece.kind == "size" and f"{axis}s" in piece.value), "")
 
 
 def _apiece(found: list[Piece], pieces: Sequence[Piece]) -> None:

@@ -151,9 +151,10 @@ class Filling:
         if side.isdigit() or side == "last":
             first = int(side) - 1 if side.isdigit() else count - 1
             first = count - 1 - first if axis == "layer" else first
-            if many > 1:
+            if many > 1 and side not in ("1", "last"):
                 raise Unclear
-            return [first]
+            last = first + (many - 1) * (1 if (side == "1") != (axis == "layer") else -1)
+            return list(range(min(first, last), max(first, last) + 1))
         if side == "other":
             left = self._left_lines(axis)
             if len(left) != many:

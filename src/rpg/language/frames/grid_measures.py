@@ -13,7 +13,7 @@ _DIMS = (
 _N = "(?:BLOCK )?"
 _EACH = "(?:each|every|a|one|the)"
 _HAS = (
-    "(?:(?:has|with|of|contains|containing|having|consists|is|holding|holds|shall|should|must|have|consist|contain) )+"
+    "(?:(?:has|with|of|contains|containing|having|consists|is|holding|holds|shall|should|must|have|consist|contain|there|are) )+"
 )
 _WITH = (
     "(?:(?:of|by|having|containing|each of|each with|each having|each containing|that each have|which each have) )"
@@ -44,7 +44,7 @@ def _each_has(line: str, of: str, more: str) -> tuple[str, str]:
     """ "Three in each row", "each row has three"."""
     return (
         rf"(?:with |of |having |has )?(?P<{of}>NUM) {_N}(?:in|per|to|for) (?:{_EACH} )?(?:{line})",
-        rf"(?:each|every) (?:{line}) {_HAS}(?P<{of}>NUM)(?: BLOCK)?(?: {more})?",
+        rf"(?:in )?(?:each|every) (?:{line}) {_HAS}(?P<{of}>NUM)(?: BLOCK)?(?: {more})?",
     )
 
 
@@ -62,7 +62,7 @@ SIZES: list[Pattern] = [
         r"(?P<rows>\d+) (?:full |complete |straight |parallel )?rows(?: deep)?", r"(?P<rows>[2-9]|1\d) row",
         r"(?P<columns>\d+) (?:full |complete |straight |parallel )?(?:columns|files)(?: wide)?",
         r"(?P<columns>[2-9]|1\d) column",
-        r"(?P<layers>NUM) (?:full |complete |flat )?(?:layers?|levels?|tiers?|floors?|stories|storeys|courses)"
+        r"(?P<layers>NUM) (?:full |complete |flat )?(?:layers?|levels?|tiers?|floors?|story|storey|stories|storeys|courses?)"
         r"(?: high| tall)?",
         _lines_of("row", "rows", "columns"), _lines_of("column", "columns", "rows"),
         _lines_of("layer|level|tier", "layers", "layer"),

@@ -137,6 +137,7 @@ PLACES: list[Pattern] = [
         rf"(?:the |its )?{_side(*_PLAIN)} (?:blocks|cubes|ones)(?: in {AXES})?",
         rf"(?:the |its )?(?:very )?{_side('top', 'bottom')} (?P<single>block|cube|piece|element)",
         rf"{_side(*_PLAIN, '1', '2', '3', '4', 'last')}(?: one)?(?= (?::|'s|is|are|BE|(?:all )?COLOR))",
+        rf"{_side('top', 'bottom')}(?= [,.;)]|and)", rf"(?:the |both )?{_side('outer')} (?P<many>2)",
         rf"{_side('middle')}(?: one)?", "(?P<side>tip|peak|apex)", rf"(?:the )?{_side(*_PLAIN[:-1])} (?P<half>half)"),
     *patterns("place", Place("line", "top"),
         "(?:(?:which|that) is )?(?:is )?(?:crowned|topped|capped|finished)(?: off)?(?: (?:by|with))",
@@ -173,7 +174,7 @@ PLACES: list[Pattern] = [
     *patterns("place", Place("cells", "corners", None, 4),
         f"(?:(?:in|at) )?(?:each|every)(?: one)?(?: of (?:the|its)(?: 4)?)? corners?{_OF}"),
     *patterns("place", Place("cells", "border"),
-        "(?:all )?around(?: (?:it|that|the (?:middle|center)(?: one| block)?))?", f"{_IN}(?:(?:the|its|a) )?(?:outer )?(?:border|rim|frame)",
+        "(?:all )?(?:around|round)(?: (?:it|that|the (?:middle|center)(?: one| block)?))?", f"{_IN}(?:(?:the|its|a) )?(?:outer )?(?:border|rim|frame)",
         f"{_IN}(?:the |its )?(?:outer|outside|outermost|edge|border) (?:blocks|cubes|ones|cells)"),
     *patterns("place", Place("cells", "inside"), f"{_IN}(?:(?:the|its|a) )?(?:inside|interior|inner part|inner square)",
         f"{_IN}(?:the |its )?(?:inner|interior|inside) (?:blocks|cubes|ones|cells)"),
@@ -195,18 +196,23 @@ JOINTS: list[Pattern] = [
     *patterns("except", None, "except(?: for| that)?", "apart from", "save for"),
     *patterns("some", None, r"(?P<count>NUM)(?: (?:of (?:them|these|which)|ones?))?"),
     *patterns("glue", None, "(?:it|its|they|where|here|completely|in all|"
-        "entirely|all over|fill|fills|filled|filled in|cover|covers|tile|occupied by|occupied|occupies|shall|must|be|"
+        "entirely|all over|fill|fills|cover|covers|tile|occupied by|occupied|occupies|shall|must|be|"
         "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
         "a (?:row|line|square|layer) of|over the 4|centered)",
-        "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|comprising|comprises?|made up of|(?:it is )?requested(?: that)?|"
+        "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|showing|shows|occupy|occupies|hey|hi|hello|ok|okay|so|"
+        "(?:would )?(?:you )?mind|building|making|constructing|arranging|laying|placing|putting|creating|down|"
+        "(?:my|our) (?:son|daughter|kid|kids|child|boss|friend|wife|husband|customer|client)(?: wants?| needs?)?|"
+        "picture|imagine|them all|(?:here is )?(?:the|my) (?:plan|idea|job|wish|request) :|"
+        "all (?:of )?(?:the )?BLOCK(?: BE)?|comprising|comprises?|made up of|(?:it is )?requested(?: that)?|"
         "do|love|wants|'s|style|go(?:es)? (?:in|into|on)|that is|put|into|all is|everything in|completely in|together|"
         "(?:the )?colors?(?: of (?:(?:the|all) )*(?:blocks|cubes|it|them))?(?: is| :| being)?|"
         "compact|solid|them(?= (?:out )?(?:as|in|into|to) )"),
     *patterns("break", None, "whose|such that|so that|(?:all )?(?:on|of|with|in) which"),
     *patterns("glue", None, "lay|set|put|spread", "out(?= (?:as|in|of|on|into|a|the) )", "make up", "erected|raised",
         "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
+    *patterns("filled", None, "(?:that is |which is |is )?filled(?: in)?"),
     *patterns("break", None, r"[()&/-]"),
     *patterns("glue", None, r"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| consisting of)*(?= "
         r"(?:a )?\d+ rows)"),

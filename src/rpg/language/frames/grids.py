@@ -66,11 +66,11 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
     """
     at = [n for n, piece in enumerate(pieces) if piece.kind == "figure"]
     dims = " ".join(piece.words for piece in pieces if piece.kind == "dims")
+    words = " ".join([dims, *(piece.words for piece in pieces if piece.kind in ("figure", "square", "filled"))])
     rows = any("rows" in piece.value for piece in pieces if piece.kind == "size")
     if any(pieces[n].value == "outline" for n in at) and not rows and _FILLED.isdisjoint(dims.split()):
         raise Unclear  # of a rectangle without a word more the outline is meant
     kinds = {{"board": "grid", "outline": "rectangle"}.get(pieces[n].value, pieces[n].value) for n in at}
-    words = " ".join(pieces[n].words for n in at)
     if len(kinds) > 1:
         kinds -= {"square", "rectangle"}
         kinds -= {"grid"} if "cube" in kinds else set()

@@ -76,11 +76,13 @@ COLORS: list[Pattern] = [
         rf"(?:the |of )?(?:{_SYMBOLS}|blocks|cubes) (?:from )?(?P<first>[A-Z]|\d) (?:to|through|until|up to|till) "
         r"(?P<last>[A-Z]|\d)",
         "(?P<first>[A-Z]) (?:to|through|until|up to) (?P<last>[A-Z])",
-        r"(?:numbers |digits |the )*(?P<first>\d|one) (?:to|through|until|up to) (?P<last>\d)(?! (?:BLOCK|rows?|columns?|layers?))"),
+        r"(?:numbers |digits |the )*(?P<first>\d|one) (?:to|through|until|up to) (?P<last>\d)(?! (?:BLOCK|rows?|"
+        r"columns?|layers?))"),
     *patterns("labels", _listed,
         rf"(?:the |of )?(?:{_SYMBOLS}|blocks|cubes) (?:[A-Z]|\d){_NEXT}(?:[A-Z]|\d))+", rf"(?:the )?[A-Z]{_NEXT}"
         "[A-Z])+"),
-    *patterns("labels", lambda match: [match["label"]], "(?:the )?(?:letter |block |cube )?(?P<label>[A-Z])(?: BLOCK)?"),
+    *patterns("labels", lambda match: [match["label"]], "(?:the )?(?:letter |block |cube )?(?P<label>[A-Z])(?: "
+        "BLOCK)?"),
     *patterns("labels", lambda match: list(match["word"]), "(?:the word )?'(?P<word>[A-Z]{2,5})'"),
     *patterns("digits", _listed, rf"\d{_NEXT}(?:\d|one)(?! (?:by|x|BLOCK|ones|COLOR)))+(?! (?:by|x|rows?|columns?|"
         r"layers?|COLOR))"),
@@ -91,7 +93,8 @@ COLORS: list[Pattern] = [
         "(?:read )?row by row", "(?:read|reads|reading|laid out|to be read|that reads|which reads) (?:like|as|in) "
         "(?:a |the )?(?:page|book|text)(?: of a book| of text)?", "(?:line by line)",
         "(?:like|as) (?:on |in )?(?:a|the) (?:page|book|text)(?: of a book| of text)?",
-        "(?:so that |so )?(?:(?:we|you|i|one|they) )?(?:can )?(?:be )?read (?:(?:them|it) )?(?:in|like)(?: a page| a book| order)"),
+        "(?:so that |so )?(?:(?:we|you|i|one|they) )?(?:can )?(?:be )?read (?:(?:them|it) )?(?:in|like)(?: a page| a "
+        "book| order)"),
     *patterns("reading", "ordered",
         "(?:(?:read|reads|reading|sorted|go|run) )?(?:in )?(?:alphabetical|numerical|numeric|ascending|increasing|"
         "counting|natural|rising)(?: numerical)? order", "(?:both |all |each )?in order", "alphabetically"),

@@ -12,8 +12,8 @@ _OF = {"row": "columns", "column": "rows", "layer": "layer"}
 
 
 def plain(pieces: Sequence[Piece], kind: str) -> list[Piece]:
-    """The pieces, with "each" told of a line or of a colour, and numbers in a list told as symbols, or, in a pyramid, as
-    "counts" of its layers.
+    """The pieces, with "each" told of a line or of a colour, and numbers in a list told as symbols, or as "counts" of
+    the layers of a pyramid.
 
     Raises:
         Unclear: it is not clear of what each is told.
@@ -113,7 +113,12 @@ def _apiece(found: list[Piece], pieces: Sequence[Piece]) -> None:
         return
     count = number(piece.named["count"]) if "count" in piece.named else 0
     lines = any(p.kind == "place" and p.value.kind == "line" for p in pieces)
-    if piece.kind in ("some", "total") and len(lots) > 1 and not lines and not any("count" in lot.named for lot in lots):
+    if (
+        piece.kind in ("some", "total")
+        and len(lots) > 1
+        and not lines
+        and not any("count" in lot.named for lot in lots)
+    ):
         found[last] = replace(piece, kind="lot each", value=count)
     elif count and (piece.kind in ("some", "total") or (piece.kind == "lot" and len(lots) == 1)):
         named = {name: said for name, said in piece.named.items() if name != "count"}

@@ -13,7 +13,12 @@ from rpg.language.frames.grid_words import Place
 from rpg.language.frames.pieces import Unclear
 
 Cell = tuple[int, int]
-_ENDS = {"row": {"far": 0, "top": 0, "near": -1, "bottom": -1}, "column": {"left": 0, "right": -1}, "layer": {"top": 0, "bottom": -1}}  # fmt: skip
+_ENDS = {
+    "row": {"far": 0, "top": 0, "near": -1, "bottom": -1},
+    "column": {"left": 0, "right": -1},
+    "layer": {"top": 0, "bottom": -1},
+}
+"""Which line of an axis is at a side: the first or the last."""
 _BETWEEN = Place("rest", "between")
 """Between other lines, or blocks."""
 
@@ -49,7 +54,7 @@ class Filling:
             self._rests.append((places[0], blocks))
             return
         found = [cell for place in places for cell in self._cells(place)]
-        if len(set(found)) < len(found) or any(place.count not in (0, len(found)) for place in places):
+        if len(set(found)) < len(found) or any(place.blocks not in (0, len(found)) for place in places):
             raise Unclear
         if any(place.kind == "cells" and place.many for place in places) and blocks[0].count == 1:
             blocks = [replace(blocks[0], count=None)]  # "one in each corner"
@@ -164,9 +169,12 @@ class Filling:
 
     def _beside(self, side: str, count: int) -> int:
         """A line told by the one before."""
-        if any(p.side in ("middle", "between") for ps, _ in self._told.placed for p in ps) and side in ("above", "below"):
+        if any(p.side in ("middle", "between") for ps, _ in self._told.placed for p in ps) and side in (
+            "above",
+            "below",
+        ):
             return 0 if side == "above" else count - 1
-        if side == "above it" and self.figure.columns or side == "middle":
+        if (side == "above it" and self.figure.columns) or side == "middle":
             raise Unclear
         if self._line is None:
             if side == "next" or (side != "below" and count != 2):
@@ -246,4 +254,3 @@ def _shared(blocks: list[Blocks], names: list[str], size: int) -> dict[str, int]
     if rest or any(count is None for count in counts.values()):
         raise Unclear
     return {name: count for name, count in counts.items() if count}
-

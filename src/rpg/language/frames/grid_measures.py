@@ -13,11 +13,10 @@ _DIMS = (
 _N = "(?:BLOCK )?"
 _EACH = "(?:each|every|a|one|the)"
 _HAS = (
-    "(?:(?:has|with|of|contains|containing|having|consists|is|holding|holds|shall|should|must|have|consist|contain|there|are) )+"
+    "(?:(?:has|with|of|contains|containing|having|consists|is|holding|holds|shall|should|must|have|consist|contain|"
+    "there|are) )+"
 )
-_WITH = (
-    "(?:(?:of|by|having|containing|each of|each with|each having|each containing|that each have|which each have) )"
-)
+_WITH = "(?:(?:of|by|having|containing|each of|each with|each having|each containing|that each have|which each have) )"
 _NO_LINES = "(?! (?:rows?|columns?|files?|layers?|levels?|by|x) )"
 _NO_LOOK = "(?! (?:rows?|columns?|files?|layers?|levels?|by|x|plain|SIZE|COLOR)s? )"
 
@@ -55,23 +54,28 @@ _OF = (
     "consisting|a row of|a square of|square))*"
 )
 SIZES: list[Pattern] = [
-    *patterns("dims", _dims, rf"(?:(?:on a|a|an|the|of|measuring|sized|size|dimensions|full|filled|solid|complete|big|large|small|little|neat|"
-        rf"compact|tight|flat|single|one) )*{_DIMS}(?: (?:blocks|cubes|pieces))?(?: (?:per|in each|in every) (?:layer|level))?",
+    *patterns("dims", _dims, rf"(?:(?:on a|a|an|the|of|measuring|sized|size|dimensions|full|filled|solid|complete|"
+        rf"big|large|small|little|neat|"
+        rf"compact|tight|flat|single|one) )*{_DIMS}(?: (?:blocks|cubes|pieces))?(?: (?:per|in each|in every) "
+        rf"(?:layer|level))?",
         rf"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| a| measuring)* {_DIMS}(?: BLOCK)?"),
     *patterns("size", _size,
         r"(?P<rows>\d+) (?:full |complete |straight |parallel )?rows(?: deep)?", r"(?P<rows>[2-9]|1\d) row",
         r"(?P<columns>\d+) (?:full |complete |straight |parallel )?(?:columns|files)(?: wide)?",
         r"(?P<columns>[2-9]|1\d) column",
-        r"(?P<layers>NUM) (?:full |complete |flat )?(?:layers?|levels?|tiers?|floors?|story|storey|stories|storeys|courses?)"
+        r"(?P<layers>NUM) (?:full |complete |flat )?(?:layers?|levels?|tiers?|floors?|story|storey|stories|storeys|"
+        r"courses?)"
         r"(?: high| tall)?",
         _lines_of("row", "rows", "columns"), _lines_of("column", "columns", "rows"),
         _lines_of("layer|level|tier", "layers", "layer"),
         *_each_has("row", "columns", "(?:wide|long)"), *_each_has("column", "rows", "(?:high|tall|deep)"),
         *_each_has("layer|level|tier", "layer", "(?:wide|long)"),
         rf"(?P<wide>NUM) {_N}(?:wide|across|long|in width|in length|from left to right|along)",
-        r"(?:a |the |its |whose )?(?:width|length)(?: of (?:which|it|the wall))? (?:(?:of|is|:|being|shall|should|must|be) )*(?P<wide>NUM)(?: BLOCK)?",
+        r"(?:a |the |its |whose )?(?:width|length)(?: of (?:which|it|the wall))? (?:(?:of|is|:|being|shall|should|"
+        r"must|be) )*(?P<wide>NUM)(?: BLOCK)?",
         rf"(?P<high>NUM) {_N}(?:high|tall|in height|up|upwards)",
-        r"(?:a |the |its |whose )?height(?: of (?:which|it|the wall))? (?:(?:of|is|:|being|shall|should|must|be) )*(?P<high>NUM)(?: BLOCK)?",
+        r"(?:a |the |its |whose )?height(?: of (?:which|it|the wall))? (?:(?:of|is|:|being|shall|should|must|be) "
+        r")*(?P<high>NUM)(?: BLOCK)?",
         rf"(?P<deep>NUM) {_N}(?:deep|in depth|from front to back|from back to front)",
         r"(?:a |the |its )?depth (?:(?:of|is|:|being) )*(?P<deep>NUM)(?: BLOCK)?",
         rf"(?:with )?(?P<side>NUM) {_N}(?:on|along|to|per|at|in) (?:(?:each|every|a|one|its) )?(?:side|edge)",
@@ -86,7 +90,8 @@ SIZES: list[Pattern] = [
     *patterns("base", _dims, rf"(?:(?:its|whose|the|a|with|on) )*(?:square )?{_BASE}{_OF}(?: a| by)* {_DIMS}(?: BLOCK)?"
         "(?: square)?",
         rf"(?:(?:its|the|a|with|on|of) )*{_DIMS}(?: BLOCK)? (?:square )?(?:base|based|footprint)(?: layer)?"),
-    *patterns("square", None, "(?:(?:on|with|having) )?(?:a )?square (?:base|ground plan|footprint)", "(?:whose |its |the )base is (?:a )?square"),
+    *patterns("square", None, "(?:(?:on|with|having) )?(?:a )?square (?:base|ground plan|footprint)", "(?:whose |its "
+        "|the )base is (?:a )?square"),
     *patterns("taper", None,
         "(?:with )?(?:always )?(?:one|a BLOCK) (?:BLOCK )?(?:fewer|less) (?:(?:in|on|for|with|at) )?(?:each|every)"
         "(?: next| higher)? (?:layer|row|level|step)(?: (?:above|up|going up|higher))?(?: it| that)?",

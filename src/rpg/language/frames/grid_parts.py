@@ -29,8 +29,8 @@ class Blocks:
 class Said:
     """`free`: blocks without a place; `placed`: places and the blocks there; `listed`: colours of one line after
     another along `axis` from `start`; `each`: every line of that axis has one colour; `in_lines`: blocks in a line are
-    told from left to right; `alternating`: two colours are told of the lines by turns; `based`: the lowest layer is told
-    as the base."""
+    told from left to right; `alternating`: two colours are told of the lines by turns; `based`: the lowest layer is
+    told as the base."""
 
     free: list[Blocks] = field(default_factory=list)
     placed: list[tuple[list[Place], list[Blocks]]] = field(default_factory=list)
@@ -152,10 +152,10 @@ class _Reader:
             self._blocks(blocks, cut)
         elif not blocks:
             self._places(places, cut)
-        elif letters == "PB" * len(places) or letters.startswith("PB") and len(places) == 1:
+        elif letters == "PB" * len(places) or (letters.startswith("PB") and len(places) == 1):
             self._pairs(places, [blocks] if len(places) == 1 else [[one] for one in blocks])
             self._last, self._listing = "PB", False
-        elif letters == "BP" * len(places) or letters.endswith("BP") and all(one.label for one in blocks):
+        elif letters == "BP" * len(places) or (letters.endswith("BP") and all(one.label for one in blocks)):
             if self._waiting or (len(places) > 1 and len(blocks) != len(places)):
                 raise Unclear
             if joined:

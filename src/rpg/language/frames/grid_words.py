@@ -10,13 +10,13 @@ from rpg.language.frames.pieces import Pattern, number, patterns
 
 class Place(NamedTuple):
     """Where blocks are. `kind`: "line" (`axis` where it is told), "cells", or "rest"; `many`: how many lines are meant,
-    or of the rest how many blocks, 0 where that is not told; `count`: how many blocks are there, 0 where not told."""
+    or of the rest how many blocks, 0 where that is not told; `blocks`: how many are there, 0 where not told."""
 
     kind: str
     side: str
     axis: str | None = None
     many: int = 0
-    count: int = 0
+    blocks: int = 0
 
 
 _SIDES = {
@@ -73,7 +73,8 @@ def _rest(match: re.Match[str]) -> Place:
 
 
 _KINDS = (
-    "(?:(?:one|single|small|little|tiny|simple|plain|nice|neat|proper|regular|complete|full|filled|solid|flat|low|short|thick|"
+    "(?:(?:one|single|small|little|tiny|simple|plain|nice|neat|proper|regular|complete|full|filled|solid|flat|low|"
+    "short|thick|"
     "standing|upright|brick|mini|decent) )*"
 )
 _CHECKER = "(?:checkerboard|chessboard|checkered|chequered|checker|checkers|chess|chess board|checker board)"
@@ -96,13 +97,15 @@ FIGURES: list[Pattern] = [
         "pyramid"),
     *patterns("figure", "cube",
         f"{_KINDS}(?:big|large|huge|giant|bigger|larger|solid|compact)(?: solid)? (?:cube|block|cuboid|box)", "cuboid",
-        "(?:cube|block)(?= (?:of|from|out of|made|consisting|built|that is made|which is made|that consists|which consists) )", r"cube(?= \d+x\d+x\d+ )",
+        "(?:cube|block)(?= (?:of|from|out of|made|consisting|built|that is made|which is made|that consists|which "
+        "consists) )", r"cube(?= \d+x\d+x\d+ )",
         r"(?<=\dx\d )cube", r"(?<=\dx\dx\d )cube"),
     *patterns("figure", "board", f"{_KINDS}{_BOARD}(?: pattern| grid)?"),
     *patterns("checkered", None,
         f"(?:in |with |like |as |has |showing |to form |after )*(?:(?:a|the) )?{_CHECKER}(?: like)? "
         "(?:pattern|fashion|style|way|arrangement|order|manner|coloring|design)",
-        f"(?:{_ALTERNATING} )?(?:(?:that|which|to|it) )?(?:(?:look|looks|looking) )?(?:like|as|after the manner of|in the manner of) (?:on |in )?(?:a |the )?"
+        f"(?:{_ALTERNATING} )?(?:(?:that|which|to|it) )?(?:(?:look|looks|looking) )?(?:like|as|after the manner of|"
+        f"in the manner of) (?:on |in )?(?:a |the )?"
         f"(?:small |real )?{_BOARD}",
         "(?:checkered|chequered)"),
 ]  # fmt: skip
@@ -128,7 +131,8 @@ PLACES: list[Pattern] = [
         rf"(?:all )?(?:in |on )?(?:(?:the|both|its) )*(?P<many>\d+) {_side()} {AXES}s",
         rf"{_IN}(?:the |both )?{_side('1', 'last', 'top', 'bottom', 'far', 'near', 'left', 'right', 'other')} "
         rf"(?P<many>\d+) {AXES}s",
-        rf"{_IN}(?:the |its )(?:very )?{_side()}(?: one| end)?", rf"the one (?:in|at|on) the {_side(*_PLAIN)}{_FROM}", rf"{_IN}(?:the )?{_side('far', 'near')}{_FROM}",
+        rf"{_IN}(?:the |its )(?:very )?{_side()}(?: one| end)?", rf"the one (?:in|at|on) "
+        rf"the {_side(*_PLAIN)}{_FROM}", rf"{_IN}(?:the )?{_side('far', 'near')}{_FROM}",
         rf"(?:all )?(?:in|at|to|as) (?:(?:the|a) )?(?:very )?{_side(*_PLAIN)}(?: side| end)?",
         rf"(?:all )?on (?:(?:the|a) )?(?:very )?{_side('left', 'right', 'top', 'bottom')}(?: side| end)?",
         rf"(?:at|as|in) its {_side(*_PLAIN)}", rf"(?:at|as) (?:its |the )?{_side('top', 'bottom')}{_OF}",
@@ -174,7 +178,8 @@ PLACES: list[Pattern] = [
     *patterns("place", Place("cells", "corners", None, 4),
         f"(?:(?:in|at) )?(?:each|every)(?: one)?(?: of (?:the|its)(?: 4)?)? corners?{_OF}"),
     *patterns("place", Place("cells", "border"),
-        "(?:all )?(?:around|round)(?: (?:it|that|the (?:middle|center)(?: one| block)?))?", f"{_IN}(?:(?:the|its|a) )?(?:outer )?(?:border|rim|frame)",
+        "(?:all )?(?:around|round)(?: (?:it|that|the (?:middle|center)(?: one| block)?))?", f"{_IN}(?:(?:the|its|a) "
+        f")?(?:outer )?(?:border|rim|frame)",
         f"{_IN}(?:the |its )?(?:outer|outside|outermost|edge|border) (?:blocks|cubes|ones|cells)"),
     *patterns("place", Place("cells", "inside"), f"{_IN}(?:(?:the|its|a) )?(?:inside|interior|inner part|inner square)",
         f"{_IN}(?:the |its )?(?:inner|interior|inside) (?:blocks|cubes|ones|cells)"),
@@ -185,7 +190,8 @@ PLACES: list[Pattern] = [
         rf"{_IN}(?:the )?(?P<b>left|right) (?:hand )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
         rf"(?:corner|BLOCK|cell|one|square|position){_OF}"),
     *patterns("place", _rest,
-        f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere", "the other color(?: is| being)?",
+        f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere", "the other color(?: "
+        "is| being)?",
         "(?:all )?(?:(?:of )?the )?(?:others|rest|remainder)(?: of (?:it|them))?", r"(?:all )?the (?P<many>\d+) others",
         r"(?:all )?(?:the )?(?:other|remaining)(?: (?P<many>\d+))? (?:blocks|cubes|pieces|ones|cells|squares|"
         r"positions|places|rows|columns|layers)", r"the (?:other|remaining) (?P<many>\d+)"),
@@ -201,7 +207,8 @@ JOINTS: list[Pattern] = [
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
         "a (?:row|line|square|layer) of|over the 4|centered)",
-        "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|showing|shows|occupy|occupies|hey|hi|hello|ok|okay|so|"
+        "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|"
+        "showing|shows|occupy|occupies|hey|hi|hello|ok|okay|so|"
         "(?:would )?(?:you )?mind|building|making|constructing|arranging|laying|placing|putting|creating|down|"
         "(?:my|our) (?:son|daughter|kid|kids|child|boss|friend|wife|husband|customer|client)(?: wants?| needs?)?|"
         "picture|imagine|them all|(?:here is )?(?:the|my) (?:plan|idea|job|wish|request) :|"
@@ -214,7 +221,8 @@ JOINTS: list[Pattern] = [
         "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
     *patterns("filled", None, "(?:that is |which is |is )?filled(?: in)?"),
     *patterns("break", None, r"[()&/-]"),
-    *patterns("glue", None, r"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| consisting of)*(?= "
+    *patterns("glue", None, r"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| consisting "
+        r"of)*(?= "
         r"(?:a )?\d+ rows)"),
 ]  # fmt: skip
 """Kinds "then" and "except", which part; "some" (a number of blocks); and words that say nothing beside the parts."""

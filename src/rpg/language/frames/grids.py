@@ -18,7 +18,9 @@ from rpg.language.frames.lots import LOTS, Lot, one
 from rpg.language.frames.pieces import Piece, Unclear, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
-_WHERE = patterns("where", lambda match: f"on the {match['patch']}", "on (?P<patch>(?:(?:SIZE|long|round) )?COLOR PATCH)")
+_WHERE = patterns(
+    "where", lambda match: f"on the {match['patch']}", "on (?P<patch>(?:(?:SIZE|long|round) )?COLOR PATCH)"
+)
 PATTERNS = [*FIGURES, *SIZES, *PLACES, *COLORS, *LOTS, *WHERE, *_WHERE, *JOINTS, *BREAKS, *GLUE]
 
 _FILLED = frozenset({"filled", "full", "solid", "complete"})
@@ -162,7 +164,10 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
     """A figure whose blocks are told by their places, or only by their numbers."""
     total = _total(parts)
     for counts in (piece.value for piece in pieces if piece.kind == "counts"):
-        if tuple(sorted(map(int, counts))) != figure.widths or list(counts) not in (sorted(counts), sorted(counts)[::-1]):
+        if tuple(sorted(map(int, counts))) != figure.widths or list(counts) not in (
+            sorted(counts),
+            sorted(counts)[::-1],
+        ):
             raise Unclear
     filling = Filling(figure, parts)
     below = figure.widths[-1] if {"base", "line"} & set(sizes.each) else 0
@@ -179,10 +184,9 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
         if len({len(line) for line in lines}) > 1 or len(lines) != len(free):
             raise Unclear
         free = [replace(item, count=len(lines[0])) for item in free]
-    told_counts = [item.count or 0 for item in free]
-    if not figure.flat and not parts.placed and len(free) > 1 and told_counts == sorted({*told_counts}, reverse=True):
-        if all(above - below == 1 for above, below in pairwise(told_counts)):
-            raise Unclear  # "a pyramid: three red, two blue, one green" may tell its layers
+    falling = all((below.count or 0) - (above.count or 0) == 1 for below, above in pairwise(free))
+    if falling and len(free) > 1 and not figure.flat and not parts.placed:
+        raise Unclear  # "a pyramid: three red, two blue, one green" may tell its layers
     counts = completed(filling, free, total)
     for line in filling.lines(parts.each) if parts.each else ():
         if len({filling.looks.get(cell, "") for cell in line}) > 1:

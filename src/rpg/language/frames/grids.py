@@ -163,18 +163,9 @@ def _total(parts: Said) -> int | None:
 def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) -> str:
     """A figure whose blocks are told by their places, or only by their numbers."""
     total = _total(parts)
-    for counts in (piece.value for piece in pieces if piece.kind == "counts"):
-        if tuple(sorted(map(int, counts))) != figure.widths or list(counts) not in (
-            sorted(counts),
-            sorted(counts)[::-1],
-        ):
-            raise Unclear
     filling = Filling(figure, parts)
-    below = figure.widths[-1] if {"base", "line"} & set(sizes.each) else 0
-    if filling.looks and total is None and len(filling.looks) + below < len(figure.cells) and not figure.flat:
-        counted = any(item.count for _, items in parts.placed for item in items)
-        if counted and not any(item.look for item in parts.free):
-            raise Unclear  # the number of each layer is told, but for some
+    if not figure.flat:
+        _check_layers(figure, parts, sizes, pieces, len(filling.looks))
     free = [item for item in parts.free if item.look]
     reading = {piece.value for piece in pieces if piece.kind == "reading"}
     if reading - {"verb"} or (reading and any(item.label for item in free)):
@@ -184,9 +175,6 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
         if len({len(line) for line in lines}) > 1 or len(lines) != len(free):
             raise Unclear
         free = [replace(item, count=len(lines[0])) for item in free]
-    falling = all((below.count or 0) - (above.count or 0) == 1 for below, above in pairwise(free))
-    if falling and len(free) > 1 and not figure.flat and not parts.placed:
-        raise Unclear  # "a pyramid: three red, two blue, one green" may tell its layers
     counts = completed(filling, free, total)
     for line in filling.lines(parts.each) if parts.each else ():
         if len({filling.looks.get(cell, "") for cell in line}) > 1:
@@ -196,6 +184,25 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
     if counts is not None:
         return f"Build {figure.told} from {_lots(counts)}."
     return f"Build {figure.told}{_cells(figure, filling.looks)}"
+
+
+def _check_layers(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece], filled: int) -> None:
+    """What is told of the layers is told of all of them. `filled`: of how many places something is told.
+
+    Raises:
+        Unclear: numbers are told of some of them, or are not theirs, or may be theirs.
+    """
+    for counts in (list(map(int, piece.value)) for piece in pieces if piece.kind == "counts"):
+        if sorted(counts) != [*figure.widths] or counts not in (sorted(counts), sorted(counts)[::-1]):
+            raise Unclear
+    free = [item for item in parts.free if item.look]
+    below = figure.widths[-1] if {"base", "line"} & set(sizes.each) else 0
+    counted = any(item.count for _, items in parts.placed for item in items)
+    if counted and filled and filled + below < len(figure.cells) and not free and _total(parts) is None:
+        raise Unclear
+    falling = all((this.count or 0) - (next_.count or 0) == 1 for this, next_ in pairwise(free))
+    if falling and len(free) > 1 and not parts.placed:
+        raise Unclear  # "a pyramid: three red, two blue, one green"
 
 
 def _read(figure: Figure, free: Sequence[Blocks], total: int | None, *, ordered: bool, filled: bool) -> str:

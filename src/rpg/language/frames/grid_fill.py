@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import replace
-from itertools import groupby
 
 from rpg.language.frames.grid_parts import Blocks, Said
 from rpg.language.frames.grid_sizes import Figure
@@ -73,7 +72,7 @@ class Filling:
         else:  # one behind the other in their line
             looks = [one.look for one in blocks for _ in range(one.count or 1)]
             if len({line for line, _ in cells}) > 1 or not (
-                self._told.in_lines or all(one.label for one in blocks) or _again(looks)
+                self._told.in_lines or all(one.label for one in blocks) or _again(blocks)
             ):
                 raise Unclear  # in which order?
         if len(looks) != len(cells) or not cells or any(cell in self.looks for cell in cells):
@@ -203,9 +202,9 @@ class Filling:
         return [corners[(2 if _ENDS[self.figure.axis][line] else 0) + (column == "right")]]
 
 
-def _again(looks: list[str]) -> bool:
-    """Whether a look comes again behind another, so that the order is told."""
-    return len([look for look, _ in groupby(looks)]) > len(set(looks))
+def _again(blocks: list[Blocks]) -> bool:
+    """Whether a look is told again ("red, red, blue"), so that the order is told."""
+    return len(blocks) > len({one.look for one in blocks})
 
 
 def completed(filling: Filling, free: Iterable[Blocks], total: int | None) -> dict[str, int] | None:

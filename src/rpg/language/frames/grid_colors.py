@@ -12,7 +12,7 @@ _HAVE = (
     "exactly|its|their|all|entirely|be) )*"
 )
 _ONE_COLOR = (
-    "(?:a |an |the )?(?:own|one|single|uniform|same|different|distinct|1)(?: and the same| single| plain|,| and)* "
+    "(?:a |an |the )?(?:own|one|single|uniform|different|distinct|1)(?: and the same| single| plain|,| and)* "
     "colors?(?: only)?"
 )
 _READ = "(?:(?:going|reading|listed|counted|told) )?(?:from )?(?:the )?"
@@ -42,10 +42,12 @@ _SYMBOLS = "(?:letters?|digits?|numbers?|numerals|symbols|(?:letter|digit|number
 _NEXT = "(?: (?:(?:, |and |, and |then |, then )*)"
 COLORS: list[Pattern] = [
     *patterns("each", axis_of,
-        rf"(?:each|every|any)(?: one)?(?: of the)?(?: \d)? (?:single )?{AXES}s? {_HAVE}{_ONE_COLOR}",
+        rf"(?:each|every)(?: one)?(?: of the)?(?: \d)? (?:single )?{AXES}s? {_HAVE}{_ONE_COLOR}",
         f"(?:(?:in|with|of|just|only|exactly) )*(?:one|a|a single|a different|its own) colors? (?:per|for each|"
         f"for every|to each|to every|in each|in every|to a|each) {AXES}",
-        f"(?:all |the |whose )?{AXES}s {_HAVE}(?:each )?{_HAVE}(?:an? )?(?:single|one|different|own) colors?(?: each)?",
+        f"(?:all |the |whose )?{AXES}s {_HAVE}each {_HAVE}(?:an? )?(?:single|one|different|own) colors?",
+        f"(?:all |the |whose )?{AXES}s {_HAVE}(?:an? )?(?:single|one) color each",
+        f"(?:all |the |whose )?{AXES}s {_HAVE}(?:different|own) colors?",
         f"(?:a )?different colors? (?:per|for each|for every|in each|in every) {AXES}",
         f"(?:each|every) {AXES} (?:is |being )?(?:colored )?(?:differently|uniformly|unicolored)(?: colored)?"),
     *patterns("every", axis_of, f"(?:each|every) (?:single )?{AXES}(?= of (?:the|this|it))"),
@@ -55,7 +57,8 @@ COLORS: list[Pattern] = [
         "(?: colors?)?(?= [,.;:])"),
     *patterns("any line", axis_of, f"(?:one|another) {AXES}(?: (?:BE|has|of|in|all|with|only|made|entirely))*"),
     *patterns("free order", None, "(?:in )?(?:any|whatever|some) order(?: you like)?", "(?:it )?does not matter which"),
-    *patterns("lines", axis_of, f"(?:the |its |whose |with the |their |these )?{AXES}s(?: (?:being|colored|BE))?"),
+    *patterns("lines", axis_of, f"(?:the |its |whose |with the |their |these )?{AXES}s(?: (?:being|colored|BE))?(?! "
+        f"of )"),
     *patterns("alternating", None, "(?:colored )?(?:alternately|alternate|alternates|alternating|in alternation|"
         "by turns|taking turns)(?: (?:between|in color|colors|from))?"),
     *patterns("direction", ("column", "left"), _between("left", "right"), f"{_BEGIN} (?:on|at|from|with) the left",

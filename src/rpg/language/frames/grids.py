@@ -119,6 +119,13 @@ def _check(pieces: Sequence[Piece], kind: str, parts: Said) -> None:
     for piece, after in pairwise(pieces):
         if piece.kind == "lot" and after.kind == "figure" and not piece.named.keys().isdisjoint({"size", "behind"}):
             raise Unclear  # "a large red wall" is no wall of large blocks
+    several = len({item.look for item in parts.free if item.look}) > 1
+    for piece, after in pairwise(pieces):
+        if several and piece.kind == "size" and len(piece.value) > 1 and after.kind == "lot":
+            raise Unclear  # "two rows of three red and three blue blocks"
+        added = piece.kind == "lot" and piece.named.get("det") in ("a", "an") and after.kind == "place"
+        if added and parts.free and after.words.split()[0] in ("layer", "row", "level"):
+            raise Unclear  # "a red wall with a blue layer on top" may have a layer more
     kinds = {piece.kind for piece in pieces}
     labels = [item for item in [*parts.free, *(one for _, items in parts.placed for one in items)] if item.label]
     if ("taper" in kinds and kind != "pyramid") or ("symbols" in kinds and not labels):
@@ -197,8 +204,8 @@ def _check_layers(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Pi
             raise Unclear
     free = [item for item in parts.free if item.look]
     below = figure.widths[-1] if {"base", "line"} & set(sizes.each) else 0
-    counted = any(item.count for _, items in parts.placed for item in items)
-    if counted and filled and filled + below < len(figure.cells) and not free and _total(parts) is None:
+    counted = sum(any(item.count for item in items) for _, items in parts.placed)
+    if filled + below < len(figure.cells) and counted > bool(free) and _total(parts) is None:
         raise Unclear
     falling = all((this.count or 0) - (next_.count or 0) == 1 for this, next_ in pairwise(free))
     if falling and len(free) > 1 and not parts.placed:

@@ -33,8 +33,12 @@ def plain(pieces: Sequence[Piece], kind: str) -> list[Piece]:
             found += [Piece("lines", found[-1].words, _axes(found[-2])), piece]  # "three columns: red, white, blue"
         elif piece.kind == "one color":
             found.append(replace(every[0], kind="each"))
+        elif piece.kind == "digits" and kind == "pyramid":
+            found.append(replace(piece, kind="counts", value=[*_lowest(found), *piece.value]))
         elif piece.kind == "digits":
-            found.append(replace(piece, kind="counts" if kind == "pyramid" else "labels"))
+            found.append(replace(piece, kind="labels"))
+        elif found and found[-1].kind == "counts" and piece.kind == "place" and piece.value.side == "top":
+            continue  # "and one on top"
         elif piece.kind == "each" and piece.value is None:
             found.append(replace(piece, value=_axis(found)))
         elif piece.kind == "apiece":
@@ -42,6 +46,12 @@ def plain(pieces: Sequence[Piece], kind: str) -> list[Piece]:
         else:
             found.append(piece)
     return found
+
+
+def _lowest(told: Sequence[Piece]) -> list[str]:
+    """The number of blocks in the base, where it is told ahead of those of the other layers."""
+    sizes = [piece.value for piece in told if piece.kind == "size"]
+    return [str(size) for value in sizes for name, size in value.items() if name in ("base", "line")]
 
 
 def _with_base(pieces: Sequence[Piece]) -> Sequence[Piece]:

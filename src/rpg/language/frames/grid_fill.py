@@ -75,9 +75,12 @@ class Filling:
                 self._told.in_lines or all(one.label for one in blocks) or _again(blocks)
             ):
                 raise Unclear  # in which order?
-        if len(looks) != len(cells) or not cells or any(cell in self.looks for cell in cells):
+        if len(looks) != len(cells) or not cells:
             raise Unclear
-        self.looks |= dict(zip(cells, looks, strict=True))
+        for cell, look in zip(cells, looks, strict=True):
+            if look and self.looks.get(cell):
+                raise Unclear
+            self.looks[cell] = look or self.looks.get(cell, "")
 
     def _list(self) -> None:
         axis, start, listed = self._told.axis or self.figure.axis, self._told.start, self._told.listed

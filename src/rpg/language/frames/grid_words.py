@@ -219,6 +219,8 @@ JOINTS: list[Pattern] = [
     *patterns("break", None, "whose|such that|so that|(?:all )?(?:on|of|with|in) which"),
     *patterns("glue", None, "lay|set|put|spread", "out(?= (?:as|in|of|on|into|a|the) )", "make up", "erected|raised",
         "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
+    *patterns("flat", None, "flat"),
+    *patterns("glue", None, "got|field|these are|they are"),
     *patterns("filled", None, "(?:that is |which is |is )?filled(?: in)?"),
     *patterns("break", None, r"[()&/-]"),
     *patterns("glue", None, r"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| consisting "

@@ -68,7 +68,7 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
     """
     at = [n for n, piece in enumerate(pieces) if piece.kind == "figure"]
     dims = " ".join(piece.words for piece in pieces if piece.kind == "dims")
-    words = " ".join([dims, *(piece.words for piece in pieces if piece.kind in ("figure", "square", "filled"))])
+    words = " ".join([dims, *(piece.words for piece in pieces if piece.kind in ("figure", "square", "filled", "flat"))])
     rows = any("rows" in piece.value for piece in pieces if piece.kind == "size")
     if any(pieces[n].value == "outline" for n in at) and not rows and _FILLED.isdisjoint(dims.split()):
         raise Unclear  # of a rectangle without a word more the outline is meant
@@ -145,11 +145,12 @@ def _sizes(pieces: Sequence[Piece], parts: Said) -> Sizes:
         for name, size in piece.value.items() if piece.kind == "size" else ():
             if each.setdefault(name, size) != size:
                 raise Unclear
-    dims, base = one(pieces, "dims"), one(pieces, "base")
+    base = one(pieces, "base")
     parts.based = bool(base or {"base", "line"} & set(each))
     bases = [item.base for item in [*parts.free, *(item for _, items in parts.placed for item in items)] if item.base]
     if bases:
         return Sizes(each, None, base.value if base else max(bases))
+    dims = one(pieces, "dims")
     return Sizes(each, dims.value if dims else None, base.value if base else None)
 
 
@@ -175,7 +176,7 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
         _check_layers(figure, parts, sizes, pieces, len(filling.looks))
     free = [item for item in parts.free if item.look]
     reading = {piece.value for piece in pieces if piece.kind == "reading"}
-    if reading - {"verb"} or (reading and any(item.label for item in free)):
+    if reading - {"verb"} or (reading and any(item.label for item in free) and not filling.looks):
         return _read(figure, free, total, ordered="ordered" in reading, filled=bool(filling.looks))
     if parts.each and free and all(item.count is None for item in free) and not filling.looks:
         lines = filling.lines(parts.each)

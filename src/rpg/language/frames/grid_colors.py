@@ -82,8 +82,9 @@ COLORS: list[Pattern] = [
         r"(?:numbers |digits |the )*(?P<first>\d|one) (?:to|through|until|up to) (?P<last>\d)(?! (?:BLOCK|rows?|"
         r"columns?|layers?))"),
     *patterns("labels", _listed,
-        rf"(?:the |of )?(?:{_SYMBOLS}|blocks|cubes) (?:[A-Z]|\d){_NEXT}(?:[A-Z]|\d))+", rf"(?:the )?[A-Z]{_NEXT}"
-        "[A-Z])+"),
+        rf"(?:the |of )?(?:{_SYMBOLS}|blocks|cubes) (?:[A-Z]|\d){_NEXT}(?:[A-Z]|\d)(?! (?:by|x|rows?|columns?|"
+        rf"layers?)))+",
+        rf"(?:the )?[A-Z]{_NEXT}[A-Z])+"),
     *patterns("labels", lambda match: [match["label"]], "(?:the )?(?:letter |block |cube )?(?P<label>[A-Z])(?: "
         "BLOCK)?"),
     *patterns("labels", lambda match: list(match["word"]), "(?:the word )?'(?P<word>[A-Z]{2,5})'"),

@@ -47,7 +47,7 @@ def _each_has(line: str, of: str, more: str) -> tuple[str, str]:
     )
 
 
-_BASE = "(?:(?:square|bottom|lowest) )?(?:base|base layer|bottom layer|lowest layer)"
+_BASE = "(?:(?:square|bottom|lowest) )?(?:base|(?:base|bottom|lowest) (?:layer|level|tier|course))"
 _BASE_ROW = "(?:base|bottom|lowest) (?:row|line)|baseline"
 _OF = (
     "(?: (?:of|is|being|has|having|with|containing|consists|contains|:|measures|measuring|shall|should|must|be|"

@@ -97,9 +97,9 @@ class _Reader:
             if piece.kind in self._kinds:
                 part.append(piece)
             elif piece.kind == "figure":
-                if part:
+                if part and part[-1].kind != "place":  # "the near row of the grid is black"
                     self._part(part, cut)
-                part, cut = [], ""
+                    part, cut = [], ""
             elif piece.kind in ("break", "then", "except") and not (
                 piece.words == ":" and part and part[-1].kind == "place"
             ):
@@ -132,7 +132,8 @@ class _Reader:
 
     def _part(self, part: list[Piece], cut: str) -> None:
         items: list[Blocks | Place] = []
-        if len(part) > 1 and part[0].kind == "total" and part[1].kind in ("lot", "labels"):
+        kinds = [piece.kind for piece in part[:2]]
+        if kinds in (["total", "lot"], ["total", "labels"], ["some", "labels"]):
             self._part(part[:1], cut)
             part, cut = part[1:], ""
         for piece in part:
@@ -150,6 +151,8 @@ class _Reader:
             return
         if not places:
             self._blocks(blocks, cut)
+        elif not blocks and len(places) == 1 and places[0].blocks:
+            self._pairs(places, [[Blocks("", places[0].blocks)]])  # "top 1"
         elif not blocks:
             self._places(places, cut)
         elif letters == "PB" * len(places) or (letters.startswith("PB") and len(places) == 1):

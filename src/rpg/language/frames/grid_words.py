@@ -220,7 +220,9 @@ JOINTS: list[Pattern] = [
     *patterns("glue", None, "lay|set|put|spread", "out(?= (?:as|in|of|on|into|a|the) )", "make up", "erected|raised",
         "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
     *patterns("flat", None, "flat"),
-    *patterns("glue", None, "got|field|these are|they are"),
+    *patterns("glue", None, "got|field|these are|they are|require|requires|full of|that's|measures|measuring|planar",
+        "(?:each|every) (?:BLOCK|one|one of them)(?: BE)?(?= (?:COLOR|in|at|on) )",
+        "(?:those|the ones|the blocks|the cubes)(?= (?:in|at|on) )"),
     *patterns("filled", None, "(?:that is |which is |is )?filled(?: in)?"),
     *patterns("break", None, r"[()&/-]"),
     *patterns("glue", None, r"each (?:layer|level|one|of which|of them)(?: BE| has| having| with| of| consisting "

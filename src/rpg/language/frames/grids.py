@@ -41,6 +41,7 @@ def told(pieces: Sequence[Piece]) -> str:
     sizes = _sizes(pieces, parts)
     _check(pieces, kind, parts)
     counted = [item.count for _, items in parts.placed for item in items]
+    counted += [place.blocks for places, _ in parts.placed for place in places]
     if not (sizes.any or _total(parts) or any(counted)):
         raise Unclear
     checkered = any(piece.kind == "checkered" or piece.value == "board" for piece in pieces) or (

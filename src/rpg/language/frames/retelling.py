@@ -8,13 +8,16 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, moments, tower, turned
+from rpg.language.frames import beside, grids, moments, tower, turned
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import CLASSES, Pattern, Piece, Unclear, cut
 from rpg.language.frames.turned import without_turns
 from rpg.language.tokens import Token, tokenize
 
-FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = ((tower.PATTERNS, tower.told),)
+FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
+    (tower.PATTERNS, tower.told),
+    (grids.PATTERNS, grids.told),
+)
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})
 _LEADS = frozenset({"please", "then", "now", "you", "to", ",", "and", "first", "just", "should"})

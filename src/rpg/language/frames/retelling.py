@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, moments, shape, tower
+from rpg.language.frames import beside, moments, shape, stairs, tower
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
@@ -16,6 +16,7 @@ from rpg.language.tokens import Token, tokenize
 FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
     (tower.PATTERNS, tower.told),
     (shape.PATTERNS, shape.told),
+    (stairs.PATTERNS, stairs.told),
 )
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})

@@ -57,6 +57,15 @@ def lot_of(piece: Piece) -> Lot:
     return Lot(look, count, det.split()[:1] in (["the"], ["these"], ["those"], ["both"]))
 
 
+def as_adjectives(pieces: Sequence[Piece], kind: str = "figure") -> list[Piece]:
+    """Without the article of "a red tower", which is that of the tower and not of a red block."""
+    found = list(pieces)
+    for n, (piece, behind) in enumerate(pairwise(pieces)):
+        if piece.kind == "lot" and behind.kind == kind and not {"count", "noun", "many"} & piece.named.keys():
+            found[n] = replace(piece, named={**piece.named, "det": "", "many": "s"})
+    return found
+
+
 def counted(lots: Sequence[Lot], total: int | None, *, evenly: bool = False, singly: bool = False) -> list[Lot]:
     """The lots with their numbers, as far as they follow from the number of all of them. `evenly`: several lots whose
     numbers are left open share what is left; `singly`: where nothing else is told each of them is one block.

@@ -5,17 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.frames.lots import LOTS, Lot, check_listed, counted, lot_of, one, placed_lots
+from rpg.language.frames.lots import LOTS, Lot, as_adjectives, check_listed, counted, lot_of, one, placed_lots
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
+_COLUMN = "(?:steps|columns?|treads?|stacks?|towers?|levels?)"
 _STEP = "(?:steps?|stairs?|columns?|treads?|stacks?|towers?|levels?)"
 _HEIGHT = rf"(?:\d+|one|a|an)(?: single)?(?: BLOCK)?(?: (?:high|tall|stacked))?(?: BLOCK)?(?: {_STEP})?"
 _SEP = (
     "(?: ,| ;| and| plus| then| next| after that| afterwards| followed by| beside it| beside that| next to it| next to "
     "that)+"
 )
-_LIST = rf"(?:{_HEIGHT}(?:{_SEP} {_HEIGHT}){{2,}}|{_HEIGHT}{_SEP} {_HEIGHT}(?! COLOR))"
+_LIST = rf"(?:{_HEIGHT}(?:(?:{_SEP})? {_HEIGHT}){{2,}}|{_HEIGHT}{_SEP} {_HEIGHT}(?! COLOR))"
 _RISE = (
     "(?:(?:that|which|it|should|must|shall|has to|and) )*(?:(?:BE|that is|which is) )?"
     "(?:rising|rises?|going up|goes? up|climbing|climbs?|climb up|climbing up|ascending|ascends?|leading up|leads? up|"
@@ -87,7 +88,7 @@ PATTERNS: list[Pattern] = [
         "(?:(?:flight|set|row) of )?(?:stairs?|stairways?|staircases?|stair case)(?: (?:shape|shaped|form|formation|structure|"
         "figure|pattern))?", "(?:flight|set) of steps", "steps(?! (?:of )?(?:the|which))"),
     *_counts(
-        f"(?:in )?(?P<count>NUM) (?:BLOCK )?{_STEP}(?! (?:high|tall))", f"{_STEP} : (?P<count>NUM)",
+        f"(?:in )?(?P<count>NUM) (?:BLOCK )?{_STEP}(?! (?:high|tall))", "steps : (?P<count>NUM)(?! ,)(?! BLOCK ,)",
         "(?P<count>NUM) (?:steps?|stepped|level)(?= (?:stair|flight))",
         f"(?P<count>NUM)(?: {_STEP}| BLOCK)? (?:high|tall|long|wide|in height|in length)",
         f"{_THE}{_HIGH}{_END} (?:BE |has |have |having |with |of |counts |measures |height )*(?P<count>NUM)(?: BLOCK)?"
@@ -98,13 +99,15 @@ PATTERNS: list[Pattern] = [
         f"{_THE}{_LOW}{_END} (?:BE |has |have |having |with |of |counts |measures |height )*(?:one|a single|1)"
         "(?: BLOCK)?(?: high| tall| in height)?(?! COLOR)"),
     *patterns("heights", _heights,
-        rf"(?:(?:with|in|of|the|its|whose) )*(?:{_STEP} )?(?:(?:BE|has|have|having|with|of|in) )*(?:the )?heights?"
-        rf"(?: (?:BE|of|:|will be))* (?P<list>{_LIST})",
-        rf"(?:(?:with|in|of|the|its|whose) )*{_STEP}(?: (?:BE|has|have|having|with|of|:))* (?P<list>{_LIST})",
+        rf"(?:(?:with|in|of|the|its|whose) )*(?:{_COLUMN} )?(?:(?:BE|has|have|having|with|of|in) )*(?:the )?heights?"
+        rf"(?: (?:BE|of|:))*(?: (?:steps?|columns?))? (?P<list>{_LIST})",
+        rf"(?:(?:with|in|of|the|its|whose) )*{_COLUMN}(?: (?:BE|has|have|having|with|of|:))* (?P<list>{_LIST})",
         rf"(?:of |with |in )?(?P<list>{_LIST})(?: in (?:height|each))?(?: per {_STEP})?"),
     *_WAYS,
-    *patterns("place", "highest step", f"(?:(?:on|in|at|as|for) )?{_THE}(?:highest|tallest|top|topmost|biggest) {_STEP}"),
-    *patterns("place", "lowest step", f"(?:(?:on|in|at|as|for) )?{_THE}(?:lowest|shortest|smallest|bottom) {_STEP}"),
+    *patterns("place", "over it",
+        f"(?:BE )?(?:on|onto|on top of|upon|atop|at the top of) (?:the|its|this) (?:very )?(?:highest|tallest|top|topmost|last) {_STEP}(?: of (?:it|the stairs?|the staircase))?"),
+    *patterns("place", "highest step", f"(?:(?:in|at|as|for) )?{_THE}(?:highest|tallest|top|topmost|biggest) {_STEP}"),
+    *patterns("place", "lowest step", f"(?:(?:in|at|as|for) )?{_THE}(?:lowest|shortest|smallest|bottom) {_STEP}"),
     *patterns("place", "middle step", f"(?:(?:in|at|as|for) )?{_THE}(?:middle|center) {_STEP}",
         f"{_THE}{_STEP} in the (?:middle|center)"),
     *patterns("place", "top block of the highest step",
@@ -114,14 +117,24 @@ PATTERNS: list[Pattern] = [
     *patterns("lot", None, "(?:all|every one|each one|everything|each BLOCK|every BLOCK)(?: of (?:them|these|it|the "
         "BLOCK)| BLOCK)?(?: (?:BE|in))? (?P<color>COLOR)(?! (?:except|apart|save))"),
     *patterns("lot", None, "(?:in )?(?:all |only |just |completely |entirely )(?:in )?(?P<color>COLOR)(?: throughout)?"),
-    *patterns("break", None, "except(?: for)?|apart from|save for|other than", ", which"),
-    *patterns("glue", None, f"(?:by )?one BLOCK (?:per|each|every) {_STEP}",
+    *patterns("then", None, "(?:,|;)?(?: and)? ?(?:then|next|after that|finally)", ", (?:then|next|finally)", "and (?:then|finally)"),
+    *patterns("own", None,
+        f"(?:with )?(?:each|every) {_STEP} (?:BE )?(?:has |have |having |of |with |in )?(?:its own|a different|another|one|a single|its) color(?: of its own)?",
+        f"(?:with )?(?:each|every) {_STEP} (?:BE )?(?:a |of |in )?(?:different|own) colors?", f"{_STEP} of different colors",
+        f"one color (?:per|for each|for every|each) {_STEP}"),
+    *patterns("break", None, "[()]", "except(?: for)?|apart from|save for|other than", ", which"),
+    *patterns("glue", None, "high|tall|been|given|(?:there|here) (?:are|is)|(?:we|i|you) have|"
+        "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", f"(?:{_RISE} )?(?:by )?one BLOCK (?:per|each|every) {_STEP}",
         f"(?:each|every) (?:{_STEP}|one) (?:BE )?(?:(?:by )?one (?:BLOCK )?)?(?:higher|taller)(?: by one BLOCK)? than "
         f"the (?:{_STEP} |one )?(?:before|last|previous|one before|last one|previous one)(?: it)?",
         "(?:going |growing |increasing )?(?:by )?one (?:BLOCK )?(?:more|higher|taller)? ?(?:each time|every time)"),
     *patterns("glue", None, "so that|such that|which|that|its|whose|only|used|up|out|side by side|adjoining|like|"
-        "in total|total|color|throughout|get|looks like|do|make|stacked|stack|pile|piled|ordinary|stacked into|rise"),
+        "in total|total|color|itself|was|thinking of|thinking|imagine|picture|love|some|so|have|has been|have been|"
+        "verify that|check that|make sure that|sure|on|flat|beside each other|next to each other|neighboring|throughout|get|looks like|do|make|stacked|stack|pile|piled|ordinary|stacked into|rise"),
 ]  # fmt: skip
+
+
+_NTH = ("first", "second", "third", "fourth")
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -130,6 +143,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is told of more than one, or its steps do not agree.
     """
+    pieces = as_adjectives(pieces)
     check_listed(pieces)
     _check_figure(pieces)
     steps = _steps(pieces)
@@ -138,10 +152,15 @@ def told(pieces: Sequence[Piece]) -> str:
     if steps and size not in (None, steps * (steps + 1) // 2):
         raise Unclear
     size = steps * (steps + 1) // 2 if steps else size
-    blocks, parts = _looks(pieces, steps, size)
+    steps = steps or next((n for n in range(2, 8) if size == n * (n + 1) // 2), None)
     way = _way(pieces)
+    blocks, parts = ("", _ordered(pieces)) if _in_order(pieces) else _looks(pieces, steps, size)
     text = f"Build a staircase{f' of {steps} steps' if steps else ''}{blocks}{f' rising to the {way}' if way else ''}."
-    text += "".join(f" The {part} {'are' if part == 'rest' else 'is'} {look}." for part, look in parts)
+    over = [look for part, look in parts if part == "over it"]
+    text += f" Put a {over[0]} block on top of the staircase." if over else ""
+    rest = [(part, look) for part, look in parts if part != "over it"]
+    said = [f"the {part} {'are' if part == 'rest' else 'is'} {look}" for part, look in rest]
+    text += f" {', '.join(said[:-1])}{' and ' if len(said) > 1 else ''}{said[-1]}.".replace(" the", " The", 1) if said else ""
     where = one(pieces, "where")
     return f"{text} The staircase is {where.value}." if where else text
 
@@ -155,7 +174,7 @@ def _check_figure(pieces: Sequence[Piece]) -> None:
     at = [n for n, piece in enumerate(pieces) if piece.kind in ("figure", "steps", "heights")]
     figures = [n for n in at if pieces[n].kind == "figure"]
     named = [n for n in figures if pieces[n].words != "steps"]
-    if not named and not (figures and (one_of(pieces, "heights") or one_of(pieces, "way"))):
+    if not named and not any("stairs" in pieces[n].words for n in at) and not (figures and (one_of(pieces, "heights") or one_of(pieces, "way"))):
         raise Unclear
     again = [n for n in figures[1:] if pieces[n - 1].words not in ("the", "this", "that") and pieces[n].words != "steps"]
     if again or (figures and any("staircases" in pieces[n].words or "stairways" in pieces[n].words for n in figures)):
@@ -182,8 +201,8 @@ def _steps(pieces: Sequence[Piece]) -> int | None:
         if len(ends) != 2 or min(ends)[0] != 1 or _OVER[ends[0][1]] != ends[1][1]:
             raise Unclear
         found.add(max(ends)[0])
-    lots = [lot_of(piece).count for piece in pieces if piece.kind == "lot"]
-    if not found and len(lots) > 2 and lots == [*range(1, len(lots) + 1)]:
+    lots = [count for piece in pieces if piece.kind == "lot" if (count := lot_of(piece).count)]
+    if not found and len(lots) > 2 and sorted(lots) == [*range(1, len(lots) + 1)]:
         found.add(len(lots))
     if len(found) > 1 or any(n < 2 for n in found):
         raise Unclear
@@ -197,14 +216,15 @@ def _way(pieces: Sequence[Piece]) -> str:
         Unclear: it rises two ways, or blocks are listed in an order of which nothing is said.
     """
     ways = {piece.value for piece in pieces if piece.kind == "way"}
-    ways |= {max(piece.value for piece in pieces if piece.kind == "end")[1]} if one_of(pieces, "end") else set()
-    order, heights = one(pieces, "order"), one(pieces, "heights")
-    if order and not ways:
-        if not heights:
+    ends = [piece.value for piece in pieces if piece.kind == "end"]
+    ways |= {max(ends)[1]} if ends else set()
+    order = one(pieces, "order")
+    if order:
+        heights = one(pieces, "heights")
+        lots = [count for piece in pieces if piece.kind == "lot" if (count := lot_of(piece).count)]
+        if not heights and not (len(lots) > 2 and sorted(lots) == [*range(1, len(lots) + 1)]):
             raise Unclear
-        ways = {order.value if heights.value[0] == 1 else _OVER[order.value]}
-    elif order and ways != {order.value if not heights or heights.value[0] == 1 else _OVER[order.value]}:
-        raise Unclear
+        ways |= {order.value if (heights.value if heights else lots)[0] == 1 else _OVER[order.value]}
     if len(ways) > 1:
         raise Unclear
     return ways.pop() if ways else ""
@@ -215,6 +235,30 @@ def one_of(pieces: Sequence[Piece], kind: str) -> bool:
     return any(piece.kind == kind for piece in pieces)
 
 
+def _in_order(pieces: Sequence[Piece]) -> bool:
+    """Whether the looks of the steps are listed one after the other."""
+    listed = [lot_of(piece) for piece in pieces if piece.kind == "lot"]
+    led = any(one_of(pieces, kind) for kind in ("own", "order", "then"))
+    return led and len({lot.look for lot in listed}) > 1 and not one_of(pieces, "place")
+
+
+def _ordered(pieces: Sequence[Piece]) -> list[tuple[str, str]]:
+    """The looks of steps that are listed: one block, then two, then three.
+
+    Raises:
+        Unclear: so many blocks make no steps.
+    """
+    lots = [lot_of(piece) for piece in pieces if piece.kind == "lot"]
+    ahead = {lot.look for lot in lots if lot.count is None}
+    lots = [lot for lot in lots if lot.count]
+    counts = [lot.count or 0 for lot in lots]
+    if ahead not in (set(), {lot.look for lot in lots}) or not 1 < len(lots) <= len(_NTH):
+        raise Unclear
+    if sorted(counts) != [*range(1, len(lots) + 1)] or counts not in (sorted(counts), sorted(counts, reverse=True)):
+        raise Unclear
+    return [(f"{nth} step", lot.look) for nth, lot in zip(_NTH, sorted(lots, key=lambda lot: lot.count or 0), strict=False)]
+
+
 def _looks(pieces: Sequence[Piece], steps: int | None, size: int | None) -> tuple[str, list[tuple[str, str]]]:
     """ "from 6 red blocks", or which step has which look.
 
@@ -222,15 +266,25 @@ def _looks(pieces: Sequence[Piece], steps: int | None, size: int | None) -> tupl
         Unclear: it is not told of each block, or the numbers do not agree.
     """
     free, placed = placed_lots(pieces)
+    over = [lot for lot, part in placed if part == "over it"]
+    if over:
+        if len(placed) > 1 or over[0].count not in (None, 1) or over[0].look in [lot.look for lot in free]:
+            raise Unclear
+        if not free or (free[0].count is None and not steps) or (steps and free[0].count not in (None, size)):
+            raise Unclear  # is it one of the blocks of the stairs?
+        placed = []
+    if len({lot.look for lot, _ in placed}) == 1 and not free and steps and len(placed) == steps:
+        free, placed = [Lot(placed[0][0].look)], []
     if placed:
         if not steps or size is None:
             raise Unclear
-        return f" from {size} blocks", _parts(free, placed, steps, size)
+        parts = _parts(free, placed, steps, size)
+        return ("" if all(part.endswith(" step") for part, _ in parts) else f" from {size} blocks"), parts
     if len(free) > 1:
         raise Unclear  # which of them are where?
     lots = counted(free, size)
     if lots:
-        return f" from {lots[0].blocks}", []
+        return f" from {lots[0].blocks}", [("over it", lot.look) for lot in over]
     return (f" from {size} blocks" if size and not steps else ""), []
 
 

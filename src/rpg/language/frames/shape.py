@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
-from rpg.language.frames.lots import Lot, check_listed, counted, lot_of, one
+from rpg.language.frames.lots import Lot, as_adjectives, check_listed, counted, lot_of, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.shape_sizes import Sized, sized
 from rpg.language.frames.shape_words import PATTERNS as PATTERNS
@@ -56,6 +56,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which figure it is, or not which blocks it is made of.
     """
+    pieces = _parted(as_adjectives(pieces))
     check_listed(pieces)
     shape = _shape(pieces)
     said = _blocks(pieces, shape)
@@ -65,10 +66,10 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # is it one of them?
     inner = [lot for lot, part in said.placed if part == "inner"]
     size = _total(said, total.value if total else None, shape)
-    size_of = sized(pieces, shape, size)
     if inner:
         said.free = [lot for lot in said.free if lot.look != inner[0].look or lot.count != 1]
-    if said.free and said.placed and size_of.total is None and not inner:
+    size_of = sized(pieces, shape, size if size is not None else _sum(said))
+    if said.free and said.placed and size is None and not size_of.measured and not inner:
         _check_incomplete(said, shape)
     if colors:
         size_of, looks, parts = _colored(said, size_of, colors.value, shape)
@@ -81,6 +82,24 @@ def told(pieces: Sequence[Piece]) -> str:
         text += f" A {inner[0].look} block is in the middle of the {shape}."
     where = one(pieces, "where")
     return f"{text} The {shape} is {where.value}." if where else text
+
+
+def _parted(pieces: Sequence[Piece]) -> list[Piece]:
+    """The pieces with the looks of limbs as those of places: "a red bar of three blocks"; and without the colon of
+    "center: red"."""
+    found: list[Piece] = []
+    for n, piece in enumerate(pieces):
+        before = pieces[n - 1] if n else Piece("break", "")
+        behind = pieces[n + 1] if n + 1 < len(pieces) else Piece("break", "")
+        if piece.words == ":" and before.kind in ("place", "each") and behind.kind == "lot":
+            continue
+        found.append(piece)
+        if before.kind == "lot" and not {"count", "noun", "many"} & before.named.keys() and not piece.words[0].isdigit():
+            if piece.kind == "arm":
+                found.append(Piece("place", "", "arms"))
+            elif piece.kind == "limb" and piece.value[0] in ("bar", "stem"):
+                found.append(Piece("part", "", piece.value[:2]))
+    return found
 
 
 def _shape(pieces: Sequence[Piece]) -> str:
@@ -192,7 +211,7 @@ def _blocks(pieces: Sequence[Piece], shape: str) -> _Told:
     said = _Told()
     clause: list[Piece] = []
     for piece in [*pieces, Piece("break", "")]:
-        if piece.kind in ("lot", "place", "part"):
+        if piece.kind in ("lot", "place", "part", "each"):
             clause.append(piece)
         if piece.kind in ("break", "except"):
             _clause(clause, said, shape)
@@ -253,9 +272,24 @@ def _clause(clause: Sequence[Piece], said: _Told, shape: str) -> None:
         for lot, place in zip(lots, places, strict=True):
             part, many = place.value if place.kind == "part" else (place.value, None)
             found = lot_of(lot)
+            if place.kind == "each":
+                found = replace(found, count=(found.count or 1) * _times(part, shape))
             if many is not None and found.count not in (None, many):
                 raise Unclear
             said.placed.append((replace(found, count=many or found.count), _part(part, shape)))
+
+
+def _times(place: str, shape: str) -> int:
+    """How many such places the figure has: one block in each of them makes so many.
+
+    Raises:
+        Unclear: it has none that are counted.
+    """
+    if place == "corners" and shape in ("square", "rectangle", "triangle"):
+        return 3 if shape == "triangle" else 4
+    if shape in ("plus", "X") and place in ("around", "arms"):
+        return 4
+    raise Unclear
 
 
 def _part(place: str, shape: str) -> str:
@@ -278,6 +312,21 @@ def _total(said: _Told, total: int | None, shape: str) -> int | None:
     if inner and total is not None and sum(lot.count or 1 for lot, _ in said.placed) == total:
         return total - 1
     return total
+
+
+def _sum(said: _Told) -> int | None:
+    """How many blocks are told of, if it is told of all of them how many."""
+    counts: dict[str, int | None] = {lot.look: lot.count for lot in said.free}
+    for lot, part in said.placed:
+        if part == "inner":
+            continue
+        count = 1 if part in _SINGLE else lot.count
+        if lot.look not in counts:
+            counts[lot.look] = count
+        elif lot.look not in [other.look for other in said.free]:
+            counts[lot.look] = None
+    told_of = [count for count in counts.values() if count is not None]
+    return sum(told_of) if told_of and len(told_of) == len(counts) else None
 
 
 def _looks(said: _Told, size: Sized, shape: str) -> tuple[str, list[tuple[str, str]]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from rpg.language.frames.lots import one
@@ -27,15 +27,21 @@ _KNOWN: dict[str, tuple[str, ...]] = {
 
 @dataclass(frozen=True)
 class Sized:
-    """The figure as it is named, its measures, and how many blocks it has, if that is told."""
+    """The figure as it is named, its measures, how many blocks it has, if that is told, and whether by its sizes."""
 
     name: str
     measures: str = ""
     total: int | None = None
+    measured: bool = False
 
 
 def sized(pieces: Sequence[Piece], shape: str, total: int | None) -> Sized:
-    """The figure with its sizes, checked against the number of its blocks.
+    """The figure with its sizes, checked against the number of its blocks."""
+    return replace(_sized(pieces, shape, total), measured=any(piece.kind in _SIZES for piece in pieces))
+
+
+def _sized(pieces: Sequence[Piece], shape: str, total: int | None) -> Sized:
+    """The figure with its sizes.
 
     Raises:
         Unclear: the sizes are none that it has, or do not agree.

@@ -10,12 +10,12 @@ from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
 _KIND = "(?: (?:sign|symbol|shape|shaped|figure|form|pattern|formation|arrangement|layout|design))*"
 _LETTER = "(?:(?:the |a )?(?:(?:capital|block|upper case|uppercase|big) )?letter )?(?:(?:capital|uppercase) )?"
-_IT = "(?:it|them|this|that|the (?:shape|figure|whole|circle|ring|square|plus|cross|rectangle|triangle|outline|letter|[TLUVX]))"
+_IT = "(?:it|them|this|that|which|(?:(?:the|this) )?(?:shape|figure|whole|circle|ring|square|plus|cross|rectangle|triangle|outline|letter|[TLUVX]))"
 _ITS = "(?:(?:and |with )?(?:the|its|whose|his|both) )?(?:(?:4|3|2) )?"
 _TWO_PARTS = "(?: (?:BLOCK|ones|one|piece|place|places|position|positions|spot|part|parts))?"
 _HAS = "(?:BE |has |have |having |with |contains? |containing |consists? of |consisting of |made of |of |: |gets? |counts? |measures? |takes? |shows? )*"
 _EACH = "(?:each|every|a|all|both|the|any one|each one|every one)(?: of)?(?: the| its)?(?: (?:4|3|2))?"
-_COUNT = "(?P<count>NUM)(?: BLOCK)?(?: of (?:them|these|the BLOCK))?"
+_COUNT = "(?P<count>NUM)(?! (?:SIZE )?COLOR)(?: BLOCK)?(?: of (?:them|these|the BLOCK))?"
 _MADE_LONG = "(?: (?:long|wide|each|in length|in size))*"
 
 FIGURES: list[Pattern] = [
@@ -25,7 +25,8 @@ FIGURES: list[Pattern] = [
     *patterns("figure", "square", f"square(?! PATCH| base| BLOCK){_KIND}"),
     *patterns("figure", "rectangle", f"(?:rectangle|oblong){_KIND}", "rectangular (?:shape|figure|form|formation|arrangement)"),
     *(found for letter in "TLUVX" for found in patterns("figure", letter,
-        f"{_LETTER}'?{letter}'?{_KIND}", f"{_LETTER}'?(?<!')\\b{letter.lower()}(?: shape| shaped| form| figure)+")),
+        f"{_LETTER}'?{letter}'?{_KIND}", f"{_LETTER}'?(?<!')\\b{letter.lower()}(?: shape| shaped| form| figure)+",
+        *(["(?:^|a )you (?:shape|shaped)(?= (?:with|of|from|out|made|,|:|NUM))"] if letter == "U" else []))),
     *patterns("again", None, "(?:the|this|that) (?:figure|shape|whole figure|whole thing|form|whole shape)", "it(?= BE )"),
 ]  # fmt: skip
 
@@ -39,7 +40,7 @@ FILL: list[Pattern] = [
         "(?:leaving|leave|keeping|keep|leaves|keeps) (?:the |its )?(?:inside|interior|middle|center)(?: of it)? (?:empty|free|open|clear|unfilled|hollow)",
         f"(?:and |with )?(?:there is |has )?(?:nothing|no BLOCK)(?: BE)? (?:inside|within|in the (?:middle|center|inside)|in its (?:middle|center)|in it|inside it|in middle|in between)(?: of {_IT})?",
         "without (?:anything|any BLOCK|a BLOCK|BLOCK) (?:inside|within|in the (?:middle|center)|in it|inside it)",
-        "(?:with )?(?:a )?hole in (?:the|its) (?:middle|center)", "empty(?= (?:square|rectangle|triangle)\\b)", "around the edges?", "(?:a|the) border of"),
+        "(?:with )?(?:a )?hole in (?:(?:the|its) )?(?:middle|center)", "(?:with )?nothing (?:in|inside)(?: of)? it", "empty(?= (?:square|rectangle|triangle)\\b)", "around the edges?", "(?:a|the) border of"),
     *patterns("fill", "filled",
         "filled(?: in| up| out)?|solid|full|massive|completely filled|filled completely|completely full|fully filled",
         "(?:with )?(?:no|without a|without any|without) holes?(?: in (?:it|the middle|the center))?",
@@ -72,12 +73,13 @@ SIZES: list[Pattern] = [
     *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|one", m[0])],
         r"(?:in )?rows of (?:(?:\d+|one|single)(?: BLOCK)?(?: ,)?(?: and| then| and then)? )+(?:\d+|one)(?: BLOCK)?"),
     *patterns("arm", lambda m: number(m["count"]),
-        f"(?:with |and |so that )?(?:{_EACH} |4 |with its )?(?:arms?|legs?|branch|branches|bars? ends?) {_HAS}(?:exactly )?{_COUNT}{_MADE_LONG}",
+        f"(?:with |and |so that )?(?:{_EACH} |(?:(?:the|its|with its) )?(?:[234] )?(?:equal )?)(?:arms?|legs?|branch|branches|limbs?|strokes?) {_HAS}(?:exactly )?{_COUNT}{_MADE_LONG}",
         f"(?:with )?{_COUNT}{_MADE_LONG} (?:per|on|along|in|for|at|to|each|makes?|make up|form|forming)(?: {_EACH})? (?:arms?|legs?|branch|branches|{_WAYS})",
         f"(?:with )?(?P<count>NUM) BLOCK (?:long )?arms?", f"{_COUNT} each {_WAYS}", "arms (?P<count>NUM)(?: BLOCK)? long",
         f"(?:with )?(?:4 )?arms {_HAS}(?:length )?(?P<count>NUM)"),
-    *patterns("shared", True, r"(?:including|counting|with) (?:the )?(?:corner|corners|shared corner)(?: BLOCK)?(?: (?:counted|included|shared|twice|in both))?",
-        "sharing (?:the|a|one) corner(?: BLOCK)?", "(?:the )?corners? (?:BE )?(?:counted|included|shared|counted in)"),
+    *patterns("shared", True, r"(?:including|counting) (?:the )?(?:shared )?(?:corner|corners)(?: BLOCK)?(?: (?:counted|included|shared|twice|in both|in each))*",
+        r"(?:with )?(?:the |a )?shared corner(?: BLOCK)?", r"with (?:the )?corners?(?: BLOCK)? (?:counted|included|shared|counting|belonging)(?: (?:twice|in both|to both|in each|by both))*",
+        "sharing (?:the|a|one) corner(?: BLOCK)?", "(?:the )?corners?(?: BLOCK)? (?:BE )?(?:counted|included|shared|counted in)(?: (?:twice|in both|to both|in each|by both))*"),
     *patterns("apart", True, "(?:not (?:counting|including)|without|excluding|besides|beyond|in addition to) the (?:center|middle|corner|corners)(?: BLOCK| one)?"),
 ]  # fmt: skip
 
@@ -144,14 +146,14 @@ _PLACES = {
                f"(?:(?:the|its|a|whose) )?(?:middle|center|central|heart|core|hub)(?: BLOCK| one| piece)?(?! of the TABLE| row){_OF_IT}",
                f"(?:BE )?(?:inside|within)(?: (?:of )?{_IT})?", "(?:BE )?(?:in )?between(?: them)?", "dead center"),
     "around": ("(?:BE )?(?:all )?(?:a?round|surrounding)(?: (?:it|them|that|this|the (?:middle|center)(?: BLOCK| one)?|the one in the (?:middle|center)|that one))?(?: on (?:all|its|the) (?:4 )?sides)?(?! (?:an?|the|NUM|this) )(?! COLOR)",
-               "(?:BE )?on (?:all|the|its|each of (?:the|its)) (?:4 )?sides(?: of it)?", "(?:BE )?(?:at|on|for) the outside", "(?:the )?outer (?:ones|BLOCK)"),
-    "corners": (f"(?:BE )?(?:(?:in|at|on|as|for) )?{_ITS}corners?(?: BLOCK| ones)?{_OF_IT}", "(?:BE )?(?:in|at|on) (?:each|every) corner(?: of it)?", "at corners"),
+               "(?:BE )?on (?:all|the|its) (?:4 )?sides(?: of it)?", "(?:BE )?(?:at|on|for) the outside", "(?:the )?outer (?:ones|BLOCK)"),
+    "corners": (f"(?:BE )?(?:(?:in|at|on|as|for) )?{_ITS}corners?(?: BLOCK| ones)?{_OF_IT}", "at corners"),
     "arms": (f"(?:BE )?(?:(?:in|at|as|for|on|forming) )?{_ITS}(?:arms|ends|tips|branches)(?: of it)?{_TWO_PARTS}",
-             "(?:BE )?(?:on|at|for|in) (?:each|every) (?:arm|end)"),
+             "(?:BE )?(?:on|at) (?:the|its) outside"),
     "sides": (f"(?:BE )?(?:(?:in|at|as|for|along) )?{_ITS}(?:sides|edges|border|rim|frame|edge)(?: (?:BLOCK|ones))?",
               "(?:BE )?(?:in )?between (?:the corners|corners)"),
     "bar": (f"(?:BE )?(?:(?:in|at|as|for|on|across|forming|along) )?(?:(?:the|its|whose|a) )?{_BAR}{_OF_IT}", "(?:BE )?across"),
-    "stem": (f"(?:BE )?(?:(?:in|at|as|for|forming) )?(?:(?:the|its|whose|a) )?{_STEM}{_OF_IT}", "(?:BE )?down(?:wards)?(?: the (?:middle|center))?"),
+    "stem": (f"(?:BE )?(?:(?:in|at|as|for|forming) )?(?:(?:the|its|whose|a) )?{_STEM}{_OF_IT}", "(?:BE )?down(?:wards)? (?:in )?the (?:middle|center)"),
     "tip": (f"(?:BE )?(?:(?:in|at|as|for|on|forming) )?(?:(?:the|its|whose|a) )?(?:tip|point|apex|peak)(?: BLOCK)?{_OF_IT}",),
     "rest": ("(?:all )?(?:of )?(?:the |its )?(?:rest|others|remainder|remaining (?:ones|BLOCK)|other (?:ones|BLOCK))(?: of (?:it|them))?", "everything else", "(?:all )?other BLOCK"),
 }  # fmt: skip
@@ -161,6 +163,9 @@ PLACES: list[Pattern] = [
       for found in patterns("part", lambda m, place=place: (place, number(m["many"])),
         f"(?P<many>NUM)(?: BLOCK)?(?: of (?:them|these))?(?: more| others?)? (?:goes |go |comes |come |on |placed )?(?:{text})")),
     *patterns("part", ("around", 4), "(?:one |a single one )(?:more )?(?:on|at|for) (?:each|every)(?: one)?(?: of (?:its|the))?(?: 4)? (?:sides?|arms?|ends?)(?: of it)?"),
+    *patterns("each", "around", "(?:BE )?(?:on|at|for) (?:each|every)(?: one)?(?: of (?:its|the))?(?: 4)? sides?(?: of it)?"),
+    *patterns("each", "arms", "(?:BE )?(?:on|at|for|in) (?:each|every)(?: one)?(?: of (?:its|the))?(?: 4)? (?:arms?|ends?)(?: of it)?"),
+    *patterns("each", "corners", "(?:BE )?(?:in|at|on|for) (?:each|every)(?: one)?(?: of (?:its|the))?(?: [34])? corners?(?: of it)?"),
     *patterns("pivot", "around", "(?:BE |all |placed |arranged |set |put )*(?:a?round|surrounding|surround|surrounds|encircling|encircle|encircles|enclosing)"),
     *patterns("pivot", "within", "(?:(?:that |which )?(?:BE )?)?(?:surrounded|encircled|enclosed|ringed|framed) (?:by|with)"),
 ]  # fmt: skip
@@ -168,6 +173,8 @@ PLACES: list[Pattern] = [
 behind it, or "within")."""
 
 LOOKS: list[Pattern] = [
+    *patterns("lot", None, "(?P<count>NUM) of (?:them|these|which)(?: BLOCK)? (?:BE )?(?:in )?(?P<color>COLOR)"),
+    *patterns("total", lambda m: number(m["count"]), "(?:, )?of which there (?:BE) (?P<count>NUM)(?= ,)"),
     *patterns("lot", None, "(?:all|every one|each one|everything|each BLOCK|every BLOCK)(?: of (?:them|these|it|the BLOCK)| BLOCK)?(?: (?:BE|in))? (?P<color>COLOR)(?! (?:but|except|apart|save))"),
     *patterns("colors", "alternating",
         "(?:in |of |with |so that )?(?:the |strictly )?(?:alternating|alternate|alternates|alternately|alternation)(?: (?:in )?colors?| pattern| order)*",
@@ -182,7 +189,7 @@ OWN_BREAKS: list[Pattern] = patterns("break", None, r"[()]", ", and|, with|, whe
 EXCEPT: list[Pattern] = patterns("except", None, r"but(?: for)?", r"except(?: for)?|apart from|save for|other than", ", (?:but|except(?: for)?)")
 OWN_GLUE: list[Pattern] = [
     *patterns("glue", None, "so that|such that|in such a way that|in a way that|so|to make|to give|that together|which together|together"),
-    *patterns("glue", None, "flat|lying flat|laid flat|lying|laid|out|out of|'s|exactly|there|here|its|whose|their", ", (?:which|that) (?:BE)"),
+    *patterns("glue", None, "down|altogether|overall|in total|in all|total|they|together they|flat|lying flat|laid flat|lying|laid|out|out of|'s|exactly|there|here|its|whose|their", ", (?:which|that) (?:BE)"),
     *patterns("glue", None, "(?:in |into |to |like |as )?(?:an? |the )?(?:shape|form|figure|pattern|arrangement|formation|layout|letter)(?: (?:of|like|:))?(?: an?| the)?"),
     *patterns("glue", None, "(?:the |these |all the |all these |my |your )?(?:BLOCK)(?= (?:form|make|should|must|shall|are|stand|lie|in|as|into|on|to)\\b)"),
     *patterns("glue", None, "(?:a?round)(?= in (?:a )?(?:circle|ring))", "shape|draw|makes|shaped|pattern|color|colored|in color|colour"),

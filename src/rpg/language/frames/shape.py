@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -37,6 +38,7 @@ _ITS_WAY = {
     "V": {"opening": "opening", "tip": "tip"},
     "triangle": {"tip": "tip"},
 }
+_DOWN = re.compile(r"\b(?:down|downwards?|below|underneath|under|hang|hanging)\b")
 _ARTICLES = ("a", "an", "the")
 _OVER = {"front": "back", "back": "front", "left": "right", "right": "left"}
 
@@ -64,6 +66,10 @@ def told(pieces: Sequence[Piece]) -> str:
     total, colors = one(pieces, "total"), one(pieces, "colors")
     if any(piece.kind == "except" for piece in pieces) and any(lot.count for lot in said.free):
         raise Unclear  # is it one of them?
+    if any(piece.kind == "fill" and piece.value == "hollow" for piece in pieces):
+        if shape == "circle" and any(part == "inner" for _, part in said.placed):
+            raise Unclear  # is its middle empty?
+        said.placed = [(lot, "inner" if part == "center" else part) for lot, part in said.placed]
     inner = [lot for lot, part in said.placed if part == "inner"]
     size = _total(said, total.value if total else None, shape)
     if inner:
@@ -71,8 +77,10 @@ def told(pieces: Sequence[Piece]) -> str:
     size_of = sized(pieces, shape, size if size is not None else _sum(said))
     if said.free and said.placed and size is None and not size_of.measured and not inner:
         _check_incomplete(said, shape)
-    if colors:
-        size_of, looks, parts = _colored(said, size_of, colors.value, shape)
+    if one(pieces, "any") and (said.free or said.placed):
+        raise Unclear
+    if colors or _alternate(said, size_of.total):
+        size_of, looks, parts = _colored(said, size_of, colors.value if colors else "alternating", shape)
     else:
         looks, parts = _looks(said, size_of, shape)
     way = _way(pieces, shape)
@@ -201,13 +209,24 @@ def _colored(said: _Told, size: Sized, colors: str, shape: str) -> tuple[Sized, 
     return named, f" from {' and '.join(lot.blocks for lot in lots)}", []
 
 
+def _alternate(said: _Told, total: int | None) -> bool:
+    """Whether the blocks of a ring are listed one by one, two looks in turn; then each look is told of once."""
+    looks = [lot.look for lot in said.free]
+    if len(looks) < 4 or len(looks) != total or looks != looks[:2] * (total // 2) or looks[0] == looks[1]:
+        return False
+    if said.placed or any(lot.count not in (None, 1) for lot in said.free):
+        return False
+    said.free = [Lot(look, total // 2) for look in looks[:2]]
+    return True
+
+
 def _blocks(pieces: Sequence[Piece], shape: str) -> _Told:
     """The lots of the text with their places, clause by clause.
 
     Raises:
         Unclear: it is not clear which of them has which place.
     """
-    pieces = _around(pieces)
+    pieces = _around(_its(pieces))
     said = _Told()
     clause: list[Piece] = []
     for piece in [*pieces, Piece("break", "")]:
@@ -241,6 +260,20 @@ def _around(pieces: Sequence[Piece]) -> list[Piece]:
     return found
 
 
+def _its(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "Put one red block down and eight blue ones around it": "it" is in the middle."""
+    lots = [n for n, piece in enumerate(pieces) if piece.kind == "lot"]
+    around = [n for n, piece in enumerate(pieces) if piece.kind == "place" and piece.value == "around"]
+    others = [piece for piece in pieces if piece.kind in ("place", "part", "each", "pivot")]
+    if len(lots) != 2 or len(around) != 1 or len(others) != 1 or pieces[around[0]].words.split()[-1] not in ("it", "that"):
+        return list(pieces)
+    first, second = lots
+    between = [piece.kind for piece in pieces[first:second]]
+    if lot_of(pieces[first]).count != 1 or "break" not in between or "figure" in between or "figure" in [p.kind for p in pieces[:first]]:
+        return list(pieces)
+    return [*pieces[: first + 1], Piece("place", "", "center"), *pieces[first + 1 :]]
+
+
 def _clause(clause: Sequence[Piece], said: _Told, shape: str) -> None:
     """What one clause says of lots and places."""
     lots = [piece for piece in clause if piece.kind == "lot"]
@@ -255,6 +288,8 @@ def _clause(clause: Sequence[Piece], said: _Told, shape: str) -> None:
         return
     if not places:
         said.free += map(lot_of, lots)
+    elif not lots and [_part(place.value, shape) for place in places if place.kind == "place"] == [p for _, p in said.placed[-1:]]:
+        return  # told twice: "inside, in the middle"
     elif not lots or (len(lots) == 1 and len(places) > 1 and all(place.kind == "part" for place in places)):
         said.free += map(lot_of, lots)
         for place in places:
@@ -383,9 +418,13 @@ def _way(pieces: Sequence[Piece], shape: str) -> str:
     ways = {(piece.value[0], piece.value[1]) for piece in pieces if piece.kind == "way"}
     ways |= {("tip", piece.value[1]) for piece in pieces if piece.kind == "base"}
     ways |= {("foot", piece.value[2]) for piece in pieces if piece.kind == "along"}
+    if shape == "T" and any(piece.kind == "limb" and _DOWN.search(piece.words) for piece in pieces):
+        ways.add(("stem", "front"))  # a figure is seen like a page
     found = set()
     for part, side in ways:
-        if part == "all":
+        if side == "upright":
+            part, side = {"T": ("stem", "front"), "U": ("opening", "back"), "V": ("opening", "back"), "L": ("foot", "right")}.get(shape, ("", ""))
+        elif part == "all":
             part, side = {"T": ("stem", "back"), "U": ("opening", "front"), "V": ("tip", "back")}.get(shape, ("", ""))
         elif part == "bar":
             part, side = "stem", _OVER.get(side, "")

@@ -9,18 +9,18 @@ from typing import Any
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear
 
-_SIZES = ("dims", "side", "rows", "arm", "limb", "along", "base")
+_SIZES = ("equal", "dims", "side", "rows", "arm", "limb", "along", "base")
 _KNOWN: dict[str, tuple[str, ...]] = {
-    "plus": ("arm",),
-    "X": ("arm",),
+    "plus": ("arm", "equal"),
+    "X": ("arm", "equal"),
     "circle": (),
-    "square": ("dims", "side", "rows"),
+    "square": ("dims", "side", "rows", "equal"),
     "rectangle": ("dims",),
-    "triangle": ("side", "rows", "base"),
+    "triangle": ("side", "rows", "base", "equal"),
     "T": ("limb",),
-    "L": ("limb", "along", "arm", "dims"),
-    "V": ("arm",),
-    "U": ("limb", "arm", "dims"),
+    "L": ("limb", "along", "arm", "dims", "equal"),
+    "V": ("arm", "equal"),
+    "U": ("limb", "arm", "dims", "side"),
 }
 """The sizes that each figure has."""
 
@@ -192,6 +192,10 @@ def _ell(pieces: Sequence[Piece], total: int | None) -> Sized:
     if [bool(limbs), arm is not None, dims is not None].count(True) > 1 or {"long", "up"} <= set(limbs) or {"short", "along"} <= set(limbs):
         raise Unclear
     shared = one(pieces, "shared") is not None
+    if one(pieces, "equal") and arm is None:
+        if limbs or dims or not total or total % 2 == 0:
+            raise Unclear
+        arm = (total + 1) // 2
     if dims:
         limbs = {"long": (max(dims[1:]), False), "short": (min(dims[1:]), False)}
         shared = True
@@ -228,6 +232,10 @@ def _you(pieces: Sequence[Piece], total: int | None) -> Sized:
     deep = limbs.pop("long", limbs.pop("stem", limbs.pop("up", (arm, False))))[0]
     if limbs or dims and (wide or deep):
         raise Unclear
+    side = _value(pieces, "side")
+    if side and not (dims or wide or deep):
+        return Sized("a U", f", {side} blocks wide and {side} blocks deep,", _agreed(total, 3 * side - 2))
+    wide = wide or side
     if dims:
         _, wide, deep = dims
     if deep is None and wide is None:

@@ -19,13 +19,14 @@ _COUNT = "(?P<count>NUM)(?! (?:SIZE )?COLOR)(?: BLOCK)?(?: of (?:them|these|the 
 _MADE_LONG = "(?: (?:long|wide|each|in length|in size))*"
 
 FIGURES: list[Pattern] = [
-    *patterns("figure", "plus", f"(?:plus|cross){_KIND}"),
+    *patterns("figure", "plus", f"(?:plus|cross){_KIND}", "and (?:shaped?|sign|symbol|figure)"),
     *patterns("figure", "circle", f"(?:circle|ring|loop){_KIND}", f"(?:circular|round)(?: ring| circle)?{_KIND}(?<!circular)(?<!round)"),
     *patterns("figure", "triangle", f"(?:equilateral )?triangle{_KIND}", "triangular (?:shape|figure|form|formation|arrangement|outline)"),
     *patterns("figure", "square", f"square(?! PATCH| base| BLOCK){_KIND}"),
     *patterns("figure", "rectangle", f"(?:rectangle|oblong){_KIND}", "rectangular (?:shape|figure|form|formation|arrangement)"),
     *(found for letter in "TLUVX" for found in patterns("figure", letter,
         f"{_LETTER}'?{letter}'?{_KIND}", f"{_LETTER}'?(?<!')\\b{letter.lower()}(?: shape| shaped| form| figure)+",
+        f"(?:an?|the|letter|the letter|a letter) {letter.lower()}(?= (?:of|from|out|made|with|using|on|,|that|which|whose|shape))",
         *(["(?:^|a )you (?:shape|shaped)(?= (?:with|of|from|out|made|,|:|NUM))"] if letter == "U" else []))),
     *patterns("again", None, "(?:the|this|that) (?:figure|shape|whole figure|whole thing|form|whole shape)", "it(?= BE )"),
 ]  # fmt: skip
@@ -80,6 +81,10 @@ SIZES: list[Pattern] = [
     *patterns("shared", True, r"(?:including|counting) (?:the )?(?:shared )?(?:corner|corners)(?: BLOCK)?(?: (?:counted|included|shared|twice|in both|in each))*",
         r"(?:with )?(?:the |a )?shared corner(?: BLOCK)?", r"with (?:the )?corners?(?: BLOCK)? (?:counted|included|shared|counting|belonging)(?: (?:twice|in both|to both|in each|by both))*",
         "sharing (?:the|a|one) corner(?: BLOCK)?", "(?:the )?corners?(?: BLOCK)? (?:BE )?(?:counted|included|shared|counted in)(?: (?:twice|in both|to both|in each|by both))*"),
+    *patterns("shared", True, "(?:if you )?(?:count|counts|counted|counting|including|sharing) (?:the |one )?corner(?: BLOCK)?(?: in| to)?(?: (?:both|each|each one|both legs|both arms|each leg|each arm|each of them|both of them|the 2))?",
+        "the corner(?: BLOCK)? (?:BE )?(?:counted|included|shared)(?: in| by)?(?: (?:both|each))?(?: of them| legs?| arms?)?"),
+    *patterns("equal", True, "(?:(?:with|and|having) )?(?:(?:the|its|both) )?(?:(?:both|2|4) )?(?:equal|equally long|same size|same length) (?:arms|legs|sides|strokes)",
+        "(?:(?:with|and|having) )?(?:(?:the|its|both) )?(?:(?:both|2|4) )?(?:arms|legs|sides|strokes) (?:(?:BE|have|having|with|of) )*(?:(?:the|an) )?(?:equally long|(?:equal|same)(?: in)?(?: length| size)?)"),
     *patterns("apart", True, "(?:not (?:counting|including)|without|excluding|besides|beyond|in addition to) the (?:center|middle|corner|corners)(?: BLOCK| one)?"),
 ]  # fmt: skip
 
@@ -88,26 +93,34 @@ _FOR = "(?:(?:for|in|as|forming|form|forms|make|makes|making|along|across|make u
 _ARM = "(?:arm|side|leg|stroke|part|bar|line|limb)"
 _BAR = "(?:(?:top |horizontal |upper )?(?:bar|crossbar|cross bar|crosspiece|cross piece|beam|stroke|line|arm|roof)|top(?: row)?)"
 _STEM = "(?:(?:vertical |long |middle )?(?:stem|leg|trunk|post|shaft|tail|stalk|vertical(?: bar| line| stroke)?))"
+_N = "(?:with )?(?:then )?(?P<another>another |the other |the remaining )?" + _COUNT
+
+
+def _further(match: re.Match[str]) -> bool:
+    """Whether these are blocks besides those that are told before."""
+    return bool(match["another"] or match["more"]) if "another" in match.re.groupindex else bool(match["more"])
+
+
 LIMBS: list[Pattern] = [
-    *patterns("limb", lambda m: ("bar", number(m["count"]), bool(m["more"])),
-        f"{_COUNT}{_MORE}(?: BLOCK)?(?: go| lie| lying| run| running)? (?:across|{_FOR}(?:the |its )?{_BAR}|across (?:the |its )?(?:top|{_BAR}|bar))(?: {_FOR}?the {_BAR})?",
+    *patterns("limb", lambda m: ("bar", number(m["count"]), _further(m)),
+        f"{_N}{_MORE}(?: BLOCK)?(?: go| lie| lying| run| running)? (?:across|{_FOR}(?:the |its )?{_BAR}|across (?:the |its )?(?:top|{_BAR}|bar))(?: {_FOR}?the {_BAR})?",
         f"(?:the |its |a |whose |with a |with the )?{_BAR}(?: of it)? {_HAS}{_COUNT}{_MORE}(?: BLOCK)?(?: long| wide| across)?"),
-    *patterns("limb", lambda m: ("stem", number(m["count"]), bool(m["more"])),
-        f"{_COUNT}{_MORE}(?: BLOCK)?(?: going| go| running| run| lie| lying| hanging| hang| sticking)? (?:{_FOR}(?:the |its )?{_STEM}|down(?:wards?)?(?: (?:from )?(?:the|its) (?:middle|center|stem))?|below(?: (?:it|them|that|the bar|the middle))?(?: in the (?:middle|center))?|down from the (?:middle|center)|under (?:it|the middle|the bar)|underneath(?: it)?)(?: in the middle)?",
+    *patterns("limb", lambda m: ("stem", number(m["count"]), _further(m)),
+        f"{_N}{_MORE}(?: BLOCK)?(?: going| go| running| run| lie| lying| hanging| hang| sticking)? (?:{_FOR}(?:the |its )?{_STEM}|down(?:wards?)?(?: (?:from )?(?:the|its) (?:middle|center|stem))?|below(?: (?:it|them|that|the bar|the middle))?(?: in the (?:middle|center))?|down from the (?:middle|center)|under (?:it|the middle|the bar)|underneath(?: it)?)(?: in the middle)?(?: (?:as|for) (?:the|its) {_STEM})?",
         f"(?:the |its |a |whose |with a |with the )?{_STEM}(?: of it)? {_HAS}{_COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?"),
-    *patterns("limb", lambda m: ("up", number(m["count"]), bool(m["more"])),
-        f"{_COUNT}{_MORE}(?: BLOCK)? (?:going |standing |straight )?(?:up(?:wards?|right)?|{_FOR}(?:the |its )?(?:upright|stem|back))"),
-    *patterns("limb", lambda m: ("long", number(m["count"]), bool(m["more"])),
-        f"{_COUNT}{_MORE}(?: BLOCK)? (?:tall|high|long|{_FOR}(?:the |its )?(?:long|longer|vertical) {_ARM})",
+    *patterns("limb", lambda m: ("up", number(m["count"]), _further(m)),
+        f"{_N}{_MORE}(?: BLOCK)? (?:going |standing |straight )?(?:up(?:wards?|right)?|{_FOR}(?:the |its )?(?:upright|stem|back))"),
+    *patterns("limb", lambda m: ("long", number(m["count"]), _further(m)),
+        f"{_N}{_MORE}(?: BLOCK)? (?:tall|high|long|{_FOR}(?:the |its )?(?:long|longer|vertical) {_ARM})",
         f"(?:the |its |a |whose |with a |with the )?(?:(?:long|longer|vertical) {_ARM}|upright) {_HAS}{_COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?"),
-    *patterns("limb", lambda m: ("along", number(m["count"]), bool(m["more"])),
-        f"{_COUNT}{_MORE}(?: BLOCK)? {_FOR}(?:the |its )?(?:foot|base|toe)"),
-    *patterns("limb", lambda m: ("short", number(m["count"]), bool(m["more"])),
-        f"{_COUNT}{_MORE}(?: BLOCK)? (?:wide|across|{_FOR}(?:the |its )?(?:short|shorter|horizontal|bottom) {_ARM})",
+    *patterns("limb", lambda m: ("along", number(m["count"]), _further(m)),
+        f"{_N}{_MORE}(?: BLOCK)? {_FOR}(?:the |its )?(?:foot|base|toe)"),
+    *patterns("limb", lambda m: ("short", number(m["count"]), _further(m)),
+        f"{_N}{_MORE}(?: BLOCK)? (?:wide|across|{_FOR}(?:the |its )?(?:short|shorter|horizontal|bottom) {_ARM})",
         f"(?:the |its |a |whose |with a |with the )?(?:foot|base|toe|(?:short|shorter|horizontal|bottom) {_ARM}) {_HAS}{_COUNT}{_MORE}(?: BLOCK)?(?: long| wide)?"),
-    *(found for side in ("left", "right") for found in patterns("along", lambda m, side=side: (number(m["count"]), bool(m["more"]), side),
-        f"{_COUNT}{_MORE}(?: BLOCK)?(?: going| pointing| go| as (?:the|its) foot)? (?:to|towards?) the {side}",
-        f"{_COUNT}{_MORE}(?: BLOCK)? (?:for|as|in) (?:the |its )?foot (?:going |pointing |turning |sticking out )?(?:to|towards?) the {side}")),
+    *(found for side in ("left", "right") for found in patterns("along", lambda m, side=side: (number(m["count"]), _further(m), side),
+        f"{_N}{_MORE}(?: BLOCK)?(?: going| pointing| go| as (?:the|its) foot)? (?:to|towards?) the {side}",
+        f"{_N}{_MORE}(?: BLOCK)? (?:for|as|in) (?:the |its )?foot (?:going |pointing |turning |sticking out )?(?:to|towards?) the {side}")),
 ]  # fmt: skip
 """Value: the limb, how many blocks, whether besides those told before."""
 
@@ -121,7 +134,7 @@ _TOWARD = {
 _POINTS = "(?:(?:BE |must |should |shall |to |that |which )?(?:point|points|pointing|pointed|face|faces|facing|aim|aims|aiming|aimed|directed|turned|turn|turns|turning|look|looks|looking|show|shows|showing|open|opens|opening|extend|extends|extending|go|goes|going|stick|sticks|sticking|reach|reaches|reaching|run|runs|running|come|comes|coming)(?: out| up| straight| directly)? |BE )?"
 _PART_OF = {
     "foot": "foot|base|toe|(?:short|shorter|lower|bottom) (?:arm|leg|bar|stroke|side|line)",
-    "stem": "stem|leg|trunk|post|shaft|tail|stalk",
+    "stem": "(?:(?:foot|end|bottom|bottom end) of the )?(?:stem|leg)|trunk|post|shaft|tail|stalk",
     "bar": "(?:top )?(?:bar|crossbar|cross bar|crosspiece)",
     "opening": "opening|open side|open end|open ends|mouth|open part|gap",
     "tip": "tip|point|apex|peak|vertex|pointed end|pointy end|tip block|sharp end",
@@ -129,6 +142,9 @@ _PART_OF = {
 WAYS: list[Pattern] = [
     *(found for part, names in _PART_OF.items() for side, toward in _TOWARD.items()
       for found in patterns("way", (part, side), f"(?:(?:and |with |so that )?(?:its|the|whose|a) )?(?:{names})(?: end)?(?: of {_IT})? {_POINTS}(?:{toward})")),
+    *patterns("way", ("all", "upright"), "(?:(?:that|which) )?(?:BE )?(?:upright|right way up|the right way up|readable)(?= [,.;]| and )", "upright(?= letter| capital| [TLUV] )"),
+    *(found for side in ("left", "right") for found in patterns("way", ("foot", side),
+        f"(?:(?:its|the) )?foot (?:BE )?(?:at|on|in) the (?:near|bottom|lower|front)(?: end| side| edge)? {_POINTS}(?:{_TOWARD[side]})")),
     *(found for side, toward in _TOWARD.items() for found in (
       *patterns("way", ("opening", side), f"(?:(?:that|which|it|and|must|should|shall) )*(?:BE )?(?:opens?|opened|opening|open)(?: up)? (?:{toward})"),
       *patterns("way", ("tip", side), f"(?:(?:that|which|it|must|should|shall) )*(?:BE )?(?:points?|pointing|pointed) (?:{toward})"))),
@@ -173,6 +189,8 @@ PLACES: list[Pattern] = [
 behind it, or "within")."""
 
 LOOKS: list[Pattern] = [
+    *patterns("any", True, "(?:, )?(?:of |in )?(?:any|whatever|whichever|any old) colors?(?: at all| you like| you want)?(?: (?:(?:BE|are|is) )?(?:fine|ok|okay|good|allowed|will do|works|goes))?",
+        "(?:the )?colors? (?:does|do|is|are) (?:not (?:matter|important)|unimportant|free)", "no matter (?:what|which) colors?", "(?:i )?do not (?:care|mind) (?:about )?(?:what |which |the )?colors?(?: (?:they|it) (?:are|is|have))?", "what color"),
     *patterns("lot", None, "(?P<count>NUM) of (?:them|these|which)(?: BLOCK)? (?:BE )?(?:in )?(?P<color>COLOR)"),
     *patterns("total", lambda m: number(m["count"]), "(?:, )?of which there (?:BE) (?P<count>NUM)(?= ,)"),
     *patterns("lot", None, "(?:all|every one|each one|everything|each BLOCK|every BLOCK)(?: of (?:them|these|it|the BLOCK)| BLOCK)?(?: (?:BE|in))? (?P<color>COLOR)(?! (?:but|except|apart|save))"),
@@ -189,9 +207,12 @@ OWN_BREAKS: list[Pattern] = patterns("break", None, r"[()]", ", and|, with|, whe
 EXCEPT: list[Pattern] = patterns("except", None, r"but(?: for)?", r"except(?: for)?|apart from|save for|other than", ", (?:but|except(?: for)?)")
 OWN_GLUE: list[Pattern] = [
     *patterns("glue", None, "so that|such that|in such a way that|in a way that|so|to make|to give|that together|which together|together"),
-    *patterns("glue", None, "down|altogether|overall|in total|in all|total|they|together they|flat|lying flat|laid flat|lying|laid|out|out of|'s|exactly|there|here|its|whose|their", ", (?:which|that) (?:BE)"),
+    *patterns("glue", None, "(?:and )?nowhere else|do|dream of|imagine|picture|in plan|plan|forming|be used|used|used for|(?:that |which )?be (?:formed|made|built|laid|shaped)|also|ordinary|given|"
+        "some|so|love|been|have|down|altogether|overall|in total|in all|total|they|together they|flat|lying flat|laid flat|lying|laid|out|out of|'s|exactly|there|here|its|whose|their", ", (?:which|that) (?:BE)"),
     *patterns("glue", None, "(?:in |into |to |like |as )?(?:an? |the )?(?:shape|form|figure|pattern|arrangement|formation|layout|letter)(?: (?:of|like|:))?(?: an?| the)?"),
     *patterns("glue", None, "(?:the |these |all the |all these |my |your )?(?:BLOCK)(?= (?:form|make|should|must|shall|are|stand|lie|in|as|into|on|to)\\b)"),
+    *patterns("glue", None, "(?:(?:there|here) (?:are|is)|(?:we|i|you) have)", "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", "for which",
+        "all the way (?:a?round)"),
     *patterns("glue", None, "(?:a?round)(?= in (?:a )?(?:circle|ring))", "shape|draw|makes|shaped|pattern|color|colored|in color|colour"),
     *patterns("glue", None, "looks? like|that looks like|like|resembling|represents|show|result|should|shall|must|would|makes up|become|becomes|becoming|serves? as|acting as|acts as|take|takes|play|plays"),
 ]  # fmt: skip

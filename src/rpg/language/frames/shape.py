@@ -66,6 +66,7 @@ def told(pieces: Sequence[Piece]) -> str:
     total, colors = one(pieces, "total"), one(pieces, "colors")
     if any(piece.kind == "except" for piece in pieces) and any(lot.count for lot in said.free):
         raise Unclear  # is it one of them?
+    pieces = _with_limbs(pieces, said, shape)
     if any(piece.kind == "fill" and piece.value == "hollow" for piece in pieces):
         if shape == "circle" and any(part == "inner" for _, part in said.placed):
             raise Unclear  # is its middle empty?
@@ -102,6 +103,10 @@ def _parted(pieces: Sequence[Piece]) -> list[Piece]:
         if piece.words == ":" and before.kind in ("place", "each") and behind.kind == "lot":
             continue
         found.append(piece)
+        if piece.kind == "place" and "figure" in [p.kind for p in pieces[n + 1 : n + 4]] and "break" not in [
+            p.kind for p in pieces[n + 1 : n + 4]
+        ]:
+            found.append(Piece("break", ""))  # "in the middle of a ring of ..."
         if before.kind == "lot" and not {"count", "noun", "many"} & before.named.keys() and not piece.words[0].isdigit():
             if piece.kind == "arm":
                 found.append(Piece("place", "", "arms"))
@@ -117,6 +122,8 @@ def _shape(pieces: Sequence[Piece]) -> str:
         Unclear: there is none, or there are several; or it may be something else that is there.
     """
     figures = [n for n, piece in enumerate(pieces) if piece.kind == "figure"]
+    if not figures and any(piece.kind == "pivot" and "encirc" in piece.words for piece in pieces):
+        return "circle"
     if not figures:
         raise Unclear
     first = figures[0]
@@ -349,6 +356,20 @@ def _total(said: _Told, total: int | None, shape: str) -> int | None:
     return total
 
 
+def _with_limbs(pieces: Sequence[Piece], said: _Told, shape: str) -> list[Piece]:
+    """The pieces, and the sizes of a T's limbs that are told by their blocks; blocks of one look are one lot."""
+    limbs = [(part, lot.count) for lot, part in said.placed if part in ("bar", "stem") and lot.count]
+    looks = {lot.look for lot, _ in said.placed}
+    if shape != "T" or len(limbs) != 2 or len(said.placed) != 2:
+        return list(pieces)
+    if len(looks) == 1:
+        if said.free:
+            raise Unclear
+        said.free, said.placed = [Lot(looks.pop(), sum(count for _, count in limbs))], []
+    told_of = {piece.value[0] for piece in pieces if piece.kind == "limb"}
+    return [*pieces, *(Piece("limb", "", (part, count, False)) for part, count in limbs if part not in told_of)]
+
+
 def _sum(said: _Told) -> int | None:
     """How many blocks are told of, if it is told of all of them how many."""
     counts: dict[str, int | None] = {lot.look: lot.count for lot in said.free}
@@ -359,7 +380,7 @@ def _sum(said: _Told) -> int | None:
         if lot.look not in counts:
             counts[lot.look] = count
         elif lot.look not in [other.look for other in said.free]:
-            counts[lot.look] = None
+            raise Unclear  # blocks of one look at two places
     told_of = [count for count in counts.values() if count is not None]
     return sum(told_of) if told_of and len(told_of) == len(counts) else None
 

@@ -18,7 +18,7 @@ _KNOWN: dict[str, tuple[str, ...]] = {
     "rectangle": ("dims",),
     "triangle": ("side", "rows", "base", "equal"),
     "T": ("limb",),
-    "L": ("limb", "along", "arm", "dims", "equal"),
+    "L": ("limb", "along", "arm", "side", "dims", "equal"),
     "V": ("arm", "equal"),
     "U": ("limb", "arm", "dims", "side"),
 }
@@ -108,7 +108,7 @@ def _sided(pieces: Sequence[Piece], shape: str, filled: str, total: int | None) 
         if len(sides) > 1:
             raise Unclear
         n = sides.pop()
-        if n < 2:
+        if n < (3 if filled == "hollow" and dims else 2):
             raise Unclear
         if not filled:
             if total is None:
@@ -183,7 +183,8 @@ def _tee(pieces: Sequence[Piece], total: int | None) -> Sized:
 
 def _ell(pieces: Sequence[Piece], total: int | None) -> Sized:
     """An L: two arms that share a corner, which is counted in both."""
-    limbs, arm, dims = _limbs(pieces), _value(pieces, "arm"), _value(pieces, "dims")
+    limbs, dims = _limbs(pieces), _value(pieces, "dims")
+    arm = _value([replace(piece, kind="arm") if piece.kind == "side" else piece for piece in pieces], "arm")
     names = {"bar": "short", "stem": "up"}
     limbs = {names.get(limb, limb): said for limb, said in limbs.items()}
     along = _value(pieces, "along")
@@ -198,7 +199,7 @@ def _ell(pieces: Sequence[Piece], total: int | None) -> Sized:
         arm = (total + 1) // 2
     if dims:
         limbs = {"long": (max(dims[1:]), False), "short": (min(dims[1:]), False)}
-        shared = True
+        shared = shared or dims[0] != "sides"
     if arm is not None:
         limbs, shared = {"long": (arm, False), "short": (arm, False)}, one(pieces, "apart") is None
     if not limbs:

@@ -16,6 +16,7 @@ _SEP = (
     "(?: ,| ;| and| plus| then| next| after that| afterwards| followed by| beside it| beside that| next to it| next to "
     "that)+"
 )
+_BE = "(?:(?:BE|has|have|with|of|:) )*"
 _LIST = rf"(?:{_HEIGHT}(?:(?:{_SEP})? {_HEIGHT}){{2,}}|{_HEIGHT}{_SEP} {_HEIGHT}(?! COLOR))"
 _RISE = (
     "(?:(?:that|which|it|should|must|shall|has to|and) )*(?:(?:BE|that is|which is) )?"
@@ -71,8 +72,8 @@ _WAYS = [
         *patterns("way", side,
             f"{_RISE}(?: (?:in|by) {_STEP})? {_toward(side)}", f"{_FALL} {_toward(other)}",
             f"{_toward(side)} (?:upwards?|up)",
-            f"{_THE}{_HIGH}{_END} {_AT}(?:very |far )?{_SIDES[side]}",
-            f"{_THE}{_LOW}{_END} {_AT}(?:very |far )?{_SIDES[other]}"),
+            f"{_THE}{_HIGH}{_END} (?:{_AT})?(?:very |far )?{_SIDES[side]}",
+            f"{_THE}{_LOW}{_END} (?:{_AT})?(?:very |far )?{_SIDES[other]}"),
         *patterns("order", side, f"(?:counted |listed |read |told )?{_toward(side)}(?= [,:]| (?:one|NUM|a) )",
             f"(?:{_LOW} to {_HIGH} )?from (?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"),
         *patterns("end", lambda match, side=side: (number(match["count"]), side),
@@ -102,6 +103,7 @@ PATTERNS: list[Pattern] = [
         rf"(?:(?:with|in|of|the|its|whose) )*(?:{_COLUMN} )?(?:(?:BE|has|have|having|with|of|in) )*(?:the )?heights?"
         rf"(?: (?:BE|of|:))*(?: (?:steps?|columns?))? (?P<list>{_LIST})",
         rf"(?:(?:with|in|of|the|its|whose) )*{_COLUMN}(?: (?:BE|has|have|having|with|of|:))* (?P<list>{_LIST})",
+        rf"(?P<list>(?:the )?first(?: {_STEP})? {_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the )?(?:second|third|fourth|next|last)(?: {_STEP})? {_BE}{_HEIGHT})+)",
         rf"(?:of |with |in )?(?P<list>{_LIST})(?: in (?:height|each))?(?: per {_STEP})?"),
     *_WAYS,
     *patterns("place", "over it",
@@ -124,7 +126,8 @@ PATTERNS: list[Pattern] = [
         f"one color (?:per|for each|for every|each) {_STEP}"),
     *patterns("break", None, "[()]", "except(?: for)?|apart from|save for|other than", ", which"),
     *patterns("glue", None, "high|tall|been|given|(?:there|here) (?:are|is)|(?:we|i|you) have|"
-        "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", f"(?:{_RISE} )?(?:by )?one BLOCK (?:per|each|every) {_STEP}",
+        "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", f"(?:gets?|grows?|becomes?|rises?|goes up|going up) (?:by )?(?:one )?(?:BLOCK )?(?:higher |taller )?(?:with|at|for) (?:each|every) {_STEP}",
+        f"(?:{_RISE} )?(?:by )?one BLOCK (?:per|each|every) {_STEP}",
         f"(?:each|every) (?:{_STEP}|one) (?:BE )?(?:(?:by )?one (?:BLOCK )?)?(?:higher|taller)(?: by one BLOCK)? than "
         f"the (?:{_STEP} |one )?(?:before|last|previous|one before|last one|previous one)(?: it)?",
         "(?:going |growing |increasing )?(?:by )?one (?:BLOCK )?(?:more|higher|taller)? ?(?:each time|every time)"),
@@ -154,6 +157,8 @@ def told(pieces: Sequence[Piece]) -> str:
     size = steps * (steps + 1) // 2 if steps else size
     steps = steps or next((n for n in range(2, 8) if size == n * (n + 1) // 2), None)
     way = _way(pieces)
+    if one_of(pieces, "then") and not _in_order(pieces):
+        raise Unclear
     blocks, parts = ("", _ordered(pieces)) if _in_order(pieces) else _looks(pieces, steps, size)
     text = f"Build a staircase{f' of {steps} steps' if steps else ''}{blocks}{f' rising to the {way}' if way else ''}."
     over = [look for part, look in parts if part == "over it"]

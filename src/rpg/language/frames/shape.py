@@ -61,6 +61,8 @@ def told(pieces: Sequence[Piece]) -> str:
     pieces = _parted(as_adjectives(pieces))
     check_listed(pieces)
     shape = _shape(pieces)
+    if shape in ("square", "triangle", "L", "U"):
+        pieces = _by_side(pieces)
     said = _blocks(pieces, shape)
     _check_where(pieces)
     total, colors = one(pieces, "total"), one(pieces, "colors")
@@ -103,15 +105,29 @@ def _parted(pieces: Sequence[Piece]) -> list[Piece]:
         if piece.words == ":" and before.kind in ("place", "each") and behind.kind == "lot":
             continue
         found.append(piece)
-        if piece.kind == "place" and "figure" in [p.kind for p in pieces[n + 1 : n + 4]] and "break" not in [
-            p.kind for p in pieces[n + 1 : n + 4]
-        ]:
+        following = next((p.kind for p in pieces[n + 1 :] if p.kind not in ("glue", "dims", "fill")), "")
+        if piece.kind == "place" and following == "figure":
             found.append(Piece("break", ""))  # "in the middle of a ring of ..."
         if before.kind == "lot" and not {"count", "noun", "many"} & before.named.keys() and not piece.words[0].isdigit():
             if piece.kind == "arm":
                 found.append(Piece("place", "", "arms"))
             elif piece.kind == "limb" and piece.value[0] in ("bar", "stem"):
                 found.append(Piece("part", "", piece.value[:2]))
+    return found
+
+
+def _by_side(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "Three red blocks along each side": so many blocks has a side, and all are red."""
+    found: list[Piece] = []
+    for piece in pieces:
+        sided = piece.kind == "per" or (piece.kind == "each" and piece.value == "around")
+        if not sided or not found or found[-1].kind != "lot" or "count" not in found[-1].named:
+            found.append(piece)
+            continue
+        count = lot_of(found[-1]).count
+        found[-1] = replace(found[-1], named={**found[-1].named, "det": "", "count": "", "many": "s"})
+        del found[-1].named["count"]
+        found.append(Piece("side", piece.words, count))
     return found
 
 
@@ -237,7 +253,7 @@ def _blocks(pieces: Sequence[Piece], shape: str) -> _Told:
     said = _Told()
     clause: list[Piece] = []
     for piece in [*pieces, Piece("break", "")]:
-        if piece.kind in ("lot", "place", "part", "each"):
+        if piece.kind in ("lot", "place", "part", "each", "per"):
             clause.append(piece)
         if piece.kind in ("break", "except"):
             _clause(clause, said, shape)
@@ -312,6 +328,8 @@ def _clause(clause: Sequence[Piece], said: _Told, shape: str) -> None:
         if len(kinds) % 2 or kinds != kinds[:2] * (len(kinds) // 2) or kinds[0] == kinds[1]:
             raise Unclear
         for lot, place in zip(lots, places, strict=True):
+            if place.kind == "per":
+                raise Unclear
             part, many = place.value if place.kind == "part" else (place.value, None)
             found = lot_of(lot)
             if place.kind == "each":
@@ -412,6 +430,8 @@ def _looks(said: _Told, size: Sized, shape: str) -> tuple[str, list[tuple[str, s
     if len(open_) == 1 and (total is not None or len(lots) == 1) and (total is not None or not placed):
         lots = counted(lots, total)
         open_ = [lot for lot in lots if lot.count is None]
+    if not said.free and total and not open_ and sum(lot.count or 0 for lot in lots) < total and dict(parts).keys() <= _SINGLE:
+        return f" from {total} blocks", parts  # of the others no look is told
     if not open_ or len(lots) == 1:
         if total is not None and sum(lot.count or 0 for lot in lots) != total and not open_:
             raise Unclear
@@ -439,7 +459,11 @@ def _way(pieces: Sequence[Piece], shape: str) -> str:
     ways = {(piece.value[0], piece.value[1]) for piece in pieces if piece.kind == "way"}
     ways |= {("tip", piece.value[1]) for piece in pieces if piece.kind == "base"}
     ways |= {("foot", piece.value[2]) for piece in pieces if piece.kind == "along"}
-    if shape == "T" and any(piece.kind == "limb" and _DOWN.search(piece.words) for piece in pieces):
+    if ("any", "") in ways:
+        if len(ways) > 1 or any(piece.kind == "limb" and _DOWN.search(piece.words) for piece in pieces):
+            raise Unclear
+        return ""
+    if shape == "T" and any(piece.kind in ("limb", "dims") and _DOWN.search(piece.words) for piece in pieces):
         ways.add(("stem", "front"))  # a figure is seen like a page
     found = set()
     for part, side in ways:

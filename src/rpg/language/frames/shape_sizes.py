@@ -17,7 +17,7 @@ _KNOWN: dict[str, tuple[str, ...]] = {
     "square": ("dims", "side", "rows", "equal"),
     "rectangle": ("dims",),
     "triangle": ("side", "rows", "base", "equal"),
-    "T": ("limb",),
+    "T": ("limb", "arm", "dims"),
     "L": ("limb", "along", "arm", "side", "dims", "equal"),
     "V": ("arm", "equal"),
     "U": ("limb", "arm", "dims", "side"),
@@ -162,7 +162,16 @@ def _limbs(pieces: Sequence[Piece]) -> dict[str, tuple[int, bool]]:
 
 def _tee(pieces: Sequence[Piece], total: int | None) -> Sized:
     """A T: its bar, and what hangs down from it."""
-    limbs = _limbs(pieces)
+    limbs, dims = _limbs(pieces), _value(pieces, "dims")
+    for piece in pieces:
+        if piece.kind == "arm":
+            if "leg" not in piece.words.split() or "each" in piece.words or "stem" in limbs:
+                raise Unclear
+            limbs["stem"] = piece.value, False
+    if dims:
+        if limbs or dims[0] != "wide":
+            raise Unclear
+        limbs = {"bar": (dims[1], False), "stem": (dims[2], False)}
     if set(limbs) - {"bar", "stem"}:
         raise Unclear
     bar, stem = limbs.get("bar"), limbs.get("stem")

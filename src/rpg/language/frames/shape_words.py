@@ -41,9 +41,10 @@ FILL: list[Pattern] = [
         "(?:leaving|leave|keeping|keep|leaves|keeps) (?:the |its )?(?:inside|interior|middle|center)(?: of it)? (?:empty|free|open|clear|unfilled|hollow)",
         f"(?:and |with )?(?:there is |has )?(?:nothing|no BLOCK)(?: BE)? (?:inside|within|in the (?:middle|center|inside)|in its (?:middle|center)|in it|inside it|in middle|in between)(?: of {_IT})?",
         "without (?:anything|any BLOCK|a BLOCK|BLOCK) (?:inside|within|in the (?:middle|center)|in it|inside it)",
-        "(?:with )?(?:a )?hole in (?:(?:the|its) )?(?:middle|center)", "(?:with )?nothing (?:in|inside)(?: of)? it", "empty(?= (?:square|rectangle|triangle)\\b)", "around the edges?", "(?:a|the) border of"),
+        "(?:with )?(?:a )?hole in (?:(?:the|its) )?(?:middle|center)", "(?:with )?nothing (?:in|inside)(?: of)? it",
+        "(?:in |on )?(?:the |its )?(?:inside|interior|middle) it (?:BE )?(?:empty|free|hollow|open)", "empty(?= (?:square|rectangle|triangle)\\b)", "around the edges?", "(?:a|the) border of"),
     *patterns("fill", "filled",
-        "filled(?: in| up| out)?|solid|full|massive|completely filled|filled completely|completely full|fully filled",
+        "(?:to be )?filled(?: in| up| out)?(?: by| with)?|solid|full|massive|completely filled|filled completely|completely full|fully filled",
         "(?:with )?(?:no|without a|without any|without) holes?(?: in (?:it|the middle|the center))?",
         "(?:the |its |with the )?(?:inside|interior|middle|center) (?:BE )?(?:filled|full)(?: in| too| as well)?", "not hollow"),
 ]  # fmt: skip
@@ -54,6 +55,7 @@ _LONG = "(?:long|along|in length)"
 _AND = "(?: ,)?(?: and| by| x| times)?"
 _SIDE = "(?:sides?|edges?)(?: of it)?"
 _WAYS = "(?:way|direction|ways|directions)"
+_ROW = "(?: (?:along|at|in|on|for) (?:the|its) (?:base|bottom|front|back|top|near side|far side)(?: row)?)?"
 SIZES: list[Pattern] = [
     *patterns("dims", lambda m: ("x", *sorted(map(int, re.findall(r"\d+", m[0])), reverse=True)),
         r"(?:of )?(?:size )?\d+x\d+(?: BLOCK)?(?: in size)?", r"(?:of )?\d+(?: BLOCK)? (?:by|times|x) \d+(?: BLOCK)?"),
@@ -77,6 +79,9 @@ SIZES: list[Pattern] = [
         f"(?:with )?(?:(?:a|the|its) )?(?:side|edge)(?: length| size)? {_HAS}{_COUNT}{_MADE_LONG}", f"{_COUNT}{_MADE_LONG} (?:a|per|each) {_SIDE}"),
     *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|one", m[0])],
         r"(?:in )?rows of (?:(?:\d+|one|single)(?: BLOCK)?(?: ,)?(?: and| then| and then)? )+(?:\d+|one)(?: BLOCK)?"),
+    *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|one", m[0])],
+        f"NUM(?: BLOCK)?{_ROW}(?:(?: ,| then| and)+ NUM(?: BLOCK)?{_ROW}){{2,}}"),
+    *patterns("per", True, f"(?:per|on|along|in|for|at|to|down|each|every) (?:{_EACH} )?{_SIDE}", f"(?:on|along|to|at) a {_SIDE}"),
     *patterns("arm", lambda m: number(m["count"]),
         f"(?:with |and |so that )?(?:{_EACH} |(?:(?:the|its|with its) )?(?:[234] )?(?:equal )?)(?:arms?|legs?|branch|branches|limbs?|strokes?) {_HAS}(?:exactly )?{_COUNT}{_MADE_LONG}",
         f"(?:with )?{_COUNT}{_MADE_LONG} (?:per|on|along|in|for|at|to|each|makes?|make up|form|forming)(?: {_EACH})? (?:arms?|legs?|branch|branches|{_WAYS})",
@@ -131,7 +136,7 @@ LIMBS: list[Pattern] = [
 _TOWARD = {
     "left": "(?:(?:to|towards?|on|at|in|facing) )?(?:the |its |my |your )?left(?: hand)?(?: side)?|leftwards?",
     "right": "(?:(?:to|towards?|on|at|in|facing) )?(?:the |its |my |your )?right(?: hand)?(?: side)?|rightwards?",
-    "front": "(?:(?:to|towards?|at|on|facing|in) )?(?:the )?(?:front|near)(?: side| edge| end)?(?: of the TABLE)?|(?:towards?|to|facing|at|nearest|nearest to|closest to|near) (?:me|us|you|(?:the )?(?:robot|viewer|camera|observer|spectator))|nearest|closest",
+    "front": "(?:(?:to|towards?|at|on|facing|in) )?(?:the )?(?:front|near)(?: side| edge| end)?(?: of the TABLE)?|(?:(?:towards?|to|facing|at|nearest|nearest to|closest to|near) )?(?:me|us|you|(?:the )?(?:robot|viewer|camera|observer|spectator))|nearest|closest",
     "back": "(?:(?:to|towards?|at|on|facing|in) )?(?:the )?(?:back|rear|far)(?: side| edge| end)?(?: of the TABLE)?|away(?: from (?:me|us|you|(?:the )?(?:robot|viewer|camera|observer|spectator)))?|backwards?|(?:farthest|furthest)(?: away)?(?: from (?:me|us|you|the (?:robot|viewer|camera)))?",
     "top": "(?:(?:at|to|towards?|on) )?(?:the )?top|up(?:wards?)?",
 }  # fmt: skip
@@ -146,6 +151,8 @@ _PART_OF = {
 WAYS: list[Pattern] = [
     *(found for part, names in _PART_OF.items() for side, toward in _TOWARD.items()
       for found in patterns("way", (part, side), f"(?:(?:and |with |so that )?(?:its|the|whose|a) )?(?:{names})(?: end)?(?: of {_IT})? {_POINTS}(?:{toward})")),
+    *patterns("way", ("any", ""), "(?:in |with )?(?:any|whichever|whatever|some) (?:orientation|direction|way|rotation|way round|way around)(?: (?:will do|(?:BE|is) (?:fine|ok|okay|good|allowed)|you like))?",
+        "(?:the )?(?:orientation|direction|rotation) (?:(?:BE|is) up to you|does not matter|(?:BE|is) (?:free|open))", "(?:it|this|that) (?:may|can) be (?:turned|rotated|oriented) (?:(?:in )?any way|any way round|as you like|anyhow|freely)"),
     *patterns("way", ("all", "upright"), "(?:(?:that|which) )?(?:BE )?(?:upright|right way up|the right way up|readable)(?= [,.;]| and )", "upright(?= letter| capital| [TLUV] )"),
     *(found for side in ("left", "right") for found in patterns("way", ("foot", side),
         f"(?:(?:its|the) )?foot (?:BE )?(?:at|on|in) the (?:near|bottom|lower|front)(?: end| side| edge)? {_POINTS}(?:{_TOWARD[side]})")),
@@ -162,7 +169,7 @@ WAYS: list[Pattern] = [
 
 _OF_IT = f"(?: of {_IT})?"
 _PLACES = {
-    "center": (f"(?:BE )?(?:right |exactly |directly |placed |set |put )?(?:in|at|as|for|into|forming) (?:(?:the|its|a|her) )?(?:very |exact |dead )?(?:middle|center|heart|core|hub|crossing)(?: BLOCK| one| piece| point| position)?{_OF_IT}(?! of the TABLE| row)",
+    "center": (f"(?:BE )?(?:right |exactly |directly |placed |set |put )?(?:in|at|as|for|into|forming) (?:(?:the|its|a|her) )?(?:very |exact |dead )?(?:middle|center|heart|core|hub|crossing|hole)(?: BLOCK| one| piece| point| position)?{_OF_IT}(?! of the TABLE| row)",
                f"(?:(?:the|its|a|whose) )?(?:middle|center|central|heart|core|hub)(?: BLOCK| one| piece)?(?! of the TABLE| row){_OF_IT}",
                f"(?:BE )?(?:inside|within)(?: (?:of )?{_IT})?", "(?:BE )?(?:in )?between(?: them)?", "dead center"),
     "around": ("(?:BE )?(?:all )?(?:a?round|surrounding)(?: (?:it|them|that|this|the (?:middle|center)(?: BLOCK| one)?|the one in the (?:middle|center)|that one))?(?: on (?:all|its|the) (?:4 )?sides)?(?! (?:an?|the|NUM|this) )(?! COLOR)",
@@ -175,10 +182,12 @@ _PLACES = {
     "bar": (f"(?:BE )?(?:(?:in|at|as|for|on|across|forming|along) )?(?:(?:the|its|whose|a) )?{_BAR}{_OF_IT}", "(?:BE )?across"),
     "stem": (f"(?:BE )?(?:(?:in|at|as|for|forming) )?(?:(?:the|its|whose|a) )?{_STEM}{_OF_IT}", "(?:BE )?down(?:wards)? (?:in )?the (?:middle|center)", "(?:BE )?(?:below|underneath|beneath|under it|below it)(?= [,.;])"),
     "tip": (f"(?:BE )?(?:(?:in|at|as|for|on|forming) )?(?:(?:the|its|whose|a) )?(?:tip|point|apex|peak)(?: BLOCK)?{_OF_IT}",),
-    "rest": ("(?:all )?(?:of )?(?:the |its )?(?:rest|others|remainder|remaining (?:ones|BLOCK)|other (?:ones|BLOCK))(?: of (?:it|them))?", "everything else", "(?:all )?other BLOCK"),
+    "rest": ("(?:all )?(?:of )?(?:the |its )?(?:rest|others|remainder|remaining (?:ones|BLOCK)|other (?:ones|BLOCK))(?: of (?:it|them))?", "everything else", "everywhere else|elsewhere|all around it", "(?:all )?other BLOCK"),
 }  # fmt: skip
 PLACES: list[Pattern] = [
     *(found for place, texts in _PLACES.items() for found in patterns("place", place, *texts)),
+    *(found for place in ("center", "corners", "tip", "bar") for text in _PLACES[place]
+      for found in patterns("place", place, f"(?:the )(?:BLOCK|ones?)(?: (?:that|which) BE)? (?:{text})")),
     *(found for place, texts in _PLACES.items() if place != "rest" for text in texts
       for found in patterns("part", lambda m, place=place: (place, number(m["many"])),
         f"(?P<many>NUM)(?: BLOCK)?(?: of (?:them|these))?(?: more| others?)? (?:goes |go |comes |come |on |placed )?(?:{text})")),
@@ -209,15 +218,17 @@ LOOKS: list[Pattern] = [
         "(?:each|every)(?: one| of them| BLOCK)? (?:BE )?(?:has |of |in |with )?(?:its own|another|a color of its own)(?: color)?", "no 2 (?:BLOCK )?(?:of|in|have|with) the same color"),
 ]  # fmt: skip
 
-OWN_BREAKS: list[Pattern] = patterns("break", None, r"[()]", ", and|, with|, where|, but|, while|: with")
+OWN_BREAKS: list[Pattern] = patterns("break", None, r"[()]", ",? ?(?:and )?(?:so that|such that|in such a way that|in a way that)", ", and|, with|, where|, but|, while|: with")
 EXCEPT: list[Pattern] = patterns("except", None, r"but(?: for)?", r"except(?: for)?|apart from|save for|other than", ", (?:but|except(?: for)?)")
 OWN_GLUE: list[Pattern] = [
-    *patterns("glue", None, "so that|such that|in such a way that|in a way that|so|to make|to give|that together|which together|together"),
-    *patterns("glue", None, "(?:and )?nowhere else|do|dream of|imagine|picture|in plan|plan|forming|be used|used|used for|(?:that |which )?be (?:formed|made|built|laid|shaped)|also|ordinary|given|"
+    *patterns("glue", None, "standing|placed|sitting|lying|making|arranged|sits?|rests?|so|to make|to give|that together|which together|together"),
+    *patterns("glue", None, "(?:and )?nowhere else|do|dream of|imagine|picture|in plan|plan|forming|be used|used|used for|(?:that |which )?be (?:formed|made|built|laid|shaped)(?: of| from| by| with| out of)?|also|ordinary|given|"
         "some|so|love|been|have|down|altogether|overall|in total|in all|total|they|together they|flat|lying flat|laid flat|lying|laid|out|out of|'s|exactly|there|here|its|whose|their", ", (?:which|that) (?:BE)"),
     *patterns("glue", None, "(?:in |into |to |like |as )?(?:an? |the )?(?:shape|form|figure|pattern|arrangement|formation|layout|letter)(?: (?:of|like|:))?(?: an?| the)?"),
     *patterns("glue", None, "(?:the |these |all the |all these |my |your )?(?:BLOCK)(?= (?:form|make|should|must|shall|are|stand|lie|in|as|into|on|to)\\b)"),
-    *patterns("glue", None, "only(?= [,.;!])", "take|grab", "(?:it|they) (?:looks?|becomes?|makes?|forms?|should|shall|must)(?: like)?"),
+    *patterns("glue", None, "only(?= [,.;!])", "take|grab", "by",
+        "(?:arrange|put|place|lay|set|use|form|make|bring|organize)(?: out)? (?:them|these)(?: all| out)?", "(?:could|can|would|will|should|shall|must) the robot(?: please| kindly)?",
+        "(?:one|a single|single)(?= (?:circle|ring|square|plus|cross|triangle|rectangle|letter|[TLUV])\\b)", "(?:it|they) (?:looks?|becomes?|makes?|forms?|should|shall|must)(?: like)?"),
     *patterns("glue", None, "(?:(?:there|here) (?:are|is)|(?:we|i|you) have)", "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", "for which",
         "all the way (?:a?round)"),
     *patterns("glue", None, "(?:a?round)(?= in (?:a )?(?:circle|ring))", "shape|draw|makes|shaped|pattern|color|colored|in color|colour"),

@@ -76,47 +76,14 @@ def _value(pieces: Sequence[Piece], kind: str) -> Any:
 
 def _sided(pieces: Sequence[Piece], shape: str, filled: str, total: int | None) -> Sized:
     """A square, rectangle or triangle, filled or not."""
-    dims, side, rows, base = (_value(pieces, kind) for kind in ("dims", "side", "rows", "base"))
     name = {"hollow": f"the outline of a {shape}", "filled": f"a filled {shape}", "": f"a {shape}"}[filled]
     if shape == "triangle":
-        sides = {side} if side else set()
-        sides |= {base[0]} if base else set()
-        if rows:
-            n = len(rows)
-            if rows not in ([*range(1, n + 1)], [*range(n, 0, -1)]) or filled == "hollow":
-                raise Unclear
-            sides, filled, name = sides | {n}, "filled", "a filled triangle"
-        if len(sides) > 1:
-            raise Unclear
-        if not sides:
-            return Sized(name, "", total)
-        n = sides.pop()
-        if n > 3 and not filled and total is None:
-            raise Unclear
-        found = _agreed(total, *([3 * n - 3] if filled != "filled" else []), *([n * (n + 1) // 2] if filled != "hollow" else []))
-        return Sized(name, f" with {n} blocks per side", found)
-    if rows:
+        return _triangle(pieces, name, filled, total)
+    if one(pieces, "rows"):
         raise Unclear
     if shape == "square":
-        sides = {side} if side else set()
-        if dims:
-            if dims[1] != dims[2]:
-                raise Unclear
-            sides |= {dims[1]}
-        if not sides:
-            return Sized(name, "", total)
-        if len(sides) > 1:
-            raise Unclear
-        n = sides.pop()
-        if n < (3 if filled == "hollow" and dims else 2):
-            raise Unclear
-        if not filled:
-            if total is None:
-                filled = "filled" if dims else "hollow"
-            else:
-                filled = "filled" if total == n * n else "hollow"
-        found = _agreed(total, n * n if filled == "filled" else 4 * n - 4)
-        return Sized(f"a filled {n}x{n} square" if filled == "filled" else f"a hollow {n}x{n} square", "", found)
+        return _square(pieces, name, filled, total)
+    dims = _value(pieces, "dims")
     if not dims:
         return Sized(name, "", total)
     how, a, b = dims
@@ -124,11 +91,53 @@ def _sided(pieces: Sequence[Piece], shape: str, filled: str, total: int | None) 
         raise Unclear
     if not filled and (total is None or how == "sides"):
         filled = "hollow" if how == "sides" else "filled"
-    found = _agreed(total, *([a * b] if filled != "hollow" else []), *([2 * (a + b) - 4] if filled != "filled" else []))
+    solid, hollow = [a * b] if filled != "hollow" else [], [2 * (a + b) - 4] if filled != "filled" else []
+    found = _agreed(total, *solid, *hollow)
     filled = "filled" if found == a * b else "hollow"
     if how == "x":
         return Sized(f"a {filled} {a}x{b} rectangle", "", found)
-    return Sized(f"a {filled} rectangle", f", {a} blocks wide and {b} blocks deep," if how == "wide" else f", {a} blocks long and {b} blocks wide,", found)
+    across = f", {a} blocks wide and {b} blocks deep," if how == "wide" else f", {a} blocks long and {b} blocks wide,"
+    return Sized(f"a {filled} rectangle", across, found)
+
+
+def _triangle(pieces: Sequence[Piece], name: str, filled: str, total: int | None) -> Sized:
+    """A triangle, by its sides or rows."""
+    side, rows, base = (_value(pieces, kind) for kind in ("side", "rows", "base"))
+    sides = {side} if side else set()
+    sides |= {base[0]} if base else set()
+    if rows:
+        n = len(rows)
+        if rows not in ([*range(1, n + 1)], [*range(n, 0, -1)]) or filled == "hollow":
+            raise Unclear
+        sides, filled, name = sides | {n}, "filled", "a filled triangle"
+    if len(sides) > 1:
+        raise Unclear
+    if not sides:
+        return Sized(name, "", total)
+    n = sides.pop()
+    if n > 3 and not filled and total is None:
+        raise Unclear
+    solid, hollow = [n * (n + 1) // 2] if filled != "hollow" else [], [3 * n - 3] if filled != "filled" else []
+    return Sized(name, f" with {n} blocks per side", _agreed(total, *hollow, *solid))
+
+
+def _square(pieces: Sequence[Piece], name: str, filled: str, total: int | None) -> Sized:
+    """A square, by its sides."""
+    dims, side = _value(pieces, "dims"), _value(pieces, "side")
+    sides = {side} if side else set()
+    if dims:
+        if dims[1] != dims[2]:
+            raise Unclear
+        sides |= {dims[1]}
+    if not sides:
+        return Sized(name, "", total)
+    n = sides.pop()
+    if sides or n < (3 if filled == "hollow" and dims else 2):
+        raise Unclear
+    if not filled:
+        filled = "filled" if (dims if total is None else total == n * n) else "hollow"
+    found = _agreed(total, n * n if filled == "filled" else 4 * n - 4)
+    return Sized(f"a {filled} {n}x{n} square", "", found)
 
 
 def _armed(pieces: Sequence[Piece], shape: str, total: int | None) -> Sized:
@@ -144,7 +153,11 @@ def _armed(pieces: Sequence[Piece], shape: str, total: int | None) -> Sized:
         found = _agreed(total, 4 * arm + 1, *([] if apart else [4 * arm - 3]))
         arm = (found - 1) // 4
         return Sized(name, f" with each arm of {arm} block{'s' if arm > 1 else ''}", found)
-    if total is None or shape == "X" and total != 4 * arm + 1 or shape == "V" and total not in (2 * arm - 1, 2 * arm + 1):
+    if (
+        total is None
+        or (shape == "X" and total != 4 * arm + 1)
+        or (shape == "V" and total not in (2 * arm - 1, 2 * arm + 1))
+    ):
         raise Unclear
     return Sized(name, "", total)
 
@@ -199,7 +212,11 @@ def _ell(pieces: Sequence[Piece], total: int | None) -> Sized:
     along = _value(pieces, "along")
     if along:
         limbs["along"] = along[:2]
-    if [bool(limbs), arm is not None, dims is not None].count(True) > 1 or {"long", "up"} <= set(limbs) or {"short", "along"} <= set(limbs):
+    if (
+        [bool(limbs), arm is not None, dims is not None].count(True) > 1
+        or {"long", "up"} <= set(limbs)
+        or {"short", "along"} <= set(limbs)
+    ):
         raise Unclear
     shared = one(pieces, "shared") is not None
     if one(pieces, "equal") and arm is None:
@@ -219,7 +236,7 @@ def _ell(pieces: Sequence[Piece], total: int | None) -> Sized:
         raise Unclear
     if not wide:
         return Sized("an L", f" with a long arm of {high} blocks", total)
-    if more or arm is not None and not shared:
+    if more or (arm is not None and not shared):
         possible = [high + wide]
     else:
         loose = total and not shared and "along" in limbs
@@ -240,7 +257,7 @@ def _you(pieces: Sequence[Piece], total: int | None) -> Sized:
     limbs, arm, dims = _limbs(pieces), _value(pieces, "arm"), _value(pieces, "dims")
     wide = limbs.pop("short", limbs.pop("bar", limbs.pop("along", (None, False))))[0]
     deep = limbs.pop("long", limbs.pop("stem", limbs.pop("up", (arm, False))))[0]
-    if limbs or dims and (wide or deep):
+    if limbs or (dims and (wide or deep)):
         raise Unclear
     side = _value(pieces, "side")
     if side and not (dims or wide or deep):
@@ -261,6 +278,8 @@ def _you(pieces: Sequence[Piece], total: int | None) -> Sized:
             raise Unclear
         ((wide, deep),) = fitting.items()
         return Sized("a U", f", {wide} blocks wide and {deep} blocks deep,", total)
-    exact = _agreed(total, *{wide + 2 * (deep - 1), *([wide + 2 * deep] if total and not one(pieces, "shared") else [])})
+    exact = _agreed(
+        total, *{wide + 2 * (deep - 1), *([wide + 2 * deep] if total and not one(pieces, "shared") else [])}
+    )
     deep = (exact - wide) // 2 + 1
     return Sized("a U", f", {wide} blocks wide and {deep} blocks deep,", exact)

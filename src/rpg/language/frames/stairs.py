@@ -21,7 +21,8 @@ _LIST = rf"(?:{_HEIGHT}(?:(?:{_SEP})? {_HEIGHT}){{2,}}|{_HEIGHT}{_SEP} {_HEIGHT}
 _RISE = (
     "(?:(?:that|which|it|should|must|shall|has to|and) )*(?:(?:BE|that is|which is) )?"
     "(?:rising|rises?|going up|goes? up|climbing|climbs?|climb up|climbing up|ascending|ascends?|leading up|leads? up|"
-    "ascend|climb|running up|runs? up|stepping up|steps? up|walking up|growing|grows?|mounting|mounts?|upwards?|up|uphill|"
+    "ascend|climb|running up|runs? up|stepping up|steps? up|walking up|growing|grows?|mounting|mounts?|upwards?|up|"
+    "uphill|"
     "get higher|gets higher|getting higher)"
 )
 _FALL = (
@@ -48,7 +49,9 @@ _AT = "(?:BE )?(?:(?:on|at|to|towards?) )(?:the |its |my )?"
 def _toward(side: str) -> str:
     """Words for a direction."""
     other = _OVER[side]
-    ways = f"(?:to|towards?) (?:the |my )?{_SIDES[side]}(?! of)|from (?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"
+    ways = (
+        f"(?:to|towards?) (?:the |my )?{_SIDES[side]}(?! of)|from (?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"
+    )
     ways += f"|{side}wards?" if side in ("left", "right") else ""
     ways += {"back": f"|{_AWAY}", "front": f"|towards? {_NEAR}"}.get(side, "")
     return f"(?:{ways})"
@@ -86,7 +89,8 @@ PATTERNS: list[Pattern] = [
     *BREAKS,
     *GLUE,
     *patterns("figure", "staircase",
-        "(?:(?:flight|set|row) of )?(?:stairs?|stairways?|staircases?|stair case)(?: (?:shape|shaped|form|formation|structure|"
+        "(?:(?:flight|set|row) of )?(?:stairs?|stairways?|staircases?|stair case)(?: (?:shape|shaped|form|"
+        "formation|structure|"
         "figure|pattern))?", "(?:flight|set) of steps", "steps(?! (?:of )?(?:the|which))"),
     *_counts(
         f"(?:in )?(?P<count>NUM) (?:BLOCK )?{_STEP}(?! (?:high|tall))", "steps : (?P<count>NUM)(?! ,)(?! BLOCK ,)",
@@ -103,11 +107,13 @@ PATTERNS: list[Pattern] = [
         rf"(?:(?:with|in|of|the|its|whose) )*(?:{_COLUMN} )?(?:(?:BE|has|have|having|with|of|in) )*(?:the )?heights?"
         rf"(?: (?:BE|of|:))*(?: (?:steps?|columns?))? (?P<list>{_LIST})",
         rf"(?:(?:with|in|of|the|its|whose) )*{_COLUMN}(?: (?:BE|has|have|having|with|of|:))* (?P<list>{_LIST})",
-        rf"(?P<list>(?:the )?first(?: {_STEP})? {_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the )?(?:second|third|fourth|next|last)(?: {_STEP})? {_BE}{_HEIGHT})+)",
+        f"(?P<list>(?:the )?first(?: {_STEP})? {_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the )?(?:second|third|fourth|next|"
+        f"last)(?: {_STEP})? {_BE}{_HEIGHT})+)",
         rf"(?:of |with |in )?(?P<list>{_LIST})(?: in (?:height|each))?(?: per {_STEP})?"),
     *_WAYS,
     *patterns("place", "over it",
-        f"(?:BE )?(?:on|onto|on top of|upon|atop|at the top of) (?:the|its|this) (?:very )?(?:highest|tallest|top|topmost|last) {_STEP}(?: of (?:it|the stairs?|the staircase))?"),
+        "(?:BE )?(?:on|onto|on top of|upon|atop|at the top of) (?:the|its|this) (?:very )?(?:highest|tallest|top|"
+        f"topmost|last) {_STEP}(?: of (?:it|the stairs?|the staircase))?"),
     *patterns("place", "highest step", f"(?:(?:in|at|as|for) )?{_THE}(?:highest|tallest|top|topmost|biggest) {_STEP}"),
     *patterns("place", "lowest step", f"(?:(?:in|at|as|for) )?{_THE}(?:lowest|shortest|smallest|bottom) {_STEP}"),
     *patterns("place", "middle step", f"(?:(?:in|at|as|for) )?{_THE}(?:middle|center) {_STEP}",
@@ -118,22 +124,28 @@ PATTERNS: list[Pattern] = [
         f"remaining BLOCK|remainder|other {_STEP}|remaining {_STEP})(?: of (?:it|them))?", "everything else"),
     *patterns("lot", None, "(?:all|every one|each one|everything|each BLOCK|every BLOCK)(?: of (?:them|these|it|the "
         "BLOCK)| BLOCK)?(?: (?:BE|in))? (?P<color>COLOR)(?! (?:except|apart|save))"),
-    *patterns("lot", None, "(?:in )?(?:all |only |just |completely |entirely )(?:in )?(?P<color>COLOR)(?: throughout)?"),
-    *patterns("then", None, "(?:,|;)?(?: and)? ?(?:then|next|after that|finally)", ", (?:then|next|finally)", "and (?:then|finally)"),
+    *patterns("lot", None,
+        "(?:in )?(?:all |only |just |completely |entirely )(?:in )?(?P<color>COLOR)(?: throughout)?"),
+    *patterns("then", None, "(?:,|;)?(?: and)? ?(?:then|next|after that|finally)", ", (?:then|next|finally)",
+        "and (?:then|finally)"),
     *patterns("own", None,
-        f"(?:with )?(?:each|every) {_STEP} (?:BE )?(?:has |have |having |of |with |in )?(?:its own|a different|another|one|a single|its) color(?: of its own)?",
-        f"(?:with )?(?:each|every) {_STEP} (?:BE )?(?:a |of |in )?(?:different|own) colors?", f"{_STEP} of different colors",
+        f"(?:with )?(?:each|every) {_STEP} (?:BE )?(?:has |have |having |of |with |in )?(?:its own|a different|"
+        "another|one|a single|its) color(?: of its own)?",
+        f"(?:with )?(?:each|every) {_STEP} (?:BE )?(?:a |of |in )?(?:different|own) colors?",
+        f"{_STEP} of different colors",
         f"one color (?:per|for each|for every|each) {_STEP}"),
     *patterns("break", None, "[()]", "except(?: for)?|apart from|save for|other than", ", which"),
     *patterns("glue", None, "high|tall|been|given|(?:there|here) (?:are|is)|(?:we|i|you) have|"
-        "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", f"(?:gets?|grows?|becomes?|rises?|goes up|going up) (?:by )?(?:one )?(?:BLOCK )?(?:higher |taller )?(?:with|at|for) (?:each|every) {_STEP}",
+        "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", "(?:gets?|grows?|becomes?|rises?|goes up|"
+        f"going up) (?:by )?(?:one )?(?:BLOCK )?(?:higher |taller )?(?:with|at|for) (?:each|every) {_STEP}",
         f"(?:{_RISE} )?(?:by )?one BLOCK (?:per|each|every) {_STEP}",
         f"(?:each|every) (?:{_STEP}|one) (?:BE )?(?:(?:by )?one (?:BLOCK )?)?(?:higher|taller)(?: by one BLOCK)? than "
         f"the (?:{_STEP} |one )?(?:before|last|previous|one before|last one|previous one)(?: it)?",
         "(?:going |growing |increasing )?(?:by )?one (?:BLOCK )?(?:more|higher|taller)? ?(?:each time|every time)"),
     *patterns("glue", None, "so that|such that|which|that|its|whose|only|used|up|out|side by side|adjoining|like|"
         "in total|total|color|itself|was|thinking of|thinking|imagine|picture|love|some|so|have|has been|have been|"
-        "verify that|check that|make sure that|sure|on|flat|beside each other|next to each other|neighboring|throughout|get|looks like|do|make|stacked|stack|pile|piled|ordinary|stacked into|rise"),
+        "verify that|check that|make sure that|sure|on|flat|beside each other|next to each other|neighboring|"
+        "throughout|get|looks like|do|make|stacked|stack|pile|piled|ordinary|stacked into|rise"),
 ]  # fmt: skip
 
 
@@ -165,7 +177,11 @@ def told(pieces: Sequence[Piece]) -> str:
     text += f" Put a {over[0]} block on top of the staircase." if over else ""
     rest = [(part, look) for part, look in parts if part != "over it"]
     said = [f"the {part} {'are' if part == 'rest' else 'is'} {look}" for part, look in rest]
-    text += f" {', '.join(said[:-1])}{' and ' if len(said) > 1 else ''}{said[-1]}.".replace(" the", " The", 1) if said else ""
+    text += (
+        f" {', '.join(said[:-1])}{' and ' if len(said) > 1 else ''}{said[-1]}.".replace(" the", " The", 1)
+        if said
+        else ("")
+    )
     where = one(pieces, "where")
     return f"{text} The staircase is {where.value}." if where else text
 
@@ -179,13 +195,19 @@ def _check_figure(pieces: Sequence[Piece]) -> None:
     at = [n for n, piece in enumerate(pieces) if piece.kind in ("figure", "steps", "heights")]
     figures = [n for n in at if pieces[n].kind == "figure"]
     named = [n for n in figures if pieces[n].words != "steps"]
-    if not named and not any("stairs" in pieces[n].words for n in at) and not (figures and (one_of(pieces, "heights") or one_of(pieces, "way"))):
+    if (
+        not named
+        and not any("stairs" in pieces[n].words for n in at)
+        and not (figures and (one_of(pieces, "heights") or one_of(pieces, "way")))
+    ):
         raise Unclear
-    again = [n for n in figures[1:] if pieces[n - 1].words not in ("the", "this", "that") and pieces[n].words != "steps"]
+    again = [
+        n for n in figures[1:] if pieces[n - 1].words not in ("the", "this", "that") and pieces[n].words != "steps"
+    ]
     if again or (figures and any("staircases" in pieces[n].words or "stairways" in pieces[n].words for n in figures)):
         raise Unclear
     ahead = [piece for piece in pieces[: at[0]] if piece.words not in ("a", "an")]
-    if [p.words for p in ahead] == ["the"] or [p.words for p in ahead[-1:]] == ["and"] and len(ahead) > 1:
+    if [p.words for p in ahead] == ["the"] or ([p.words for p in ahead[-1:]] == ["and"] and len(ahead) > 1):
         raise Unclear  # "the stairs are ..." may tell of now; "a red block and stairs" is more than stairs
     if [p.words for p in ahead[-1:]] in (["on"], ["onto"], ["to"]):
         raise Unclear
@@ -261,7 +283,9 @@ def _ordered(pieces: Sequence[Piece]) -> list[tuple[str, str]]:
         raise Unclear
     if sorted(counts) != [*range(1, len(lots) + 1)] or counts not in (sorted(counts), sorted(counts, reverse=True)):
         raise Unclear
-    return [(f"{nth} step", lot.look) for nth, lot in zip(_NTH, sorted(lots, key=lambda lot: lot.count or 0), strict=False)]
+    return [
+        (f"{nth} step", lot.look) for nth, lot in zip(_NTH, sorted(lots, key=lambda lot: lot.count or 0), strict=False)
+    ]
 
 
 def _looks(pieces: Sequence[Piece], steps: int | None, size: int | None) -> tuple[str, list[tuple[str, str]]]:

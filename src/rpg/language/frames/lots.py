@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
 
@@ -116,6 +116,21 @@ def check_listed(pieces: Sequence[Piece]) -> None:
     for together, run in groupby(pieces, lambda piece: piece.kind in ("lot", "break")):
         said = [piece.words if piece.kind == "break" else piece.kind for piece in run] if together else []
         if said[said.index("lot") :].count("and") > 1 if "lot" in said else False:
+            raise Unclear
+
+
+def check_owned(pieces: Sequence[Piece], parts: Collection[str]) -> None:
+    """What "has" so many blocks is the whole figure.
+
+    Raises:
+        Unclear: "its foot points to the right and has three blocks" tells of the foot; `parts` are such kinds.
+    """
+    before = ""
+    for piece, behind in pairwise(pieces):
+        if piece.kind not in ("glue", "break"):
+            before = piece.kind
+        owns = piece.kind == "glue" and piece.words in ("has", "have", "having", "contains", "contain", "containing")
+        if owns and before in parts and behind.kind in ("lot", "total"):
             raise Unclear
 
 

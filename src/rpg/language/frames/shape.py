@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.frames.lots import as_adjectives, check_listed, one
+from rpg.language.frames.lots import as_adjectives, check_listed, check_owned, one
 from rpg.language.frames.pieces import Piece, Unclear
-from rpg.language.frames.shape_blocks import blocks_of, by_side, parted, sum_of, total_of, with_limbs
+from rpg.language.frames.shape_blocks import blocks_of, by_side, each_side, parted, sum_of, total_of, with_limbs
 from rpg.language.frames.shape_looks import alternate, check_incomplete, colored, looks_of
 from rpg.language.frames.shape_sizes import sized
 from rpg.language.frames.shape_words import PATTERNS as PATTERNS
@@ -32,9 +32,12 @@ def told(pieces: Sequence[Piece]) -> str:
     """
     pieces = parted(as_adjectives(pieces))
     check_listed(pieces)
+    check_owned(pieces, ("way", "limb", "arm", "side", "place", "along", "base"))
     shape = _shape(pieces)
     if shape in ("square", "triangle", "L", "U"):
         pieces = by_side(pieces)
+    elif shape == "plus":
+        pieces = each_side(pieces)
     said = blocks_of(pieces, shape)
     _check_where(pieces)
     total, colors = one(pieces, "total"), one(pieces, "colors")
@@ -88,7 +91,8 @@ def _shape(pieces: Sequence[Piece]) -> str:
         raise Unclear
     last = ahead[-1] if ahead else ""
     makes = ("make", "build", "form", "create", "construct", "draw")
-    if last == "the" and (len(ahead) < 2 or ahead[-2] not in makes):
+    wished = first + 1 < len(pieces) and pieces[first + 1].words in ("should", "shall", "must")
+    if last == "the" and not wished and (len(ahead) < 2 or ahead[-2] not in makes):
         raise Unclear  # "the circle ..." tells of one that is there
     letter = len(shape) == 1 and last not in ("a", "an") and "shape" not in pieces[first].words
     if letter and last in ("put", "place", "set", "bring", "lay", "the"):

@@ -58,6 +58,11 @@ def parted(pieces: Sequence[Piece]) -> list[Piece]:
     return found
 
 
+def each_side(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "On each side one white block": of the one in the middle."""
+    return [replace(p, kind="each", value="around") if p.kind == "per" and p.words[:2] == "on" else p for p in pieces]
+
+
 def by_side(pieces: Sequence[Piece]) -> list[Piece]:
     """ "Three red blocks along each side": so many blocks has a side, and all are red."""
     found: list[Piece] = []

@@ -69,7 +69,7 @@ _PLACES = {
     "center": ("(?:BE )?(?:right |exactly |directly |placed |set |put )?(?:in|at|as|for|into|forming) (?:(?:the|"
     "its|a|her) )?(?:very |exact |dead )?(?:middle|center|heart|core|hub|crossing|hole)(?: BLOCK| one| piece| "
     f"point| position)?{_OF_IT}(?! of the TABLE| row)",
-               "(?:(?:the|its|a|whose) )?(?:middle|center|central|heart|core|hub)(?: BLOCK| one| piece)?(?! of "
+               "(?:(?:the|its|a|whose) )?(?:middle|center|central|heart|core|hub|inner(?= (?:BLOCK|one) ))(?: BLOCK| one| piece)?(?! of "
                f"the TABLE| row){_OF_IT}",
                f"(?:BE )?(?:inside|within)(?: (?:of )?{IT})?", "(?:BE )?(?:in )?between(?: them)?", "dead center"),
     "around": ("(?:BE )?(?:all )?(?:a?round|surrounding)(?: (?:it|them|that|this|the (?:middle|center)(?: BLOCK| "
@@ -90,7 +90,7 @@ _PLACES = {
     "tip": (
     f"(?:BE )?(?:(?:in|at|as|for|on|forming) )?(?:(?:the|its|whose|a) )?(?:tip|point|apex|peak)(?: BLOCK)?{_OF_IT}",),
     "rest": ("(?:all )?(?:of )?(?:the |its )?(?:rest|others|remainder|remaining (?:ones|BLOCK)|other (?:ones|"
-    "BLOCK))(?: of (?:it|them))?", "everything else", "everywhere else|elsewhere|all around it",
+    "BLOCK))(?: of (?:it|them))?", "everything else", "everywhere else|elsewhere",
     "(?:all )?other BLOCK"),
 }  # fmt: skip
 PLACES: list[Pattern] = [
@@ -114,7 +114,7 @@ PLACES: list[Pattern] = [
     *patterns("pivot", "around", "(?:BE |all |placed |arranged |set |put )*(?:a?round|surrounding|surround|"
         "surrounds|encircling|encircle|encircles|enclosing)"),
     *patterns("pivot", "within",
-        "(?:(?:that |which )?(?:BE )?)?(?:surrounded|encircled|enclosed|ringed|framed) (?:by|with)"),
+        "(?:(?:that |which )?(?:BE )?)?(?:surrounded|encircled|enclosed|ringed|framed)(?: on (?:all|its|all its)(?: 4)? sides)? (?:by|with)"),
 ]  # fmt: skip
 """Kinds "place", "part" (a place with a number of blocks) and "pivot" (what stands before it is around what stands
 behind it, or "within")."""

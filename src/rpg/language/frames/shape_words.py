@@ -34,7 +34,7 @@ FILL: list[Pattern] = [
         "an) (?:square|triangle|rectangle)\\b)",
         "(?:(?:just|only) )?(?:the |an |a )?(?:outline|contour|perimeter|boundary|frame|outer line|edges)(?: "
         r"only)?(?: (?:of|for))?(?: an?| the)?(?= (?:square|rectangle|triangle|rectangular|triangular)\b)",
-        "(?:just|only) (?:the |its |an )?(?:outline|contour|border|edges|frame|perimeter)",
+        "(?:just|only) (?:the |its |an )?(?:outline|contour|border|edges?|frame|perimeter)",
         "(?:the |an |in )?outline(?: only)?",
         "(?:outline|edges|border|frame) only", "hollow|unfilled|outlined", "frame",
         "(?:(?:and |with )?(?:the |its |whose )?(?:inside|interior|inner part|middle|center|hole|space inside)(?: "
@@ -59,6 +59,7 @@ FILL: list[Pattern] = [
 ]  # fmt: skip
 
 LOOKS: list[Pattern] = [
+    *patterns("lot", None, "(?P<count>NUM) x (?P<color>COLOR)(?: BLOCK)?"),
     *patterns("any", True, "(?:, )?(?:of |in )?(?:any|whatever|whichever|any old) colors?(?: at all| you like| you "
         "want)?(?: (?:(?:BE|are|is) )?(?:fine|ok|okay|good|allowed|will do|works|goes))?",
         "(?:the )?colors? (?:does|do|is|are) (?:not (?:matter|important)|unimportant|free)",
@@ -105,7 +106,7 @@ OWN_GLUE: list[Pattern] = [
         "formation|layout|letter)(?: (?:of|like|:))?(?: an?| the)?"),
     *patterns("glue", None, "(?:the |these |all the |all these |my |your )?(?:BLOCK)(?= (?:form|make|should|must|"
         "shall|are|stand|lie|in|as|into|on|to)\\b)"),
-    *patterns("glue", None, "only(?= [,.;!])", "take|grab", "by",
+    *patterns("glue", None, "only(?= [,.;!])", "take|grab", "needed|are needed", "by",
         "(?:arrange|put|place|lay|set|use|form|make|bring|organize)(?: out)? (?:them|these)(?: all| out)?",
         "(?:could|can|would|will|should|shall|must) the robot(?: please| kindly)?",
         "(?:one|a single|single)(?= (?:circle|ring|square|plus|cross|triangle|rectangle|letter|[TLUV])\\b)",

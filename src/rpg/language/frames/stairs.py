@@ -5,7 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.frames.lots import LOTS, Lot, as_adjectives, check_listed, counted, lot_of, one, placed_lots
+from rpg.language.frames.lots import (
+    LOTS,
+    Lot,
+    as_adjectives,
+    check_listed,
+    check_owned,
+    counted,
+    lot_of,
+    one,
+    placed_lots,
+)
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
@@ -49,9 +59,7 @@ _AT = "(?:BE )?(?:(?:on|at|to|towards?) )(?:the |its |my )?"
 def _toward(side: str) -> str:
     """Words for a direction."""
     other = _OVER[side]
-    ways = (
-        f"(?:to|towards?) (?:the |my )?{_SIDES[side]}(?! of)|from (?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"
-    )
+    ways = f"(?:to|towards?) (?:the |my )?{_SIDES[side]}(?! of)|(?:from )?(?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"
     ways += f"|{side}wards?" if side in ("left", "right") else ""
     ways += {"back": f"|{_AWAY}", "front": f"|towards? {_NEAR}"}.get(side, "")
     return f"(?:{ways})"
@@ -77,6 +85,9 @@ _WAYS = [
             f"{_toward(side)} (?:upwards?|up)",
             f"{_THE}{_HIGH}{_END} (?:{_AT})?(?:very |far )?{_SIDES[side]}",
             f"{_THE}{_LOW}{_END} (?:{_AT})?(?:very |far )?{_SIDES[other]}"),
+        *patterns("top", lambda match, side=side: (number(match["count"]), side),
+            f"{_THE}{_HIGH}{_END} {_AT}(?:very )?{_SIDES[side]}(?: ,)? and (?:BE|has|counts) (?P<count>NUM)(?: BLOCK)?"
+            "(?: high| tall)?(?! COLOR)"),
         *patterns("order", side, f"(?:counted |listed |read |told )?{_toward(side)}(?= [,:]| (?:one|NUM|a) )",
             f"(?:{_LOW} to {_HIGH} )?from (?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"),
         *patterns("end", lambda match, side=side: (number(match["count"]), side),
@@ -107,7 +118,7 @@ PATTERNS: list[Pattern] = [
         rf"(?:(?:with|in|of|the|its|whose) )*(?:{_COLUMN} )?(?:(?:BE|has|have|having|with|of|in) )*(?:the )?heights?"
         rf"(?: (?:BE|of|:))*(?: (?:steps?|columns?))? (?P<list>{_LIST})",
         rf"(?:(?:with|in|of|the|its|whose) )*{_COLUMN}(?: (?:BE|has|have|having|with|of|:))* (?P<list>{_LIST})",
-        f"(?P<list>(?:the )?first(?: {_STEP})? {_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the )?(?:second|third|fourth|next|"
+        f"(?P<list>(?:the |its )?first(?: {_STEP})? {_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the |its )?(?:second|third|fourth|next|"
         f"last)(?: {_STEP})? {_BE}{_HEIGHT})+)",
         rf"(?:of |with |in )?(?P<list>{_LIST})(?: in (?:height|each))?(?: per {_STEP})?"),
     *_WAYS,
@@ -135,6 +146,7 @@ PATTERNS: list[Pattern] = [
         f"{_STEP} of different colors",
         f"one color (?:per|for each|for every|each) {_STEP}"),
     *patterns("break", None, "[()]", "except(?: for)?|apart from|save for|other than", ", which"),
+    *patterns("glue", None, "needed|are needed", f"{_RISE}(?= [:,.])"),
     *patterns("glue", None, "high|tall|been|given|(?:there|here) (?:are|is)|(?:we|i|you) have|"
         "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", "(?:gets?|grows?|becomes?|rises?|goes up|"
         f"going up) (?:by )?(?:one )?(?:BLOCK )?(?:higher |taller )?(?:with|at|for) (?:each|every) {_STEP}",
@@ -160,6 +172,7 @@ def told(pieces: Sequence[Piece]) -> str:
     """
     pieces = as_adjectives(pieces)
     check_listed(pieces)
+    check_owned(pieces, ("way", "low", "place", "end"))
     _check_figure(pieces)
     steps = _steps(pieces)
     total = one(pieces, "total")
@@ -216,6 +229,7 @@ def _check_figure(pieces: Sequence[Piece]) -> None:
 def _steps(pieces: Sequence[Piece]) -> int | None:
     """How many steps there are, by all that tells it."""
     found: set[int] = {piece.value for piece in pieces if piece.kind == "steps"}
+    found |= {piece.value[0] for piece in pieces if piece.kind == "top"}
     for piece in pieces:
         if piece.kind == "heights":
             heights = piece.value
@@ -243,6 +257,7 @@ def _way(pieces: Sequence[Piece]) -> str:
         Unclear: it rises two ways, or blocks are listed in an order of which nothing is said.
     """
     ways = {piece.value for piece in pieces if piece.kind == "way"}
+    ways |= {piece.value[1] for piece in pieces if piece.kind == "top"}
     ends = [piece.value for piece in pieces if piece.kind == "end"]
     ways |= {max(ends)[1]} if ends else set()
     order = one(pieces, "order")

@@ -52,7 +52,9 @@ SIZES: list[Pattern] = [
         r"(?:in )?rows of (?:(?:\d+|one|single)(?: BLOCK)?(?: ,)?(?: and| then| and then)? )+(?:\d+|one)(?: BLOCK)?"),
     *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|one", m[0])],
         f"NUM(?: BLOCK)?{_ROW}(?:(?: ,| then| and)+ NUM(?: BLOCK)?{_ROW}){{2,}}"),
-    *patterns("per", True, f"(?:per|on|along|in|for|at|to|down|each|every) (?:{_EACH} )?{_SIDE}",
+    *patterns("per", True,
+        f"(?:per|on|along|in|for|at|to|down) (?:(?:each|every|both|all)(?: of)?(?: the| its)?(?: [234])? ){_SIDE}",
+        f"(?:per|each|every) {_SIDE}",
         f"(?:on|along|to|at) a {_SIDE}"),
     *patterns("arm", lambda m: number(m["count"]),
         f"(?:with |and |so that )?(?:{_EACH} |(?:(?:the|its|with its) )?(?:[234] )?(?:equal )?)(?:arms?|legs?|"

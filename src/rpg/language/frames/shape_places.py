@@ -69,7 +69,8 @@ _PLACES = {
     "center": ("(?:BE )?(?:right |exactly |directly |placed |set |put )?(?:in|at|as|for|into|forming) (?:(?:the|"
     "its|a|her) )?(?:very |exact |dead )?(?:middle|center|heart|core|hub|crossing|hole)(?: BLOCK| one| piece| "
     f"point| position)?{_OF_IT}(?! of the TABLE| row)",
-               "(?:(?:the|its|a|whose) )?(?:middle|center|central|heart|core|hub|inner(?= (?:BLOCK|one) ))(?: BLOCK| one| piece)?(?! of "
+               "(?:(?:the|its|a|whose) )?(?:middle|center|central|heart|core|hub|inner(?= (?:BLOCK|one) ))(?: "
+               "BLOCK| one| piece)?(?! of "
                f"the TABLE| row){_OF_IT}",
                f"(?:BE )?(?:inside|within)(?: (?:of )?{IT})?", "(?:BE )?(?:in )?between(?: them)?", "dead center"),
     "around": ("(?:BE )?(?:all )?(?:a?round|surrounding)(?: (?:it|them|that|this|the (?:middle|center)(?: BLOCK| "
@@ -114,7 +115,8 @@ PLACES: list[Pattern] = [
     *patterns("pivot", "around", "(?:BE |all |placed |arranged |set |put )*(?:a?round|surrounding|surround|"
         "surrounds|encircling|encircle|encircles|enclosing)"),
     *patterns("pivot", "within",
-        "(?:(?:that |which )?(?:BE )?)?(?:surrounded|encircled|enclosed|ringed|framed)(?: on (?:all|its|all its)(?: 4)? sides)? (?:by|with)"),
+        "(?:(?:that |which )?(?:BE )?)?(?:surrounded|encircled|enclosed|ringed|framed)(?: on (?:all|its|all "
+        "its)(?: 4)? sides)? (?:by|with)"),
 ]  # fmt: skip
 """Kinds "place", "part" (a place with a number of blocks) and "pivot" (what stands before it is around what stands
 behind it, or "within")."""

@@ -118,7 +118,8 @@ PATTERNS: list[Pattern] = [
         rf"(?:(?:with|in|of|the|its|whose) )*(?:{_COLUMN} )?(?:(?:BE|has|have|having|with|of|in) )*(?:the )?heights?"
         rf"(?: (?:BE|of|:))*(?: (?:steps?|columns?))? (?P<list>{_LIST})",
         rf"(?:(?:with|in|of|the|its|whose) )*{_COLUMN}(?: (?:BE|has|have|having|with|of|:))* (?P<list>{_LIST})",
-        f"(?P<list>(?:the |its )?first(?: {_STEP})? {_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the |its )?(?:second|third|fourth|next|"
+        f"(?P<list>(?:the |its )?first(?: {_STEP})? {_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the |its )?(?:second|third|"
+        "fourth|next|"
         f"last)(?: {_STEP})? {_BE}{_HEIGHT})+)",
         rf"(?:of |with |in )?(?P<list>{_LIST})(?: in (?:height|each))?(?: per {_STEP})?"),
     *_WAYS,

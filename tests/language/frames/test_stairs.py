@@ -78,7 +78,7 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "three towers with heights 1, 2 and 3 from left to right",  # no stairs: they need not adjoin
         "staircase of three steps, not red",
         "a red block and a staircase of three steps",
-        "a staircase of three steps, five gray blocks, with a red one on the highest step",  # one of the six, or on top of them?
+        "a staircase of three steps, five gray blocks, with a red one on the highest step",  # is it on top of them?
         "The stairs rise to the left and have three steps",  # now, or in the end?
     ],
 )

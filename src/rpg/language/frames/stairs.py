@@ -59,7 +59,8 @@ _AT = "(?:BE )?(?:(?:on|at|to|towards?) )(?:the |its |my )?"
 def _toward(side: str) -> str:
     """Words for a direction."""
     other = _OVER[side]
-    ways = f"(?:to|towards?) (?:the |my )?{_SIDES[side]}(?! of)|(?:from )?(?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"
+    ways = f"(?:to|towards?) (?:the |my )?{_SIDES[side]}(?! of)"
+    ways += f"|(?:from )?(?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"
     ways += f"|{side}wards?" if side in ("left", "right") else ""
     ways += {"back": f"|{_AWAY}", "front": f"|towards? {_NEAR}"}.get(side, "")
     return f"(?:{ways})"

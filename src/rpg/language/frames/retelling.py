@@ -30,6 +30,8 @@ _BINDING = frozenset({
 """With these, sentences do not stand for themselves."""
 _ANY = re.compile(r"from \d+ blocks")
 """Blocks of no told look may be those that another sentence names."""
+_ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
+"""So many blocks may be all that the other sentence names."""
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -48,10 +50,10 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
         return
     parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
     for ahead, behind in reversed(parts):
-        if (first := plainly(ahead)) is not None and not _ANY.search(first):
+        if (first := plainly(ahead)) is not None and not _ANY.search(first) and not _ALL.search(_text(behind)):
             yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"
     for ahead, behind in parts:
-        if (last := plainly(behind)) is not None and not _ANY.search(last):
+        if (last := plainly(behind)) is not None and not _ANY.search(last) and not _ALL.search(_text(ahead)):
             yield [*ahead, *_standing(last, behind)], f"{_text(ahead)} {last}"
 
 

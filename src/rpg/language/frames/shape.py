@@ -33,6 +33,7 @@ def told(pieces: Sequence[Piece]) -> str:
     pieces = parted(as_adjectives(pieces))
     check_listed(pieces)
     check_owned(pieces, ("way", "limb", "arm", "side", "place", "along", "base"))
+    _check_parts(pieces)
     shape = _shape(pieces)
     if shape in ("square", "triangle", "L", "U"):
         pieces = by_side(pieces)
@@ -122,6 +123,18 @@ def _check_joined(pieces: Sequence[Piece], first: int) -> None:
         ["lot"],
         ["total"],
     ):
+        raise Unclear
+
+
+def _check_parts(pieces: Sequence[Piece]) -> None:
+    """ "Four of them" are some of blocks that are told of without a look.
+
+    Raises:
+        Unclear: "eight red blocks, one of them blue".
+    """
+    lots = [piece for piece in pieces if piece.kind == "lot" and "count" in piece.named]
+    some = [piece for piece in lots if {"them", "these", "which"} & set(piece.words.split())]
+    if some and len(some) < len(lots):
         raise Unclear
 
 

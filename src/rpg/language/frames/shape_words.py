@@ -106,7 +106,7 @@ OWN_GLUE: list[Pattern] = [
         "formation|layout|letter)(?: (?:of|like|:))?(?: an?| the)?"),
     *patterns("glue", None, "(?:the |these |all the |all these |my |your )?(?:BLOCK)(?= (?:form|make|should|must|"
         "shall|are|stand|lie|in|as|into|on|to)\\b)"),
-    *patterns("glue", None, "only(?= [,.;!])", "take|grab", "needed|are needed", "by",
+    *patterns("glue", None, "only(?= [,.;!])", "take|grab", "needed|are needed",
         "(?:arrange|put|place|lay|set|use|form|make|bring|organize)(?: out)? (?:them|these)(?: all| out)?",
         "(?:could|can|would|will|should|shall|must) the robot(?: please| kindly)?",
         "(?:one|a single|single)(?= (?:circle|ring|square|plus|cross|triangle|rectangle|letter|[TLUV])\\b)",

@@ -98,6 +98,11 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "put the letter T on the red block",  # a block with this letter
         "a triangle of six blocks, two corners red",  # which two?
         "two white blocks and a circle of red ones",
+        "eight red blocks surround two blue ones in a ring",  # there is room for one
+        "a circle of eight red blocks with blue blocks in the middle",
+        "a square of eight red blocks, one of them blue",
+        "a T of five blocks with a red bar",  # how does the stem look?
+        "by the red block, a circle of eight blue ones",
         "a circle of eight red blocks, and nothing in it but a blue block",
         "an L, three blocks one way and two the other",  # is the corner one of both?
     ],

@@ -74,6 +74,8 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "a staircase with steps of 1, 3 and 2 blocks",
         "stairs of heights 1, 3, 5",
         "two staircases of three steps",
+        "a staircase of three steps with one red block per step",
+        "a staircase rising to the left, highest step on the right, three steps",
         "a staircase of three steps from red, blue and green blocks",  # which steps?
         "three towers with heights 1, 2 and 3 from left to right",  # no stairs: they need not adjoin
         "staircase of three steps, not red",

@@ -96,7 +96,7 @@ def _shape(pieces: Sequence[Piece]) -> str:
     if last == "the" and not wished and (len(ahead) < 2 or ahead[-2] not in makes):
         raise Unclear  # "the circle ..." tells of one that is there
     letter = len(shape) == 1 and last not in ("a", "an") and "shape" not in pieces[first].words
-    if letter and last in ("put", "place", "set", "bring", "lay", "the"):
+    if letter and not wished and last in ("put", "place", "set", "bring", "lay", "the"):
         raise Unclear  # a block with this letter
     if last in ("on", "onto", "upon", "inside", "within"):
         raise Unclear
@@ -134,7 +134,7 @@ def _check_parts(pieces: Sequence[Piece]) -> None:
     """
     lots = [piece for piece in pieces if piece.kind == "lot" and "count" in piece.named]
     some = [piece for piece in lots if {"them", "these", "which"} & set(piece.words.split())]
-    if some and len(some) < len(lots):
+    if some and len(some) < len(lots) and not one(pieces, "total"):
         raise Unclear
 
 

@@ -162,7 +162,7 @@ def _clause(clause: Sequence[Piece], said: Told, shape: str) -> None:
     places = [piece for piece in clause if piece.kind != "lot"]
     at = [piece for piece in lots if "at" in piece.named]
     for piece in at:
-        said.placed.append((lot_of(piece), _part(piece.named["at"], shape)))
+        said.placed.append(_placed(lot_of(piece), piece, _part(piece.named["at"], shape)))
     lots = [piece for piece in lots if piece not in at]
     if at and not lots:
         if any(
@@ -199,7 +199,19 @@ def _clause(clause: Sequence[Piece], said: Told, shape: str) -> None:
                 found = replace(found, count=(found.count or 1) * _times(part, shape))
             if many is not None and found.count not in (None, many):
                 raise Unclear
-            said.placed.append((replace(found, count=many or found.count), _part(part, shape)))
+            said.placed.append(_placed(replace(found, count=many or found.count), lot, _part(part, shape)))
+
+
+def _placed(lot: Lot, piece: Piece, part: str) -> tuple[Lot, str]:
+    """A lot at its part of the figure.
+
+    Raises:
+        Unclear: several blocks where there is room for one: "two blue ones in the middle", "blue blocks inside".
+    """
+    several = lot.count is None and ("many" in piece.named or piece.named.get("noun", "").endswith("s"))
+    if part in SINGLE and (several or lot.count not in (None, 1)):
+        raise Unclear
+    return lot, part
 
 
 def _times(place: str, shape: str) -> int:

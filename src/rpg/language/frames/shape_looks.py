@@ -98,7 +98,13 @@ def looks_of(said: Told, size: Sized, shape: str) -> tuple[str, list[tuple[str, 
     ):
         return f" from {total} blocks", parts  # of the others no look is told
     told_of = {part for part, _ in parts}
-    if not said.free and len(lots) == 1 and told_of != {"bar", "stem"} and (len(told_of) == 1 or "rest" not in told_of):
+    whole = shape == "circle" or len(placed) < len(said.placed)
+    if (
+        not (said.free or whole)
+        and len(lots) == 1
+        and told_of != {"bar", "stem"}
+        and (len(told_of) == 1 or "rest" not in told_of)
+    ):
         raise Unclear  # how do the others look?
     if not open_ or len(lots) == 1:
         if total is not None and sum(lot.count or 0 for lot in lots) != total and not open_:

@@ -89,7 +89,7 @@ _WAYS = [
         *patterns("top", lambda match, side=side: (number(match["count"]), side),
             f"{_THE}{_HIGH}{_END} {_AT}(?:very )?{_SIDES[side]}(?: ,)? and (?:BE|has|counts) (?P<count>NUM)(?: BLOCK)?"
             "(?: high| tall)?(?! COLOR)"),
-        *patterns("order", side, f"(?:counted |listed |read |told )?{_toward(side)}(?= [,:]| (?:one|NUM|a) )",
+        *patterns("order", side, f"{_SIDES[other]} to (?:the )?{_SIDES[side]}", f"(?:counted |listed |read |told )?{_toward(side)}(?= [,:]| (?:one|NUM|a) )",
             f"(?:{_LOW} to {_HIGH} )?from (?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"),
         *patterns("end", lambda match, side=side: (number(match["count"]), side),
             f"(?:BE )?(?P<count>NUM)(?: BLOCK)?(?: high| tall)? (?:on|at) the (?:very )?{_SIDES[side]}"),
@@ -148,7 +148,7 @@ PATTERNS: list[Pattern] = [
         f"{_STEP} of different colors",
         f"one color (?:per|for each|for every|each) {_STEP}"),
     *patterns("break", None, "[()]", "except(?: for)?|apart from|save for|other than", ", which"),
-    *patterns("glue", None, "needed|are needed", f"{_RISE}(?= [:,.])"),
+    *patterns("glue", None, "needed|are needed", "they|it|in all", f"{_RISE}(?= [:,.])"),
     *patterns("glue", None, "high|tall|been|given|(?:there|here) (?:are|is)|(?:we|i|you) have|"
         "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", "(?:gets?|grows?|becomes?|rises?|goes up|"
         f"going up) (?:by )?(?:one )?(?:BLOCK )?(?:higher |taller )?(?:with|at|for) (?:each|every) {_STEP}",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from rpg.language.frames.lots import Lot, counted
@@ -62,13 +62,12 @@ def colored(said: Told, size: Sized, colors: str, shape: str) -> tuple[Sized, st
     return named, f" from {' and '.join(lot.blocks for lot in lots)}", []
 
 
-def looks_of(said: Told, size: Sized, shape: str) -> tuple[str, list[tuple[str, str]]]:
-    """ "from 4 red blocks and 1 blue block", and which part has which look.
+def _merged(said: Told, placed: Sequence[tuple[Lot, str]]) -> list[Lot]:
+    """All lots of the figure: those without a place, and those of other looks that have one.
 
     Raises:
-        Unclear: the numbers do not agree, or do not follow.
+        Unclear: a part has two looks, or so many blocks do not fit there.
     """
-    placed = [(lot, part) for lot, part in said.placed if part != "inner"]
     if len({part for _, part in placed}) < len(placed):
         raise Unclear
     lots = list(said.free)
@@ -81,6 +80,17 @@ def looks_of(said: Told, size: Sized, shape: str) -> tuple[str, list[tuple[str, 
             raise Unclear
         if not same:
             lots.append(replace(lot, count=many))
+    return lots
+
+
+def looks_of(said: Told, size: Sized, shape: str) -> tuple[str, list[tuple[str, str]]]:
+    """ "from 4 red blocks and 1 blue block", and which part has which look.
+
+    Raises:
+        Unclear: the numbers do not agree, or do not follow.
+    """
+    placed = [(lot, part) for lot, part in said.placed if part != "inner"]
+    lots = _merged(said, placed)
     total = size.total
     open_ = [lot for lot in lots if lot.count is None]
     if not lots:

@@ -89,7 +89,8 @@ _WAYS = [
         *patterns("top", lambda match, side=side: (number(match["count"]), side),
             f"{_THE}{_HIGH}{_END} {_AT}(?:very )?{_SIDES[side]}(?: ,)? and (?:BE|has|counts) (?P<count>NUM)(?: BLOCK)?"
             "(?: high| tall)?(?! COLOR)"),
-        *patterns("order", side, f"{_SIDES[other]} to (?:the )?{_SIDES[side]}", f"(?:counted |listed |read |told )?{_toward(side)}(?= [,:]| (?:one|NUM|a) )",
+        *patterns("order", side, f"{_SIDES[other]} to (?:the )?{_SIDES[side]}",
+            f"(?:counted |listed |read |told )?{_toward(side)}(?= [,:]| (?:one|NUM|a) )",
             f"(?:{_LOW} to {_HIGH} )?from (?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"),
         *patterns("end", lambda match, side=side: (number(match["count"]), side),
             f"(?:BE )?(?P<count>NUM)(?: BLOCK)?(?: high| tall)? (?:on|at) the (?:very )?{_SIDES[side]}"),

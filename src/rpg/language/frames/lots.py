@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
 
@@ -57,6 +57,15 @@ def lot_of(piece: Piece) -> Lot:
     return Lot(look, count, det.split()[:1] in (["the"], ["these"], ["those"], ["both"]))
 
 
+def as_adjectives(pieces: Sequence[Piece], kind: str = "figure") -> list[Piece]:
+    """Without the article of "a red tower", which is that of the tower and not of a red block."""
+    found = list(pieces)
+    for n, (piece, behind) in enumerate(pairwise(pieces)):
+        if piece.kind == "lot" and behind.kind == kind and not {"count", "noun", "many"} & piece.named.keys():
+            found[n] = replace(piece, named={**piece.named, "det": "", "many": "s"})
+    return found
+
+
 def counted(lots: Sequence[Lot], total: int | None, *, evenly: bool = False, singly: bool = False) -> list[Lot]:
     """The lots with their numbers, as far as they follow from the number of all of them. `evenly`: several lots whose
     numbers are left open share what is left; `singly`: where nothing else is told each of them is one block.
@@ -107,6 +116,21 @@ def check_listed(pieces: Sequence[Piece]) -> None:
     for together, run in groupby(pieces, lambda piece: piece.kind in ("lot", "break")):
         said = [piece.words if piece.kind == "break" else piece.kind for piece in run] if together else []
         if said[said.index("lot") :].count("and") > 1 if "lot" in said else False:
+            raise Unclear
+
+
+def check_owned(pieces: Sequence[Piece], parts: Collection[str]) -> None:
+    """What "has" so many blocks is the whole figure.
+
+    Raises:
+        Unclear: "its foot points to the right and has three blocks" tells of the foot; `parts` are such kinds.
+    """
+    before = ""
+    for piece, behind in pairwise(pieces):
+        if piece.kind not in ("glue", "break"):
+            before = piece.kind
+        owns = piece.kind == "glue" and piece.words in ("has", "have", "having", "contains", "contain", "containing")
+        if owns and before in parts and behind.kind in ("lot", "total"):
             raise Unclear
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, grids, moments, tower, turned
+from rpg.language.frames import beside, grids, moments, shape, stairs, tower, turned
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import CLASSES, Pattern, Piece, Unclear, cut
 from rpg.language.frames.turned import without_turns
@@ -17,6 +17,8 @@ from rpg.language.tokens import Token, tokenize
 FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
     (tower.PATTERNS, tower.told),
     (grids.PATTERNS, grids.told),
+    (shape.PATTERNS, shape.told),
+    (stairs.PATTERNS, stairs.told),
 )
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})
@@ -29,6 +31,8 @@ _BINDING = frozenset({
 """With these, sentences do not stand for themselves."""
 _ANY = re.compile(r"from \d+ blocks")
 """Blocks of no told look may be those that another sentence names."""
+_ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
+"""So many blocks may be all that the other sentence names."""
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -47,10 +51,10 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
         return
     parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
     for ahead, behind in reversed(parts):
-        if (first := plainly(ahead)) is not None and not _ANY.search(first):
+        if (first := plainly(ahead)) is not None and not _ANY.search(first) and not _ALL.search(_text(behind)):
             yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"
     for ahead, behind in parts:
-        if (last := plainly(behind)) is not None and not _ANY.search(last):
+        if (last := plainly(behind)) is not None and not _ANY.search(last) and not _ALL.search(_text(ahead)):
             yield [*ahead, *_standing(last, behind)], f"{_text(ahead)} {last}"
 
 

@@ -10,7 +10,7 @@ WHERE: list[Pattern] = [
         rf"{_PLACED}(?:on|onto|upon|on top of) (?:the|a) (?P<patch>(?:(?:SIZE|long|round|square|circular) )?COLOR "
         rf"PATCH)"),
     *patterns("where", lambda match: f"in the {match['side']} half of the table",
-        rf"{_PLACED}(?:in|on) the (?P<side>left|right|near|far) half(?: of the TABLE)?"),
+        rf"{_PLACED}(?:in|on) the (?P<side>left|right|near|far) half(?: of (?:the )?TABLE)?"),
     *patterns("where", "in the middle of the table", rf"{_PLACED}(?:in|at) the (?:middle|center) of the TABLE"),
     *patterns("glue", None, rf"{_PLACED}(?:flat )?(?:on|upon) the TABLE"),
 ]  # fmt: skip

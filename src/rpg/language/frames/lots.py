@@ -25,11 +25,13 @@ _SINGLE = frozenset({"block", "cube", "piece", "element", "one"})
 
 @dataclass(frozen=True)
 class Lot:
-    """Blocks of one look. `count`: None where it is left open; `known`: "the red one", which was told before."""
+    """Blocks of one look. `count`: None where it is left open; `known`: "the red one", which was told before; `plural`:
+    several are meant."""
 
     look: str
     count: int | None = None
     known: bool = False
+    plural: bool = False
 
     @property
     def blocks(self) -> str:
@@ -52,7 +54,8 @@ def lot_of(piece: Piece) -> Lot:
     count = number(named["count"]) if "count" in named else None
     if count is None and (single or det in ("a", "an") or (det == "the" and "noun" not in named and "many" not in named)):
         count = 1
-    return Lot(look, count, det.split()[:1] in (["the"], ["these"], ["those"], ["both"]))
+    plural = "many" in named or named.get("noun", "one") not in _SINGLE
+    return Lot(look, count, det.split()[:1] in (["the"], ["these"], ["those"], ["both"]), plural)
 
 
 def counted(lots: Sequence[Lot], total: int | None, *, evenly: bool = False, singly: bool = False) -> list[Lot]:

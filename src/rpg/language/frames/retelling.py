@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from rpg.language.frames import tower
+from rpg.language.frames import row, tower
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
-FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = ((tower.PATTERNS, tower.told),)
+FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
+    (tower.PATTERNS, tower.told), (row.PATTERNS, row.told),
+)  # fmt: skip
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 
 

@@ -1,0 +1,271 @@
+"""One row, line or column of coloured blocks."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from rpg.language.frames import rowwords, shared
+from rpg.language.frames.lots import LOTS, Lot, counted, lot_of, one
+from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
+from rpg.language.frames.rowplaces import Said, said_of
+from rpg.language.frames.rowtold import Row, in_words
+from rpg.language.lexicon import RAINBOW
+
+PATTERNS: list[Pattern] = [
+    *LOTS,
+    *patterns("total", lambda match: int(match["n"]), r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|alternat\w+|touching|evenly|which|on) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
+        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+) in (?=(?:a|one) )", r"(?P<n>\d+)(?= row )", r"(?P<n>\d+) (?:BLOCK )?(?=row|line|column)"),
+    *rowwords.FIGURE,
+    *rowwords.PLACES,
+    *rowwords.DIRECTIONS,
+    *rowwords.SPACING,
+    *rowwords.PATTERNED,
+    *rowwords.EACH,
+    *rowwords.REST,
+    *rowwords.WHERE,
+    *rowwords.WORDS,
+    *shared.WHERE,
+    *shared.BREAKS,
+    *shared.GLUE,
+]  # fmt: skip
+
+
+def told(pieces: Sequence[Piece]) -> str:
+    """The row in plain sentences.
+
+    Raises:
+        Unclear: it is not told which blocks it is made of, or what is told of their order leaves it open.
+    """
+    check_lots(pieces)
+    check_words(pieces)
+    noun = noun_of(pieces)
+    lots_at = {n: lot_of(piece) for n, piece in enumerate(pieces) if piece.kind == "lot"}
+    said = said_of(pieces, lots_at)
+    pattern = pattern_of(pieces)
+    total, each, direction = (one(pieces, kind) for kind in ("total", "each", "direction"))
+    size = total.value if total else None
+    row = Row(noun, direction.value if direction else "", pattern)
+    row.set_off = bool(said.lists) and set_off(pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0]))
+    order = order_of(pieces, said, row)
+    if said.lists and adds(pieces) and {placed.lot.look for placed in said.placed} - {lot.look for run in said.lists for lot in run}:
+        raise Unclear  # what is put there could go on top
+    open_rest = any(piece.kind == "rest" for piece in pieces) and size is None
+    if order is not None:
+        if size not in (None, len(order)) or open_rest or each:
+            raise Unclear
+        row.order, row.counts = order, Counter(order)
+        row.facts = _facts(said, [Lot(look, many) for look, many in row.counts.items()], size or len(order), pattern)[1]
+    else:
+        lots = [replace(lot, count=each.value) if each and lot.count is None else lot for run in said.lists for lot in run]
+        lots, row.facts = _facts(said, lots, size, pattern)
+        row.counts = Counter({lot.look: lot.count for lot in _numbered(lots, said, size, pattern, open_rest)})
+        row.size = size or 0
+    return in_words(row, pieces, _Colored)
+
+
+def adds(pieces: Sequence[Piece]) -> bool:
+    """Whether something is to be done once the row is told, or stands on one of its ends."""
+    at = next(n for n, piece in enumerate(pieces) if piece.kind == "lot")
+    return any(piece.kind == "act" or (piece.kind == "place" and {"on", "end"} <= {word.rstrip("s") for word in piece.words.split()} ) for piece in pieces[at:])
+
+
+def noun_of(pieces: Sequence[Piece]) -> str:
+    """What the figure is called: "lined up" says less than a noun.
+
+    Raises:
+        Unclear: there is no figure, or there are two.
+    """
+    told = [piece for piece in pieces if piece.kind == "figure"]
+    nouns = [piece.value for piece in told if not piece.words.startswith(("line up", "lin", "align")) or piece.words in ("line", "lineup")]
+    again = [piece.value for piece in pieces if piece.kind == "mention"]
+    if len(nouns) > 1 or len(told) - len(nouns) > 1 or not (told or again) or len(set(again)) > 1 or (nouns and again and set(again) != set(nouns)):
+        raise Unclear
+    stock = [n for n, piece in enumerate(pieces) if piece.kind == "stock"]
+    figure = next(n for n, piece in enumerate(pieces) if piece.kind in ("figure", "mention"))
+    if stock and (len(stock) > 1 or not any(piece.kind == "break" and piece.words in ".;:,and" for piece in pieces[min(stock[0], figure) : max(stock[0], figure)])):
+        raise Unclear  # "there are three blocks in a row" tells of the start
+    if not nouns and any(piece.kind == "mention" and after.words.startswith("of") for piece, after in pairwise(pieces)):
+        raise Unclear  # "the row of red blocks" is there already
+    noun: str = [*nouns, *again, "line"][0]
+    axis = one(pieces, "axis")
+    if axis and noun not in ("line", axis.value):
+        raise Unclear
+    return str(axis.value) if axis else noun
+
+
+def pattern_of(pieces: Sequence[Piece]) -> str:
+    """The pattern of the colours.
+
+    Raises:
+        Unclear: there are two.
+    """
+    found = {piece.value for piece in pieces if piece.kind == "pattern"}
+    if found > {"different"} and found & {"rainbow"}:
+        found -= {"different"}
+    if len(found) > 1:
+        raise Unclear
+    return found.pop() if found else ""
+
+
+def check_words(pieces: Sequence[Piece]) -> None:
+    """Words that tell of what stands beside them.
+
+    Raises:
+        Unclear: "then" is no list, or a number of blocks has a place ("the three blocks in the middle").
+    """
+    bound = [piece for piece in pieces if piece.kind not in ("glue", "break")]
+    for piece, after in pairwise([*bound, Piece("end", "")]):
+        if (piece.value == "now" and after.kind not in ("lot", "place")) or {piece.kind, after.kind} == {"total", "place"}:
+            raise Unclear
+
+
+def check_lots(pieces: Sequence[Piece]) -> None:
+    """Lots are parted from each other, unless three or more bare colours are listed.
+
+    Raises:
+        Unclear: they are not, or small words between them tell more ("from red to blue").
+    """
+    if any(a.kind == c.kind == "lot" and b.kind == "glue" for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False)):
+        raise Unclear
+    together = [(a, b) for a, b in pairwise(pieces) if a.kind == b.kind == "lot"]
+    bare = all(not {"det", "noun", "count", "many"} & set(piece.named) for pair in together for piece in pair)
+    if together and (len(together) < 2 or not bare):
+        raise Unclear
+
+
+def order_of(pieces: Sequence[Piece], said: Said, row: Row) -> list[str] | None:
+    """The looks of all blocks in the order in which they are listed, if this is told as an order.
+
+    Raises:
+        Unclear: two lists that do not agree, or a list that is not of all blocks.
+    """
+    if not said.lists:
+        return None
+    marked = bool(row.direction) or any(piece.kind == "listed" for piece in pieces)
+    last, ahead = (said.whole if marked else said.lists)[-1], [lot for run in said.lists[:-1] for lot in run]
+    looks = [lot.look for lot in last]
+    repeated = len(set(looks)) < len(looks)
+    again = bool(ahead) and bool({lot.look for lot in ahead} & set(looks))
+    marked = marked or (row.set_off and all(lot.count in (None, 1) and not lot.plural for lot in last[:-1]))
+    if again and not marked:
+        raise Unclear
+    if len(set(looks)) == 1 and not repeated and not again:
+        return None
+    if not (marked or repeated) or (row.pattern in ("alternating", "grouped") and not again and not repeated):
+        if any(piece.value == "now" for piece in pieces):
+            raise Unclear
+        return None
+    if ahead and not again and (len(last) < 2 or not marked):
+        raise Unclear
+    if row.pattern == "rainbow" and not repeated and not row.direction:
+        if [look for look in RAINBOW if look in looks] not in (looks, looks[::-1]):
+            raise Unclear
+        return None
+    known = Counter({lot.look: lot.count or 1 for lot in ahead})
+    order = []
+    for lot in last:
+        if lot.count is None and lot.plural and lot is not last[-1] and lot.look not in known:
+            raise Unclear
+        many = lot.count or (known[lot.look] if looks.count(lot.look) == 1 and lot.plural and lot.look in known else 1)
+        order += [lot.look] * many
+    if ahead and (not again or (len(known) == len(ahead) and Counter(order) != known) or len(known) != len(ahead)):
+        raise Unclear
+    return order
+
+
+def set_off(pieces: Sequence[Piece], at: int) -> bool:
+    """Whether the list that begins there stands behind a colon or comma which the row is named ahead of."""
+    ahead = [piece for piece in pieces[:at] if piece.kind not in ("glue", "place")]
+    return bool(ahead) and ahead[-1].words in (":", ",") and any(piece.kind in ("figure", "mention") for piece in ahead)
+
+
+def _facts(said: Said, lots: list[Lot], size: int | None, pattern: str) -> tuple[list[Lot], list[tuple[str, int, str, int]]]:
+    """All lots, those told only with their place among them, and what is told of places: see `arranged.filled`.
+
+    Raises:
+        Unclear: it is not told how many blocks are at a place, or whether they are among the blocks told before.
+    """
+    free = {lot.look: lot for lot in lots}
+    whole = bool(size) and all(lot.count for lot in lots) and sum(lot.count or 0 for lot in lots) == size
+    added: Counter[str] = Counter()
+    facts = []
+    for placed in said.placed:
+        lot, (name, nth) = placed.lot, placed.place
+        same = free.get(lot.look)
+        if same is None and free and (lot.known or (lot.count is None and all(other.count for other in lots))):
+            raise Unclear  # "the red one" where none is told; "three orange blocks, white on the left"
+        if same and not lot.known and lot.count and same.count and not (placed.within or whole):
+            raise Unclear
+        many = _how_many(lot, name, same, pattern)
+        if same is None:
+            added[lot.look] += many
+        facts.append((name, nth, lot.look, many))
+    return [*lots, *(Lot(look, many) for look, many in added.items())], facts
+
+
+def _how_many(lot: Lot, name: str, same: Lot | None, pattern: str) -> int:
+    """How many blocks are at a place, on both sides where it has two."""
+    twice = name in ("each end", "sides")
+    every = same.count if same and same.count and (lot.plural or lot.known) else None
+    if name == "ends":
+        if lot.count not in (None, 1, 2) or (lot.count == 1 and lot.known) or every not in (None, 2):
+            raise Unclear
+        return 2
+    if lot.count is not None:
+        if twice and lot.known:
+            raise Unclear
+        return lot.count * 2 if twice else lot.count
+    if every is not None:
+        return every
+    if lot.plural or (same and same.count != 1 and not pattern):
+        if twice and not same:
+            return 2 if not lot.plural or name == "each end" else _unclear()
+        return _unclear()
+    return 2 if twice else 1
+
+
+def _unclear() -> int:
+    raise Unclear
+
+
+def _numbered(lots: list[Lot], said: Said, size: int | None, pattern: str, open_rest: bool) -> list[Lot]:
+    """The lots with their numbers.
+
+    Raises:
+        Unclear: they are not all told, or do not agree.
+    """
+    if any(lot.count is None and lot.plural for lot in lots[:-1]) and size is None:
+        raise Unclear
+    several = len(lots) > 1 and not open_rest
+    if lots and lots[-1].count is None and lots[-1].plural and size is None and not (len(lots) > 1 and not said.placed):
+        raise Unclear
+    if size and said.placed and said.lists and len(said.lists) == 1 == len(said.lists[0]) and said.lists[0][0].count is None:
+        if said.lists[0][0].look not in [placed.lot.look for placed in said.placed] and not lots[0].plural:
+            pass
+    found = counted(lots, size if lots else None, evenly=pattern == "alternating", singly=several)
+    if any(lot.count is None for lot in found):
+        raise Unclear
+    return found
+
+
+class _Colored:
+    """How coloured blocks are told."""
+
+    @staticmethod
+    def blocks(counts: Counter[str]) -> str:
+        """All of them."""
+        told = [Lot(look, many).blocks for look, many in counts.items()]
+        return " and ".join([", ".join(told[:-1]), told[-1]] if len(told) > 1 else told)
+
+    @staticmethod
+    def the(look: str) -> str:
+        """The only one of a look."""
+        return f"the {look} block"
+
+    @staticmethod
+    def an(look: str) -> str:
+        """One of several."""
+        return f"{'an' if look[0] in 'aeiou' else 'a'} {look} block"

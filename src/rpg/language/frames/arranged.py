@@ -9,12 +9,14 @@ from itertools import permutations
 from rpg.language.frames.pieces import Unclear
 from rpg.language.lexicon import RAINBOW
 
-_OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
+Fact = tuple[str, int, str, int]
+"""What is told of a place: its name, the number from there, the look, and how many blocks."""
+OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 
-def filled(size: int, facts: Sequence[tuple[str, int, str, int]], near: str, first: str) -> list[str]:
+def filled(size: int, facts: Sequence[Fact], near: str, first: str) -> list[str]:
     """The places of a row from the end `near`, "" where it is not told what is there. `first`: the end where reading
-    begins. Each fact: the name of the place, the number from there, the look, and how many blocks.
+    begins.
 
     Raises:
         Unclear: two looks at one place, or no such place.
@@ -22,9 +24,9 @@ def filled(size: int, facts: Sequence[tuple[str, int, str, int]], near: str, fir
     slots = [""] * size
     middle = sum(many for name, _, _, many in facts if name == "middle")
     for name, nth, look, many in facts:
-        end = {"first": first, "last": _OPPOSITE[first]}.get(name, name)
-        if end in _OPPOSITE:
-            if end not in (near, _OPPOSITE[near]):
+        end = {"first": first, "last": OPPOSITE[first]}.get(name, name)
+        if end in OPPOSITE:
+            if end not in (near, OPPOSITE[near]):
                 raise Unclear
             at = [nth - 1 + k for k in range(many)]
             at = at if end == near else [size - 1 - n for n in at]

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, moments, row, tower
+from rpg.language.frames import beside, moments, row, rowlabels, tower
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
@@ -16,6 +16,7 @@ from rpg.language.tokens import Token, tokenize
 FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
     (tower.PATTERNS, tower.told),
     (row.PATTERNS, row.told),
+    (rowlabels.PATTERNS, rowlabels.told),
 )
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})
@@ -23,10 +24,11 @@ _LEADS = frozenset({"please", "then", "now", "you", "to", ",", "and", "first", "
 """Behind these a command may begin."""
 _BINDING = frozenset({
     "another", "other", "others", "same", "again", "after", "afterwards", "before", "then", "first", "finally", "next",
-    "initial", "initially", "start", "starting", "begin", "beginning", "goal", "end", "until", "or", "if", ":",
+    "initial", "initially", "start", "starting", "begin", "beginning", "goal", "end", "ends", "until", "or", "if", ":",
+    "second", "least", "most",
 })  # fmt: skip
 """With these, sentences do not stand for themselves."""
-_ANY = re.compile(r"from \d+ blocks")
+_ANY = re.compile(r"(?:from|Lay) \d+ blocks")
 """Blocks of no told look may be those that another sentence names."""
 _MOST = 120
 """Longer texts are not told again."""

@@ -8,6 +8,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from rpg.language.frames import rowwords, shared
+from rpg.language.frames.arranged import Fact
 from rpg.language.frames.lots import LOTS, Lot, counted, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
 from rpg.language.frames.rowplaces import Said, said_of
@@ -81,15 +82,16 @@ def noun_of(pieces: Sequence[Piece]) -> str:
     told = [piece for piece in pieces if piece.kind == "figure"]
     nouns = [piece.value for piece in told if not piece.words.startswith(("line up", "lin", "align")) or piece.words in ("line", "lineup")]
     again = [piece.value for piece in pieces if piece.kind == "mention"]
-    if len(nouns) > 1 or len(told) - len(nouns) > 1 or not (told or again) or len(set(again)) > 1 or (nouns and again and set(again) != set(nouns)):
+    way = one(pieces, "direction")
+    if len(nouns) > 1 or len(told) - len(nouns) > 1 or not (told or again or way) or len(set(again)) > 1 or (nouns and again and set(again) != set(nouns)):
         raise Unclear
     stock = [n for n, piece in enumerate(pieces) if piece.kind == "stock"]
-    figure = next(n for n, piece in enumerate(pieces) if piece.kind in ("figure", "mention"))
+    figure = next(n for n, piece in enumerate(pieces) if piece.kind in ("figure", "mention", "direction"))
     if stock and (len(stock) > 1 or not any(piece.kind == "break" and piece.words in ".;:,and" for piece in pieces[min(stock[0], figure) : max(stock[0], figure)])):
         raise Unclear  # "there are three blocks in a row" tells of the start
     if not nouns and any(piece.kind == "mention" and after.words.startswith("of") for piece, after in pairwise(pieces)):
         raise Unclear  # "the row of red blocks" is there already
-    noun: str = [*nouns, *again, "line"][0]
+    noun: str = [*nouns, *again, "line" if told or not way else "column" if "front" in way.value else "row"][0]
     axis = one(pieces, "axis")
     if axis and noun not in ("line", axis.value):
         raise Unclear
@@ -182,7 +184,7 @@ def set_off(pieces: Sequence[Piece], at: int) -> bool:
     return bool(ahead) and ahead[-1].words in (":", ",") and any(piece.kind in ("figure", "mention") for piece in ahead)
 
 
-def _facts(said: Said, lots: list[Lot], size: int | None, pattern: str) -> tuple[list[Lot], list[tuple[str, int, str, int]]]:
+def _facts(said: Said, lots: list[Lot], size: int | None, pattern: str) -> tuple[list[Lot], list[Fact]]:
     """All lots, those told only with their place among them, and what is told of places: see `arranged.filled`.
 
     Raises:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from rpg.language.frames.arranged import completed, filled
+from rpg.language.frames.arranged import OPPOSITE, Fact, completed, filled
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear
 
@@ -47,7 +47,7 @@ class Row:
     pattern: str
     counts: Counter[str] = field(default_factory=Counter)
     order: list[str] | None = None
-    facts: list[tuple[str, int, str, int]] = field(default_factory=list)
+    facts: list[Fact] = field(default_factory=list)
     size: int = 0
     set_off: bool = False
 
@@ -64,8 +64,8 @@ class Row:
         return self.direction.split()[1] if self.direction else self.near
 
 
-def in_words(row: Row, pieces: Sequence[Piece], names: type[Names] | Names) -> str:
-    """The row in plain sentences.
+def in_words(row: Row, pieces: Sequence[Piece], names: type[Names] | Names, lay: str = "") -> str:
+    """The row in plain sentences. `lay`: the first of them, where it is told already.
 
     Raises:
         Unclear: what is told of it cannot be told again.
@@ -73,7 +73,7 @@ def in_words(row: Row, pieces: Sequence[Piece], names: type[Names] | Names) -> s
     if row.near != row.first and row.near not in (row.first, {"right": "left", "back": "front"}.get(row.first)):
         raise Unclear
     noun = "column" if row.near == "front" else "row" if row.direction else row.noun
-    return " ".join([_arranged(row, noun, names), *_spacing(pieces), *_where(pieces, noun)])
+    return " ".join([lay or _arranged(row, noun, names), *_spacing(pieces), *_where(pieces, noun)])
 
 
 def _arranged(row: Row, noun: str, names: type[Names] | Names) -> str:
@@ -95,7 +95,7 @@ def _arranged(row: Row, noun: str, names: type[Names] | Names) -> str:
             raise Unclear
         if (len(row.counts) == 1 and pattern) or (pattern == "mirrored" and sum(many % 2 for many in row.counts.values()) > 1):
             raise Unclear
-        toward = f" {row.direction}" if pattern == "rainbow" and row.direction else ""
+        toward = f" {row.direction}" if row.direction else ""
         return f"{lay}{_PATTERNS[pattern]}{toward}."
     slots = filled(size, [fact for fact in row.facts if fact[0] not in ("end", "other")], row.near, row.first)
     left = row.counts - Counter(look for look in slots if look)
@@ -124,7 +124,7 @@ def _uncolored(row: Row, noun: str) -> str:
     if row.size < 2 or row.facts or row.pattern not in ("", "different", "same", "rainbow"):
         raise Unclear
     colors = {"different": " of different colors", "same": " of the same color"}.get(row.pattern, "")
-    order = f" in rainbow order{' ' + row.direction if row.direction else ''}" if row.pattern == "rainbow" else ""
+    order = " in rainbow order" * (row.pattern == "rainbow") + f" {row.direction}" * bool(row.direction)
     return f"Lay {row.size} blocks{colors} in a {noun}{order}."
 
 
@@ -144,7 +144,7 @@ def _partly(row: Row, lay: str, noun: str, names: type[Names] | Names) -> str:
     """A row with some blocks at their places in it."""
     within, behind = [], []
     for name, nth, look, many in row.facts:
-        end = {"first": row.first, "last": {"left": "right", "right": "left", "front": "back", "back": "front"}[row.first]}.get(name, name)
+        end = {"first": row.first, "last": OPPOSITE[row.first]}.get(name, name)
         single = many == row.counts[look] == 1
         if name in ("ends", "each end") and many == 2:
             within.append(f"{names.an(look)} at each end")

@@ -9,9 +9,10 @@ from rpg.language.frames.pieces import Pattern, number, patterns
 
 _NOUN = "(?:letters?|digits?|numbers?|numerals?|symbols?|characters?|figures?)"
 _ONE = "(?:block|cube|tile|piece|letter|digit|number)"
-_CARRIES = "(?:(?:that |which )?(?:with|has|have|showing|shows|bearing|bears|labelled|labeled|marked|numbered|lettered|carrying|reading))"
+_CARRIES = "(?:(?:that |which )?(?:with|has|have|showing|shows|bearing|bears|labelled|labeled|marked|numbered|lettered|carrying))"
 _NEXT = r"(?:,|and|→|[A-Z]|[b-hj-z]|BE|to|through|at|on|in the|left|right|before|after|first|last|second|third|\.)"
-_L = rf"[A-Z]|[b-hj-z]|\d|'[A-Z0-9]'|a(?= {_NEXT} )|i(?= (?:,|and|[A-Z]|BE) )"
+_SPEAKS = "(?:can|could|want|need|have|would|like|see|wish|should|am|will|must|may|read|do|get|expect)"
+_L = rf"[A-HJ-Z]|I(?! {_SPEAKS} )|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|a(?= {_NEXT} )|i(?= (?:,|and|[A-Z]|BE) )"
 _DIGITS, _LETTERS = string.digits, string.ascii_uppercase
 
 
@@ -32,19 +33,14 @@ def _range(match: re.Match[str]) -> list[str]:
     return between(_bare(match["first"]), _bare(match["last"]))
 
 
-def _parity(match: re.Match[str]) -> list[str]:
-    return [label for label in _range(match) if (int(label) % 2 == 0) == (match["parity"] == "even")]
-
-
 _TO = "(?:to|through|thru|till|until|up to|…|down to|up through)"
 LABELS: list[Pattern] = [
     *patterns("lot", None,
         rf"(?:(?P<det>the|a|an|one|my) )?(?:{_ONE} )?(?:{_ONE} )?(?:{_CARRIES} (?:the |a |an )?(?:{_NOUN} )?)?(?P<label>{_L})(?: {_ONE})?(?! blocks)",
         rf"(?P<count>\d|a|an|one) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)"),
     *patterns("range", _range,
-        rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:from )?(?P<first>{_L}) {_TO} (?P<last>{_L})(?: inclusive)?"),
-    *patterns("range", _parity,
-        rf"(?:all )?(?:the )?(?P<parity>even|odd) (?:digits|numbers|ones)(?: (?:from|between|in))? (?P<first>\d) (?:to|and|through|up to) (?P<last>\d)"),
+        rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:(?P<way>from|starting with|beginning with) )?(?P<first>{_L}) {_TO} (?P<last>{_L})(?: inclusive)?",
+        rf"(?:from )?(?P<first>{_L}) (?:at|on) the (?P<side>left|right)(?: end| side)? {_TO} (?P<last>{_L}) (?:at|on) the (?:left|right)(?: end| side)?"),
     *patterns("range", lambda match: list(_LETTERS[: int(match["n"])]),
         r"(?:the )?first (?P<n>\d+) letters(?: of the alphabet| in the alphabet)?"),
     *patterns("range", lambda match: list(_DIGITS), r"all (?:of )?(?:the )?(?:10 )?(?:digits|numerals)(?= )(?! (?:from|0|1))"),
@@ -66,23 +62,30 @@ _ORDER = "(?: (?:order|sequence|sorted|ordered|arranged|value|number|numerical|n
 _LOW, _HIGH = "(?:smallest|lowest|least|low|small|smaller|lower)", "(?:largest|biggest|highest|greatest|high|large|bigger|larger|higher)"
 _WHAT = rf"(?: (?:{_NOUN}|one|BLOCK))?"
 _TOWARD = "(?: (?:to|towards?) the (?P<toward>left|right))?"
-_UP = "(?:ascending|increasing|rising|growing|upwards?|counting up|going up|climbing|up)"
-_DOWN = "(?:descending|decreasing|falling|shrinking|downwards?|counting down|going down|down|diminishing)"
+_UP = "(?:ascending|increasing|counting up|going up|(?:rising|growing)(?= (?:order|sequence|numerical|number|to|from)))"
+_DOWN = "(?:descending|decreasing|counting down|going down|(?:falling|diminishing)(?= (?:order|sequence|numerical|number|to|from)))"
 SORTED: list[Pattern] = [
+    *patterns("sort", "abc", f"{_SORTS}{_ABC}{_ORDER}{_TOWARD}"),
+    *patterns("sort", "zyx",
+        f"{_SORTS}{_BACK} {_ABC}{_ORDER}{_TOWARD}", f"{_SORTS}(?:z to a|Z to A|Z to a|z to A)",
+        f"{_SORTS}{_ABC}{_ORDER} (?:in reverse|reversed|backwards?|but (?:in reverse|backwards?|reversed))"),
     *patterns("sort", "up",
-        f"{_SORTS}{_ABC}{_ORDER}{_TOWARD}",
-        f"{_SORTS}{_UP}{_ORDER}{_TOWARD}", f"(?:they |that |which )?(?:counts?|goes|go|rises?|climbs?|runs?) up(?:wards)?{_TOWARD}",
-        f"{_SORTS}(?:numerical(?:ly)?|numeric(?:ally)?|number|counting|natural|normal number)(?: (?:order|sequence|sorted|ordered))+{_TOWARD}", f"{_SORTS}numerically(?: (?:sorted|ordered))?",
-        f"(?:sorted|ordered|arranged) by (?:number|value|size of the number|numerical value|their number|their value)",
-        f"{_SORTS}(?:from )?(?:the )?{_LOW}{_WHAT} (?:to|up to) (?:the )?{_HIGH}{_WHAT}", f"(?:with )?(?:the )?{_LOW}{_WHAT} (?:BE )?first"),
+        f"{_SORTS}{_UP}{_ORDER}{_TOWARD}", f"(?:they |that |which )?(?:counts?|goes|go|climbs?|runs?) up(?:wards)?{_TOWARD}",
+        f"{_SORTS}(?:from )?(?:the )?{_LOW}{_WHAT} (?:to|up to) (?:the )?{_HIGH}{_WHAT}", f"(?:with )?(?:the )?{_LOW}{_WHAT} (?:BE )?first",
+        f"(?:with )?(?:the )?{_HIGH}{_WHAT} (?:BE )?last"),
     *patterns("sort", "down",
-        f"{_SORTS}{_BACK} {_ABC}{_ORDER}{_TOWARD}", f"{_SORTS}{_ABC}{_ORDER} (?:in reverse|reversed|backwards?|but (?:in reverse|backwards?|reversed))", f"{_SORTS}(?:z to a|Z to A|Z to a)",
         f"{_SORTS}{_DOWN}{_ORDER}{_TOWARD}", f"{_SORTS}{_BACK} (?:numerical|numeric|number|counting)(?: (?:order|sequence))?",
-        f"{_SORTS}(?:from )?(?:the )?{_HIGH}{_WHAT} (?:to|down to) (?:the )?{_LOW}{_WHAT}", f"(?:with )?(?:the )?{_HIGH}{_WHAT} (?:BE )?first"),
-    *patterns("sort", "listed", "(?:all )?in (?:the )?(?:right |correct |proper |usual |natural )?(?:order|sequence)", "sorted", "ordered", "sort(?: them)?"),
+        f"(?:they |that |which )?(?:counts?|goes|go|runs?) down(?:wards)?{_TOWARD}",
+        f"{_SORTS}(?:from )?(?:the )?{_HIGH}{_WHAT} (?:to|down to) (?:the )?{_LOW}{_WHAT}", f"(?:with )?(?:the )?{_HIGH}{_WHAT} (?:BE )?first",
+        f"(?:with )?(?:the )?{_LOW}{_WHAT} (?:BE )?last"),
+    *patterns("sort", "numbers",
+        f"{_SORTS}(?:numerical(?:ly)?|numeric(?:ally)?|number|counting|natural|normal number)(?: (?:order|sequence|sorted|ordered))+{_TOWARD}", f"{_SORTS}numerically(?: (?:sorted|ordered))?",
+        f"(?:sorted|sort|ordered|arranged) (?:them )?by (?:number|value|size of the number|numerical value|their numbers?|their value)"),
+    *patterns("sort", "listed", "(?:all )?in (?:the )?(?:right |correct |proper |usual |natural )?(?:order|sequence)", "sorted", "ordered", "sort(?: them)?", "order(?= the)"),
     *patterns("backwards", None, "(?:but )?(?:in )?(?:the )?(?:reverse|reversed|backwards?)(?: order)?", "(?:but )?(?:in )?(?:the )?(?:opposite|inverse) order"),
 ]  # fmt: skip
-"""Kind "sort" ("up", "down", or "listed": as listed, and that is sorted), and "backwards" what is listed."""
+"""Kind "sort": "abc" and "zyx" of letters, "up", "down" and "numbers" (which may run either way) of digits, "listed" as
+they are listed, which must be sorted; "backwards": as they are listed, the last first."""
 
 _KINDS = {
     "even": "evens?(?: (?:digits|numbers|ones|BLOCK))?",
@@ -122,7 +125,7 @@ KINDS: list[Pattern] = [
         "alternating (?:letters and digits|letters and numbers|digits and letters|numbers and letters)"),
     *patterns("each kind", None,
         "(?:and )?(?:(?:both|each|either|every|each of the) (?:kind|group|part|half|set|lot|ones)s?|both(?: of them)?|each of (?:them|these)|each|each (?:2|two) groups)(?= (?:BE |sorted |in |ascending|descending|from |increasing|again|going))(?: BE)?",
-        "(?:also )?(?:in|within|inside) (?:each|both|either|every|the|its) (?:kind|group|part|half|set|lot|own group)s?(?: itself)?", "too", "also", "as well", "each", "again", "respectively", "likewise"),
+        "(?:also )?(?:in|within|inside) (?:each|both|either|every|the|its) (?:kind|group|part|half|set|lot|own group)s?(?: itself)?", "too", "each", "likewise"),
 ]  # fmt: skip
 """Kinds "kinds" (which kind of labels stands ahead of which), "alternate", and "each kind" is sorted for itself."""
 
@@ -155,7 +158,7 @@ RELATIONS: list[Pattern] = [pattern for relation in _RELATIONS for pattern in _r
 WORDS: list[Pattern] = [
     *patterns("glue", None, f"(?:with |of |using |from )?(?:the |all |these |those |my |single |your )*{_NOUN}", "(?:with |of |using |from )?(?:the |these |those )*(?:letter|digit|number|numbered|lettered|labelled|labeled|alphabet|symbol) (?:BLOCK|tiles)"),
     *patterns("glue", None, "(?:labelled|labeled|marked|numbered|lettered|bearing|carrying|showing|with) (?:with )?(?:the )?(?:letters|digits|numbers|labels|symbols)?",
-        "(?:each )?(?:exactly |just |only )?once(?: each)?", "one (?:of )?each", "one (?:block|cube|letter|digit) each", "one after (?:the other|another)", "read", "reading order"),
+        "(?:each )?(?:exactly |just |only )?once(?: each)?", "one (?:of )?each", "one (?:block|cube|letter|digit) each", "one after (?:the other|another)", rf"I(?= {_SPEAKS} )"),
     *patterns("free", None, "(?:the )?(?:other|remaining) (?:2|3|4|ones|letters|digits|BLOCK)?(?: (?:may|can|could|might))?(?: (?:be|come|stand|go))? ?(?:in )?(?:any|either|whatever|whichever) (?:order|position|place)(?: (?:you|they) (?:like|want|please))?",
         "(?:in )?(?:any|whatever|whichever) order(?: (?:you|they|we) (?:like|want|please))?"),
 ]  # fmt: skip

@@ -11,7 +11,7 @@ from rpg.language.frames import rowwords, shared
 from rpg.language.frames.arranged import Fact
 from rpg.language.frames.lots import LOTS, Lot, counted, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
-from rpg.language.frames.rowplaces import Said, said_of
+from rpg.language.frames.rowplaces import STOPS, Said, said_of
 from rpg.language.frames.rowtold import Row, in_words
 from rpg.language.lexicon import RAINBOW
 
@@ -64,7 +64,7 @@ def told(pieces: Sequence[Piece]) -> str:
         lots, row.facts = _facts(said, lots, size, pattern)
         row.counts = Counter({lot.look: lot.count for lot in _numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
-    return in_words(row, pieces, _Colored)
+    return in_words(row, pieces, _Colored())
 
 
 def adds(pieces: Sequence[Piece]) -> bool:
@@ -73,16 +73,17 @@ def adds(pieces: Sequence[Piece]) -> bool:
     return any(piece.kind == "act" or (piece.kind == "place" and {"on", "end"} <= {word.rstrip("s") for word in piece.words.split()} ) for piece in pieces[at:])
 
 
-def noun_of(pieces: Sequence[Piece]) -> str:
-    """What the figure is called: "lined up" says less than a noun.
+def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
+    """What the figure is called: "lined up" says less than a noun. `sorts`: blocks that are sorted in a direction are a
+    row without any noun.
 
     Raises:
         Unclear: there is no figure, or there are two.
     """
     told = [piece for piece in pieces if piece.kind == "figure"]
-    nouns = [piece.value for piece in told if not piece.words.startswith(("line up", "lin", "align")) or piece.words in ("line", "lineup")]
+    nouns = [piece.value for piece in told if not verbal(piece)]
     again = [piece.value for piece in pieces if piece.kind == "mention"]
-    way = one(pieces, "direction")
+    way = one(pieces, "direction") if sorts else None
     if len(nouns) > 1 or len(told) - len(nouns) > 1 or not (told or again or way) or len(set(again)) > 1 or (nouns and again and set(again) != set(nouns)):
         raise Unclear
     stock = [n for n, piece in enumerate(pieces) if piece.kind == "stock"]
@@ -96,6 +97,11 @@ def noun_of(pieces: Sequence[Piece]) -> str:
     if axis and noun not in ("line", axis.value):
         raise Unclear
     return str(axis.value) if axis else noun
+
+
+def verbal(piece: Piece) -> bool:
+    """Whether a figure is told by a verb, "lined up", not by a noun."""
+    return piece.words.startswith(("line up", "lines", "lined", "lining", "line them", "line these", "line it", "line all"))
 
 
 def pattern_of(pieces: Sequence[Piece]) -> str:
@@ -132,10 +138,37 @@ def check_lots(pieces: Sequence[Piece]) -> None:
     """
     if any(a.kind == c.kind == "lot" and b.kind == "glue" for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False)):
         raise Unclear
+    check_joined(pieces)
     together = [(a, b) for a, b in pairwise(pieces) if a.kind == b.kind == "lot"]
     bare = all(not {"det", "noun", "count", "many"} & set(piece.named) for pair in together for piece in pair)
     if together and (len(together) < 2 or not bare):
         raise Unclear
+
+
+def check_joined(pieces: Sequence[Piece]) -> None:
+    """A list is one list, and a sentence with blocks is about the row.
+
+    Raises:
+        Unclear: "A and B, C and D"; "three blocks in a row. Red, white and blue must touch."
+    """
+    seps: list[str] = []
+    for piece in [*pieces, Piece("end", "")]:
+        if piece.kind == "break" and piece.words not in STOPS:
+            seps.append(piece.words)
+        elif piece.kind == "lot":
+            seps.append("")
+        elif piece.kind != "glue":
+            inner = [join.strip() for join in " ".join(sep or "|" for sep in seps).split("|")[1:-1]]
+            if "," in inner and any("and" in join for join in inner[:-1]):
+                raise Unclear
+            seps = []
+    parts: list[list[Piece]] = [[]]
+    for piece in pieces:
+        parts.append([]) if piece.kind == "break" and piece.words in STOPS else parts[-1].append(piece)
+    for part in parts:
+        kinds = {piece.kind for piece in part}
+        if {"lot", "spacing"} <= kinds and not kinds & {"figure", "mention", "listed", "direction", "place", "total"}:
+            raise Unclear
 
 
 def order_of(pieces: Sequence[Piece], said: Said, row: Row) -> list[str] | None:

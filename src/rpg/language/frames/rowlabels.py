@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from rpg.language.frames import labelwords, rowwords, shared
-from rpg.language.frames.arranged import OPPOSITE, Fact
+from rpg.language.frames.arranged import Fact
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number
-from rpg.language.frames.row import check_lots, check_words, noun_of, order_of, set_off
-from rpg.language.frames.rowplaces import Said, said_of
+from rpg.language.frames.row import check_lots, check_words, noun_of, set_off, verbal
+from rpg.language.frames.rowplaces import STOPS, Said, said_of
+from rpg.language.frames.rowsorted import KINDS, WAYS, Labelled, in_sort, in_sort_words, sort_of
 from rpg.language.frames.rowtold import Row, in_words
 
 PATTERNS: list[Pattern] = [
@@ -31,16 +33,6 @@ PATTERNS: list[Pattern] = [
     *shared.BREAKS,
     *shared.GLUE,
 ]
-_KIND = {
-    "even": frozenset("02468"),
-    "odd": frozenset("13579"),
-    "vowel": frozenset("AEIOU"),
-    "consonant": frozenset("BCDFGHJKLMNPQRSTVWXYZ"),
-    "letter": frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZ"),
-    "digit": frozenset("0123456789"),
-}
-_NAMES = {"even": "even numbers", "odd": "odd numbers", "vowel": "vowels", "consonant": "consonants",
-          "letter": "letters", "digit": "digits"}  # fmt: skip
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -53,8 +45,8 @@ def told(pieces: Sequence[Piece]) -> str:
     check_lots(pieces)
     check_words(pieces)
     check_numbers(pieces)
-    row = Row(noun_of(pieces), "", "")
-    direction, total, sort, kinds = (one(pieces, kind) for kind in ("direction", "total", "sort", "kinds"))
+    row = Row(noun_of(pieces, sorts=any(piece.kind in ("sort", "kinds") for piece in pieces)), "", "")
+    direction, total = one(pieces, "direction"), one(pieces, "total")
     row.direction = direction.value if direction else ""
     lots_at = _lots_at(pieces)
     if not lots_at:
@@ -62,50 +54,64 @@ def told(pieces: Sequence[Piece]) -> str:
     said = said_of(pieces, lots_at)
     row.set_off = bool(said.lists) and set_off(pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0]))
     row.facts = _facts(said)
-    labels = _labels(said, pieces, row)
+    labels = labels_of(said)
     row.counts = Counter(labels)
-    if (total and total.value != len(labels)) or not any(len(label) == 1 for label in labels):
+    check_nouns(pieces, labels)
+    if total and total.value != len(labels):
         raise Unclear
-    if any(piece.kind == "alternate" for piece in pieces):
-        if sort or kinds or row.direction or row.facts or len(said.lists) != 1:
-            raise Unclear
-        return in_words(row, pieces, _Labelled, f"Lay {_Labelled.blocks(row.counts)} in a {row.noun} in which letters and digits alternate.")
-    sorting = bool(sort or kinds) or any(piece.kind == "backwards" for piece in pieces)
-    if not sorting:
-        row.order = order_of(pieces, said, row)
-    if any(piece.kind == "free" for piece in pieces) and (sorting or row.order):
+    kinds = {piece.kind for piece in pieces}
+    if "alternate" in kinds:
+        return _alternating(row, pieces)
+    sort = sort_of(pieces, labels)
+    if sort or kinds & {"kinds", "backwards"}:
+        check_sorted(pieces, said)
+        text = in_sort(row, sort, labels, said, pieces)
+    else:
+        row.order = _listed(pieces, said, row)
+        text = in_words(row, pieces, Labelled())
+    if "free" in kinds and (sort or row.order or not row.facts):
         raise Unclear
-    text = _sorted(row, labels, said, pieces) if sorting else in_words(row, pieces, _Labelled)
     return " ".join([text, *_relations(pieces, labels)])
 
 
 def expanded(pieces: Sequence[Piece]) -> list[Piece]:
-    """The pieces with each range as the list of its labels, and "the largest" as the label that it is.
+    """The pieces with each range as the list of its labels (and how that is sorted, if it is told "from" one "to"
+    another), and "the largest" as the label that it is.
 
     Raises:
         Unclear: a range or a largest of nothing.
     """
     found: list[Piece] = []
     for piece in pieces:
-        if piece.kind != "range":
-            label = {"label": piece.named["label"].strip("'").upper()} if "label" in piece.named else {}
-            found.append(replace(piece, named={**piece.named, **label}))
+        if piece.kind == "range":
+            found += _from_range(piece, [other.named["label"] for other in found if "label" in other.named])
             continue
-        labels: list[str] = piece.value
-        known = [other.named["label"] for other in found if "label" in other.named]
-        if len(labels) < 2 or (known and sorted(known) != sorted(labels)):
-            raise Unclear
-        if labels != sorted(labels) or known:
-            found.append(Piece("sort", piece.words, "up" if labels == sorted(labels) else "down"))
-        for n, label in enumerate([] if known else labels):
-            found += [Piece("break", ",")] * (n > 0) + [Piece("lot", label, None, {"label": label})]
+        label = {"label": piece.named["label"].strip("'").upper()} if "label" in piece.named else {}
+        found.append(replace(piece, named={**piece.named, **label}))
     digits = sorted({piece.named["label"] for piece in found if "label" in piece.named})
     for n, piece in enumerate(found):
         if piece.kind == "extreme":
-            if len(digits) < 2 or not _KIND["digit"].issuperset(digits):
+            if len(digits) < 2 or not KINDS["digit"].issuperset(digits):
                 raise Unclear
             which = digits[0 if piece.value == "low" else -1]
-            found[n] = Piece("lot", piece.words, None, {"label": which, "det": "the"})
+            found[n] = Piece("lot", piece.words, None, {"label": which, "det": "the", "extreme": piece.value})
+    return found
+
+
+def _from_range(piece: Piece, known: list[str]) -> list[Piece]:
+    """What a range tells; if its labels are `known` it tells only how they are sorted."""
+    labels: list[str] = piece.value
+    if len(labels) < 2 or (known and sorted(known) != sorted(labels)):
+        raise Unclear
+    found = []
+    rises = labels == sorted(labels)
+    if not rises or known or {"way", "side"} & set(piece.named):
+        found.append(Piece("sort", "from" if rises and not known else piece.words, "rises" if rises else "falls"))
+    if "side" in piece.named:
+        ends = ["left", "right"][:: 1 if piece.named["side"] == "left" else -1]
+        found.append(Piece("direction", piece.words, f"from {ends[0]} to {ends[1]}"))
+    for n, label in enumerate([] if known else labels):
+        found += [Piece("break", ",")] * (n > 0) + [Piece("lot", label, None, {"label": label})]
     return found
 
 
@@ -125,6 +131,43 @@ def check_numbers(pieces: Sequence[Piece]) -> None:
         if piece.words in ("a", "i") and piece.kind == "glue" and after.kind == "break":
             raise Unclear
         ahead = piece
+
+
+def check_nouns(pieces: Sequence[Piece], labels: Sequence[str]) -> None:
+    """ "Letters" are letters, and "digits" are digits; one of them at least is told.
+
+    Raises:
+        Unclear: they are not.
+    """
+    words = {word.rstrip("s") for piece in pieces if piece.kind in ("glue", "total", "range") for word in piece.words.split()}
+    named = {kind for kind in ("letter", "digit") if any(label in KINDS[kind] for label in labels)}
+    told = {kind for kind, nouns in (("letter", {"letter"}), ("digit", {"digit", "number", "numeral"})) if words & nouns}
+    if not named or not told <= named or ({"rising", "growing"} & {*" ".join(p.words for p in pieces).split()} and "digit" not in told):
+        raise Unclear
+
+
+def check_sorted(pieces: Sequence[Piece], said: Said) -> None:
+    """What is sorted is the row that is to be made.
+
+    Raises:
+        Unclear: it may stand there already, in another order.
+    """
+    kinds = [piece.kind for piece in pieces]
+    if "figure" not in kinds and any(a.kind == "mention" and b.kind == "lot" for a, b in pairwise(pieces)):
+        raise Unclear
+    parts: list[list[Piece]] = [[]]
+    for piece in pieces:
+        parts.append([]) if piece.words in STOPS and piece.kind == "break" else parts[-1].append(piece)
+    for part in parts:
+        there = {piece.kind for piece in part}
+        again = "figure" not in there and "figure" in kinds
+        if "backwards" in there and "lot" not in there:
+            raise Unclear
+        if "sort" in there and again and not there & {"lot", "kinds"} and _COMMANDS & {word for piece in part for word in piece.words.split()}:
+            raise Unclear
+
+
+_COMMANDS = frozenset({"put", "sort", "arrange", "order", "bring", "place", "set", "lay"})
 
 
 def _lots_at(pieces: Sequence[Piece]) -> dict[int, Lot]:
@@ -161,7 +204,7 @@ def _facts(said: Said) -> list[Fact]:
     return [(*placed.place, placed.lot.look, placed.lot.count or 1) for placed in said.placed]
 
 
-def _labels(said: Said, pieces: Sequence[Piece], row: Row) -> list[str]:
+def labels_of(said: Said) -> list[str]:
     """All blocks: those of the list, or of two lists of the same, and those told only with their place.
 
     Raises:
@@ -179,6 +222,38 @@ def _labels(said: Said, pieces: Sequence[Piece], row: Row) -> list[str]:
     return found
 
 
+def _listed(pieces: Sequence[Piece], said: Said, row: Row) -> list[str] | None:
+    """The blocks in the order in which they are listed, if this is told as an order.
+
+    Raises:
+        Unclear: there are two orders.
+    """
+    if not said.lists:
+        return None
+    figures = [n for n, piece in enumerate(pieces[:-1]) if piece.kind in ("figure", "mention") and not verbal(piece)]
+    direct = any(pieces[n + 1].kind == "lot" for n in figures)
+    reads = any(piece.kind == "listed" for piece in pieces)
+    marked = bool(row.direction) or reads or direct or row.set_off
+    order = [lot.look for lot in (said.whole if marked else said.lists)[-1] for _ in range(lot.count or 1)]
+    if len(said.lists) > 1 and (not marked or all(piece.kind != "figure" for piece in pieces)):
+        raise Unclear
+    if reads and row.noun == "column" and not row.direction:
+        raise Unclear  # whichever end is read first
+    if Counter(order) != row.counts:
+        if marked:
+            raise Unclear
+        return None
+    return order if marked or len(set(order)) < len(order) else None
+
+
+def _alternating(row: Row, pieces: Sequence[Piece]) -> str:
+    """A row in which letters and digits alternate, and nothing more is told."""
+    if row.facts or any(piece.kind in ("sort", "kinds", "direction", "backwards", "free") for piece in pieces):
+        raise Unclear
+    lay = f"Lay {Labelled().blocks(row.counts)} in a {row.noun} in which letters and digits alternate."
+    return in_words(row, pieces, Labelled(), lay)
+
+
 def _unnamed(row: Row, pieces: Sequence[Piece]) -> str:
     """Blocks of which no label is told.
 
@@ -191,97 +266,9 @@ def _unnamed(row: Row, pieces: Sequence[Piece]) -> str:
         raise Unclear
     kind = kinds.pop()
     lay = f"Lay {total.value} {kind} blocks in a {row.noun}"
-    order = _sort_in_words(sort.value, kind) if sort else ""
+    order = in_sort_words({"listed": "", **WAYS}[sort.value], kind) if sort else ""
     row.size = total.value
-    return in_words(row, pieces, _Labelled, f"{lay}{order}{f' {row.direction}' if row.direction else ''}.")
-
-
-def _sort_in_words(sort: str, kind: str) -> str:
-    if sort == "listed":
-        raise Unclear
-    if kind == "letter":
-        return f" in {'reverse ' if sort == 'down' else ''}alphabetical order"
-    return f" in {'de' if sort == 'down' else 'a'}scending order"
-
-
-def _sorted(row: Row, labels: list[str], said: Said, pieces: Sequence[Piece]) -> str:
-    """A row whose order follows from how it is sorted.
-
-    Raises:
-        Unclear: what is told of its order does not agree.
-    """
-    sort, kinds = one(pieces, "sort"), one(pieces, "kinds")
-    toward = {piece.named["toward"] for piece in pieces if "toward" in piece.named}
-    if toward and not row.direction:
-        row.direction = {"right": "from left to right", "left": "from right to left"}[toward.pop()]
-    toward_end = f"to {toward.pop()}" if toward else ""
-    if not row.direction.endswith(toward_end) or any(piece.kind == "alternate" for piece in pieces):
-        raise Unclear
-    if any(piece.kind == "each kind" for piece in pieces) and not kinds:
-        raise Unclear
-    order = _order(labels, sort.value if sort else "", kinds.value if kinds else (), pieces)
-    if order is None:
-        if row.facts or row.noun == "column" or len(said.lists) > 1:
-            raise Unclear
-        ahead, behind = kinds.value if kinds else ("", "")
-        order_said = f"with the {_NAMES[ahead]} before the {_NAMES[behind]}"
-        text = f"Lay {_Labelled.blocks(row.counts)} in a {row.noun} {row.direction or 'from left to right'} {order_said}."
-        return in_words(row, pieces, _Labelled, text)
-    if len(said.lists) > 1 and [lot.look for lot in said.lists[-1]] != order:
-        raise Unclear
-    return _told_sorted(row, order, sort.value if sort and not kinds else "", pieces)
-
-
-def _order(labels: list[str], sort: str, kinds: tuple[str, ...], pieces: Sequence[Piece]) -> list[str] | None:
-    """The labels in the order in which they are told to be; None where it is only told which kind is ahead.
-
-    Raises:
-        Unclear: labels that cannot be sorted so.
-    """
-    if any(piece.kind == "backwards" for piece in pieces):
-        if sort or kinds:
-            raise Unclear
-        return labels[::-1]
-    groups = [[label for label in labels if label in _KIND[kind]] for kind in kinds] or [labels]
-    if sum(map(len, groups)) != len(labels) or not all(groups):
-        raise Unclear
-    if any(not (_KIND["letter"].issuperset(group) or _KIND["digit"].issuperset(group)) for group in groups):
-        raise Unclear
-    if not sort:
-        return None
-    if sort == "listed" and labels != sorted(labels):
-        raise Unclear
-    return [label for group in groups for label in sorted(group, reverse=sort == "down")]
-
-
-def _told_sorted(row: Row, order: list[str], sort: str, pieces: Sequence[Piece]) -> str:
-    """A row with a known order, and perhaps places that tell its direction.
-
-    Raises:
-        Unclear: the places do not agree with it.
-    """
-    if not row.direction and not row.facts and sort:
-        kind = "letter" if order[0] in _KIND["letter"] else "digit"
-        text = f"Lay {_Labelled.blocks(row.counts)} in a {row.noun}{_sort_in_words('up' if sort == 'listed' else sort, kind)}."
-        return in_words(row, pieces, _Labelled, text)
-    ways = [row.direction] if row.direction else _ways(row)
-    found = []
-    for way in ways:
-        turned = Row(row.noun, way, "", row.counts, order, row.facts)
-        try:
-            found.append(in_words(turned, pieces, _Labelled))
-        except Unclear:
-            continue
-    if not found or (len(found) > 1 and row.noun == "line" and not any(name in OPPOSITE for name, *_ in row.facts)):
-        raise Unclear
-    return found[0]
-
-
-def _ways(row: Row) -> list[str]:
-    """The directions in which it may be read, the usual one first."""
-    if row.near == "front":
-        return ["from front to back", "from back to front"]
-    return ["from left to right", "from right to left"]
+    return in_words(row, pieces, Labelled(), f"{lay}{order}{f' {row.direction}' if row.direction else ''}.")
 
 
 def _relations(pieces: Sequence[Piece], labels: Sequence[str]) -> list[str]:
@@ -296,25 +283,3 @@ def _relations(pieces: Sequence[Piece], labels: Sequence[str]) -> list[str]:
             raise Unclear
         found.append(f"The {x} block is {relation} the {y} block.")
     return found
-
-
-class _Labelled:
-    """How blocks with labels, and coloured ones among them, are told."""
-
-    @staticmethod
-    def blocks(counts: Counter[str]) -> str:
-        """All of them."""
-        labels = [look for look, many in counts.items() for _ in range(many) if len(look) == 1]
-        colored = [Lot(look, many).blocks for look, many in counts.items() if len(look) > 1]
-        told = [f"the block{'s' * (len(labels) > 1)} {' and '.join([', '.join(labels[:-1]), labels[-1]] if len(labels) > 1 else labels)}"]
-        return " and ".join([*told, *colored])
-
-    @staticmethod
-    def the(look: str) -> str:
-        """The only one of a look."""
-        return f"the {look} block"
-
-    @staticmethod
-    def an(look: str) -> str:
-        """One of several."""
-        return f"{'an' if look[0] in 'aeiouAEFHILMNORSX8' else 'a'} {look} block"

@@ -64,7 +64,7 @@ class Row:
         return self.direction.split()[1] if self.direction else self.near
 
 
-def in_words(row: Row, pieces: Sequence[Piece], names: type[Names] | Names, lay: str = "") -> str:
+def in_words(row: Row, pieces: Sequence[Piece], names: Names, lay: str = "") -> str:
     """The row in plain sentences. `lay`: the first of them, where it is told already.
 
     Raises:
@@ -76,7 +76,7 @@ def in_words(row: Row, pieces: Sequence[Piece], names: type[Names] | Names, lay:
     return " ".join([lay or _arranged(row, noun, names), *_spacing(pieces), *_where(pieces, noun)])
 
 
-def _arranged(row: Row, noun: str, names: type[Names] | Names) -> str:
+def _arranged(row: Row, noun: str, names: Names) -> str:
     if not row.counts:
         return _uncolored(row, noun)
     if row.pattern in ("different", "same") and (
@@ -108,7 +108,7 @@ def _arranged(row: Row, noun: str, names: type[Names] | Names) -> str:
         if len(orders) > 1:
             raise Unclear
         if turned or (noun == "row" and orders[0] == orders[0][::-1]):
-            return f"{lay}, {_LENGTHWAYS[row.near]}: {', '.join(orders[0])}."
+            return f"{lay} {_LENGTHWAYS[row.near]}: {', '.join(orders[0])}."
     if pattern:
         raise Unclear
     return _partly(row, lay, noun, names)
@@ -137,12 +137,15 @@ def _listed(row: Row, lay: str, pattern: str) -> str:
         raise Unclear
     if pattern and along not in completed(along, row.counts, pattern):
         raise Unclear
-    return f"{lay}, {row.direction or _LENGTHWAYS[row.near]}: {', '.join(order)}."
+    return f"{lay} {row.direction or _LENGTHWAYS[row.near]}: {', '.join(order)}."
 
 
-def _partly(row: Row, lay: str, noun: str, names: type[Names] | Names) -> str:
+def _partly(row: Row, lay: str, noun: str, names: Names) -> str:
     """A row with some blocks at their places in it."""
     within, behind = [], []
+    both = [look for name, _, look, many in row.facts if name in ("end", "other") and many == row.counts[look] == 1]
+    if len(both) == 2:
+        within.append(f"{both[0]} and {both[1]} at the ends")
     for name, nth, look, many in row.facts:
         end = {"first": row.first, "last": OPPOSITE[row.first]}.get(name, name)
         single = many == row.counts[look] == 1
@@ -150,11 +153,13 @@ def _partly(row: Row, lay: str, noun: str, names: type[Names] | Names) -> str:
             within.append(f"{names.an(look)} at each end")
         elif not single:
             raise Unclear
+        elif len(both) == 2 and name in ("end", "other"):
+            continue
         elif name in ("middle", "end", "other"):
             at = {"middle": "in the middle", "end": "at one end", "other": "at the other end"}[name]
             within.append(f"{names.the(look)} {at}")
         elif end in _ENDS:
-            behind.append(f"{names.the(look).capitalize()} is {f'at the {end} end of the {noun}' if nth == 1 else f'{_NTH[nth - 1]} from the {end}'}.")
+            behind.append(f"T{names.the(look)[1:]} is {f'at the {end} end of the {noun}' if nth == 1 else f'{_NTH[nth - 1]} from the {end}'}.")
         else:
             raise Unclear
     if behind and within and noun != "row":
@@ -182,4 +187,7 @@ def _spacing(pieces: Sequence[Piece]) -> list[str]:
 
 def _where(pieces: Sequence[Piece], noun: str) -> list[str]:
     where = one(pieces, "where")
+    verbs = all(piece.words.startswith("line up") for piece in pieces if piece.kind == "figure")
+    if where and verbs and where.words.startswith(("standing", "sitting", "lying", "resting")):
+        raise Unclear  # "line up A and B, standing on the mat": both?
     return [f"The {noun} is {where.value}."] if where else []

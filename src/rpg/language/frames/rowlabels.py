@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, permutations
 
 from rpg.language.frames import labelwords, rowwords, shared
-from rpg.language.frames.arranged import Fact
+from rpg.language.frames.arranged import Fact, filled
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number
 from rpg.language.frames.row import check_lots, check_words, noun_of, set_off, verbal
@@ -67,11 +67,13 @@ def told(pieces: Sequence[Piece]) -> str:
         check_sorted(pieces, said)
         text = in_sort(row, sort, labels, said, pieces)
     else:
-        row.order = _listed(pieces, said, row)
+        row.order = _listed(pieces, said, row) or _following(row, pieces, labels)
+        if row.order is None and {"left", "right"} <= {name for name, *_ in row.facts}:
+            raise Unclear  # "with D at the left and A at the right": as if it were sorted
         text = in_words(row, pieces, Labelled())
     if "free" in kinds and (sort or row.order or not row.facts):
         raise Unclear
-    return " ".join([text, *_relations(pieces, labels)])
+    return " ".join([text, *_relations(row, pieces, labels)])
 
 
 def expanded(pieces: Sequence[Piece]) -> list[Piece]:
@@ -246,6 +248,31 @@ def _listed(pieces: Sequence[Piece], said: Said, row: Row) -> list[str] | None:
     return order if marked or len(set(order)) < len(order) else None
 
 
+def _following(row: Row, pieces: Sequence[Piece], labels: list[str]) -> list[str] | None:
+    """The order that follows from what is told of places and of how blocks stand to each other, if it does."""
+    relations = [piece.value for piece in pieces if piece.kind == "relation"]
+    if not relations or not row.facts or row.direction or row.near == "front" or not 2 < len(labels) < 8:
+        return None
+    slots = filled(len(labels), row.facts, row.near, row.first)
+    orders = [
+        order
+        for order in permutations(labels)
+        if all(told in ("", label) for told, label in zip(slots, order, strict=True))
+        and all(_holds(order, *relation) for relation in relations)
+    ]
+    if len(orders) != 1:
+        return None
+    row.direction = "from left to right"
+    return list(orders[0])
+
+
+def _holds(order: Sequence[str], x: str, relation: str, y: str) -> bool:
+    if x not in order or y not in order:
+        return False
+    a, b = order.index(x), order.index(y)
+    return {"left of": a < b, "right of": a > b, "next to": abs(a - b) == 1}.get(relation, False)
+
+
 def _alternating(row: Row, pieces: Sequence[Piece]) -> str:
     """A row in which letters and digits alternate, and nothing more is told."""
     if row.facts or any(piece.kind in ("sort", "kinds", "direction", "backwards", "free") for piece in pieces):
@@ -271,7 +298,7 @@ def _unnamed(row: Row, pieces: Sequence[Piece]) -> str:
     return in_words(row, pieces, Labelled(), f"{lay}{order}{f' {row.direction}' if row.direction else ''}.")
 
 
-def _relations(pieces: Sequence[Piece], labels: Sequence[str]) -> list[str]:
+def _relations(row: Row, pieces: Sequence[Piece], labels: Sequence[str]) -> list[str]:
     """What is told of two of the blocks.
 
     Raises:
@@ -281,5 +308,8 @@ def _relations(pieces: Sequence[Piece], labels: Sequence[str]) -> list[str]:
     for x, relation, y in (piece.value for piece in pieces if piece.kind == "relation"):
         if x == y or labels.count(x) != 1 or labels.count(y) != 1:
             raise Unclear
-        found.append(f"The {x} block is {relation} the {y} block.")
+        if row.order is None:
+            found.append(f"The {x} block is {relation} the {y} block.")
+        elif not _holds(row.order if row.near == row.first else row.order[::-1], x, relation, y):
+            raise Unclear
     return found

@@ -51,7 +51,7 @@ def sort_of(pieces: Sequence[Piece], labels: Sequence[str]) -> str:
     extremes = [n for n, piece in enumerate(pieces) if "extreme" in piece.named]
     if extremes and not values and all(piece.kind != "free" for piece in pieces):
         both = len({pieces[n].named["extreme"] for n in extremes}) > 1
-        if any({"is", "are"} & set(piece.words.split()) for piece in pieces[extremes[0] :]) and not both:
+        if not both:
             raise Unclear  # of the others it is not told where they are
         values = {"numbers"}
     if "listed" in values and list(labels) != sorted(labels):

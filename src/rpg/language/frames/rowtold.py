@@ -89,7 +89,7 @@ def _arranged(row: Row, noun: str, names: Names) -> str:
         raise Unclear
     lay = f"Lay {names.blocks(row.counts)} in a {noun}"
     if row.order:
-        return _listed(row, lay, pattern)
+        return _listed(row, lay, noun, pattern)
     if not row.facts:
         if pattern == "alternating" and (len(row.counts) != 2 or abs(_difference(row.counts)) > 1 or row.direction):
             raise Unclear
@@ -108,7 +108,7 @@ def _arranged(row: Row, noun: str, names: Names) -> str:
         if len(orders) > 1:
             raise Unclear
         if turned or (noun == "row" and orders[0] == orders[0][::-1]):
-            return f"{lay} {_LENGTHWAYS[row.near]}: {', '.join(orders[0])}."
+            return _in_order(row, lay, noun, _LENGTHWAYS[row.near], orders[0])
     if pattern:
         raise Unclear
     return _partly(row, lay, noun, names)
@@ -128,7 +128,7 @@ def _uncolored(row: Row, noun: str) -> str:
     return f"Lay {row.size} blocks{colors} in a {noun}{order}."
 
 
-def _listed(row: Row, lay: str, pattern: str) -> str:
+def _listed(row: Row, lay: str, noun: str, pattern: str) -> str:
     """A row whose blocks are listed in an order: places and patterns that are told besides agree with it."""
     order = row.order or []
     along = order if row.near == row.first else order[::-1]
@@ -137,7 +137,14 @@ def _listed(row: Row, lay: str, pattern: str) -> str:
         raise Unclear
     if pattern and along not in completed(along, row.counts, pattern):
         raise Unclear
-    return f"{lay} {row.direction or _LENGTHWAYS[row.near]}: {', '.join(order)}."
+    return _in_order(row, lay, noun, row.direction or _LENGTHWAYS[row.near], order)
+
+
+def _in_order(row: Row, lay: str, noun: str, direction: str, order: Sequence[str]) -> str:
+    """A row in an order; of many colours the order is told alone."""
+    if len(row.counts) > 5 and all(look.isalpha() and len(look) > 1 for look in order):
+        lay = f"Lay a {noun}"
+    return f"{lay} {direction}: {', '.join(order)}."
 
 
 def _partly(row: Row, lay: str, noun: str, names: Names) -> str:

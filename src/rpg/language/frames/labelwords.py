@@ -17,7 +17,7 @@ _DIGITS, _LETTERS = string.digits, string.ascii_uppercase
 
 
 def _bare(said: str) -> str:
-    return said.strip("'").upper()
+    return "1" if said == "one" else said.strip("'").upper()
 
 
 def between(first: str, last: str) -> list[str]:
@@ -39,7 +39,7 @@ LABELS: list[Pattern] = [
         rf"(?:(?P<det>the|a|an|one|my) )?(?:{_ONE} )?(?:{_ONE} )?(?:{_CARRIES} (?:the |a |an )?(?:{_NOUN} )?)?(?P<label>{_L})(?: {_ONE})?(?! blocks)",
         rf"(?P<count>\d|a|an|one) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)"),
     *patterns("range", _range,
-        rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:(?P<way>from|starting with|beginning with) )?(?P<first>{_L}) {_TO} (?P<last>{_L})(?: inclusive)?",
+        rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:(?P<way>from|starting with|beginning with) )?(?P<first>{_L}|one) {_TO} (?P<last>{_L})(?: inclusive)?",
         rf"(?:from )?(?P<first>{_L}) (?:at|on) the (?P<side>left|right)(?: end| side)? {_TO} (?P<last>{_L}) (?:at|on) the (?:left|right)(?: end| side)?"),
     *patterns("range", lambda match: list(_LETTERS[: int(match["n"])]),
         r"(?:the )?first (?P<n>\d+) letters(?: of the alphabet| in the alphabet)?"),
@@ -69,19 +69,23 @@ SORTED: list[Pattern] = [
     *patterns("sort", "zyx",
         f"{_SORTS}{_BACK} {_ABC}{_ORDER}{_TOWARD}", f"{_SORTS}(?:z to a|Z to A|Z to a|z to A)",
         f"{_SORTS}{_ABC}{_ORDER} (?:in reverse|reversed|backwards?|but (?:in reverse|backwards?|reversed))"),
+    *patterns("sort", "rises", f"{_SORTS}{_UP}{_ORDER}{_TOWARD}"),
+    *patterns("sort", "falls", f"{_SORTS}{_DOWN}{_ORDER}{_TOWARD}"),
     *patterns("sort", "up",
-        f"{_SORTS}{_UP}{_ORDER}{_TOWARD}", f"(?:they |that |which )?(?:counts?|goes|go|climbs?|runs?) up(?:wards)?{_TOWARD}",
+        f"(?:they |that |which )?(?:counts?|goes|go|climbs?|runs?) up(?:wards)?{_TOWARD}",
+        f"(?:so that |and |with )?(?:(?:the|their) )?(?:{_NOUN}|values?|they|which|it) (?:must |should |shall |to |have to |may only )?(?:increase|increases|increasing|rise|rises|grow|grows|ascend|ascends|go up|get (?:bigger|larger|higher)|gets? (?:bigger|larger|higher))",
         f"{_SORTS}(?:from )?(?:the )?{_LOW}{_WHAT} (?:to|up to) (?:the )?{_HIGH}{_WHAT}", f"(?:with )?(?:the )?{_LOW}{_WHAT} (?:BE )?first",
         f"(?:with )?(?:the )?{_HIGH}{_WHAT} (?:BE )?last"),
     *patterns("sort", "down",
-        f"{_SORTS}{_DOWN}{_ORDER}{_TOWARD}", f"{_SORTS}{_BACK} (?:numerical|numeric|number|counting)(?: (?:order|sequence))?",
+        f"{_SORTS}{_BACK} (?:numerical|numeric|number|counting)(?: (?:order|sequence))?",
         f"(?:they |that |which )?(?:counts?|goes|go|runs?) down(?:wards)?{_TOWARD}",
+        f"(?:so that |and |with )?(?:(?:the|their) )?(?:{_NOUN}|values?|they|which|it) (?:must |should |shall |to |have to |may only )?(?:decrease|decreases|decreasing|fall|falls|shrink|descend|descends|go down|gets? (?:smaller|lower))",
         f"{_SORTS}(?:from )?(?:the )?{_HIGH}{_WHAT} (?:to|down to) (?:the )?{_LOW}{_WHAT}", f"(?:with )?(?:the )?{_HIGH}{_WHAT} (?:BE )?first",
         f"(?:with )?(?:the )?{_LOW}{_WHAT} (?:BE )?last"),
     *patterns("sort", "numbers",
         f"{_SORTS}(?:numerical(?:ly)?|numeric(?:ally)?|number|counting|natural|normal number)(?: (?:order|sequence|sorted|ordered))+{_TOWARD}", f"{_SORTS}numerically(?: (?:sorted|ordered))?",
         f"(?:sorted|sort|ordered|arranged) (?:them )?by (?:number|value|size of the number|numerical value|their numbers?|their value)"),
-    *patterns("sort", "listed", "(?:all )?in (?:the )?(?:right |correct |proper |usual |natural )?(?:order|sequence)", "sorted", "ordered", "sort(?: them)?", "order(?= the)"),
+    *patterns("sort", "listed", "(?:all )?in (?:(?:the |their )?(?:right |correct |proper |usual |natural ))?(?:order|sequence)", "sorted", "ordered", "sort(?: them)?", "order(?= the)"),
     *patterns("backwards", None, "(?:but )?(?:in )?(?:the )?(?:reverse|reversed|backwards?)(?: order)?", "(?:but )?(?:in )?(?:the )?(?:opposite|inverse) order"),
 ]  # fmt: skip
 """Kind "sort": "abc" and "zyx" of letters, "up", "down" and "numbers" (which may run either way) of digits, "listed" as

@@ -18,7 +18,8 @@ from rpg.language.lexicon import RAINBOW
 PATTERNS: list[Pattern] = [
     *LOTS,
     *patterns("total", lambda match: int(match["n"]), r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|alternat\w+|touching|evenly|which|on) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
-        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+) in (?=(?:a|one) )", r"(?P<n>\d+)(?= row )", r"(?P<n>\d+) (?:BLOCK )?(?=row|line|column)"),
+        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+)(?= (?:in|on|make|making|form|forming) (?:a|one) )", r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
+    *rowwords.OF_THEM,
     *rowwords.FIGURE,
     *rowwords.PLACES,
     *rowwords.DIRECTIONS,
@@ -43,7 +44,7 @@ def told(pieces: Sequence[Piece]) -> str:
     check_lots(pieces)
     check_words(pieces)
     noun = noun_of(pieces)
-    lots_at = {n: lot_of(piece) for n, piece in enumerate(pieces) if piece.kind == "lot"}
+    lots_at = lots_of(pieces)
     said = said_of(pieces, lots_at)
     pattern = pattern_of(pieces)
     total, each, direction = (one(pieces, kind) for kind in ("total", "each", "direction"))
@@ -60,11 +61,35 @@ def told(pieces: Sequence[Piece]) -> str:
         row.order, row.counts = order, Counter(order)
         row.facts = _facts(said, [Lot(look, many) for look, many in row.counts.items()], size or len(order), pattern)[1]
     else:
-        lots = [replace(lot, count=each.value) if each and lot.count is None else lot for run in said.lists for lot in run]
+        lots = [lot for run in said.lists for lot in run]
         lots, row.facts = _facts(said, lots, size, pattern)
         row.counts = Counter({lot.look: lot.count for lot in _numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
     return in_words(row, pieces, _Colored())
+
+
+def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
+    """What the pieces name, by where they stand; with the numbers that "two of each" and "half of them" tell.
+
+    Raises:
+        Unclear: these are told of other blocks, too.
+    """
+    found = {n: lot_of(piece) for n, piece in enumerate(pieces) if piece.kind == "lot"}
+    each, total = one(pieces, "each"), one(pieces, "total")
+    counted_at = [n for n in found if "count" in pieces[n].named]
+    if each:
+        if counted_at:
+            raise Unclear
+        return {n: replace(lot, count=each.value) for n, lot in found.items()}
+    of_them = [n for n, piece in enumerate(pieces) if piece.kind == "total" and piece.words.endswith(("them", "these", "those"))]
+    if of_them and (sum(n < of_them[0] for n in found) != 1 or any(piece.kind == "rest" for piece in pieces)):
+        raise Unclear
+    halves = [n for n in found if "half" in pieces[n].named]
+    if halves:
+        if len(halves) != 2 or len(found) > 2 or not total or total.value % 2:
+            raise Unclear
+        return {n: replace(lot, count=total.value // 2) for n, lot in found.items()}
+    return found
 
 
 def adds(pieces: Sequence[Piece]) -> bool:
@@ -124,9 +149,13 @@ def check_words(pieces: Sequence[Piece]) -> None:
     Raises:
         Unclear: "then" is no list, or a number of blocks has a place ("the three blocks in the middle").
     """
-    bound = [piece for piece in pieces if piece.kind not in ("glue", "break")]
+    bound = [piece for piece in pieces if piece.kind != "glue"]
     for piece, after in pairwise([*bound, Piece("end", "")]):
-        if (piece.value == "now" and after.kind not in ("lot", "place")) or {piece.kind, after.kind} == {"total", "place"}:
+        if {piece.kind, after.kind} == {"total", "place"}:
+            raise Unclear
+    bound = [piece for piece in bound if piece.kind != "break"]
+    for piece, after in pairwise([*bound, Piece("end", "")]):
+        if piece.value == "now" and after.kind not in ("lot", "place"):
             raise Unclear
 
 
@@ -153,7 +182,7 @@ def check_joined(pieces: Sequence[Piece]) -> None:
     """
     seps: list[str] = []
     for piece in [*pieces, Piece("end", "")]:
-        if piece.kind == "break" and piece.words not in STOPS:
+        if piece.kind == "break" and piece.words in (",", "and", "plus"):
             seps.append(piece.words)
         elif piece.kind == "lot":
             seps.append("")

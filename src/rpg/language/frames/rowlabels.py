@@ -68,7 +68,7 @@ def told(pieces: Sequence[Piece]) -> str:
         text = in_sort(row, sort, labels, said, pieces)
     else:
         row.order = _listed(pieces, said, row) or _following(row, pieces, labels)
-        if row.order is None and {"left", "right"} <= {name for name, *_ in row.facts}:
+        if row.order is None and {"left", "right"} <= {fact[0] for fact in row.facts} and len(labels) > len(row.facts) + 1:
             raise Unclear  # "with D at the left and A at the right": as if it were sorted
         text = in_words(row, pieces, Labelled())
     if "free" in kinds and (sort or row.order or not row.facts):

@@ -109,6 +109,9 @@ def _placed_in(sentence: Sequence[Piece], known: dict[int, Lot]) -> list[Placed]
             segment.said = [*segment.said, *after.said]
             after.said = []
             kinds = "PL"
+        if kinds == "LPL":
+            found += _between(segment, after, known)
+            continue
         if kinds in ("PLP", "PPL", "LPP"):
             found.append(_refined(segment, known))
             continue
@@ -128,6 +131,26 @@ def _placed_in(sentence: Sequence[Piece], known: dict[int, Lot]) -> list[Placed]
 def _eaten(segments: Sequence[_Segment]) -> list[_Segment]:
     """The segments ahead that are a place with its blocks."""
     return [segment for segment in segments if segment.kinds == "PL" or not segment.said]
+
+
+def _between(segment: _Segment, after: _Segment | None, known: dict[int, Lot]) -> list[Placed]:
+    """Blocks between others, or flanked by others.
+
+    Raises:
+        Unclear: the others are not two.
+    """
+    first, place, second = segment.said
+    one, other = known[id(first)], known[id(second)]
+    if place.words.split()[-1] not in ("by", "between"):
+        raise Unclear
+    if other.count == 2:
+        return [Placed(one, ("middle", 0)), Placed(other, ("ends", 0))]
+    if other.count in (None, 1) and after and after.kinds == "L" and after.mark == "and":
+        third = known[id(after.said[0])]
+        after.said = []
+        if third.count in (None, 1):
+            return [Placed(one, ("middle", 0)), Placed(other, ("end", 0)), Placed(third, ("other", 0))]
+    raise Unclear
 
 
 def _refined(segment: _Segment, known: dict[int, Lot]) -> Placed:

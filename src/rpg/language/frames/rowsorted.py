@@ -80,7 +80,7 @@ def in_sort(row: Row, sort: str, labels: list[str], said: Said, pieces: Sequence
     if any(not row.direction.endswith(end) for end in toward) or (any(piece.kind == "each kind" for piece in pieces) and not kinds):
         raise Unclear
     if any(piece.kind == "backwards" for piece in pieces):
-        if sort or kinds:
+        if sort or kinds or any(piece.kind == "listed" for piece in pieces):
             raise Unclear
         row.order, order_said = labels[::-1], None
     elif kinds:

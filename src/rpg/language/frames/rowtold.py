@@ -97,6 +97,8 @@ def _arranged(row: Row, noun: str, names: Names) -> str:
             raise Unclear
         toward = f" {row.direction}" if row.direction else ""
         return f"{lay}{_PATTERNS[pattern]}{toward}."
+    if {"end", "other"} <= {name for name, *_ in row.facts}:
+        row.facts = [fact for fact in row.facts if (fact[0], fact[3]) != ("middle", size - 2)]  # all that is left
     slots = filled(size, [fact for fact in row.facts if fact[0] not in ("end", "other")], row.near, row.first)
     left = row.counts - Counter(look for look in slots if look)
     if Counter(look for look in slots if look) - row.counts:

@@ -34,9 +34,10 @@ def _side(said: str) -> str:
 def _at_side(side: str) -> list[Pattern]:
     """Ways to say that blocks are at one of the ends, or which blocks these are."""
     end, most = _SIDES[side]
+    bare = "" if side in ("front", "back") else f"|(?:BE )?(?:on|at|to) {side}(?= (?:[,.;)]|$))"
     plain = "" if side in ("front", "back") else f"|(?:BE )?(?:on|at|to) the (?:{_VERY})?(?:{end})(?! of)"
     return patterns("place", (side, 1),
-        f"(?:BE )?(?:placed |located |positioned )?(?:on|at|in|to|forming|as|occupying) (?:the|its) {_VERY}?(?:{end}){_END}(?:{_OF_IT}|(?! of)){plain}",
+        f"(?:BE )?(?:placed |located |positioned )?(?:on|at|in|to|forming|as|occupying|occupies|occupy|taking|takes|filling|fills) (?:the|its) {_VERY}?(?:{end}){_END}(?:{_OF_IT}|(?! of)){plain}{bare}",
         f"(?:BE )?(?:on|at) (?:the )?(?:{_VERY})?(?:{end}){_END}(?! of)",
         f"(?:(?:on|at) )?(?:the |its )?(?:{_VERY})?(?:{end}){_END}?(?= (?:BE |: ))(?: BE)?", f"the (?:{_VERY})?(?:{end}){_END}? (?:one|BLOCK)(?= (?:BE |: ))(?: BE)?",
         f"(?:the )?{_VERY}?(?:{end}){_END}(?= (?:a|one|the|NUM) )",
@@ -70,13 +71,13 @@ PLACES: list[Pattern] = [
     *patterns("place", ("each end", 0), f"(?:BE )?(?:placed )?(?:at|on) (?:each|either|every)(?: of the| of its)?(?: 2)? ends?{_OF_IT}?"),
     *patterns("place", ("ends", 0),
         f"(?:BE )?(?:placed )?(?:at|on|in|form|forming|as) (?:both|the|its|the 2|both the|both of its|both of the|the outer|the opposite|opposite)(?: 2| outer| outer 2)? ends{_OF_IT}?",
-        f"(?:at |on )?(?:with )?(?:both|the|its|the 2|the outer|both of the|both of its) (?:ends|end blocks|end cubes|outer ones|outer BLOCK){_OF_IT}?(?: BE(?: both)?)?", "(?:BE )?(?:on|at|to) the outside", "(?:BE )?(?:the )?(?:2 )?outermost(?: ones| BLOCK)?",
-        "(?:starts|starting|start|begins|beginning|begin) and (?:ends|ending|end|finishes|finishing|finish) (?:with|in|by)", "(?:flanked|framed|bordered|enclosed|bracketed) (?:on both sides |on each side |at both ends )?by"),
+        f"(?:at |on )?(?:with )?(?:both|the|its|the 2|the outer|both of the|both of its) (?:ends|end blocks|end cubes|outer ones|outer BLOCK){_OF_IT}?(?: BE(?: both)?)?", "(?:BE )?(?:on|at|to) the outsides?", "(?:BE )?outside(?= (?:[,.;)]|$))", "(?:BE )?(?:the )?(?:2 )?outermost(?: ones| BLOCK)?",
+        "(?:starts|starting|start|begins|beginning|begin) and (?:ends|ending|end|finishes|finishing|finish) (?:with|in|by)", "(?:BE )?(?:flanked|framed|bordered|enclosed|bracketed|sandwiched) (?:on both sides |on each side |at both ends )?by"),
     *patterns("place", ("end", 0), f"(?:BE )?(?:at|on) (?:one|1|an) (?:of the (?:2 )?ends|end){_OF_IT}?"),
     *patterns("place", ("other", 0), f"(?:BE )?(?:at|on) the (?:other|opposite)(?: end| one){_OF_IT}?"),
     *patterns("place", ("middle", 0),
-        f"(?:BE )?(?:right |exactly |just |precisely |directly )?(?:in|at|on) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|(?! of))(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
-        "(?:the )?(?:middle|central|center|centermost|middlemost)(?: BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:in )?between(?: them| those| these| the ends| the 2 ends| the 2| the 2 of them)?", "in the (?:middle|center)(?= (?:a|one|the|1) )"),
+        f"(?:BE )?(?:right |exactly |just |precisely |directly )?(?:in|at|on|occupying|occupies|occupy|taking|takes|filling|fills) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|(?! of))(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
+        "(?:the )?(?:middle|central|center|centermost|middlemost)(?: BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |squeezed |sandwiched |wedged |caught )?(?:in |right |exactly )?between(?: them| those| these| the ends| the 2 ends| the 2(?! COLOR)| the 2 of them)?", "in the (?:middle|center)(?= (?:a|one|the|1) )"),
     *patterns("place", ("sides", 0),
         "(?:BE )?(?:on|at|to) (?:each|either|both|every)(?: one)?(?: of (?:its|the 2|the))? sides?(?: of (?:it|that|them))?", "(?:BE )?(?:to the )?left and right of (?:it|that)", "(?:BE )?to (?:its|the) left and (?:to )?(?:its )?right"),
 ]  # fmt: skip
@@ -112,13 +113,14 @@ DIRECTIONS: list[Pattern] = [
         "(?:starting|beginning|counted|listed|reading|read) (?:at|from|in) (?:the )?(?:back|rear)", "from (?:the )?(?:back|rear)(?= [:,])"),
     *patterns("listed", None,
         "(?:always )?(?:exactly |precisely |just )?in (?:exactly |precisely )?(?:that|this|the following|exactly this|exactly that|the given|the stated|the same|this exact|that exact|that very|the said|precisely this|precisely that) (?:order|sequence)(?: BE)?",
-        "(?:in |with |has )?(?:the |a )?(?:color )?(?:order|sequence|color sequence|pattern|color pattern)(?: of (?:the )?colors)?(?: BE| of| shall be| reads)?", "(?:the )?colors (?:BE|read|in order)", "(?:that |which )?(?:reads|reading)"),
+        "(?:in |with |has )?(?:the |a )?(?:color )?(?:order|sequence|color sequence|pattern|color pattern)(?: of (?:the )?colors)?(?: BE| of| shall be| reads)?", "(?:the )?colors (?:BE|read|in order)", "(?:that |which )?(?:reads|reading)", "(?:(?:should|must|shall|has to|to) )?(?:go|goes|run|runs|read)(?= (?:COLOR|[A-Z]|:) )"),
 ]  # fmt: skip
 """Kinds "direction" (in which a list is told), and "listed": what is listed is an order."""
 
 _UNIT = "(?:cm|centimeters?|centimetres?|mm|millimeters?|millimetres?|inch|inches|dm)"
 _LENGTH = rf"(?P<about>(?:about|roughly|around|approximately|some|circa|ca|nearly|almost) )?(?P<most>(?:at most|no more than|not more than|up to|maximum|max) )?(?:exactly |precisely )?(?:a |one )?(?P<n>\d+(?:\.\d+)?|one|half a) ?(?P<unit>{_UNIT})"
 _NEIGHBORS = "(?: (?:in )?(?:between|from) (?:(?:each|all|the|every|any|every 2|each 2|any 2|2|all the|all of the|adjacent|neighboring|adjoining|consecutive|successive|their|each and every) )*(?:BLOCK|neighbors?|neighboring|ones?|them|other|another|faces|pair|pairs|edges|sides|pair of neighbors|pair of BLOCK|pair of neighboring BLOCK)(?: and (?:the )?(?:next|its neighbor|each other)(?: one| BLOCK)?| to (?:the )?next(?: one)?)?)"
+_NEIGHBORS = f"(?:{_NEIGHBORS}| (?:in )?between each(?: one| other)?| in between)"
 _FACES = "(?: (?:from|between) (?:(?:the|their|neighboring|adjacent|facing) )*(?:faces?|edges?|sides)(?: to (?:face|edge))?| face to face| edge to edge| measured (?:between|from) (?:the )?faces?(?: to face)?)"
 _CENTERS = "(?:(?:between|from|of|measured between) (?:(?:the|their|neighboring|adjacent|block|cube|all|each|2|consecutive) )*centers?(?: (?:of|to) (?:(?:neighboring|adjacent|the|their|2|center|all) )*(?:BLOCK|neighbors|center|centers)?)?|center to center)"
 
@@ -180,7 +182,7 @@ PATTERNED: list[Pattern] = [
         "(?:BE )?(?:grouped|sorted|ordered|arranged)?(?: together)? by (?:their )?color", "(?:with |and )?(?:the )?(?:all )?(?:BLOCK of )?(?:the |each |every )?(?:same )colors? (?:BE )?(?:kept )?(?:together|next to each other|side by side|adjacent)",
         "(?:each|every) color (?:BE )?(?:kept )?together"),
     *patterns("pattern", "different",
-        "(?:(?:with|and|in|of) )*(?:each|all|every one|every)(?: one| of them| BLOCK| of which)?(?: (?:BE|has|have|having))?(?: of| in)?(?: a| its)? (?:different|own|distinct) colors?",
+        "(?:with |and )?each(?: one| of them| BLOCK)? (?:BE )?(?:of |in |has |having |with )?another color", "(?:(?:with|and|in|of) )*(?:each|all|every one|every)(?: one| of them| BLOCK| of which)?(?: (?:BE|has|have|having))?(?: of| in)?(?: a| its)? (?:different|own|distinct) colors?",
         f"(?:(?:of|in|with|all|having|has|have|completely) )*(?:different(?:ly)?|distinct|various) (?:colors|colored)", "no (?:2|two)(?: BLOCK| of them)? (?:of|have|with|BE|sharing|share)(?: of)? the same color", "all different(?: in color)?", "(?:BE )?(?:all )?of (?:a )?different color"),
     *patterns("pattern", "same",
         "(?:(?:with|and|in) )*(?:all |all of them |each )?(?:BE )?(?:of |in |have |with |has )+(?:just |only )?(?:the same|one|a single|one single|one and the same|1|the very same|1 single|equal) color", "(?:all )?(?:the )?same color"),
@@ -188,7 +190,7 @@ PATTERNED: list[Pattern] = [
 """Kind "pattern" of the colours of all blocks."""
 
 EACH: list[Pattern] = patterns("each", lambda match: number(match["n"]),
-    "(?P<n>NUM)(?: BLOCK)? (?:of each|each|apiece|in each|per|for each)(?: (?:color|one|kind))?", "(?:each )(?:color )?(?P<n>NUM)(?: times)?(?: BLOCK)?")  # fmt: skip
+    "(?:with )?(?P<n>NUM)(?: BLOCK)? (?:of each|each|apiece|in each|per|for each)(?: of)?(?: (?:these|the|the following|following))*(?: (?:colors?|one|kind))?", "(?:each )(?:color )?(?P<n>NUM)(?: times)?(?: BLOCK)?")  # fmt: skip
 """Kind "each": so many blocks of each look."""
 REST: list[Pattern] = patterns("rest", None, "(?:all )?(?:the )?(?:rest|others|other ones|other BLOCK|remaining ones|remaining BLOCK|remaining)(?: of (?:them|it|the BLOCK))?(?: (?:BE|all))*", "everything else(?: BE)?")
 """Kind "rest": what is told next is all that is left."""
@@ -207,7 +209,15 @@ WORDS: list[Pattern] = [
     *patterns("stock", None, "(?:there (?:is|are)|i have(?: got)?|we have(?: got)?|you have(?: got)?|you get|take|here (?:is|are)|given(?: (?:is|are))?|given :|(?:available|materials?|inventory|stock|blocks|cubes)(?: (?:are|is))? :)"),
     *patterns("break", None, "so that", "so", "such that", "in such a way that", "in which", "whose", "including", "where", "also", "as well as", "[()]"),
     *patterns("act", None, "(?:and )?(?:put|place|set|add|lay|insert|stick|position|drop|move|locate)"),
+    *patterns("glue", None, "BE(?: all)?", "let there be", "comprising|comprises|comprised of|comprise|including", "all (?:the |of the |these )?BLOCK", "(?:once )?(?:again|more)(?= (?:[,.;)]|$))",
+        "standing|sitting|lying|resting|placed|positioned|located|neatly|nicely|please|ok|so|all"),
     *patterns("glue", None, "(?:all of )?(?:them|these)(?: all)?|they(?: all)?|it", "(?:colored|plain)", "also please"),
     *patterns("glue", None, "(?:color|number|letter|blocks|cubes|count|quantity|figure|structure|shape|arrangement|layout|configuration|object|objects|spacing|colors|which|that)(?= :)"),
 ]  # fmt: skip
 """Binding words, and those that tell an order ("listed"), what there is ("stock"), or to do a further thing ("act")."""
+
+OF_THEM: list[Pattern] = [
+    *patterns("lot", None, "(?P<half>half) (?:(?:of )?(?:them|these|those|which|the BLOCK) )?(?:BE )?(?P<color>COLOR)(?! (?:BLOCK|PATCH))(?: ones)?", "(?P<count>NUM) (?:of (?:them|these|those|which|the BLOCK) )?BE(?: all)? (?P<color>COLOR)(?! (?:BLOCK|PATCH))(?: ones)?", "(?P<count>NUM) of (?:them|these|those|which|the BLOCK) (?P<color>COLOR)(?! (?:BLOCK|PATCH))(?: ones)?"),
+    *patterns("total", lambda match: int(match["n"]), r"(?P<n>\d+) of (?:them|these|those)(?= (?:[,.;)]|$))"),
+]  # fmt: skip
+"""Lots told as a part of all blocks: "two of them are red"."""

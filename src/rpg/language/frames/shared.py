@@ -23,9 +23,9 @@ GLUE: list[Pattern] = [
     *patterns("glue", None, "(?:made|consisting|consists|composed|built|formed|formed up|laid|laid out|constructed|"
         "assembled|arranged|put together|set up)"
         "(?: out)?(?: of| from| by| with)?"),
-    *patterns("glue", None, "make|build|create|construct|put|place|set|set up|set out|arrange|lay|lay out|assemble|"
+    *patterns("glue", None, "make|build up|build|create|construct|put together|put|place|set up|set out|set|arrange|lay out|lay down|lay|assemble|"
         "organize|form|forms|give|"
-        "show|shows|line up|put together|bring|build up|produce|prepare|contains|contain|containing|has|having|i "
+        "show|shows|line up|bring|produce|prepare|contains|contain|containing|has|having|i "
         "have to|you have to"),
     *patterns("glue", None, "please|could|can|would|will|you|i|we|want|need|like|see|wish|to|me|us|for|let|shall|"
         "kindly|now|just|get|there (?:should|must|shall|has to|needs to) be|there to be"),

@@ -75,6 +75,10 @@ def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
         Unclear: these are told of other blocks, too.
     """
     found = {n: lot_of(piece) for n, piece in enumerate(pieces) if piece.kind == "lot"}
+    for at in (n for n, piece in enumerate(pieces) if piece.kind == "again"):
+        ahead = [lot.look for n, lot in found.items() if n < at]
+        if ahead[-1:] != [look for look in ahead[:-1] if look == ahead[-1]][:1]:
+            raise Unclear  # "red, white, blue again"
     each, total = one(pieces, "each"), one(pieces, "total")
     counted_at = [n for n in found if "count" in pieces[n].named]
     if each:
@@ -121,7 +125,15 @@ def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
     axis = one(pieces, "axis")
     if axis and noun not in ("line", axis.value):
         raise Unclear
+    if noun == "column" and not any(lies(piece) for piece in pieces):
+        raise Unclear  # it may be a tower
     return str(axis.value) if axis else noun
+
+
+def lies(piece: Piece) -> bool:
+    """Whether something is said that shows that a column lies on the table."""
+    away = piece.kind in ("direction", "place") and bool({"front", "back"} & set(str(piece.value[0] if piece.kind == "place" else piece.value).split()))
+    return away or piece.kind in ("where", "axis") or bool({"table", "lay", "flat", "behind"} & set(piece.words.split()))
 
 
 def verbal(piece: Piece) -> bool:

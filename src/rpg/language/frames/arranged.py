@@ -34,7 +34,7 @@ def filled(size: int, facts: Sequence[Fact], near: str, first: str) -> list[str]
             if (size - many) % 2:
                 raise Unclear
             at = [(size - many) // 2 + k for k in range(many)]
-        elif name == "ends":
+        elif name in ("ends", "each end"):
             at = [0, size - 1]
         elif name == "sides":
             if not middle or many % 2 or (size - middle) % 2:

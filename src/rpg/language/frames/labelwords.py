@@ -7,12 +7,12 @@ import string
 
 from rpg.language.frames.pieces import Pattern, number, patterns
 
-_NOUN = "(?:letters?|digits?|numbers?|numerals?|symbols?|characters?|figures?)"
+_NOUN = "(?:letters?|vowels?|consonants?|digits?|numbers?|numerals?|symbols?|characters?|figures?)"
 _ONE = "(?:block|cube|tile|piece|letter|digit|number)"
 _CARRIES = "(?:(?:that |which )?(?:with|has|have|showing|shows|bearing|bears|labelled|labeled|marked|numbered|lettered|carrying))"
 _NEXT = r"(?:,|and|→|[A-Z]|[b-hj-z]|BE|to|through|at|on|in the|left|right|before|after|first|last|second|third|\.)"
 _SPEAKS = "(?:can|could|want|need|have|would|like|see|wish|should|am|will|must|may|read|do|get|expect)"
-_L = rf"[A-HJ-Z]|I(?! {_SPEAKS} )|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|a(?= {_NEXT} )|i(?= (?:,|and|[A-Z]|BE) )"
+_L = rf"[A-HJ-Z]|I(?= (?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$)|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|a(?= {_NEXT} )|i(?= (?:,|and|[A-Z]|[b-hj-z]|BE) )"
 _DIGITS, _LETTERS = string.digits, string.ascii_uppercase
 
 
@@ -36,7 +36,7 @@ def _range(match: re.Match[str]) -> list[str]:
 _TO = "(?:to|through|thru|till|until|up to|…|down to|up through)"
 LABELS: list[Pattern] = [
     *patterns("lot", None,
-        rf"(?:(?P<det>the|a|an|one|my) )?(?:{_ONE} )?(?:{_ONE} )?(?:{_CARRIES} (?:the |a |an )?(?:{_NOUN} )?)?(?P<label>{_L})(?: {_ONE})?(?! blocks)",
+        rf"(?:(?P<det>the|a|an|one|my) )?(?:{_ONE} )?(?:{_ONE} (?:{_CARRIES} (?:the |a |an )?(?:{_NOUN} )?)?)?(?P<label>{_L})(?: {_ONE})?(?! blocks)",
         rf"(?P<count>\d|a|an|one) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)"),
     *patterns("range", _range,
         rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:(?P<way>from|starting with|beginning with) )?(?P<first>{_L}|one) {_TO} (?P<last>{_L})(?: inclusive)?",
@@ -161,7 +161,7 @@ RELATIONS: list[Pattern] = [pattern for relation in _RELATIONS for pattern in _r
 
 WORDS: list[Pattern] = [
     *patterns("glue", None, f"(?:with |of |using |from )?(?:the |all |these |those |my |single |your )*{_NOUN}", "(?:with |of |using |from )?(?:the |these |those )*(?:letter|digit|number|numbered|lettered|labelled|labeled|alphabet|symbol) (?:BLOCK|tiles)"),
-    *patterns("glue", None, "(?:labelled|labeled|marked|numbered|lettered|bearing|carrying|showing|with) (?:with )?(?:the )?(?:letters|digits|numbers|labels|symbols)?",
+    *patterns("glue", None, "(?:labelled|labeled|marked|numbered|lettered|bearing|carrying|showing|with)(?: with)?(?: the)?(?: (?:letters|digits|numbers|labels|symbols))?",
         "(?:each )?(?:exactly |just |only )?once(?: each)?", "one (?:of )?each", "one (?:block|cube|letter|digit) each", "one after (?:the other|another)", rf"I(?= {_SPEAKS} )"),
     *patterns("free", None, "(?:the )?(?:other|remaining) (?:2|3|4|ones|letters|digits|BLOCK)?(?: (?:may|can|could|might))?(?: (?:be|come|stand|go))? ?(?:in )?(?:any|either|whatever|whichever) (?:order|position|place)(?: (?:you|they) (?:like|want|please))?",
         "(?:in )?(?:any|whatever|whichever) order(?: (?:you|they|we) (?:like|want|please))?"),

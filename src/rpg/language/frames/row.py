@@ -59,13 +59,29 @@ def told(pieces: Sequence[Piece]) -> str:
         if size not in (None, len(order)) or open_rest or each:
             raise Unclear
         row.order, row.counts = order, Counter(order)
-        row.facts = _facts(said, [Lot(look, many) for look, many in row.counts.items()], size or len(order), pattern)[1]
+        row.facts = _facts_of_listed(said, row.counts)
     else:
         lots = [lot for run in said.lists for lot in run]
         lots, row.facts = _facts(said, lots, size, pattern)
         row.counts = Counter({lot.look: lot.count for lot in _numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
+    check_rest(pieces, row.counts)
     return in_words(row, pieces, _Colored())
+
+
+def check_rest(pieces: Sequence[Piece], counts: Counter[str]) -> None:
+    """ "The other two" are two, and "the inner two" are all but the ends.
+
+    Raises:
+        Unclear: they are not.
+    """
+    for n, piece in enumerate(pieces):
+        told = [int(said) for said in piece.named.values()] if piece.kind == "rest" else []
+        after = next((other for other in pieces[n:] if other.kind == "lot"), None)
+        if told and (after is None or counts[lot_of(after).look] != told[0]):
+            raise Unclear
+        if "k" in piece.named and piece.kind == "rest" and all(other.value != ("ends", 0) for other in pieces[:n]):
+            raise Unclear
 
 
 def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
@@ -199,6 +215,7 @@ def check_joined(pieces: Sequence[Piece]) -> None:
         elif piece.kind == "lot":
             seps.append("")
         elif piece.kind != "glue":
+            seps = seps[: max(n for n, sep in enumerate(seps) if not sep)] if piece.kind == "place" and "" in seps else seps
             inner = [join.strip() for join in " ".join(sep or "|" for sep in seps).split("|")[1:-1]]
             if "," in inner and any("and" in join for join in inner[:-1]):
                 raise Unclear
@@ -280,6 +297,16 @@ def _facts(said: Said, lots: list[Lot], size: int | None, pattern: str) -> tuple
             added[lot.look] += many
         facts.append((name, nth, lot.look, many))
     return [*lots, *(Lot(look, many) for look, many in added.items())], facts
+
+
+def _facts_of_listed(said: Said, counts: Counter[str]) -> list[Fact]:
+    """What is told of places where all blocks are listed in order."""
+    found = []
+    for placed in said.placed:
+        lot, twice = placed.lot, placed.place[0] in ("ends", "each end")
+        every = counts[lot.look] if lot.plural else 2 if twice else 1
+        found.append((*placed.place, lot.look, lot.count or every))
+    return found
 
 
 def _how_many(lot: Lot, name: str, same: Lot | None, pattern: str) -> int:

@@ -92,6 +92,8 @@ def _segments(sentence: Sequence[Piece]) -> list[_Segment]:
             found[-1].said.append(piece)
         elif piece.kind in ("figure", "mention"):
             found[-1].figure = True
+        elif piece.kind == "rest":
+            found[-1].mark += " rest"
     return found
 
 

@@ -54,6 +54,8 @@ def sort_of(pieces: Sequence[Piece], labels: Sequence[str]) -> str:
         if not both:
             raise Unclear  # of the others it is not told where they are
         values = {"numbers"}
+    if len(values) > 1:
+        values -= {"listed"}  # "sort them from smallest to largest"
     if "listed" in values and list(labels) != sorted(labels):
         raise Unclear
     if (values & {"abc", "zyx"} and not KINDS["letter"] & set(labels)) or (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language.frames.pieces import Pattern, number, patterns
 
-_END = "(?: end| side| edge| hand side| hand end| hand| most end| corner| place| spot| position)"
+_END = "(?: end| side| edge| hand side| hand end| hand| most end| place| spot| position)"
 _OF_IT = "(?: of (?:it|them|all|this|that|the (?:whole |entire )?(?:row|line|lineup|column|queue|sequence)|the (?:3|4|5|6|7|8|9)))"
 _ONE = "(?: (?:BLOCK|one|ones|place|position|spot|slot|space))"
 _VERY = "(?:very |far |extreme |outer |utmost |most )"
@@ -31,18 +31,21 @@ def _side(said: str) -> str:
     return _NAMES.get(said, said)
 
 
+_NOT_OF = "(?! of (?!(?:a|one) (?:row|line|column)))"
+
+
 def _at_side(side: str) -> list[Pattern]:
     """Ways to say that blocks are at one of the ends, or which blocks these are."""
     end, most = _SIDES[side]
-    bare = "" if side in ("front", "back") else f"|(?:BE )?(?:on|at|to) {side}(?= (?:[,.;)]|$))"
-    plain = "" if side in ("front", "back") else f"|(?:BE )?(?:on|at|to) the (?:{_VERY})?(?:{end})(?! of)"
+    bare = "" if side in ("front", "back") else f"|(?:BE )?(?:on|at|to) {side}(?= (?:[,.;)]|$))|BE {side}(?= (?:[,.;)]|$))"
+    plain = "" if side in ("front", "back") else f"|(?:BE )?(?:on|at|to) the (?:{_VERY})?(?:{end}){_NOT_OF}"
     return patterns("place", (side, 1),
-        f"(?:BE )?(?:placed |located |positioned )?(?:on|at|in|to|forming|as|occupying|occupies|occupy|taking|takes|filling|fills) (?:the|its) {_VERY}?(?:{end}){_END}(?:{_OF_IT}|(?! of)){plain}{bare}",
-        f"(?:BE )?(?:on|at) (?:the )?(?:{_VERY})?(?:{end}){_END}(?! of)",
+        f"(?:BE )?(?:placed |located |positioned )?(?:on|at|in|to|forming|as|occupying|occupies|occupy|taking|takes|filling|fills) (?:the|its) {_VERY}?(?:{end}){_END}(?:{_OF_IT}|{_NOT_OF}){plain}{bare}",
+        f"(?:BE )?(?:on|at) (?:the )?(?:{_VERY})?(?:{end}){_END}{_NOT_OF}",
         f"(?:(?:on|at) )?(?:the |its )?(?:{_VERY})?(?:{end}){_END}?(?= (?:BE |: ))(?: BE)?", f"the (?:{_VERY})?(?:{end}){_END}? (?:one|BLOCK)(?= (?:BE |: ))(?: BE)?",
         f"(?:the )?{_VERY}?(?:{end}){_END}(?= (?:a|one|the|NUM) )",
         f"(?:BE )?(?:the )?(?:BLOCK |one )?(?:BE )?(?:the )?(?:{most})(?:{_ONE}| end)?{_VIEWER}?{_OF_IT}?", f"(?:BE )?(?:on|at|in) the (?:{most}) (?:end|place|position|spot|slot){_OF_IT}?",
-        f"(?:the |that )?(?:BLOCK|one|ones) (?:at|on|to) the (?:{_VERY})?(?:{end}){_END}?(?! of){_OF_IT}?",
+        f"(?:the |that )?(?:BLOCK|one|ones) (?:at|on|to) the (?:{_VERY})?(?:{end}){_END}?{_NOT_OF}{_OF_IT}?",
         *([f"(?:BE )?on the (?:far|outer|very) {end}"] if side in ("left", "right") else []),
         *([f"(?:BE )?(?:the )?(?:nearest|closest){_ONE}?{_VIEWER}"] if side == "front" else []),
         *([f"(?:BE )?(?:farthest|furthest)(?: away)?(?: from (?:me|you|us|the (?:robot|viewer|camera)))?"] if side == "back" else []),
@@ -54,8 +57,8 @@ PLACES: list[Pattern] = [
     *patterns("place", lambda match: (_side(match["side"]), _nth(match["nth"])),
         f"(?:BE )?(?:in |at |as )?(?:the |its )?{_NTH}{_ONE}?(?: in)?{_FROM}", f"(?:BE )?on the {_NTH} (?:place|position|spot|slot){_FROM}"),
     *patterns("place", lambda match: (_side(match["side"]), int(match["n"])),
-        r"(?:BE )?(?:in |at |on )?(?:the )?(?:position|place|spot|slot|number) (?P<n>\d+)" + _FROM),
-    *patterns("place", lambda match: ("first", int(match["n"])), r"(?:BE )?(?:in |at |on )?(?:the )?(?:position|place|spot|slot|number) (?P<n>\d+)(?! from)"),
+        r"(?:BE )?(?:in |at |on )(?:the )?(?:position|place|spot|slot|number) (?P<n>\d+)" + _FROM),
+    *patterns("place", lambda match: ("first", int(match["n"])), r"(?:BE )?(?:in |at |on )(?:the )?(?:position|place|spot|slot|number) (?P<n>\d+)(?! from)", r"(?:the )?(?:position|place|spot|slot|number) (?P<n>\d+)(?= (?:is|:|has) )"),
     *patterns("place", lambda match: ("first", _nth(match["nth"])),
         f"(?:BE )?(?:in |at )?(?:the |its )?{_NTH}{_ONE}(?: in (?:the )?(?:row|line))?(?: BE)?(?! from)", f"BE (?:the )?{_NTH}(?: in (?:the )?(?:row|line))?(?! from)",
         f"(?:the )?{_NTH}(?: in (?:the )?(?:row|line))? BE"),
@@ -71,13 +74,13 @@ PLACES: list[Pattern] = [
     *patterns("place", ("each end", 0), f"(?:BE )?(?:placed )?(?:at|on) (?:each|either|every)(?: of the| of its)?(?: 2)? ends?{_OF_IT}?"),
     *patterns("place", ("ends", 0),
         f"(?:BE )?(?:placed )?(?:at|on|in|form|forming|as) (?:both|the|its|the 2|both the|both of its|both of the|the outer|the opposite|opposite)(?: 2| outer| outer 2)? ends{_OF_IT}?",
-        f"(?:at |on )?(?:with )?(?:both|the|its|the 2|the outer|both of the|both of its) (?:ends|end blocks|end cubes|outer ones|outer BLOCK){_OF_IT}?(?: BE(?: both)?)?", "(?:BE )?(?:on|at|to) the outsides?", "(?:BE )?outside(?= (?:[,.;)]|$))", "(?:BE )?(?:the )?(?:2 )?outermost(?: ones| BLOCK)?",
+        f"(?:at |on )?(?:with )?(?:both|the|its|the 2|the outer|both of the|both of its) (?:ends|end blocks|end cubes|outer ones|outer BLOCK){_OF_IT}?(?: BE(?: both)?)?", "(?:BE )?(?:on|at|to) the outsides?", "(?:BE )?outside(?= (?:[,.;)]|$))", "(?:the )?outer (?:2|ones|BLOCK|2 BLOCK)(?: BE(?: both)?)?", "(?:the )?(?:first|leftmost)(?: one| BLOCK)? and (?:the )?(?:last|rightmost)(?: one| ones| BLOCK)?(?: BE(?: both)?)?", "(?:BE )?(?:the )?(?:2 )?outermost(?: ones| BLOCK)?",
         "(?:starts|starting|start|begins|beginning|begin) and (?:ends|ending|end|finishes|finishing|finish) (?:with|in|by)", "(?:BE )?(?:flanked|framed|bordered|enclosed|bracketed|sandwiched) (?:on both sides |on each side |at both ends )?by"),
     *patterns("place", ("end", 0), f"(?:BE )?(?:at|on) (?:one|1|an) (?:of the (?:2 )?ends|end){_OF_IT}?"),
     *patterns("place", ("other", 0), f"(?:BE )?(?:at|on) the (?:other|opposite)(?: end| one){_OF_IT}?"),
     *patterns("place", ("middle", 0),
         f"(?:BE )?(?:right |exactly |just |precisely |directly )?(?:in|at|on|occupying|occupies|occupy|taking|takes|filling|fills) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|(?! of))(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
-        "(?:the )?(?:middle|central|center|centermost|middlemost)(?: BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |squeezed |sandwiched |wedged |caught )?(?:in |right |exactly )?between(?: them| those| these| the ends| the 2 ends| the 2(?! COLOR)| the 2 of them)?", "in the (?:middle|center)(?= (?:a|one|the|1) )"),
+        "(?:BE )?(?:middle|center)(?= (?:[,.;)]|$))", "(?:the )?(?:middle|central|center|centermost|middlemost)(?: BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |squeezed |sandwiched |wedged |caught )?(?:in |right |exactly )?between(?: them| those| these| the ends| the 2 ends| the 2(?! COLOR)| the 2 of them)?", "in the (?:middle|center)(?= (?:a|one|the|1) )"),
     *patterns("place", ("sides", 0),
         "(?:BE )?(?:on|at|to) (?:each|either|both|every)(?: one)?(?: of (?:its|the 2|the))? sides?(?: of (?:it|that|them))?", "(?:BE )?(?:to the )?left and right of (?:it|that)", "(?:BE )?to (?:its|the) left and (?:to )?(?:its )?right"),
 ]  # fmt: skip
@@ -113,7 +116,7 @@ DIRECTIONS: list[Pattern] = [
         "(?:starting|beginning|counted|listed|reading|read) (?:at|from|in) (?:the )?(?:back|rear)", "from (?:the )?(?:back|rear)(?= [:,])"),
     *patterns("listed", None,
         "(?:always )?(?:exactly |precisely |just )?in (?:exactly |precisely )?(?:that|this|the following|exactly this|exactly that|the given|the stated|the same|this exact|that exact|that very|the said|precisely this|precisely that) (?:order|sequence)(?: BE)?",
-        "(?:in |with |has )?(?:the |a )?(?:color )?(?:order|sequence|color sequence|pattern|color pattern)(?: of (?:the )?colors)?(?: BE| of| shall be| reads)?", "(?:the )?colors (?:BE|read|in order)", "(?:that |which )?(?:reads|reading)", "(?:(?:should|must|shall|has to|to) )?(?:go|goes|run|runs|read)(?= (?:COLOR|[A-Z]|:) )"),
+        "(?:in |with |has )?(?:the |a |their |its )?(?:color )?(?:order|sequence|color sequence|pattern|color pattern)(?: of (?:the )?colors)?(?: BE| of| shall be| reads)?", "(?:the )?colors (?:BE|read|in order)", "(?:that |which )?(?:reads|reading)", "(?:(?:should|must|shall|has to|to) )?(?:go|goes|run|runs|read)(?= (?:COLOR|[A-Z]|:) )"),
 ]  # fmt: skip
 """Kinds "direction" (in which a list is told), and "listed": what is listed is an order."""
 
@@ -140,7 +143,7 @@ _DISTANCE = "(?:distances?|spacing|separation|intervals?)"
 _EACH = "(?:each |all |every |always |(?:each|every) (?:one )?(?:BLOCK )?)"
 SPACING: list[Pattern] = [
     *_length("The gap between neighbors is {}.",
-        f"(?:(?:a|the|with|of|leaving|leave|keep|let) )*(?:equal |even |uniform |same |regular |constant |small |wide |clear )*{_GAP}(?:{_NEIGHBORS}|{_FACES})?(?: BE)?(?: (?:each|all|always))?(?: of| :| =| exactly)* {_LENGTH}(?: wide| each)?(?:{_NEIGHBORS}|{_FACES})?",
+        f"(?:(?:a|the|with|of|leaving|leave|keep|let|separated|spaced|parted|by|adjacent|neighboring|BLOCK|BE|each) )*(?:equal |even |uniform |same |regular |constant |small |wide |clear )*{_GAP}(?:{_NEIGHBORS}|{_FACES})?(?: BE)?(?: (?:each|all|always))?(?: of| :| =| exactly)* {_LENGTH}(?: wide| each)?(?:{_NEIGHBORS}|{_FACES})?",
         f"(?:(?:with|a|leaving|leave|keep|let|at) )*{_LENGTH}(?: wide)?(?: of)? (?:wide )?{_GAP}(?: each)?(?:{_NEIGHBORS}|{_FACES})?",
         f"(?:(?:with|leaving|leave|keep|let|at) )*{_LENGTH}(?:{_NEIGHBORS}|{_FACES})(?! centers)",
         f"(?:(?:a|the|with|of|leaving|leave|keep) )*{_DISTANCE}{_FACES}(?: BE)?(?: of| :| =)* {_LENGTH}"),
@@ -177,7 +180,7 @@ PATTERNED: list[Pattern] = [
         f"(?:(?:in|with|an|a|of|the|have|has|having|and|BE|that|which|forms?|as|color|colors|it|they|their|its|whose|must be|be) )*(?:mirrored|mirror symmetric(?:al)?|mirror image|symmetric(?:al)?(?:ly)?|symmetry|mirror symmetry|palindromic|palindrome)(?: (?:{_COLORS}|order|sequence|pattern|arranged|in {_COLORS}|in its {_COLORS}|colored|about its (?:middle|center)|around the (?:middle|center)))*",
         "(?:(?:it|that|which|so|must|should|shall|and|to|the|colors|order|looks?) )*(?:reads?|reading|looks?|look) the same (?:from both (?:sides|ends|directions)|in both directions|both ways|forwards? and backwards?|backwards? and forwards?|from (?:the )?left and (?:from )?(?:the )?right|from left to right and (?:from )?right to left|from (?:the )?left as from (?:the )?right|either way)"),
     *patterns("pattern", "rainbow",
-        "(?:(?:in|with|an|a|of|the|as|form|forms|forming|like|follow|follows|following|make|makes|all|showing|show) )*(?:rainbow|spectrum|color gradient|gradient|spectral)(?: (?:color )?(?:order|colors|sequence|colored))?", "(?:in )?(?:the )?order of (?:the|a) (?:rainbow|spectrum)"),
+        "(?:(?:in|with|an|a|of|the|as|form|forms|forming|like|follow|follows|following|make|makes|all|showing|show) )*(?:rainbow|spectrum|color gradient|gradient|spectral)(?: (?:color )?(?:order|colors|sequence|colored))?", "(?:in )?(?:the )?order of (?:the|a) (?:rainbow|spectrum)", "(?:in )?(?:the )?colors of (?:the|a) rainbow"),
     *patterns("pattern", "grouped",
         "(?:BE )?(?:grouped|sorted|ordered|arranged)?(?: together)? by (?:their )?color", "(?:with |and )?(?:the )?(?:all )?(?:BLOCK of )?(?:the |each |every )?(?:same )colors? (?:BE )?(?:kept )?(?:together|next to each other|side by side|adjacent)",
         "(?:each|every) color (?:BE )?(?:kept )?together"),
@@ -192,7 +195,7 @@ PATTERNED: list[Pattern] = [
 EACH: list[Pattern] = patterns("each", lambda match: number(match["n"]),
     "(?:with )?(?P<n>NUM)(?: BLOCK)? (?:of each|each|apiece|in each|per|for each)(?: of)?(?: (?:these|the|the following|following))*(?: (?:colors?|one|kind))?", "(?:each )(?:color )?(?P<n>NUM)(?: times)?(?: BLOCK)?")  # fmt: skip
 """Kind "each": so many blocks of each look."""
-REST: list[Pattern] = patterns("rest", None, "(?:all )?(?:the )?(?:rest|others|other ones|other BLOCK|remaining ones|remaining BLOCK|remaining)(?: of (?:them|it|the BLOCK))?(?: (?:BE|all))*", "everything else(?: BE)?")
+REST: list[Pattern] = patterns("rest", None, r"(?:all )?(?:the )?(?:rest|others|other ones|other BLOCK|remaining ones|remaining BLOCK|remaining|other (?P<n>\d+)|remaining (?P<m>\d+)|inner (?P<k>\d+))(?: of (?:them|it|the BLOCK))?(?: (?:BE|all))*", "everything else(?: BE)?")
 """Kind "rest": what is told next is all that is left."""
 
 _EDGE = "(?:front|near|far|back|left|right|closest|nearest|farthest)"
@@ -210,7 +213,8 @@ WORDS: list[Pattern] = [
     *patterns("break", None, "so that", "so", "such that", "in such a way that", "in which", "whose", "including", "where", "also", "as well as", "[()]"),
     *patterns("act", None, "(?:and )?(?:put|place|set|add|lay|insert|stick|position|drop|move|locate)"),
     *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|$))"),
-    *patterns("glue", None, "BE(?: all)?", "let there be", "comprising|comprises|comprised of|comprise|including", "all (?:the |of the |these )?BLOCK",
+    *patterns("glue", None, "BE(?: all)?", "let there be", "the robot(?: arm)?|robot|have|let us have", "there (?:stand|stands|lie|lies|sit|sits)", "up(?= (?:[,.;]|in|from|on|with|$))", "(?:the |their |its )?colors(?= (?:from|COLOR|COLORs|:) )",
+        "comprising|comprises|comprised of|comprise|including", "all (?:the |of the |these )?BLOCK",
         "standing|sitting|lying|resting|placed|positioned|located|neatly|nicely|please|ok|so|all"),
     *patterns("glue", None, "(?:all of )?(?:them|these)(?: all)?|they(?: all)?|it", "(?:colored|plain)", "also please"),
     *patterns("glue", None, "(?:color|number|letter|blocks|cubes|count|quantity|figure|structure|shape|arrangement|layout|configuration|object|objects|spacing|colors|which|that)(?= :)"),

@@ -7,28 +7,30 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from rpg.language.frames import rowwords, shared
-from rpg.language.frames.arranged import Fact
-from rpg.language.frames.lots import LOTS, Lot, counted, lot_of, one
+from rpg.language.frames import rowparts, rowwords, shared
+from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
+from rpg.language.frames.rowcounts import facts_of, facts_of_listed, numbered
 from rpg.language.frames.rowplaces import STOPS, Said, said_of
 from rpg.language.frames.rowtold import Row, in_words
 from rpg.language.lexicon import RAINBOW
 
 PATTERNS: list[Pattern] = [
     *LOTS,
-    *patterns("total", lambda match: int(match["n"]), r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|alternat\w+|touching|evenly|which|on) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
-        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+)(?= (?:in|on|make|making|form|forming) (?:a|one) )", r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
-    *rowwords.OF_THEM,
+    *patterns("total", lambda match: int(match["n"]), r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|"
+        r"alternat\w+|touching|evenly|which|on) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
+        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+)(?= "
+        r"(?:in|on|make|making|form|forming) (?:a|one) )", r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
+    *rowparts.OF_THEM,
     *rowwords.FIGURE,
     *rowwords.PLACES,
     *rowwords.DIRECTIONS,
-    *rowwords.SPACING,
-    *rowwords.PATTERNED,
-    *rowwords.EACH,
-    *rowwords.REST,
-    *rowwords.WHERE,
-    *rowwords.WORDS,
+    *rowparts.SPACING,
+    *rowparts.PATTERNED,
+    *rowparts.EACH,
+    *rowparts.REST,
+    *rowparts.WHERE,
+    *rowparts.WORDS,
     *shared.WHERE,
     *shared.BREAKS,
     *shared.GLUE,
@@ -50,20 +52,26 @@ def told(pieces: Sequence[Piece]) -> str:
     total, each, direction = (one(pieces, kind) for kind in ("total", "each", "direction"))
     size = total.value if total else None
     row = Row(noun, direction.value if direction else "", pattern)
-    row.set_off = bool(said.lists) and set_off(pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0]))
+    row.set_off = bool(said.lists) and set_off(
+        pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0])
+    )
     order = order_of(pieces, said, row)
-    if said.lists and adds(pieces) and {placed.lot.look for placed in said.placed} - {lot.look for run in said.lists for lot in run}:
+    if (
+        said.lists
+        and adds(pieces)
+        and {placed.lot.look for placed in said.placed} - {lot.look for run in said.lists for lot in run}
+    ):
         raise Unclear  # what is put there could go on top
     open_rest = any(piece.kind == "rest" for piece in pieces) and size is None
     if order is not None:
         if size not in (None, len(order)) or open_rest or each:
             raise Unclear
         row.order, row.counts = order, Counter(order)
-        row.facts = _facts_of_listed(said, row.counts)
+        row.facts = facts_of_listed(said, row.counts)
     else:
         lots = [lot for run in said.lists for lot in run]
-        lots, row.facts = _facts(said, lots, size, pattern)
-        row.counts = Counter({lot.look: lot.count for lot in _numbered(lots, said, size, pattern, open_rest)})
+        lots, row.facts = facts_of(said, lots, size, pattern)
+        row.counts = Counter({lot.look: lot.count for lot in numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
     check_rest(pieces, row.counts)
     return in_words(row, pieces, _Colored())
@@ -101,7 +109,11 @@ def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
         if counted_at:
             raise Unclear
         return {n: replace(lot, count=each.value) for n, lot in found.items()}
-    of_them = [n for n, piece in enumerate(pieces) if piece.kind == "total" and piece.words.endswith(("them", "these", "those"))]
+    of_them = [
+        n
+        for n, piece in enumerate(pieces)
+        if piece.kind == "total" and piece.words.endswith(("them", "these", "those"))
+    ]
     if of_them and (sum(n < of_them[0] for n in found) != 1 or any(piece.kind == "rest" for piece in pieces)):
         raise Unclear
     halves = [n for n in found if "half" in pieces[n].named]
@@ -115,7 +127,11 @@ def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
 def adds(pieces: Sequence[Piece]) -> bool:
     """Whether something is to be done once the row is told, or stands on one of its ends."""
     at = next(n for n, piece in enumerate(pieces) if piece.kind == "lot")
-    return any(piece.kind == "act" or (piece.kind == "place" and {"on", "end"} <= {word.rstrip("s") for word in piece.words.split()} ) for piece in pieces[at:])
+    return any(
+        piece.kind == "act"
+        or (piece.kind == "place" and {"on", "end"} <= {word.rstrip("s") for word in piece.words.split()})
+        for piece in pieces[at:]
+    )
 
 
 def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
@@ -129,11 +145,23 @@ def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
     nouns = [piece.value for piece in told if not verbal(piece)]
     again = [piece.value for piece in pieces if piece.kind == "mention"]
     way = one(pieces, "direction") if sorts else None
-    if len(nouns) > 1 or len(told) - len(nouns) > 1 or not (told or again or way) or len(set(again)) > 1 or (nouns and again and set(again) != set(nouns)):
+    if (
+        len(nouns) > 1
+        or len(told) - len(nouns) > 1
+        or not (told or again or way)
+        or len(set(again)) > 1
+        or (nouns and again and set(again) != set(nouns))
+    ):
         raise Unclear
     stock = [n for n, piece in enumerate(pieces) if piece.kind == "stock"]
     figure = next(n for n, piece in enumerate(pieces) if piece.kind in ("figure", "mention", "direction"))
-    if stock and (len(stock) > 1 or not any(piece.kind == "break" and piece.words in ".;:,and" for piece in pieces[min(stock[0], figure) : max(stock[0], figure)])):
+    if stock and (
+        len(stock) > 1
+        or not any(
+            piece.kind == "break" and piece.words in ".;:,and"
+            for piece in pieces[min(stock[0], figure) : max(stock[0], figure)]
+        )
+    ):
         raise Unclear  # "there are three blocks in a row" tells of the start
     if not nouns and any(piece.kind == "mention" and after.words.startswith("of") for piece, after in pairwise(pieces)):
         raise Unclear  # "the row of red blocks" is there already
@@ -148,13 +176,19 @@ def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
 
 def lies(piece: Piece) -> bool:
     """Whether something is said that shows that a column lies on the table."""
-    away = piece.kind in ("direction", "place") and bool({"front", "back"} & set(str(piece.value[0] if piece.kind == "place" else piece.value).split()))
-    return away or piece.kind in ("where", "axis") or bool({"table", "lay", "flat", "behind"} & set(piece.words.split()))
+    away = piece.kind in ("direction", "place") and bool(
+        {"front", "back"} & set(str(piece.value[0] if piece.kind == "place" else piece.value).split())
+    )
+    return (
+        away or piece.kind in ("where", "axis") or bool({"table", "lay", "flat", "behind"} & set(piece.words.split()))
+    )
 
 
 def verbal(piece: Piece) -> bool:
     """Whether a figure is told by a verb, "lined up", not by a noun."""
-    return piece.words.startswith(("line up", "lines", "lined", "lining", "line them", "line these", "line it", "line all"))
+    return piece.words.startswith(
+        ("line up", "lines", "lined", "lining", "line them", "line these", "line it", "line all")
+    )
 
 
 def pattern_of(pieces: Sequence[Piece]) -> str:
@@ -193,7 +227,9 @@ def check_lots(pieces: Sequence[Piece]) -> None:
     Raises:
         Unclear: they are not, or small words between them tell more ("from red to blue").
     """
-    if any(a.kind == c.kind == "lot" and b.kind == "glue" for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False)):
+    if any(
+        a.kind == c.kind == "lot" and b.kind == "glue" for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False)
+    ):
         raise Unclear
     check_joined(pieces)
     together = [(a, b) for a, b in pairwise(pieces) if a.kind == b.kind == "lot"]
@@ -215,7 +251,11 @@ def check_joined(pieces: Sequence[Piece]) -> None:
         elif piece.kind == "lot":
             seps.append("")
         elif piece.kind != "glue":
-            seps = seps[: max(n for n, sep in enumerate(seps) if not sep)] if piece.kind == "place" and "" in seps else seps
+            seps = (
+                seps[: max(n for n, sep in enumerate(seps) if not sep)]
+                if piece.kind == "place" and "" in seps
+                else seps
+            )
             inner = [join.strip() for join in " ".join(sep or "|" for sep in seps).split("|")[1:-1]]
             if "," in inner and any("and" in join for join in inner[:-1]):
                 raise Unclear
@@ -273,85 +313,6 @@ def set_off(pieces: Sequence[Piece], at: int) -> bool:
     """Whether the list that begins there stands behind a colon or comma which the row is named ahead of."""
     ahead = [piece for piece in pieces[:at] if piece.kind not in ("glue", "place")]
     return bool(ahead) and ahead[-1].words in (":", ",") and any(piece.kind in ("figure", "mention") for piece in ahead)
-
-
-def _facts(said: Said, lots: list[Lot], size: int | None, pattern: str) -> tuple[list[Lot], list[Fact]]:
-    """All lots, those told only with their place among them, and what is told of places: see `arranged.filled`.
-
-    Raises:
-        Unclear: it is not told how many blocks are at a place, or whether they are among the blocks told before.
-    """
-    free = {lot.look: lot for lot in lots}
-    whole = bool(size) and all(lot.count for lot in lots) and sum(lot.count or 0 for lot in lots) == size
-    added: Counter[str] = Counter()
-    facts = []
-    for placed in said.placed:
-        lot, (name, nth) = placed.lot, placed.place
-        same = free.get(lot.look)
-        if same is None and free and (lot.known or (lot.count is None and all(other.count for other in lots))):
-            raise Unclear  # "the red one" where none is told; "three orange blocks, white on the left"
-        if same and not lot.known and lot.count and same.count and not (placed.within or whole):
-            raise Unclear
-        many = _how_many(lot, name, same, pattern)
-        if same is None:
-            added[lot.look] += many
-        facts.append((name, nth, lot.look, many))
-    return [*lots, *(Lot(look, many) for look, many in added.items())], facts
-
-
-def _facts_of_listed(said: Said, counts: Counter[str]) -> list[Fact]:
-    """What is told of places where all blocks are listed in order."""
-    found = []
-    for placed in said.placed:
-        lot, twice = placed.lot, placed.place[0] in ("ends", "each end")
-        every = counts[lot.look] if lot.plural else 2 if twice else 1
-        found.append((*placed.place, lot.look, lot.count or every))
-    return found
-
-
-def _how_many(lot: Lot, name: str, same: Lot | None, pattern: str) -> int:
-    """How many blocks are at a place, on both sides where it has two."""
-    twice = name in ("each end", "sides")
-    every = same.count if same and same.count and (lot.plural or lot.known) else None
-    if name == "ends":
-        if lot.count not in (None, 1, 2) or (lot.count == 1 and lot.known) or every not in (None, 2):
-            raise Unclear
-        return 2
-    if lot.count is not None:
-        if twice and lot.known:
-            raise Unclear
-        return lot.count * 2 if twice else lot.count
-    if every is not None:
-        return every
-    if lot.plural or (same and same.count != 1 and not pattern):
-        if twice and not same:
-            return 2 if not lot.plural or name == "each end" else _unclear()
-        return _unclear()
-    return 2 if twice else 1
-
-
-def _unclear() -> int:
-    raise Unclear
-
-
-def _numbered(lots: list[Lot], said: Said, size: int | None, pattern: str, open_rest: bool) -> list[Lot]:
-    """The lots with their numbers.
-
-    Raises:
-        Unclear: they are not all told, or do not agree.
-    """
-    if any(lot.count is None and lot.plural for lot in lots[:-1]) and size is None:
-        raise Unclear
-    several = len(lots) > 1 and not open_rest
-    if lots and lots[-1].count is None and lots[-1].plural and size is None and not (len(lots) > 1 and not said.placed):
-        raise Unclear
-    if size and said.placed and said.lists and len(said.lists) == 1 == len(said.lists[0]) and said.lists[0][0].count is None:
-        if said.lists[0][0].look not in [placed.lot.look for placed in said.placed] and not lots[0].plural:
-            pass
-    found = counted(lots, size if lots else None, evenly=pattern == "alternating", singly=several)
-    if any(lot.count is None for lot in found):
-        raise Unclear
-    return found
 
 
 class _Colored:

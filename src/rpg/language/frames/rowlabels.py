@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise, permutations
 
-from rpg.language.frames import labelwords, rowwords, shared
+from rpg.language.frames import labelwords, rowparts, rowwords, shared
 from rpg.language.frames.arranged import Fact, filled
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number
@@ -26,9 +26,9 @@ PATTERNS: list[Pattern] = [
     *rowwords.FIGURE,
     *rowwords.PLACES,
     *rowwords.DIRECTIONS,
-    *rowwords.SPACING,
-    *rowwords.WHERE,
-    *rowwords.WORDS,
+    *rowparts.SPACING,
+    *rowparts.WHERE,
+    *rowparts.WORDS,
     *shared.WHERE,
     *shared.BREAKS,
     *shared.GLUE,
@@ -52,7 +52,9 @@ def told(pieces: Sequence[Piece]) -> str:
     if not lots_at:
         return _unnamed(row, pieces)
     said = said_of(pieces, lots_at)
-    row.set_off = bool(said.lists) and set_off(pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0]))
+    row.set_off = bool(said.lists) and set_off(
+        pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0])
+    )
     row.facts = _facts(said)
     labels = labels_of(said)
     row.counts = Counter(labels)
@@ -68,7 +70,11 @@ def told(pieces: Sequence[Piece]) -> str:
         text = in_sort(row, sort, labels, said, pieces)
     else:
         row.order = _listed(pieces, said, row) or _following(row, pieces, labels)
-        if row.order is None and {"left", "right"} <= {fact[0] for fact in row.facts} and len(labels) > len(row.facts) + 1:
+        if (
+            row.order is None
+            and {"left", "right"} <= {fact[0] for fact in row.facts}
+            and len(labels) > len(row.facts) + 1
+        ):
             raise Unclear  # "with D at the left and A at the right": as if it were sorted
         text = in_words(row, pieces, Labelled())
     if "free" in kinds and (sort or row.order or not row.facts):
@@ -141,10 +147,18 @@ def check_nouns(pieces: Sequence[Piece], labels: Sequence[str]) -> None:
     Raises:
         Unclear: they are not.
     """
-    words = {word.rstrip("s") for piece in pieces if piece.kind in ("glue", "total", "range") for word in piece.words.split()}
+    words = {
+        word.rstrip("s") for piece in pieces if piece.kind in ("glue", "total", "range") for word in piece.words.split()
+    }
     named = {kind for kind in ("letter", "digit") if any(label in KINDS[kind] for label in labels)}
-    told = {kind for kind, nouns in (("letter", {"letter"}), ("digit", {"digit", "number", "numeral"})) if words & nouns}
-    if not named or not told <= named or ({"rising", "growing"} & {*" ".join(p.words for p in pieces).split()} and "digit" not in told):
+    told = {
+        kind for kind, nouns in (("letter", {"letter"}), ("digit", {"digit", "number", "numeral"})) if words & nouns
+    }
+    if (
+        not named
+        or not told <= named
+        or ({"rising", "growing"} & {*" ".join(p.words for p in pieces).split()} and "digit" not in told)
+    ):
         raise Unclear
 
 
@@ -165,7 +179,12 @@ def check_sorted(pieces: Sequence[Piece], said: Said) -> None:
         again = "figure" not in there and "figure" in kinds
         if "backwards" in there and "lot" not in there:
             raise Unclear
-        if "sort" in there and again and not there & {"lot", "kinds"} and _COMMANDS & {word for piece in part for word in piece.words.split()}:
+        if (
+            "sort" in there
+            and again
+            and not there & {"lot", "kinds"}
+            and _COMMANDS & {word for piece in part for word in piece.words.split()}
+        ):
             raise Unclear
 
 
@@ -189,8 +208,8 @@ def _lots_at(pieces: Sequence[Piece]) -> dict[int, Lot]:
                 raise Unclear
             found[n] = replace(lot, count=lot.count or 1)
         else:
-            found[n] = Lot(named["label"], number(named["count"].replace("an", "one")) if named.get("count", "a") != "a" else 1,
-                           named.get("det") == "the")  # fmt: skip
+            count = named.get("count", "a")
+            found[n] = Lot(named["label"], 1 if count in ("a", "an") else number(count), named.get("det") == "the")
     return found
 
 
@@ -289,7 +308,11 @@ def _unnamed(row: Row, pieces: Sequence[Piece]) -> str:
     """
     total, sort = one(pieces, "total"), one(pieces, "sort")
     kinds = {kind for kind in ("letter", "digit") for piece in pieces if piece.kind == "total" and kind in piece.words}
-    if not total or len(kinds) != 1 or any(piece.kind in ("place", "kinds", "relation", "alternate") for piece in pieces):
+    if (
+        not total
+        or len(kinds) != 1
+        or any(piece.kind in ("place", "kinds", "relation", "alternate") for piece in pieces)
+    ):
         raise Unclear
     kind = kinds.pop()
     lay = f"Lay {total.value} {kind} blocks in a {row.noun}"

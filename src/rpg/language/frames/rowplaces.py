@@ -10,7 +10,7 @@ from rpg.language.frames.lots import Lot
 from rpg.language.frames.pieces import Piece, Unclear
 
 Place = tuple[str, int]
-STOPS = frozenset(". ; ! ?".split())
+STOPS = frozenset([".", ";", "!", "?"])
 _THINGS = ("lot", "place")
 _WITHIN = frozenset({"with", "where", "so", "such", "in", "including"})
 """First words of breaks that go on about the same blocks."""
@@ -84,7 +84,9 @@ def _sentences(pieces: Sequence[Piece]) -> list[list[Piece]]:
 def _segments(sentence: Sequence[Piece]) -> list[_Segment]:
     found = [_Segment("", [])]
     for piece in sentence:
-        if piece.kind in ("break", "listed", "direction") and not (piece.kind == "break" and not found[-1].said and not found[-1].figure):
+        if piece.kind in ("break", "listed", "direction") and not (
+            piece.kind == "break" and not found[-1].said and not found[-1].figure
+        ):
             found.append(_Segment(piece.words, []))
         elif piece.kind == "break":
             found[-1].mark += " " + piece.words
@@ -107,7 +109,13 @@ def _placed_in(sentence: Sequence[Piece], known: dict[int, Lot]) -> list[Placed]
             continue
         after = segments[n + 1] if n + 1 < len(segments) else None
         ahead = segments[n - 1] if n else None
-        if kinds == "P" and after and after.kinds == "L" and not after.figure and (not ahead or ahead.kinds in ("", "P") or ahead in _eaten(segments[:n])):
+        if (
+            kinds == "P"
+            and after
+            and after.kinds == "L"
+            and not after.figure
+            and (not ahead or ahead.kinds in ("", "P") or ahead in _eaten(segments[:n]))
+        ):
             segment.said = [*segment.said, *after.said]
             after.said = []
             kinds = "PL"
@@ -119,14 +127,18 @@ def _placed_in(sentence: Sequence[Piece], known: dict[int, Lot]) -> list[Placed]
             continue
         if len(kinds) % 2 or kinds != kinds[:2] * (len(kinds) // 2) or kinds[0] == kinds[1]:
             raise Unclear
-        pairs = [(a, b) if a.kind == "lot" else (b, a) for a, b in zip(segment.said[::2], segment.said[1::2], strict=True)]
+        pairs = [
+            (a, b) if a.kind == "lot" else (b, a) for a, b in zip(segment.said[::2], segment.said[1::2], strict=True)
+        ]
         if kinds == "LP" and ahead and ahead.kinds and set(ahead.kinds) == {"L"} and segment.mark == "and":
             found += _both_ends([known[id(ahead.said[-1])], known[id(pairs[0][0])]], pairs[0][1].value, len(ahead.said))
             continue
         if kinds[-1] == "L" and after and after.kinds == "L" and after.mark == "and" and not after.figure:
             raise Unclear  # "at the left end a red block and a blue block"
         within = segment.mark.split(" ")[0] in _WITHIN
-        found += [Placed(known[id(lot)], place.value, within or place.value[0] in ("first", "last")) for lot, place in pairs]
+        found += [
+            Placed(known[id(lot)], place.value, within or place.value[0] in ("first", "last")) for lot, place in pairs
+        ]
     return found
 
 
@@ -159,7 +171,11 @@ def _refined(segment: _Segment, known: dict[int, Lot]) -> Placed:
     """ "Starting with red on the left": two words for one place."""
     lot = next(piece for piece in segment.said if piece.kind == "lot")
     places = [piece.value for piece in segment.said if piece.kind == "place"]
-    if places[0][0] not in ("first", "last") or places[0][1] != 1 or places[1][0] not in ("left", "right", "front", "back"):
+    if (
+        places[0][0] not in ("first", "last")
+        or places[0][1] != 1
+        or places[1][0] not in ("left", "right", "front", "back")
+    ):
         raise Unclear
     return Placed(known[id(lot)], places[1], True)
 
@@ -180,5 +196,7 @@ def _runs(sentence: Sequence[Piece], known: dict[int, Lot]) -> list[list[Lot]]:
     between = ("glue", "break", "stock", "place", "rest", "each")
     kept = [piece for piece in sentence if piece.kind not in between and piece.value != "now"]
     return [
-        [known[id(piece)] for piece in run] for listed, run in groupby(kept, lambda piece: piece.kind == "lot") if listed
+        [known[id(piece)] for piece in run]
+        for listed, run in groupby(kept, lambda piece: piece.kind == "lot")
+        if listed
     ]

@@ -79,7 +79,9 @@ def in_sort(row: Row, sort: str, labels: list[str], said: Said, pieces: Sequence
     toward = {piece.named["toward"] for piece in pieces if "toward" in piece.named}
     if toward and not row.direction:
         row.direction = "from left to right" if toward == {"right"} else "from right to left"
-    if any(not row.direction.endswith(end) for end in toward) or (any(piece.kind == "each kind" for piece in pieces) and not kinds):
+    if any(not row.direction.endswith(end) for end in toward) or (
+        any(piece.kind == "each kind" for piece in pieces) and not kinds
+    ):
         raise Unclear
     if any(piece.kind == "backwards" for piece in pieces):
         if sort or kinds or any(piece.kind == "listed" for piece in pieces):
@@ -99,7 +101,12 @@ def in_sort(row: Row, sort: str, labels: list[str], said: Said, pieces: Sequence
         return in_words(row, pieces, Labelled())
     noun = {"": row.noun, "f": "column", "b": "column"}.get(row.direction[5:6], "row")
     along = f" {row.direction}" if row.direction else ""
-    return in_words(row, pieces, Labelled(), f"Lay {Labelled().blocks(row.counts)} in a {noun}{order_said[0]}{along}{order_said[1]}.")
+    return in_words(
+        row,
+        pieces,
+        Labelled(),
+        f"Lay {Labelled().blocks(row.counts)} in a {noun}{order_said[0]}{along}{order_said[1]}.",
+    )
 
 
 def _by_kinds(labels: list[str], sort: str, kinds: tuple[str, str]) -> tuple[list[str] | None, tuple[str, str] | None]:
@@ -157,7 +164,8 @@ class Labelled:
         """All of them."""
         labels = [look for look, many in counts.items() for _ in range(many) if len(look) == 1]
         colored = [Lot(look, many).blocks for look, many in counts.items() if len(look) > 1]
-        told = [f"the block{'s' * (len(labels) > 1)} {' and '.join([', '.join(labels[:-1]), labels[-1]] if len(labels) > 1 else labels)}"]
+        listed = [", ".join(labels[:-1]), labels[-1]] if len(labels) > 1 else labels
+        told = [f"the block{'s' * (len(labels) > 1)} {' and '.join(listed)}"]
         return " and ".join([*told, *colored])
 
     @staticmethod

@@ -39,8 +39,8 @@ class Names(Protocol):
 @dataclass
 class Row:
     """What is known of a row: its noun, the direction in which it is listed, and the pattern of its colours; then how
-    many blocks of each look, their order or what is told of places, their number where no look is told, and whether the list is set off by a colon
-    or comma."""
+    many blocks of each look, their order or what is told of places, their number where no look is told, and whether
+    the list is set off by a colon or comma."""
 
     noun: str
     direction: str
@@ -56,7 +56,9 @@ class Row:
         """The end from which its places are counted here."""
         named = {name for name, *_ in self.facts}
         away = "front" in self.direction or named & {"front", "back"}
-        return "front" if self.noun == "column" or (away and self.noun == "line") or "front" in self.direction else "left"
+        return (
+            "front" if self.noun == "column" or (away and self.noun == "line") or "front" in self.direction else "left"
+        )
 
     @property
     def first(self) -> str:
@@ -93,7 +95,9 @@ def _arranged(row: Row, noun: str, names: Names) -> str:
     if not row.facts:
         if pattern == "alternating" and (len(row.counts) != 2 or abs(_difference(row.counts)) > 1 or row.direction):
             raise Unclear
-        if (len(row.counts) == 1 and pattern) or (pattern == "mirrored" and sum(many % 2 for many in row.counts.values()) > 1):
+        if (len(row.counts) == 1 and pattern) or (
+            pattern == "mirrored" and sum(many % 2 for many in row.counts.values()) > 1
+        ):
             raise Unclear
         toward = f" {row.direction}" if row.direction else ""
         return f"{lay}{_PATTERNS[pattern]}{toward}."
@@ -135,7 +139,9 @@ def _listed(row: Row, lay: str, noun: str, pattern: str) -> str:
     order = row.order or []
     along = order if row.near == row.first else order[::-1]
     slots = filled(len(order), [fact for fact in row.facts if fact[0] not in ("end", "other")], row.near, row.first)
-    if any(name in ("end", "other") for name, *_ in row.facts) or any(a not in ("", b) for a, b in zip(slots, along, strict=True)):
+    if any(name in ("end", "other") for name, *_ in row.facts) or any(
+        a not in ("", b) for a, b in zip(slots, along, strict=True)
+    ):
         raise Unclear
     if pattern and along not in completed(along, row.counts, pattern):
         raise Unclear
@@ -168,7 +174,10 @@ def _partly(row: Row, lay: str, noun: str, names: Names) -> str:
             at = {"middle": "in the middle", "end": "at one end", "other": "at the other end"}[name]
             within.append(f"{names.the(look)} {at}")
         elif end in _ENDS:
-            behind.append(f"T{names.the(look)[1:]} is {f'at the {end} end of the {noun}' if nth == 1 else f'{_NTH[nth - 1]} from the {end}'}.")
+            behind.append(
+                f"T{names.the(look)[1:]} "
+                f"is {f'at the {end} end of the {noun}' if nth == 1 else f'{_NTH[nth - 1]} from the {end}'}."
+            )
         else:
             raise Unclear
     if behind and within and noun != "row":

@@ -180,10 +180,17 @@ KINDS: list[Pattern] = [
 """Kinds "kinds" (which kind of labels stands ahead of which), "alternate", and "each kind" is sorted for itself."""
 
 _LOOK = rf"(?:(?:the|a|an) )?(?:{_ONE} )?(?:{_L}|COLOR)(?: {_ONE})?"
+_JUST = "(?:immediately|directly|right|just)"
+_LEFT, _RIGHT = (
+    "(?:to the left of|left of|on the left of|left from|on the left side of)",
+    "(?:to the right of|right of|on the right of|right from|on the right side of)",
+)
 _RELATIONS = {
-    "left of": "(?:to the left of|left of|on the left of|before|left from|on the left side of)",
-    "right of": "(?:to the right of|right of|on the right of|right from|on the right side of|after)",
-    "next to": "(?:next to|beside|adjacent to|right beside|directly next to)",
+    "left of": f"(?:{_LEFT}|before)",
+    "right of": f"(?:{_RIGHT}|after)",
+    "directly left of": f"{_JUST} (?:{_LEFT}|before)",
+    "directly right of": f"{_JUST} (?:{_RIGHT}|after)",
+    "next to": f"(?:{_JUST} )?(?:next to|beside|adjacent to)",
     "in front of": "in front of",
     "behind": "behind",
 }

@@ -144,7 +144,7 @@ def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
     told = [piece for piece in pieces if piece.kind == "figure"]
     nouns = [piece.value for piece in told if not verbal(piece)]
     again = [piece.value for piece in pieces if piece.kind == "mention"]
-    way = one(pieces, "direction") if sorts else None
+    way = one(pieces, "direction") if sorts or any(piece.kind == "beside" for piece in pieces) else None
     if (
         len(nouns) > 1
         or len(told) - len(nouns) > 1
@@ -234,7 +234,8 @@ def check_lots(pieces: Sequence[Piece]) -> None:
     check_joined(pieces)
     together = [(a, b) for a, b in pairwise(pieces) if a.kind == b.kind == "lot"]
     bare = all(not {"det", "noun", "count", "many"} & set(piece.named) for pair in together for piece in pair)
-    if together and (len(together) < 2 or not bare):
+    mixed = any(("label" in a.named) != ("label" in b.named) for a, b in together)
+    if together and (len(together) < 2 or not bare or mixed):
         raise Unclear
 
 

@@ -22,7 +22,7 @@ PATTERNS: list[Pattern] = [
     *labelwords.SORTED,
     *labelwords.RELATIONS,
     *labelwords.WORDS,
-    *LOTS,
+    *(pattern for pattern in LOTS if pattern.kind == "lot"),
     *rowwords.FIGURE,
     *rowwords.PLACES,
     *rowwords.DIRECTIONS,
@@ -49,14 +49,14 @@ def told(pieces: Sequence[Piece]) -> str:
     direction, total = one(pieces, "direction"), one(pieces, "total")
     row.direction = direction.value if direction else ""
     lots_at = _lots_at(pieces)
-    if not lots_at:
+    if not lots_at and all(piece.kind != "relation" for piece in pieces):
         return _unnamed(row, pieces)
     said = said_of(pieces, lots_at)
     row.set_off = bool(said.lists) and set_off(
         pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0])
     )
     row.facts = _facts(said)
-    labels = labels_of(said)
+    labels = labels_of(said, [piece.value for piece in pieces if piece.kind == "relation"])
     row.counts = Counter(labels)
     check_nouns(pieces, labels)
     if total and total.value != len(labels):
@@ -155,7 +155,7 @@ def check_nouns(pieces: Sequence[Piece], labels: Sequence[str]) -> None:
         kind for kind, nouns in (("letter", {"letter"}), ("digit", {"digit", "number", "numeral"})) if words & nouns
     }
     if (
-        not named
+        (not named and all(piece.kind != "relation" for piece in pieces))
         or not told <= named
         or ({"rising", "growing"} & {*" ".join(p.words for p in pieces).split()} and "digit" not in told)
     ):
@@ -225,7 +225,7 @@ def _facts(said: Said) -> list[Fact]:
     return [(*placed.place, placed.lot.look, placed.lot.count or 1) for placed in said.placed]
 
 
-def labels_of(said: Said) -> list[str]:
+def labels_of(said: Said, relations: Sequence[tuple[str, str, str]]) -> list[str]:
     """All blocks: those of the list, or of two lists of the same, and those told only with their place.
 
     Raises:
@@ -234,7 +234,7 @@ def labels_of(said: Said) -> list[str]:
     lists = [[lot.look for lot in run for _ in range(lot.count or 1)] for run in said.lists]
     if any(Counter(listed) != Counter(lists[0]) for listed in lists[1:]):
         raise Unclear
-    found = lists[0] if lists else []
+    found = lists[0] if lists else list(dict.fromkeys(look for x, _, y in relations for look in (x, y)))
     for placed in said.placed:
         if placed.lot.look not in found:
             if placed.lot.known and lists:
@@ -270,7 +270,7 @@ def _listed(pieces: Sequence[Piece], said: Said, row: Row) -> list[str] | None:
 def _following(row: Row, pieces: Sequence[Piece], labels: list[str]) -> list[str] | None:
     """The order that follows from what is told of places and of how blocks stand to each other, if it does."""
     relations = [piece.value for piece in pieces if piece.kind == "relation"]
-    if not relations or not row.facts or row.direction or row.near == "front" or not 2 < len(labels) < 8:
+    if not relations or row.direction or row.near == "front" or not 2 < len(labels) < 8:
         return None
     slots = filled(len(labels), row.facts, row.near, row.first)
     orders = [
@@ -289,7 +289,13 @@ def _holds(order: Sequence[str], x: str, relation: str, y: str) -> bool:
     if x not in order or y not in order:
         return False
     a, b = order.index(x), order.index(y)
-    return {"left of": a < b, "right of": a > b, "next to": abs(a - b) == 1}.get(relation, False)
+    return {
+        "left of": a < b,
+        "right of": a > b,
+        "directly left of": a + 1 == b,
+        "directly right of": a == b + 1,
+        "next to": abs(a - b) == 1,
+    }.get(relation, False)
 
 
 def _alternating(row: Row, pieces: Sequence[Piece]) -> str:

@@ -45,6 +45,7 @@ def _length(template: str, *texts: str) -> list[Pattern]:
 _GAP = "(?:gaps?|spaces?|clearance|free space|clear space|empty space|room|air|breathing room|open space)"
 _DISTANCE = "(?:distances?|spacing|separation|intervals?)"
 _EACH = "(?:each |all |every |always |(?:each|every) (?:one )?(?:BLOCK )?)"
+_NEXT_ONE = "(?:its neighbors?|the next(?: one| BLOCK)?|the one (?:before|beside) it|its neighboring BLOCK)"
 SPACING: list[Pattern] = [
     *_length("The gap between neighbors is {}.",
         f"(?:(?:a|the|with|of|leaving|leave|keep|let|separated|spaced|parted|by|adjacent|neighboring|BLOCK|BE|each) "
@@ -56,6 +57,7 @@ SPACING: list[Pattern] = [
         f"(?:(?:with|leaving|leave|keep|let|at) )*{_LENGTH}(?:{_NEIGHBORS}|{_FACES})(?! centers)",
         f"(?:(?:a|the|with|of|leaving|leave|keep) )*{_DISTANCE}{_FACES}(?: BE)?(?: of| :| =)* {_LENGTH}"),
     *_length("The blocks are {} apart.",
+        f"(?:with )?(?:each|every)(?: BLOCK| one)? (?:BE )?{_LENGTH} (?:away )?from {_NEXT_ONE}",
         f"(?:(?:spaced|set|placed|at|with|standing|sitting|lying|BE) )*{_EACH}?{_LENGTH} apart(?: from (?:each other|"
         f"one another|the next|its neighbor))?(?:,? (?:measured )?{_CENTERS})?",
         f"(?:(?:a|the|with|of|leaving|leave|keep|at) )*(?:equal |regular |constant |center "
@@ -123,6 +125,7 @@ PATTERNED: list[Pattern] = [
         "backwards? and forwards?|from (?:the )?left and (?:from )?(?:the )?right|from left to right and (?:from "
         ")?right to left|from (?:the )?left as from (?:the )?right|either way)"),
     *patterns("pattern", "rainbow",
+        "(?:ordered |sorted |arranged )?(?:by|like) (?:the|a) rainbow",
         "(?:(?:in|with|an|a|of|the|as|form|forms|forming|like|follow|follows|following|make|makes|all|showing|show) "
         ")*(?:rainbow|spectrum|color gradient|gradient|spectral)(?: (?:color )?(?:order|colors|sequence|"
         "colored))?", "(?:in )?(?:the )?order of (?:the|a) (?:rainbow|spectrum)", "(?:in )?(?:the )?colors of (?:the|"
@@ -133,6 +136,7 @@ PATTERNED: list[Pattern] = [
         "other|side by side|adjacent)",
         "(?:each|every) color (?:BE )?(?:kept )?together"),
     *patterns("pattern", "different",
+        "(?:with )?no 2(?: of them)? the same color",
         "(?:with |and )?each(?: one| of them| BLOCK)? (?:BE )?(?:of |in |has |having |with )?another "
         "color", "(?:(?:with|and|in|of) )*(?:each|all|every one|every)(?: one| of them| BLOCK| of which)?(?: (?:BE|"
         "has|have|having))?(?: of| in)?(?: a| its)? (?:different|own|distinct) colors?",
@@ -185,9 +189,9 @@ WORDS: list[Pattern] = [
         "that", "in which", "whose", "including", "where", "also", "as well as", "[()]"),
     *patterns("act", None, "(?:and )?(?:put|place|set|add|lay|insert|stick|position|drop|move|locate)"),
     *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|$))"),
-    *patterns("glue", None, "BE(?: all)?", "let there be", "the robot(?: arm)?|robot|have|let us "
+    *patterns("glue", None, "BE(?: all)?", "let there be", "(?:is |BE )?(?:needed|required|wanted|desired)", "a series of", "align|aligned", "the robot(?: arm)?|robot|have|let us "
         "have", "there (?:stand|stands|lie|lies|sit|sits)", "up(?= (?:[,.;]|in|from|on|with|$))", "(?:the |their |"
-        "its )?colors(?= (?:from|COLOR|COLORs|:) )",
+        "its )?colors(?= (?:from|in|COLOR|COLORs|:) )",
         "comprising|comprises|comprised of|comprise|including", "all (?:the |of the |these )?BLOCK",
         "standing|sitting|lying|resting|placed|positioned|located|neatly|nicely|please|ok|so|all"),
     *patterns("glue", None, "(?:all of )?(?:them|these)(?: all)?|they(?: all)?|it", "(?:colored|plain)", "also please"),
@@ -196,11 +200,17 @@ WORDS: list[Pattern] = [
 ]  # fmt: skip
 """Binding words, and those that tell an order ("listed"), what there is ("stock"), or to do a further thing ("act")."""
 
+_END_HERE = "(?! (?:BLOCK|PATCH))"
 OF_THEM: list[Pattern] = [
-    *patterns("lot", None, "(?P<half>half) (?:(?:of )?(?:them|these|those|which|the BLOCK) )?(?:BE "
-        ")?(?P<color>COLOR)(?! (?:BLOCK|PATCH))(?: ones)?", "(?P<count>NUM) (?:of (?:them|these|those|which|the "
-        "BLOCK) )?BE(?: all)? (?P<color>COLOR)(?! (?:BLOCK|PATCH))(?: ones)?", "(?P<count>NUM) of (?:them|these|"
-        "those|which|the BLOCK) (?P<color>COLOR)(?! (?:BLOCK|PATCH))(?: ones)?"),
-    *patterns("total", lambda match: int(match["n"]), r"(?P<n>\d+) of (?:them|these|those)(?= (?:[,.;)]|$))"),
+    *patterns("lot", None,
+        rf"(?P<half>half) (?:(?:of )?(?:them|these|those|which|the BLOCK) )?(?:BE )?(?P<color>COLOR){_END_HERE}(?: ones)?",
+        rf"(?P<count>NUM) (?:(?:of (?:them|these|those|which|the BLOCK)|BLOCK) )?BE(?: all)? (?P<color>COLOR){_END_HERE}"
+        r"(?: ones)?",
+        rf"(?P<count>NUM) of (?:them|these|those|which|the BLOCK) (?P<color>COLOR){_END_HERE}(?: ones)?",
+        r"all (?P<count>NUM) of the (?P<color>COLOR)(?P<many>s)?(?: (?P<noun>BLOCK|ones))?",
+        r"(?P<color>COLOR)(?: BLOCK)? (?:x|X|times) (?P<count>\d+)", r"(?P<count>\d+) (?:x|X|times) (?P<color>COLOR)"),
+    *patterns("total", lambda match: int(match["n"]),
+        r"(?P<n>\d+) of (?:them|these|those)(?= (?:[,.;)]|$))",
+        r"(?P<n>\d+)(?= (?:differently|different|distinct) colored BLOCK )"),
 ]  # fmt: skip
-"""Lots told as a part of all blocks: "two of them are red"."""
+"""Lots told as a part of all blocks: "two of them are red"; or by a number behind them."""

@@ -165,7 +165,7 @@ class Labelled:
         labels = [look for look, many in counts.items() for _ in range(many) if len(look) == 1]
         colored = [Lot(look, many).blocks for look, many in counts.items() if len(look) > 1]
         listed = [", ".join(labels[:-1]), labels[-1]] if len(labels) > 1 else labels
-        told = [f"the block{'s' * (len(labels) > 1)} {' and '.join(listed)}"]
+        told = [f"the block{'s' * (len(labels) > 1)} {' and '.join(listed)}"] if labels else []
         return " and ".join([*told, *colored])
 
     @staticmethod

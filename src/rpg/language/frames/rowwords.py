@@ -88,6 +88,10 @@ PLACES: list[Pattern] = [
     *(pattern for side in ("left", "right") for pattern in patterns("place", (side, 1),
         f"(?:starts|starting|start|begins|beginning|begin)(?: off)? (?:at|on|from) the {side}(?: end| side)? with",
         f"(?:ends|ending|finishes|finishing|finish) (?:up )?(?:at|on) the {side}(?: end| side)? with")),
+    *patterns("place", lambda match: ("first", _nth(match["nth"])), f"(?:the )?{_NTH}(?= (?:a |an |one )?(?:COLOR|[A-Z]) )"),
+    *patterns("place", ("left", 1), "left(?= (?:and|[,.;]|$))"),
+    *patterns("place", ("right", 1), "right(?= (?:and|[,.;]|in|$))"),
+    *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:on |at )?(?:the )?inside(?= (?:[,.;]|$))"),
     *patterns("place", ("last", 2), "(?:BE )?(?:the )?(?:next to last|second to last|last but one|second last)(?: "
         "BLOCK| one| place)?(?: BE)?"),
     *patterns("place", ("each end", 0), f"(?:BE )?(?:placed )?(?:at|on) (?:each|either|every)(?: of the| of its)?(?: "
@@ -110,7 +114,7 @@ PLACES: list[Pattern] = [
         f"filling|fills) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|"
         f"(?! of))(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
         "(?:BE )?(?:middle|center)(?= (?:[,.;)]|$))", "(?:the )?(?:middle|central|center|centermost|middlemost)(?: "
-        "BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |squeezed |sandwiched |wedged |"
+        "BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |halfway |squeezed |sandwiched |wedged |"
         "caught )?(?:in |right |exactly )?between(?: them| those| these| the ends| the 2 ends| the 2(?! COLOR)| the "
         "2 of them)?", "in the (?:middle|center)(?= (?:a|one|the|1) )"),
     *patterns("place", ("sides", 0),
@@ -126,7 +130,7 @@ _ADJ = (
     "(?:(?:straight|nice|neat|simple|single|long|short|horizontal|tidy|little|lovely|pretty|perfect|clean|proper|"
     "whole|flat|complete|beautiful|well ordered) )"
 )
-_IN = "(?:(?:in|into|to|as|on|along|of|for) )?"
+_IN = "(?:(?:in|into|to|as|on|along|of|for|forming|making|make|makes|form|forms) )?"
 FIGURE: list[Pattern] = [
     *(pattern for noun, words in (("row", "row"), ("line", "line|lineup|line up|queue|sequence|single "
         "line"), ("column", "column")) for pattern in (
@@ -134,7 +138,8 @@ FIGURE: list[Pattern] = [
             f")?{_ADJ}*(?:{words})"),
         *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself)?"))),
     *patterns("figure", "line", "(?:line|lines|lined|lining) (?:them |these |it |all of them |them all )?up"),
-    *patterns("glue", None, "side by side", "(?:one|1) (?:after|beside|next to|following) (?:another|the other)"),
+    *patterns("beside", None, "side by side"),
+    *patterns("glue", None, "(?:one|1) (?:after|beside|next to|following) (?:another|the other)"),
 ]  # fmt: skip
 """Kind "figure" (the noun to tell it by), and "mention" of the one that was told before."""
 
@@ -157,7 +162,7 @@ DIRECTIONS: list[Pattern] = [
     *patterns("direction", "from front to back",
         f"{_READ}(?:front|near|nearest|closest|near side|near end|front end|near edge|front edge) (?:to|→|towards) "
         f"(?:the )?(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back edge)",
-        "(?:starting|beginning|counted|listed|reading|read) (?:at|from|in) (?:the )?front", "from (?:the )?front(?= "
+        "(?:starting|beginning) (?:near|closest to|nearest to|next to|in front of) (?:me|you|us|the robot)(?: and)?(?: (?:going|running) (?:back|backwards|away))?", "(?:starting|beginning|counted|listed|reading|read) (?:at|from|in) (?:the )?front", "from (?:the )?front(?= "
         "[:,])"),
     *patterns("direction", "from front to back", f"{_AWAY}(?:straight )?away from (?:me|you|us|the (?:robot|viewer|"
         f"camera|reader))", f"{_AWAY}away(?= [,.:;])"),

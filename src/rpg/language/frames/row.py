@@ -45,6 +45,7 @@ def told(pieces: Sequence[Piece]) -> str:
     """
     check_lots(pieces)
     check_words(pieces)
+    check_told_once(pieces)
     noun = noun_of(pieces)
     lots_at = lots_of(pieces)
     said = said_of(pieces, lots_at)
@@ -219,6 +220,26 @@ def check_words(pieces: Sequence[Piece]) -> None:
     for piece, after in pairwise([*bound, Piece("end", "")]):
         if piece.value == "now" and after.kind not in ("lot", "place"):
             raise Unclear
+
+
+def check_told_once(pieces: Sequence[Piece]) -> None:
+    """Where a direction is told of a list, no later sentence lists the same again.
+
+    Raises:
+        Unclear: "red and blue from left to right; then blue and red".
+    """
+    parts: list[list[Piece]] = [[]]
+    for piece in pieces:
+        parts.append([]) if piece.kind == "break" and piece.words in STOPS and piece.words != ":" else parts[-1].append(
+            piece
+        )
+    ordered = False
+    for part in parts:
+        kinds = {piece.kind for piece in part}
+        bare = sum(piece.kind == "lot" for piece in part) > 1 and not kinds & {"direction", "place"}
+        if ordered and bare and all(piece.kind != "listed" or piece.value == "now" for piece in part):
+            raise Unclear
+        ordered = ordered or {"lot", "direction"} <= kinds
 
 
 def check_lots(pieces: Sequence[Piece]) -> None:

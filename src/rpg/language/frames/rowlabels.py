@@ -11,7 +11,7 @@ from rpg.language.frames import labelwords, rowparts, rowwords, shared
 from rpg.language.frames.arranged import Fact, filled
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number
-from rpg.language.frames.row import check_lots, check_words, noun_of, set_off, verbal
+from rpg.language.frames.row import check_lots, check_told_once, check_words, noun_of, set_off, verbal
 from rpg.language.frames.rowplaces import STOPS, Said, said_of
 from rpg.language.frames.rowsorted import KINDS, WAYS, Labelled, in_sort, in_sort_words, sort_of
 from rpg.language.frames.rowtold import Row, in_words
@@ -45,6 +45,7 @@ def told(pieces: Sequence[Piece]) -> str:
     check_lots(pieces)
     check_words(pieces)
     check_numbers(pieces)
+    check_told_once(pieces)
     row = Row(noun_of(pieces, sorts=any(piece.kind in ("sort", "kinds") for piece in pieces)), "", "")
     direction, total = one(pieces, "direction"), one(pieces, "total")
     row.direction = direction.value if direction else ""
@@ -67,9 +68,13 @@ def told(pieces: Sequence[Piece]) -> str:
     sort = sort_of(pieces, labels)
     if sort or kinds & {"kinds", "backwards"}:
         check_sorted(pieces, said)
+        if sort == "either" and row.near != "front" and all("extreme" not in piece.named for piece in pieces):
+            sort = "up"
         text = in_sort(row, sort, labels, said, pieces)
     else:
         row.order = _listed(pieces, said, row) or _following(row, pieces, labels)
+        if row.order is None and row.direction and "relation" in kinds:
+            raise Unclear
         if (
             row.order is None
             and {"left", "right"} <= {fact[0] for fact in row.facts}
@@ -270,7 +275,7 @@ def _listed(pieces: Sequence[Piece], said: Said, row: Row) -> list[str] | None:
 def _following(row: Row, pieces: Sequence[Piece], labels: list[str]) -> list[str] | None:
     """The order that follows from what is told of places and of how blocks stand to each other, if it does."""
     relations = [piece.value for piece in pieces if piece.kind == "relation"]
-    if not relations or row.direction or row.near == "front" or not 2 < len(labels) < 8:
+    if not relations or row.direction not in ("", _ACROSS) or row.near == "front" or not 2 < len(labels) < 8:
         return None
     slots = filled(len(labels), row.facts, row.near, row.first)
     orders = [
@@ -279,10 +284,15 @@ def _following(row: Row, pieces: Sequence[Piece], labels: list[str]) -> list[str
         if all(told in ("", label) for told, label in zip(slots, order, strict=True))
         and all(_holds(order, *relation) for relation in relations)
     ]
-    if len(orders) != 1:
+    if not orders:
+        raise Unclear
+    if len(orders) > 1:
         return None
-    row.direction = "from left to right"
+    row.direction = _ACROSS
     return list(orders[0])
+
+
+_ACROSS = "from left to right"
 
 
 def _holds(order: Sequence[str], x: str, relation: str, y: str) -> bool:

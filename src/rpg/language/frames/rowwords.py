@@ -89,8 +89,8 @@ PLACES: list[Pattern] = [
         f"(?:starts|starting|start|begins|beginning|begin)(?: off)? (?:at|on|from) the {side}(?: end| side)? with",
         f"(?:ends|ending|finishes|finishing|finish) (?:up )?(?:at|on) the {side}(?: end| side)? with")),
     *patterns("place", lambda match: ("first", _nth(match["nth"])), f"(?:the )?{_NTH}(?= (?:a |an |one )?(?:COLOR|[A-Z]) )"),
-    *patterns("place", ("left", 1), "left(?= (?:and|[,.;]|$))"),
-    *patterns("place", ("right", 1), "right(?= (?:and|[,.;]|in|$))"),
+    *patterns("place", ("left", 1), "(?<!the )(?<!from )left(?= (?:and|[,.;]|$))"),
+    *patterns("place", ("right", 1), "(?<!the )(?<!from )right(?= (?:and|[,.;]|in|$))"),
     *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:on |at )?(?:the )?inside(?= (?:[,.;]|$))"),
     *patterns("place", ("last", 2), "(?:BE )?(?:the )?(?:next to last|second to last|last but one|second last)(?: "
         "BLOCK| one| place)?(?: BE)?"),
@@ -153,12 +153,12 @@ DIRECTIONS: list[Pattern] = [
         f"{_READ}(?:far )?left(?: most| hand)?(?: end| side)? (?:to|→|towards) (?:the )?(?:far )?right(?: most| "
         f"hand)?(?: end| side)?", f"{_READ}leftmost to (?:the )?rightmost",
         "(?:starting|beginning|begin|start|counted|listed|reading|read|seen|counting|going) (?:at|from|on) the "
-        "(?:far )?left(?: end| side)?", "from (?:the )?left(?: end| side)?(?= [:,])", "to the right(?= :)"),
+        "(?:far )?left(?: end| side)?", "from (?:the )?left(?: end| side)?(?= (?:[:,.;]|$))", "to the right(?= :)"),
     *patterns("direction", "from right to left",
         f"{_READ}(?:far )?right(?: most| hand)?(?: end| side)? (?:to|→|towards) (?:the )?(?:far )?left(?: most| "
         f"hand)?(?: end| side)?", f"{_READ}rightmost to (?:the )?leftmost",
         "(?:starting|beginning|begin|start|counted|listed|reading|read|seen|counting|going) (?:at|from|on) the "
-        "(?:far )?right(?: end| side)?", "from (?:the )?right(?: end| side)?(?= [:,])"),
+        "(?:far )?right(?: end| side)?", "from (?:the )?right(?: end| side)?(?= (?:[:,.;]|$))"),
     *patterns("direction", "from front to back",
         f"{_READ}(?:front|near|nearest|closest|near side|near end|front end|near edge|front edge) (?:to|→|towards) "
         f"(?:the )?(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back edge)",
@@ -171,7 +171,7 @@ DIRECTIONS: list[Pattern] = [
         f"{_READ}(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back edge) (?:to|→|towards) "
         f"(?:the )?(?:front|near|nearest|closest|near side|near end|front end|near edge|front edge)",
         "(?:starting|beginning|counted|listed|reading|read) (?:at|from|in) (?:the )?(?:back|rear)", "from (?:the "
-        ")?(?:back|rear)(?= [:,])"),
+        ")?(?:back|rear)(?= (?:[:,.;]|$))"),
     *patterns("listed", None,
         "(?:always )?(?:exactly |precisely |just )?in (?:exactly |precisely )?(?:that|this|the following|exactly "
         "this|exactly that|the given|the stated|the same|this exact|that exact|that very|the said|precisely this|"

@@ -11,6 +11,16 @@ from tests.language.frames.told import told
     ("text", "plain"),
     [
         ("A, B and C in a row", "Lay the blocks A, B and C in a row."),
+        ("c a b in a row from left to right", "Lay the blocks C, A and B in a row from left to right: C, A, B."),
+        (
+            "red next to blue, blue next to green, in a row",
+            "Lay 1 red block and 1 blue block and 1 green block in a row. The red block is next to the blue block. "
+            "The blue block is next to the green block.",
+        ),
+        (
+            "Put B directly to the left of A and C to the right of A, all in a row.",
+            "Lay the blocks B, A and C in a row from left to right: B, A, C.",
+        ),
         ("Row. Letters. C, B, A. Left to right.", "Lay the blocks C, B and A in a row from left to right: C, B, A."),
         (
             "line up alphabetically: M, A, R, K",
@@ -82,6 +92,8 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "row of A B C D, even before odd",
         "put A, B and C in a row or in a column",
         "line up A, C, B in order",
+        "Line up A, B and C so that A is left of B and C is left of A and B is left of C",
+        "A, B, C in a row from left to right; then C, B, A",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

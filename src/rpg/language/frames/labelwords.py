@@ -13,7 +13,10 @@ _CARRIES = (
     "(?:(?:that |which )?(?:with|has|have|showing|shows|bearing|bears|labelled|labeled|marked|numbered|lettered|"
     "carrying))"
 )
-_NEXT = r"(?:,|and|→|[A-Z]|[b-hj-z]|BE|to|through|at|on|in the|left|right|before|after|first|last|second|third|\.)"
+_NEXT = (
+    r"(?:,|and|→|[A-Z]|[b-hj-z]|BE|to|through|at|on|in the|in a|in one|from left|from right|left|right|before|after|"
+    r"first|last|second|third|\.)"
+)
 _SPEAKS = "(?:can|could|want|need|have|would|like|see|wish|should|am|will|must|may|read|do|get|expect)"
 _L = (
     rf"[A-HJ-Z]|I(?= (?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$)|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|"

@@ -254,9 +254,13 @@ def check_lots(pieces: Sequence[Piece]) -> None:
         raise Unclear
     check_joined(pieces)
     together = [(a, b) for a, b in pairwise(pieces) if a.kind == b.kind == "lot"]
-    bare = all(not {"det", "noun", "count", "many"} & set(piece.named) for pair in together for piece in pair)
-    mixed = any(("label" in a.named) != ("label" in b.named) for a, b in together)
-    if together and (len(together) < 2 or not bare or mixed):
+    bare = all(
+        not {"noun", "count", "many"} & set(piece.named) and piece.named.get("det", "a") in ("a", "an")
+        for pair in together
+        for piece in pair
+    )
+    labels = [("label" in a.named) + ("label" in b.named) for a, b in together]
+    if together and ((len(together) < 2 and 2 not in labels) or not bare or 1 in labels):
         raise Unclear
 
 

@@ -95,7 +95,15 @@ def expanded(pieces: Sequence[Piece]) -> list[Piece]:
         Unclear: a range or a largest of nothing.
     """
     found: list[Piece] = []
-    for piece in pieces:
+    for piece, after in zip(pieces, [*pieces[1:], Piece("end", "")], strict=True):
+        if (
+            len(piece.words) == 3
+            and piece.words.startswith("a ")
+            and "label" in piece.named
+            and ("label" in after.named or (found and "label" in found[-1].named))
+        ):
+            found.append(Piece("lot", "a", None, {"label": "A"}))  # "A B C"
+            piece = replace(piece, named={"label": piece.named["label"]})
         if piece.kind == "range":
             found += _from_range(piece, [other.named["label"] for other in found if "label" in other.named])
             continue
@@ -141,7 +149,7 @@ def check_numbers(pieces: Sequence[Piece]) -> None:
             of = ahead.words.split()[-1:] == ["of"] or ahead.kind in ("figure", "mention")
             if after.words == ":" or (of and int(piece.words) == labels - 1):
                 raise Unclear
-        if piece.words in ("a", "i") and piece.kind == "glue" and after.kind == "break":
+        if piece.words in ("a", "i") and piece.kind == "glue" and (after.kind == "break" or "label" in ahead.named):
             raise Unclear
         ahead = piece
 

@@ -189,7 +189,8 @@ WORDS: list[Pattern] = [
         "that", "in which", "whose", "including", "where", "also", "as well as", "[()]"),
     *patterns("act", None, "(?:and )?(?:put|place|set|add|lay|insert|stick|position|drop|move|locate)"),
     *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|$))"),
-    *patterns("glue", None, "BE(?: all)?", "let there be", "(?:is |BE )?(?:needed|required|wanted|desired)", "a series of", "align|aligned", "the robot(?: arm)?|robot|have|let us "
+    *patterns("glue", None, "BE(?: all)?", "let there be", "(?:is |BE )?(?:needed|required|wanted|"
+        "desired)", "a series of", "(?:be )?brought", "align|aligned", "the robot(?: arm)?|robot|have|let us "
         "have", "there (?:stand|stands|lie|lies|sit|sits)", "up(?= (?:[,.;]|in|from|on|with|$))", "(?:the |their |"
         "its )?colors(?= (?:from|in|COLOR|COLORs|:) )",
         "comprising|comprises|comprised of|comprise|including", "all (?:the |of the |these )?BLOCK",
@@ -203,8 +204,10 @@ WORDS: list[Pattern] = [
 _END_HERE = "(?! (?:BLOCK|PATCH))"
 OF_THEM: list[Pattern] = [
     *patterns("lot", None,
-        rf"(?P<half>half) (?:(?:of )?(?:them|these|those|which|the BLOCK) )?(?:BE )?(?P<color>COLOR){_END_HERE}(?: ones)?",
-        rf"(?P<count>NUM) (?:(?:of (?:them|these|those|which|the BLOCK)|BLOCK) )?BE(?: all)? (?P<color>COLOR){_END_HERE}"
+        rf"(?P<half>half) (?:(?:of )?(?:them|these|those|which|the BLOCK) )?(?:BE )?(?P<color>COLOR){_END_HERE}(?: "
+        rf"ones)?",
+        rf"(?P<count>NUM) (?:(?:of (?:them|these|those|which|the BLOCK)|BLOCK) )?BE(?: all)? "
+        rf"(?P<color>COLOR){_END_HERE}"
         r"(?: ones)?",
         rf"(?P<count>NUM) of (?:them|these|those|which|the BLOCK) (?P<color>COLOR){_END_HERE}(?: ones)?",
         r"all (?P<count>NUM) of the (?P<color>COLOR)(?P<many>s)?(?: (?P<noun>BLOCK|ones))?",

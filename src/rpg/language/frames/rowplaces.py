@@ -103,6 +103,7 @@ def _placed_in(sentence: Sequence[Piece], known: dict[int, Lot]) -> list[Placed]
     """The blocks with a place in a sentence: the place stands beside the blocks."""
     segments = _segments(sentence)
     found: list[Placed] = []
+    within = False
     for n, segment in enumerate(segments):
         kinds = segment.kinds
         if "P" not in kinds:
@@ -135,7 +136,7 @@ def _placed_in(sentence: Sequence[Piece], known: dict[int, Lot]) -> list[Placed]
             continue
         if kinds[-1] == "L" and after and after.kinds == "L" and after.mark == "and" and not after.figure:
             raise Unclear  # "at the left end a red block and a blue block"
-        within = segment.mark.split(" ")[0] in _WITHIN
+        within = segment.mark.split(" ")[0] in _WITHIN or (within and segment.mark == "and")
         found += [
             Placed(known[id(lot)], place.value, within or place.value[0] in ("first", "last")) for lot, place in pairs
         ]

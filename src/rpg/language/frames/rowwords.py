@@ -88,7 +88,8 @@ PLACES: list[Pattern] = [
     *(pattern for side in ("left", "right") for pattern in patterns("place", (side, 1),
         f"(?:starts|starting|start|begins|beginning|begin)(?: off)? (?:at|on|from) the {side}(?: end| side)? with",
         f"(?:ends|ending|finishes|finishing|finish) (?:up )?(?:at|on) the {side}(?: end| side)? with")),
-    *patterns("place", lambda match: ("first", _nth(match["nth"])), f"(?:the )?{_NTH}(?= (?:a |an |one )?(?:COLOR|[A-Z]) )"),
+    *patterns("place", lambda match: ("first", _nth(match["nth"])), f"(?:the )?{_NTH}(?= (?:a |an |one )?(?:COLOR|"
+        f"[A-Z]) )"),
     *patterns("place", ("left", 1), "(?<!the )(?<!from )left(?= (?:and|[,.;]|$))"),
     *patterns("place", ("right", 1), "(?<!the )(?<!from )right(?= (?:and|[,.;]|in|$))"),
     *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:on |at )?(?:the )?inside(?= (?:[,.;]|$))"),
@@ -114,7 +115,8 @@ PLACES: list[Pattern] = [
         f"filling|fills) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|"
         f"(?! of))(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
         "(?:BE )?(?:middle|center)(?= (?:[,.;)]|$))", "(?:the )?(?:middle|central|center|centermost|middlemost)(?: "
-        "BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |halfway |squeezed |sandwiched |wedged |"
+        "BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |halfway |squeezed |sandwiched "
+        "|wedged |"
         "caught )?(?:in |right |exactly )?between(?: them| those| these| the ends| the 2 ends| the 2(?! COLOR)| the "
         "2 of them)?", "in the (?:middle|center)(?= (?:a|one|the|1) )"),
     *patterns("place", ("sides", 0),
@@ -162,7 +164,9 @@ DIRECTIONS: list[Pattern] = [
     *patterns("direction", "from front to back",
         f"{_READ}(?:front|near|nearest|closest|near side|near end|front end|near edge|front edge) (?:to|→|towards) "
         f"(?:the )?(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back edge)",
-        "(?:starting|beginning) (?:near|closest to|nearest to|next to|in front of) (?:me|you|us|the robot)(?: and)?(?: (?:going|running) (?:back|backwards|away))?", "(?:starting|beginning|counted|listed|reading|read) (?:at|from|in) (?:the )?front", "from (?:the )?front(?= "
+        "(?:starting|beginning) (?:near|closest to|nearest to|next to|in front of) (?:me|you|us|the robot)(?: "
+        "and)?(?: (?:going|running) (?:back|backwards|away))?", "(?:starting|beginning|counted|listed|reading|read) "
+        "(?:at|from|in) (?:the )?front", "from (?:the )?front(?= "
         "[:,])"),
     *patterns("direction", "from front to back", f"{_AWAY}(?:straight )?away from (?:me|you|us|the (?:robot|viewer|"
         f"camera|reader))", f"{_AWAY}away(?= [,.:;])"),

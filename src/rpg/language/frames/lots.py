@@ -25,11 +25,13 @@ _SINGLE = frozenset({"block", "cube", "piece", "element", "one"})
 
 @dataclass(frozen=True)
 class Lot:
-    """Blocks of one look. `count`: None where it is left open; `known`: "the red one", which was told before."""
+    """Blocks of one look. `count`: None where it is left open; `known`: "the red one", which was told before; `plural`:
+    several are meant."""
 
     look: str
     count: int | None = None
     known: bool = False
+    plural: bool = False
 
     @property
     def blocks(self) -> str:
@@ -54,7 +56,8 @@ def lot_of(piece: Piece) -> Lot:
         single or det in ("a", "an") or (det == "the" and "noun" not in named and "many" not in named)
     ):
         count = 1
-    return Lot(look, count, det.split()[:1] in (["the"], ["these"], ["those"], ["both"]))
+    plural = "many" in named or named.get("noun", "one") not in _SINGLE
+    return Lot(look, count, det.split()[:1] in (["the"], ["these"], ["those"], ["both"]), plural)
 
 
 def as_adjectives(pieces: Sequence[Piece], kind: str = "figure") -> list[Piece]:

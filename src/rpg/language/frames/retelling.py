@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, grids, moments, shape, stairs, tower, turned
+from rpg.language.frames import beside, grids, moments, row, rowlabels, shape, stairs, tower, turned
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import CLASSES, Pattern, Piece, Unclear, cut
 from rpg.language.frames.turned import without_turns
@@ -19,6 +19,8 @@ FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...]
     (grids.PATTERNS, grids.told),
     (shape.PATTERNS, shape.told),
     (stairs.PATTERNS, stairs.told),
+    (row.PATTERNS, row.told),
+    (rowlabels.PATTERNS, rowlabels.told),
 )
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})
@@ -26,10 +28,11 @@ _LEADS = frozenset({"please", "then", "now", "you", "to", ",", "and", "first", "
 """Behind these a command may begin."""
 _BINDING = frozenset({
     "another", "other", "others", "same", "again", "after", "afterwards", "before", "then", "first", "finally", "next",
-    "initial", "initially", "start", "starting", "begin", "beginning", "goal", "end", "until", "or", "if", ":",
+    "initial", "initially", "start", "starting", "begin", "beginning", "goal", "end", "ends", "until", "or", "if", ":",
+    "second", "least", "most",
 })  # fmt: skip
 """With these, sentences do not stand for themselves."""
-_ANY = re.compile(r"from \d+ blocks")
+_ANY = re.compile(r"(?:from|Lay) \d+ blocks")
 """Blocks of no told look may be those that another sentence names."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
 """So many blocks may be all that the other sentence names."""

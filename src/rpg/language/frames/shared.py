@@ -24,7 +24,7 @@ GLUE: list[Pattern] = [
         "assembled|arranged|put together|set up)"
         "(?: out)?(?: of| from| by| with)?"),
     *patterns("glue", None, "make|build up|build|create|construct|put together|put|place|set up|set out|set|arrange|"
-        "lay out|lay|assemble|"
+        "lay out|lay down|lay|assemble|"
         "organize|form|forms|give|"
         "show|shows|line up|bring|produce|prepare|contains|contain|containing|has|having|i "
         "have to|you have to"),

@@ -1,0 +1,92 @@
+"""A row of coloured blocks told part by part."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.language.frames.told import told
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("Row: 4 purple, no gap", "Lay 4 purple blocks in a row. The blocks touch each other."),
+        (
+            "red blue red blue in a line from left to right",
+            "Lay 2 red blocks and 2 blue blocks in a row from left to right: red, blue, red, blue.",
+        ),
+        (
+            "Six blocks in a row, red ones and green ones taking turns, starting with green on the left.",
+            "Lay 3 red blocks and 3 green blocks in a row from left to right: green, red, green, red, green, red.",
+        ),
+        (
+            "5 cubes in a row please, middle one black, others white",
+            "Lay 4 white blocks and 1 black block in a row from left to right: white, white, black, white, white.",
+        ),
+        (
+            "pink cube rightmost, gray cube leftmost, cyan cube in the middle of them, one row",
+            "Lay 1 pink block, 1 gray block and 1 cyan block in a row from left to right: gray, cyan, pink.",
+        ),
+        (
+            "make row of four cube: two is yellow, two is black, colors alternate",
+            "Lay 2 yellow blocks and 2 black blocks in a row of alternating colors.",
+        ),
+        (
+            "blocks lined up front to back: black nearest, then gray, then white",
+            "Lay 1 black block, 1 gray block and 1 white block in a column from front to back: black, gray, white.",
+        ),
+        (
+            "The brown block hides between two cyan ones, all of them in one straight line.",
+            "Lay 1 brown block and 2 cyan blocks in a line with the brown block in the middle and a cyan block at each "
+            "end.",
+        ),
+        (
+            "three gray blocks in row, distance 6 cm with tolerance 5 mm",
+            "Lay 3 gray blocks in a row. The blocks are 6 cm apart with a tolerance of 5 mm.",
+        ),
+        (
+            "Symmetric row: two red, two blue, one green in the middle, red outside.",
+            "Lay 2 red blocks, 2 blue blocks and 1 green block in a row from left to right: red, blue, green, blue, "
+            "red.",
+        ),
+        (
+            "white block second from left in a row of four; rest black",
+            "Lay 3 black blocks and 1 white block in a row from left to right: black, white, black, black.",
+        ),
+        (
+            "eight blocks, half of them red and half blue, alternating in a row near the front edge of the table",
+            "Lay 4 red blocks and 4 blue blocks in a row of alternating colors. The row is at the near edge of the "
+            "table.",
+        ),
+        (
+            "the red and the white blocks go in a line, two of each",
+            "Lay 2 red blocks and 2 white blocks in a line.",
+        ),
+    ],
+)
+def test_parts_are_put_together(text: str, plain: str) -> None:
+    assert told(text) == plain
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a row of red, green and blue, but no red at the left end",
+        "a row of three red or three blue blocks",
+        "a row of four blocks, two red and three blue",
+        "a row of two red blocks and a blue one, the red one on the left",  # which of the two?
+        "a row of red, white, blue again",
+        "a column of three with the red one between two blue ones",  # or a tower?
+        "three blocks in a row. Red, white and blue must touch.",  # are these the three?
+        "line up red and blue, green and white",
+        "the row of red blocks touches the mat",
+        "two blue blocks and a row of three red ones and a row of three white ones",
+        "a row of three blocks with red at both ends and blue at the left end",
+        "five red blocks in a row from left to right, from right to left",
+        "line up red and white, standing on the green mat",  # both, or the white one?
+        "at the left end a red and a blue block, in a row with two white ones",
+        "put four blocks in a row, the other two are red",
+    ],
+)
+def test_what_is_not_clear_is_not_told(text: str) -> None:
+    assert told(text) is None

@@ -70,7 +70,7 @@ def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
 
 def coded(tokens: Sequence[Token]) -> list[str]:
     """Each token as one word that patterns know: numbers in digits, colours by their names ("reds" where several are
-    meant), symbols in capitals, words to be spelt in quotation marks; `<other>` for what has no such word."""
+    meant), symbols in capitals, words to be spelt in quotation marks, signs and equations in angle brackets; `<other>` for what has no such word."""
     return [_code(tokens, n) for n in range(len(tokens))]
 
 
@@ -85,6 +85,8 @@ def _code(tokens: Sequence[Token], n: int) -> str:
         return f"{token.value:g}"
     if token.kind == "punct":
         return word
+    if token.kind in ("sign", "equation"):
+        return f"<{token.value or word}>"
     if token.kind != "word" or " " in word:
         return "<other>"
     begins = n == 0 or tokens[n - 1].word in (".", "!", "?", ";", ":")

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from rpg.language.frames.lots import Lot, counted, one
 from rpg.language.frames.pieces import Piece, Unclear, number, patterns
-from rpg.language.frames.several import LOTS, STOPS, Gathered, check_clauses, gathered, listed, said_of, settled
+from rpg.language.frames.several import LOTS, START, STARTS, STOPS, Gathered, check_clauses, gathered, listed, said_of, settled
 from rpg.language.frames.shared import GLUE, WHERE
 
 _G = "(?:group|pile|cluster|bunch|heap|clump|bundle|lot|set|gathering|collection)"
@@ -31,6 +31,7 @@ _SAME = "(?:only |just |exactly )?(?:of |the |a )*(?:one|single|same|only one|ju
 PATTERNS = [
     *LOTS,
     *WHERE,
+    *STARTS,
     *STOPS,
     *GLUE,
     *patterns("figure", lambda match: number(match["count"]) if match["count"] else None,
@@ -85,8 +86,6 @@ PATTERNS = [
     *patterns("apart", lambda match: f"at least {match['length']} {match['unit']} apart",
         rf"(?:the )?(?:{_GS} |NUM )?(?:BE )?(?:at least|no less than|minimum) (?P<length>[\d.]+) (?P<unit>cm|mm|centimeters?|centimetres?)(?: of space)? (?:apart|from each other|between (?:them|the {_GS}|the NUM {_GS}|each other)|away from each other|distance(?: between them| between the {_GS})?)"),
     *patterns("glue", None, rf"(?:well |clearly |far |a bit )?(?:apart|separated|separate|distinct)(?: from (?:each other|one another))?", "(?:the )?NUM kinds", "(?:the )?(?:different )?colors"),
-    *patterns("start", "At the start, the blocks lie in a heap.",
-        "(?:now )?(?:which |that )?(?:they )?(?:BE |are |all )*(?:start|starts|begin|begins|start out|begin mixed up) (?:out )?(?:all )?(?:mixed up |jumbled |mixed )?(?:together )?(?:in|as) (?:a|one) (?:big |single |messy )*(?:heap|pile|jumble)"),
 ]  # fmt: skip
 _NAMED = re.compile(rf"\b(?:{_G}|{_GS})\b")
 _UNIQUE = frozenset({*_ORD.split("|"), "here", "there", "other", "1", "2", "3"})
@@ -131,7 +130,7 @@ def told(pieces: Sequence[Piece]) -> str:
     if len(bases) > 1 or "" in bases or len(figures) > 1:
         raise Unclear
     basis, count = next(iter(bases), None), next(iter(figures), None)
-    total, where, start, apart = (one(pieces, kind) for kind in ("total", "where", "start", "apart"))
+    total, where, apart = (one(pieces, kind) for kind in ("total", "where", "apart"))
     lots = counted(list(found.lots.values()), total.value if total else None, evenly="even" in [p.kind for p in pieces])
     found.lots = {lot.look: lot for lot in lots}
     if found.places:
@@ -142,7 +141,7 @@ def told(pieces: Sequence[Piece]) -> str:
         text = _without_basis(pieces, found, count)
     text += f" The groups are {apart.value}." if apart else ""
     text += f" All blocks are {where.value}." if where else ""
-    return text + (f" {start.value}" if start else "")
+    return text + (f" {START}" if any(piece.kind == "start" for piece in pieces) else "")
 
 
 def _parted(pieces: Sequence[Piece]) -> list[Piece]:

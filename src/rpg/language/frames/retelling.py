@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from rpg.language.frames import equation, group, tower
+from rpg.language.frames import equation, group, spelled, tower, towers
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
@@ -13,6 +13,8 @@ FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...]
     (tower.PATTERNS, tower.told),
     (group.PATTERNS, group.told),
     (equation.PATTERNS, equation.told),
+    (spelled.PATTERNS, spelled.told),
+    (towers.PATTERNS, towers.told),
 )
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 

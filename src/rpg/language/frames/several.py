@@ -33,6 +33,14 @@ def _listed(match: Match[str]) -> tuple[str, ...]:
     return glyphs(match["list"])
 
 
+GLYPHS: list[Pattern] = [
+    *patterns("glyphs", _listed,
+        rf"(?:{_LETTERS})*(?:(?:{_NOUN}) )(?:{_SAID})(?P<list>{_LIST}|{_RANGE}|{_ONE})(?: (?:BLOCK))?",
+        rf"(?:the )?(?P<list>{_LIST}|{_RANGE})", r"(?:the |a |an )?(?P<list>[B-HJ-Z])(?: BLOCK)?", r"(?:the |a )?(?P<list>[AI])(?: BLOCK)?(?! [a-z])"),
+    *patterns("glyphs", lambda match: (match["list"],) * number(match["count"]),
+        r"(?:the )?(?P<count>\d) (?P<list>[A-Z])(?: BLOCK)?"),
+]  # fmt: skip
+"""Lists of symbols."""
 LOTS: list[Pattern] = [
     *patterns("lot", None,
         r"(?:(?P<det>the|these|those|my|our|your|all|all the|both|both the|a|an|exactly|just|only|every|with) )?"
@@ -45,13 +53,18 @@ LOTS: list[Pattern] = [
     *patterns("each", lambda match: number(match["count"]),
         r"(?:(?:exactly|there are|with|always) )?(?P<count>NUM) (?:BLOCK )?(?:each(?: of| in)?|apiece|(?:of|in|per|for) (?:each|every) color|of (?:each|every)(?: one)?|of each kind)",
         r"(?:exactly )?(?P<count>NUM) (?:BLOCK )?each"),
-    *patterns("glyphs", _listed,
-        rf"(?:{_LETTERS})*(?:(?:{_NOUN}) )(?:{_SAID})(?P<list>{_LIST}|{_RANGE}|{_ONE})(?: (?:BLOCK))?",
-        rf"(?:the )?(?P<list>{_LIST}|{_RANGE})", r"(?:the |a |an )?(?P<list>[B-HJ-Z])(?: BLOCK)?", r"(?:the |a )?(?P<list>[AI])(?: BLOCK)?(?! [a-z])"),
-    *patterns("glyphs", lambda match: (match["list"],) * number(match["count"]),
-        r"(?:the )?(?P<count>\d) (?P<list>[A-Z])(?: BLOCK)?"),
+    *GLYPHS,
 ]  # fmt: skip
 """Lots as in `lots`, but "the other red" is not one; and lists of symbols."""
+_HEAP = r"(?:(?:all|mixed up|jumbled|mixed|together|out|lying|thrown|tossed) )*(?:in|as|on) (?:a|one) (?:(?:big|single|messy|random|large|mixed) )*(?:heap|pile|jumble)(?: on the TABLE)?"
+_BEGIN = "starts?|begins?|starts? out|begins? out|starts? off|are now|are at present|are at the moment|are currently|now lie|currently lie"
+START = "At the start, the blocks are in a heap."
+STARTS: list[Pattern] = patterns("start", None,
+    rf"(?:(?:which|that|they|all|the BLOCK|now) )*(?:{_BEGIN}) {_HEAP}(?: now| at first)?",
+    rf"(?:(?:which|that|they|all|the BLOCK) )*(?:are|lie|is) {_HEAP} (?:now|at first|at the start|at the beginning|initially|to begin with|at the moment|right now)",
+    rf"(?:at first|at the start|at the beginning|initially|to begin with|right now|now)(?: ,)? (?:(?:they|all|the BLOCK|everything) )*(?:are|lie|is) {_HEAP}",
+)  # fmt: skip
+"""Kind "start": what is said of the blocks before they are moved."""
 STOPS: list[Pattern] = [
     *patterns("stop", None, r"[.;!?:]", r"(?:by |when )?(?:using|use|there (?:are|is)|we have|i have|you have|given)(?: got)?"),
     *patterns("from", None, "from|out of|apart from|away from|separate from|separated from"),

@@ -7,43 +7,45 @@ from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 
 from rpg.core.diagnostics import Refusal
+from rpg.ir.schema import TaskSchema
 from rpg.language.formulas import formulas_told
-from rpg.language.frames import retold
+from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
-from rpg.passes.schema.build import build
-from rpg.passes.schema.frontend import _PLAINER
+from rpg.passes.schema.frontend import _PLAINER, BuiltinFrontEnd
 from rpg.pipeline import prepared
 from tests.corpus.entries import SPLITS, Entry, load
 from tests.corpus.judge import Read, Score, judge
 
 
+class _Second(BuiltinFrontEnd):
+    """Reads a text only as the second reader tells it."""
+
+    def told(self, text: str) -> TaskSchema | None:
+        try:
+            tokens, strays = formulas_told(*tokenize(text))
+            for plainer in _PLAINER:
+                tokens, _ = plainer(tokens)
+            words, _, wrong = read_words(tokens)
+            if wrong or strays:
+                return None
+            found = self._retold(without_asides(words), text, None, 0, None, [])
+        except Refusal:
+            return None
+        return found[0] if found else None
+
+
 def read(entry: Entry) -> Read:
     """What the second reader makes of an entry's text, whatever the first makes of it."""
-    try:
-        tokens, strays = formulas_told(*tokenize(entry.text))
-        for plainer in _PLAINER:
-            tokens, _ = plainer(tokens)
-        words, _, wrong = read_words(tokens)
-        found = None if wrong or strays or not words else retold(words)
-        if found is None:
-            return None, ()
-        schema = build(found[0], entry.text, [], name=None, seed=0, author=None).task
-        return prepared(schema), ()
-    except Refusal as refusal:
-        return None, refusal.diagnostics
+    schema = _Second().told(entry.text)
+    return (prepared(schema) if schema else None), ()
 
 
 def scored(entry: Entry) -> tuple[Score, str]:
-    """An entry's score, and what it was retold as."""
+    """An entry's score, and what it was retold as where that is wrong."""
     score = judge(entry, read)
-    if score.outcome in ("wrong", "crash"):
-        tokens, _ = formulas_told(*tokenize(entry.text))
-        for plainer in _PLAINER:
-            tokens, _ = plainer(tokens)
-        found = retold(read_words(tokens)[0])
-        return score, found[1] if found else ""
-    return score, ""
+    schema = read(entry)[0] if score.outcome in ("wrong", "crash") else None
+    return score, schema.assumptions[0] if schema is not None else ""
 
 
 def main() -> None:

@@ -2,26 +2,86 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
-from rpg.language.frames import equation, group, spelled, tower, towers
+from rpg.language import lexicon
+from rpg.language.frames import beside, equation, group, moments, spelled, tower, towers
+from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
 FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
     (tower.PATTERNS, tower.told),
-    (group.PATTERNS, group.told),
     (equation.PATTERNS, equation.told),
+    (group.PATTERNS, group.told),
     (spelled.PATTERNS, spelled.told),
     (towers.PATTERNS, towers.told),
 )
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
+_ENDS = frozenset({".", "!", "?", ";"})
+_LEADS = frozenset({"please", "then", "now", "you", "to", ",", "and", "first", "just", "should"})
+"""Behind these a command may begin."""
+_BINDING = frozenset({
+    "another", "other", "others", "same", "again", "after", "afterwards", "before", "then", "first", "finally", "next",
+    "initial", "initially", "start", "starting", "begin", "beginning", "goal", "end", "until", "or", "if", ":",
+})  # fmt: skip
+"""With these, sentences do not stand for themselves."""
+_ANY = re.compile(r"from \d+ blocks")
+"""Blocks of no told look may be those that another sentence names."""
+_MOST = 120
+"""Longer texts are not told again."""
 
 
-def retold(tokens: list[Token]) -> tuple[list[Token], str] | None:
-    """The text in plain sentences, their tokens standing where the text stands; None where no family knows all of its
-    words, or where several tell it in different ways."""
+def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The text in plain sentences, and the words of that: all of it, or its first or last part, where the other part
+    is left as it is. Most of the text comes first. Told words stand where what they tell again stands."""
+    if not 0 < len(tokens) <= _MOST:
+        return
+    yield from _as_a_whole(tokens)
+    for rest, stretch, distractors in without_distractors(tokens):
+        for told, said in ((rest, _text(rest)), *_as_a_whole(rest)):
+            yield [*told, *_standing(distractors, stretch)], f"{said} {distractors}"
+    if not _BINDING.isdisjoint(token.word for token in tokens):
+        return
+    parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
+    for ahead, behind in reversed(parts):
+        if (first := plainly(ahead)) is not None and not _ANY.search(first):
+            yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"
+    for ahead, behind in parts:
+        if (last := plainly(behind)) is not None and not _ANY.search(last):
+            yield [*ahead, *_standing(last, behind)], f"{_text(ahead)} {last}"
+
+
+_LEADS_TO = {"start": ("At the start,", "At the start:"), "end": ("", "At the end,", "At the end:"), "": ("",)}
+
+
+def _as_a_whole(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The text of one figure, or with plain words that lead to what is said of the start, and of the end."""
+    if (whole := plainly(tokens)) is not None:
+        yield _standing(whole, tokens), whole
+    parts = moments.told_in_time(tokens)
+    for leads in product(*(_LEADS_TO[part.moment] for part in parts)) if parts else ():
+        out: list[Token] = []
+        for lead, part in zip(leads, parts, strict=True):
+            alone = part.moment == "end" and not lead and len(parts) == 1  # else its blocks may be told before
+            said = plainly(part.said) if alone else None
+            told = [*part.said, part.said[-1].saying(".")] if said is None else _standing(said, part.said)
+            out += [*_standing(lead, part.lead or part.said), *told]
+        yield out, _text(out)
+
+
+def words() -> frozenset[str]:
+    """Every word that is known here."""
+    told = [*beside.TOLD, *(pattern for known, _ in FAMILIES for pattern in known)]
+    patterns = [*(pattern.expression for pattern in told), *(lead for _, lead in moments.PATTERNS)]
+    return frozenset(word for x in patterns for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", x.pattern))
+
+
+def plainly(tokens: Sequence[Token]) -> str | None:
+    """What the one family that knows all the words says of them; None where none does, or several differ."""
     found = set()
     for known, told in FAMILIES:
         pieces = cut(tokens, known)
@@ -29,7 +89,30 @@ def retold(tokens: list[Token]) -> tuple[list[Token], str] | None:
             found |= {told(pieces)} if pieces else set()
         except Unclear:
             continue
-    if len(found) != 1:
-        return None
-    text, span = found.pop(), (tokens[0].span[0], tokens[-1].span[1])
-    return [replace(token, span=span) for token in tokenize(text)[0]], text
+    return found.pop() if len(found) == 1 else None
+
+
+def commands(tokens: Sequence[Token]) -> bool:
+    """Whether a sentence asks for something to be done; one that only describes may tell of the start."""
+    begins = [0, *(n + 1 for n, token in enumerate(tokens) if token.word in _ENDS or token.word in _LEADS)]
+    return any(_asks(tokens[n]) for n in begins if n < len(tokens))
+
+
+def _asks(token: Token) -> bool:
+    return any(tense == "base" for _, _, tense in lexicon.VERB.get(token.word, ()))
+
+
+def _parted(tokens: list[Token]) -> Iterator[tuple[list[Token], list[Token]]]:
+    """The text in two parts of whole sentences."""
+    for n in range(1, len(tokens) - 1):
+        if tokens[n].word in _ENDS:
+            yield tokens[: n + 1], tokens[n + 1 :]
+
+
+def _standing(text: str, told: Sequence[Token]) -> list[Token]:
+    span = (told[0].span[0], told[-1].span[1])
+    return [replace(token, span=span) for token in tokenize(text)[0]]
+
+
+def _text(tokens: Sequence[Token]) -> str:
+    return re.sub(r" (?=[,.;:!?])", "", " ".join(token.raw for token in tokens))

@@ -112,8 +112,9 @@ class BuiltinFrontEnd:
         author: str | None,
         mended: list[str] | None,
         remarks: Sequence[str] = (),
+        again: bool = True,
     ) -> Reading:
-        """`remarks`: notes of what was left out."""
+        """`remarks`: notes of what was left out; `again`: what makes no sense is told again in plain sentences."""
         tokens, strays = written
         if over := title(tokens):
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
@@ -147,20 +148,23 @@ class BuiltinFrontEnd:
                     check_wanted(words if wanted else [], found.task, each_block=wanted == "block")
                     check_behind(typed, found.task)
                     return found.task, found.notes
-            if (again := self._retold(without_asides(spoken), text, notes, name, seed, author)) is not None:
-                return again
+            found_again = self._retold(without_asides(spoken), text, name, seed, author, notes) if again else None
+            if found_again is not None:
+                return found_again
             raise
         return found.task, found.notes
 
     def _retold(
-        self, words: list[Token], text: str, notes: list[str], name: str | None, seed: int, author: str | None
+        self, words: list[Token], text: str, name: str | None, seed: int, author: str | None, notes: list[str]
     ) -> Reading | None:
-        """The reading of a text that tells of one figure part by part, with a note of how it was understood."""
-        if (plainly := retold(words)) is None:
-            return None
-        with suppress(Refusal):
-            found = build(plainly[0], text, [*notes, f"understood as: {plainly[1]}"], name=name, seed=seed, author=author)
-            return found.task, found.notes
+        """The reading of a text that tells of a figure part by part, with a note of how it was understood."""
+        for tokens, said in retold(words):
+            with suppress(Refusal):
+                task, found = self._read_tokens(
+                    (tokens, []), text, name, seed, author, notes, [f"understood as: {said}"], again=False
+                )
+                if task is not None:
+                    return task, found
         return None
 
     def _as_meant(self, respelt: Respelt, name: str | None, seed: int, author: str | None, notes: list[str]) -> Reading:

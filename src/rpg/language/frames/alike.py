@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -9,6 +10,9 @@ from itertools import pairwise
 from rpg.language.frames.lots import Lot, counted
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import Gathered, listed, said_of
+
+
+_EQUAL = re.compile(r"\b(?:equal|identical|even|same)\b")
 
 
 @dataclass(frozen=True)
@@ -63,6 +67,9 @@ def together(pieces: Sequence[Piece], found: Gathered, told_of: Told) -> tuple[s
     each = size
     if lots and lots[0].count:
         per_tower = "each" in kinds or _of_towers(pieces)
+        equal = any(piece.kind == "figure" and _EQUAL.search(piece.words) for piece in pieces)
+        if equal and "each" not in kinds and size is None and lots[0].count % count == 0:
+            raise Unclear  # "three equal towers of nine red blocks"
         each = lots[0].count if per_tower else lots[0].count // count
         if (size or each) != each or (not per_tower and (size is None or size * count != lots[0].count)):
             raise Unclear

@@ -88,6 +88,7 @@ PATTERNS = [
     *patterns("glue", None, rf"(?:well |clearly |far |a bit )?(?:apart|separated|separate|distinct)(?: from (?:each other|one another))?", "(?:the )?NUM kinds", "(?:the )?(?:different )?colors"),
 ]  # fmt: skip
 _NAMED = re.compile(rf"\b(?:{_G}|{_GS})\b")
+_COMMAND = re.compile("(?:make|build|create|form|put|place|bring|gather|collect|cluster|group|arrange|keep|sort|tidy up|clean up|must|should|shall|want|need)\\b")
 _UNIQUE = frozenset({*_ORD.split("|"), "here", "there", "other", "1", "2", "3"})
 
 
@@ -249,9 +250,16 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
             raise Unclear
         return f"Group {said_of(lots[0] for _, lots in places)} by {basis or 'color'}{strangers}."
     if len(places) == 1:
+        if slots[0] not in ("one", "a") or not _asked(pieces):
+            raise Unclear
         return f"Make one group of {said_of(places[0][1])}."
     groups = listed([f"one of {said_of(lots)}" for _, lots in places])
     return f"Make {len(places)} groups, {groups}.{_sides(places)}"
+
+
+def _asked(pieces: Sequence[Piece]) -> bool:
+    """Whether something is to be done: what lies in a heap may be told of the start."""
+    return any(_COMMAND.search(piece.words) for piece in pieces if piece.kind in ("figure", "glue", "parted"))
 
 
 def _sides(places: Sequence[tuple[str, Sequence[Lot]]]) -> str:
@@ -291,6 +299,8 @@ def _without_basis(pieces: Sequence[Piece], found: Gathered, count: int | None) 
     if any(lot.count is None for lot in lots) or not lots or _strangers(pieces) or count is None:
         raise Unclear
     if count == 1 and not size:
+        if not _asked(pieces):
+            raise Unclear
         return f"Make one group of {said_of(lots)}."
     if len(lots) == 1 and (size or "even" in kinds):
         each = size.value if size else (lots[0].count or 0) // count

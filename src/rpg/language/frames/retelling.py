@@ -29,6 +29,8 @@ _BINDING = frozenset({
     "initial", "initially", "start", "starting", "begin", "beginning", "goal", "end", "until", "or", "if", ":",
 })  # fmt: skip
 """With these, sentences do not stand for themselves."""
+_REFERRING = frozenset({"it", "they", "this", "these", "them", "those", "all", "both", "each"})
+"""A sentence that begins with these is of what is told before it."""
 _ANY = re.compile(r"from \d+ blocks")
 """Blocks of no told look may be those that another sentence names."""
 _MOST = 120
@@ -46,7 +48,11 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
             yield [*told, *_standing(distractors, stretch)], f"{said} {distractors}"
     if not _BINDING.isdisjoint(token.word for token in tokens):
         return
-    parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
+    parts = [
+        (ahead, behind)
+        for ahead, behind in _parted(tokens)
+        if (commands(ahead) or not commands(behind)) and behind[0].word not in _REFERRING
+    ]
     for ahead, behind in reversed(parts):
         if (first := plainly(ahead)) is not None and not _ANY.search(first):
             yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"

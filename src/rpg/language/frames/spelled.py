@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear, number, patterns
@@ -50,9 +51,12 @@ PATTERNS = [
     *WHERE,
     *BREAKS,
     *GLUE,
-    *patterns("glue", None, "spell|spells|spelled|spelt|spelling|write|writes|written|writing|read|reads|reading|say|says|saying|display|displays|displayed|appear|appears|legible|readable|runs?|spell out|spelled out|(?:can|could|may|should) be read|can read|so that|such that|so|it"),
-    *patterns("glue", None, "(?:letter|letters|letter BLOCK|BLOCK with letters|word|name|text|tiles|lettered BLOCK)", "on|onto|one", "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|correctly|properly|in order|in (?:this|that|the right) order|upright|in capital letters|in capitals|single|vertical|horizontal"),
+    *patterns("glue", None, "so that|such that|so|it|appear|appears|runs?"),
+    *patterns("spell", None, "letter|letters|letter BLOCK|BLOCK with letters|word|name|text|tiles|lettered BLOCK", "spell|spells|spelled|spelt|spelling|write|writes|written|writing|read|reads|reading|say|says|saying|display|displays|displayed|legible|readable|spell out|spelled out|(?:can|could|may|should) be read|can read"),
+    *patterns("glue", None, "on|onto|one", "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|correctly|properly|in order|in (?:this|that|the right) order|upright|in capital letters|in capitals|single|vertical|horizontal"),
 ]  # fmt: skip
+_INITIALS = frozenset("ROYGCBPKWV")
+"""First letters of colours."""
 _FIRST = frozenset({"top", "highest", "uppermost", "topmost", "left", "leftmost", "first"})
 
 
@@ -65,10 +69,14 @@ def told(pieces: Sequence[Piece]) -> str:
     word, order, count, gaps, where = (one(pieces, kind) for kind in ("word", "order", "count", "gaps", "where"))
     kinds = {piece.kind for piece in pieces}
     at = [n for n, piece in enumerate(pieces) if piece.kind == "word"]
-    if len(at) != 1 or not word or pieces[at[0] - 1].words in ("in", "of", "into") or pieces[0].words in ("is", "are"):
+    if len(at) != 1 or not word or pieces[at[0] - 1].words in ("in", "of", "into") or pieces[0].words in ("is", "are", "it"):
         raise Unclear
+    if any(a.words == b.words == "." for a, b in pairwise(pieces)):
+        raise Unclear  # a sentence was taken for talk: "the order does not matter" contradicts a word
     if where and any(piece.kind == "tint" and piece.words.startswith(("with", "using", "use")) for piece in pieces):
         raise Unclear  # "with red blocks on the mat", which are not those of the word
+    if set(word.value) <= _INITIALS and "spell" not in kinds and not any(said in word.words for said in ("word", "name", "letters")):
+        raise Unclear  # "an RGB tower"
     letters = sorted(glyph for piece in pieces if piece.kind == "glyphs" for glyph in piece.value)
     if (letters and letters != sorted(word.value)) or (count and count.value != len(word.value)):
         raise Unclear

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 from rpg.language.frames.alike import Told, told_in_line, together
-from rpg.language.frames.lots import Lot, one
+from rpg.language.frames.lots import Lot, lot_of, one
 from rpg.language.frames.pieces import Piece, Unclear, number, patterns
 from rpg.language.frames.several import (
     LOTS,
@@ -22,7 +22,7 @@ from rpg.language.frames.several import (
 )
 from rpg.language.frames.shared import GLUE, WHERE
 
-_T = "(?:tower|stack|pillar|column)"
+_T = "(?:tower|stack|pillar)"
 _TS = "(?:towers|stacks|pillars)"
 _ADJ = "(?:(?:little|small|neat|separate|identical|equal|single|own|different|similar|individual|short|matching|twin|distinct) )"
 _ORD = "first|second|third|fourth|fifth|last|left|right|middle|center|leftmost|rightmost"
@@ -96,10 +96,12 @@ def told(pieces: Sequence[Piece]) -> str:
     """
     check_clauses(pieces)
     named = [piece for piece in pieces if piece.kind in ("figure", "slot", "basis")]
-    if pieces[0].words in ("is", "are") or not any(_NAMED.search(piece.words) for piece in named):
+    if pieces[0].words in ("is", "are", "there are", "there is") or not any(_NAMED.search(piece.words) for piece in named):
         raise Unclear
     pieces, heights = _heights(pieces)
     kinds = [piece.kind for piece in pieces]
+    if "line" in kinds and "slot" in kinds and any(piece.words == "line up" for piece in pieces):
+        raise Unclear  # "line up a tower and ...": the towers, or the blocks of the first?
     figures = {piece.value for piece in pieces if piece.kind == "figure" and piece.value}
     size, where, near, total, relation = (one(pieces, kind) for kind in ("size", "where", "near", "total", "relation"))
     if len(figures) > 1:
@@ -210,6 +212,10 @@ def _chains(pieces: Sequence[Piece]) -> list[tuple[str, list[str]]]:
     chains = [_chain(run) for run in runs]
     if len(chains) < 2 or any(len(chain) < 2 for chain in chains):
         return []
+    bare = [lot_of(piece).look for piece in said if piece.kind == "lot" and piece.named.get("det") not in ("a", "an") and "count" not in piece.named]
+    looks = [look for chain in chains for look in chain]
+    if any(looks.count(look) > 1 for look in bare):
+        raise Unclear  # "red on blue and green on red": is it the same one?
     return list(zip(slots or ["one"] * len(chains), chains, strict=True))
 
 

@@ -11,7 +11,6 @@ from rpg.language.frames.lots import Lot, counted
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import Gathered, listed, said_of
 
-
 _EQUAL = re.compile(r"\b(?:equal|identical|even|same)\b")
 
 
@@ -54,13 +53,22 @@ def together(pieces: Sequence[Piece], found: Gathered, told_of: Told) -> tuple[s
     if "even" in kinds and size is None:
         lots = counted(lots, told_of.total)
         number_of = told_of.total or sum(lot.count or 0 for lot in lots)
-        if any(lot.count is None for lot in lots) or not number_of or number_of % count or "each" in kinds or _of_towers(pieces):
+        if (
+            any(lot.count is None for lot in lots)
+            or not number_of
+            or number_of % count
+            or "each" in kinds
+            or _of_towers(pieces)
+        ):
             raise Unclear
         return f"Build {count} towers of the same height from {said_of(lots) if lots else f'{number_of} blocks'}.", []
     if len(lots) > 1:
         if "each" not in kinds or kinds.index("each") > kinds.index("lot") or any(lot.count is None for lot in lots):
             raise Unclear
-        if size not in (None, sum(lot.count or 0 for lot in lots)) or told_of.total not in (None, count * sum(lot.count or 0 for lot in lots)):
+        if size not in (None, sum(lot.count or 0 for lot in lots)) or told_of.total not in (
+            None,
+            count * sum(lot.count or 0 for lot in lots),
+        ):
             raise Unclear
         return f"Build {count} towers of {said_of(lots)} each.", []
     look = f"{lots[0].look} " if lots else ""
@@ -93,14 +101,20 @@ def _by_color(lots: list[Lot], bases: set[str], told_of: Told) -> str:
         Unclear: there are other numbers of towers or blocks, or towers may have the same colour.
     """
     count, size, total = told_of.count, told_of.size, told_of.total
-    if told_of.heights or ("color" not in bases and bases != {"single", "different"} and not (bases == {"single"} and count == len(lots))):
+    if told_of.heights or (
+        "color" not in bases and bases != {"single", "different"} and not (bases == {"single"} and count == len(lots))
+    ):
         raise Unclear
     if not lots:
         if count is None or size is None or count < 2 or total not in (None, count * size):
             raise Unclear
         return f"Build {count} towers of {size} blocks each, one tower per color."
     lots = counted([Lot(lot.look, lot.count or size) for lot in lots], total, evenly=True)
-    if len(lots) < 2 or count not in (None, len(lots)) or any((lot.count or 0) < 2 or size not in (None, lot.count) for lot in lots):
+    if (
+        len(lots) < 2
+        or count not in (None, len(lots))
+        or any((lot.count or 0) < 2 or size not in (None, lot.count) for lot in lots)
+    ):
         raise Unclear
     return f"Build {len(lots)} towers from {said_of(lots)}, one tower per color."
 
@@ -114,7 +128,13 @@ def _layered(pieces: Sequence[Piece], lots: list[Lot], told_of: Told) -> str:
     count, size = told_of.count, told_of.size
     said = [p for p in pieces if p.kind in ("lot", "place", "over", "under", "stop", "each")]
     kinds = [p.kind for p in said if p.kind not in ("stop", "each")]
-    if count is None or count < 2 or len(lots) != 2 or told_of.heights or not ("each" in [p.kind for p in said] or _of_towers(pieces)):
+    if (
+        count is None
+        or count < 2
+        or len(lots) != 2
+        or told_of.heights
+        or not ("each" in [p.kind for p in said] or _of_towers(pieces))
+    ):
         raise Unclear
     names = [lot.look for lot in lots]
     if kinds in (["lot", "over", "lot"], ["lot", "under", "lot"]):
@@ -127,7 +147,11 @@ def _layered(pieces: Sequence[Piece], lots: list[Lot], told_of: Told) -> str:
     else:
         raise Unclear
     numbers_of = [lot.count or 1 for lot in lots]
-    if size not in (None, sum(numbers_of)) or told_of.total not in (None, count * sum(numbers_of)) or len(set(names)) < 2:
+    if (
+        size not in (None, sum(numbers_of))
+        or told_of.total not in (None, count * sum(numbers_of))
+        or len(set(names)) < 2
+    ):
         raise Unclear
     low, high = Lot(bottom.look, bottom.count or 1), Lot(top.look, top.count or 1)
     return f"Build {count} towers, each with {low.blocks} at the bottom and {high.blocks} at the top."
@@ -141,7 +165,12 @@ def _of_heights(pieces: Sequence[Piece], lots: list[Lot], told_of: Told) -> str:
     """
     heights = told_of.heights
     all_of_them = sum(heights)
-    if told_of.count not in (None, len(heights)) or told_of.size or told_of.total not in (None, all_of_them) or len(lots) > 1:
+    if (
+        told_of.count not in (None, len(heights))
+        or told_of.size
+        or told_of.total not in (None, all_of_them)
+        or len(lots) > 1
+    ):
         raise Unclear
     if len(heights) < 2 or min(heights) < 2 or (lots and lots[0].count not in (None, all_of_them)):
         raise Unclear

@@ -18,39 +18,93 @@ _SIGNS = {
 }  # fmt: skip
 """Signs as they are told; in a list of symbols, and in an equation in words."""
 _SIGN = "|".join(_SIGNS.values())
-_ITEM = rf"(?:(?:the |and |and the |a |and a |an |and an |one )*(?:\d(?! plus signs| minus signs)|(?:2 )?(?:{_SIGN}|signs?(?: of)? (?:plus|minus|equality))))"
+_ITEM = (
+    rf"(?:(?:the |and |and the |a |and a |an |and an |one )*(?:\d(?! plus signs| minus signs)|(?:2 )?(?:{_SIGN}|"
+    "signs?(?: of)? (?:plus|minus|equality))))"
+)
 _KIND = {"addition": "addition", "sum": "addition", "subtraction": "subtraction", "difference": "subtraction",
-    "multiplication": "multiplication", "product": "multiplication", "division": "division", "quotient": "division"}  # fmt: skip
+    "multiplication": "multiplication", "product": "multiplication", "division": "division",
+    "quotient": "division",
+}  # fmt: skip
 _OF = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
-_TRUE = "true|correct|valid|right|proper|working|correctly solved|solved|legal|accurate|real|mathematically correct|mathematically true"
+_TRUE = (
+    "true|correct|valid|right|proper|working|correctly solved|solved|legal|accurate|real|mathematically correct|"
+    "mathematically true"
+)
 _GOOD = f"(?:{_TRUE}|holds|works|works out|adds up|makes sense|comes out right|balanced|balances|in order)"
 
 PATTERNS = [
     *patterns("equation", lambda match: match["said"], r"<(?P<said>[\d+*/=-]{5,})>"),
     *patterns("equation", lambda match: _written(match["words"]),
         rf"(?P<words>\d+ (?:{_SIGN}) \d+(?: (?:{_SIGN}) \d+)*)(?! (?:,|and|<.>|equals sign|\d))"),
-    *patterns("symbols", lambda match: _symbols(match["list"]),
-        r"(?:(?:the |these |only |just |exactly |following |given |your |my |i have |we have |you have |there are |namely )*(?:number |digit |symbol |numbered )?(?:BLOCK|digits|numbers|symbols|numerals|tiles|cards) ?(?:: |with |showing |labell?ed |marked |are |is |and signs |and symbols |and operators )*)?"
-        rf"(?P<list>{_ITEM}(?:(?: ,| and| with| ;)* {_ITEM})+)"),
-    *patterns("figure", lambda match: _KIND.get(match["kind"].rstrip("s"), "equation"),
-        rf"(?:(?:a|an|the|one|some|this) )?(?:(?:math|maths|arithmetic|simple|little|single|{_TRUE}|complete|addition|horizontal) )*(?P<kind>equation|sum|addition|subtraction|multiplication|division|product|calculation|formula|difference|quotient)"
-        r"(?: (?:equation|sum|problem|task|exercise))?(?: in one row| in a row)?"),
-    *patterns("true", None,
-        rf"(?:(?:so )?that |which |so |such that |and |, )*(?:(?:it|this|the equation|the sum|the result|the answer|the calculation|everything|the math|the maths) )?(?:BE |must |should |has to |to |actually |really |and )*{_GOOD}(?: out)?"),
-    *patterns("all", None,
-        r"(?:(?:and|by|using|use|with|where|of which) )*(?:each|every|all)(?: one)?(?: (?:of|the|them|these|BLOCK|symbols?|digits?|numbers?))*(?: (?:BE|must|should|has|have|to|used|gets|getting|only|just|exactly|once|up|being))*",
-        r"(?:and )?(?:leave|leaving) (?:nothing|none)(?: of them)? (?:out|over|unused)", "(?:and |with )?(?:nothing|no BLOCK) (?:BE )?(?:left|left over|unused|left out)", "(?:exactly|only|just) once(?: each)?", "once each"),
-    *patterns("order", "", r"(?:(?:from|reading|read|going|to be read) )*(?:the )?left (?:to|through) (?:the )?right", r"(?:in|as|along|to form|on|into) (?:a |one |the )?(?:single |straight |horizontal )*(?:row|line)", "(?:a )?(?:row|line)", "side by side", "next to (?:each other|one another)"),
-    *patterns("order", " from top to bottom", r"(?:(?:from|reading|read|going|to be read) )*(?:the )?top (?:to|through) (?:the )?bottom(?: in (?:a|one) (?:tower|stack))?"),
-    *patterns("gaps", "The blocks touch each other.", "(?:with )?(?:all )?(?:the )?(?:BLOCK )?(?:BE )?(?:touching|touch)(?: (?:each other|one another))?", "(?:with|leaving) no gaps?(?: between (?:them|the BLOCK))?", "without (?:any )?gaps?(?: between (?:them|the BLOCK))?"),
-    *patterns("gaps", lambda match: f"The gaps are {match['gap']} {match['unit']}.",
-        r"(?:with |leave |leaving |at )*(?:gaps? of )?(?P<gap>[\d.]+) (?P<unit>cm|mm) (?:gaps?|of space|space|apart|between (?:them|the BLOCK|neighbo(?:u)?rs|neighboring BLOCK))*"),
-    *patterns("color", lambda match: match["color"], r"(?:from |in |with |of |out of |using )?(?:all )?(?P<color>COLOR)s?(?: (?:number|digit|symbol))?(?: BLOCK)?"),
+    *patterns(
+        "symbols", lambda match: _symbols(match["list"]),
+        "(?:(?:the |these |only |just |exactly |following |given |your |my |i have |we have |you have |there are "
+        "|namely )*(?:number |digit |symbol |numbered )?(?:BLOCK|digits|numbers|symbols|numerals|tiles|cards) "
+        "?(?:: |with |showing |labell?ed |marked |are |is |and signs |and symbols |and operators "
+        f")*)?(?P<list>{_ITEM}(?:(?: ,| and| with| ;)* {_ITEM})+)",
+    ),
+    *patterns(
+        "figure", lambda match: _KIND.get(match["kind"].rstrip("s"), "equation"),
+        f"(?:(?:a|an|the|one|some|this) )?(?:(?:math|maths|arithmetic|simple|little|single|{_TRUE}|complete|"
+        "addition|horizontal) )*(?P<kind>equation|sum|addition|subtraction|multiplication|division|product|"
+        "calculation|formula|difference|quotient)(?: (?:equation|sum|problem|task|exercise))?(?: in one row| in "
+        "a row)?",
+    ),
+    *patterns(
+        "true", None,
+        "(?:(?:so )?that |which |so |such that |and |, )*(?:(?:it|this|the equation|the sum|the result|the "
+        "answer|the calculation|everything|the math|the maths) )?(?:BE |must |should |has to |to |actually |"
+        f"really |and )*{_GOOD}(?: out)?",
+    ),
+    *patterns(
+        "all", None,
+        "(?:(?:and|by|using|use|with|where|of which) )*(?:each|every|all)(?: one)?(?: (?:of|the|them|these|BLOCK|"
+        "symbols?|digits?|numbers?))*(?: (?:BE|must|should|has|have|to|used|gets|getting|only|just|exactly|once|"
+        "up|being))*", "(?:and )?(?:leave|leaving) (?:nothing|none)(?: of them)? (?:out|over|unused)",
+        "(?:and |with )?(?:nothing|no BLOCK) (?:BE )?(?:left|left over|unused|left out)",
+        "(?:exactly|only|just) once(?: each)?", "once each",
+    ),
+    *patterns(
+        "order", "", "(?:(?:from|reading|read|going|to be read) )*(?:the )?left (?:to|through) (?:the )?right",
+        "(?:in|as|along|to form|on|into) (?:a |one |the )?(?:single |straight |horizontal )*(?:row|line)",
+        "(?:a )?(?:row|line)", "side by side", "next to (?:each other|one another)",
+    ),
+    *patterns(
+        "order", " from top to bottom",
+        "(?:(?:from|reading|read|going|to be read) )*(?:the )?top (?:to|through) (?:the )?bottom(?: in (?:a|one) "
+        "(?:tower|stack))?",
+    ),
+    *patterns(
+        "gaps", "The blocks touch each other.",
+        "(?:with )?(?:all )?(?:the )?(?:BLOCK )?(?:BE )?(?:touching|touch)(?: (?:each other|one another))?",
+        "(?:with|leaving) no gaps?(?: between (?:them|the BLOCK))?",
+        "without (?:any )?gaps?(?: between (?:them|the BLOCK))?",
+    ),
+    *patterns(
+        "gaps", lambda match: f"The gaps are {match['gap']} {match['unit']}.",
+        r"(?:with |leave |leaving |at )*(?:gaps? of )?(?P<gap>[\d.]+) (?P<unit>cm|mm) (?:gaps?|of space|space|"
+        "apart|between (?:them|the BLOCK|neighbo(?:u)?rs|neighboring BLOCK))*",
+    ),
+    *patterns(
+        "color", lambda match: match["color"],
+        "(?:from |in |with |of |out of |using )?(?:all )?(?P<color>COLOR)s?(?: (?:number|digit|symbol))?(?: "
+        "BLOCK)?",
+    ),
     *WHERE,
     *BREAKS,
     *GLUE,
-    *patterns("glue", None, "solve|solving|compute|do|complete|write|writes|written|spell out|read|reads|reading|say|says|saying|states|stating|state|display|displayed|displays|demonstrate|express|expresses|present|that|the fact|by means of|with|number|symbol|on blocks|blocks|cubes"),
-    *patterns("glue", None, "for (?:me|us|my|our|the|his|her) (?:class|pupils|kids|children|students|son|daughter|lesson|homework)|homework|math|maths|arithmetic|puzzle|can be read|readable|legible|visible|completion|task"),
+    *patterns(
+        "glue", None,
+        "solve|solving|compute|do|complete|write|writes|written|spell out|read|reads|reading|say|says|saying|"
+        "states|stating|state|display|displayed|displays|demonstrate|express|expresses|present|that|the fact|by "
+        "means of|with|number|symbol|on blocks|blocks|cubes",
+    ),
+    *patterns(
+        "glue", None,
+        "for (?:me|us|my|our|the|his|her) (?:class|pupils|kids|children|students|son|daughter|lesson|homework)|"
+        "homework|math|maths|arithmetic|puzzle|can be read|readable|legible|visible|completion|task",
+    ),
 ]  # fmt: skip
 
 

@@ -7,89 +7,26 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from rpg.language.frames.lots import Lot, counted, one
-from rpg.language.frames.pieces import Piece, Unclear, number, patterns
-from rpg.language.frames.several import LOTS, START, STARTS, STOPS, Gathered, check_clauses, gathered, listed, said_of, settled
-from rpg.language.frames.shared import GLUE, WHERE
+from rpg.language.frames.pieces import Piece, Unclear
+from rpg.language.frames.several import (
+    START,
+    Gathered,
+    check_clauses,
+    gathered,
+    listed,
+    said_of,
+    settled,
+)
+from rpg.language.frames.words_of_groups import GS, KINDS, ORD, PATTERNS, G
 
-_G = "(?:group|pile|cluster|bunch|heap|clump|bundle|lot|set|gathering|collection)"
-_GS = "(?:groups|piles|clusters|bunches|heaps|clumps|bundles|sets|lots)"
-_ADJ = "(?:(?:own|separate|single|little|small|neat|different|big|tidy|distinct|common|proper|clear) )"
-_ORD = "first|second|third|fourth|fifth|last|left|right|middle|center"
-_IN = "(?:(?:BE )?(?:all )?(?:together )?(?:put |gathered |sorted )?(?:in|into|on|onto|to|forms?|makes?|get|gets|as|inside) )?"
-_OF = "(?: (?:of|with|has|have|contains|containing|holds|holding|for|is for|BE|gets|consists of|consisting of|made of|made from|takes|includes|only))*(?: :)?"
-_EACH = f"(?:each|every|either|both|any)(?: of the(?: NUM)?)?(?: {_G}s?| {_GS}| one)?(?: of them)?"
-_ODD = ("(?:stranger|outlier|odd one out|intruder|misfit|foreigner|odd one|wrong one|wrong BLOCK|foreign BLOCK|stray|stray BLOCK|stray one|exception|"
-        "BLOCK (?:of|in|with) (?:the|a|another|an) ?(?:other|wrong|different)? color|(?:BLOCK|one|member) (?:that|which) (?:does|do) not belong(?: there| to it| in it)?)s?")
-_KINDS = {
-    "vowels": "vowels and consonants", "consonants": "vowels and consonants", "odd": "odd and even", "even": "odd and even",
-    "letters": "letters and digits", "digits": "letters and digits",
-}  # fmt: skip
-"""What blocks are sorted by where one of its classes is told."""
-_C = "(?: numbers| digits| ones| cubes?| blocks?| letters| numerals| number BLOCK| digit BLOCK)?"
-_SAME = "(?:only |just |exactly )?(?:of |the |a )*(?:one|single|same|only one|just one|its own|one single|one and the same)"
+__all__ = ["PATTERNS", "told"]
 
-PATTERNS = [
-    *LOTS,
-    *WHERE,
-    *STARTS,
-    *STOPS,
-    *GLUE,
-    *patterns("figure", lambda match: number(match["count"]) if match["count"] else None,
-        rf"(?:(?:in|into|to|as|of) )?(?:the )?(?:exactly )?(?:(?P<count>NUM) )?{_ADJ}*{_GS}"),
-    *patterns("figure", None, "group|grouped|grouping|cluster|clustered|gather|gathered|gathering|segregate|partition|collect|collected"),
-    *patterns("parted", None, "divide|divided|split|split up|separate|separated|separating|sort out|distribute|distributed|keep|kept|keep apart|part"),
-    *patterns("glue", None, "sort|sorted|sorting|tidy up|tidied up|own|set apart|in such a way|so that|such that|so|that|up|by themselves|cleanly|clean up|arranged|organized"),
-    *patterns("odd", None, "stranger|outlier|intruder|misfit|odd one out"),
-    *patterns("size", lambda match: number(match["size"]),
-        rf"of (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?: each)?(?! (?:COLOR|SIZE|each)\b)", rf"{_EACH} (?:of|with|has|have|contains?|consists? of) (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?! (?:COLOR|SIZE)\b)"),
-    *patterns("even", None, "(?:of )?(?:the )?(?:equal|equally large|equally big|same|equal in|identical)(?: size)?|equally|evenly|in half|into halves|into (?:two )?equal parts"),
-    *patterns("basis", "color",
-        "(?:by|per|for each|for every|according to|on the basis of|based on|with respect to|depending on|after|for) (?:their |its |the |own )*color",
-        "by their colors", "color wise|by matching color",
-        rf"one {_ADJ}*{_G} (?:per|for each|for every|of each|of every|for) (?:one )?color",
-        rf"(?:a|an) {_ADJ}*{_G} (?:per|for each|for every|of each|of every) color",
-        rf"(?:each|every) color (?:BE |has |have |gets |forms |makes |becomes |goes |should have |must have |must form |must be |should form |into |to |in )*(?:a |an |its |one |in )*{_ADJ}*{_G}(?: of its own| for itself| by itself)?",
-        rf"(?:each|every) color (?:BE |kept |placed |put |gathered )*(?:by itself|on its own|separately|together|separate|apart)",
-        rf"{_EACH} (?:BE |must |should |shall |may |can |has |have |to |contains |contain |show |hold |be |holds |with |consists |consist |only |of |blocks of |cubes of |pieces of |made of |for )*{_SAME} color(?: only| alone)?",
-        f"(?:{_GS} |{_G} )?(?:of|with|in) {_SAME} color(?: each| only)?", "(?:same|equal|like) colors? (?:BE )?(?:with |to |and )?(?:(?:same|equal|like) colors?)?(?: ?together)?",
-        "(?P<color>COLOR)s? (?:BLOCK )?(?:BE )?with (?P=color)s?(?: BLOCK)?(?: ,)?(?: and)?(?: (?P<other>COLOR)s? (?:BLOCK )?with (?P=other)s?(?: BLOCK)?)*",
-        "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors|color mixing)", "(?:do not|never) mix (?:the )?colors", "colors (?:do not mix|must not mix|BE not mixed|stay apart|BE separate|BE separated)",
-        f"no {_G} (?:may |can |should |must )?(?:has|have|contain|contains|mixes|mix) (?:more than one color|2 colors|different colors|several colors)"),
-    *patterns("basis", "kind", "(?:by|according to|per) (?:their |its |the )*(?:kind|type|sort|kinds|types)", "letters (?:BE )?with letters(?: ,)?(?: and)? (?:digits|numbers) with (?:digits|numbers)"),
-    *patterns("basis", "odd and even", "by (?:their )?parity", "(?:by|into|in|as)? ?(?:odd and even|even and odd|odd or even|even or odd|whether they are odd or even|evenness)(?: numbers| digits| ones)?"),
-    *patterns("basis", "vowels and consonants", "(?:by|into|in|according to) (?:vowels and consonants|consonants and vowels|vowel and consonant|vowel or consonant|consonant or vowel|whether they are vowels or consonants)",
-        "vowels (?:BE )?with vowels(?: ,)?(?: and)? consonants with consonants"),
-    *patterns("basis", "letters and digits", "(?:by|into|in|according to) (?:letters and (?:digits|numbers)|(?:digits|numbers) and letters)"),
-    *patterns("basis", "size", "(?:by|according to|per) (?:their |its |the )*size"),
-    *patterns("basis", "label", "(?:by|according to|per) (?:their |its |the )*(?:letter|label|symbol|number|digit|letters|labels|numbers)", rf"(?:each|every) (?:letter|number|digit|symbol) (?:BE )?(?:in |forms |has |gets |makes )?(?:its|a|an|one) {_ADJ}*{_G}(?: of its own)?"),
-    *patterns("class", "<vowels>", "(?:(?:the|all|all the) )?vowels?(?: letters| BLOCK| ones)?"),
-    *patterns("class", "<consonants>", "(?:(?:the|all|all the) )?consonants?(?: letters| BLOCK| ones)?"),
-    *patterns("class", "<odd>", rf"(?:(?:the|all|all the) )?(?:odd|uneven){_C}"),
-    *patterns("class", "<even>", rf"(?:(?:the|all|all the) )?even{_C}"),
-    *patterns("class", "<letters>", "(?:(?:the|all|all the) )?(?:letters|letter BLOCK)"),
-    *patterns("class", "<digits>", "(?:(?:the|all|all the) )?(?:digits|numbers|numerals|number BLOCK|digit BLOCK)"),
-    *patterns("class", "<rest>", "(?:the )?(?:rest|others|remaining ones|remaining BLOCK|other BLOCK|other ones)(?: of them)?"),
-    *patterns("slot", lambda match: match["slot"],
-        rf"{_IN}(?:the |a |an |its |their )*(?P<slot>one|a|other|another|{_ORD})(?: (?:hand|side))? {_ADJ}*{_G}{_OF}",
-        rf"{_IN}(?:the )?(?P<slot>other|another|{_ORD})(?: one| hand side)?{_OF}",
-        rf"in (?P<slot>one)(?: of them)?{_OF}", rf"(?P<slot>one)(?: of them)? (?:of|with|has|contains|containing|holds|holding|for|consists of|consisting of|made of|BE|gets|:)(?: (?:of|for))?",
-        rf"{_IN}(?P<slot>a) {_ADJ}*{_G}{_OF}"),
-    *patterns("slot", lambda match: match["slot"],
-        r"(?:BE )?(?:(?:on|at|to|in) )?(?:the |my )?(?P<slot>left|right)(?: (?:hand )?side| half| end| hand)?(?: of the TABLE)?(?: :)?", "(?:BE |over )?(?P<slot>here|there)(?: :)?",
-        f"(?:the )?{_G} (?P<slot>[123])(?: :| =| has| contains| BE| with| gets)"),
-    *patterns("strange", lambda match: number(match["count"]),
-        rf"(?:with|has|have|contains?|but|there (?:is|are)|leave|leaving|keep|hold|holds|and|having|includes|including|gets|also) (?:only |just |exactly |a |an |always )*(?P<count>NUM)(?: single| lone)? {_ODD}",
-        rf"(?:exactly |just |precisely |only )+(?P<count>NUM)(?: single)? {_ODD}", rf"(?P<count>NUM) {_ODD}"),
-    *patterns("every", None, rf"(?:(?:in|per|for|to|of|within|inside|among) )?{_EACH}(?: (?:BE|has|have|contains|gets))?", f"per {_G}"),
-    *patterns("mixed", lambda match: (match["color"], number(match["count"]), match["other"]),
-        rf"(?:with |has |have |there is |and )*(?:exactly |just |a |an )*(?P<count>NUM) (?P<color>COLOR) (?:stranger|outlier|intruder|misfit|BLOCK|one|odd one out)(?: BE)? (?:in|into|among|inside) the (?P<other>COLOR)s? ?(?:ones|BLOCK|{_G})?"),
-    *patterns("apart", lambda match: f"at least {match['length']} {match['unit']} apart",
-        rf"(?:the )?(?:{_GS} |NUM )?(?:BE )?(?:at least|no less than|minimum) (?P<length>[\d.]+) (?P<unit>cm|mm|centimeters?|centimetres?)(?: of space)? (?:apart|from each other|between (?:them|the {_GS}|the NUM {_GS}|each other)|away from each other|distance(?: between them| between the {_GS})?)"),
-    *patterns("glue", None, rf"(?:well |clearly |far |a bit )?(?:apart|separated|separate|distinct)(?: from (?:each other|one another))?", "(?:the )?NUM kinds", "(?:the )?(?:different )?colors"),
-]  # fmt: skip
-_NAMED = re.compile(rf"\b(?:{_G}|{_GS})\b")
-_COMMAND = re.compile("(?:make|build|create|form|put|place|bring|gather|collect|cluster|group|arrange|keep|sort|tidy up|clean up|must|should|shall|want|need)\\b")
-_UNIQUE = frozenset({*_ORD.split("|"), "here", "there", "other", "1", "2", "3"})
+_NAMED = re.compile(rf"\b(?:{G}|{GS})\b")
+_COMMAND = re.compile(
+    "(?:make|build|create|form|put|place|bring|gather|collect|cluster|group|arrange|keep|sort|tidy up|clean up|must|"
+    "should|shall|want|need)\\b"
+)
+_UNIQUE = frozenset({*ORD.split("|"), "here", "there", "other", "1", "2", "3"})
 
 
 def _belongs(name: str, look: str) -> bool:
@@ -126,7 +63,7 @@ def told(pieces: Sequence[Piece]) -> str:
     bases = {piece.value for piece in pieces if piece.kind == "basis"}
     classes = [look for look in found.lots if look[:1] == "<"]
     for look in classes:
-        bases.add(_KINDS.get(look.strip("<>"), "")) if look != "<rest>" else None
+        bases.add(KINDS.get(look.strip("<>"), "")) if look != "<rest>" else None
         del found.lots[look]
     if len(bases) > 1 or "" in bases or len(figures) > 1:
         raise Unclear
@@ -282,10 +219,13 @@ def _sides(places: Sequence[tuple[str, Sequence[Lot]]]) -> str:
             continue
         elsewhere = {lot.look for other, lots in by_side.items() for lot in lots if other != side}
         lot = by_side[side][0]
-        if lot.look in elsewhere or len(by_side[side]) > 1 and len(lot.look) > 1:
+        if lot.look in elsewhere or (len(by_side[side]) > 1 and len(lot.look) > 1):
             raise Unclear
         names.append(f"the group of {lot.look}" if len(lot.look) == 1 else f"the {lot.blocks}")
-    return "".join(f" {a.capitalize()} is left of {b}." if "group" in a else f" {a.capitalize()} are left of {b}." for a, b in pairwise(names))
+    return "".join(
+        f" {a.capitalize()} is left of {b}." if "group" in a else f" {a.capitalize()} are left of {b}."
+        for a, b in pairwise(names)
+    )
 
 
 def _without_basis(pieces: Sequence[Piece], found: Gathered, count: int | None) -> str:

@@ -71,7 +71,8 @@ def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
 
 def coded(tokens: Sequence[Token]) -> list[str]:
     """Each token as one word that patterns know: numbers in digits, colours by their names ("reds" where several are
-    meant), symbols in capitals, words to be spelt in quotation marks, signs and equations in angle brackets; `<other>` for what has no such word."""
+    meant), symbols in capitals, words to be spelt in quotation marks, signs and equations in angle brackets;
+    `<other>` for what has no such word."""
     return [_code(tokens, n) for n in range(len(tokens))]
 
 

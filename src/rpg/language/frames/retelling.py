@@ -111,7 +111,7 @@ def _asks(token: Token) -> bool:
 def _parted(tokens: list[Token]) -> Iterator[tuple[list[Token], list[Token]]]:
     """The text in two parts of whole sentences."""
     for n in range(1, len(tokens) - 1):
-        if tokens[n].word in _ENDS:
+        if tokens[n].word in _ENDS and tokens[n + 1].word not in _ENDS:
             yield tokens[: n + 1], tokens[n + 1 :]
 
 

@@ -13,9 +13,18 @@ from rpg.language.frames.pieces import Pattern, Piece, Unclear, number, patterns
 
 _LETTERS = "the |these |those |my |our |all |all the |just |only |with |showing |labell?ed |named |called "
 _NOUN = "(?:letter|digit|number|symbol|character|numeral|sign)s?(?: (?:BLOCK))?|BLOCK|tiles?"
-_SAID = "(?:numbered |labell?ed |with |showing |marked |in play |to use |we have |are |is |here |given |: |called |named |namely |from )*"
-_EDGE = r"(?! (?:(?:SIZE|more|of|to|by|x|high|tall|each) )?(?:COLOR|BLOCK|groups?|piles?|towers?|stacks?|cm|mm|each|high|tall|of|or)\b)"
-_LIST = rf"(?:[A-Z]|[b-z]|a(?= (?:[,a]|[B-Z] (?!BLOCK)))|\d|one(?= , )|'[A-Z]')(?:(?: ,)?(?: and)?(?: the)? (?:[A-Z]|(?<=[,d] )a|[b-z]|\d|one|'[A-Z]')(?! [A-Za-z]?BLOCK\b))+{_EDGE}"
+_SAID = (
+    "(?:numbered |labell?ed |with |showing |marked |in play |to use |we have |are |is |here |given |: |called |"
+    "named |namely |from )*"
+)
+_EDGE = (
+    "(?! (?:(?:SIZE|more|of|to|by|x|high|tall|each) )?(?:COLOR|BLOCK|groups?|piles?|towers?|stacks?|cm|mm|each|"
+    r"high|tall|of|or)\b)"
+)
+_LIST = (
+    r"(?:[A-Z]|[b-z]|a(?= (?:[,a]|[B-Z] (?!BLOCK)))|\d|one(?= , )|'[A-Z]')(?:(?: ,)?(?: and)?(?: the)? (?:[A-Z]|"
+    rf"(?<=[,d] )a|[b-z]|\d|one|'[A-Z]')(?! [A-Za-z]?BLOCK\b))+{_EDGE}"
+)
 _RANGE = r"(?:from )?(?:[A-Z]|\d) (?:to|through|up to|till|until) (?:[A-Z]|\d)" + _EDGE
 _ONE = r"(?:[A-Z]|\d|'[A-Z]')" + _EDGE
 
@@ -23,7 +32,9 @@ _ONE = r"(?:[A-Z]|\d|'[A-Z]')" + _EDGE
 def glyphs(said: str) -> tuple[str, ...]:
     """The symbols of a list such as "A , B and C", or from the first to the last: "1 to 6"."""
     words = [word.strip("'") for word in said.split()]
-    found = ["1" if word == "one" else word.upper() for word in words if len(word) == 1 and word != "," or word == "one"]
+    found = [
+        "1" if word == "one" else word.upper() for word in words if (len(word) == 1 and word != ",") or word == "one"
+    ]
     if {"to", "through", "till", "until"} & set(words):
         return tuple(map(chr, range(ord(found[0]), ord(found[1]) + 1)))
     return tuple(found)
@@ -34,9 +45,12 @@ def _listed(match: Match[str]) -> tuple[str, ...]:
 
 
 GLYPHS: list[Pattern] = [
-    *patterns("glyphs", _listed,
-        rf"(?:{_LETTERS})*(?:(?:{_NOUN}) )(?:{_SAID})(?P<list>{_LIST}|{_RANGE}|{_ONE})(?: (?:BLOCK))?",
-        rf"(?:the )?(?P<list>{_LIST}|{_RANGE})", r"(?:the |a |an )?(?P<list>[B-HJ-Z])(?: BLOCK)?", r"(?:the |a )?(?P<list>[AI])(?: BLOCK)?(?! [a-z])"),
+    *patterns(
+        "glyphs", _listed,
+        f"(?:{_LETTERS})*(?:(?:{_NOUN}) )(?:{_SAID})(?P<list>{_LIST}|{_RANGE}|{_ONE})(?: (?:BLOCK))?",
+        f"(?:the )?(?P<list>{_LIST}|{_RANGE})", "(?:the |a |an )?(?P<list>[B-HJ-Z])(?: BLOCK)?",
+        "(?:the |a )?(?P<list>[AI])(?: BLOCK)?(?! [a-z])",
+    ),
     *patterns("glyphs", lambda match: (match["list"],) * number(match["count"]),
         r"(?:the )?(?P<count>\d) (?P<list>[A-Z])(?: BLOCK)?"),
 ]  # fmt: skip
@@ -46,27 +60,43 @@ LOTS: list[Pattern] = [
         r"(?:(?P<det>the|these|those|my|our|your|all|all the|both|both the|a|an|exactly|just|only|every|with) )?"
         r"(?:(?P<count>NUM) )?(?:of the |of )?(?:(?P<size>SIZE) )?(?:plain )?(?P<color>COLOR)(?P<many>s)?"
         r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one(?! (?:GROUP|of|pile|group|heap))))?"),
-    *patterns("total", lambda match: number(match["count"]),
-        r"(?:of |from |with |using )?(?:the |all |exactly |all the |these |those )?(?P<count>NUM) (?:identical |plain )?BLOCK"
-        r"(?: in total| in all| altogether| overall)?",
-        r"(?P<count>NUM) (?:in total|in all|altogether|overall)"),
-    *patterns("each", lambda match: number(match["count"]),
-        r"(?:(?:exactly|there are|with|always) )?(?P<count>NUM) (?:BLOCK )?(?:each(?: of| in)?|apiece|(?:of|in|per|for) (?:each|every) color|of (?:each|every)(?: one)?|of each kind)",
-        r"(?:exactly )?(?P<count>NUM) (?:BLOCK )?each"),
+    *patterns(
+        "total", lambda match: number(match["count"]),
+        "(?:of |from |with |using )?(?:the |all |exactly |all the |these |those )?(?P<count>NUM) (?:identical |"
+        "plain )?BLOCK(?: in total| in all| altogether| overall)?",
+        "(?P<count>NUM) (?:in total|in all|altogether|overall)",
+    ),
+    *patterns(
+        "each", lambda match: number(match["count"]),
+        "(?:(?:exactly|there are|with|always) )?(?P<count>NUM) (?:BLOCK )?(?:each(?: of| in)?|apiece|(?:of|in|per|"
+        "for) (?:each|every) color|of (?:each|every)(?: one)?|of each kind)",
+        "(?:exactly )?(?P<count>NUM) (?:BLOCK )?each",
+    ),
     *GLYPHS,
 ]  # fmt: skip
 """Lots as in `lots`, but "the other red" is not one; and lists of symbols."""
-_HEAP = r"(?:(?:all|mixed up|jumbled|mixed|together|out|lying|thrown|tossed) )*(?:in|as|on) (?:a|one) (?:(?:big|single|messy|random|large|mixed) )*(?:heap|pile|jumble)(?: on the TABLE)?"
-_BEGIN = "starts?|begins?|starts? out|begins? out|starts? off|are now|are at present|are at the moment|are currently|now lie|currently lie"
+_HEAP = (
+    "(?:(?:all|mixed up|jumbled|mixed|together|out|lying|thrown|tossed) )*(?:in|as|on) (?:a|one) (?:(?:big|single|"
+    "messy|random|large|mixed) )*(?:heap|pile|jumble)(?: on the TABLE)?"
+)
+_BEGIN = (
+    "starts?|begins?|starts? out|begins? out|starts? off|are now|are at present|are at the moment|are currently|"
+    "now lie|currently lie"
+)
 START = "At the start, the blocks are in a heap."
-STARTS: list[Pattern] = patterns("start", None,
-    rf"(?:(?:which|that|they|all|the BLOCK|now) )*(?:{_BEGIN}) {_HEAP}(?: now| at first)?",
-    rf"(?:(?:which|that|they|all|the BLOCK) )*(?:are|lie|is) {_HEAP} (?:now|at first|at the start|at the beginning|initially|to begin with|at the moment|right now)",
-    rf"(?:at first|at the start|at the beginning|initially|to begin with|right now|now)(?: ,)? (?:(?:they|all|the BLOCK|everything) )*(?:are|lie|is) {_HEAP}",
+STARTS: list[Pattern] = patterns(
+    "start", None, f"(?:(?:which|that|they|all|the BLOCK|now) )*(?:{_BEGIN}) {_HEAP}(?: now| at first)?",
+    f"(?:(?:which|that|they|all|the BLOCK) )*(?:are|lie|is) {_HEAP} (?:now|at first|at the start|at the beginning|"
+    "initially|to begin with|at the moment|right now)",
+    "(?:at first|at the start|at the beginning|initially|to begin with|right now|now)(?: ,)? (?:(?:they|all|the "
+    f"BLOCK|everything) )*(?:are|lie|is) {_HEAP}",
 )  # fmt: skip
 """Kind "start": what is said of the blocks before they are moved."""
 STOPS: list[Pattern] = [
-    *patterns("stop", None, r"[.;!?:]", r"(?:by |when )?(?:using|use|there (?:are|is)|we have|i have|you have|given)(?: got)?"),
+    *patterns(
+        "stop", None, "[.;!?:]",
+        "(?:by |when )?(?:using|use|there (?:are|is)|we have|i have|you have|given)(?: got)?",
+    ),
     *patterns("from", None, "from|out of|apart from|away from|separate from|separated from"),
     *patterns("break", None, ",", "and|with|while|where|but|whereas|plus|n"),
 ]  # fmt: skip
@@ -99,7 +129,7 @@ def listed(words: Sequence[str]) -> str:
 
 
 def lots_in(piece: Piece) -> list[Lot]:
-    """The lots that a piece of the kind "lot" or "glyphs" names; a class of symbols is a lot of that name: "<vowels>"."""
+    """The lots that a piece of the kind "lot" or "glyphs" names; a class of symbols is one: "<vowels>"."""
     if piece.kind == "lot":
         lot, said = lot_of(piece), piece.named
         left_open = "count" not in said and "noun" not in said and said.get("det") not in ("a", "an")
@@ -199,7 +229,13 @@ def settled(found: Gathered, belongs: Callable[[str, str], bool]) -> list[tuple[
     if any(looks.count(look) > 1 and here[look].count is None for _, here in places for look in here):
         raise Unclear
     return [
-        (slot, [replace(lot, count=lot.count or (found.lots[look].count if look in found.lots else None)) for look, lot in here.items()])
+        (
+            slot,
+            [
+                replace(lot, count=lot.count or (found.lots[look].count if look in found.lots else None))
+                for look, lot in here.items()
+            ],
+        )
         for slot, here in places
     ]
 

@@ -5,14 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.frames.alike import Told, told_in_line, together
+from rpg.language.frames.alike import Told, together, told_in_line
 from rpg.language.frames.lots import Lot, lot_of, one
-from rpg.language.frames.pieces import Piece, Unclear, number, patterns
+from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import (
-    LOTS,
     START,
-    STARTS,
-    STOPS,
     Gathered,
     check_clauses,
     gathered,
@@ -20,71 +17,12 @@ from rpg.language.frames.several import (
     lots_in,
     settled,
 )
-from rpg.language.frames.shared import GLUE, WHERE
+from rpg.language.frames.words_of_towers import ORD, PATTERNS, TS, T
 
-_T = "(?:tower|stack|pillar)"
-_TS = "(?:towers|stacks|pillars)"
-_ADJ = "(?:(?:little|small|neat|separate|identical|equal|single|own|different|similar|individual|short|matching|twin|distinct) )"
-_ORD = "first|second|third|fourth|fifth|last|left|right|middle|center|leftmost|rightmost"
-_IN = "(?:(?:in|into|as|to|on|forms?|makes?) )?"
-_OF = "(?: (?:of|with|has|have|contains|containing|for|is for|BE|from|gets|consists of|consisting of|made of|made out of|made from|made up of|must|should|has to|to|shall|be|built|built from|uses|using|all|entirely|only|completely))*(?: :)?"
-_EACH = f"(?:each|every|either|both|all)(?: one)?(?: of (?:them|these|the (?:NUM )?(?:{_TS})))?(?: {_TS}| {_T})?(?! other)"
-_HAS = "(?:(?:of|with|has|have|contains|contain|consists of|consist of|consisting of|containing|made of|made from|made up of|BE|must|should|be|to|exactly|shall|will|have|has to|being|getting|gets|get|just|has exactly) )*"
-_HIGH = "(?:high|tall|in height)"
+__all__ = ["PATTERNS", "told"]
 
-PATTERNS = [
-    *patterns("line", None, "(?:BE )?(?:lined up |standing |arranged )?(?:in|into|along|forming) (?:a|one) (?:straight |single )?(?:row|line)", "lined up|line up"),
-    *patterns("relation", lambda match: f"The {match['one']} tower is {_SIDES[match['side']]} the {match['other']} tower.",
-        rf"(?:with )?the (?P<one>COLOR)(?: {_T}| one| BLOCK)? (?:BE )?(?:placed |put )?(?:to the |on the |immediately |at the )*(?P<side>left|right|behind|in front|next|beside)(?: of| to)? (?:the )?(?P<other>COLOR)(?: {_T}| one| BLOCK)?"),
-    *patterns("way", None, "(?:(?:reading|read|going|counted|seen) )?(?:from )?(?:the )?left (?:through )?to (?:the )?right(?: :)?"),
-    *patterns("between", lambda match: match["color"],
-        rf"(?:with |and )?(?:a|one) (?P<color>COLOR) (?:BLOCK|one) (?:BE )?(?:in )?between (?:them|the(?: NUM)? {_TS})"),
-    *LOTS,
-    *WHERE,
-    *STARTS,
-    *STOPS,
-    *GLUE,
-    *patterns("figure", lambda match: number(match["count"]) if match["count"] else None,
-        rf"(?:(?:in|into|to|as|of) )?(?:the |exactly |a set of |a group of )*(?:(?P<count>NUM|both|pair of) )?{_ADJ}*{_TS}"),
-    *patterns("size", lambda match: number(match["size"]),
-        rf"(?:BE )?(?:of |each of |with )?(?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?: (?:{_HIGH}|each|apiece|in each|per {_T}))+",
-        rf"of (?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?! (?:COLOR|SIZE)\b)",
-        rf"(?:(?:with|where) )?{_EACH} {_HAS}(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x)\b)",
-        rf"(?:BE )?(?:each |both |all )?(?:of |with |at )?(?:a |the )?height (?:of |BE )?(?P<size>[2-9])(?: BLOCK)?(?: each)?", rf"(?P<size>[2-9]) (?:BLOCK )?(?:per|in each|in every|to a|for each|in) {_T}", r"(?:BE )?(?P<size>[2-9]) BLOCK (?:{_HIGH})"),
-    *patterns("heights", lambda match: [int(said) for said in re.findall(r"\d", match["list"])],
-        r"(?:BE |of |with |having )*(?:the |different )?(?:heights?|sizes) (?:of |: |BE )*(?P<list>[1-9](?:(?: ,)?(?: and)? [1-9])+)(?: BLOCK)?",
-        rf"(?:BE |of |with )*(?P<list>[1-9](?:(?: ,)?(?: and)? [1-9])+)(?: BLOCK)? {_HIGH}", r"of (?P<list>[1-9](?: , [1-9])*(?: ,)? and [1-9])(?: BLOCK)?(?! (?:COLOR|SIZE)\b)"),
-    *patterns("even", None, "(?:BE |of |with )*(?:the )?(?:same|equal|equally tall|equally high|even|as tall as each other)(?: (?:height|size|high|tall|number of BLOCK))?|equally(?: high| tall)?|alike"),
-    *patterns("basis", "color",
-        rf"(?:by|per|for each|for every|according to) (?:their |its |the |own )*color", "color wise",
-        rf"(?:one|a|an|its own|own) {_ADJ}*{_T} (?:per|for each|for every|of each|of every|for|in each) (?:one )?(?:of the )?colors?",
-        rf"one (?:per|for each|for every|of each|of every|for|in each) color", "(?:each|every one|all)(?: one)? (?:in |of |with |has |having )?(?:a |its )?(?:color of its own|own color|color for itself)",
-        rf"(?:each|every) color (?:BE |has |have |gets |forms |makes |becomes |goes |should have |must have |must form |must be |should form |into |to |in |on )*(?:a |an |its |one |in )*{_ADJ}*{_T}(?: of its own| for itself| by itself)?",
-        rf"{_EACH} (?:tower |stack )?(?:BE )?(?:in |of |with |has |have |having )*a different color", "sorted by color"),
-    *patterns("basis", "single",
-        rf"{_EACH} {_HAS}(?:only |just |in )*(?:of |blocks of |BLOCK of )*(?:a |one |the )?(?:single|one|same|just one|only one) (?:single )?color(?: only| alone)?",
-        rf"{_EACH} BLOCK (?:have|has|BE|of) (?:the )?same color",
-        f"(?:each |all )?(?:of|in|with) (?:one|a single|the same|only one) color(?: each| per {_T})?", f"(?:single|one|same) color(?= {_TS})", "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors)", "(?:do not|never) mix (?:the )?colors"),
-    *patterns("basis", "different", f"{_TS} (?:have|of|in|with|BE|are of|are in|have all) different colors"),
-    *patterns("each", None, f"(?:(?:in|with|where|of|for|on) )*{_EACH}(?: (?:with|has|have|of|contains?|is|are|must|should|be|consists? of|made of|made from|:))*", "of which each (?:has|is)|each of which (?:has|is|consists of|contains)|apiece"),
-    *patterns("place", "at the bottom", "(?:BE )?(?:(?:at|on|in|as|forming) )?(?:the |its )?(?:very )?(?:bottom|base|lower part|foot)(?: (?:one|block|of it))?(?: BE)?(?: :)?", "(?:BE )?(?:the )?lower(?: one| BLOCK)?(?: BE)?", "(?:BE )?(?:below|underneath|under it)"),
-    *patterns("place", "at the top", "(?:BE )?(?:(?:at|on|in|as) )?(?:the |its )?(?:very )?top(?: (?:one|block|of it))?(?: BE)?(?: :)?", "(?:BE )?(?:the )?upper(?: one| BLOCK)?(?: BE)?", "(?:BE )?(?:above|above it|over it|on it)"),
-    *patterns("over", None, "(?:BE )?(?:directly )?(?:on|upon|over|on top of|above|atop|sitting on|standing on|stacked on)"),
-    *patterns("under", None, "(?:BE )?(?:directly )?(?:under|below|beneath|underneath)"),
-    *patterns("slot", lambda match: match["slot"],
-        rf"{_IN}(?:the |a |an |its )*(?P<slot>one|a|other|another|{_ORD})(?: (?:hand|side))? {_ADJ}*{_T}{_OF}",
-        rf"{_IN}(?:the )?(?P<slot>other|another|{_ORD})(?! BLOCK)(?: one| hand one)?{_OF}", rf"in (?P<slot>one)(?: of them)?(?: of)?",
-        rf"(?P<slot>one) (?:of|with|has|contains|containing|is|from|consists of|consisting of|made of|made from|gets|:)(?: (?:of|for|all|entirely|only))*", rf"(?P<slot>a) {_ADJ}*{_T}{_OF}"),
-    *patterns("near", "next to each other", f"(?:(?:{_TS} )?BE )?(?:right |standing |closely )*(?:next to|beside) (?:each other|one another)|side by side|adjacent(?: to each other)?|neighboring"),
-    *patterns("near", "touch", f"(?:that |which |so that |and |with |the )*(?:they |{_TS} )*(?:BE )?(?:must |should |all )?(?:touching|touch)(?: (?:each other|one another))?", "no gaps? between (?:them|the towers)"),
-    *patterns("near", "do not touch", f"(?:that |which |so that |and |the )*(?:they |{_TS} )*(?:must|may|should|shall|do|can|are) not (?:be )?(?:touch|touching)(?: (?:each other|one another))?", f"without touching(?: (?:each other|one another))?|not touching(?: (?:each other|one another))?"),
-    *patterns("near", lambda match: f"are {match['least'] or ''}{match['length']} {match['unit']} apart",
-        rf"(?:with |the |that |which )*(?:{_TS} )?(?:BE )?(?:(?P<least>at least) )?(?P<length>[\d.]+) (?P<unit>cm|mm) (?:apart|from each other|away from each other)"),
-    *patterns("glue", None, "(?:the )?colors|sort|sorted|divide|divided|split|split up|distribute|distributed|distribute over|over|stack|stacked|up|separate|so that|such that|so|that|block|to"),
-]  # fmt: skip
-_SIDES = {"left": "left of", "right": "right of", "behind": "behind", "in front": "in front of", "next": "next to", "beside": "next to"}
-_UNIQUE = frozenset({*_ORD.split("|"), "other"})
-_NAMED = re.compile(rf"\b(?:{_T}|{_TS})\b")
+_UNIQUE = frozenset({*ORD.split("|"), "other"})
+_NAMED = re.compile(rf"\b(?:{T}|{TS})\b")
 _WAYS = (["left", "right"], ["left", "middle", "right"])
 
 
@@ -96,7 +34,9 @@ def told(pieces: Sequence[Piece]) -> str:
     """
     check_clauses(pieces)
     named = [piece for piece in pieces if piece.kind in ("figure", "slot", "basis")]
-    if pieces[0].words in ("is", "are", "there are", "there is") or not any(_NAMED.search(piece.words) for piece in named):
+    if pieces[0].words in ("is", "are", "there are", "there is") or not any(
+        _NAMED.search(piece.words) for piece in named
+    ):
         raise Unclear
     pieces, heights = _heights(pieces)
     kinds = [piece.kind for piece in pieces]
@@ -118,7 +58,10 @@ def told(pieces: Sequence[Piece]) -> str:
     if near:
         text += f" The towers are {near.value}." if near.value.startswith("next") else f" The towers {near.value}."
     if relation:
-        if not {relation.named["one"], relation.named["other"]} <= set(looks) or relation.named["one"] == relation.named["other"]:
+        if (
+            not {relation.named["one"], relation.named["other"]} <= set(looks)
+            or relation.named["one"] == relation.named["other"]
+        ):
             raise Unclear
         text += f" {relation.value}"
     between = one(pieces, "between")
@@ -136,7 +79,12 @@ def _heights(pieces: Sequence[Piece]) -> tuple[list[Piece], list[int]]:
     slots = [piece for piece in pieces if piece.kind == "slot"]
     for n, piece in enumerate(pieces):
         behind = next((p for p in pieces[n + 1 :] if p.kind != "glue"), None)
-        if piece.kind == "slot" and behind and behind.kind in ("size", "total") and piece.value in ("one", "a", "other", "another"):
+        if (
+            piece.kind == "slot"
+            and behind
+            and behind.kind in ("size", "total")
+            and piece.value in ("one", "a", "other", "another")
+        ):
             heights.append(behind.value)
             left.remove(piece)
             left.remove(behind)
@@ -165,7 +113,11 @@ def _one_by_one(pieces: Sequence[Piece], found: Gathered, told_of: Told) -> tupl
             raise Unclear
         towers.append(Lot(lots[0].look, lots[0].count or told_of.size))
     numbers_of = [tower.count or 0 for tower in towers]
-    if min(numbers_of) < 2 or told_of.size not in (None, *numbers_of[:1]) or (told_of.size and len(set(numbers_of)) > 1):
+    if (
+        min(numbers_of) < 2
+        or told_of.size not in (None, *numbers_of[:1])
+        or (told_of.size and len(set(numbers_of)) > 1)
+    ):
         raise Unclear
     if told_of.total not in (None, sum(numbers_of)):
         raise Unclear
@@ -212,7 +164,11 @@ def _chains(pieces: Sequence[Piece]) -> list[tuple[str, list[str]]]:
     chains = [_chain(run) for run in runs]
     if len(chains) < 2 or any(len(chain) < 2 for chain in chains):
         return []
-    bare = [lot_of(piece).look for piece in said if piece.kind == "lot" and piece.named.get("det") not in ("a", "an") and "count" not in piece.named]
+    bare = [
+        lot_of(piece).look
+        for piece in said
+        if piece.kind == "lot" and piece.named.get("det") not in ("a", "an") and "count" not in piece.named
+    ]
     looks = [look for chain in chains for look in chain]
     if any(looks.count(look) > 1 for look in bare):
         raise Unclear  # "red on blue and green on red": is it the same one?

@@ -1,0 +1,172 @@
+"""The words that groups of blocks are told in."""
+
+from __future__ import annotations
+
+from rpg.language.frames.pieces import number, patterns
+from rpg.language.frames.several import LOTS, STARTS, STOPS
+from rpg.language.frames.shared import GLUE, WHERE
+
+G = "(?:group|pile|cluster|bunch|heap|clump|bundle|lot|set|gathering|collection)"
+GS = "(?:groups|piles|clusters|bunches|heaps|clumps|bundles|sets|lots)"
+_ADJ = "(?:(?:own|separate|single|little|small|neat|different|big|tidy|distinct|common|proper|clear) )"
+ORD = "first|second|third|fourth|fifth|last|left|right|middle|center"
+_IN = (
+    "(?:(?:BE )?(?:all )?(?:together )?(?:put |gathered |sorted )?(?:in|into|on|onto|to|forms?|makes?|get|gets|as|"
+    "inside) )?"
+)
+_OF = (
+    "(?: (?:of|with|has|have|contains|containing|holds|holding|for|is for|BE|gets|consists of|consisting of|made "
+    "of|made from|takes|includes|only))*(?: :)?"
+)
+_EACH = f"(?:each|every|either|both|any)(?: of the(?: NUM)?)?(?: {G}s?| {GS}| one)?(?: of them)?"
+_ODD = (
+    "(?:stranger|outlier|odd one out|intruder|misfit|foreigner|odd one|wrong one|wrong BLOCK|foreign BLOCK|stray|"
+    "stray BLOCK|stray one|exception|BLOCK (?:of|in|with) (?:the|a|another|an) ?(?:other|wrong|different)? color|"
+    "(?:BLOCK|one|member) (?:that|which) (?:does|do) not belong(?: there| to it| in it)?)s?"
+)
+KINDS = {
+    "vowels": "vowels and consonants", "consonants": "vowels and consonants",
+    "odd": "odd and even", "even": "odd and even",
+    "letters": "letters and digits", "digits": "letters and digits",
+}  # fmt: skip
+"""What blocks are sorted by where one of its classes is told."""
+_C = "(?: numbers| digits| ones| cubes?| blocks?| letters| numerals| number BLOCK| digit BLOCK)?"
+_SAME = (
+    "(?:only |just |exactly )?(?:of |the |a )*(?:one|single|same|only one|just one|its own|one single|one and the same)"
+)
+
+PATTERNS = [
+    *LOTS,
+    *WHERE,
+    *STARTS,
+    *STOPS,
+    *GLUE,
+    *patterns("figure", lambda match: number(match["count"]) if match["count"] else None,
+        rf"(?:(?:in|into|to|as|of) )?(?:the )?(?:exactly )?(?:(?P<count>NUM) )?{_ADJ}*{GS}"),
+    *patterns(
+        "figure", None,
+        "group|grouped|grouping|cluster|clustered|gather|gathered|gathering|segregate|partition|collect|collected",
+    ),
+    *patterns(
+        "parted", None,
+        "divide|divided|split|split up|separate|separated|separating|sort out|distribute|distributed|keep|kept|"
+        "keep apart|part",
+    ),
+    *patterns(
+        "glue", None,
+        "sort|sorted|sorting|tidy up|tidied up|own|set apart|in such a way|so that|such that|so|that|up|by "
+        "themselves|cleanly|clean up|arranged|organized",
+    ),
+    *patterns("odd", None, "stranger|outlier|intruder|misfit|odd one out"),
+    *patterns(
+        "size", lambda match: number(match["size"]),
+        r"of (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?: each)?(?! (?:COLOR|SIZE|each)\b)",
+        f"{_EACH} (?:of|with|has|have|contains?|consists? of) (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?! (?:COLOR|"
+        r"SIZE)\b)",
+    ),
+    *patterns(
+        "even", None,
+        "(?:of )?(?:the )?(?:equal|equally large|equally big|same|equal in|identical)(?: size)?|equally|evenly|in "
+        "half|into halves|into (?:two )?equal parts",
+    ),
+    *patterns(
+        "basis", "color",
+        "(?:by|per|for each|for every|according to|on the basis of|based on|with respect to|depending on|after|"
+        "for) (?:their |its |the |own )*color", "by their colors", "color wise|by matching color",
+        f"one {_ADJ}*{G} (?:per|for each|for every|of each|of every|for) (?:one )?color",
+        f"(?:a|an) {_ADJ}*{G} (?:per|for each|for every|of each|of every) color",
+        "(?:each|every) color (?:BE |has |have |gets |forms |makes |becomes |goes |should have |must have |must "
+        f"form |must be |should form |into |to |in )*(?:a |an |its |one |in )*{_ADJ}*{G}(?: of its own| for "
+        "itself| by itself)?",
+        "(?:each|every) color (?:BE |kept |placed |put |gathered )*(?:by itself|on its own|separately|together|"
+        "separate|apart)",
+        f"{_EACH} (?:BE |must |should |shall |may |can |has |have |to |contains |contain |show |hold |be |holds |"
+        f"with |consists |consist |only |of |blocks of |cubes of |pieces of |made of |for )*{_SAME} color(?: only|"
+        " alone)?", f"(?:{GS} |{G} )?(?:of|with|in) {_SAME} color(?: each| only)?",
+        "(?:same|equal|like) colors? (?:BE )?(?:with |to |and )?(?:(?:same|equal|like) colors?)?(?: ?together)?",
+        "(?P<color>COLOR)s? (?:BLOCK )?(?:BE )?with (?P=color)s?(?: BLOCK)?(?: ,)?(?: and)?(?: (?P<other>COLOR)s? "
+        "(?:BLOCK )?with (?P=other)s?(?: BLOCK)?)*",
+        "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors|color mixing)",
+        "(?:do not|never) mix (?:the )?colors",
+        "colors (?:do not mix|must not mix|BE not mixed|stay apart|BE separate|BE separated)",
+        f"no {G} (?:may |can |should |must )?(?:has|have|contain|contains|mixes|mix) (?:more than one color|2 "
+        "colors|different colors|several colors)",
+    ),
+    *patterns(
+        "basis", "kind", "(?:by|according to|per) (?:their |its |the )*(?:kind|type|sort|kinds|types)",
+        "letters (?:BE )?with letters(?: ,)?(?: and)? (?:digits|numbers) with (?:digits|numbers)",
+    ),
+    *patterns(
+        "basis", "odd and even", "by (?:their )?parity",
+        "(?:by|into|in|as)? ?(?:odd and even|even and odd|odd or even|even or odd|whether they are odd or even|"
+        "evenness)(?: numbers| digits| ones)?",
+    ),
+    *patterns(
+        "basis", "vowels and consonants",
+        "(?:by|into|in|according to) (?:vowels and consonants|consonants and vowels|vowel and consonant|vowel or "
+        "consonant|consonant or vowel|whether they are vowels or consonants)",
+        "vowels (?:BE )?with vowels(?: ,)?(?: and)? consonants with consonants",
+    ),
+    *patterns(
+        "basis", "letters and digits",
+        "(?:by|into|in|according to) (?:letters and (?:digits|numbers)|(?:digits|numbers) and letters)",
+    ),
+    *patterns("basis", "size", "(?:by|according to|per) (?:their |its |the )*size"),
+    *patterns(
+        "basis", "label",
+        "(?:by|according to|per) (?:their |its |the )*(?:letter|label|symbol|number|digit|letters|labels|numbers)",
+        "(?:each|every) (?:letter|number|digit|symbol) (?:BE )?(?:in |forms |has |gets |makes )?(?:its|a|an|one) "
+        f"{_ADJ}*{G}(?: of its own)?",
+    ),
+    *patterns("class", "<vowels>", "(?:(?:the|all|all the) )?vowels?(?: letters| BLOCK| ones)?"),
+    *patterns("class", "<consonants>", "(?:(?:the|all|all the) )?consonants?(?: letters| BLOCK| ones)?"),
+    *patterns("class", "<odd>", rf"(?:(?:the|all|all the) )?(?:odd|uneven){_C}"),
+    *patterns("class", "<even>", rf"(?:(?:the|all|all the) )?even{_C}"),
+    *patterns("class", "<letters>", "(?:(?:the|all|all the) )?(?:letters|letter BLOCK)"),
+    *patterns("class", "<digits>", "(?:(?:the|all|all the) )?(?:digits|numbers|numerals|number BLOCK|digit BLOCK)"),
+    *patterns(
+        "class", "<rest>",
+        "(?:the )?(?:rest|others|remaining ones|remaining BLOCK|other BLOCK|other ones)(?: of them)?",
+    ),
+    *patterns(
+        "slot", lambda match: match["slot"],
+        f"{_IN}(?:the |a |an |its |their )*(?P<slot>one|a|other|another|{ORD})(?: (?:hand|side))? "
+        f"{_ADJ}*{G}{_OF}", f"{_IN}(?:the )?(?P<slot>other|another|{ORD})(?: one| hand side)?{_OF}",
+        f"in (?P<slot>one)(?: of them)?{_OF}",
+        "(?P<slot>one)(?: of them)? (?:of|with|has|contains|containing|holds|holding|for|consists of|consisting "
+        "of|made of|BE|gets|:)(?: (?:of|for))?", f"{_IN}(?P<slot>a) {_ADJ}*{G}{_OF}",
+    ),
+    *patterns(
+        "slot", lambda match: match["slot"],
+        "(?:BE )?(?:(?:on|at|to|in) )?(?:the |my )?(?P<slot>left|right)(?: (?:hand )?side| half| end| hand)?(?: "
+        "of the TABLE)?(?: :)?", "(?:BE |over )?(?P<slot>here|there)(?: :)?",
+        f"(?:the )?{G} (?P<slot>[123])(?: :| =| has| contains| BE| with| gets)",
+    ),
+    *patterns(
+        "strange", lambda match: number(match["count"]),
+        "(?:with|has|have|contains?|but|there (?:is|are)|leave|leaving|keep|hold|holds|and|having|includes|"
+        f"including|gets|also) (?:only |just |exactly |a |an |always )*(?P<count>NUM)(?: single| lone)? {_ODD}",
+        f"(?:exactly |just |precisely |only )+(?P<count>NUM)(?: single)? {_ODD}", f"(?P<count>NUM) {_ODD}",
+    ),
+    *patterns(
+        "every", None, f"(?:(?:in|per|for|to|of|within|inside|among) )?{_EACH}(?: (?:BE|has|have|contains|gets))?",
+        f"per {G}",
+    ),
+    *patterns(
+        "mixed", lambda match: (match["color"], number(match["count"]), match["other"]),
+        "(?:with |has |have |there is |and )*(?:exactly |just |a |an )*(?P<count>NUM) (?P<color>COLOR) "
+        "(?:stranger|outlier|intruder|misfit|BLOCK|one|odd one out)(?: BE)? (?:in|into|among|inside) the "
+        f"(?P<other>COLOR)s? ?(?:ones|BLOCK|{G})?",
+    ),
+    *patterns(
+        "apart", lambda match: f"at least {match['length']} {match['unit']} apart",
+        rf"(?:the )?(?:{GS} |NUM )?(?:BE )?(?:at least|no less than|minimum) (?P<length>[\d.]+) (?P<unit>cm|mm|"
+        f"centimeters?|centimetres?)(?: of space)? (?:apart|from each other|between (?:them|the {GS}|the NUM "
+        f"{GS}|each other)|away from each other|distance(?: between them| between the {GS})?)",
+    ),
+    *patterns(
+        "glue", None,
+        "(?:well |clearly |far |a bit )?(?:apart|separated|separate|distinct)(?: from (?:each other|one "
+        "another))?", "(?:the )?NUM kinds", "(?:the )?(?:different )?colors",
+    ),
+]  # fmt: skip

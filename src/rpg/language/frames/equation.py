@@ -103,7 +103,7 @@ PATTERNS = [
     *patterns(
         "glue", None,
         "for (?:me|us|my|our|the|his|her) (?:class|pupils|kids|children|students|son|daughter|lesson|homework)|"
-        "homework|math|maths|arithmetic|puzzle|can be read|readable|legible|visible|completion|task",
+        "homework|math|maths|arithmetic|puzzle|can be read|readable|legible|visible|completion|task|them|it|up|out",
     ),
 ]  # fmt: skip
 

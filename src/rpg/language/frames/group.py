@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from rpg.language.frames.lots import Lot, counted, one
@@ -26,6 +27,8 @@ _COMMAND = re.compile(
     "(?:make|build|create|form|put|place|bring|gather|collect|cluster|group|arrange|keep|sort|tidy up|clean up|must|"
     "should|shall|want|need)\\b"
 )
+_EQUAL = re.compile(r"\b(?:equal|equally|identical|same)\b")
+_INTO = re.compile("into\\b")
 _UNIQUE = frozenset({*ORD.split("|"), "here", "there", "other", "1", "2", "3"})
 
 
@@ -54,13 +57,16 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told what belongs together, or how many blocks there are.
     """
     check_clauses(pieces)
-    pieces = _parted(pieces)
+    pieces = _parted(_put_together(pieces))
     named = {piece.kind for piece in pieces if piece.kind in ("figure", "parted")}
-    if not named and not any(_NAMED.search(piece.words) for piece in pieces if piece.kind in ("slot", "basis")):
+    kinds = [piece.kind for piece in pieces]
+    sorts = "basis" in kinds and ("sorted" in kinds or any(_INTO.match(p.words) for p in pieces if p.kind == "basis"))
+    if not (named or sorts or any(_NAMED.search(piece.words) for piece in pieces if piece.kind in ("slot", "basis"))):
         raise Unclear
     found = gathered(pieces)
     figures = {piece.value for piece in pieces if piece.kind == "figure" and piece.value is not None}
     bases = {piece.value for piece in pieces if piece.kind == "basis"}
+    _without_nouns(found, bases)
     classes = [look for look in found.lots if look[:1] == "<"]
     for look in classes:
         bases.add(KINDS.get(look.strip("<>"), "")) if look != "<rest>" else None
@@ -69,7 +75,7 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear
     basis, count = next(iter(bases), None), next(iter(figures), None)
     total, where, apart = (one(pieces, kind) for kind in ("total", "where", "apart"))
-    lots = counted(list(found.lots.values()), total.value if total else None, evenly="even" in [p.kind for p in pieces])
+    lots = counted(list(found.lots.values()), total.value if total else None, evenly=_equal(pieces))
     found.lots = {lot.look: lot for lot in lots}
     if found.places:
         text = _by_lots(pieces, found, basis, count)
@@ -80,6 +86,31 @@ def told(pieces: Sequence[Piece]) -> str:
     text += f" The groups are {apart.value}." if apart else ""
     text += f" All blocks are {where.value}." if where else ""
     return text + (f" {START}" if any(piece.kind == "start" for piece in pieces) else "")
+
+
+def _without_nouns(found: Gathered, bases: set[str]) -> None:
+    """Take out "these letters", where they are only what the blocks are called that are told one by one.
+
+    Raises:
+        Unclear: there are others among them.
+    """
+    told = {look for lots in (found.lots, *(here for _, here in found.places)) for look in lots}
+    classes = [look for look in told if look[:1] == "<"]
+    shown = [look for look in told if look[:1] != "<"]
+    for name in ("<letters>", "<digits>"):
+        if name not in found.lots or not shown or {"<letters>", "<digits>"} <= set(classes):
+            continue
+        if len(classes) > 1 or bases - {"letters and digits"}:
+            if not all(_belongs(name, look) for look in shown):
+                raise Unclear
+            del found.lots[name]
+
+
+def _put_together(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "The reds together, the blues together" tells of groups; "together" by itself says nothing."""
+    found = [piece for piece in pieces if piece.value == "together" and piece.kind == "slot"]
+    as_one = [replace(piece, kind="slot" if len(found) > 1 else "glue", value="one") for piece in found]
+    return [as_one.pop(0) if piece in found else piece for piece in pieces]
 
 
 def _parted(pieces: Sequence[Piece]) -> list[Piece]:
@@ -194,6 +225,11 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
     return f"Make {len(places)} groups, {groups}.{_sides(places)}"
 
 
+def _equal(pieces: Sequence[Piece]) -> bool:
+    """Whether the groups have the same number of blocks."""
+    return any(p.kind == "even" or (p.kind == "figure" and _EQUAL.search(p.words)) for p in pieces)
+
+
 def _asked(pieces: Sequence[Piece]) -> bool:
     """Whether something is to be done: what lies in a heap may be told of the start."""
     return any(_COMMAND.search(piece.words) for piece in pieces if piece.kind in ("figure", "glue", "parted"))
@@ -242,7 +278,7 @@ def _without_basis(pieces: Sequence[Piece], found: Gathered, count: int | None) 
         if not _asked(pieces):
             raise Unclear
         return f"Make one group of {said_of(lots)}."
-    if len(lots) == 1 and (size or "even" in kinds):
+    if len(lots) == 1 and (size or _equal(pieces)):
         each = size.value if size else (lots[0].count or 0) // count
         if each * count != lots[0].count:
             raise Unclear

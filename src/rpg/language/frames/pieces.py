@@ -49,10 +49,15 @@ _CLASSES = {
 """Names of classes of words, in patterns."""
 
 
+_PLAIN = re.compile(r"[\w |,':]*")
+
+
 def patterns(kind: str, value: Any, *texts: str) -> list[Pattern]:
     """Patterns of one kind: regular expressions over words with a space behind each, and names of classes."""
     found = []
     for text in texts:
+        if _PLAIN.fullmatch(text):  # the first that fits is taken: "lay out" before "lay"
+            text = "|".join(sorted(text.split("|"), key=len, reverse=True))
         for name, words in _CLASSES.items():
             text = re.sub(rf"\b{name}\b", f"(?:{words})".replace("\\", r"\\"), text)
         found.append(Pattern(kind, re.compile(f"(?:{text}) "), value))
@@ -67,6 +72,10 @@ def number(said: str) -> int:
 def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
     """The numbers that named groups say, by their names."""
     return lambda match: {name: number(match[name]) for name in names}
+
+
+_SPELLING = frozenset({"say", "says", "spell", "spells", "read", "reads", "write", "word", "name", "saying", "reading"})
+"""Behind these, words in capitals are to be spelt, whatever they mean."""
 
 
 def coded(tokens: Sequence[Token]) -> list[str]:
@@ -91,6 +100,8 @@ def _code(tokens: Sequence[Token], n: int) -> str:
         return f"<{token.value or word}>"
     if token.kind != "word" or " " in word:
         return "<other>"
+    if len(token.raw) > 1 and token.raw.isupper() and token.raw.isalpha() and n and tokens[n - 1].word in _SPELLING:
+        return f"'{token.raw}'"
     begins = n == 0 or tokens[n - 1].word in (".", "!", "?", ";", ":")
     if len(token.raw) == 1 and token.raw.isupper() and not (begins and token.raw in "AI"):
         return token.raw

@@ -11,11 +11,14 @@ from re import Match
 from rpg.language.frames.lots import Lot, lot_of
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number, patterns
 
-_LETTERS = "the |these |those |my |our |all |all the |just |only |with |showing |labell?ed |named |called "
+_LETTERS = (
+    "the |these |those |my |our |your |all |all the |following |given |just |only |with |showing |labell?ed |named "
+    "|called "
+)
 _NOUN = "(?:letter|digit|number|symbol|character|numeral|sign)s?(?: (?:BLOCK))?|BLOCK|tiles?"
 _SAID = (
     "(?:numbered |labell?ed |with |showing |marked |in play |to use |we have |are |is |here |given |: |called |"
-    "named |namely |from )*"
+    "named |namely |from |\\( )*"
 )
 _EDGE = (
     "(?! (?:(?:SIZE|more|of|to|by|x|high|tall|each) )?(?:COLOR|BLOCK|groups?|piles?|towers?|stacks?|cm|mm|each|"
@@ -47,9 +50,9 @@ def _listed(match: Match[str]) -> tuple[str, ...]:
 GLYPHS: list[Pattern] = [
     *patterns(
         "glyphs", _listed,
-        f"(?:{_LETTERS})*(?:(?:{_NOUN}) )(?:{_SAID})(?P<list>{_LIST}|{_RANGE}|{_ONE})(?: (?:BLOCK))?",
-        f"(?:the )?(?P<list>{_LIST}|{_RANGE})", "(?:the |a |an )?(?P<list>[B-HJ-Z])(?: BLOCK)?",
-        "(?:the |a )?(?P<list>[AI])(?: BLOCK)?(?! [a-z])",
+        f"(?:{_LETTERS})*(?:(?:{_NOUN}) )(?:{_SAID})(?P<list>{_LIST}|{_RANGE}|{_ONE})(?: BLOCK)?(?: \\))?",
+        f"(?:the )?(?P<list>{_LIST}|{_RANGE})", "(?:the |a |an )?(?P<list>[A-HJ-Z])(?: BLOCK)?",
+        "(?:the )?(?P<list>I)(?: BLOCK)?(?! [a-z])",
     ),
     *patterns("glyphs", lambda match: (match["list"],) * number(match["count"]),
         r"(?:the )?(?P<count>\d) (?P<list>[A-Z])(?: BLOCK)?"),
@@ -59,7 +62,8 @@ LOTS: list[Pattern] = [
     *patterns("lot", None,
         r"(?:(?P<det>the|these|those|my|our|your|all|all the|both|both the|a|an|exactly|just|only|every|with) )?"
         r"(?:(?P<count>NUM) )?(?:of the |of )?(?:(?P<size>SIZE) )?(?:plain )?(?P<color>COLOR)(?P<many>s)?"
-        r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one(?! (?:GROUP|of|pile|group|heap))))?"),
+        r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one(?! (?:of|pile|group|heap|tower|stack))))?"
+        r"(?: \( (?P<paren>NUM)(?: BLOCK| of them)? \))?"),
     *patterns(
         "total", lambda match: number(match["count"]),
         "(?:of |from |with |using )?(?:the |all |exactly |all the |these |those )?(?P<count>NUM) (?:identical |"
@@ -132,6 +136,10 @@ def lots_in(piece: Piece) -> list[Lot]:
     """The lots that a piece of the kind "lot" or "glyphs" names; a class of symbols is one: "<vowels>"."""
     if piece.kind == "lot":
         lot, said = lot_of(piece), piece.named
+        if "paren" in said:
+            if lot.count not in (None, number(said["paren"])):
+                raise Unclear
+            return [replace(lot, count=number(said["paren"]))]
         left_open = "count" not in said and "noun" not in said and said.get("det") not in ("a", "an")
         return [replace(lot, count=None) if left_open else lot]
     if piece.kind == "class":
@@ -199,17 +207,31 @@ def gathered(pieces: Sequence[Piece]) -> Gathered:
     for lot in (lot for piece in free for lot in lots_in(piece)):
         _added(found.lots, lot)
     for slot, said in placed:
-        here: dict[str, Lot] = {}
-        for lot in (lot for piece in said for lot in lots_in(piece)):
-            if lot.look in here:
-                raise Unclear
-            here[lot.look] = lot
-        found.places.append((slot, here))
+        found.places.append((slot, _together(said)))
     if len(each) > 1:
         raise Unclear
+    if not found.lots and not {"left", "right"} & {slot for slot, _ in found.places}:
+        for _, here in found.places:
+            here |= {look: replace(lot, count=lot.count or max(each, default=None)) for look, lot in here.items()}
     for look, lot in found.lots.items():
         found.lots[look] = replace(lot, count=lot.count or max(each, default=None))
     return found
+
+
+def _together(said: Sequence[Piece]) -> dict[str, Lot]:
+    """The blocks of one place; "red, red, blue" is a list of single blocks.
+
+    Raises:
+        Unclear: a lot is told twice, and not in such a list.
+    """
+    lots = [lot for piece in said for lot in lots_in(piece)]
+    looks = Counter(lot.look for lot in lots)
+    if len(looks) < len(lots):
+        bare = all(piece.kind == "lot" and not piece.named.keys() & {"many", "noun", "det", "count"} for piece in said)
+        if not bare:
+            raise Unclear
+        return {look: Lot(look, count) for look, count in looks.items()}
+    return {lot.look: lot for lot in lots}
 
 
 def settled(found: Gathered, belongs: Callable[[str, str], bool]) -> list[tuple[str, list[Lot]]]:

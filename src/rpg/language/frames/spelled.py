@@ -10,7 +10,7 @@ from rpg.language.frames.pieces import Piece, Unclear, number, patterns
 from rpg.language.frames.several import GLYPHS, glyphs
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
-_X = "(?:(?:the |letter |an |a )*(?:[A-Z]|'[A-Z]')(?: blocks?| cubes?)?)"
+_X = "(?:(?:the |letter |an |a |both |all |every |each |only |its )*(?:[A-Z]|'[A-Z]')(?: blocks?| cubes?)?)"
 _XS = f"{_X}(?:(?: ,)?(?: and)? {_X})*"
 _PART = "first|second|third|fourth|fifth|last|middle|final|initial"
 _LETTER = "(?:letters?|characters?|symbols?|(?:letter )?BLOCK)"
@@ -111,7 +111,7 @@ PATTERNS = [
     *WHERE,
     *BREAKS,
     *GLUE,
-    *patterns("glue", None, "so that|such that|so|it|appear|appears|runs?"),
+    *patterns("glue", None, "so that|such that|so|it|they|them|these|appear|appears|runs?|made|shall"),
     *patterns(
         "spell", None, "letter|letters|letter BLOCK|BLOCK with letters|word|name|text|tiles|lettered BLOCK",
         "spell|spells|spelled|spelt|spelling|write|writes|written|writing|read|reads|reading|say|says|saying|"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
 
 from rpg.language.frames.alike import Told, together, told_in_line
 from rpg.language.frames.lots import Lot, lot_of, one
@@ -21,6 +23,7 @@ from rpg.language.frames.words_of_towers import ORD, PATTERNS, TS, T
 
 __all__ = ["PATTERNS", "told"]
 
+_STACKED = re.compile("(?:is|are) stack(?:ed)?\\b")
 _UNIQUE = frozenset({*ORD.split("|"), "other"})
 _NAMED = re.compile(rf"\b(?:{T}|{TS})\b")
 _WAYS = (["left", "right"], ["left", "middle", "right"])
@@ -38,7 +41,9 @@ def told(pieces: Sequence[Piece]) -> str:
         _NAMED.search(piece.words) for piece in named
     ):
         raise Unclear
-    pieces, heights = _heights(pieces)
+    if any(_STACKED.search(f"{a.words} {b.words}") for a, b in pairwise(pieces)):
+        raise Unclear  # "four cubes are stacked up; ...": so they are at the start
+    pieces, heights = _heights(_apart(pieces))
     kinds = [piece.kind for piece in pieces]
     if "line" in kinds and "slot" in kinds and any(piece.words == "line up" for piece in pieces):
         raise Unclear  # "line up a tower and ...": the towers, or the blocks of the first?
@@ -55,7 +60,11 @@ def told(pieces: Sequence[Piece]) -> str:
     else:
         found = gathered(pieces)
         text, looks = together(pieces, found, told_of)
-    if near:
+    if near and near.value == "next to it":
+        if kinds.count("slot") != 2:
+            raise Unclear
+        text += " The towers are next to each other."
+    elif near:
         text += f" The towers are {near.value}." if near.value.startswith("next") else f" The towers {near.value}."
     if relation:
         if (
@@ -69,6 +78,25 @@ def told(pieces: Sequence[Piece]) -> str:
     text += " The towers stand in a row." if "line" in kinds else ""
     text += f" {START}" if "start" in kinds else ""
     return text + (f" The towers are {where.value}." if where else "")
+
+
+def _apart(pieces: Sequence[Piece]) -> list[Piece]:
+    """A tower that is told with its colour and its height at once, as a tower and its blocks."""
+    found: list[Piece] = []
+    layered = {"place", "over", "under"} & {piece.kind for piece in pieces}
+    for piece in pieces:
+        if piece.kind == "each" and piece.value and layered:
+            found.append(replace(piece, kind="size"))  # "two blocks each, both red below and white above"
+        elif piece.kind == "whole":
+            color, size = piece.value
+            named = {"color": color, "count": str(size), "noun": "blocks"}
+            slot = "other" if piece.words.startswith("the other") else "one"
+            found += [Piece("slot", "one tower", slot), Piece("lot", piece.words, None, named)]
+        elif piece.kind == "slot" and piece.value in ("tower", "stack", "pillar"):
+            found.append(Piece("slot", piece.words, "one"))
+        else:
+            found.append(piece)
+    return found
 
 
 def _heights(pieces: Sequence[Piece]) -> tuple[list[Piece], list[int]]:
@@ -99,7 +127,8 @@ def _one_by_one(pieces: Sequence[Piece], found: Gathered, told_of: Told) -> tupl
     Raises:
         Unclear: there are not so many towers, or they are not of one colour each.
     """
-    if {"place", "over", "under", "each", "even"} & {piece.kind for piece in pieces} or len(found.places) < 2:
+    others = {piece.kind for piece in pieces if piece.kind != "each" or not piece.value}
+    if {"place", "over", "under", "each", "even"} & others or len(found.places) < 2:
         raise Unclear
     places = settled(found, lambda name, look: False)
     slots = [slot for slot, _ in places]
@@ -170,13 +199,21 @@ def _chains(pieces: Sequence[Piece]) -> list[tuple[str, list[str]]]:
         if piece.kind == "lot" and piece.named.get("det") not in ("a", "an") and "count" not in piece.named
     ]
     looks = [look for chain in chains for look in chain]
-    if any(looks.count(look) > 1 for look in bare):
+    levels = {(look, n) for chain in chains for n, look in enumerate(chain)}
+    alike = len(chains) in [piece.value for piece in pieces if piece.kind == "figure"]
+    if any(looks.count(look) > 1 and not (alike and [at for at, _ in levels].count(look) == 1) for look in bare):
         raise Unclear  # "red on blue and green on red": is it the same one?
     return list(zip(slots or ["one"] * len(chains), chains, strict=True))
 
 
+def _same(one: Piece, other: Piece) -> bool:
+    """Whether a block is spoken of again: "red is below green and green is below blue"."""
+    return one.kind == other.kind and one.kind in ("lot", "glyphs") and lots_in(one) == lots_in(other)
+
+
 def _chain(run: Sequence[Piece]) -> list[str]:
     """The blocks of a tower from top to bottom; none where they are not one by one."""
+    run = [piece for n, piece in enumerate(run) if n == 0 or not _same(run[n - 1], piece)]
     lots = [lot for piece in run if piece.kind in ("lot", "glyphs") for lot in lots_in(piece)]
     looks = [lot.look for lot in lots]
     kinds = ["lot" if piece.kind == "glyphs" else piece.kind for piece in run]

@@ -8,7 +8,10 @@ from rpg.language.frames.shared import GLUE, WHERE
 
 G = "(?:group|pile|cluster|bunch|heap|clump|bundle|lot|set|gathering|collection)"
 GS = "(?:groups|piles|clusters|bunches|heaps|clumps|bundles|sets|lots)"
-_ADJ = "(?:(?:own|separate|single|little|small|neat|different|big|tidy|distinct|common|proper|clear) )"
+_ADJ = (
+    "(?:(?:own|separate|single|little|small|neat|different|big|tidy|distinct|common|proper|clear|equal|identical|"
+    "equally large|equally big|equal sized|same sized|close|tight|compact) )"
+)
 ORD = "first|second|third|fourth|fifth|last|left|right|middle|center"
 _IN = (
     "(?:(?:BE )?(?:all )?(?:together )?(?:put |gathered |sorted )?(?:in|into|on|onto|to|forms?|makes?|get|gets|as|"
@@ -22,7 +25,8 @@ _EACH = f"(?:each|every|either|both|any)(?: of the(?: NUM)?)?(?: {G}s?| {GS}| on
 _ODD = (
     "(?:stranger|outlier|odd one out|intruder|misfit|foreigner|odd one|wrong one|wrong BLOCK|foreign BLOCK|stray|"
     "stray BLOCK|stray one|exception|BLOCK (?:of|in|with) (?:the|a|another|an) ?(?:other|wrong|different)? color|"
-    "(?:BLOCK|one|member) (?:that|which) (?:does|do) not belong(?: there| to it| in it)?)s?"
+    "(?:BLOCK|one|member) (?:that|which) (?:does|do) not belong(?: there| to it| in it)?)s?(?: (?:of|from|in) "
+    "(?:the|an|a) ?(?:other|another|different|wrong) (?:color|group|kind)| in it| among them| inside)?"
 )
 KINDS = {
     "vowels": "vowels and consonants", "consonants": "vowels and consonants",
@@ -30,12 +34,23 @@ KINDS = {
     "letters": "letters and digits", "digits": "letters and digits",
 }  # fmt: skip
 """What blocks are sorted by where one of its classes is told."""
+_DET = "(?:(?:the|these|those|my|our|all|all the|all of the|following|given) )*"
+_DOES = (
+    "(?:(?:BE|shall|should|must|will|has to|have to|has|have|gets?|forms?|makes?|make up|makes up|becomes?|goes|go|"
+    "constitutes?|builds?|ends? up|lies|stays?|stay|remains?|kept|put|placed|gathered|collected|sorted|grouped|"
+    "into|to|in|on|as|up|its|together) )*"
+)
 _C = "(?: numbers| digits| ones| cubes?| blocks?| letters| numerals| number BLOCK| digit BLOCK)?"
 _SAME = (
     "(?:only |just |exactly )?(?:of |the |a )*(?:one|single|same|only one|just one|its own|one single|one and the same)"
 )
 
 PATTERNS = [
+    *patterns(
+        "slot", "together",
+        "(?:BE |go |goes |belong |should |must |put |stay |gathered |stand |lie )*(?:all )?(?:close )?together(?: "
+        f"in (?:one|a) {_ADJ}*{G})?",
+    ),
     *LOTS,
     *WHERE,
     *STARTS,
@@ -45,16 +60,23 @@ PATTERNS = [
         rf"(?:(?:in|into|to|as|of) )?(?:the )?(?:exactly )?(?:(?P<count>NUM) )?{_ADJ}*{GS}"),
     *patterns(
         "figure", None,
-        "group|grouped|grouping|cluster|clustered|gather|gathered|gathering|segregate|partition|collect|collected",
+        "group|grouped|grouping|cluster|clustered|clustering|gather|gathered|gathering|segregate|segregated|partition|"
+        "partitioned|collect|collected|bunch|bunched|group together|group up|gather up",
     ),
     *patterns(
         "parted", None,
-        "divide|divided|split|split up|separate|separated|separating|sort out|distribute|distributed|keep|kept|"
+        "divide|divided|split|split up|separate|separated|separating|distribute|distributed|keep|kept|"
         "keep apart|part",
+    ),
+    *patterns("sorted", None, "sort|sorted|sorting|sort out|sorted out|classify|classified|organize|organized"),
+    *patterns(
+        "glue", None,
+        "like (?:goes |BE )?with like|(?:well |far )?away from (?:them|the others|each other|it|one another)",
+        "become|becomes|turn into|end up|ends up|them|these|those|they|also|lie|belong|belongs|belonging|only|both",
     ),
     *patterns(
         "glue", None,
-        "sort|sorted|sorting|tidy up|tidied up|own|set apart|in such a way|so that|such that|so|that|up|by "
+        "tidy|tidy up|tidied up|own|set apart|in such a way|so that|such that|so|that|up|by "
         "themselves|cleanly|clean up|arranged|organized",
     ),
     *patterns("odd", None, "stranger|outlier|intruder|misfit|odd one out"),
@@ -75,14 +97,18 @@ PATTERNS = [
         "for) (?:their |its |the |own )*color", "by their colors", "color wise|by matching color",
         f"one {_ADJ}*{G} (?:per|for each|for every|of each|of every|for) (?:one )?color",
         f"(?:a|an) {_ADJ}*{G} (?:per|for each|for every|of each|of every) color",
-        "(?:each|every) color (?:BE |has |have |gets |forms |makes |becomes |goes |should have |must have |must "
-        f"form |must be |should form |into |to |in )*(?:a |an |its |one |in )*{_ADJ}*{G}(?: of its own| for "
-        "itself| by itself)?",
-        "(?:each|every) color (?:BE |kept |placed |put |gathered )*(?:by itself|on its own|separately|together|"
-        "separate|apart)",
+        f"(?:each|every)(?: single)? color {_DOES}(?:a |an |one |in )*{_ADJ}*{G}(?: of its own| for itself| by "
+        "itself)?",
+        f"(?:each|every) color {_DOES}(?:by itself|on its own|separately|together|separate|apart|for itself)",
+        "(?:keep|keeping|kept|hold) (?:the |all |different )*colors (?:apart|separate|separated|unmixed)(?: from "
+        "each other)?",
+        "(?:BLOCK |ones |those )?of (?:the |a )?same color (?:BE |should |must |go |belong |stay |kept |lie |"
+        f"stand |in |into |close |all )*(?:together|next to each other|the same {G}|one {G}|a {G})",
+        "different colors (?:BE |should |must |go |stay |kept |lie |in |into |well )*(?:apart|separate|separated|"
+        f"different {GS}|separate {GS})(?: from each other)?",
         f"{_EACH} (?:BE |must |should |shall |may |can |has |have |to |contains |contain |show |hold |be |holds |"
-        f"with |consists |consist |only |of |blocks of |cubes of |pieces of |made of |for )*{_SAME} color(?: only|"
-        " alone)?", f"(?:{GS} |{G} )?(?:of|with|in) {_SAME} color(?: each| only)?",
+        f"with |consists |consist |only |of |blocks of |cubes of |pieces of |made of |for )*{_SAME} color(?: only| "
+        "alone)?", f"(?:{GS} |{G} )?(?:of|with|in) {_SAME} color(?: each| only)?",
         "(?:same|equal|like) colors? (?:BE )?(?:with |to |and )?(?:(?:same|equal|like) colors?)?(?: ?together)?",
         "(?P<color>COLOR)s? (?:BLOCK )?(?:BE )?with (?P=color)s?(?: BLOCK)?(?: ,)?(?: and)?(?: (?P<other>COLOR)s? "
         "(?:BLOCK )?with (?P=other)s?(?: BLOCK)?)*",
@@ -98,13 +124,14 @@ PATTERNS = [
     ),
     *patterns(
         "basis", "odd and even", "by (?:their )?parity",
-        "(?:by|into|in|as)? ?(?:odd and even|even and odd|odd or even|even or odd|whether they are odd or even|"
-        "evenness)(?: numbers| digits| ones)?",
+        "(?:(?:by|into|in|as) )?(?:the |its |their )*(?:odd and (?:the )?even|even and (?:the )?odd|odd or even|"
+        f"even or odd|whether they are odd or even|evenness)(?: numbers| digits| ones| BLOCK)?(?: {GS})?",
     ),
     *patterns(
         "basis", "vowels and consonants",
-        "(?:by|into|in|according to) (?:vowels and consonants|consonants and vowels|vowel and consonant|vowel or "
-        "consonant|consonant or vowel|whether they are vowels or consonants)",
+        "(?:by|into|in|as|according to|depending on) (?:the |their )*(?:vowels and (?:the )?consonants|consonants "
+        "and vowels|vowel and consonant|vowel or consonant|consonant or vowel|vowels or consonants|whether (?:they|"
+        "it) (?:are|is a) (?:vowels|vowel) or (?:a )?(?:consonants|consonant))",
         "vowels (?:BE )?with vowels(?: ,)?(?: and)? consonants with consonants",
     ),
     *patterns(
@@ -118,12 +145,12 @@ PATTERNS = [
         "(?:each|every) (?:letter|number|digit|symbol) (?:BE )?(?:in |forms |has |gets |makes )?(?:its|a|an|one) "
         f"{_ADJ}*{G}(?: of its own)?",
     ),
-    *patterns("class", "<vowels>", "(?:(?:the|all|all the) )?vowels?(?: letters| BLOCK| ones)?"),
-    *patterns("class", "<consonants>", "(?:(?:the|all|all the) )?consonants?(?: letters| BLOCK| ones)?"),
-    *patterns("class", "<odd>", rf"(?:(?:the|all|all the) )?(?:odd|uneven){_C}"),
-    *patterns("class", "<even>", rf"(?:(?:the|all|all the) )?even{_C}"),
-    *patterns("class", "<letters>", "(?:(?:the|all|all the) )?(?:letters|letter BLOCK)"),
-    *patterns("class", "<digits>", "(?:(?:the|all|all the) )?(?:digits|numbers|numerals|number BLOCK|digit BLOCK)"),
+    *patterns("class", "<vowels>", f"{_DET}vowels?(?: letters| BLOCK| ones)?"),
+    *patterns("class", "<consonants>", f"{_DET}consonants?(?: letters| BLOCK| ones)?"),
+    *patterns("class", "<odd>", rf"{_DET}(?:odd|uneven){_C}"),
+    *patterns("class", "<even>", rf"{_DET}even{_C}"),
+    *patterns("class", "<letters>", f"{_DET}(?:letters|letter BLOCK)"),
+    *patterns("class", "<digits>", f"{_DET}(?:digits|numbers|numerals|number BLOCK|digit BLOCK)"),
     *patterns(
         "class", "<rest>",
         "(?:the )?(?:rest|others|remaining ones|remaining BLOCK|other BLOCK|other ones)(?: of them)?",
@@ -144,8 +171,9 @@ PATTERNS = [
     ),
     *patterns(
         "strange", lambda match: number(match["count"]),
-        "(?:with|has|have|contains?|but|there (?:is|are)|leave|leaving|keep|hold|holds|and|having|includes|"
-        f"including|gets|also) (?:only |just |exactly |a |an |always )*(?P<count>NUM)(?: single| lone)? {_ODD}",
+        "(?:with|has|have|contains?|but|there (?:is|are)|leave|leaving|keep|hold|holds|plant|hide|add|slip|"
+        "smuggle|sneak|and|having|includes|including|gets|also) (?:only |just |exactly |a |an |always "
+        f")*(?P<count>NUM)(?: single| lone)? {_ODD}",
         f"(?:exactly |just |precisely |only )+(?P<count>NUM)(?: single)? {_ODD}", f"(?P<count>NUM) {_ODD}",
     ),
     *patterns(

@@ -16,6 +16,7 @@ _SIDES = {
     "next": "next to",
     "beside": "next to",
 }
+_PAIR = {"both": 2, "pair of": 2}
 T = "(?:tower|stack|pillar)"
 TS = "(?:towers|stacks|pillars)"
 _ADJ = (
@@ -63,7 +64,7 @@ PATTERNS = [
     *STOPS,
     *GLUE,
     *patterns(
-        "figure", lambda match: number(match["count"]) if match["count"] else None,
+        "figure", lambda match: _PAIR.get(match["count"]) or number(match["count"]) if match["count"] else None,
         "(?:(?:in|into|to|as|of) )?(?:the |exactly |a set of |a group of )*(?:(?P<count>NUM|both|pair of) "
         f")?{_ADJ}*{TS}",
     ),
@@ -74,7 +75,7 @@ PATTERNS = [
         rf"(?:(?:with|where) )?{_EACH} {_HAS}(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x)\b)",
         "(?:BE )?(?:each |both |all )?(?:of |with |at )?(?:a |the )?height (?:of |BE )?(?P<size>[2-9])(?: "
         "BLOCK)?(?: each)?", f"(?P<size>[2-9]) (?:BLOCK )?(?:per|in each|in every|to a|for each|in) {T}",
-        "(?:BE )?(?P<size>[2-9]) BLOCK (?:{_HIGH})",
+        f"(?:BE )?(?P<size>[2-9]) BLOCK {_HIGH}",
     ),
     *patterns(
         "heights", lambda match: [int(said) for said in re.findall(r"\d", match["list"])],
@@ -134,9 +135,23 @@ PATTERNS = [
         "slot", lambda match: match["slot"],
         f"{_IN}(?:the |a |an |its )*(?P<slot>one|a|other|another|{ORD})(?: (?:hand|side))? {_ADJ}*{T}{_OF}",
         f"{_IN}(?:the )?(?P<slot>other|another|{ORD})(?! BLOCK)(?: one| hand one)?{_OF}",
-        "in (?P<slot>one)(?: of them)?(?: of)?",
-        "(?P<slot>one) (?:of|with|has|contains|containing|is|from|consists of|consisting of|made of|made from|"
-        "gets|:)(?: (?:of|for|all|entirely|only))*", f"(?P<slot>a) {_ADJ}*{T}{_OF}",
+        "in (?P<slot>one)(?: of them)?(?: of)?", f"(?P<slot>{T}) (?:of|with|from|made of|made from|:)",
+        "(?P<slot>one)(?: of them)? (?:of|in|with|has|contains|containing|is|from|consists of|consisting of|made "
+        "of|made from|shall|should|must|gets|:)(?: (?:of|for|be|all|entirely|only|purely|made|built|from|in))*",
+        f"(?P<slot>a) {_ADJ}*{T}{_OF}",
+    ),
+    *patterns(
+        "whole", lambda match: (match["color"], int(match["size"])),
+        f"(?:a|an|one|another|the other)(?: {T})? (?P<color>COLOR)(?: {T}| one)?(?: ,)? (?:of |which |that |BE |"
+        f"with |has |height |having )*(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
+        f"(?:a|one|another|the other) (?P<size>[2-9]) (?:BLOCK )?(?:{_HIGH} )?(?P<color>COLOR) {T}",
+        f"(?:a|an|one|another|the other)(?: {T})? (?P<size>[2-9])(?: BLOCK)? {_HIGH}(?: {T})?(?: ,)? (?:BE |in |of "
+        "|from |all |only |made of |made from )*(?P<color>COLOR)(?: BLOCK)?",
+    ),
+    *patterns(
+        "near", "next to it",
+        "(?:BE |standing |right |directly |immediately |placed )*(?:next to|beside|alongside|near) (?:it|that|this|"
+        "that one|the first|the first one|the other)",
     ),
     *patterns(
         "near", "next to each other",
@@ -162,6 +177,7 @@ PATTERNS = [
     *patterns(
         "glue", None,
         "(?:the )?colors|sort|sorted|divide|divided|split|split up|distribute|distributed|distribute over|over|"
-        "stack|stacked|up|separate|so that|such that|so|that|block|to",
+        "stack|stacked|up|separate|so that|such that|so|that|block|to|become|becomes|turn into|end up|ends up|them|"
+        "these|those|they|erect|raise|pile up|stack up|build up|all",
     ),
 ]  # fmt: skip

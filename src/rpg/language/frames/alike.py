@@ -139,6 +139,8 @@ def _layered(pieces: Sequence[Piece], lots: list[Lot], told_of: Told) -> str:
     names = [lot.look for lot in lots]
     if kinds in (["lot", "over", "lot"], ["lot", "under", "lot"]):
         top, bottom = lots if kinds[1] == "over" else lots[::-1]
+        if max(lot.count or 1 for lot in lots) > 1 and "each" not in [p.kind for p in said]:
+            raise Unclear  # "two towers of two red blocks on a blue block"
     elif kinds in (["lot", "place", "lot", "place"], ["place", "lot", "place", "lot"]):
         at = [p.value for p in pieces if p.kind == "place"]
         if sorted(at) != ["at the bottom", "at the top"]:

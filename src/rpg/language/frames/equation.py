@@ -35,14 +35,18 @@ _GOOD = f"(?:{_TRUE}|holds|works|works out|adds up|makes sense|comes out right|b
 
 PATTERNS = [
     *patterns("equation", lambda match: match["said"], r"<(?P<said>[\d+*/=-]{5,})>"),
-    *patterns("equation", lambda match: _written(match["words"]),
-        rf"(?P<words>\d+ (?:{_SIGN}) \d+(?: (?:{_SIGN}) \d+)*)(?! (?:,|and|<.>|equals sign|\d))"),
+    *patterns(
+        "equation", lambda match: _written(match["words"]),
+        rf"(?P<words>\d+ (?:{_SIGN}) \d+(?: (?:{_SIGN}) \d+)*)(?! (?:, |and |, and )?(?:<.>|equals sign|plus|minus|"
+        r"times|\d))",
+    ),
     *patterns(
         "symbols", lambda match: _symbols(match["list"]),
-        "(?:(?:the |these |only |just |exactly |following |given |your |my |i have |we have |you have |there are "
-        "|namely )*(?:number |digit |symbol |numbered )?(?:BLOCK|digits|numbers|symbols|numerals|tiles|cards) "
+        "(?:(?:the |these |only |just |exactly |following |given |your |my |i have |we have |you have |there are |"
+        "namely )*(?:number |digit |symbol |numbered )?(?:BLOCK|digits|numbers|symbols|numerals|tiles|cards) "
         "?(?:: |with |showing |labell?ed |marked |are |is |and signs |and symbols |and operators "
-        f")*)?(?P<list>{_ITEM}(?:(?: ,| and| with| ;)* {_ITEM})+)",
+        f")*)?(?P<list>{_ITEM}(?:(?: ,| and| with| ;| together with| as well as| along with| plus(?= an? ))* "
+        f"{_ITEM})+)",
     ),
     *patterns(
         "figure", lambda match: _KIND.get(match["kind"].rstrip("s"), "equation"),
@@ -103,7 +107,8 @@ PATTERNS = [
     *patterns(
         "glue", None,
         "for (?:me|us|my|our|the|his|her) (?:class|pupils|kids|children|students|son|daughter|lesson|homework)|"
-        "homework|math|maths|arithmetic|puzzle|can be read|readable|legible|visible|completion|task|them|it|up|out",
+        "homework|math|maths|arithmetic|puzzle|can be read|readable|legible|visible|completion|task|them|it|they|"
+        "so they|up|out",
     ),
 ]  # fmt: skip
 
@@ -135,21 +140,23 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which symbols it is made of, or they do not agree with what is told of it.
     """
-    figure, equation, symbols, order, gaps, color, where = (
-        one(pieces, kind) for kind in ("figure", "equation", "symbols", "order", "gaps", "color", "where")
+    figure, equation, order, gaps, color, where = (
+        one(pieces, kind) for kind in ("figure", "equation", "order", "gaps", "color", "where")
     )
+    lists = [piece.value for piece in pieces if piece.kind == "symbols"]
+    symbols = tuple(symbol for said in lists for symbol in said) if len(set(lists)) == len(lists) else lists[0]
     kind = figure.value if figure else "equation"
     if pieces[0].words in ("is", "are") or (color and where and color.words.startswith("with")):
         raise Unclear  # a question; "with red blocks on the mat", which are not those of the equation
     if equation:
         said = equation.value
-        if said.count("=") != 1 or (symbols and sorted(symbols.value) != sorted(said)):
+        if said.count("=") != 1 or (symbols and sorted(symbols) != sorted(said)):
             raise Unclear
         if kind in _OF and _OF[kind] not in said:
             raise Unclear
         text = f"Make the equation {said}"
     elif symbols and figure:
-        text = f"Make {_made_of(symbols.value, kind)}"
+        text = f"Make {_made_of(symbols, kind)}"
     else:
         raise Unclear
     text += f" from {color.value} blocks" if color and equation else ""

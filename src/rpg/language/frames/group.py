@@ -19,6 +19,7 @@ from rpg.language.frames.several import (
     settled,
 )
 from rpg.language.frames.words_of_groups import GS, KINDS, ORD, PATTERNS, G
+from rpg.language.lexicon import COLORS
 
 __all__ = ["PATTERNS", "told"]
 
@@ -67,6 +68,12 @@ def told(pieces: Sequence[Piece]) -> str:
     figures = {piece.value for piece in pieces if piece.kind == "figure" and piece.value is not None}
     bases = {piece.value for piece in pieces if piece.kind == "basis"}
     _without_nouns(found, bases)
+    for piece in pieces:
+        if piece.kind == "basis" and piece.value == "color":  # "red with red and blue with blue, three of each"
+            each = one(pieces, "each")
+            for look in dict.fromkeys(word.rstrip("s") for word in piece.words.split()):
+                if look in COLORS and look not in found.lots:
+                    found.lots[look] = Lot(look, each.value if each else None)
     classes = [look for look in found.lots if look[:1] == "<"]
     for look in classes:
         bases.add(KINDS.get(look.strip("<>"), "")) if look != "<rest>" else None
@@ -83,7 +90,7 @@ def told(pieces: Sequence[Piece]) -> str:
         text = _by_basis(pieces, found, basis, count)
     else:
         text = _without_basis(pieces, found, count)
-    text += f" The groups are {apart.value}." if apart else ""
+    text += f" {apart.value}" if apart else ""
     text += f" All blocks are {where.value}." if where else ""
     return text + (f" {START}" if any(piece.kind == "start" for piece in pieces) else "")
 
@@ -198,7 +205,9 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
     Raises:
         Unclear: there are not so many groups, or they are not those of the property.
     """
-    places, size = settled(found, _belongs), one(pieces, "size")
+    places, size, total = settled(found, _belongs), one(pieces, "size"), one(pieces, "total")
+    if len(places) == 1 and total and not found.lots:
+        places = [(places[0][0], counted(places[0][1], total.value))]
     slots = [slot for slot, _ in places]
     told_twice = any(slot in _UNIQUE and slots.count(slot) > 1 for slot in slots)
     if len(places) != (count or len(places)) or told_twice or "other" in slots[:-1] or slots == ["other"]:

@@ -49,15 +49,21 @@ _CLASSES = {
 """Names of classes of words, in patterns."""
 
 
-_PLAIN = re.compile(r"[\w |,':]*")
+_PLAIN = re.compile(
+    r"(?<=\(\?:)[\w ,']+(?:\|[\w ,']+)+(?=\))|(?<=>)[\w ,']+(?:\|[\w ,']+)+(?=\))|^[\w ,']+(?:\|[\w ,']+)+$"
+)
+
+
+def _longest_first(match: re.Match[str]) -> str:
+    """Alternatives so that "lay out" is tried before "lay", which is the same up to there."""
+    return "|".join(sorted(match[0].split("|"), key=len, reverse=True))
 
 
 def patterns(kind: str, value: Any, *texts: str) -> list[Pattern]:
     """Patterns of one kind: regular expressions over words with a space behind each, and names of classes."""
     found = []
     for text in texts:
-        if _PLAIN.fullmatch(text):  # the first that fits is taken: "lay out" before "lay"
-            text = "|".join(sorted(text.split("|"), key=len, reverse=True))
+        text = _PLAIN.sub(_longest_first, text)
         for name, words in _CLASSES.items():
             text = re.sub(rf"\b{name}\b", f"(?:{words})".replace("\\", r"\\"), text)
         found.append(Pattern(kind, re.compile(f"(?:{text}) "), value))

@@ -69,11 +69,12 @@ LOTS: list[Pattern] = [
         "(?:of |from |with |using )?(?:the |all |exactly |all the |these |those )?(?P<count>NUM) (?:identical |"
         "plain )?BLOCK(?: in total| in all| altogether| overall)?",
         "(?P<count>NUM) (?:in total|in all|altogether|overall)",
+        "there (?:are|is) (?P<count>NUM) of them(?: in total| in all)?",
     ),
     *patterns(
         "each", lambda match: number(match["count"]),
         "(?:(?:exactly|there are|with|always) )?(?P<count>NUM) (?:BLOCK )?(?:each(?: of| in)?|apiece|(?:of|in|per|"
-        "for) (?:each|every) color|of (?:each|every)(?: one)?|of each kind)",
+        "for) (?:each|every) color|of (?:each|every|both)(?: one| kind| color)?)",
         "(?:exactly )?(?P<count>NUM) (?:BLOCK )?each",
     ),
     *GLYPHS,
@@ -96,13 +97,28 @@ STARTS: list[Pattern] = patterns(
     f"BLOCK|everything) )*(?:are|lie|is) {_HEAP}",
 )  # fmt: skip
 """Kind "start": what is said of the blocks before they are moved."""
+OF = (
+    "(?:of|in|with|from|for|is for|has|have|having|contains|contain|containing|comprises|comprise|comprising|holds|"
+    "hold|holding|includes|include|including|takes|gets|uses|using|BE|shall|should|must|has to|ought to|to|be|"
+    "consists of|consist of|consisting of|composed of|made of|made out of|made from|made up of|made only of|made|"
+    "built|built of|built from|formed by|formed of|formed from|all|entirely|only|purely|completely)"
+)
+"""What stands between a group or a tower and its blocks."""
+ALSO: list[Pattern] = patterns(
+    "glue",
+    None,
+    "ought to|is to|supposed to|desired|wanted|required|needed|expected|result|results|resulting|emerge|erected|raised|"
+    "erect|raise|take|become|becomes|turn into|turned into|end up|ends up|them|these|those|they|that have|hold|holds|"
+    "comprise|exist|available|given",
+)
+"""More words that say nothing beside what several things are made of."""
 STOPS: list[Pattern] = [
     *patterns(
         "stop", None, "[.;!?:]",
         "(?:by |when )?(?:using|use|there (?:are|is)|we have|i have|you have|given)(?: got)?",
     ),
     *patterns("from", None, "from|out of|apart from|away from|separate from|separated from"),
-    *patterns("break", None, ",", "and|with|while|where|but|whereas|plus|n"),
+    *patterns("break", None, "[,()&]", "and|with|while|where|but|whereas|plus|n"),
 ]  # fmt: skip
 """Behind a stop the blocks of one thing are not those of the thing before."""
 
@@ -171,24 +187,41 @@ def _stretches(pieces: Sequence[Piece]) -> tuple[list[Piece], list[tuple[str, li
             part.append(piece)
         if piece.kind not in ("stop", "from") or (piece.words == ":" and pieces[n - 1].kind == "slot"):
             continue
-        kinds = [p.kind == "slot" for p in part]
-        if not any(kinds):
-            free += part
-        elif kinds[0] == kinds[-1]:
-            raise Unclear
+        if any(p.kind == "slot" for p in part):
+            _place(part, free, placed)
         else:
-            runs = [list(run) for _, run in groupby(part, lambda p: p.kind == "slot")]
-            for n in range(0, len(runs), 2):
-                slots, blocks = (runs[n], runs[n + 1]) if kinds[0] else (runs[n + 1], runs[n])
-                if len(slots) > 1:
-                    raise Unclear
-                if not kinds[0] and not placed:
-                    again = [k for k, p in enumerate(blocks) if any(_same(p, q) for q in blocks[:k])]
-                    free += blocks[: again[0]] if again else []
-                    blocks = blocks[again[0] :] if again else blocks
-                placed.append((slots[0].value, blocks))
+            free += part
         part = []
     return free, placed
+
+
+_BARE = frozenset({"group", "pile", "cluster", "bunch", "heap", "tower", "stack", "pillar"})
+"""Names of things that are told with no article."""
+
+
+def _place(part: list[Piece], free: list[Piece], placed: list[tuple[str, list[Piece]]]) -> None:
+    """Put what is told between two stops to the places, or to what has none.
+
+    Raises:
+        Unclear: a place without blocks, or blocks without a place.
+    """
+    kinds = [piece.kind == "slot" for piece in part]
+    if kinds[0] == kinds[-1]:
+        last = max(n for n, is_slot in enumerate(kinds) if is_slot) + 1
+        if kinds[0] or not all(any(_same(p, q) for q in part[:last]) for p in part[last:]):
+            raise Unclear
+        free += part[last:]  # "pink here, gray there, 3 pink and 3 gray"
+        part = part[:last]
+    runs = [list(run) for _, run in groupby(part, lambda piece: piece.kind == "slot")]
+    for n in range(0, len(runs), 2):
+        slots, blocks = (runs[n], runs[n + 1]) if kinds[0] else (runs[n + 1], runs[n])
+        if len(slots) > 1:
+            raise Unclear
+        if not kinds[0] and not placed:
+            again = [k for k, p in enumerate(blocks) if any(_same(p, q) for q in blocks[:k])]
+            free += blocks[: again[0]] if again else []
+            blocks = blocks[again[0] :] if again else blocks
+        placed.append(("one" if slots[0].value in _BARE else slots[0].value, blocks))
 
 
 def _same(one: Piece, other: Piece) -> bool:

@@ -23,9 +23,13 @@ _ALL = (
     f"(?:(?:all|every|each|the|its|both|everything|all of)(?: of)?(?: the| its)? )*(?:the )?{_LETTER}(?: of the "
     "word)?|it all|everything|all of it|the (?:whole )?word"
 )
-_IS = "(?:(?:being|in|with|colored|painted|printed|shown|made|of|written|have|has|a|an|body|BE|as|must be|must) )*"
+_IS = (
+    "(?:(?:both|all|being|in|with|colored|painted|printed|shown|made|of|written|have|has|a|an|body|BE|as|must be|"
+    "must) )*"
+)
 
 PATTERNS = [
+    *patterns("glue", None, "'(?:ME|US)'(?= '[A-Z]+')"),
     *patterns(
         "word", lambda match: match["word"],
         "(?:the )?(?:(?:english |short |little |single )*(?:word|name|text|sign|message|letters) )?(?:: "
@@ -111,7 +115,13 @@ PATTERNS = [
     *WHERE,
     *BREAKS,
     *GLUE,
-    *patterns("glue", None, "so that|such that|so|it|they|them|these|appear|appears|runs?|made|shall"),
+    *patterns(
+        "glue", None,
+        "so that|such that|so|it|they|them|these|making|for making|forming|to make|standing|lying|appear|appears|"
+        "runs?|made|shall",
+    ),
+    *patterns("tint", lambda match: ("all", match["color"]),
+        f"(?:the )?color of (?:every|each|all|all the|the|its|all its) {_LETTER} BE (?P<color>COLOR)"),
     *patterns(
         "spell", None, "letter|letters|letter BLOCK|BLOCK with letters|word|name|text|tiles|lettered BLOCK",
         "spell|spells|spelled|spelt|spelling|write|writes|written|writing|read|reads|reading|say|says|saying|"

@@ -23,8 +23,9 @@ from rpg.language.frames.words_of_towers import ORD, PATTERNS, TS, T
 
 __all__ = ["PATTERNS", "told"]
 
+_SINGLE = re.compile("(?:single|one) color")
 _STACKED = re.compile("(?:is|are) stack(?:ed)?\\b")
-_UNIQUE = frozenset({*ORD.split("|"), "other"})
+_UNIQUE = frozenset({*ORD.split("|"), "other", *"12345"})
 _NAMED = re.compile(rf"\b(?:{T}|{TS})\b")
 _WAYS = (["left", "right"], ["left", "middle", "right"])
 
@@ -36,7 +37,7 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told what they are made of, or how high they are.
     """
     check_clauses(pieces)
-    named = [piece for piece in pieces if piece.kind in ("figure", "slot", "basis")]
+    named = [piece for piece in pieces if piece.kind in ("figure", "figures", "slot", "basis", "whole")]
     if pieces[0].words in ("is", "are", "there are", "there is") or not any(
         _NAMED.search(piece.words) for piece in named
     ):
@@ -83,19 +84,25 @@ def told(pieces: Sequence[Piece]) -> str:
 def _apart(pieces: Sequence[Piece]) -> list[Piece]:
     """A tower that is told with its colour and its height at once, as a tower and its blocks."""
     found: list[Piece] = []
+    alone = [p.kind for p in pieces].count("slot") == 1 and "basis" in [p.kind for p in pieces]
     layered = {"place", "over", "under"} & {piece.kind for piece in pieces}
     for piece in pieces:
         if piece.kind == "each" and piece.value and layered:
             found.append(replace(piece, kind="size"))  # "two blocks each, both red below and white above"
+        elif piece.kind == "figures":
+            count, size = piece.value
+            found += [replace(piece, kind="figure", value=count), replace(piece, kind="size", value=size)]
+        elif piece.kind == "slot" and alone:
+            found.append(replace(piece, kind="figure", value=None))  # "for each color build a stack of ..."
         elif piece.kind == "whole":
             color, size = piece.value
             named = {"color": color, "count": str(size), "noun": "blocks"}
             slot = "other" if piece.words.startswith("the other") else "one"
             found += [Piece("slot", "one tower", slot), Piece("lot", piece.words, None, named)]
-        elif piece.kind == "slot" and piece.value in ("tower", "stack", "pillar"):
-            found.append(Piece("slot", piece.words, "one"))
         else:
             found.append(piece)
+            if piece.kind == "figure" and _SINGLE.search(piece.words):
+                found.append(Piece("basis", "single color", "single"))
     return found
 
 
@@ -111,7 +118,7 @@ def _heights(pieces: Sequence[Piece]) -> tuple[list[Piece], list[int]]:
             piece.kind == "slot"
             and behind
             and behind.kind in ("size", "total")
-            and piece.value in ("one", "a", "other", "another")
+            and piece.value in ("one", "a", "other", "another", "tower", "stack")
         ):
             heights.append(behind.value)
             left.remove(piece)

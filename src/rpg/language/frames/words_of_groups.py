@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
 from rpg.language.frames.pieces import number, patterns
-from rpg.language.frames.several import LOTS, STARTS, STOPS
+from rpg.language.frames.several import ALSO, LOTS, OF, STARTS, STOPS
 from rpg.language.frames.shared import GLUE, WHERE
 
 G = "(?:group|pile|cluster|bunch|heap|clump|bundle|lot|set|gathering|collection)"
@@ -12,15 +14,12 @@ _ADJ = (
     "(?:(?:own|separate|single|little|small|neat|different|big|tidy|distinct|common|proper|clear|equal|identical|"
     "equally large|equally big|equal sized|same sized|close|tight|compact) )"
 )
-ORD = "first|second|third|fourth|fifth|last|left|right|middle|center"
+ORD = "1st|2nd|3rd|4th|first|second|third|fourth|fifth|last|left|right|middle|center"
 _IN = (
     "(?:(?:BE )?(?:all )?(?:together )?(?:put |gathered |sorted )?(?:in|into|on|onto|to|forms?|makes?|get|gets|as|"
     "inside) )?"
 )
-_OF = (
-    "(?: (?:of|with|has|have|contains|containing|holds|holding|for|is for|BE|gets|consists of|consisting of|made "
-    "of|made from|takes|includes|only))*(?: :)?"
-)
+_OF = f"(?: {OF})*(?: :)?"
 _EACH = f"(?:each|every|either|both|any)(?: of the(?: NUM)?)?(?: {G}s?| {GS}| one)?(?: of them)?"
 _ODD = (
     "(?:stranger|outlier|odd one out|intruder|misfit|foreigner|odd one|wrong one|wrong BLOCK|foreign BLOCK|stray|"
@@ -36,14 +35,22 @@ KINDS = {
 """What blocks are sorted by where one of its classes is told."""
 _DET = "(?:(?:the|these|those|my|our|all|all the|all of the|following|given) )*"
 _DOES = (
-    "(?:(?:BE|shall|should|must|will|has to|have to|has|have|gets?|forms?|makes?|make up|makes up|becomes?|goes|go|"
-    "constitutes?|builds?|ends? up|lies|stays?|stay|remains?|kept|put|placed|gathered|collected|sorted|grouped|"
-    "into|to|in|on|as|up|its|together) )*"
+    "(?:(?:BE|shall|should|ought to|must|will|has to|have to|has|have|gets?|forms?|makes?|make up|makes up|"
+    "becomes?|goes|go|constitutes?|builds?|ends? up|lies|stays?|stay|remains?|kept|put|placed|gathered|collected|"
+    "sorted|grouped|into|to|in|on|as|up|its|together) )*"
 )
 _C = "(?: numbers| digits| ones| cubes?| blocks?| letters| numerals| number BLOCK| digit BLOCK)?"
 _SAME = (
     "(?:only |just |exactly )?(?:of |the |a )*(?:one|single|same|only one|just one|its own|one single|one and the same)"
 )
+
+
+def _apart(match: re.Match[str]) -> str:
+    """How far groups are from each other: a gap is between faces, a distance between the middles."""
+    length = f"at least {match['length']} {match['unit']}"
+    gap = (match["noun"] or "distance").strip() != "distance"
+    return f"The gap between the groups is {length}." if gap else f"The groups are {length} apart."
+
 
 PATTERNS = [
     *patterns(
@@ -55,6 +62,7 @@ PATTERNS = [
     *WHERE,
     *STARTS,
     *STOPS,
+    *ALSO,
     *GLUE,
     *patterns("figure", lambda match: number(match["count"]) if match["count"] else None,
         rf"(?:(?:in|into|to|as|of) )?(?:the )?(?:exactly )?(?:(?P<count>NUM) )?{_ADJ}*{GS}"),
@@ -65,14 +73,14 @@ PATTERNS = [
     ),
     *patterns(
         "parted", None,
-        "divide|divided|split|split up|separate|separated|separating|distribute|distributed|keep|kept|"
-        "keep apart|part",
+        "break|break up|broken up|divide|divided|split|split up|separate|separated|separating|distribute|"
+        "distributed|keep|kept|keep apart|part",
     ),
     *patterns("sorted", None, "sort|sorted|sorting|sort out|sorted out|classify|classified|organize|organized"),
     *patterns(
         "glue", None,
         "like (?:goes |BE )?with like|(?:well |far )?away from (?:them|the others|each other|it|one another)",
-        "become|becomes|turn into|end up|ends up|them|these|those|they|also|lie|belong|belongs|belonging|only|both",
+        "lie|belong|belongs|belonging",
     ),
     *patterns(
         "glue", None,
@@ -110,8 +118,8 @@ PATTERNS = [
         f"with |consists |consist |only |of |blocks of |cubes of |pieces of |made of |for )*{_SAME} color(?: only| "
         "alone)?", f"(?:{GS} |{G} )?(?:of|with|in) {_SAME} color(?: each| only)?",
         "(?:same|equal|like) colors? (?:BE )?(?:with |to |and )?(?:(?:same|equal|like) colors?)?(?: ?together)?",
-        "(?P<color>COLOR)s? (?:BLOCK )?(?:BE )?with (?P=color)s?(?: BLOCK)?(?: ,)?(?: and)?(?: (?P<other>COLOR)s? "
-        "(?:BLOCK )?with (?P=other)s?(?: BLOCK)?)*",
+        "(?:the )?(?P<color>COLOR)s? (?:BLOCK )?(?:BE )?with (?:the )?(?P=color)s?(?: BLOCK)?(?: ,)?(?: and)?(?: "
+        "(?:the )?(?P<other>COLOR)s? (?:BLOCK )?(?:BE )?with (?:the )?(?P=other)s?(?: BLOCK)?)*",
         "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors|color mixing)",
         "(?:do not|never) mix (?:the )?colors",
         "colors (?:do not mix|must not mix|BE not mixed|stay apart|BE separate|BE separated)",
@@ -138,6 +146,22 @@ PATTERNS = [
         "basis", "letters and digits",
         "(?:by|into|in|according to) (?:letters and (?:digits|numbers)|(?:digits|numbers) and letters)",
     ),
+    *patterns(
+        "basis", "odd and even",
+        f"(?:in |into |as )?(?:an? |one |the |its |their )*(?:odd {_ADJ}*{G}(?: ,)?(?: and)?(?: an?| one| the)* "
+        f"even|even {_ADJ}*{G}(?: ,)?(?: and)?(?: an?| one| the)* odd) {_ADJ}*{G}",
+    ),
+    *patterns(
+        "basis", "vowels and consonants",
+        f"(?:in |into |as )?(?:an? |one |the |its |their )*(?:vowels? {_ADJ}*{G}(?: ,)?(?: and)?(?: an?| one| "
+        f"the)* consonants?|consonants? {_ADJ}*{G}(?: ,)?(?: and)?(?: an?| one| the)* vowels?) {_ADJ}*{G}",
+    ),
+    *patterns(
+        "basis", "letters and digits",
+        f"(?:in |into |as )?(?:an? |one |the |its |their )*(?:letters? {_ADJ}*{G}(?: ,)?(?: and)?(?: an?| one| "
+        f"the)* (?:digit|number)s?|(?:digit|number)s? {_ADJ}*{G}(?: ,)?(?: and)?(?: an?| one| the)* letters?) "
+        f"{_ADJ}*{G}",
+    ),
     *patterns("basis", "size", "(?:by|according to|per) (?:their |its |the )*size"),
     *patterns(
         "basis", "label",
@@ -157,11 +181,11 @@ PATTERNS = [
     ),
     *patterns(
         "slot", lambda match: match["slot"],
-        f"{_IN}(?:the |a |an |its |their )*(?P<slot>one|a|other|another|{ORD})(?: (?:hand|side))? "
-        f"{_ADJ}*{G}{_OF}", f"{_IN}(?:the )?(?P<slot>other|another|{ORD})(?: one| hand side)?{_OF}",
-        f"in (?P<slot>one)(?: of them)?{_OF}",
-        "(?P<slot>one)(?: of them)? (?:of|with|has|contains|containing|holds|holding|for|consists of|consisting "
-        "of|made of|BE|gets|:)(?: (?:of|for))?", f"{_IN}(?P<slot>a) {_ADJ}*{G}{_OF}",
+        f"{_IN}(?:the |a |an |its |their )*(?P<slot>one|a|other|another|{ORD})(?: (?:hand|side))? {_ADJ}*{G}{_OF}",
+        f"{_IN}(?:the )?(?P<slot>other|another|{ORD})(?: one| hand side)?{_OF}",
+        f"in (?P<slot>one)(?: of them)?{_OF}", "(?P<slot>group|pile|cluster|bunch|heap) (?:of|:)",
+        f"(?:the )?(?P<slot>one|other|first|second) of which{_OF}",
+        f"(?P<slot>one)(?: of them)? (?:{OF}|:)(?: {OF})*", f"{_IN}(?P<slot>a) {_ADJ}*{G}{_OF}",
     ),
     *patterns(
         "slot", lambda match: match["slot"],
@@ -183,14 +207,20 @@ PATTERNS = [
     *patterns(
         "mixed", lambda match: (match["color"], number(match["count"]), match["other"]),
         "(?:with |has |have |there is |and )*(?:exactly |just |a |an )*(?P<count>NUM) (?P<color>COLOR) "
-        "(?:stranger|outlier|intruder|misfit|BLOCK|one|odd one out)(?: BE)? (?:in|into|among|inside) the "
+        "(?:(?:stranger|outlier|intruder|misfit|BLOCK|one|odd one out) )?(?:BE )?(?:in|into|among|inside) the "
         f"(?P<other>COLOR)s? ?(?:ones|BLOCK|{G})?",
     ),
     *patterns(
-        "apart", lambda match: f"at least {match['length']} {match['unit']} apart",
+        "apart", _apart,
         rf"(?:the )?(?:{GS} |NUM )?(?:BE )?(?:at least|no less than|minimum) (?P<length>[\d.]+) (?P<unit>cm|mm|"
-        f"centimeters?|centimetres?)(?: of space)? (?:apart|from each other|between (?:them|the {GS}|the NUM "
+        f"centimeters?|centimetres?)(?P<noun> of space)? (?:apart|from each other|between (?:them|the {GS}|the NUM "
         f"{GS}|each other)|away from each other|distance(?: between them| between the {GS})?)",
+    ),
+    *patterns(
+        "apart", _apart,
+        "(?:with |leave |leaving |keep |keeping )?(?:a |the )?(?P<noun>distance|gap|space|spacing|clearance)s? "
+        r"(?:of |BE )?(?:at least|no less than) (?P<length>[\d.]+) (?P<unit>cm|mm) between (?:the |each |NUM "
+        f")*(?:{GS}|{G}|them)",
     ),
     *patterns(
         "glue", None,

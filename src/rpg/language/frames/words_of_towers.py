@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from rpg.language.frames.pieces import number, patterns
-from rpg.language.frames.several import LOTS, STARTS, STOPS
+from rpg.language.frames.several import ALSO, LOTS, OF, STARTS, STOPS
 from rpg.language.frames.shared import GLUE, WHERE
 
 _SIDES = {
@@ -21,15 +21,11 @@ T = "(?:tower|stack|pillar)"
 TS = "(?:towers|stacks|pillars)"
 _ADJ = (
     "(?:(?:little|small|neat|separate|identical|equal|single|own|different|similar|individual|short|matching|twin|"
-    "distinct) )"
+    "single color|one color|distinct) )"
 )
 ORD = "first|second|third|fourth|fifth|last|left|right|middle|center|leftmost|rightmost"
 _IN = "(?:(?:in|into|as|to|on|forms?|makes?) )?"
-_OF = (
-    "(?: (?:of|with|has|have|contains|containing|for|is for|BE|from|gets|consists of|consisting of|made of|made "
-    "out of|made from|made up of|must|should|has to|to|shall|be|built|built from|uses|using|all|entirely|only|"
-    "completely))*(?: :)?"
-)
+_OF = f"(?: {OF})*(?: :)?"
 _EACH = f"(?:each|every|either|both|all)(?: one)?(?: of (?:them|these|the (?:NUM )?(?:{TS})))?(?: {TS}| {T})?(?! other)"
 _HAS = (
     "(?:(?:of|with|has|have|contains|contain|consists of|consist of|consisting of|containing|made of|made from|"
@@ -38,6 +34,17 @@ _HAS = (
 _HIGH = "(?:high|tall|in height)"
 
 PATTERNS = [
+    *patterns(
+        "whole", lambda match: (match["color"], int(match["size"])),
+        f"(?:a|an|one|another|the other)(?: {T})? (?P<color>COLOR)(?: {T}| one)?(?: ,)? (?:of |which |that |BE |"
+        f"with |has |height |having )*(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
+        f"(?P<color>COLOR) (?:{T}|one) (?:of |which |that |BE |with |has |height |having |: )*(?P<size>[2-9])(?: "
+        f"BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
+        f"(?:a|an|one|another|the other) (?P<color>COLOR)(?: {T}| one)? \\( (?P<size>[2-9])(?: BLOCK)?(?: "
+        f"{_HIGH})? \\)", f"(?:a|one|another|the other) (?P<size>[2-9]) (?:BLOCK )?(?:{_HIGH} )?(?P<color>COLOR) {T}",
+        f"(?:a|an|one|another|the other)(?: {T})? (?P<size>[2-9])(?: BLOCK)? {_HIGH}(?: {T})?(?: ,)? (?:BE |in |of "
+        "|from |all |only |made of |made from )*(?P<color>COLOR)(?: BLOCK)?",
+    ),
     *patterns(
         "line", None,
         "(?:BE )?(?:lined up |standing |arranged )?(?:in|into|along|forming) (?:a|one) (?:straight |single "
@@ -62,14 +69,18 @@ PATTERNS = [
     *WHERE,
     *STARTS,
     *STOPS,
+    *ALSO,
     *GLUE,
     *patterns(
         "figure", lambda match: _PAIR.get(match["count"]) or number(match["count"]) if match["count"] else None,
         "(?:(?:in|into|to|as|of) )?(?:the |exactly |a set of |a group of )*(?:(?P<count>NUM|both|pair of) "
         f")?{_ADJ}*{TS}",
     ),
+    *patterns("figures", lambda match: (number(match["count"]), int(match["size"])),
+        f"(?:in |into |as |of )?(?:the )?(?P<count>NUM) {_ADJ}*(?P<size>[2-9]) BLOCK (?:{_HIGH} )?{TS}"),
     *patterns(
         "size", lambda match: number(match["size"]),
+        r"(?P<size>[2-9])(?= (?:[,.;]|$))",
         f"(?:BE )?(?:of |each of |with )?(?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?: (?:{_HIGH}|each|apiece|in "
         f"each|per {T}))+", r"of (?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?! (?:COLOR|SIZE)\b)",
         rf"(?:(?:with|where) )?{_EACH} {_HAS}(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x)\b)",
@@ -90,7 +101,8 @@ PATTERNS = [
         "(?:height|size|high|tall|number of BLOCK))?|equally(?: high| tall)?|alike",
     ),
     *patterns(
-        "basis", "color", "(?:by|per|for each|for every|according to) (?:their |its |the |own )*color", "color wise",
+        "basis", "color", "(?:by|per|for each|for every|according to) (?:their |its |the |own )*color",
+        "(?:for|of|in) (?:each|every one) of the (?:NUM )?colors?", "color wise",
         f"(?:one|a|an|its own|own) {_ADJ}*{T} (?:per|for each|for every|of each|of every|for|in each) (?:one "
         ")?(?:of the )?colors?", "one (?:per|for each|for every|of each|of every|for|in each) color",
         "(?:each|every one|all)(?: one)? (?:in |of |with |has |having )?(?:a |its )?(?:color of its own|own color|"
@@ -136,22 +148,15 @@ PATTERNS = [
         f"{_IN}(?:the |a |an |its )*(?P<slot>one|a|other|another|{ORD})(?: (?:hand|side))? {_ADJ}*{T}{_OF}",
         f"{_IN}(?:the )?(?P<slot>other|another|{ORD})(?! BLOCK)(?: one| hand one)?{_OF}",
         "in (?P<slot>one)(?: of them)?(?: of)?", f"(?P<slot>{T}) (?:of|with|from|made of|made from|:)",
-        "(?P<slot>one)(?: of them)? (?:of|in|with|has|contains|containing|is|from|consists of|consisting of|made "
-        "of|made from|shall|should|must|gets|:)(?: (?:of|for|be|all|entirely|only|purely|made|built|from|in))*",
+f"(?P<slot>one)(?: of them)? (?:{OF}|:)(?: {OF})*", f"(?:the )?(?P<slot>one|other|first|second) of which{_OF}",
+        f"{T} (?P<slot>[1-5])(?: {OF}| =| :)+",
         f"(?P<slot>a) {_ADJ}*{T}{_OF}",
     ),
     *patterns(
-        "whole", lambda match: (match["color"], int(match["size"])),
-        f"(?:a|an|one|another|the other)(?: {T})? (?P<color>COLOR)(?: {T}| one)?(?: ,)? (?:of |which |that |BE |"
-        f"with |has |height |having )*(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
-        f"(?:a|one|another|the other) (?P<size>[2-9]) (?:BLOCK )?(?:{_HIGH} )?(?P<color>COLOR) {T}",
-        f"(?:a|an|one|another|the other)(?: {T})? (?P<size>[2-9])(?: BLOCK)? {_HIGH}(?: {T})?(?: ,)? (?:BE |in |of "
-        "|from |all |only |made of |made from )*(?P<color>COLOR)(?: BLOCK)?",
-    ),
-    *patterns(
         "near", "next to it",
-        "(?:BE |standing |right |directly |immediately |placed )*(?:next to|beside|alongside|near) (?:it|that|this|"
-        "that one|the first|the first one|the other)",
+        "(?:BE |standing |right |directly |immediately |placed )*(?:next to|beside|alongside|near)(?= an? )|(?:BE |"
+        "standing |right |directly |immediately |placed )*(?:next to|beside|alongside|near) (?:it|that|this|that "
+        "one|the first|the first one|the other)",
     ),
     *patterns(
         "near", "next to each other",

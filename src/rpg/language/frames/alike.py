@@ -76,8 +76,10 @@ def together(pieces: Sequence[Piece], found: Gathered, told_of: Told) -> tuple[s
     if lots and lots[0].count:
         per_tower = "each" in kinds or _of_towers(pieces)
         equal = any(piece.kind == "figure" and _EQUAL.search(piece.words) for piece in pieces)
-        if equal and "each" not in kinds and size is None and lots[0].count % count == 0:
+        if equal and per_tower and "each" not in kinds and size is None and lots[0].count % count == 0:
             raise Unclear  # "three equal towers of nine red blocks"
+        if equal and not per_tower and lots[0].count % count == 0:
+            size = size or lots[0].count // count  # "with six red blocks make three equal towers"
         each = lots[0].count if per_tower else lots[0].count // count
         if (size or each) != each or (not per_tower and (size is None or size * count != lots[0].count)):
             raise Unclear

@@ -18,8 +18,10 @@ _SIGNS = {
 }  # fmt: skip
 """Signs as they are told; in a list of symbols, and in an equation in words."""
 _SIGN = "|".join(_SIGNS.values())
+_LISTED = _SIGN.replace("|makes?|is|gives?|are|", "|")
+"""Signs in a list, where "makes" is none."""
 _ITEM = (
-    rf"(?:(?:the |and |and the |a |and a |an |and an |one )*(?:\d(?! plus signs| minus signs)|(?:2 )?(?:{_SIGN}|"
+    rf"(?:(?:the |and |and the |a |and a |an |and an |one )*(?:\d(?! plus signs| minus signs)|(?:2 )?(?:{_LISTED}|"
     "signs?(?: of)? (?:plus|minus|equality))))"
 )
 _KIND = {"addition": "addition", "sum": "addition", "subtraction": "subtraction", "difference": "subtraction",
@@ -108,7 +110,7 @@ PATTERNS = [
         "glue", None,
         "for (?:me|us|my|our|the|his|her) (?:class|pupils|kids|children|students|son|daughter|lesson|homework)|"
         "homework|math|maths|arithmetic|puzzle|can be read|readable|legible|visible|completion|task|them|it|they|"
-        "so they|up|out",
+        "so that they|so they|up|out|number and sign BLOCK|number BLOCK|sign BLOCK|digit BLOCK",
     ),
 ]  # fmt: skip
 

@@ -29,7 +29,7 @@ _COMMAND = re.compile(
     "should|shall|want|need)\\b"
 )
 _EQUAL = re.compile(r"\b(?:equal|equally|identical|same)\b")
-_INTO = re.compile("into\\b")
+_INTO = re.compile(r"into\b|.*\b(?:together|grouped|apart)\b")
 _UNIQUE = frozenset({*ORD.split("|"), "here", "there", "other", "1", "2", "3"})
 
 
@@ -117,7 +117,9 @@ def _put_together(pieces: Sequence[Piece]) -> list[Piece]:
     """ "The reds together, the blues together" tells of groups; "together" by itself says nothing."""
     found = [piece for piece in pieces if piece.value == "together" and piece.kind == "slot"]
     as_one = [replace(piece, kind="slot" if len(found) > 1 else "glue", value="one") for piece in found]
-    return [as_one.pop(0) if piece in found else piece for piece in pieces]
+    sides = {piece.value for piece in pieces if piece.kind == "slot"}
+    plain = [as_one.pop(0) if piece in found else piece for piece in pieces]
+    return [replace(p, kind="glue") if p.value == "there" and "here" not in sides else p for p in plain]
 
 
 def _parted(pieces: Sequence[Piece]) -> list[Piece]:
@@ -266,11 +268,9 @@ def _sides(places: Sequence[tuple[str, Sequence[Lot]]]) -> str:
         lot = by_side[side][0]
         if lot.look in elsewhere or (len(by_side[side]) > 1 and len(lot.look) > 1):
             raise Unclear
-        names.append(f"the group of {lot.look}" if len(lot.look) == 1 else f"the {lot.blocks}")
-    return "".join(
-        f" {a.capitalize()} is left of {b}." if "group" in a else f" {a.capitalize()} are left of {b}."
-        for a, b in pairwise(names)
-    )
+        names.append(f"group of the {lot.look}" if len(lot.look) == 1 else lot.blocks)
+    verbs = ["is" if name.startswith("group") else "are" for name in names]
+    return "".join(f" The {a} {verb} left of the {b}." for (a, b), verb in zip(pairwise(names), verbs, strict=False))
 
 
 def _without_basis(pieces: Sequence[Piece], found: Gathered, count: int | None) -> str:

@@ -80,6 +80,10 @@ def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
     return lambda match: {name: number(match[name]) for name in names}
 
 
+_BEHIND_SYMBOL = frozenset(
+    {",", "and", "on", "over", "under", "above", "below", "beside", "goes", "must", "should", "with"}
+)
+"""Before these an A is no article."""
 _SPELLING = frozenset({"say", "says", "spell", "spells", "read", "reads", "write", "word", "name", "saying", "reading"})
 """Behind these, words in capitals are to be spelt, whatever they mean."""
 
@@ -109,6 +113,8 @@ def _code(tokens: Sequence[Token], n: int) -> str:
     if len(token.raw) > 1 and token.raw.isupper() and token.raw.isalpha() and n and tokens[n - 1].word in _SPELLING:
         return f"'{token.raw}'"
     begins = n == 0 or tokens[n - 1].word in (".", "!", "?", ";", ":")
+    behind = tokens[n + 1].word if n + 1 < len(tokens) else ""
+    begins = begins and not (token.raw == "A" and behind in _BEHIND_SYMBOL)
     if len(token.raw) == 1 and token.raw.isupper() and not (begins and token.raw in "AI"):
         return token.raw
     if word != "one" and word in lexicon.NUMBER:

@@ -101,15 +101,16 @@ OF = (
     "(?:of|in|with|from|for|is for|has|have|having|contains|contain|containing|comprises|comprise|comprising|holds|"
     "hold|holding|includes|include|including|takes|gets|uses|using|BE|shall|should|must|has to|ought to|to|be|"
     "consists of|consist of|consisting of|composed of|made of|made out of|made from|made up of|made only of|made|"
-    "built|built of|built from|formed by|formed of|formed from|all|entirely|only|purely|completely)"
+    "built|built of|built from|formed by|formed of|formed from|out of|all|entirely|only|purely|completely)"
 )
 """What stands between a group or a tower and its blocks."""
 ALSO: list[Pattern] = patterns(
     "glue",
     None,
-    "ought to|is to|supposed to|desired|wanted|required|needed|expected|result|results|resulting|emerge|erected|raised|"
-    "erect|raise|take|become|becomes|turn into|turned into|end up|ends up|them|these|those|they|that have|hold|holds|"
-    "comprise|exist|available|given",
+    "ought to|is to|supposed to|desired|wanted|required|needed|expected|result|results|resulting|emerge|erected|"
+    "raised|erect|raise|take|become|becomes|turn into|turned into|end up|ends up|them|these|those|they|that have|"
+    "hold|holds|comprise|available|given|make up|makes up|its|let there be|is what (?:I|i|we) (?:want|need)|what "
+    "(?:I|i|we) (?:want|need) (?:is|are)",
 )
 """More words that say nothing beside what several things are made of."""
 STOPS: list[Pattern] = [
@@ -208,7 +209,9 @@ def _place(part: list[Piece], free: list[Piece], placed: list[tuple[str, list[Pi
     kinds = [piece.kind == "slot" for piece in part]
     if kinds[0] == kinds[-1]:
         last = max(n for n, is_slot in enumerate(kinds) if is_slot) + 1
-        if kinds[0] or not all(any(_same(p, q) for q in part[:last]) for p in part[last:]):
+        behind = part[last:]
+        classes = all(p.kind in ("slot", "class") for p in part[:last]) and all(p.kind == "glyphs" for p in behind)
+        if kinds[0] or not (classes or all(any(_same(p, q) for q in part[:last]) for p in behind)):
             raise Unclear
         free += part[last:]  # "pink here, gray there, 3 pink and 3 gray"
         part = part[:last]

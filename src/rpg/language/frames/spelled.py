@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -32,8 +33,8 @@ PATTERNS = [
     *patterns("glue", None, "'(?:ME|US)'(?= '[A-Z]+')"),
     *patterns(
         "word", lambda match: match["word"],
-        "(?:the )?(?:(?:english |short |little |single )*(?:word|name|text|sign|message|letters) )?(?:: "
-        ")?'(?P<word>[A-Z0-9]{2,})'(?: 's name)?",
+        "(?:the |my |our |a )?(?:(?:english |short |little |single )*(?:word|name|text|sign|message|letters) (?:, "
+        ")?)?(?:: )?'(?P<word>[A-Z0-9]{2,})'(?: 's name)?",
     ),
     *patterns(
         "tower", None,
@@ -101,8 +102,8 @@ PATTERNS = [
         "gaps", "The letters touch each other.",
         "(?:with |so that |and )*(?:all )?(?:of )?(?:the )?(?:neighboring |letters |BLOCK )*(?:BE )?(?:touching|"
         "touch)(?: (?:each other|one another))?",
-        "(?:with|leaving|leave) no (?:gaps?|space)(?: (?:between|in between)(?: (?:them|the letters|the BLOCK|"
-        "letters|BLOCK))?)?",
+        "(?:with |leaving |leave |and )?(?:no|zero) (?:gaps?|spaces?)(?: (?:between|in between)(?: (?:them|the "
+        "letters|the BLOCK|letters|BLOCK))?)?",
         "without (?:any )?(?:gaps?|spaces?)(?: between (?:them|the BLOCK|the letters|letters))?",
     ),
     *patterns(
@@ -120,7 +121,8 @@ PATTERNS = [
         "so that|such that|so|it|they|them|these|making|for making|forming|to make|standing|lying|appear|appears|"
         "runs?|made|shall",
     ),
-    *patterns("tint", lambda match: ("all", match["color"]),
+    *patterns("glue", None, "(?:layout|orientation|arrangement|direction|figure|form|shape|style) :"),
+    *patterns("tint", lambda match: ("all", match["color"]), "(?:the )?color(?: BE| :) (?P<color>COLOR)",
         f"(?:the )?color of (?:every|each|all|all the|the|its|all its) {_LETTER} BE (?P<color>COLOR)"),
     *patterns(
         "spell", None, "letter|letters|letter BLOCK|BLOCK with letters|word|name|text|tiles|lettered BLOCK",
@@ -135,6 +137,9 @@ PATTERNS = [
         "single|vertical|horizontal",
     ),
 ]  # fmt: skip
+_VERB = re.compile("spel|read|say|writ")
+_NOUNS = frozenset({"word", "name", "text", "letters", "letter"})
+_LETTERS_ALONE = re.compile("[A-Z]( ,)?( [A-Z]( ,)?)* [A-Z]")
 _INITIALS = frozenset("ROYGCBPKWV")
 """First letters of colours."""
 _FIRST = frozenset({"top", "highest", "uppermost", "topmost", "left", "leftmost", "first"})
@@ -146,6 +151,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: there is none or several, or something that is told of it does not fit.
     """
+    pieces = _by_letters(pieces)
     word, order, count, gaps, where = (one(pieces, kind) for kind in ("word", "order", "count", "gaps", "where"))
     kinds = {piece.kind for piece in pieces}
     at = [n for n, piece in enumerate(pieces) if piece.kind == "word"]
@@ -191,6 +197,17 @@ def told(pieces: Sequence[Piece]) -> str:
             text += f" The {piece.value[0]} is upside down."
     text += f" {gaps.value}" if gaps else ""
     return text + (f" The word is {where.value}." if where else "")
+
+
+def _by_letters(pieces: Sequence[Piece]) -> list[Piece]:
+    """A word that is told letter by letter: "spell D, O, G"."""
+    listed = [n for n, piece in enumerate(pieces) if piece.kind == "glyphs" and len(piece.value) > 1]
+    spelt = any(_VERB.match(piece.words) for piece in pieces if piece.kind == "spell")
+    named = any(piece.kind == "word" or piece.words in _NOUNS for piece in pieces)
+    if len(listed) != 1 or not spelt or named or not _LETTERS_ALONE.fullmatch(pieces[listed[0]].words):
+        return list(pieces)
+    word = "".join(pieces[listed[0]].value)
+    return [Piece("word", piece.words, word) if n == listed[0] else piece for n, piece in enumerate(pieces)]
 
 
 def _tints(pieces: Sequence[Piece], word: str) -> str:

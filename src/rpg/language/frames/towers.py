@@ -37,11 +37,13 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told what they are made of, or how high they are.
     """
     check_clauses(pieces)
-    named = [piece for piece in pieces if piece.kind in ("figure", "figures", "slot", "basis", "whole")]
+    named = [piece for piece in pieces if piece.kind in ("figure", "figures", "tinted", "slot", "basis", "whole")]
     if pieces[0].words in ("is", "are", "there are", "there is") or not any(
         _NAMED.search(piece.words) for piece in named
     ):
         raise Unclear
+    if any(a.kind == "lot" and lot_of(a).known and b.kind == "line" for a, b in pairwise(pieces)):
+        raise Unclear  # "the yellow ones in a tower and the purple ones lined up"
     if any(_STACKED.search(f"{a.words} {b.words}") for a, b in pairwise(pieces)):
         raise Unclear  # "four cubes are stacked up; ...": so they are at the start
     pieces, heights = _heights(_apart(pieces))
@@ -89,9 +91,15 @@ def _apart(pieces: Sequence[Piece]) -> list[Piece]:
     for piece in pieces:
         if piece.kind == "each" and piece.value and layered:
             found.append(replace(piece, kind="size"))  # "two blocks each, both red below and white above"
+        elif piece.kind == "each" and piece.value == 1 and re.search("(?:for|per) (?:each|every) color", piece.words):
+            found.append(replace(piece, kind="basis", value="color"))  # "three red, three green, one for each color"
         elif piece.kind == "figures":
             count, size = piece.value
             found += [replace(piece, kind="figure", value=count), replace(piece, kind="size", value=size)]
+        elif piece.kind == "tinted":
+            count, color = piece.value
+            lot = Piece("lot", color, None, {"color": color, "noun": "blocks"})
+            found += [replace(piece, kind="figure", value=count), lot]
         elif piece.kind == "slot" and alone:
             found.append(replace(piece, kind="figure", value=None))  # "for each color build a stack of ..."
         elif piece.kind == "whole":
@@ -184,7 +192,7 @@ def _sides(pieces: Sequence[Piece], slots: Sequence[str], names: Sequence[str]) 
 
 def _chains(pieces: Sequence[Piece]) -> list[tuple[str, list[str]]]:
     """Towers that are told block by block, from the top to the bottom, with the place of each: "red on blue"."""
-    said = [piece for piece in pieces if piece.kind in ("lot", "glyphs", "over", "under", "slot", "place")]
+    said = _symbols_apart([p for p in pieces if p.kind in ("lot", "glyphs", "over", "under", "slot", "place")])
     joined = [piece.kind for piece in said if piece.kind in ("over", "under", "place")]
     if not joined or len(set(joined)) > 1 or any(piece.kind in ("each", "basis", "even") for piece in pieces):
         return []
@@ -211,6 +219,18 @@ def _chains(pieces: Sequence[Piece]) -> list[tuple[str, list[str]]]:
     if any(looks.count(look) > 1 and not (alike and [at for at, _ in levels].count(look) == 1) for look in bare):
         raise Unclear  # "red on blue and green on red": is it the same one?
     return list(zip(slots or ["one"] * len(chains), chains, strict=True))
+
+
+def _symbols_apart(said: Sequence[Piece]) -> list[Piece]:
+    """ "A over B, C over D": the list B, C ends one tower and begins another."""
+    found: list[Piece] = []
+    for n, piece in enumerate(said):
+        between = 0 < n < len(said) - 1 and {said[n - 1].kind, said[n + 1].kind} <= {"over", "under"}
+        if piece.kind == "glyphs" and len(piece.value) == 2 and between:
+            found += [replace(piece, value=(glyph,)) for glyph in piece.value]
+        else:
+            found.append(piece)
+    return found
 
 
 def _same(one: Piece, other: Piece) -> bool:

@@ -16,8 +16,8 @@ _ADJ = (
 )
 ORD = "1st|2nd|3rd|4th|first|second|third|fourth|fifth|last|left|right|middle|center"
 _IN = (
-    "(?:(?:BE )?(?:all )?(?:together )?(?:put |gathered |sorted )?(?:in|into|on|onto|to|forms?|makes?|get|gets|as|"
-    "inside) )?"
+    "(?:BE )?(?:belongs? )?(?:all )?(?:together )?(?:put |gathered |sorted )?(?:(?:in|into|on|onto|to|forms?|"
+    "makes?|get|gets|as|inside) )?"
 )
 _OF = f"(?: {OF})*(?: :)?"
 _EACH = f"(?:each|every|either|both|any)(?: of the(?: NUM)?)?(?: {G}s?| {GS}| one)?(?: of them)?"
@@ -90,7 +90,8 @@ PATTERNS = [
     *patterns("odd", None, "stranger|outlier|intruder|misfit|odd one out"),
     *patterns(
         "size", lambda match: number(match["size"]),
-        r"of (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?: each)?(?! (?:COLOR|SIZE|each)\b)",
+        f"(?:with |exactly )*(?P<size>NUM) (?:BLOCK )?(?:in|to|per|for|inside) (?:each|every|both)(?: one| {G}| of "
+        "them)?", r"of (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?: each)?(?! (?:COLOR|SIZE|each)\b)",
         f"{_EACH} (?:of|with|has|have|contains?|consists? of) (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?! (?:COLOR|"
         r"SIZE)\b)",
     ),
@@ -112,6 +113,11 @@ PATTERNS = [
         "each other)?",
         "(?:BLOCK |ones |those )?of (?:the |a )?same color (?:BE |should |must |go |belong |stay |kept |lie |"
         f"stand |in |into |close |all )*(?:together|next to each other|the same {G}|one {G}|a {G})",
+        "(?:BLOCK |ones |those )?(?:that |which |who )?(?:have |has |of |with |in |share )?(?:the |a )?same color "
+        "(?:BE |should |must |go |belong |stay |kept |lie |stand |in |into |close |all )*(?:together(?: in (?:a|"
+        f"one) {G})?|next to each other|(?:in )?the same {G}|one {G}|a {G})",
+        "(?:same|equal|like) color(?:ed)? (?:BLOCK |ones )?(?:together|next to each other)?(?: BLOCK| ones)?",
+        f"(?:as many {GS} as|one {G} for each of the|{GS} for all the) (?:there BE )?colors",
         "different colors (?:BE |should |must |go |stay |kept |lie |in |into |well )*(?:apart|separate|separated|"
         f"different {GS}|separate {GS})(?: from each other)?",
         f"{_EACH} (?:BE |must |should |shall |may |can |has |have |to |contains |contain |show |hold |be |holds |"
@@ -189,8 +195,9 @@ PATTERNS = [
     ),
     *patterns(
         "slot", lambda match: match["slot"],
-        "(?:BE )?(?:(?:on|at|to|in) )?(?:the |my )?(?P<slot>left|right)(?: (?:hand )?side| half| end| hand)?(?: "
-        "of the TABLE)?(?: :)?", "(?:BE |over )?(?P<slot>here|there)(?: :)?",
+        "(?:BE )?(?:(?:on|at|to|in) )?(?:the |my )?(?P<slot>left|right)(?: (?:hand )?side| half| end| hand)?(?: of "
+        "the TABLE)?(?: :)?", "(?:BE |over )?(?P<slot>here|there)(?: :)?",
+        f"(?:BE |put )?(?:in|into|to|as) (?:the )?{G} (?P<slot>[123])",
         f"(?:the )?{G} (?P<slot>[123])(?: :| =| has| contains| BE| with| gets)",
     ),
     *patterns(

@@ -16,7 +16,7 @@ _SIDES = {
     "next": "next to",
     "beside": "next to",
 }
-_PAIR = {"both": 2, "pair of": 2}
+_PAIR = {"both": 2, "pair of": 2, "twin": 2}
 T = "(?:tower|stack|pillar)"
 TS = "(?:towers|stacks|pillars)"
 _ADJ = (
@@ -34,6 +34,8 @@ _HAS = (
 _HIGH = "(?:high|tall|in height)"
 
 PATTERNS = [
+    *patterns("tinted", lambda match: (_PAIR.get(match["count"]) or number(match["count"]), match["color"]),
+        f"(?:in |into |as |of )?(?:the )?(?P<count>NUM|pair of|both|twin) {_ADJ}*(?P<color>COLOR) {TS}"),
     *patterns(
         "whole", lambda match: (match["color"], int(match["size"])),
         f"(?:a|an|one|another|the other)(?: {T})? (?P<color>COLOR)(?: {T}| one)?(?: ,)? (?:of |which |that |BE |"
@@ -73,7 +75,7 @@ PATTERNS = [
     *GLUE,
     *patterns(
         "figure", lambda match: _PAIR.get(match["count"]) or number(match["count"]) if match["count"] else None,
-        "(?:(?:in|into|to|as|of) )?(?:the |exactly |a set of |a group of )*(?:(?P<count>NUM|both|pair of) "
+        "(?:(?:in|into|to|as|of) )?(?:the |exactly |a set of |a group of )*(?:(?P<count>NUM|both|pair of|twin) "
         f")?{_ADJ}*{TS}",
     ),
     *patterns("figures", lambda match: (number(match["count"]), int(match["size"])),
@@ -118,8 +120,9 @@ PATTERNS = [
         f"{_EACH} {_HAS}(?:only |just |in )*(?:of |blocks of |BLOCK of )*(?:a |one |the )?(?:single|one|same|just "
         "one|only one) (?:single )?color(?: only| alone)?", f"{_EACH} BLOCK (?:have|has|BE|of) (?:the )?same color",
         f"(?:each |all )?(?:of|in|with) (?:one|a single|the same|only one) color(?: each| per {T})?",
-        f"(?:single|one|same) color(?= {TS})", "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors)",
-        "(?:do not|never) mix (?:the )?colors",
+        f"(?:single|one|same) color(?= {TS})",
+        "(?:BE )?(?:monochrome|monochromatic|unicolored|single colored|one colored)",
+        "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors)", "(?:do not|never) mix (?:the )?colors",
     ),
     *patterns("basis", "different", f"{TS} (?:have|of|in|with|BE|are of|are in|have all) different colors"),
     *patterns(

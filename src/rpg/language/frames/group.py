@@ -91,6 +91,8 @@ def told(pieces: Sequence[Piece]) -> str:
     else:
         text = _without_basis(pieces, found, count)
     text += f" {apart.value}" if apart else ""
+    relation = one(pieces, "relation")
+    text += f" {_related(relation, found, basis)}" if relation else ""
     text += f" All blocks are {where.value}." if where else ""
     return text + (f" {START}" if any(piece.kind == "start" for piece in pieces) else "")
 
@@ -115,6 +117,7 @@ def _without_nouns(found: Gathered, bases: set[str]) -> None:
 
 def _put_together(pieces: Sequence[Piece]) -> list[Piece]:
     """ "The reds together, the blues together" tells of groups; "together" by itself says nothing."""
+    pieces = [replace(p, value="one") if p.value == "together" and " in " in p.words else p for p in pieces]
     found = [piece for piece in pieces if piece.value == "together" and piece.kind == "slot"]
     as_one = [replace(piece, kind="slot" if len(found) > 1 else "glue", value="one") for piece in found]
     sides = {piece.value for piece in pieces if piece.kind == "slot"}
@@ -234,6 +237,25 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
         return f"Make one group of {said_of(places[0][1])}."
     groups = listed([f"one of {said_of(lots)}" for _, lots in places])
     return f"Make {len(places)} groups, {groups}.{_sides(places)}"
+
+
+def _related(relation: Piece, found: Gathered, basis: str | None) -> str:
+    """Which of two groups is left of the other.
+
+    Raises:
+        Unclear: there are no such groups.
+    """
+    names = {relation.named["one"], relation.named["other"]}
+    groups = {"odd", "even"} if basis == "odd and even" else set(found.lots) if basis == "color" else set()
+    if len(names) < 2 or not names <= groups or found.places:
+        raise Unclear
+    if basis == "color":
+        return str(relation.value)
+    members = {name: [look for look in found.lots if _belongs(f"<{name}>", look)] for name in names}
+    if not all(members.values()):
+        raise Unclear
+    one_of, other_of = (members[relation.named[name]][0] for name in ("one", "other"))
+    return f"The group of the {one_of} is {relation.named['side']} of the group of the {other_of}."
 
 
 def _equal(pieces: Sequence[Piece]) -> bool:

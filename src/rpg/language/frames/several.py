@@ -25,10 +25,10 @@ _EDGE = (
     r"high|tall|of|or)\b)"
 )
 _LIST = (
-    r"(?:[A-Z]|[b-z]|a(?= (?:[,a]|[B-Z] (?!BLOCK)))|\d|one(?= , )|'[A-Z]')(?:(?: ,)?(?: and)?(?: the)? (?:[A-Z]|"
+    r"(?:[A-Z]|[b-z]|a(?= (?:[,a]|[B-Z] (?!BLOCK)))|\d|one(?= ,? ?[2-9])|'[A-Z]')(?:(?: ,)?(?: and)?(?: the)? (?:[A-Z]|"
     rf"(?<=[,d] )a|[b-z]|\d|one|'[A-Z]')(?! [A-Za-z]?BLOCK\b))+{_EDGE}"
 )
-_RANGE = r"(?:from )?(?:[A-Z]|\d) (?:to|through|up to|till|until) (?:[A-Z]|\d)" + _EDGE
+_RANGE = r"(?:from )?(?:[A-Z]|\d|one) (?:to|through|up to|till|until) (?:[A-Z]|\d)" + _EDGE
 _ONE = r"(?:[A-Z]|\d|'[A-Z]')" + _EDGE
 
 
@@ -62,8 +62,8 @@ LOTS: list[Pattern] = [
     *patterns("lot", None,
         r"(?:(?P<det>the|these|those|my|our|your|all|all the|both|both the|a|an|exactly|just|only|every|with) )?"
         r"(?:(?P<count>NUM) )?(?:of the |of )?(?:(?P<size>SIZE) )?(?:plain )?(?P<color>COLOR)(?P<many>s)?"
-        r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one(?! (?:of|pile|group|heap|tower|stack))))?"
-        r"(?: \( (?P<paren>NUM)(?: BLOCK| of them)? \))?"),
+        r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one(?! (?:COLOR|of|pile|group|heap|tower|stack))))?"
+        r"(?: \( (?P<paren>NUM)(?: BLOCK| of them)? \)| , (?P<among>NUM) of them(?: ,)?)?"),
     *patterns(
         "total", lambda match: number(match["count"]),
         "(?:of |from |with |using )?(?:the |all |exactly |all the |these |those )?(?P<count>NUM) (?:identical |"
@@ -109,8 +109,8 @@ ALSO: list[Pattern] = patterns(
     None,
     "ought to|is to|supposed to|desired|wanted|required|needed|expected|result|results|resulting|emerge|erected|"
     "raised|erect|raise|take|become|becomes|turn into|turned into|end up|ends up|them|these|those|they|that have|"
-    "hold|holds|comprise|available|given|make up|makes up|its|let there be|is what (?:I|i|we) (?:want|need)|what "
-    "(?:I|i|we) (?:want|need) (?:is|are)",
+    "hold|holds|comprise|available|given|that is to say|in other words|namely|make up|makes up|its|let there be|is "
+    "what (?:I|i|we) (?:want|need)|what (?:I|i|we) (?:want|need) (?:is|are)",
 )
 """More words that say nothing beside what several things are made of."""
 STOPS: list[Pattern] = [
@@ -153,10 +153,11 @@ def lots_in(piece: Piece) -> list[Lot]:
     """The lots that a piece of the kind "lot" or "glyphs" names; a class of symbols is one: "<vowels>"."""
     if piece.kind == "lot":
         lot, said = lot_of(piece), piece.named
-        if "paren" in said:
-            if lot.count not in (None, number(said["paren"])):
+        if "paren" in said or "among" in said:
+            count = number(said.get("paren") or said["among"])
+            if lot.count not in (None, count):
                 raise Unclear
-            return [replace(lot, count=number(said["paren"]))]
+            return [replace(lot, count=count)]
         left_open = "count" not in said and "noun" not in said and said.get("det") not in ("a", "an")
         return [replace(lot, count=None) if left_open else lot]
     if piece.kind == "class":
@@ -196,6 +197,31 @@ def _stretches(pieces: Sequence[Piece]) -> tuple[list[Piece], list[tuple[str, li
     return free, placed
 
 
+def _without_stock(part: list[Piece], kinds: list[bool], free: list[Piece]) -> list[Piece]:
+    """The places and their blocks, without those told ahead or behind of which all of them are.
+
+    Raises:
+        Unclear: there are none such, or they may be either.
+    """
+    first, last = kinds.index(True), len(kinds) - kinds[::-1].index(True)
+    ahead, behind = part[:first], part[last:]
+    classes = all(p.kind in ("slot", "class") for p in part[:last]) and all(p.kind == "glyphs" for p in behind)
+    placed_first = classes or _are_of(part[:last], behind)
+    if placed_first is _are_of(part[first:], ahead):
+        raise Unclear
+    free += behind if placed_first else ahead
+    return part[:last] if placed_first else part[first:]
+
+
+def _are_of(placed: Sequence[Piece], stock: Sequence[Piece]) -> bool:
+    """Whether the looks of the blocks at the places are those of the stock."""
+    return {_look(p) for p in placed if p.kind != "slot"} == {_look(p) for p in stock}
+
+
+def _look(piece: Piece) -> object:
+    return lot_of(piece).look if piece.kind == "lot" else piece.value
+
+
 _BARE = frozenset({"group", "pile", "cluster", "bunch", "heap", "tower", "stack", "pillar"})
 """Names of things that are told with no article."""
 
@@ -207,14 +233,11 @@ def _place(part: list[Piece], free: list[Piece], placed: list[tuple[str, list[Pi
         Unclear: a place without blocks, or blocks without a place.
     """
     kinds = [piece.kind == "slot" for piece in part]
-    if kinds[0] == kinds[-1]:
-        last = max(n for n, is_slot in enumerate(kinds) if is_slot) + 1
-        behind = part[last:]
-        classes = all(p.kind in ("slot", "class") for p in part[:last]) and all(p.kind == "glyphs" for p in behind)
-        if kinds[0] or not (classes or all(any(_same(p, q) for q in part[:last]) for p in behind)):
-            raise Unclear
-        free += part[last:]  # "pink here, gray there, 3 pink and 3 gray"
-        part = part[:last]
+    if kinds[0] and kinds[-1]:
+        raise Unclear
+    if not kinds[0] and not kinds[-1]:
+        part = _without_stock(part, kinds, free)
+        kinds = [piece.kind == "slot" for piece in part]
     runs = [list(run) for _, run in groupby(part, lambda piece: piece.kind == "slot")]
     for n in range(0, len(runs), 2):
         slots, blocks = (runs[n], runs[n + 1]) if kinds[0] else (runs[n + 1], runs[n])

@@ -60,7 +60,8 @@ PATTERNS = [
         ")?left to (?:the )?right",
         "(?:(?:in|as|along|into|on|to form|on to) )*(?:a |one |the |single |straight |neat |horizontal |nice |"
         "letter )*(?:row|line)(?: of(?: the)?(?: [2-9])? (?:letter BLOCK|letters|BLOCK))?", "side by side",
-        "next to (?:each other|one another)", "horizontally|across", "along the row",
+        "one after (?:the other|another)", "next to (?:each other|one another)", "horizontally|across",
+        "along the row",
     ),
     *patterns(
         "end", lambda match: (match["side"], glyphs(match["who"])),

@@ -54,6 +54,11 @@ def _apart(match: re.Match[str]) -> str:
 
 PATTERNS = [
     *patterns(
+        "relation", lambda match: f"The {match['one']} group is {match['side']} of the {match['other']} group.",
+        f"the (?P<one>COLOR|odd|even) (?:ones|{G}) (?:BE )?(?:to the |on the |at the )*(?P<side>left|right)(?: "
+        f"hand side)? (?:of|from) the (?P<other>COLOR|odd|even)(?: ones| {G})?",
+    ),
+    *patterns(
         "slot", "together",
         "(?:BE |go |goes |belong |should |must |put |stay |gathered |stand |lie )*(?:all )?(?:close )?together(?: "
         f"in (?:one|a) {_ADJ}*{G})?",
@@ -118,6 +123,7 @@ PATTERNS = [
         f"one) {G})?|next to each other|(?:in )?the same {G}|one {G}|a {G})",
         "(?:same|equal|like) color(?:ed)? (?:BLOCK |ones )?(?:together|next to each other)?(?: BLOCK| ones)?",
         f"(?:as many {GS} as|one {G} for each of the|{GS} for all the) (?:there BE )?colors",
+        f"(?:none|no BLOCK) of (?:another|a different|any other) color (?:in|inside|among) (?:a|any|the|each) {G}",
         "different colors (?:BE |should |must |go |stay |kept |lie |in |into |well )*(?:apart|separate|separated|"
         f"different {GS}|separate {GS})(?: from each other)?",
         f"{_EACH} (?:BE |must |should |shall |may |can |has |have |to |contains |contain |show |hold |be |holds |"

@@ -60,6 +60,20 @@ from tests.language.frames.told import told
             "Make one group of 5 green blocks.",
         ),
         (
+            "numbers one through six in two groups odd ones and even ones",
+            "Group the blocks 1, 2, 3, 4, 5 and 6 by odd and even.",
+        ),
+        (
+            "Sort three red and three blue blocks into two groups by colour, with the red group to the left of "
+            "the blue group.",
+            "Group 3 red blocks and 3 blue blocks by color. The red group is left of the blue group.",
+        ),
+        (
+            "the even digits go left pile, odd digits right pile: 1 2 3 4",
+            "Make 2 groups, one of the blocks 2 and 4 and one of the blocks 1 and 3. The group of the 2 is left "
+            "of the group of the 1.",
+        ),
+        (
             "pink ones over here, gray ones over there, 3 pink and 3 gray, so two heaps",
             "Make 2 groups, one of 3 pink blocks and one of 3 gray blocks.",
         ),
@@ -85,6 +99,9 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "Five yellow blocks are lying in a heap.",
         "gather the four red cubes in the middle",
         "Two groups: red, blue and green.",
+        "4 red, 4 blue: reds in one pile, two blues in another.",
+        "Reds in one pile, blues in another, 3 red and 3 blue and 3 green.",
+        "Put the odd numbers 1, 3 in a group without the 5.",
         "First group the reds, 3 of them, then group the 3 blues.",
     ],
 )

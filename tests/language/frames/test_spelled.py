@@ -59,6 +59,8 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "Write CAT in a tower from bottom to top with C on top.",
         "Spell CAT with the letters C, A and R.",
         "It should say DOG.",
+        "Spell TOT with a red T.",
+        "Spell ONE with 2 letters.",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

@@ -52,6 +52,12 @@ from tests.language.frames.told import told
         ("Build towers of heights 2, 3 and 4 from blue blocks.", "Build 3 blue towers of heights 2, 3 and 4."),
         ("Three stacks of equal height from nine cubes", "Build 3 towers of the same height from 9 blocks."),
         (
+            "From two red and two green blocks build two towers in such a way that one is red and the other one green.",
+            "Build 2 towers, one of 2 red blocks and one of 2 green blocks.",
+        ),
+        ("two towers: A over B, C over D", "Build 2 towers: A on B and C on D."),
+        ("With 6 gray cubes, make 3 equal stacks", "Build 3 towers of 2 gray blocks each."),
+        (
             "two towers that do not touch, each 2 red blocks",
             "Build 2 towers of 2 red blocks each. The towers do not touch.",
         ),
@@ -82,6 +88,9 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "two towers, one of them red",
         "Four gray cubes are stacked up; split them into two stacks of two.",
         "There are two towers of two red blocks.",
+        "Three towers: A over B, C over D.",
+        "Two red towers and a blue one, two blocks each.",
+        "Two towers of three, red at the bottom",
         "Line up a tower of two red blocks and a tower of two blue blocks.",
     ],
 )

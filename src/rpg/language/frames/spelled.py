@@ -83,9 +83,9 @@ PATTERNS = [
         f"{_LETTER})", f"(?:in )?(?P<color>COLOR) (?:for|on) (?P<who>{_XS}|{_CLASS})",
     ),
     *patterns(
-        "tint", lambda match: (match["who"], match["color"]),
-        "(?:the |a |an |with |from )*(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]|'[A-Z]')|vowels?|"
-        "consonants?)(?: BLOCK)?", f"(?:a |the |with )*(?P<color>COLOR) (?P<who>(?:{_PART}) letter)",
+        "tint", lambda match: (f"a {match['who']}" if match["article"] else match["who"], match["color"]),
+        "(?:with |from )*(?:the |(?P<article>an? ))?(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]|'[A-Z]')|vowels?|"
+        "consonants?)(?: BLOCK)?", f"(?:with )?(?:the |(?P<article>a ))?(?P<color>COLOR) (?P<who>(?:{_PART}) letter)",
     ),
     *patterns("tint", lambda match: (match["who"], match["color"], number(match["count"])),
         r"(?:the |with |from )*(?P<count>[2-9]) (?P<color>COLOR) (?P<who>[A-Z])(?: BLOCK)?"),
@@ -223,7 +223,7 @@ def _tints(pieces: Sequence[Piece], word: str) -> str:
         places = _places(who, word, set(at))
         if not places or any(n in at for n in places) or (count and count[0] != len(places)):
             raise Unclear
-        if not count and len(places) > 1 and len(who.split()[-1]) == 1 and who.split()[0] in ("a", "an"):
+        if not count and len(places) > 1 and who.split()[0] in ("a", "an"):
             raise Unclear
         at |= dict.fromkeys(places, color)
     if len(at) == len(word) and len(set(at.values())) == 1:

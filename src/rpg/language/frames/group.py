@@ -213,6 +213,8 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
     places, size, total = settled(found, _belongs), one(pieces, "size"), one(pieces, "total")
     if len(places) == 1 and total and not found.lots:
         places = [(places[0][0], counted(places[0][1], total.value))]
+    if total and total.value != sum(lot.count or 0 for _, lots in places for lot in lots) and not size:
+        raise Unclear
     slots = [slot for slot, _ in places]
     told_twice = any(slot in _UNIQUE and slots.count(slot) > 1 for slot in slots)
     if len(places) != (count or len(places)) or told_twice or "other" in slots[:-1] or slots == ["other"]:

@@ -54,8 +54,12 @@ GLYPHS: list[Pattern] = [
         f"(?:the )?(?P<list>{_LIST}|{_RANGE})", "(?:the |a |an )?(?P<list>[A-HJ-Z])(?: BLOCK)?",
         "(?:the )?(?P<list>I)(?: BLOCK)?(?! [a-z])",
     ),
-    *patterns("glyphs", lambda match: (match["list"],) * number(match["count"]),
-        r"(?:the )?(?P<count>\d) (?P<list>[A-Z])(?: BLOCK)?"),
+    *patterns(
+        "glyphs", lambda match: (match["list"],) * number(match["count"]),
+        r"(?:the )?(?P<count>\d) (?P<list>[A-Z])(?: BLOCK)?",
+        r"(?:the )?(?P<count>\d) (?:BLOCK|letters|tiles) (?:with|showing|labell?ed|marked) (?:an? |the letter "
+        r")?(?P<list>[A-Z])(?! ,? ?(?:and )?[A-Z]\b)",
+    ),
 ]  # fmt: skip
 """Lists of symbols."""
 LOTS: list[Pattern] = [

@@ -45,8 +45,8 @@ PATTERNS = [
     *patterns(
         "symbols", lambda match: _symbols(match["list"]),
         "(?:(?:the |these |only |just |exactly |following |given |your |my |i have |we have |you have |there are |"
-        "namely )*(?:number |digit |symbol |numbered )?(?:BLOCK|digits|numbers|symbols|numerals|tiles|cards) "
-        "?(?:: |with |showing |labell?ed |marked |are |is |and signs |and symbols |and operators "
+        "namely )*(?:number |digit |symbol |numbered )?(?:BLOCK|signs|operators|digits|numbers|symbols|numerals|"
+        "tiles|cards) ?(?:: |with |showing |labell?ed |marked |are |is |and signs |and symbols |and operators "
         f")*)?(?P<list>{_ITEM}(?:(?: ,| and| with| ;| together with| as well as| along with| plus(?= an? ))* "
         f"{_ITEM})+)",
     ),

@@ -113,8 +113,8 @@ ALSO: list[Pattern] = patterns(
     None,
     "ought to|is to|supposed to|desired|wanted|required|needed|expected|result|results|resulting|emerge|erected|"
     "raised|erect|raise|take|become|becomes|turn into|turned into|end up|ends up|them|these|those|they|that have|"
-    "hold|holds|comprise|available|given|that is to say|in other words|namely|make up|makes up|its|let there be|is "
-    "what (?:I|i|we) (?:want|need)|what (?:I|i|we) (?:want|need) (?:is|are)",
+    "hold|holds|comprise|available|given|that is to say|following|the following|in other words|namely|make up|"
+    "makes up|its|let there be|is what (?:I|i|we) (?:want|need)|what (?:I|i|we) (?:want|need) (?:is|are)",
 )
 """More words that say nothing beside what several things are made of."""
 STOPS: list[Pattern] = [

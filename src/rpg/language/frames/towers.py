@@ -37,7 +37,9 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told what they are made of, or how high they are.
     """
     check_clauses(pieces)
-    named = [piece for piece in pieces if piece.kind in ("figure", "figures", "tinted", "slot", "basis", "whole")]
+    named = [
+        piece for piece in pieces if piece.kind in ("figure", "figures", "tinted", "each", "slot", "basis", "whole")
+    ]
     if pieces[0].words in ("is", "are", "there are", "there is") or not any(
         _NAMED.search(piece.words) for piece in named
     ):
@@ -46,11 +48,13 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # "the yellow ones in a tower and the purple ones lined up"
     if any(_STACKED.search(f"{a.words} {b.words}") for a, b in pairwise(pieces)):
         raise Unclear  # "four cubes are stacked up; ...": so they are at the start
-    pieces, heights = _heights(_apart(pieces))
+    pieces, heights = _heights(_one_each(_apart(pieces)))
     kinds = [piece.kind for piece in pieces]
     if "line" in kinds and "slot" in kinds and any(piece.words == "line up" for piece in pieces):
         raise Unclear  # "line up a tower and ...": the towers, or the blocks of the first?
     figures = {piece.value for piece in pieces if piece.kind == "figure" and piece.value}
+    if not figures and any(piece.kind == "each" and piece.words.startswith("both") for piece in pieces):
+        figures = {2}
     size, where, near, total, relation = (one(pieces, kind) for kind in ("size", "where", "near", "total", "relation"))
     if len(figures) > 1:
         raise Unclear
@@ -111,6 +115,24 @@ def _apart(pieces: Sequence[Piece]) -> list[Piece]:
             found.append(piece)
             if piece.kind == "figure" and _SINGLE.search(piece.words):
                 found.append(Piece("basis", "single color", "single"))
+    return found
+
+
+def _one_each(pieces: list[Piece]) -> list[Piece]:
+    """ "Two towers three high, one red and one blue": the ones are towers, and no blocks."""
+    lots = [piece for piece in pieces if piece.kind == "lot"]
+    ones = all(piece.words.startswith("one ") and piece.named["count"] in ("one", "1") for piece in lots)
+    count = [piece.value for piece in pieces if piece.kind == "figure"]
+    kinds = {piece.kind for piece in pieces}
+    if not ones or count != [len(lots)] or "size" not in kinds or kinds & {"slot", "place", "over", "under"}:
+        return pieces
+    found: list[Piece] = []
+    for piece in pieces:
+        if piece.kind == "lot":
+            named = {name: said for name, said in piece.named.items() if name in ("color", "size")}
+            found += [Piece("slot", "one", "one"), replace(piece, named=named | {"noun": "blocks"})]
+        else:
+            found.append(piece)
     return found
 
 

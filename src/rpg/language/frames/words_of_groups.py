@@ -84,8 +84,8 @@ PATTERNS = [
     *patterns("sorted", None, "sort|sorted|sorting|sort out|sorted out|classify|classified|organize|organized"),
     *patterns(
         "glue", None,
-        "like (?:goes |BE )?with like|(?:well |far )?away from (?:them|the others|each other|it|one another)",
-        "lie|belong|belongs|belonging",
+        "like (?:goes |BE )?with like|(?:well |far )?(?:away|apart|separate|separated) from (?:them|the others|"
+        "each other|it|one another)", "lie|belong|belongs|belonging",
     ),
     *patterns(
         "glue", None,
@@ -133,7 +133,8 @@ PATTERNS = [
         "(?:the )?(?P<color>COLOR)s? (?:BLOCK )?(?:BE )?with (?:the )?(?P=color)s?(?: BLOCK)?(?: ,)?(?: and)?(?: "
         "(?:the )?(?P<other>COLOR)s? (?:BLOCK )?(?:BE )?with (?:the )?(?P=other)s?(?: BLOCK)?)*",
         "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors|color mixing)",
-        "(?:do not|never) mix (?:the )?colors",
+        "(?:do not|never) mix (?:the )?colors", "(?:do|must|may|should|can|shall) not (?:be |get )?mix(?:ed)?",
+        f"{_EACH} (?:BE |should |must |of )*(?:unicolored|monochrome|one colored|single colored)",
         "colors (?:do not mix|must not mix|BE not mixed|stay apart|BE separate|BE separated)",
         f"no {G} (?:may |can |should |must )?(?:has|have|contain|contains|mixes|mix) (?:more than one color|2 "
         "colors|different colors|several colors)",

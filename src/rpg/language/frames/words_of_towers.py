@@ -79,7 +79,7 @@ PATTERNS = [
         f")?{_ADJ}*{TS}",
     ),
     *patterns("figures", lambda match: (number(match["count"]), int(match["size"])),
-        f"(?:in |into |as |of )?(?:the )?(?P<count>NUM) {_ADJ}*(?P<size>[2-9]) BLOCK (?:{_HIGH} )?{TS}"),
+        f"(?:in |into |as |of )?(?:the )?(?P<count>NUM) {_ADJ}*(?P<size>[2-9]) (?:BLOCK (?:{_HIGH} )?|{_HIGH} ){TS}"),
     *patterns(
         "size", lambda match: number(match["size"]),
         r"(?P<size>[2-9])(?= (?:[,.;]|$))",

@@ -74,6 +74,10 @@ from tests.language.frames.told import told
             "of the group of the 1.",
         ),
         (
+            "greens and purples dont mix, 3 of each, make 2 piles",
+            "Group 3 green blocks and 3 purple blocks by color.",
+        ),
+        (
             "pink ones over here, gray ones over there, 3 pink and 3 gray, so two heaps",
             "Make 2 groups, one of 3 pink blocks and one of 3 gray blocks.",
         ),

@@ -58,6 +58,14 @@ from tests.language.frames.told import told
         ("two towers: A over B, C over D", "Build 2 towers: A on B and C on D."),
         ("With 6 gray cubes, make 3 equal stacks", "Build 3 towers of 2 gray blocks each."),
         (
+            "two three-high towers, one yellow and one green",
+            "Build 2 towers, one of 3 yellow blocks and one of 3 green blocks.",
+        ),
+        (
+            "Both towers should have a white block below and a black block above.",
+            "Build 2 towers, each with 1 white block at the bottom and 1 black block at the top.",
+        ),
+        (
             "two towers that do not touch, each 2 red blocks",
             "Build 2 towers of 2 red blocks each. The towers do not touch.",
         ),
@@ -91,6 +99,8 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "Three towers: A over B, C over D.",
         "Two red towers and a blue one, two blocks each.",
         "Two towers of three, red at the bottom",
+        "Two towers of two, one red and one blue block.",
+        "Two towers two high, one red",
         "Line up a tower of two red blocks and a tower of two blue blocks.",
     ],
 )

@@ -121,7 +121,7 @@ def _apart(pieces: Sequence[Piece]) -> list[Piece]:
 def _one_each(pieces: list[Piece]) -> list[Piece]:
     """ "Two towers three high, one red and one blue": the ones are towers, and no blocks."""
     lots = [piece for piece in pieces if piece.kind == "lot"]
-    ones = all(piece.words.startswith("one ") and piece.named["count"] in ("one", "1") for piece in lots)
+    ones = all(p.words.startswith("one ") and p.named.get("noun") in (None, "one") for p in lots)
     count = [piece.value for piece in pieces if piece.kind == "figure"]
     kinds = {piece.kind for piece in pieces}
     if not ones or count != [len(lots)] or "size" not in kinds or kinds & {"slot", "place", "over", "under"}:

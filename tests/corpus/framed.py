@@ -38,7 +38,10 @@ class _Second(BuiltinFrontEnd):
 def read(entry: Entry) -> Read:
     """What the second reader makes of an entry's text, whatever the first makes of it."""
     schema = _Second().told(entry.text)
-    return (prepared(schema) if schema else None), ()
+    try:
+        return (prepared(schema) if schema else None), ()
+    except Refusal as refusal:
+        return None, tuple(refusal.diagnostics)
 
 
 def scored(entry: Entry) -> tuple[Score, str]:

@@ -57,6 +57,8 @@ def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], 
             continue
         match = max(ends, key=lambda found: found.end())
         m = places.index(match.end())
+        if words[m : m + 1] and words[m] in _MORE:
+            return  # "a distractor block in black"
         rest = [*stopped(tokens[:n], tokens[n]), *stopped(tokens[m:], tokens[n])]
         if sum("distract" in word or "decoy" in word for word in words) == sum(
             "distract" in word or "decoy" in word for word in words[n:m]
@@ -76,4 +78,8 @@ def stopped(tokens: Sequence[Token], mark: Token) -> list[Token]:
     return [*tokens[begin:end], mark.saying(".")] if begin < end else []
 
 
+_MORE = frozenset({
+    "in", "of", "letter", "letters", "digit", "digits", "number", "numbers", "symbol", "symbols", "that", "which",
+})  # fmt: skip
+"""Behind these more is said of the distractors."""
 _ONE = frozenset({"a", "an", "one", "1"})

@@ -38,7 +38,7 @@ class Pattern:
     @cached_property
     def expression(self) -> re.Pattern[str]:
         """The expression, compiled where it is first looked for: most texts need none of them."""
-        text = self.text
+        text = _PLAIN.sub(_longest_first, self.text)
         for name, words in CLASSES.items():
             text = re.sub(rf"\b{name}\b", f"(?:{words})".replace("\\", r"\\"), text)
         return re.compile(f"(?:{text}) ")
@@ -59,6 +59,16 @@ CLASSES = {
 """Names of classes of words, in patterns."""
 
 
+_PLAIN = re.compile(
+    r"(?<=\(\?:)[\w ,']+(?:\|[\w ,']+)+(?=\))|(?<=>)[\w ,']+(?:\|[\w ,']+)+(?=\))|^[\w ,']+(?:\|[\w ,']+)+$"
+)
+
+
+def _longest_first(match: re.Match[str]) -> str:
+    """Alternatives so that "lay out" is tried before "lay", which is the same up to there."""
+    return "|".join(sorted(match[0].split("|"), key=len, reverse=True))
+
+
 def patterns(kind: str, value: Any, *texts: str) -> list[Pattern]:
     """Patterns of one kind that say the same."""
     return [Pattern(kind, text, value) for text in texts]
@@ -74,9 +84,18 @@ def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
     return lambda match: {name: number(match[name]) for name in names}
 
 
+_BEHIND_SYMBOL = frozenset(
+    {",", "and", "on", "over", "under", "above", "below", "beside", "goes", "must", "should", "with"}
+)
+"""Before these an A is no article."""
+_SPELLING = frozenset({"say", "says", "spell", "spells", "read", "reads", "write", "word", "name", "saying", "reading"})
+"""Behind these, words in capitals are to be spelt, whatever they mean."""
+
+
 def coded(tokens: Sequence[Token]) -> list[str]:
     """Each token as one word that patterns know: numbers in digits, colours by their names ("reds" where several are
-    meant), symbols in capitals, words to be spelt in quotation marks; `<other>` for what has no such word."""
+    meant), symbols in capitals, words to be spelt in quotation marks, signs and equations in angle brackets;
+    `<other>` for what has no such word."""
     return [_code(tokens, n) for n in range(len(tokens))]
 
 
@@ -91,9 +110,15 @@ def _code(tokens: Sequence[Token], n: int) -> str:
         return f"{token.value:g}"
     if token.kind == "punct":
         return word
+    if token.kind in ("sign", "equation"):
+        return f"<{token.value or word}>"
     if token.kind != "word" or " " in word:
         return "<other>"
+    if len(token.raw) > 1 and token.raw.isupper() and token.raw.isalpha() and n and tokens[n - 1].word in _SPELLING:
+        return f"'{token.raw}'"
     begins = n == 0 or tokens[n - 1].word in (".", "!", "?", ";", ":")
+    behind = tokens[n + 1].word if n + 1 < len(tokens) else ""
+    begins = begins and not (token.raw == "A" and behind in _BEHIND_SYMBOL)
     if len(token.raw) == 1 and token.raw.isupper() and not (begins and token.raw in "AI"):
         return token.raw
     if word != "one" and word in lexicon.NUMBER:

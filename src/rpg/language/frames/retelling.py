@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, grids, moments, row, rowlabels, shape, stairs, tower, turned
+from rpg.language.frames import beside, equation, grids, group, moments, row, rowlabels, shape, spelled, stairs, tower, towers, turned
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import CLASSES, Pattern, Piece, Unclear, cut
 from rpg.language.frames.turned import without_turns
@@ -21,6 +21,10 @@ FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...]
     (stairs.PATTERNS, stairs.told),
     (row.PATTERNS, row.told),
     (rowlabels.PATTERNS, rowlabels.told),
+    (equation.PATTERNS, equation.told),
+    (group.PATTERNS, group.told),
+    (spelled.PATTERNS, spelled.told),
+    (towers.PATTERNS, towers.told),
 )
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})
@@ -32,6 +36,8 @@ _BINDING = frozenset({
     "second", "least", "most",
 })  # fmt: skip
 """With these, sentences do not stand for themselves."""
+_REFERRING = frozenset({"it", "they", "this", "these", "them", "those", "all", "both", "each"})
+"""A sentence that begins with these is of what is told before it."""
 _ANY = re.compile(r"(?:from|Lay) \d+ blocks")
 """Blocks of no told look may be those that another sentence names."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
@@ -52,7 +58,11 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
             yield [*told, *_standing(aside, stretch)], f"{said} {aside}".strip()
     if not _BINDING.isdisjoint(token.word for token in tokens):
         return
-    parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
+    parts = [
+        (ahead, behind)
+        for ahead, behind in _parted(tokens)
+        if (commands(ahead) or not commands(behind)) and behind[0].word not in _REFERRING
+    ]
     for ahead, behind in reversed(parts):
         if (first := plainly(ahead)) is not None and not _ANY.search(first) and not _ALL.search(_text(behind)):
             yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"
@@ -107,7 +117,7 @@ def commands(tokens: Sequence[Token]) -> bool:
 def _parted(tokens: list[Token]) -> Iterator[tuple[list[Token], list[Token]]]:
     """The text in two parts of whole sentences."""
     for n in range(1, len(tokens) - 1):
-        if tokens[n].word in _ENDS:
+        if tokens[n].word in _ENDS and tokens[n + 1].word not in _ENDS:
             yield tokens[: n + 1], tokens[n + 1 :]
 
 

@@ -6,11 +6,14 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.frames import tower
+from rpg.language.frames import relations, tower
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
-FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = ((tower.PATTERNS, tower.told),)
+FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
+    (tower.PATTERNS, tower.told),
+    (relations.PATTERNS, relations.told),
+)
 """The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})
 _LEADS = frozenset({"please", "then", "now", "you", "to", ",", "and", "first", "just", "should"})

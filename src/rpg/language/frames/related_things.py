@@ -1,0 +1,231 @@
+"""The things that statements are about: which have been told of, and which of them a name means."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+from rpg.language.frames.pieces import Piece, Unclear, number
+
+if TYPE_CHECKING:
+    from rpg.language.frames.relations import Statement
+
+_MANY = ("blocks", "cubes", "bricks", "boxes", "ones")
+_POINTING = ("the", "this", "that", "these", "those", "both", "all", "my", "our", "your")
+
+
+@dataclass(frozen=True)
+class Known:
+    """Things that look alike, or one. `part`: how some of them are told of ("exactly 2 of the 3 red blocks")."""
+
+    look: str
+    count: int = 1
+    patch: bool = False
+    part: str = ""
+
+    @property
+    def name(self) -> str:
+        """The things as they are spoken of when they are known."""
+        if self.part:
+            return self.part
+        if self.look.startswith(("letter", "number")) or self.patch:
+            return f"the {self.look}"
+        return f"the {self.look} block" if self.count == 1 else f"the {self.count} {self.look} blocks"
+
+    @property
+    def new(self) -> str:
+        """The things as they are told of first."""
+        article = "an" if self.look[0] in "aeiou" else "a"
+        if self.look.startswith(("letter", "number")) or self.patch:
+            return f"{article} {self.look}"
+        return f"{article} {self.look} block" if self.count == 1 else f"{self.count} {self.look} blocks"
+
+
+@dataclass
+class Things:
+    """What has been told of, in order; which of it stands in a statement; what "it" meant ahead of names before."""
+
+    known: list[Known] = field(default_factory=list)
+    used: set[Known] = field(default_factory=set)
+    parted: dict[str, int] = field(default_factory=dict)
+    pivot: Known | None = None
+
+    def copied(self) -> Things:
+        """The same, to be changed by itself."""
+        return Things([*self.known], {*self.used}, {**self.parted}, self.pivot)
+
+    @property
+    def all_used(self) -> bool:
+        """Whether something is said of each thing."""
+        return set(self.known) <= self.used
+
+    @property
+    def told(self) -> str:
+        """What there is."""
+        names = [known.new for known in self.known]
+        return f"There {'is' if len(names) == 1 else 'are'} {' and '.join([*([', '.join(names[:-1])] if len(names) > 1 else []), names[-1]])}."
+
+    def use(self, *things: Known) -> None:
+        """Something is said of them."""
+        self.used |= {known for thing in things for known in self.known if known.look == thing.look}
+
+    def only_patch(self) -> Known:
+        """The one patch that there is."""
+        return self._one([known for known in self.known if known.patch])
+
+    def subjects(self, pieces: Sequence[Piece], objects: Sequence[Known]) -> list[Known]:
+        """What a statement is about."""
+        return self._meant(pieces, objects, subject=True)
+
+    def objects(self, pieces: Sequence[Piece], subjects: Sequence[Known]) -> list[Known]:
+        """What that stands to."""
+        return self._meant(pieces, subjects, subject=False)
+
+    def beside(self, subjects: Sequence[Known], statement: Statement) -> list[Known]:
+        """What something is beside, where that is not said: "on top", "on the left"."""
+        if statement.ahead and self.pivot:
+            return [self.pivot]
+        blocks = [known for known in self.known if not known.patch and known not in subjects]
+        self.pivot = self._one(blocks)
+        return [self.pivot]
+
+    def _meant(self, pieces: Sequence[Piece], others: Sequence[Known], *, subject: bool) -> list[Known]:
+        found: list[Known] = []
+        for n, piece in enumerate(pieces):
+            if piece.kind == "they":
+                found += self._all([known for known in self.known if known not in others], subject=subject)
+            elif piece.kind == "it":
+                found.append(self._it(piece, others, subject=subject))
+            elif piece.kind == "thing":
+                if len(pieces) > n + 1 and not piece.named.get("noun") and pieces[n + 1].value == "patch":
+                    raise Unclear  # "the red and the blue patch"
+                found.append(self._thing(piece, subject=subject))
+            elif not subject:
+                raise Unclear
+            else:
+                found.append(self._some(piece))
+        if len({(known.look, known.part) for known in found}) < len(found):
+            raise Unclear
+        return found
+
+    def _all(self, known: list[Known], *, subject: bool) -> list[Known]:
+        """Both things that there are, or the one lot."""
+        blocks = [thing for thing in known if not thing.patch] if subject else known
+        if len(blocks) == 1 and blocks[0].count == 2 or [thing.count for thing in blocks] == [1, 1]:
+            return blocks
+        raise Unclear
+
+    def _it(self, piece: Piece, others: Sequence[Known], *, subject: bool) -> Known:
+        blocks = [known for known in self.known if known.count == 1 and known not in others]
+        return self._one([known for known in blocks if not known.patch or not (subject or piece.value == "block")])
+
+    def _thing(self, piece: Piece, *, subject: bool) -> Known:
+        """What a name with a look means."""
+        named = piece.named
+        pointing = named.get("det", "").split()[:1] in [[word] for word in _POINTING]
+        new = _named(piece)
+        if not new.look:
+            raise Unclear
+        same = [known for known in self.known if known.patch == new.patch and known.look == new.look]
+        if not same:
+            words = set(new.look.split())
+            same = [known for known in self.known if known.patch == new.patch and words < set(known.look.split())]
+            if same and not pointing:
+                raise Unclear
+        if len(same) > 1:
+            raise Unclear
+        if same:
+            return self._again(piece, new, same[0])
+        if new.count == 0:
+            raise Unclear
+        if not new.patch and not named.get("noun", "").startswith(("block", "cube", "brick", "box")) and not subject:
+            if any(known.patch for known in self.known) and new.look.split()[0] not in ("letter", "number"):
+                raise Unclear  # "the blue one" may be a patch
+        if new.look.split()[-1] in ("patch",) and new.look == "patch" and pointing and any(k.patch for k in self.known):
+            raise Unclear
+        self.known.append(new)
+        return new
+
+    def _again(self, piece: Piece, new: Known, known: Known) -> Known:
+        """Something that is known, named again."""
+        det = piece.named.get("det", "")
+        if det in ("a", "an", "one") or piece.named.get("count") in ("one", "single", "lone", "1"):
+            raise Unclear
+        if piece.named.get("count") and new.count != known.count:
+            raise Unclear
+        if det.startswith("both") and known.count != 2:
+            raise Unclear
+        if known.count > 1 and new.count == 1:
+            raise Unclear
+        if known.count == 1 and new.count == 0:
+            raise Unclear
+        return known
+
+    def _some(self, piece: Piece) -> Known:
+        """Some of a lot: "2 of the 3 red blocks", "one of them", "the other"."""
+        named = piece.named
+        if piece.kind == "part":
+            return self._part(piece)
+        lots = [known for known in self.known if known.count > 1]
+        if "color" in named:
+            lots = [known for known in lots if known.look == named["color"]]
+        lot = self._one(lots)
+        taken = self.parted.get(lot.look, 0)
+        if piece.kind == "one":
+            if lot.count != 2 or taken:
+                raise Unclear
+            self.parted[lot.look] = 1
+            return replace(lot, count=1, part=f"one of the 2 {lot.look} blocks")
+        left = lot.count - taken
+        if not taken or ("count" in named and number(named["count"]) != left):
+            raise Unclear
+        single = piece.words.endswith("the other") or piece.words.endswith(("one", "block", "cube", "brick", "box"))
+        if single and left != 1 or left < 1:
+            raise Unclear
+        self.parted[lot.look] = 0
+        return replace(lot, count=left, part=f"the other {lot.look} block" if left == 1 else f"the other {left} {lot.look} blocks")
+
+    def _part(self, piece: Piece) -> Known:
+        """So many of a lot; no more can be told of these but what the rest of them is."""
+        named = piece.named
+        look, part = named["color"], number(named["part"])
+        same = [known for known in self.known if known.look == look and not known.patch]
+        count = number(named["count"]) if "count" in named else same[0].count if same else 0
+        lot = same[0] if same else Known(look, count)
+        if lot.count != count or not 0 < part < count or look in self.parted:
+            raise Unclear
+        if not same:
+            self.known.append(lot)
+        how = named.get("how", "")
+        self.parted[look] = part if how in ("", "exactly", "precisely") else 0
+        of = f"of the {count} {look} blocks"
+        return replace(lot, count=part, part=f"{how} {part} {of}".strip())
+
+    @staticmethod
+    def _one(things: Sequence[Known]) -> Known:
+        if len(things) != 1:
+            raise Unclear
+        return things[0]
+
+
+def _named(piece: Piece) -> Known:
+    """What a name says. `count`: 0 where several are meant and it is not said how many."""
+    named = piece.named
+    if piece.value in ("letter", "number"):
+        return Known(f"{piece.value} {named[piece.value]}")
+    if piece.value == "patch":
+        shape = named.get("shape") or named.get("behind", "").replace("circle", "round")
+        if "shape" in named and "behind" in named:
+            raise Unclear
+        return Known(" ".join(filter(None, (named.get("size"), shape, named.get("color"), "patch"))), patch=True)
+    look = " ".join(filter(None, (named.get("size"), named.get("color"))))
+    if "count" in named:
+        count = number(named["count"])
+        if (count > 1) != ("many" in named or named.get("noun") in _MANY) and "noun" in named:
+            raise Unclear
+    else:
+        count = 0 if "many" in named or named.get("noun") in _MANY else 1
+        if count == 0 and named.get("det", "").startswith("both"):
+            count = 2
+    return Known(look, count)

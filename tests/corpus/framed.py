@@ -7,11 +7,11 @@ from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 
 from rpg.core.diagnostics import Refusal
+from rpg.ir.schema import TaskSchema
 from rpg.language.formulas import formulas_told
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
-from rpg.ir.schema import TaskSchema
 from rpg.passes.schema.frontend import _PLAINER, BuiltinFrontEnd
 from rpg.pipeline import prepared
 from tests.corpus.entries import SPLITS, Entry, load

@@ -11,7 +11,7 @@ from pkgutil import walk_packages
 from types import CodeType, ModuleType
 
 from rpg.core.diagnostics import Diagnostic
-from rpg.language import grammar, lexicon
+from rpg.language import frames, grammar, lexicon
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.harmless import EVERYDAY
 from rpg.language.not_here import HINTS
@@ -89,7 +89,7 @@ _COUNTS = frozenset({"none", "not", "all", "both", "each"})
 
 @cache
 def vocabulary() -> frozenset[str]:
-    """Every word of the language: those of the lexicon's tables and those that the grammar names."""
+    """Every word of the language: those of the lexicon's tables and those that the grammar and the frames name."""
     words: set[str] = set(lexicon.DEGREES.split())
     for value in _own(lexicon):
         if isinstance(value, dict | frozenset):
@@ -106,6 +106,7 @@ def vocabulary() -> frozenset[str]:
                 words |= _words_of(value)
             if isinstance(value, dict):
                 words = words.union(*(kept.words for kept in value.values() if isinstance(kept, Patterns)))
+    words |= frames.words()
     words -= _FIELDS
     return frozenset(w for w in words if (w.isalpha() and w.islower()) or w in lexicon.ORDINAL)
 

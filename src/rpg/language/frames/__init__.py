@@ -7,6 +7,6 @@ parts together, and no part is told twice, the family tells the figure again in 
 reads and everything behind it checks.
 """
 
-from rpg.language.frames.retelling import retold
+from rpg.language.frames.retelling import retold, words
 
-__all__ = ["retold"]
+__all__ = ["retold", "words"]

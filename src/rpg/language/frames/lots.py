@@ -50,7 +50,9 @@ def lot_of(piece: Piece) -> Lot:
     look = f"{named.get('size') or named.get('behind', '')} {named['color']}".strip()
     det, single = named.get("det", ""), "many" not in named and named.get("noun") in _SINGLE
     count = number(named["count"]) if "count" in named else None
-    if count is None and (single or det in ("a", "an") or (det == "the" and "noun" not in named and "many" not in named)):
+    if count is None and (
+        single or det in ("a", "an") or (det == "the" and "noun" not in named and "many" not in named)
+    ):
         count = 1
     return Lot(look, count, det.split()[:1] in (["the"], ["these"], ["those"], ["both"]))
 
@@ -65,7 +67,7 @@ def counted(lots: Sequence[Lot], total: int | None, *, evenly: bool = False, sin
     if len({lot.look for lot in lots}) < len(lots):
         raise Unclear
     left = [lot for lot in lots if lot.count is None]
-    if total is not None:
+    if lots and total is not None:
         rest = total - sum(lot.count or 0 for lot in lots)
         if rest != 0 if not left else (rest < len(left) or rest % len(left)):
             raise Unclear

@@ -41,7 +41,8 @@ _CLASSES = {
     "BLOCK": "blocks?|cubes?|pieces?|elements?",
     "PATCH": "|".join(lexicon.PATCH_NOUNS.split()),
     "TABLE": "|".join(lexicon.TABLE_NOUNS.split()),
-    "BE": "(?:(?:that|which) )?(?:must be|should be|has to be|have to be|will be|shall be|needs to be|to be|is|are|being|"
+    "BE": "(?:(?:that|which) )?(?:must be|should be|has to be|have to be|will be|shall be|needs to be|to be|is|are|"
+    "being|"
     "be|(?:must |should |shall |has to |have to )?(?:go|come|sit|stand|lie|rest|belong)|goes|comes|sits|stands|lies|"
     "rests|belongs|going|sitting|standing|lying|resting)",
 }
@@ -53,7 +54,7 @@ def patterns(kind: str, value: Any, *texts: str) -> list[Pattern]:
     found = []
     for text in texts:
         for name, words in _CLASSES.items():
-            text = re.sub(rf"\b{name}\b", lambda _, said=words: f"(?:{said})", text)
+            text = re.sub(rf"\b{name}\b", f"(?:{words})".replace("\\", r"\\"), text)
         found.append(Pattern(kind, re.compile(f"(?:{text}) "), value))
     return found
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
 from rpg.language import lexicon
-from rpg.language.frames import relations, tower
+from rpg.language.frames import beside, moments, relations, tower
+from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
 from rpg.language.tokens import Token, tokenize
 
@@ -23,6 +26,8 @@ _BINDING = frozenset({
     "initial", "initially", "start", "starting", "begin", "beginning", "goal", "end", "until", "or", "if", ":",
 })  # fmt: skip
 """With these, sentences do not stand for themselves."""
+_ANY = re.compile(r"from \d+ blocks")
+"""Blocks of no told look may be those that another sentence names."""
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -32,18 +37,44 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     is left as it is. Most of the text comes first. Told words stand where what they tell again stands."""
     if not 0 < len(tokens) <= _MOST:
         return
-    if (whole := plainly(tokens)) is not None:
-        yield _standing(whole, tokens), whole
-        return
+    yield from _as_a_whole(tokens)
+    for rest, stretch, distractors in without_distractors(tokens):
+        for told, said in ((rest, _text(rest)), *_as_a_whole(rest)):
+            yield [*told, *_standing(distractors, stretch)], f"{said} {distractors}"
     if not _BINDING.isdisjoint(token.word for token in tokens):
         return
     parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
     for ahead, behind in reversed(parts):
-        if (first := plainly(ahead)) is not None:
+        if (first := plainly(ahead)) is not None and not _ANY.search(first):
             yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"
     for ahead, behind in parts:
-        if (last := plainly(behind)) is not None:
+        if (last := plainly(behind)) is not None and not _ANY.search(last):
             yield [*ahead, *_standing(last, behind)], f"{_text(ahead)} {last}"
+
+
+_LEADS_TO = {"start": ("At the start,", "At the start:"), "end": ("", "At the end,", "At the end:"), "": ("",)}
+
+
+def _as_a_whole(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The text of one figure, or with plain words that lead to what is said of the start, and of the end."""
+    if (whole := plainly(tokens)) is not None:
+        yield _standing(whole, tokens), whole
+    parts = moments.told_in_time(tokens)
+    for leads in product(*(_LEADS_TO[part.moment] for part in parts)) if parts else ():
+        out: list[Token] = []
+        for lead, part in zip(leads, parts, strict=True):
+            alone = part.moment == "end" and not lead and len(parts) == 1  # else its blocks may be told before
+            said = plainly(part.said) if alone else None
+            told = [*part.said, part.said[-1].saying(".")] if said is None else _standing(said, part.said)
+            out += [*_standing(lead, part.lead or part.said), *told]
+        yield out, _text(out)
+
+
+def words() -> frozenset[str]:
+    """Every word that is known here."""
+    told = [*beside.TOLD, *(pattern for known, _ in FAMILIES for pattern in known)]
+    patterns = [*(pattern.expression for pattern in told), *(lead for _, lead in moments.PATTERNS)]
+    return frozenset(word for x in patterns for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", x.pattern))
 
 
 def plainly(tokens: Sequence[Token]) -> str | None:
@@ -81,5 +112,4 @@ def _standing(text: str, told: Sequence[Token]) -> list[Token]:
 
 
 def _text(tokens: Sequence[Token]) -> str:
-    return " ".join({token.span: token.raw for token in tokens}.values())
-
+    return re.sub(r" (?=[,.;:!?])", "", " ".join(token.raw for token in tokens))

@@ -7,7 +7,8 @@ from rpg.language.frames.pieces import Pattern, patterns
 _PLACED = r"(?:(?!that |which )BE )?(?:put |placed |set |built )?"
 WHERE: list[Pattern] = [
     *patterns("where", lambda match: f"on the {match['patch']}",
-        rf"{_PLACED}(?:on|onto|upon|on top of) (?:the|a) (?P<patch>(?:(?:SIZE|long|round|square|circular) )?COLOR PATCH)"),
+        rf"{_PLACED}(?:on|onto|upon|on top of) (?:the|a) (?P<patch>(?:(?:SIZE|long|round|square|circular) )?COLOR "
+        rf"PATCH)"),
     *patterns("where", lambda match: f"in the {match['side']} half of the table",
         rf"{_PLACED}(?:in|on) the (?P<side>left|right|near|far) half(?: of the TABLE)?"),
     *patterns("where", "in the middle of the table", rf"{_PLACED}(?:in|at) the (?:middle|center) of the TABLE"),
@@ -17,15 +18,22 @@ WHERE: list[Pattern] = [
 BREAKS: list[Pattern] = patterns("break", None, r"[,.;:!?]", "and|with|while|where|but|whereas|plus")
 """What parts two things that are said; "then" does not, for it tells an order."""
 GLUE: list[Pattern] = [
-    *patterns("glue", None, "the|a|an|of|from|using|use|uses|out of|in|into|as|to form|so as to form|in the shape of|shaped like"),
-    *patterns("glue", None, "(?:made|consisting|consists|composed|built|formed|formed up|laid|laid out|constructed|assembled|arranged|put together|set up)"
+    *patterns("glue", None, "the|a|an|of|from|using|use|uses|out of|in|into|as|to form|so as to form|in the shape "
+        "of|shaped like"),
+    *patterns("glue", None, "(?:made|consisting|consists|composed|built|formed|formed up|laid|laid out|constructed|"
+        "assembled|arranged|put together|set up)"
         "(?: out)?(?: of| from| by| with)?"),
-    *patterns("glue", None, "make|build|create|construct|put|place|set|set up|set out|arrange|lay|lay out|assemble|organize|form|forms|give|"
-        "show|shows|line up|put together|bring|build up|produce|prepare|contains|contain|containing|has|having|i have to|you have to"),
-    *patterns("glue", None, "please|could|can|would|will|you|i|we|want|need|like|see|wish|to|me|us|for|let|shall|kindly|now|just|get|there (?:should|must|shall|has to|needs to) be|there to be"),
-    *patterns("glue", None, "is|are|be|being|should|must|stands|stand|lies|lie|it has|it is|they are|(?:which|that)(?: (?:is|are))?(?! (?:(?:is|are) )?(?:on|in|at|upon|onto) )"),
+    *patterns("glue", None, "make|build|create|construct|put|place|set|set up|set out|arrange|lay|lay out|assemble|"
+        "organize|form|forms|give|"
+        "show|shows|line up|put together|bring|build up|produce|prepare|contains|contain|containing|has|having|i "
+        "have to|you have to"),
+    *patterns("glue", None, "please|could|can|would|will|you|i|we|want|need|like|see|wish|to|me|us|for|let|shall|"
+        "kindly|now|just|get|there (?:should|must|shall|has to|needs to) be|there to be"),
+    *patterns("glue", None, "is|are|be|being|should|must|stands|stand|lies|lie|it has|it is|they are|(?:which|"
+        "that)(?: (?:is|are))?(?! (?:(?:is|are) )?(?:on|in|at|upon|onto) )"),
     *patterns("glue", None, "(?:the |these |all the |those )?(?:blocks|cubes|pieces)"),
     *patterns("glue", None, "nice|neat|tidy|simple|proper|little|final|whole|together"),
-    *patterns("glue", None, "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target )?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)"),
+    *patterns("glue", None, "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target "
+        ")?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)"),
 ]  # fmt: skip
 """Words that say nothing of their own beside parts. No word that denies, compares, or binds parts in another way."""

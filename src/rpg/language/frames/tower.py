@@ -15,11 +15,14 @@ PATTERNS = [
     *WHERE,
     *BREAKS,
     *GLUE,
-    *patterns("figure", "tower", "(?:single |tall |vertical )?(?:tower|stack|pillar)", "on top of (?:each other|one another)"),
+    *patterns("figure", "tower", "(?:single |tall |vertical )?(?:tower|stack|pillar)", "on top of (?:each other|one "
+        "another)"),
     *patterns("height", numbers("height"),
-        "(?P<height>NUM) (?:BLOCK )?(?:high|tall|in height)", "(?:with )?(?:a )?height (?:of |: |is )?(?P<height>NUM)(?: BLOCK)?"),
+        "(?P<height>NUM) (?:BLOCK )?(?:high|tall|in height)", "(?:with )?(?:a )?height (?:of |: |is "
+        ")?(?P<height>NUM)(?: BLOCK)?"),
     *patterns("place", "at the bottom",
-        "(?:BE )?(?:at|on|as|in|forming) the (?:very )?(?:bottom|base|lowest place)(?: of it)?", "(?:BE )?(?:at|on) bottom",
+        "(?:BE )?(?:at|on|as|in|forming) the (?:very )?(?:bottom|base|lowest place)(?: of it)?", "(?:BE )?(?:at|on) "
+        "bottom",
         "(?:BE )?(?:the )?(?:lowest|undermost|bottommost)", "bottom :?"),
     *patterns("place", "at the top",
         "(?:BE )?(?:on|at) (?:the (?:very )?)?top(?: of (?:it|them|all|everything))?",
@@ -31,12 +34,15 @@ PATTERNS = [
     *patterns("place", "over it", "(?:BE )?(?:over|above) (?:it|them)"),
     *patterns("order", "from bottom to top",
         f"{_LISTED}bottom (?:end )?to (?:the )?top", "(?:from )?(?:the )?bottom up(?:wards)?",
-        "(?:starting|beginning) (?:at|from) the bottom", "from (?:the )?bottom(?= [:,])", f"{_LISTED}lowest to (?:the )?highest"),
+        "(?:starting|beginning) (?:at|from) the bottom", "from (?:the )?bottom(?= [:,])", f"{_LISTED}lowest to "
+        f"(?:the )?highest"),
     *patterns("order", "from top to bottom",
         f"{_LISTED}top (?:end )?to (?:the )?bottom", "(?:from )?(?:the )?top down(?:wards)?",
-        "(?:starting|beginning) (?:at|from) the top", "from (?:the )?top(?= [:,])", f"{_LISTED}highest to (?:the )?lowest"),
+        "(?:starting|beginning) (?:at|from) the top", "from (?:the )?top(?= [:,])", f"{_LISTED}highest to (?:the "
+        f")?lowest"),
     *patterns("colors", "alternating",
-        "(?:in )?(?:strictly )?(?:alternating|alternate|alternates|alternately|alternation|striped)(?: colors| pattern| order)?",
+        "(?:in )?(?:strictly )?(?:alternating|alternate|alternates|alternately|alternation|striped)(?: colors| "
+        "pattern| order)?",
         "(?:in )?(?:taking|take) turns", "by turns"),
     *patterns("colors", "different",
         "(?:each|all|every one)(?: one| of them| BLOCK)?(?: BE)?(?: has| of| in)?(?: a)? different colors?",
@@ -55,16 +61,19 @@ def told(pieces: Sequence[Piece]) -> str:
     check_listed(pieces)
     at = [n for n, piece in enumerate(pieces) if piece.kind == "figure"]
     ahead = " ".join(piece.words for piece in pieces[: at[0]]) if at else ""
-    if len(at) != 1 or ahead == "the" or (ahead.endswith(("and a", "and")) and "lot" in [p.kind for p in pieces[: at[0]]]):
+    if (
+        len(at) != 1
+        or ahead == "the"
+        or (ahead.endswith(("and a", "and")) and "lot" in [p.kind for p in pieces[: at[0]]])
+    ):
         raise Unclear  # "the stack is ..." tells of the start; "two white blocks and a tower" is more than a tower
-    height, total, order, colors, where = (one(pieces, kind) for kind in ("height", "total", "order", "colors", "where"))
+    height, total, order, colors, where = (
+        one(pieces, kind) for kind in ("height", "total", "order", "colors", "where")
+    )
     size = total.value if total else height.value["height"] if height else None
     if height and height.value["height"] != size:
         raise Unclear
-    if order:
-        text = _ordered(pieces, size, order.value)
-    else:
-        text = _placed(pieces, size, colors.value if colors else "")
+    text = _ordered(pieces, size, order.value) if order else _placed(pieces, size, colors.value if colors else "")
     return f"{text} The tower is {where.value}." if where else text
 
 
@@ -72,7 +81,9 @@ def _placed(pieces: Sequence[Piece], size: int | None, colors: str) -> str:
     """A tower with some blocks at their places in it."""
     free, placed = placed_lots(pieces)
     if any(a.kind == "lot" and b.kind == "figure" and lot_of(a) in free for a, b in pairwise(pieces)):
-        free = [Lot(free[0].look)] if len(free) == 1 else []  # "a red tower"
+        if len(free) > 1:
+            raise Unclear  # "a cyan tower and a brown one"
+        free = [Lot(free[0].look)]
     alternating = colors == "alternating"
     lots = counted(with_placed(free, placed), size, evenly=alternating, singly=len(free) > 1)
     places = [_ASIDE.get(place, place) for _, place in placed]
@@ -80,17 +91,29 @@ def _placed(pieces: Sequence[Piece], size: int | None, colors: str) -> str:
         raise Unclear
     if any(place in _ASIDE for _, place in placed) and placed[0][1] != "in the middle":
         raise Unclear
-    if size and len(free) == 1 and placed and free[0].count is None and free[0].look not in [lot.look for lot, _ in placed]:
+    if (
+        size
+        and len(free) == 1
+        and placed
+        and free[0].count is None
+        and free[0].look not in [lot.look for lot, _ in placed]
+    ):
         raise Unclear  # "four blocks, blue with a red one on top"
-    if len(lots) - len(placed) > 1 and len(lots) > 2 and not alternating and all(lot.count == 1 for lot in lots) and placed:
+    if (
+        len(lots) - len(placed) > 1
+        and len(lots) > 2
+        and not alternating
+        and all(lot.count == 1 for lot in lots)
+        and placed
+    ):
         raise Unclear  # the list may tell the order as well
     blocks = " and ".join(lot.blocks for lot in lots) or f"{size} blocks"
     text = f"Build a tower{' of alternating colors' if alternating else ''} from {blocks}."
     text += " Each block has a different color." if colors == "different" else ""
     for (lot, _), place in zip(placed, places, strict=True):
         known = next(other for other in lots if other.look == lot.look)
-        if known.count != 1 and lot.count is None and not alternating:
-            raise Unclear  # all of them, or the one that is there?
+        if known.count != 1 and (lot.count is None or (lot.known and lot.count == 1)) and not alternating:
+            raise Unclear  # all of them, or one of them?
         text += f" {Lot(lot.look, lot.count or 1).again.capitalize()} {place}."
     return text
 

@@ -1,0 +1,79 @@
+"""Distractors that are told in the middle of something else: taken out, and told in a sentence of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rpg.language import lexicon
+from rpg.language.frames.pieces import coded, patterns
+from rpg.language.tokens import Token
+
+_ITEM = (
+    "(?:(?:a|an|NUM|some) )?(?:(?:other|extra|further|more|additional|single) )?(?:SIZE )?COLOR(?: (?:letter )?BLOCK)?|"
+    "(?:(?:a|an|the) )?(?:letters? |digits? |numbers? )?(?:BLOCK )?(?:[A-Z]|\\d)(?: BLOCK)?"
+)
+_ITEMS = f"(?P<items>(?:{_ITEM})(?:(?: ,)?(?: and)? (?:{_ITEM}))*)"
+_COUNTED = "(?:a|an|NUM) (?:SIZE )?COLOR"
+_D = "(?:distractors?|distraction|decoys?)"
+_LEAD = (
+    r"(?:(?:[,;.:]|and|with|plus|amid|among|also|please|now|but|besides|additionally|in addition|furthermore|"
+    r"there (?:is|are|should be|must be|shall be)(?: also)?|add|include|spawn|scatter|have|put|place|set|drop|i "
+    r"want|we have|"
+    r"in the scene|on the TABLE) )*"
+)
+_TAIL = (
+    r"(?: (?:somewhere|anywhere|lying|standing|placed|scattered|around|about|on the TABLE|in the scene|too|as well|"
+    r"(?:that|which) (?:play|plays|have|has) no (?:role|part|function|meaning)|"
+    r"(?:that|which) (?:have|has) nothing to do with (?:it|this|the task)|to (?:be )?ignored?))*"
+)
+TOLD = [
+    *patterns("items", None,
+        rf"{_LEAD}{_ITEMS}{_TAIL} (?:(?:serving|acting|there|just|only|merely) )*(?:as|for) (?:(?:a|the|mere) "
+        rf")?{_D}{_TAIL}",
+        rf"{_LEAD}(?:the )?{_D}(?: (?:is|are))? : {_ITEMS}{_TAIL}",
+        rf"{_LEAD}(?:(?:a|an|NUM|some) )?{_D} : {_ITEMS}{_TAIL}",
+        rf"{_LEAD}(?:as|for) (?:(?:a|the|mere) )?{_D}(?: :| ,)?(?: there (?:is|are))?(?: also)? {_ITEMS}{_TAIL}"),
+    *patterns("count", None,
+        rf"{_LEAD}(?P<items>{_COUNTED}(?:(?: ,)?(?: and)? {_COUNTED})*) {_D}(?: BLOCK)?{_TAIL}",
+        rf"(?:[,;.] )?(?:and )?(?:(?:with|plus|amid|among|add|include|also|spawn|there (?:is|are)) )+"
+        rf"(?P<items>(?:a|an|NUM)) {_D}(?: BLOCK)?{_TAIL}"),
+]  # fmt: skip
+_ENDS = frozenset({".", "!", "?", ";", ","})
+
+
+def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], list[Token], str]]:
+    """The text without the one stretch of it that tells of distractors; that stretch, and what it says."""
+    words = coded(tokens)
+    text = "".join(f"{word} " for word in words)
+    if "distract" not in text and "decoy" not in text:
+        return
+    places = [0]
+    for word in words:
+        places.append(places[-1] + len(word) + 1)
+    for n, at in enumerate(places[:-1]):
+        ends = [match for pattern in TOLD if (match := pattern.expression.match(text, at)) and match.end() in places]
+        if not ends:
+            continue
+        match = max(ends, key=lambda found: found.end())
+        m = places.index(match.end())
+        rest = [*_stopped(tokens[:n], tokens[n]), *_stopped(tokens[m:], tokens[n])]
+        if sum("distract" in word or "decoy" in word for word in words) == sum(
+            "distract" in word or "decoy" in word for word in words[n:m]
+        ):
+            items = match["items"].strip()
+            last = items.split()[-1]
+            bare = last in lexicon.COLORS or last in _ONE or (last.isdigit() and last == items)
+            noun = (" block" if items.split()[0] in _ONE else " blocks") if bare else ""
+            yield rest, list(tokens[n:m]), f"There are also {items}{noun} as distractors."
+        return
+
+
+def _stopped(tokens: Sequence[Token], mark: Token) -> list[Token]:
+    """Words with a full stop behind them, and no marks around them."""
+    marks = [token.word in _ENDS for token in tokens]
+    begin = marks.index(False) if False in marks else len(marks)
+    end = len(marks) - marks[::-1].index(False) if False in marks else begin
+    return [*tokens[begin:end], mark.saying(".")] if begin < end else []
+
+
+_ONE = frozenset({"a", "an", "one", "1"})

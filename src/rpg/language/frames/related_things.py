@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 from rpg.language.frames.pieces import Piece, Unclear, number
 
-if TYPE_CHECKING:
-    from rpg.language.frames.relations import Statement
-
 _MANY = ("blocks", "cubes", "bricks", "boxes", "ones")
+_NOUNS = ("block", "cube", "brick", "box")
 _POINTING = ("the", "this", "that", "these", "those", "both", "all", "my", "our", "your")
 
 
@@ -44,31 +41,45 @@ class Known:
 
 @dataclass
 class Things:
-    """What has been told of, in order; which of it stands in a statement; what "it" meant ahead of names before."""
+    """What has been told of, in order; which of it stands in a statement, whole or in part; how many of a lot a part
+    of it is; whether something without a noun is told of, which may be a patch."""
 
     known: list[Known] = field(default_factory=list)
-    used: set[Known] = field(default_factory=set)
+    used: set[str] = field(default_factory=set)
     parted: dict[str, int] = field(default_factory=dict)
-    pivot: Known | None = None
+    bare: bool = False
 
     def copied(self) -> Things:
         """The same, to be changed by itself."""
-        return Things([*self.known], {*self.used}, {**self.parted}, self.pivot)
+        return Things([*self.known], {*self.used}, {**self.parted}, self.bare)
 
     @property
     def all_used(self) -> bool:
         """Whether something is said of each thing."""
-        return set(self.known) <= self.used
+        return {known.look for known in self.known} <= self.used
+
+    @property
+    def unclear(self) -> bool:
+        """Whether something may be a block or a patch: "put A on the red and B on the blue patch"."""
+        return self.bare and any(known.patch for known in self.known)
 
     @property
     def told(self) -> str:
         """What there is."""
         names = [known.new for known in self.known]
-        return f"There {'is' if len(names) == 1 else 'are'} {' and '.join([*([', '.join(names[:-1])] if len(names) > 1 else []), names[-1]])}."
+        be = "is" if len(names) == 1 and self.known[0].count == 1 else "are"
+        return f"There {be} {' and '.join([*([', '.join(names[:-1])] if len(names) > 1 else []), names[-1]])}."
 
     def use(self, *things: Known) -> None:
-        """Something is said of them."""
-        self.used |= {known for thing in things for known in self.known if known.look == thing.look}
+        """Something is said of them.
+
+        Raises:
+            Unclear: it is said of some of a lot, of which something is said as a whole, or the other way round.
+        """
+        for thing in things:
+            if (thing.look in self.parted) != bool(thing.part):
+                raise Unclear
+        self.used |= {thing.look for thing in things}
 
     def only_patch(self) -> Known:
         """The one patch that there is."""
@@ -82,14 +93,6 @@ class Things:
         """What that stands to."""
         return self._meant(pieces, subjects, subject=False)
 
-    def beside(self, subjects: Sequence[Known], statement: Statement) -> list[Known]:
-        """What something is beside, where that is not said: "on top", "on the left"."""
-        if statement.ahead and self.pivot:
-            return [self.pivot]
-        blocks = [known for known in self.known if not known.patch and known not in subjects]
-        self.pivot = self._one(blocks)
-        return [self.pivot]
-
     def _meant(self, pieces: Sequence[Piece], others: Sequence[Known], *, subject: bool) -> list[Known]:
         found: list[Known] = []
         for n, piece in enumerate(pieces):
@@ -100,7 +103,7 @@ class Things:
             elif piece.kind == "thing":
                 if len(pieces) > n + 1 and not piece.named.get("noun") and pieces[n + 1].value == "patch":
                     raise Unclear  # "the red and the blue patch"
-                found.append(self._thing(piece, subject=subject))
+                found.append(self._thing(piece, subject=subject, both=_says_both(pieces, n)))
             elif not subject:
                 raise Unclear
             else:
@@ -120,13 +123,12 @@ class Things:
         blocks = [known for known in self.known if known.count == 1 and known not in others]
         return self._one([known for known in blocks if not known.patch or not (subject or piece.value == "block")])
 
-    def _thing(self, piece: Piece, *, subject: bool) -> Known:
-        """What a name with a look means."""
+    def _thing(self, piece: Piece, *, subject: bool, both: int) -> Known:
+        """What a name with a look means. `both`: how many are meant where "both" stands ahead."""
         named = piece.named
         pointing = named.get("det", "").split()[:1] in [[word] for word in _POINTING]
         new = _named(piece)
-        if not new.look:
-            raise Unclear
+        new = replace(new, count=both) if both else new
         same = [known for known in self.known if known.patch == new.patch and known.look == new.look]
         if not same:
             words = set(new.look.split())
@@ -137,13 +139,10 @@ class Things:
             raise Unclear
         if same:
             return self._again(piece, new, same[0])
-        if new.count == 0:
+        if new.count == 0 or (new.look == "patch" and pointing and any(known.patch for known in self.known)):
             raise Unclear
-        if not new.patch and not named.get("noun", "").startswith(("block", "cube", "brick", "box")) and not subject:
-            if any(known.patch for known in self.known) and new.look.split()[0] not in ("letter", "number"):
-                raise Unclear  # "the blue one" may be a patch
-        if new.look.split()[-1] in ("patch",) and new.look == "patch" and pointing and any(k.patch for k in self.known):
-            raise Unclear
+        if piece.value == "block" and not subject and not named.get("noun", "").startswith(_NOUNS):
+            self.bare = True
         self.known.append(new)
         return new
 
@@ -153,8 +152,6 @@ class Things:
         if det in ("a", "an", "one") or piece.named.get("count") in ("one", "single", "lone", "1"):
             raise Unclear
         if piece.named.get("count") and new.count != known.count:
-            raise Unclear
-        if det.startswith("both") and known.count != 2:
             raise Unclear
         if known.count > 1 and new.count == 1:
             raise Unclear
@@ -173,18 +170,19 @@ class Things:
         lot = self._one(lots)
         taken = self.parted.get(lot.look, 0)
         if piece.kind == "one":
-            if lot.count != 2 or taken:
+            if lot.count != 2 or taken or lot.look in self.used:
                 raise Unclear
             self.parted[lot.look] = 1
             return replace(lot, count=1, part=f"one of the 2 {lot.look} blocks")
         left = lot.count - taken
         if not taken or ("count" in named and number(named["count"]) != left):
             raise Unclear
-        single = piece.words.endswith("the other") or piece.words.endswith(("one", "block", "cube", "brick", "box"))
+        single = piece.words.endswith(("the other", "one", *_NOUNS))
         if single and left != 1 or left < 1:
             raise Unclear
         self.parted[lot.look] = 0
-        return replace(lot, count=left, part=f"the other {lot.look} block" if left == 1 else f"the other {left} {lot.look} blocks")
+        other = f"the other {lot.look} block" if left == 1 else f"the other {left} {lot.look} blocks"
+        return replace(lot, count=left, part=other)
 
     def _part(self, piece: Piece) -> Known:
         """So many of a lot; no more can be told of these but what the rest of them is."""
@@ -193,7 +191,7 @@ class Things:
         same = [known for known in self.known if known.look == look and not known.patch]
         count = number(named["count"]) if "count" in named else same[0].count if same else 0
         lot = same[0] if same else Known(look, count)
-        if lot.count != count or not 0 < part < count or look in self.parted:
+        if lot.count != count or not 0 < part < count or look in (*self.parted, *self.used):
             raise Unclear
         if not same:
             self.known.append(lot)
@@ -226,6 +224,22 @@ def _named(piece: Piece) -> Known:
             raise Unclear
     else:
         count = 0 if "many" in named or named.get("noun") in _MANY else 1
-        if count == 0 and named.get("det", "").startswith("both"):
-            count = 2
     return Known(look, count)
+
+
+def _says_both(pieces: Sequence[Piece], n: int) -> int:
+    """How many a name with "both" means: two of one look, or one of the two that are listed; 0 where it has none.
+
+    Raises:
+        Unclear: "both green", "both of the three green blocks".
+    """
+    named = pieces[n].named
+    if not named.get("det", "").startswith("both"):
+        return 0
+    many = "many" in named or named.get("noun") in _MANY
+    listed = len(pieces) == 2 and not n and not pieces[1].named.get("det", "").startswith("both")
+    if named.get("count", "2") != "2" or (not many and not listed):
+        raise Unclear
+    if listed and many and not named.get("noun"):
+        raise Unclear
+    return 2 if many else 1

@@ -11,12 +11,13 @@ from rpg.language.frames.pieces import Pattern, patterns
 @dataclass(frozen=True)
 class Relation:
     """How one thing stands to another, as it is told behind "must". `turned`: the second is the one that is told of
-    first; `mutual`: how it is told of two things together, where that can be done; `count`: so many are behind it."""
+    first; `mutual`: how it is told of two things together; `count`: so many are behind it; `aside`: it may also mean a part of a patch."""
 
     phrase: str
     turned: bool = False
     mutual: str = ""
     count: int = 0
+    aside: bool = False
 
 
 _NOUN = "blocks?|cubes?|bricks?|box(?:es)?|ones?"
@@ -28,8 +29,7 @@ THINGS: list[Pattern] = [
     *patterns("thing", "block",
         rf"(?:(?P<det>{_DET}) )?(?:(?P<count>NUM) )?(?:(?P<size>SIZE) )?(?P<color>COLOR)(?P<many>s)?"
         rf"(?: colored)?(?: (?P<noun>{_NOUN}))?",
-        rf"(?:(?P<det>the|a|an) )?(?:block|cube) (?P<color>COLOR)(?= (?!block|cube))",
-        rf"(?P<det>the|a|an) (?:(?P<count>NUM) )?(?P<size>SIZE) (?P<noun>{_NOUN})"),
+        rf"(?:(?P<det>the|a|an) )?(?P<noun>block|cube) (?P<color>COLOR)(?= (?!block|cube))"),
     *patterns("thing", "letter",
         r"(?:(?P<det>the|a|an) )?(?:letters?|block|cube|letter block|letter cube) (?P<letter>[A-Z])(?: (?P<noun>block|cube))?",
         r"(?:(?P<det>the|a|an) )?(?P<letter>[A-HJ-Z])(?: (?P<noun>block|cube))?"),
@@ -44,7 +44,7 @@ THINGS: list[Pattern] = [
         rf"(?:(?P<how>{_HOW_MANY}) )?(?P<part>NUM) (?:out )?of (?:(?:the|these|those|my|our|all) )*(?P<count>NUM) (?P<color>COLOR)s?(?: (?:{_NOUN}))?",
         rf"(?:(?P<how>{_HOW_MANY}) )?(?P<part>NUM) (?:out )?of (?:(?:the|these|those|my|our) )(?P<color>COLOR)s?(?: (?:{_NOUN}))?",
         rf"(?:(?P<how>{_HOW_MANY}) )?(?P<part>NUM) (?P<color>COLOR) (?:{_NOUN}) (?:out )?of (?:the )?(?P<count>NUM)"),
-    *patterns("one", None, rf"one(?: of (?:them|these|those|the 2|the 2 (?:{_NOUN})))?"),
+    *patterns("one", None, rf"one of (?:them|these|those|the 2|the 2 (?:{_NOUN}))"),
     *patterns("rest", None,
         rf"(?:the |all the |all )?(?:other|remaining|others) (?:(?P<count>NUM) )?(?:(?P<color>COLOR) )?(?:{_NOUN})",
         rf"(?:the |all the |all )?(?:other|remaining) (?:(?P<count>NUM))", "(?:the )?other (?P<color>COLOR)",
@@ -56,18 +56,18 @@ THINGS: list[Pattern] = [
 ]  # fmt: skip
 """Kinds of what statements are about."""
 
-_CLOSE = "(?:directly|immediately|right|just|straight|somewhere)"
+_CLOSE = "directly|immediately|right|just"
 _SIDES = {
-    "to the left of": "(?:(?:to|on|at) )?(?:the )?left(?: hand)?(?: side)? (?:of|from|to)|leftwards? of|to the left hand of",
-    "to the right of": "(?:(?:to|on|at) )?(?:the )?right(?: hand)?(?: side)? (?:of|from|to)|rightwards? of|to the right hand of",
-    "in front of": "(?:in|at|to) (?:the )?front (?:of|from)",
-    "behind": "behind|behind of|in back of|(?:at|in|to) the (?:back|rear) of",
+    "to the left of": "(?:(?:to|on|at) )?(?:the )?left(?: hand)? (?:of|from|to)|leftwards? of",
+    "to the right of": "(?:(?:to|on|at) )?(?:the )?right(?: hand)? (?:of|from|to)|rightwards? of",
+    "in front of": "(?:in|at|to) (?:the )?front (?:of|from)|before",
+    "behind": "behind|behind of|in back of|(?:at|in|to) the (?:back|rear) of|in the rear of",
 }
 _ASIDES = {
     "to the left of": "(?:to|on|at) (?:the|its) left(?: hand)?(?: side)?",
     "to the right of": "(?:to|on|at) (?:the|its) right(?: hand)?(?: side)?",
-    "in front of": "in front|in its front",
-    "on top of": "on top|on (?:its|the) top|atop|on (?:its|the) upper side",
+    "in front of": "in its front",
+    "on top of": "on top|on (?:its|the) top|on (?:its|the) upper side",
     "under": "underneath|beneath|below",
 }
 
@@ -77,12 +77,15 @@ def _sided() -> list[Pattern]:
     found = []
     for phrase, said in _SIDES.items():
         found += patterns("rel", Relation(phrase), said)
-        close = (lambda match, told=phrase: Relation(f"{match['close']} {told}"))
+        found += patterns("rel", Relation(f"somewhere {phrase}"), f"somewhere (?:{said})")
+        close = lambda match, told=phrase: Relation(f"{match['close']} {told}")
         found += patterns("rel", close, f"(?P<close>{_CLOSE}) (?:{said})")
-        measured = (lambda match, told=phrase: Relation(f"{match['far'].strip()} {told}"))
+        measured = lambda match, told=phrase: Relation(f"{match['far']} {told}")
         found += patterns("rel", measured, f"(?P<far>{_FAR}) (?:{said})")
-        if "the" in phrase:
-            found += patterns("rel", Relation(f"immediately {phrase}"), said.replace("the )?", "the )?immediate ", 1).split("|")[0])
+    for side in ("left", "right"):
+        beside = Relation(f"to the {side} of", aside=True)
+        found += patterns("rel", beside, f"(?:to|on|at) the {side}(?: hand)? side (?:of|from)")
+        found += patterns("rel", Relation(f"immediately to the {side} of"), f"(?:to|on) the immediate {side} of")
     for phrase, said in _ASIDES.items():
         found += patterns("aside", Relation(phrase), said)
     return found
@@ -98,9 +101,11 @@ def _far(match: re.Match[str]) -> str:
 RELATIONS: list[Pattern] = [
     *_sided(),
     *patterns("rel", Relation("on"),
-        "(?:right |directly |straight |flat )?(?:on|onto|upon|on to)", "stacked (?:on|onto|upon)"),
+        "(?:right |directly |straight |flat )?(?:on|onto|upon|on to)"),
+    *patterns("rel", Relation("off"), "outside|outside of"),
     *patterns("rel", Relation("on top of"),
-        "(?:right |directly |straight |stacked )?(?:on top of|on the top of|atop|atop of|on top)", "tops|crowns|caps",
+        "(?:right |directly |straight |stacked )?(?:on top of|on the top of|atop|atop of)", "tops|crowns|caps",
+        "stacked (?:on|onto|upon)",
         "(?:is |are |being )?(?:carried|supported|held up|borne) by"),
     *patterns("rel", Relation("on top of", turned=True),
         "carries|carrying|supports|supporting|bears|bearing|carry|support|bear|holds up|(?:is |be )?(?:topped|crowned|capped) (?:by|with)"),
@@ -108,7 +113,7 @@ RELATIONS: list[Pattern] = [
     *patterns("rel", Relation("directly above"), "(?:directly|right|immediately|just|straight) (?:above|over)"),
     *patterns("rel", Relation("under"), "(?:somewhere )?(?:under|below|beneath|underneath)"),
     *patterns("rel", Relation("directly under"), "(?:directly|right|immediately|just|straight) (?:under|below|beneath|underneath)"),
-    *patterns("rel", Relation("next to", mutual="next to each other"), "next to|beside|besides|alongside|alongside of|at the side of|by the side of"),
+    *patterns("rel", Relation("next to", mutual="next to each other"), "next to|beside|alongside|alongside of|at the side of|by the side of"),
     *patterns("rel", Relation("right next to", mutual="right next to each other"),
         "(?:right|directly|immediately|just|straight) (?:next to|beside|alongside)", "adjacent to|adjoining|(?:directly|immediately) adjacent to"),
     *patterns("rel", Relation("near", mutual="near each other"), "near|near to|close to|close by|nearby|in the vicinity of|not far from|in the neighborhood of"),
@@ -116,11 +121,11 @@ RELATIONS: list[Pattern] = [
     *patterns("rel", Relation("touch", mutual="touch each other"),
         "touch|touches|touching|(?:be |is |are )?in (?:direct )?contact with|(?:right )?up against|makes? contact with|comes? into contact with"),
     *patterns("rel", Relation("between", count=2),
-        "(?:right )?(?:between|in between|in the middle between|sandwiched between|squeezed between|wedged between|midway between|halfway between)"),
-    *patterns("rel", Relation("between", count=2), "(?:is |be |are )?flanked by|framed by|sandwiched by"),
+        "between|in between|somewhere between", "(?:is |be |are )?(?:flanked|framed) by"),
+    *patterns("rel", Relation("halfway between", count=2),
+        "(?:right |exactly )?(?:in the (?:exact )?middle|midway|halfway|half way) between"),
     *patterns("rel", lambda match: Relation(f"{match['far']} from"),
         f"(?:at )?(?:a distance of )?(?P<far>{_FAR})(?: away| apart| distant)? from", f"at a distance of (?P<far>{_FAR}) (?:to|from)"),
-    *patterns("rel", Relation("off"), "off|off of|outside|outside of"),
 ]  # fmt: skip
 """Kind "rel" (with things behind it) and "aside" (without)."""
 _EACH = "(?:each other|one another)"
@@ -148,7 +153,9 @@ MUTUAL: list[Pattern] = [
 """What two things are to each other."""
 
 _SIDE = "left|right|near|far|front|back"
-_CORNER = "(?:(?:near|far|front|back|close|top|bottom|upper|lower) (?:left|right)|(?:left|right) (?:near|far|front|back))"
+_CORNER = (
+    "(?:(?:near|far|front|back|close|top|bottom|upper|lower) (?:left|right)|(?:left|right) (?:near|far|front|back))"
+)
 PLACES: list[Pattern] = [
     *patterns("place", lambda match: f"in the {match['side']} half of the table",
         rf"(?:in|on|into|onto|to|within|inside) the (?P<side>{_SIDE}) half(?: of the TABLE)?"),
@@ -169,20 +176,21 @@ PLACES: list[Pattern] = [
 ]  # fmt: skip
 """Kind "place", to be told behind "must be"."""
 
-_POSTURE = "sit|stand|lie|rest|perch|hide|lean|live|dwell|end up|finish|finish up|end|land|remain"
+_POSTURE = "sit|stand|lie|rest|perch|hide|lean|live|dwell|end up|finish|finish up|end|land"
 _POSTURES = (
     "sits|stands|lies|rests|perches|hides|lives|dwells|ends up|finishes|finishes up|ends|lands|sitting|standing|lying|"
-    "resting|perching|perched|hiding|hidden|sat|stood|located|situated|positioned|placed|set|laid|found|seen|put|stacked"
+    "resting|perching|perched|hiding|hidden|sat|stood|located|situated|positioned|placed|set|laid|found|seen|put"
 )
 _MUST = "must|should|shall|has to|have to|need to|needs to|needs|ought to|is to|are to|is supposed to|are supposed to|will|is going to|has got to|must needs"
 _DO = (
     "put|place|set|move|bring|lay|position|shift|push|slide|get|stick|pop|plop|stand|sit|rest|drop|carry|transfer|"
-    "locate|make|let|perch|balance|plonk|pull|drag|nudge|set down|put down|lay down|relocate|arrange|stack|deposit"
+    "locate|make|let|perch|balance|plonk|pull|drag|nudge|set down|put down|lay down|relocate|arrange|deposit"
 )
 MOODS: list[Pattern] = [
-    *patterns("be", "do",
+    *patterns("be", "must",
         f"(?:{_MUST})(?: (?:be|go|come|get|touch(?= each| one)|{_POSTURE}))?(?: (?:{_POSTURES}))?", "goes|go|belongs|belong|comes|come|going|to (?:be|go|come|stand|sit|lie|rest)"),
     *patterns("be", "make", f"(?:{_DO})(?: (?:down|over|up))?"),
+    *patterns("be", "stack", "stack(?: up)?"),
     *patterns("be", "is", "is|are|being|be", f"(?:(?:is|are|be|being) )?(?:{_POSTURES})"),
     *patterns("there", None, "there (?:is|are)|there (?:must|should|shall|has to|have to|needs to) be|we have|you have|i have|you see|one sees|i see|we see"),
     *patterns("take", None, "take|use|pick|pick up|grab|using|given|you get|we use"),
@@ -190,19 +198,26 @@ MOODS: list[Pattern] = [
     *patterns("not", None, "not|never"),
     *patterns("have", None, "with|has|have|having"),
     *patterns("that", None, "so that|such that|in such a way that"),
-    *patterns("first", None, "first|firstly|first of all|to begin with"),
+    *patterns("first", None, "first|firstly|first of all"),
     *patterns("then", None, "then|after that|afterwards|and then|after this|and after that|and afterwards|thereafter|thereupon|finally"),
+    *patterns("end", None, "(?:at|in) the end"),
     *patterns("join", None, "and|while|whereas|but|and also|as well as|plus|whilst"),
     *patterns("comma", None, ","),
     *patterns("stop", None, "[.;:!?]"),
 ]  # fmt: skip
 """Words that bind things and relations together. Kind "be" has the value "do" where something is asked for."""
 GLUE: list[Pattern] = [
-    *patterns("glue", None, "please|kindly|also|too|as well|could you|can you|would you|will you|you|i|we|me|us|for me|for us|pls"),
-    *patterns("glue", None, "i want(?: you to)?|i would like(?: you to)?|we want|we would like|i need(?: you to)?|i wish|you (?:must|should|have to)|let us|want|would like"),
-    *patterns("glue", None, "(?:make|be) sure(?: that)?|ensure(?: that)?|see to it that|see that|it must be that|i want that|i would like that|that(?= the)"),
-    *patterns("glue", None, "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target )?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)(?: that)?"),
-    *patterns("glue", None, "in the (?:final |finished )?(?:picture|image|scene|photo|end)|at the end"),
+    *patterns("glue", None, "please|kindly|(?:could|can|would|will) you|you|i|we|me|us|for me|for us|pls"),
+    *patterns("sure", "must", "(?:i|we) (?:want|would like|need|wish)(?: that| to (?:see|have))?"),
+    *patterns("glue", None, "you (?:must|should|have to)|let us|want|would like|(?:i|we) (?:want|would like|need) you to"),
+    *patterns("sure", "do", "(?:make|be) sure(?: that)?|ensure(?: that)?|see to it that|see that"),
+    *patterns("sure", "must", "it must be that"),
+    *patterns("glue", None, "that(?= the)"),
+    *patterns("sure", "must",
+        "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target )?(?:picture|image|scene|shot|"
+        "view|photo|frame|state|result|goal|task)(?: is| shows| :)(?: that)?",
+        "in the (?:final |finished )?(?:picture|image|scene|photo)"),
+    *patterns("glue", None, "also(?= (?:must|should|put|place|set|move|is|are|touch|on|next|to|in|left|right) )"),
 ]  # fmt: skip
 """Words that say nothing of their own beside parts. No word that denies, compares, or binds parts in another way."""
 PATTERNS = [*THINGS, *RELATIONS, *MUTUAL, *PLACES, *MOODS, *GLUE]

@@ -26,8 +26,8 @@ _BINDING = frozenset({
     "initial", "initially", "start", "starting", "begin", "beginning", "goal", "end", "until", "or", "if", ":",
 })  # fmt: skip
 """With these, sentences do not stand for themselves."""
-_ANY = re.compile(r"from \d+ blocks")
-"""Blocks of no told look may be those that another sentence names."""
+_ANY = re.compile(r"from \d+ blocks|^There (?:is|are) ")
+"""Blocks of no told look may be those that another sentence names, and what there is may be there already."""
 _MOST = 120
 """Longer texts are not told again."""
 

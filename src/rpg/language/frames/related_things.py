@@ -115,7 +115,7 @@ class Things:
     def _all(self, known: list[Known], *, subject: bool) -> list[Known]:
         """Both things that there are, or the one lot."""
         blocks = [thing for thing in known if not thing.patch] if subject else known
-        if len(blocks) == 1 and blocks[0].count == 2 or [thing.count for thing in blocks] == [1, 1]:
+        if (len(blocks) == 1 and blocks[0].count == 2) or [thing.count for thing in blocks] == [1, 1]:
             return blocks
         raise Unclear
 
@@ -169,16 +169,11 @@ class Things:
             lots = [known for known in lots if known.look == named["color"]]
         lot = self._one(lots)
         taken = self.parted.get(lot.look, 0)
-        if piece.kind == "one":
-            if lot.count != 2 or taken or lot.look in self.used:
-                raise Unclear
-            self.parted[lot.look] = 1
-            return replace(lot, count=1, part=f"one of the 2 {lot.look} blocks")
         left = lot.count - taken
         if not taken or ("count" in named and number(named["count"]) != left):
             raise Unclear
-        single = piece.words.endswith(("the other", "one", *_NOUNS))
-        if single and left != 1 or left < 1:
+        single = "nth" in named or piece.words.endswith(("the other", "one", *_NOUNS))
+        if (single and left != 1) or left < 1 or not _last(named.get("nth"), lot.count):
             raise Unclear
         self.parted[lot.look] = 0
         other = f"the other {lot.look} block" if left == 1 else f"the other {left} {lot.look} blocks"
@@ -187,7 +182,9 @@ class Things:
     def _part(self, piece: Piece) -> Known:
         """So many of a lot; no more can be told of these but what the rest of them is."""
         named = piece.named
-        look, part = named["color"], number(named["part"])
+        part = number(named["part"])
+        lots = [known for known in self.known if known.count > 1 and not known.patch]
+        look = named["color"] if "color" in named else self._one(lots).look
         same = [known for known in self.known if known.look == look and not known.patch]
         count = number(named["count"]) if "count" in named else same[0].count if same else 0
         lot = same[0] if same else Known(look, count)
@@ -243,3 +240,8 @@ def _says_both(pieces: Sequence[Piece], n: int) -> int:
     if listed and many and not named.get("noun"):
         raise Unclear
     return 2 if many else 1
+
+
+def _last(nth: str | None, count: int) -> bool:
+    """Whether the one that is counted so is the last of so many."""
+    return nth in (None, "last") or {"third": 3, "fourth": 4, "fifth": 5, "sixth": 6}[nth] == count

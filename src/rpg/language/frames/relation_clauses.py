@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from rpg.language.frames.pieces import Piece
 from rpg.language.frames.relation_words import Relation
 
-NAMES = frozenset({"thing", "part", "one", "rest", "it", "they"})
+NAMES = frozenset({"thing", "part", "rest", "it", "they"})
 """Kinds of pieces that name what a statement is about."""
 _POINTING = frozenset({"it", "they"})
 _ASKING = frozenset({
@@ -101,12 +101,13 @@ def _clause(pieces: Sequence[Piece], at: int, *, first: bool) -> Iterator[Parse]
     start = _verb(pieces, at + (introduced or _words(pieces, at) == "with"))
     if _words(pieces, at) == "with" and start > at + 1:
         return
-    keeps = _kind(pieces, start) == "keep"
+    keeps = _kind(pieces, start) in ("keep", "still")
     stacked = any(piece.value == "stack" for piece in pieces[at:start])
     for named, end in _lists(pieces, start + keeps):
         if keeps:
-            if _kind(pieces, end) == "stay":
-                yield (Statement(named, "stay"),), end + 1
+            stays = _kind(pieces, end) == "stay"
+            if stays or _kind(pieces, start) == "still":
+                yield (Statement(named, "stay"),), end + stays
             continue
         if not stacked and (introduced or start > at or _kind(pieces, end) == "that" or end == len(pieces)):
             yield (Statement(named, "named"),), end
@@ -135,7 +136,7 @@ def _of(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, *, more: boo
 def _said(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> Iterator[Parse]:
     """One thing that is said of names that stand ahead."""
     start = _verb(pieces, at)
-    denied = _words(pieces, start) if _kind(pieces, start) == "not" else ""
+    denied = str(pieces[start].value) if _kind(pieces, start) == "not" else ""
     start = _verb(pieces, start + bool(denied))
     if start == len(pieces):
         return
@@ -144,7 +145,7 @@ def _said(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> Iterato
         yield (Statement(named, kind, piece.value or "", denied=denied),), start + 1
     if kind == "keep" and not denied and _kind(pieces, start + 1) == "stay":
         yield (Statement(named, "stay"),), start + 2
-    if kind == "stay" and not denied and piece.words.startswith(("stay", "remain")):
+    if kind == "stays" and not denied:
         yield (Statement(named, "stay"),), start + 1
     if kind == "have" and not denied:
         for other, end in _lists(pieces, start + 1):
@@ -167,7 +168,7 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
         yield (stated,), end
         if denied:
             continue
-        if _kind(pieces, end) == "have" or _kind(pieces, end + 1) == "have" and _kind(pieces, end) == "comma":
+        if _kind(pieces, end) == "have" or (_kind(pieces, end + 1) == "have" and _kind(pieces, end) == "comma"):
             yield from _with(pieces, stated, end + (_kind(pieces, end) == "comma"))
         if _kind(pieces, end) == "rel" and len(objects) == 1 and _piled(piece, pieces[end]):
             for more, last in _said(pieces, objects, end):

@@ -32,7 +32,7 @@ def stages_of(pieces: Sequence[Piece]) -> tuple[list[Sentence], list[list[Senten
                 raise Unclear
             stages.append([[]])
         elif piece.kind == "stop":
-            if not n or pieces[n - 1].kind == "stop" and pieces[n - 1].words != piece.words:
+            if not n or (pieces[n - 1].kind == "stop" and pieces[n - 1].words != piece.words):
                 raise Unclear  # a list of steps
             stages[-1].append([])
         else:
@@ -99,7 +99,7 @@ def _moods(sentence: Sentence) -> set[Mood]:
 
 
 def _acts(sentence: Sentence) -> bool:
-    return any(piece.kind in ("keep", "swap") or piece.value in ("make", "stack") for piece in sentence)
+    return any(piece.kind in ("keep", "swap", "still") or piece.value in ("make", "stack") for piece in sentence)
 
 
 def states(sentence: Sentence) -> bool:
@@ -128,7 +128,7 @@ def _mood(part: Sentence) -> Mood:
     """The mood of a part of a sentence."""
     kinds = {piece.kind for piece in part}
     for n, piece in enumerate(part):
-        if piece.kind in ("keep", "swap", "take"):
+        if piece.kind in ("keep", "swap", "take", "still"):
             return "do"
         if piece.kind == "sure":
             return "must" if piece.value == "must" else "do"

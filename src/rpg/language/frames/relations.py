@@ -9,10 +9,12 @@ from itertools import combinations
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.related_things import Known, Things
 from rpg.language.frames.relation_clauses import Statement, sentence_read
+from rpg.language.frames.relation_names import THINGS
 from rpg.language.frames.relation_stages import Sentence, stages_of
-from rpg.language.frames.relation_words import PATTERNS as PATTERNS
-from rpg.language.frames.relation_words import Relation
+from rpg.language.frames.relation_verbs import GLUE, MOODS
+from rpg.language.frames.relation_words import MUTUAL, PLACES, RELATIONS, Relation
 
+PATTERNS = [*THINGS, *RELATIONS, *MUTUAL, *PLACES, *MOODS, *GLUE]
 _MOST = 200
 """More readings than these are not looked at."""
 _TRIVIAL = "on the table"
@@ -141,14 +143,14 @@ def _related(statement: Statement, relation: Relation, subjects: list[Known], ob
         subjects, objects = objects, subjects
     if {known.look for known in subjects if not known.part} & {known.look for known in objects}:
         raise Unclear
-    if any(known.patch for known in subjects) or (relation.turned and _shown(subjects)):
+    if any(known.patch for known in subjects) or (relation.turned and _shown(subjects) and not _shown(objects)):
         raise Unclear
     many = sum(known.count for known in subjects), sum(known.count for known in objects)
     on_patch = relation.phrase == "on" and any(known.patch for known in objects)
     if (on_patch and (len(objects) > 1 or statement.stacked)) or (relation.count and many[1] != relation.count):
         raise Unclear
     sort = _sort(relation.phrase)
-    if any(known.patch for known in objects) and (sort == "on" and not on_patch or relation.aside):
+    if any(known.patch for known in objects) and ((sort == "on" and not on_patch) or relation.inside):
         raise Unclear
     if max(many) > 1 and not on_patch and not _may_be_many(relation, sort, many):
         raise Unclear
@@ -157,7 +159,7 @@ def _related(statement: Statement, relation: Relation, subjects: list[Known], ob
     phrase = "on top of" if relation.phrase == "on" and not on_patch else relation.phrase
     if phrase == "touch":
         be = be.removesuffix(" be")
-    if be in ("is", "are") and (phrase == "touch" or sort == "on" and max(many) > 1 and not on_patch):
+    if be in ("is", "are") and (phrase == "touch" or (sort == "on" and max(many) > 1 and not on_patch)):
         raise Unclear
     beside = f" on its {statement.beside.split()[-2]}" if statement.beside.endswith(("left of", "right of")) else ""
     if statement.beside and not beside:
@@ -244,5 +246,5 @@ def _check(said: Sequence[Said]) -> None:
 def _agree(one: Said, other: Said) -> bool:
     """Whether two statements about the same things hold together."""
     if {one.sort, other.sort} == {"side", "close"}:
-        return not (one.sort == "side" and one.denied or other.sort == "side" and other.denied)
+        return not any(said.denied for said in (one, other) if said.sort == "side")
     return False

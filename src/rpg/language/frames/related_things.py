@@ -41,27 +41,29 @@ class Known:
 
 @dataclass
 class Things:
-    """What has been told of, in order; which of it stands in a statement, whole or in part; how many of a lot a part
-    of it is; whether something without a noun is told of, which may be a patch."""
+    """What has been told of, in order; which of it stands in a statement, and in one of
+    the start; how many of a lot a part
+    of it is; what is told of without a noun, and may be a patch."""
 
     known: list[Known] = field(default_factory=list)
     used: set[str] = field(default_factory=set)
+    seen: set[str] = field(default_factory=set)
     parted: dict[str, int] = field(default_factory=dict)
-    bare: bool = False
+    bare: set[str] = field(default_factory=set)
 
     def copied(self) -> Things:
         """The same, to be changed by itself."""
-        return Things([*self.known], {*self.used}, {**self.parted}, self.bare)
+        return Things([*self.known], {*self.used}, {*self.seen}, {**self.parted}, {*self.bare})
 
     @property
     def all_used(self) -> bool:
         """Whether something is said of each thing."""
-        return {known.look for known in self.known} <= self.used
+        return {known.look for known in self.known} <= self.used | self.seen
 
     @property
     def unclear(self) -> bool:
         """Whether something may be a block or a patch: "put A on the red and B on the blue patch"."""
-        return self.bare and any(known.patch for known in self.known)
+        return bool(self.bare) and any(known.patch for known in self.known)
 
     @property
     def told(self) -> str:
@@ -70,16 +72,17 @@ class Things:
         be = "is" if len(names) == 1 and self.known[0].count == 1 else "are"
         return f"There {be} {' and '.join([*([', '.join(names[:-1])] if len(names) > 1 else []), names[-1]])}."
 
-    def use(self, *things: Known) -> None:
+    def use(self, *things: Known, start: bool = False) -> None:
         """Something is said of them.
 
         Raises:
             Unclear: it is said of some of a lot, of which something is said as a whole, or the other way round.
         """
         for thing in things:
-            if (thing.look in self.parted) != bool(thing.part):
+            if not start and (thing.look in self.parted) != bool(thing.part):
                 raise Unclear
-        self.used |= {thing.look for thing in things}
+        into = self.seen if start else self.used
+        into |= {thing.look for thing in things}
 
     def only_patch(self) -> Known:
         """The one patch that there is."""
@@ -137,12 +140,15 @@ class Things:
                 raise Unclear
         if len(same) > 1:
             raise Unclear
+        noun = named.get("noun", "")
+        if subject or noun.startswith(_NOUNS):
+            self.bare.discard(new.look)
+        elif piece.value == "block" and not same and (not noun or any(known.patch for known in self.known)):
+            self.bare.add(new.look)
         if same:
             return self._again(piece, new, same[0])
         if new.count == 0 or (new.look == "patch" and pointing and any(known.patch for known in self.known)):
             raise Unclear
-        if piece.value == "block" and not subject and not named.get("noun", "").startswith(_NOUNS):
-            self.bare = True
         self.known.append(new)
         return new
 

@@ -15,6 +15,7 @@ _ASKING = frozenset({
     "is", "are", "must", "should", "shall", "will", "has", "have", "need", "needs", "ought", "being",
 })  # fmt: skip
 """A sentence that begins with one of these asks whether something is so, or tells under which condition."""
+_PARTICIPLES = ("carrying", "supporting", "bearing", "topped", "crowned", "capped", "touching")
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,10 @@ Parse = tuple[tuple[Statement, ...], int]
 
 def sentence_read(pieces: Sequence[Piece]) -> Iterator[tuple[Statement, ...]]:
     """Every way to read a sentence."""
-    if pieces[0].kind == "be" and pieces[0].words.split()[0] in _ASKING:
+    if pieces[0].value in ("is", "must") and pieces[0].words.split()[0] in _ASKING:
+        return
+    limited = any(p.kind == "neither" or p.named.get("how", "").endswith(("at most", "more than")) for p in pieces)
+    if any(piece.value == "may" for piece in pieces) and not limited:
         return
     yield from _clauses(pieces, 0, first=True, denied=False)
 
@@ -97,6 +101,9 @@ def _lists(pieces: Sequence[Piece], at: int) -> Iterator[tuple[tuple[Piece, ...]
 
 def _clause(pieces: Sequence[Piece], at: int, *, first: bool) -> Iterator[Parse]:
     """Every way to read a clause."""
+    if _kind(pieces, at) == "neither":
+        yield from _neither(pieces, at)
+        return
     introduced = _kind(pieces, at) in ("there", "take")
     start = _verb(pieces, at + (introduced or _words(pieces, at) == "with"))
     if _words(pieces, at) == "with" and start > at + 1:
@@ -111,11 +118,58 @@ def _clause(pieces: Sequence[Piece], at: int, *, first: bool) -> Iterator[Parse]
             continue
         if not stacked and (introduced or start > at or _kind(pieces, end) == "that" or end == len(pieces)):
             yield (Statement(named, "named"),), end
+        if _kind(pieces, end) == "aside" and _words(pieces, end + 1) == "and":
+            yield from _both_beside(pieces, named, end)
         for statements, last in _of(pieces, named, end, more=first):
             yield tuple(replace(statement, stacked=stacked) for statement in statements), last
+        yield from _inserted(pieces, named, end)
+    if not stacked:
+        yield from _of_two(pieces, start + keeps)
     if not introduced and not stacked:
         yield from _ahead(pieces, start)
-        yield from _of_two(pieces, start)
+
+
+def _neither(pieces: Sequence[Piece], at: int) -> Iterator[Parse]:
+    """ "Neither A nor B is on C", "neither on C": it is denied of each."""
+    end = at + 1
+    one, nor, other = (_kind(pieces, end) in NAMES, _words(pieces, end + 1) == "nor", _kind(pieces, end + 2) in NAMES)
+    if one and nor and other:
+        named: tuple[Piece, ...] = (pieces[end], pieces[end + 2])
+        end += 3
+    else:
+        named = (replace(pieces[at], kind="they"),)
+    for statements, last in _said(pieces, named, end):
+        (first, *more) = statements
+        if not more and not first.denied and first.how in ("rel", "place"):
+            yield (replace(first, denied="each"),), last
+
+
+def _inserted(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> Iterator[Parse]:
+    """ "A, which carries B, is on C": what is said of one thing by the way."""
+    comma = _kind(pieces, at) == "comma"
+    which = at + comma + (_kind(pieces, at + comma) == "which")
+    participle = comma and _kind(pieces, which) == "rel" and _words(pieces, which).startswith(_PARTICIPLES)
+    if len(named) > 1 or not (which > at + comma or participle):
+        return
+    for statements, end in _said(pieces, named, which):
+        behind = end + (_kind(pieces, end) == "comma")
+        if comma != (behind > end) or any(statement.denied for statement in statements):
+            continue
+        for more, last in _of(pieces, named, behind, more=False):
+            yield (*statements, *more), last
+
+
+def _both_beside(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> Iterator[Parse]:
+    """ "A to the left and B to the right of C"."""
+    for other, end in _lists(pieces, at + 2):
+        relation = pieces[end].value if _kind(pieces, end) == "rel" else None
+        if not isinstance(relation, Relation) or not relation.phrase.endswith((" of", "behind")):
+            continue
+        if not pieces[at].words.startswith("to ") or relation.phrase == pieces[at].value.phrase:
+            continue  # on the left of the table?
+        for objects, last in _lists(pieces, end + 1):
+            first = Statement(named, "rel", pieces[at].value, objects)
+            yield (first, Statement(other, "rel", relation, objects)), last
 
 
 def _of(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, *, more: bool) -> Iterator[Parse]:
@@ -138,6 +192,8 @@ def _said(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> Iterato
     start = _verb(pieces, at)
     denied = str(pieces[start].value) if _kind(pieces, start) == "not" else ""
     start = _verb(pieces, start + bool(denied))
+    if denied and _kind(pieces, start) == "they" and _words(pieces, start - 1) == "without":
+        named, start = (pieces[start],), start + 1
     if start == len(pieces):
         return
     kind, piece = pieces[start].kind, pieces[start]
@@ -168,6 +224,9 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
         yield (stated,), end
         if denied:
             continue
+        if _kind(pieces, side) == "mutual" and pieces[side].words.endswith(("away", "apart")):
+            far = Relation(f"{pieces[side].value.removeprefix('be ').removesuffix(' apart')} from")
+            yield (stated, Statement(named, "rel", far, objects)), side + 1
         if _kind(pieces, end) == "have" or (_kind(pieces, end + 1) == "have" and _kind(pieces, end) == "comma"):
             yield from _with(pieces, stated, end + (_kind(pieces, end) == "comma"))
         if _kind(pieces, end) == "rel" and len(objects) == 1 and _piled(piece, pieces[end]):
@@ -187,14 +246,19 @@ def _with(pieces: Sequence[Piece], stated: Statement, at: int) -> Iterator[Parse
             (first, *more) = statements
             if not more and first.how == "rel" and any(piece.kind in _POINTING for piece in first.objects):
                 yield (stated, first), last
-    for statements, last in _of_two(pieces, at + 1):
-        yield (stated, *statements), last
+    for both, last in _of_two(pieces, at + 1):
+        yield (stated, *both), last
 
 
 def _beside(pieces: Sequence[Piece], named: tuple[Piece, ...], other: tuple[Piece, ...], at: int) -> Iterator[Parse]:
     """ "A has B on its left": what is said of the second stands to the first."""
     if _kind(pieces, at) == "aside":
-        yield (Statement(other, "rel", pieces[at].value, named),), at + 1
+        stated = Statement(other, "rel", pieces[at].value, named)
+        yield (stated,), at + 1
+        if _words(pieces, at + 1) in ("and", ","):
+            for another, end in _lists(pieces, at + 2):
+                for others, last in _beside(pieces, named, another, end):
+                    yield (stated, *others), last
     for statements, last in _said(pieces, other, at):
         (first, *more) = statements
         if not more and first.how == "rel" and len(first.objects) == 1 and first.objects[0].kind in _POINTING:

@@ -25,19 +25,22 @@ _DO = (
     "locate|make|let|perch|balance|plonk|pull|drag|nudge|set down|put down|lay down|relocate|arrange|deposit|shove|"
     "lift|park|have"
 )
-_WANTS = "(?:i|we) (?:want|would like|need|wish|would love)"
+_WANTS = "(?:i|I|we) (?:want|would like|need|wish|would love)"
 _SHOWN = "(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task|arrangement|configuration)"
 MOODS: list[Pattern] = [
     *patterns("be", "must",
         f"(?:{_MUST})(?: also)?(?: (?:be|go|come|get|touch(?= each| one)|{_REST}))?(?: (?:{_RESTS}))?",
-        "goes|go|belongs|belong|comes|come|going|to (?:be|go|come|stand|sit|lie|rest)"),
+        f"(?:wants |want |likes |like )?to (?:be|go|come|{_REST})",
+        "goes|go|belongs|belong|comes|come|going|(?:may|can)(?= not )"),
+    *patterns("be", "may", "(?:may|can) (?:be|go|come)"),
     *patterns("be", "make",
         f"(?:{_DO})(?: (?:down|over|up))?(?= (?!where|alone|as))", "(?:move|slide|push|shift) (?:away|over|back)"),
     *patterns("be", "stack", "stack(?: up)?"),
-    *patterns("be", "is", "is|are|being|be", f"(?:(?:is|are|be|being) )?(?:{_RESTS})"),
+    *patterns("be", "is", "is|are|being|be", f"(?:(?:is|are|be|being) )?(?:{_RESTS})",
+        "lie|hide|live|end up|wait"),
     *patterns("there", None,
-        "there (?:is|are)|there (?:must|should|shall|has to|have to|needs to|will) be|we have|you have|i have|you see|"
-        "one sees|i see|we see|here (?:is|are)"),
+        "there (?:is|are)|there (?:must|should|shall|has to|have to|needs to|will) be|(?:i|I|we|you) have|you see|"
+        "one sees|i see|I see|we see|here (?:is|are)"),
     *patterns("take", None, "take|use|pick|pick up|grab|using|given|you get|we use"),
     *patterns("keep", None,
         "keep|leave|leaves|keeps|leaving|keeping|stays|stay|remains|(?:must |should |shall |has to |have to |is to )"
@@ -45,7 +48,9 @@ MOODS: list[Pattern] = [
     *patterns("not", "not", "not|without(?: being)?"),
     *patterns("not", "never", "never"),
     *patterns("have", None, "with|has|have|having"),
-    *patterns("that", None, "so that|such that|in such a way that|until"),
+    *patterns("which", None,
+        "(?:which|that)(?= (?:is|are|must|should|carries|supports|bears|touches|stands|sits|lies|rests) )"),
+    *patterns("that", None, "so that|such that|in such a way that|until|so(?= (?:it|they|the) )"),
     *patterns("first", None, "first|firstly|first of all|first off"),
     *patterns("then", None,
         "then|after that|afterwards|and then|after this|and after that|and afterwards|thereafter|thereupon|finally",
@@ -53,7 +58,7 @@ MOODS: list[Pattern] = [
         "secondly|second(?= ,)", "(?:once|when|as soon as) (?:that|this) is (?:done|finished)", "only then",
         "in a second step|in the second step|in the next step|as a second step"),
     *patterns("end", None, "(?:at|in) the end"),
-    *patterns("join", None, "and|while|whereas|but|and also|as well as|plus|whilst|yet"),
+    *patterns("join", None, "and|n|while|whereas|but|and also|as well as|plus|whilst|yet|nor"),
     *patterns("comma", None, ","),
     *patterns("stop", None, "[.;:!?]"),
 ]  # fmt: skip
@@ -61,11 +66,11 @@ MOODS: list[Pattern] = [
 GLUE: list[Pattern] = [
     *patterns("glue", None, "please|kindly|pls|(?:could|can|would|will) you|you|i|we|me|us|for me|for us|maybe"),
     *patterns("glue", None,
-        "you (?:must|should|have to)|let us|want|would like|(?:i|we) (?:want|would like|need) you to|shall we"),
+        "you (?:must|should|have to)|let us|want|would like|(?:i|I|we) (?:want|would like|need) you to|shall we"),
     *patterns("glue", None, "(?:be )?so (?:kind|good) (?:as to|and)|thanks|thank you(?: (?:very|so) much)?|cheers"),
     *patterns("glue", None, "hello|hi|hi there|hey|dear|okay|ok|carefully|gently|simply|just|nicely|neatly"),
     *patterns("glue", None, "also(?= (?:must|should|put|place|set|move|is|are|touch|on|next|to|in|left|right) )"),
-    *patterns("glue", None, "that(?= the)"),
+    *patterns("glue", None, "that(?= the)", "(?:dear |my )?(?:robot|friend|buddy|computer)", "over(?= (?:until|so) )"),
     *patterns("sure", "must", f"{_WANTS}(?: that| to (?:see|have)| it so that)?", "it must be that"),
     *patterns("sure", "must",
         f"(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target )?{_SHOWN}"

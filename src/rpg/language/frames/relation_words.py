@@ -33,7 +33,7 @@ _ASIDES = {
     "to the right of": "(?:to|on|at) (?:the|its) right(?: hand)?(?: side)?",
     "in front of": "in its front",
     "on top of": "on top|on (?:its|the) top|on (?:its|the) upper side",
-    "under": "underneath|beneath|below",
+    "under": "(?:underneath|beneath|below)(?= (?:[.,;!?]|and|but|while) )",
 }
 _FAR = (
     r"(?:(?:about|around|roughly|approximately|exactly|at least|at most|no more than|no less than) )?"
@@ -65,8 +65,9 @@ def _sided() -> list[Pattern]:
 
 RELATIONS: list[Pattern] = [
     *_sided(),
-    *patterns("rel", Relation("on"), f"(?:{_NEAR} |flat |squarely )?(?:on|onto|upon|on to)"),
-    *patterns("rel", Relation("off"), "outside|outside of"),
+    *patterns("rel", Relation("on"), f"(?:down )?(?:{_NEAR} |flat |squarely )?(?:on|onto|upon|on to)"),
+    *patterns("rel", Relation("outside"), "outside|outside of"),
+    *patterns("rel", Relation("off"), "off|off of"),
     *patterns("rel", Relation("on top of"),
         f"(?:{_NEAR} |stacked )?(?:on top of|on the top of|atop|atop of)", "tops|crowns|caps",
         "stacked (?:on|onto|upon)",
@@ -80,7 +81,7 @@ RELATIONS: list[Pattern] = [
     *patterns("rel", Relation("directly under"), f"{_NEAR} (?:under|below|beneath|underneath)"),
     *patterns("rel", Relation("next to"),
         "next to|beside|alongside|alongside of|at the side of|by the side of|at (?:one|either) side of",
-        "(?:is )?(?:a|the) neighbor of|neighbors"),
+        "(?:is )?(?:a|the) neighbor of|neighbors(?= (?:the|a|an|COLOR) )"),
     *patterns("rel", Relation("right next to"),
         f"{_NEAR} (?:next to|beside|alongside)", "adjacent to|adjoining|adjoins", f"{_NEAR} adjacent to", "hard by"),
     *patterns("rel", Relation("near"),
@@ -127,13 +128,15 @@ MUTUAL: list[Pattern] = [
     *patterns("between", "apart", "(?:the )?(?:distance|center distance) between"),
     *patterns("between", "gap", "(?:the )?(?:gap|space|clearance) between"),
     *patterns("measure", lambda match: match["far"],
-        f"(?:(?:must |should |shall |has to )?(?:be|is|measures|measure|amounts to) )(?P<far>{_FAR})(?: wide)?"),
+        f"(?:(?:must |should |shall |has to )?(?:be|is|measures|measure|amounts to) )(?P<far>{_FAR})(?: wide)?"
+        "(?! (?:apart|away|distant|from|to|left|right|in|behind) )"),
     *patterns("swap", None,
         "(?:swap|exchange|switch|interchange|trade)(?: round| around| over)?(?: the)?(?: places?| positions?)?"
         "(?: of| between)?"),
 ]  # fmt: skip
 """What two things are to each other."""
 
+_IN = "(?:(?:somewhere|anywhere) )?(?:in|on|into|onto|to|within|inside|at)(?: the)?"
 _SIDE = "left|right|near|far|front|back"
 _CORNER = (
     "(?:(?:near|far|front|back|close|top|bottom|upper|lower) (?:left|right)|(?:left|right) (?:near|far|front|back))"
@@ -141,14 +144,14 @@ _CORNER = (
 _HE = "(?:it|he|she|they)"
 PLACES: list[Pattern] = [
     *patterns("place", lambda match: f"in the {match['side']} half of the table",
-        rf"(?:in|on|into|onto|to|within|inside) the (?P<side>{_SIDE}) half(?: of the TABLE)?"),
+        rf"{_IN} (?P<side>{_SIDE}) half(?: of the TABLE)?"),
     *patterns("place", lambda match: f"on the {match['side']} side of the table",
-        rf"(?:in|on|onto|to|at) the (?P<side>{_SIDE}) (?:side|part) of the TABLE"),
+        rf"{_IN} (?P<side>{_SIDE}) (?:side|part) of the TABLE"),
     *patterns("place", lambda match: f"in the {match['corner']} corner of the table",
-        rf"(?:in|at|into|to|on) the (?P<corner>{_CORNER})(?: hand)? corner(?: of the TABLE)?"),
+        rf"{_IN} (?P<corner>{_CORNER})(?: hand)? corner(?: of the TABLE)?"),
     *patterns("place", "in a corner of the table", "(?:in|at|into|to) (?:a|any|some|one) corner(?: of the TABLE)?"),
     *patterns("place", lambda match: f"at the {match['side']} edge of the table",
-        rf"(?:at|on|along|to|by|near) the (?P<side>{_SIDE}) (?:edge|border|rim)(?: of the TABLE)?"),
+        rf"(?:at|on|along|to|by|near)(?: the)? (?P<side>{_SIDE}) (?:edge|border|rim)(?: of the TABLE)?"),
     *patterns("place", "at the edge of the table", "(?:at|on|by) (?:the|an) (?:edge|border|rim) of the TABLE"),
     *patterns("place", "in the middle of the table",
         "(?:right )?(?:in|at|into|to|on) the (?:very |exact )?(?:middle|center) of the TABLE",
@@ -157,11 +160,12 @@ PLACES: list[Pattern] = [
         f"(?:{_NEAR} |flat )?(?:on|onto|upon) (?:the |a )?(?:TABLE|ground|floor)(?: top| itself)?"),
     *patterns("stay", None,
         f"(?:exactly |right )?where {_HE} (?:already |now |currently )?(?:is|are|stands?|lies?|sits?)(?: now)?",
+        "where is",
         "in (?:its |their |the same )?(?:old |own |original |present |current )?(?:place|position|spot)",
         "untouched|unmoved|undisturbed|alone", f"as {_HE} (?:is|are)", "in the place where it is"),
     *patterns("stays", None,
-        "(?:(?:must|should|shall|has to|have to|is to) )?(?:stays?|remains?) (?:put|still)",
-        "(?:(?:must|should|shall|may|is to|are to|does|do|will|can) )?(?:not|never) (?:be |get )?(?:moved|move|budge|"
+        "(?:(?:must|should|shall|has to|have to|is to) )?(?:stays?|remains?) (?:put|still|in place)",
+        "(?:(?:must|should|shall|may|is to|are to|does|will|can) )?(?:not|never) (?:be |get )?(?:moved|move|budge|"
         "displaced|disturbed|change its place)(?: at all)?",
         "(?:is|are) not (?:to be )?(?:moved|displaced|disturbed)(?: at all)?"),
     *patterns("still", None,

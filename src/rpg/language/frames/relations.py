@@ -8,7 +8,7 @@ from itertools import combinations
 
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.related_things import Known, Things
-from rpg.language.frames.relation_clauses import Statement, sentence_read
+from rpg.language.frames.relation_clauses import NAMES, Statement, sentence_read
 from rpg.language.frames.relation_names import THINGS
 from rpg.language.frames.relation_stages import Sentence, stages_of
 from rpg.language.frames.relation_verbs import GLUE, MOODS
@@ -41,7 +41,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: they can be read in no way, or in several.
     """
-    start, stages = stages_of([piece for piece in pieces if piece.kind != "glue"])
+    start, stages = stages_of(_joined([piece for piece in pieces if piece.kind != "glue"]))
     if {"never", "while"} <= {piece.words for piece in pieces}:
         raise Unclear  # only as long as something else is so
     readings: list[Reading] = [(Things(), [])]
@@ -60,19 +60,30 @@ def told(pieces: Sequence[Piece]) -> str:
     return texts.pop()
 
 
+def _joined(pieces: Sequence[Piece]) -> list[Piece]:
+    """The pieces without colons in "red: on the mat"."""
+    colons = {
+        n
+        for n in range(1, len(pieces) - 1)
+        if pieces[n].words == ":" and pieces[n - 1].kind in NAMES and pieces[n + 1].kind in ("rel", "place", "mutual")
+    }
+    return [piece for n, piece in enumerate(pieces) if n not in colons]
+
+
 def _told_of(sentence: Sentence, things: Things, said: list[list[Said]], *, start: bool) -> Iterator[Reading]:
     """What is known and said behind a sentence, in each way that it can be read."""
     for statements in sentence_read(sentence):
         known = things.copied()
         try:
-            new = [text for statement in statements if (text := _plain(statement, known, start=start))]
+            new = [said for statement in statements for said in _plainly(statement, known, start=start)]
         except Unclear:
             continue
         yield known, [*said[:-1], [*said[-1], *new]]
 
 
-def _plain(statement: Statement, things: Things, *, start: bool) -> Said | None:
-    """A statement in plain words; nothing where it only names things. `start`: it tells how they stand at the start.
+def _plainly(statement: Statement, things: Things, *, start: bool) -> list[Said]:
+    """A statement in plain words; nothing where it only names things. What is denied of each of two is two of them.
+    `start`: it tells how they stand at the start.
 
     Raises:
         Unclear: it is not clear what it is about, or it cannot be so.
@@ -84,21 +95,34 @@ def _plain(statement: Statement, things: Things, *, start: bool) -> Said | None:
         subjects = things.subjects(statement.subjects, ())
         objects = things.objects(statement.objects, subjects)
     if statement.how == "named":
-        return None
-    if isinstance(statement.what, Relation) and statement.what.phrase == "off":
-        if statement.denied or not objects[0].patch:
+        return []
+    if isinstance(statement.what, Relation) and statement.what.phrase in ("off", "outside"):
+        known = any(thing.part or thing.look in things.seen for thing in subjects)
+        if statement.denied or (not known if statement.what.phrase == "off" else not objects[0].patch):
             raise Unclear
         statement = replace(statement, what=Relation("on"), denied="not")
+    if statement.denied == "each":
+        each = replace(statement, denied="not")
+        return [_plain(each, things, [subject], objects, start=start) for subject in subjects]
+    return [_plain(statement, things, subjects, objects, start=start)]
+
+
+def _plain(statement: Statement, things: Things, subjects: list[Known], objects: list[Known], *, start: bool) -> Said:
+    """What is said of some things to others, in plain words.
+
+    Raises:
+        Unclear: it cannot be so.
+    """
     if any(known.patch for known in subjects) and statement.how not in ("mutual", "rel"):
         raise Unclear
     if any(known.part for known in subjects) and (len(subjects) > 1 or statement.denied):
         raise Unclear
-    things.use(*subjects, *objects)
+    things.use(*subjects, *objects, start=start)
     be = f"{'is' if _single(subjects) else 'are'}" if start else f"must {statement.denied} be".replace("  ", " ")
-    if start and (statement.denied or statement.how not in ("rel", "place")):
+    if start and (statement.denied or statement.how not in ("rel", "place", "mutual")):
         raise Unclear
     if statement.how in ("rel", "mutual", "gap"):
-        return _of_several(statement, subjects, objects, be)
+        return _of_several(statement, subjects, objects, be, start=start)
     them, of = _listed(subjects), frozenset(known.look for known in subjects)
     if statement.stacked:
         raise Unclear
@@ -113,7 +137,7 @@ def _plain(statement: Statement, things: Things, *, start: bool) -> Said | None:
     return Said(f"{them} {be} {statement.what}", str(statement.what), of, of, denied=bool(statement.denied))
 
 
-def _of_several(statement: Statement, subjects: list[Known], objects: list[Known], be: str) -> Said:
+def _of_several(statement: Statement, subjects: list[Known], objects: list[Known], be: str, *, start: bool) -> Said:
     """How several things stand to each other, in plain words.
 
     Raises:
@@ -128,6 +152,8 @@ def _of_several(statement: Statement, subjects: list[Known], objects: list[Known
         return Said(f"There must be a gap of {statement.what} between {them}", "close", about, about)
     how = statement.what.removeprefix("be ")
     if how == statement.what:
+        if start:
+            raise Unclear
         be = be.removesuffix(" be")
     sort = "swap" if how.startswith("swap") else "close"
     return Said(f"{them} {be} {how}", sort, about, about, bool(statement.denied))

@@ -22,6 +22,11 @@ class Known:
     part: str = ""
 
     @property
+    def rest(self) -> bool:
+        """Whether they are all of a lot but those told of ahead."""
+        return self.part.startswith("the other")
+
+    @property
     def name(self) -> str:
         """The things as they are spoken of when they are known."""
         if self.part:
@@ -92,11 +97,13 @@ class Things:
         """What a statement is about."""
         return self._meant(pieces, objects, subject=True)
 
-    def objects(self, pieces: Sequence[Piece], subjects: Sequence[Known]) -> list[Known]:
-        """What that stands to."""
-        return self._meant(pieces, subjects, subject=False)
+    def objects(self, pieces: Sequence[Piece], subjects: Sequence[Known], *, on: bool) -> list[Known]:
+        """What that stands to. `on`: it is on it, and that may be a block or a patch."""
+        return self._meant(pieces, subjects, subject=False, on=on)
 
-    def _meant(self, pieces: Sequence[Piece], others: Sequence[Known], *, subject: bool) -> list[Known]:
+    def _meant(
+        self, pieces: Sequence[Piece], others: Sequence[Known], *, subject: bool, on: bool = False
+    ) -> list[Known]:
         found: list[Known] = []
         for n, piece in enumerate(pieces):
             if piece.kind == "they":
@@ -106,7 +113,7 @@ class Things:
             elif piece.kind == "thing":
                 if len(pieces) > n + 1 and not piece.named.get("noun") and pieces[n + 1].value == "patch":
                     raise Unclear  # "the red and the blue patch"
-                found.append(self._thing(piece, subject=subject, both=_says_both(pieces, n)))
+                found.append(self._thing(piece, on=on, both=_says_both(pieces, n)))
             elif not subject:
                 raise Unclear
             else:
@@ -126,7 +133,7 @@ class Things:
         blocks = [known for known in self.known if known.count == 1 and known not in others]
         return self._one([known for known in blocks if not known.patch or not (subject or piece.value == "block")])
 
-    def _thing(self, piece: Piece, *, subject: bool, both: int) -> Known:
+    def _thing(self, piece: Piece, *, on: bool, both: int) -> Known:
         """What a name with a look means. `both`: how many are meant where "both" stands ahead."""
         named = piece.named
         pointing = named.get("det", "").split()[:1] in [[word] for word in _POINTING]
@@ -141,7 +148,7 @@ class Things:
         if len(same) > 1:
             raise Unclear
         noun = named.get("noun", "")
-        if subject or noun.startswith(_NOUNS):
+        if not on or noun.startswith(_NOUNS):
             self.bare.discard(new.look)
         elif piece.value == "block" and not same and (not noun or any(known.patch for known in self.known)):
             self.bare.add(new.look)
@@ -155,7 +162,7 @@ class Things:
     def _again(self, piece: Piece, new: Known, known: Known) -> Known:
         """Something that is known, named again."""
         det = piece.named.get("det", "")
-        if det in ("a", "an", "one") or piece.named.get("count") in ("one", "single", "lone", "1"):
+        if det in ("a", "an", "one") or (piece.named.get("count") in ("one", "single", "lone", "1") and det != "the"):
             raise Unclear
         if piece.named.get("count") and new.count != known.count:
             raise Unclear

@@ -69,6 +69,14 @@ def _joint(pieces: Sequence[Piece], at: int) -> int:
     return end if end > at else 0
 
 
+def _known(named: tuple[Piece, ...]) -> tuple[Piece, ...]:
+    """Names as those of things that are known by now: "a red block" is the red block."""
+    return tuple(
+        replace(piece, named={**piece.named, "det": "the"}) if piece.named.get("det") in ("a", "an", "one") else piece
+        for piece in named
+    )
+
+
 def _verb(pieces: Sequence[Piece], at: int) -> int:
     """The end of verbs that tell of no relation themselves."""
     while at < len(pieces) and pieces[at].kind == "be":
@@ -115,6 +123,8 @@ def _clause(pieces: Sequence[Piece], at: int, *, first: bool) -> Iterator[Parse]
             stays = _kind(pieces, end) == "stay"
             if stays or _kind(pieces, start) == "still":
                 yield (Statement(named, "stay"),), end + stays
+            if named[0].kind == "rest":
+                yield from _of(pieces, named, end, more=False)
             continue
         if not stacked and (introduced or start > at or _kind(pieces, end) == "that" or end == len(pieces)):
             yield (Statement(named, "named"),), end
@@ -155,7 +165,7 @@ def _inserted(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> Ite
         behind = end + (_kind(pieces, end) == "comma")
         if comma != (behind > end) or any(statement.denied for statement in statements):
             continue
-        for more, last in _of(pieces, named, behind, more=False):
+        for more, last in _of(pieces, _known(named), behind, more=False):
             yield (*statements, *more), last
 
 
@@ -169,7 +179,7 @@ def _both_beside(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> 
             continue  # on the left of the table?
         for objects, last in _lists(pieces, end + 1):
             first = Statement(named, "rel", pieces[at].value, objects)
-            yield (first, Statement(other, "rel", relation, objects)), last
+            yield (first, Statement(other, "rel", relation, _known(objects))), last
 
 
 def _of(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, *, more: bool) -> Iterator[Parse]:
@@ -182,7 +192,7 @@ def _of(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, *, more: boo
         if _kind(pieces, behind) in NAMES or _words(pieces, behind) == "with":
             continue
         denied = any(statement.denied for statement in statements)
-        for others, last in _of(pieces, named, behind, more=True):
+        for others, last in _of(pieces, _known(named), behind, more=True):
             if not denied or all(statement.denied for statement in others):
                 yield (*statements, *others), last
 
@@ -226,11 +236,11 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
             continue
         if _kind(pieces, side) == "mutual" and pieces[side].words.endswith(("away", "apart")):
             far = Relation(f"{pieces[side].value.removeprefix('be ').removesuffix(' apart')} from")
-            yield (stated, Statement(named, "rel", far, objects)), side + 1
+            yield (stated, Statement(_known(named), "rel", far, _known(objects))), side + 1
         if _kind(pieces, end) == "have" or (_kind(pieces, end + 1) == "have" and _kind(pieces, end) == "comma"):
             yield from _with(pieces, stated, end + (_kind(pieces, end) == "comma"))
         if _kind(pieces, end) == "rel" and len(objects) == 1 and _piled(piece, pieces[end]):
-            for more, last in _said(pieces, objects, end):
+            for more, last in _said(pieces, _known(objects), end):
                 yield (stated, *more), last
 
 
@@ -257,7 +267,7 @@ def _beside(pieces: Sequence[Piece], named: tuple[Piece, ...], other: tuple[Piec
         yield (stated,), at + 1
         if _words(pieces, at + 1) in ("and", ","):
             for another, end in _lists(pieces, at + 2):
-                for others, last in _beside(pieces, named, another, end):
+                for others, last in _beside(pieces, _known(named), another, end):
                     yield (stated, *others), last
     for statements, last in _said(pieces, other, at):
         (first, *more) = statements

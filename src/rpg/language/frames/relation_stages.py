@@ -95,7 +95,9 @@ def _moods(sentence: Sentence) -> set[Mood]:
     """The moods of the parts of a sentence that say something, but for that something is on the table."""
     if not states(sentence) or all(p.words.endswith("on the table") for p in sentence if p.kind in _STATING):
         return set() if not _acts(sentence) else {"do"}
-    return {_mood(part) for part in _at_joints(sentence)}
+    moods = {_mood(part) for part in _at_joints(sentence)}
+    there: set[Mood] = {piece.value for piece in sentence if piece.kind == "there"}
+    return there if moods == {"open"} and there else moods
 
 
 def _acts(sentence: Sentence) -> bool:
@@ -137,7 +139,7 @@ def _mood(part: Sentence) -> Mood:
         if piece.kind == "be":
             return "must" if piece.value == "must" else "is"
         if piece.kind == "there":
-            return "is" if _STATING & kinds else "open"
+            return ("must" if piece.value == "must" else "is") if _STATING & kinds else "open"
     return "open"
 
 

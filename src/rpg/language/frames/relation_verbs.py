@@ -38,9 +38,9 @@ MOODS: list[Pattern] = [
     *patterns("be", "stack", "stack(?: up)?"),
     *patterns("be", "is", "is|are|being|be", f"(?:(?:is|are|be|being) )?(?:{_RESTS})",
         "lie|hide|live|end up|wait"),
-    *patterns("there", None,
-        "there (?:is|are)|there (?:must|should|shall|has to|have to|needs to|will) be|(?:i|I|we|you) have|you see|"
-        "one sees|i see|I see|we see|here (?:is|are)"),
+    *patterns("there", "is",
+        "there (?:is|are)|(?:i|I|we|you) have|you see|one sees|i see|I see|we see|here (?:is|are)"),
+    *patterns("there", "must", "there (?:must|should|shall|has to|have to|needs to|will) be"),
     *patterns("take", None, "take|use|pick|pick up|grab|using|given|you get|we use"),
     *patterns("keep", None,
         "keep|leave|leaves|keeps|leaving|keeping|stays|stay|remains|(?:must |should |shall |has to |have to |is to )"

@@ -33,7 +33,7 @@ _ASIDES = {
     "to the right of": "(?:to|on|at) (?:the|its) right(?: hand)?(?: side)?",
     "in front of": "in its front",
     "on top of": "on top|on (?:its|the) top|on (?:its|the) upper side",
-    "under": "(?:underneath|beneath|below)(?= (?:[.,;!?]|and|but|while) )",
+    "under": "(?:underneath|beneath|below)(?= (?:[.,;:!?]|and|but|while|$))",
 }
 _FAR = (
     r"(?:(?:about|around|roughly|approximately|exactly|at least|at most|no more than|no less than) )?"
@@ -75,7 +75,7 @@ RELATIONS: list[Pattern] = [
     *patterns("rel", Relation("on top of", turned=True),
         "(?:must |should |shall |is to )?(?:carry|support|bear|hold up)", "carries|supports|bears|holds up",
         "carrying|supporting|bearing|holding up", "(?:is |be )?(?:topped|crowned|capped|covered) (?:by|with|off by)"),
-    *patterns("rel", Relation("above"), "(?:somewhere )?(?:above|over)", "higher up than"),
+    *patterns("rel", Relation("above"), "(?:somewhere )?(?:above|over)(?! (?:until|so|to) )", "higher up than"),
     *patterns("rel", Relation("directly above"), f"{_NEAR} (?:above|over)"),
     *patterns("rel", Relation("under"), "(?:somewhere )?(?:under|below|beneath|underneath)"),
     *patterns("rel", Relation("directly under"), f"{_NEAR} (?:under|below|beneath|underneath)"),
@@ -113,7 +113,7 @@ MUTUAL: list[Pattern] = [
     *patterns("mutual", "be far apart",
         "far apart(?: from each other)?", f"far (?:away )?from {_EACH}", "well apart", "wide apart"),
     *patterns("mutual", "touch each other",
-        f"(?:touch|touches|touching)(?: {_EACH})?", f"in (?:direct )?contact(?: with {_EACH})?", f"up against {_EACH}"),
+        f"(?:touch|touches|touching)(?: {_EACH}|(?= (?:[.,;:!?]|and|but|$)))", f"in (?:direct )?contact(?: with {_EACH})?", f"up against {_EACH}"),
     *patterns("mutual", lambda match: f"be {match['far']} apart",
         f"(?P<far>{_FAR}) (?:apart|away|distant)(?: from {_EACH})?", f"(?P<far>{_FAR}) from {_EACH}",
         f"at a distance of (?P<far>{_FAR})(?: from {_EACH})?"),

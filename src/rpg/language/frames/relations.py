@@ -14,7 +14,7 @@ from rpg.language.frames.relation_stages import Sentence, stages_of
 from rpg.language.frames.relation_verbs import GLUE, MOODS
 from rpg.language.frames.relation_words import MUTUAL, PLACES, RELATIONS, Relation
 
-PATTERNS = [*THINGS, *RELATIONS, *MUTUAL, *PLACES, *MOODS, *GLUE]
+PATTERNS = [*THINGS, *MUTUAL, *RELATIONS, *PLACES, *MOODS, *GLUE]
 _MOST = 200
 """More readings than these are not looked at."""
 _TRIVIAL = "on the table"
@@ -88,12 +88,13 @@ def _plainly(statement: Statement, things: Things, *, start: bool) -> list[Said]
     Raises:
         Unclear: it is not clear what it is about, or it cannot be so.
     """
+    on = isinstance(statement.what, Relation) and statement.what.phrase == "on"
     if statement.ahead:
-        objects = things.objects(statement.objects, ())
+        objects = things.objects(statement.objects, (), on=on)
         subjects = things.subjects(statement.subjects, objects)
     else:
         subjects = things.subjects(statement.subjects, ())
-        objects = things.objects(statement.objects, subjects)
+        objects = things.objects(statement.objects, subjects, on=on)
     if statement.how == "named":
         return []
     if isinstance(statement.what, Relation) and statement.what.phrase in ("off", "outside"):
@@ -115,7 +116,7 @@ def _plain(statement: Statement, things: Things, subjects: list[Known], objects:
     """
     if any(known.patch for known in subjects) and statement.how not in ("mutual", "rel"):
         raise Unclear
-    if any(known.part for known in subjects) and (len(subjects) > 1 or statement.denied):
+    if any(known.part for known in subjects) and (len(subjects) > 1 or (statement.denied and not subjects[0].rest)):
         raise Unclear
     things.use(*subjects, *objects, start=start)
     be = f"{'is' if _single(subjects) else 'are'}" if start else f"must {statement.denied} be".replace("  ", " ")

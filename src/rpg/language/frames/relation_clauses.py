@@ -252,6 +252,10 @@ def _piled(*pieces: Piece) -> bool:
 def _with(pieces: Sequence[Piece], stated: Statement, at: int) -> Iterator[Parse]:
     """ "... with the blue one on it", "... with a gap of 3 cm between them" behind a statement."""
     for other, end in _lists(pieces, at + 1):
+        sided = isinstance(stated.what, Relation) and stated.what.phrase.endswith(("left of", "right of"))
+        if _kind(pieces, end) == "amid" and sided:
+            sides = _known((*stated.subjects, *stated.objects))
+            yield (stated, Statement(other, "rel", Relation("between", count=2), sides)), end + 1
         for statements, last in _said(pieces, other, end):
             (first, *more) = statements
             if not more and first.how == "rel" and any(piece.kind in _POINTING for piece in first.objects):

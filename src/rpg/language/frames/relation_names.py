@@ -33,7 +33,7 @@ THINGS: list[Pattern] = [
     *patterns("thing", "patch",
         rf"(?:(?P<det>{_THE}) )?{_SHAPED}(?P<color>COLOR)(?: colored)?(?: (?P<behind>round|square|circle|circular))?"
         rf" (?P<noun>{_PATCH})",
-        rf"(?P<det>{_THE}) {_SHAPED}(?P<noun>{_PLAIN_PATCH})"),
+        rf"(?P<det>{_THE}) {_SHAPED}(?P<noun>{_PLAIN_PATCH})", "(?P<noun>patch|mat|zone)"),
     *patterns("part", None,
         rf"{_OF} (?:(?:the|these|those|my|our|all) )*(?P<count>NUM) (?P<color>COLOR)s?(?: (?:{_NOUN}))?",
         rf"{_OF} (?:the|these|those|my|our) (?P<color>COLOR)s?(?: (?:{_NOUN}))?",

@@ -28,6 +28,8 @@ def stages_of(pieces: Sequence[Piece]) -> tuple[list[Sentence], list[list[Senten
                 raise Unclear
             first = True
         elif piece.kind == "then":
+            if not n and piece.words == "finally":
+                continue
             if n and pieces[n - 1].kind not in ("stop", "comma", "join"):
                 raise Unclear
             stages.append([[]])
@@ -73,6 +75,9 @@ def _told_of_start(sentences: Sequence[Sentence]) -> int:
     """
     moods = [_moods(sentence) for sentence in sentences]
     every = set().union(*moods)
+    trivial = [not mood and states(sentence) for mood, sentence in zip(moods, sentences, strict=True)]
+    if any(trivial[:1]) and every & {"do", "must"} and "is" not in every:
+        return trivial.index(False)
     if "is" not in every or not every & {"do", "must"}:
         if "open" in every and "do" in every and _open_ahead(moods):
             raise Unclear
@@ -93,8 +98,9 @@ def _open_ahead(moods: Sequence[set[Mood]]) -> bool:
 
 def _moods(sentence: Sentence) -> set[Mood]:
     """The moods of the parts of a sentence that say something, but for that something is on the table."""
-    if not states(sentence) or all(p.words.endswith("on the table") for p in sentence if p.kind in _STATING):
-        return set() if not _acts(sentence) else {"do"}
+    said = [piece.words for piece in sentence if piece.kind in _STATING]
+    if not states(sentence) or (said and all(words.endswith("on the table") for words in said)):
+        return {"do"} if _acts(sentence) else set()
     moods = {_mood(part) for part in _at_joints(sentence)}
     there: set[Mood] = {piece.value for piece in sentence if piece.kind == "there"}
     return there if moods == {"open"} and there else moods
@@ -131,7 +137,7 @@ def _mood(part: Sentence) -> Mood:
     kinds = {piece.kind for piece in part}
     for n, piece in enumerate(part):
         if piece.kind in ("keep", "swap", "take", "still"):
-            return "do"
+            return "do" if piece.kind != "keep" or NAMES.isdisjoint(p.kind for p in part[:n]) else "must"
         if piece.kind == "sure":
             return "must" if piece.value == "must" else "do"
         if piece.value in ("make", "stack"):

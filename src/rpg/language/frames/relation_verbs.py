@@ -10,11 +10,13 @@ _REST = (
     "nestle|appear"
 )
 _RESTS = (
-    "sits|stands|lies|rests|perches|hides|lives|dwells|ends up|finishes|finishes up|ends|lands|settles|waits|balances|"
-    "stops|comes to rest|comes to stand|comes to lie|comes to sit|finds its place|finds a place|takes its place|"
-    "has its place|nestles|appears|sitting|standing|lying|resting|perching|perched|hiding|hidden|sat|stood|located|"
+    "sits|stands|lies|rests|perches|hides|lives|dwells|waits|balances|has its place|nestles|appears|sitting|standing|lying|resting|perching|perched|hiding|hidden|sat|stood|located|"
     "situated|positioned|placed|set|laid|found|seen|put|parked|balanced|balancing|waiting|installed|deposited|moved|"
     "brought|settled"
+)
+_COMES = (
+    "ends up|finishes|finishes up|ends|lands|settles|stops|comes to rest|comes to stand|comes to lie|comes to sit|"
+    "finds its place|finds a place|takes its place"
 )
 _MUST = (
     "must|should|shall|has to|have to|need to|needs to|needs|ought to|is to|are to|is supposed to|are supposed to|will|"
@@ -25,29 +27,32 @@ _DO = (
     "locate|make|let|perch|balance|plonk|pull|drag|nudge|set down|put down|lay down|relocate|arrange|deposit|shove|"
     "lift|park|have"
 )
+_DOING = "putting|placing|setting|moving|bringing|laying|positioning|pushing|sliding|getting|sticking|popping|stacking"
 _WANTS = "(?:i|I|we) (?:want|would like|need|wish|would love)"
 _SHOWN = "(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task|arrangement|configuration)"
 MOODS: list[Pattern] = [
     *patterns("be", "must",
         f"(?:{_MUST})(?: also)?(?: (?:be|go|come|get|touch(?= each| one)|{_REST}))?(?: (?:{_RESTS}))?",
         f"(?:wants |want |likes |like )?to (?:be|go|come|{_REST})",
-        "goes|go|belongs|belong|comes|come|going|(?:may|can)(?= not )"),
+        f"{_COMES}|goes|go|belongs|belong|comes|come|going|(?:may|can)(?= not )"),
     *patterns("be", "may", "(?:may|can) (?:be|go|come)"),
     *patterns("be", "make",
         f"(?:{_DO})(?: (?:down|over|up))?(?= (?!where|alone|as))", "(?:move|slide|push|shift) (?:away|over|back)"),
+    *patterns("be", "make", f"(?:would you mind|how about) (?:{_DOING})"),
+    *patterns("be", "is", "(?:do|does)(?= not (?:touch|stand|lie|sit|go|belong|rest) )"),
     *patterns("be", "stack", "stack(?: up)?"),
-    *patterns("be", "is", "is|are|being|be", f"(?:(?:is|are|be|being) )?(?:{_RESTS})",
-        "lie|hide|live|end up|wait"),
+    *patterns("be", "is", "is|are|being|be", f"(?:(?:is|are|be|being|has been|have been) )?(?:{_RESTS})",
+        "lie|hide|live|wait"),
     *patterns("there", "is",
         "there (?:is|are)|(?:i|I|we|you) have|you see|one sees|i see|I see|we see|here (?:is|are)"),
-    *patterns("there", "must", "there (?:must|should|shall|has to|have to|needs to|will) be"),
+    *patterns("there", "must", "there (?:must|should|shall|has to|have to|needs to|will) be|let there be"),
     *patterns("take", None, "take|use|pick|pick up|grab|using|given|you get|we use"),
     *patterns("keep", None,
         "keep|leave|leaves|keeps|leaving|keeping|stays|stay|remains|(?:must |should |shall |has to |have to |is to )"
         "(?:stay|remain)"),
     *patterns("not", "not", "not|without(?: being)?"),
     *patterns("not", "never", "never"),
-    *patterns("have", None, "with|has|have|having"),
+    *patterns("have", None, "with|has|have|having|(?:must|should|shall|is to|has to) have"),
     *patterns("which", None,
         "(?:which|that)(?= (?:is|are|must|should|carries|supports|bears|touches|stands|sits|lies|rests) )"),
     *patterns("that", None, "so that|such that|in such a way that|until|so(?= (?:it|they|the) )"),
@@ -64,19 +69,21 @@ MOODS: list[Pattern] = [
 ]  # fmt: skip
 """Words that bind things and relations together. The value of "be" tells whether something is told or asked for."""
 GLUE: list[Pattern] = [
-    *patterns("glue", None, "please|kindly|pls|(?:could|can|would|will) you|you|i|we|me|us|for me|for us|maybe"),
+    *patterns("glue", None, "please|kindly|pls|(?:could|can|would|will) you|you|i|we|me|us|for (?:me|us)|maybe"),
     *patterns("glue", None,
         "you (?:must|should|have to)|let us|want|would like|(?:i|I|we) (?:want|would like|need) you to|shall we"),
     *patterns("glue", None, "(?:be )?so (?:kind|good) (?:as to|and)|thanks|thank you(?: (?:very|so) much)?|cheers"),
     *patterns("glue", None, "hello|hi|hi there|hey|dear|okay|ok|carefully|gently|simply|just|nicely|neatly"),
-    *patterns("glue", None, "also(?= (?:must|should|put|place|set|move|is|are|touch|on|next|to|in|left|right) )"),
+    *patterns("glue", None, 
+        "also(?= (?:must|should|put|place|set|move|is|are|touch|on|next|to|in|left|right|behind|under|near|beside) )"),
     *patterns("glue", None, "that(?= the)", "(?:dear |my )?(?:robot|friend|buddy|computer)", "over(?= (?:until|so) )"),
-    *patterns("sure", "must", f"{_WANTS}(?: that| to (?:see|have)| it so that)?", "it must be that"),
+    *patterns("sure", "must", f"{_WANTS}(?: that| to (?:see|have)| it so that)?", "it must be that",
+        "it is (?:important|necessary|required|essential|desired|wanted|vital) that"),
     *patterns("sure", "must",
         f"(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target )?{_SHOWN}"
         f"(?: is| shows| :)(?: that)?",
         f"in the (?:final |finished ){_SHOWN}", "(?:the|your) (?:goal|task|aim|job) is(?: for| to| that| to have)?"),
-    *patterns("sure", "do", "(?:make|be) sure(?: that)?|ensure(?: that)?|see to it that|see that|take care that"),
+    *patterns("sure", "do", "(?:(?:make|be) sure|ensure|make it so)(?: that)?|see to it that|see that|take care that"),
 ]  # fmt: skip
 """Words that say nothing of their own beside parts: none that denies, compares, or binds parts in another way. Behind
 those of the kind "sure" stands what shall come about."""

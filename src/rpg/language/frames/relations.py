@@ -17,19 +17,21 @@ from rpg.language.frames.relation_words import MUTUAL, PLACES, RELATIONS, Relati
 PATTERNS = [*THINGS, *MUTUAL, *RELATIONS, *PLACES, *MOODS, *GLUE]
 _MOST = 200
 """More readings than these are not looked at."""
+_PLACES = frozenset({"inside", "outside", "off", "from"})
 _TRIVIAL = "on the table"
 
 
 @dataclass(frozen=True)
 class Said:
     """What is said in plain words, without its full stop. `sort`: of what kind it is ("side", "close", "on", ...);
-    `about`: the things in it; `of`: the first of them."""
+    `about`: the things in it; `of`: the first of them; `first`: it was so at the start."""
 
     text: str
     sort: str
     of: frozenset[str]
     about: frozenset[str]
     denied: bool = False
+    first: bool = False
 
 
 Reading = tuple[Things, list[list[Said]]]
@@ -78,7 +80,11 @@ def _told_of(sentence: Sentence, things: Things, said: list[list[Said]], *, star
             new = [said for statement in statements for said in _plainly(statement, known, start=start)]
         except Unclear:
             continue
-        yield known, [*said[:-1], [*said[-1], *new]]
+        begins = [text for text in new if text.first]
+        if begins and (start or len(said) != 2):
+            continue  # of a later stage it is not told how things stand at the start
+        told = [*said[:-1], [*said[-1], *(text for text in new if not text.first)]]
+        yield known, [[*said[0], *begins], *told[1:]] if begins else told
 
 
 def _plainly(statement: Statement, things: Things, *, start: bool) -> list[Said]:
@@ -97,15 +103,36 @@ def _plainly(statement: Statement, things: Things, *, start: bool) -> list[Said]
         objects = things.objects(statement.objects, subjects, on=on)
     if statement.how == "named":
         return []
-    if isinstance(statement.what, Relation) and statement.what.phrase in ("off", "outside"):
-        known = any(thing.part or thing.look in things.seen for thing in subjects)
-        if statement.denied or (not known if statement.what.phrase == "off" else not objects[0].patch):
-            raise Unclear
-        statement = replace(statement, what=Relation("on"), denied="not")
+    phrase = statement.what.phrase if isinstance(statement.what, Relation) else ""
+    if phrase in _PLACES:
+        return _by_place(statement, phrase, things, subjects, objects)
     if statement.denied == "each":
         each = replace(statement, denied="not")
         return [_plain(each, things, [subject], objects, start=start) for subject in subjects]
     return [_plain(statement, things, subjects, objects, start=start)]
+
+
+def _by_place(
+    statement: Statement, phrase: str, things: Things, subjects: list[Known], objects: list[Known]
+) -> list[Said]:
+    """What is said of being inside, outside, off or from something.
+
+    Raises:
+        Unclear: it is said of something that one is not inside of, or denied.
+    """
+    seen = any(thing.part or thing.look in things.seen for thing in subjects)
+    if statement.denied or len(objects) > 1 or objects[0].count > 1 or _shown(subjects if phrase == "from" else ()):
+        raise Unclear
+    if phrase in ("inside", "outside") and not objects[0].patch:
+        raise Unclear
+    on = replace(statement, what=Relation("on"))
+    if phrase == "inside":
+        return [_plain(on, things, subjects, objects, start=False)]
+    begin = _plain(on, things, subjects, objects, start=True) if phrase in ("off", "from") and not seen else None
+    begins = [replace(begin, first=True)] if begin else []
+    if phrase == "from":
+        return begins
+    return [*begins, _plain(replace(on, denied="not"), things, subjects, objects, start=False)]
 
 
 def _plain(statement: Statement, things: Things, subjects: list[Known], objects: list[Known], *, start: bool) -> Said:
@@ -156,7 +183,8 @@ def _of_several(statement: Statement, subjects: list[Known], objects: list[Known
         if start:
             raise Unclear
         be = be.removesuffix(" be")
-    sort = "swap" if how.startswith("swap") else "close"
+    tight = how.startswith(("touch", "right next"))
+    sort = "swap" if how.startswith("swap") else "tight" if tight else "close"
     return Said(f"{them} {be} {how}", sort, about, about, bool(statement.denied))
 
 
@@ -207,6 +235,8 @@ def _sort(phrase: str) -> str:
     words = phrase.split()
     if "on" in words or {"above", "under"} & set(words):
         return "on"
+    if phrase in ("touch", "right next to"):
+        return "tight"
     return "side" if words[-1] == "behind" or words[-2:] in (["left", "of"], ["right", "of"], ["front", "of"]) else (
         "between" if "between" in words else "close")  # fmt: skip
 
@@ -272,6 +302,7 @@ def _check(said: Sequence[Said]) -> None:
 
 def _agree(one: Said, other: Said) -> bool:
     """Whether two statements about the same things hold together."""
-    if {one.sort, other.sort} == {"side", "close"}:
-        return not any(said.denied for said in (one, other) if said.sort == "side")
-    return False
+    by_sort = {one.sort: one, other.sort: other}
+    if "side" in by_sort and by_sort.keys() & {"close", "tight"}:
+        return not by_sort["side"].denied
+    return by_sort.keys() == {"close", "tight"} and by_sort["tight"].denied and not by_sort["close"].denied

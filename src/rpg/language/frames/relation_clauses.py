@@ -239,6 +239,9 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
             yield (stated, Statement(_known(named), "rel", far, _known(objects))), side + 1
         if _kind(pieces, end) == "have" or (_kind(pieces, end + 1) == "have" and _kind(pieces, end) == "comma"):
             yield from _with(pieces, stated, end + (_kind(pieces, end) == "comma"))
+        if getattr(piece.value, "phrase", "") == "from" and _kind(pieces, end) == "rel":
+            for more, last in _said(pieces, _known(named), end):
+                yield (stated, *more), last
         if _kind(pieces, end) == "rel" and len(objects) == 1 and _piled(piece, pieces[end]):
             for more, last in _said(pieces, _known(objects), end):
                 yield (stated, *more), last

@@ -30,7 +30,7 @@ def stages_of(pieces: Sequence[Piece]) -> tuple[list[Sentence], list[list[Senten
         elif piece.kind == "then":
             if not n and piece.words == "finally":
                 continue
-            if n and pieces[n - 1].kind not in ("stop", "comma", "join"):
+            if n and pieces[n - 1].kind not in ("stop", "comma", "join") and not piece.words.startswith("and"):
                 raise Unclear
             stages.append([[]])
         elif piece.kind == "stop":
@@ -138,6 +138,8 @@ def _mood(part: Sentence) -> Mood:
     for n, piece in enumerate(part):
         if piece.kind in ("keep", "swap", "take", "still"):
             return "do" if piece.kind != "keep" or NAMES.isdisjoint(p.kind for p in part[:n]) else "must"
+        if piece.value == "moved":
+            return "do"
         if piece.kind == "sure":
             return "must" if piece.value == "must" else "do"
         if piece.value in ("make", "stack"):

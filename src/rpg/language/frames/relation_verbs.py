@@ -10,12 +10,12 @@ _REST = (
     "nestle|appear"
 )
 _RESTS = (
-    "sits|stands|lies|rests|perches|hides|lives|dwells|waits|balances|has its place|nestles|appears|sitting|standing|lying|resting|perching|perched|hiding|hidden|sat|stood|located|"
-    "situated|positioned|placed|set|laid|found|seen|put|parked|balanced|balancing|waiting|installed|deposited|moved|"
+    "sits|stands|lies|rests|perches|hides|lives|dwells|waits|balances|has its place|nestles|appears|"
+    "sitting|standing|lying|resting|perching|perched|hiding|hidden|sat|stood|located|situated|positioned|placed|set|laid|found|seen|put|parked|balanced|balancing|waiting|installed|deposited|moved|"
     "brought|settled"
 )
 _COMES = (
-    "ends up|finishes|finishes up|ends|lands|settles|stops|comes to rest|comes to stand|comes to lie|comes to sit|"
+    "end up|finish|finish up|land|settle|come to rest|come to stand|come to lie|come to sit|ends up|finishes|finishes up|ends|lands|settles|stops|comes to rest|comes to stand|comes to lie|comes to sit|"
     "finds its place|finds a place|takes its place"
 )
 _MUST = (
@@ -35,6 +35,8 @@ MOODS: list[Pattern] = [
         f"(?:{_MUST})(?: also)?(?: (?:be|go|come|get|touch(?= each| one)|{_REST}))?(?: (?:{_RESTS}))?",
         f"(?:wants |want |likes |like )?to (?:be|go|come|{_REST})",
         f"{_COMES}|goes|go|belongs|belong|comes|come|going|(?:may|can)(?= not )"),
+    *patterns("be", "moved",
+        f"(?:{_MUST}) be (?:moved|brought|taken|transferred|shifted|relocated|carried|pushed)"),
     *patterns("be", "may", "(?:may|can) (?:be|go|come)"),
     *patterns("be", "make",
         f"(?:{_DO})(?: (?:down|over|up))?(?= (?!where|alone|as))", "(?:move|slide|push|shift) (?:away|over|back)"),
@@ -74,7 +76,7 @@ GLUE: list[Pattern] = [
         "you (?:must|should|have to)|let us|want|would like|(?:i|I|we) (?:want|would like|need) you to|shall we"),
     *patterns("glue", None, "(?:be )?so (?:kind|good) (?:as to|and)|thanks|thank you(?: (?:very|so) much)?|cheers"),
     *patterns("glue", None, "hello|hi|hi there|hey|dear|okay|ok|carefully|gently|simply|just|nicely|neatly"),
-    *patterns("glue", None, 
+    *patterns("glue", None,
         "also(?= (?:must|should|put|place|set|move|is|are|touch|on|next|to|in|left|right|behind|under|near|beside) )"),
     *patterns("glue", None, "that(?= the)", "(?:dear |my )?(?:robot|friend|buddy|computer)", "over(?= (?:until|so) )"),
     *patterns("sure", "must", f"{_WANTS}(?: that| to (?:see|have)| it so that)?", "it must be that",

@@ -11,11 +11,12 @@ _REST = (
 )
 _RESTS = (
     "sits|stands|lies|rests|perches|hides|lives|dwells|waits|balances|has its place|nestles|appears|"
-    "sitting|standing|lying|resting|perching|perched|hiding|hidden|sat|stood|located|situated|positioned|placed|set|laid|found|seen|put|parked|balanced|balancing|waiting|installed|deposited|moved|"
-    "brought|settled"
+    "sitting|standing|lying|resting|perching|perched|hiding|hidden|sat|stood|located|situated|positioned|placed|"
+    "set|laid|found|seen|put|parked|balanced|balancing|waiting|installed|deposited|moved|brought|settled"
 )
 _COMES = (
-    "end up|finish|finish up|land|settle|come to rest|come to stand|come to lie|come to sit|ends up|finishes|finishes up|ends|lands|settles|stops|comes to rest|comes to stand|comes to lie|comes to sit|"
+    "end up|finish|finish up|land|settle|come to rest|come to stand|come to lie|come to sit|ends up|finishes|"
+    "finishes up|ends|lands|settles|stops|comes to rest|comes to stand|comes to lie|comes to sit|"
     "finds its place|finds a place|takes its place"
 )
 _MUST = (
@@ -31,12 +32,12 @@ _DOING = "putting|placing|setting|moving|bringing|laying|positioning|pushing|sli
 _WANTS = "(?:i|I|we) (?:want|would like|need|wish|would love)"
 _SHOWN = "(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task|arrangement|configuration)"
 MOODS: list[Pattern] = [
+    *patterns("be", "moved",
+        f"(?:{_MUST}) be (?:moved|brought|taken|transferred|shifted|relocated|carried|pushed)"),
     *patterns("be", "must",
         f"(?:{_MUST})(?: also)?(?: (?:be|go|come|get|touch(?= each| one)|{_REST}))?(?: (?:{_RESTS}))?",
         f"(?:wants |want |likes |like )?to (?:be|go|come|{_REST})",
         f"{_COMES}|goes|go|belongs|belong|comes|come|going|(?:may|can)(?= not )"),
-    *patterns("be", "moved",
-        f"(?:{_MUST}) be (?:moved|brought|taken|transferred|shifted|relocated|carried|pushed)"),
     *patterns("be", "may", "(?:may|can) (?:be|go|come)"),
     *patterns("be", "make",
         f"(?:{_DO})(?: (?:down|over|up))?(?= (?!where|alone|as))", "(?:move|slide|push|shift) (?:away|over|back)"),

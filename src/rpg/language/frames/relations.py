@@ -209,7 +209,9 @@ def _related(statement: Statement, relation: Relation, subjects: list[Known], ob
         raise Unclear
     if max(many) > 1 and not on_patch and not _may_be_many(relation, sort, many):
         raise Unclear
-    if (statement.denied and max(many) > 1 and not (on_patch and subjects[0].rest)) or (statement.stacked and (sort != "on" or max(many) > 1)):
+    if statement.denied and max(many) > 1 and not (on_patch and subjects[0].rest):
+        raise Unclear
+    if statement.stacked and (sort != "on" or max(many) > 1):
         raise Unclear
     phrase = "on top of" if relation.phrase == "on" and not on_patch else relation.phrase
     if phrase == "touch":

@@ -73,3 +73,18 @@ def test_the_order_that_is_said_and_no_other() -> None:
         assert score.outcome in ("right", "refused"), (said, score.why)
         outcomes.append(score.outcome)
     assert outcomes.count("right") >= READ * SAMPLE
+
+
+WAYS_OF = {"row": ("from left to right", "from right to left"), "line": ("from back to front", "from front to back")}
+
+
+def test_a_rainbow_starts_where_its_line_starts() -> None:
+    for (line, ways), turned, starts in product(WAYS_OF.items(), (False, True), ("red", "yellow")):
+        way = ways[turned]
+        said = f"Red, orange and yellow in a {line} {way} in rainbow order, starting with {starts}."
+        seen = ["red", "orange", "yellow"]
+        seen = seen[::-1] if turned != (starts == "yellow") else seen
+        join = " " if line == "row" else " | "
+        meant = {"assets": dict.fromkeys(seen, 1), "hold": [join.join(seen)], "miss": [join.join(seen[::-1])]}
+        score = judge(entry("orders", "rainbow", said, meant), read)
+        assert score.outcome == "right", (said, score.why)

@@ -98,3 +98,20 @@ def test_the_start_is_as_it_is_told_and_not_the_end() -> None:
 def test_steps_follow_in_the_order_that_is_said() -> None:
     found = outcomes([*in_steps()])
     assert found.count("right") >= READ * len(found)
+
+
+def test_what_is_kept_beside_what_is_denied_need_not_be_so_at_the_start() -> None:
+    for without in (
+        "without touching it",
+        "but the two must not touch",
+        "and not touching it",
+        "without them touching",
+    ):
+        said = f"Keep red to the left of blue {without}."
+        meant = {
+            "assets": {"red": 1, "blue": 1},
+            "hold": [["blue ; red", "red . blue"]],
+            "miss": [["blue ; red", "red blue pitch=1"]],
+        }
+        score = judge(entry("times", "kept", said, meant), read)
+        assert score.outcome == "right", (said, score.why)

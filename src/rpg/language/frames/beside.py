@@ -39,6 +39,7 @@ TOLD = [
         rf"(?P<items>(?:a|an|NUM)) {_D}(?: BLOCK)?{_TAIL}"),
 ]  # fmt: skip
 _ENDS = frozenset({".", "!", "?", ";", ","})
+_LINKS = frozenset({"with", "and", "but", "while", "where"})
 
 
 def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], list[Token], str]]:
@@ -56,7 +57,7 @@ def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], 
             continue
         match = max(ends, key=lambda found: found.end())
         m = places.index(match.end())
-        rest = [*_stopped(tokens[:n], tokens[n]), *_stopped(tokens[m:], tokens[n])]
+        rest = [*stopped(tokens[:n], tokens[n]), *stopped(tokens[m:], tokens[n])]
         if sum("distract" in word or "decoy" in word for word in words) == sum(
             "distract" in word or "decoy" in word for word in words[n:m]
         ):
@@ -68,11 +69,10 @@ def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], 
         return
 
 
-def _stopped(tokens: Sequence[Token], mark: Token) -> list[Token]:
+def stopped(tokens: Sequence[Token], mark: Token) -> list[Token]:
     """Words with a full stop behind them, and no marks around them."""
-    marks = [token.word in _ENDS for token in tokens]
-    begin = marks.index(False) if False in marks else len(marks)
-    end = len(marks) - marks[::-1].index(False) if False in marks else begin
+    begin = next((n for n, token in enumerate(tokens) if token.word not in _ENDS | _LINKS), len(tokens))
+    end = next((n for n in range(len(tokens), begin, -1) if tokens[n - 1].word not in _ENDS | _LINKS), begin)
     return [*tokens[begin:end], mark.saying(".")] if begin < end else []
 
 

@@ -11,6 +11,7 @@ from rpg.language import lexicon
 from rpg.language.frames import beside, moments, relations, tower
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
+from rpg.language.frames.turned import without_turns
 from rpg.language.tokens import Token, tokenize
 
 FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
@@ -38,9 +39,10 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     if not 0 < len(tokens) <= _MOST:
         return
     yield from _as_a_whole(tokens)
-    for rest, stretch, distractors in without_distractors(tokens):
-        for told, said in ((rest, _text(rest)), *_as_a_whole(rest)):
-            yield [*told, *_standing(distractors, stretch)], f"{said} {distractors}"
+    for rest, stretch, aside in (*without_distractors(tokens), *without_turns(tokens)):
+        rest = beside.stopped(rest, stretch[0])
+        for told, said in ((rest, _text(rest)), *_as_a_whole(rest)) if rest else (([], ""),):
+            yield [*told, *_standing(aside, stretch)], f"{said} {aside}".strip()
     if not _BINDING.isdisjoint(token.word for token in tokens):
         return
     parts = [(ahead, behind) for ahead, behind in _parted(tokens) if commands(ahead) or not commands(behind)]
@@ -92,11 +94,7 @@ def plainly(tokens: Sequence[Token]) -> str | None:
 def commands(tokens: Sequence[Token]) -> bool:
     """Whether a sentence asks for something to be done; one that only describes may tell of the start."""
     begins = [0, *(n + 1 for n, token in enumerate(tokens) if token.word in _ENDS or token.word in _LEADS)]
-    return any(_asks(tokens[n]) for n in begins if n < len(tokens))
-
-
-def _asks(token: Token) -> bool:
-    return any(tense == "base" for _, _, tense in lexicon.VERB.get(token.word, ()))
+    return any(lexicon.commands(tokens[n].word) for n in begins if n < len(tokens))
 
 
 def _parted(tokens: list[Token]) -> Iterator[tuple[list[Token], list[Token]]]:
@@ -112,4 +110,4 @@ def _standing(text: str, told: Sequence[Token]) -> list[Token]:
 
 
 def _text(tokens: Sequence[Token]) -> str:
-    return re.sub(r" (?=[,.;:!?])", "", " ".join(token.raw for token in tokens))
+    return re.sub(r" (?=[,.;:!?])", "", " ".join({token.span: token.raw for token in tokens}.values()))

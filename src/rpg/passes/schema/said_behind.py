@@ -3,6 +3,7 @@ that no two blocks are alike, which way a line goes. It is looked for in the wor
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from rpg.core.diagnostics import Span
@@ -23,9 +24,11 @@ from rpg.passes.schema.resolve.things.world import refuse
 def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     """Refuse a task in which nothing comes of a sentence that tells more of what was said before it."""
     told = sentences(tokens)
-    for sentence in told[1:]:
+    for n, sentence in enumerate(told[1:], 1):
         _begun_with(sentence, task)
         _all_different(sentence, task)
+        _done_first(sentence, told[:n], task)
+        _also_there(sentence, told[:n], task)
     for sentence in told:
         _no_order(sentence, task)
         _reversed(sentence, task)
@@ -37,19 +40,48 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
 _POLITE = frozenset({"please", "and", "but", "then", "always", "just"})
 _BEGIN = frozenset({"begin", "start"})
 _ARTICLES = frozenset({"the", "a", "one", "of", "with", "from"})
+_IS_FIRST = re.compile(r"(?:the )?first (?:one |block |cube )?(?:is|are|must be|should be|comes|to be|goes) ")
 
 
 def _begun_with(sentence: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "put red next to blue, and green next to white. Begin with the green block" as in any order."""
     said = [token for token in sentence if token.word not in _POLITE | STOPS]
-    if len(said) < 3 or said[0].word not in _BEGIN or said[1].word not in ("with", "from"):
+    is_first = _IS_FIRST.match(" ".join(token.word for token in said))
+    leads = len(is_first[0].split()) if is_first else 2
+    begins = len(said) > 2 and said[0].word in _BEGIN and said[1].word in ("with", "from")
+    if not (begins or is_first):
         return
-    rest = [token for token in said[2:] if token.word not in _ARTICLES]
+    rest = [token for token in said[leads:] if token.word not in _ARTICLES]
     looks = {lexicon.COLOR.get(t.word) or t.raw.upper() for t in rest if t.word not in lexicon.BLOCK}
     first = {block.name for block in task.blocks if looks & _looks(block)}
     if len(looks) == 1 and first and not _comes_first(first, task):
         raise refuse("misplaced", "nothing here has a beginning with which this could be done", said[0].span,
                      "say what is done first, and what then")  # fmt: skip
+
+
+def _done_first(sentence: Sequence[Token], before: Sequence[Sequence[Token]], task: TaskSchema) -> None:
+    """Refuse "put red on the mat. First put blue on green" as in any order."""
+    said = [token for token in sentence if token.word not in _POLITE | STOPS]
+    if len(said) < 3 or said[0].word != "first" or not lexicon.commands(said[1].word) or _stages(task.goal):
+        return
+    if any(lexicon.commands(token.word) for one in before for token in one[:1]):
+        raise refuse("misplaced", "it is not clear what is done first, and what then", said[0].span,
+                     "say 'first ..., then ...'")  # fmt: skip
+
+
+_ALSO = re.compile(r"there (?:is|are) also (?:a|an|one) ")
+
+
+def _also_there(sentence: Sequence[Token], before: Sequence[Sequence[Token]], task: TaskSchema) -> None:
+    """Refuse "stack yellow on red. There is also a yellow block" as of the one that was told of."""
+    also = _ALSO.match(" ".join(token.word for token in sentence))
+    if also is None or len(sentence) < 5:
+        return
+    look = lexicon.COLOR.get(sentence[4].word) or sentence[4].raw.upper()
+    told = {lexicon.COLOR.get(token.word) or token.raw.upper() for one in before for token in one}
+    if look in told and sum(look in _looks(block) for block in task.blocks) == 1:
+        raise refuse("ambiguous", "another one, or the one that was told of?", sentence[4].span,
+                     "say how many such blocks there are, and put 'one of them'")  # fmt: skip
 
 
 def _looks(block: Block) -> set[str]:
@@ -75,7 +107,9 @@ def _stages(goal: g.Goal) -> list[g.Goal]:
 def _ends(atom: g.Goal) -> list[tuple[str, ...]]:
     """The blocks at either end of what is ordered, as far as it is told."""
     order = getattr(atom, "order", None) or getattr(getattr(atom, "pattern", None), "order", None)
-    if isinstance(atom, Spells | Equation) or not isinstance(order, Order):
+    if not isinstance(order, Order):
+        if not isinstance(atom, Spells | Equation):
+            return []
         read = members(getattr(atom, "blocks", ()))
         return [read[:1], read[-1:]] if getattr(atom, "reverse", False) else [read[:1]]
     if order.by == "given" and order.ranks:

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 from rpg.ir import goal as g
+from rpg.ir.walk import names
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.world import Scene
 
 
 def brought_about(goal: g.Goal, scene: Scene) -> g.Goal:
-    """A goal that only keeps what is so already asks for nothing: what is kept is then to be brought about."""
+    """A goal that only keeps what is so already asks for nothing: what is kept is then to be brought about.
+
+    "Keep red near blue without the two touching": what is denied of blocks whose start nobody told need not be done.
+    """
     parts = goal.goals if isinstance(goal, g.All) else (goal,)
     kept = [always for always, _ in scene.kept]
-    if not parts or not all(part in kept for part in parts):
-        return goal
     begun = [fact for _, facts in scene.kept for fact in facts]
+    told = {name for fact in scene.start_goals if fact not in begun for name in names(fact)}
+    denied = [part for part in parts if isinstance(part, g.Not) and told.isdisjoint(names(part))]
+    if not any(part in kept for part in parts) or not all(part in kept or part in denied for part in parts):
+        return goal
     scene.start_goals = [fact for fact in scene.start_goals if fact not in begun]
     scene.assume("nothing else is to be done: what is to be kept is brought about, and need not be so at the start")
-    return conj([part.goal for part in parts if isinstance(part, g.Always)], goal.span)
+    return conj([part.goal if isinstance(part, g.Always) else part for part in parts], goal.span)

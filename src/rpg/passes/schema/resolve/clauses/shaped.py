@@ -182,7 +182,11 @@ def _first_named(blocks: Meaning | None, shape: Meaning | None, scene: Scene) ->
 
 def _of_them_all(clause: Clause, spec: Spec) -> None:
     """ "a tower of red and blue, a green block and a yellow one: all of them in the left half": where all of it is."""
-    several = isinstance(clause.theme, Structure) and clause.theme.plural
+    theme = clause.theme
+    several = isinstance(theme, Structure) and theme.plural
+    sizes = (*spec.sizes, *theme.sizes) if isinstance(theme, Structure) and several else ()
+    if loose := next((z for z in sizes if z.what == "size" and z.cost), None):  # "two red towers, six blocks"
+        raise refuse("ambiguous", "so many in all, or in each of them?", loose.span, "say 'in all' or 'each'")
     for told in list(spec.absolutes) if several else ():  # "three stacks of two, each on its own patch"
         marks = [getattr(a, "landmark", None) for a in told.adjuncts]
         own = all(isinstance(m, Noun) and m.head == "patch" and m.traits.scheme == "different" for m in marks)

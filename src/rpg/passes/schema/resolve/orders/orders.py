@@ -77,6 +77,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     inside = kind == "stack" or all(belongs(item.theme, names, scene) for item in spec.absolutes)
     spec.absolutes = onward(spec.absolutes) if inside else spec.absolutes
     placed = positions(spec, names, kind, scene)
+    if placed is not None and starts and first is not None and not placed.paired:
+        placed = replace(placed, first=first)
     if placed is not None and found.by == "alternating":
         return _begun(found, placed, names, kind, scene, span)
     if placed is not None and (way := directed(found, placed, names, kind, scene, first, starts)) is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import groupby, product
 
 from rpg.language import lexicon
 from rpg.language.frames import beside, moments, relations, tower
@@ -110,4 +110,6 @@ def _standing(text: str, told: Sequence[Token]) -> list[Token]:
 
 
 def _text(tokens: Sequence[Token]) -> str:
-    return re.sub(r" (?=[,.;:!?])", "", " ".join({token.span: token.raw for token in tokens}.values()))
+    return re.sub(
+        r" (?=[,.;:!?])", "", " ".join(raw for (_, raw), _ in groupby((token.span, token.raw) for token in tokens))
+    )

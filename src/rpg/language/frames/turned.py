@@ -11,7 +11,7 @@ from rpg.language.tokens import Token
 _NOUN = "(?:letters?|digits?|numbers?|cubes?|blocks?)"
 _MARKED = "(?:labell?ed|marked|with|showing|bearing|carrying)"
 _SIGN = r"(?:[A-Z]|\d|(?<=the )[a-z]|(?<=its )[a-z]|(?<=letter )[a-z])"
-_SYMBOL = rf"(?:(?:the|a|an|its|only|just|both|either) )*(?:(?:{_NOUN}|{_MARKED}|the) )*{_SIGN}(?: {_NOUN})?"
+_SYMBOL = rf"(?:(?:the|a|an|its|it is|only|just|both|either) )*(?:(?:{_NOUN}|{_MARKED}|the) )*{_SIGN}(?: {_NOUN})?"
 _WHO = [
     *patterns("symbols", None, rf"{_SYMBOL}(?:(?: ,)?(?: and)? {_SYMBOL})*"),
     *patterns("all", None,
@@ -66,7 +66,8 @@ _BOUNDS = frozenset({
     "i", "I",
 })  # fmt: skip
 _ABOUT = re.compile(
-    r"\b(?:upside|upright|turn|turned|rotate|rotated|sideways|flipped|flip|heads?|quarter|half|degrees|facing|way up)\b"
+    r"\b(?:upside|upright|turn|turned|rotate|rotated|sideways|flipped|flip|heads?|quarter|half|degrees|facing|way up|"
+    r"on (?:its|their) sides?)\b"
 )
 _LEFT_TURN = frozenset({
     "counter clockwise", "counterclockwise", "anti clockwise", "anticlockwise", "ccw", "to the left",
@@ -127,8 +128,9 @@ def _statement(text: str, at: int) -> tuple[int, tuple[str, str, str]] | None:
     who = max(ways, key=lambda way: way[0], default=(at, "it", re.match("", "")))
     if verb and at == who[0]:
         return None
-    listed = re.search(rf"(?<!\S){_SIGN} $", text[:begun]) and set(binding) <= {",", "and"} and not verb
-    if who[1] == "symbols" and listed:
+    listed = re.search(rf"(?<!\S){_SIGN} (?:, |and )*$", text[:begun]) and set(binding) <= {",", "and"} and not verb
+    first = re.search(rf"(?<!\S){_SIGN}(?!\S)", who[2][0]) if who[1] == "symbols" and who[2] else None
+    if first and listed and first[0] not in text[:begun].split():
         return None  # "the letters L and F upright": the list began before
     at = who[0]
     for known in (_SO, _BE) if verb else (_BE,):

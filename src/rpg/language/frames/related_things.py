@@ -154,7 +154,11 @@ class Things:
             self.bare.add(new.look)
         if same:
             return self._again(piece, new, same[0])
-        if new.count == 0 or (new.look == "patch" and pointing and any(known.patch for known in self.known)):
+        if (
+            new.count == 0
+            or named.get("det") == "another"
+            or (new.look == "patch" and pointing and any(known.patch for known in self.known))
+        ):
             raise Unclear
         self.known.append(new)
         return new
@@ -162,7 +166,9 @@ class Things:
     def _again(self, piece: Piece, new: Known, known: Known) -> Known:
         """Something that is known, named again."""
         det = piece.named.get("det", "")
-        if det in ("a", "an", "one") or (piece.named.get("count") in ("one", "single", "lone", "1") and det != "the"):
+        if det in ("a", "an", "one", "another") or (
+            piece.named.get("count") in ("one", "single", "lone", "1") and det != "the"
+        ):
             raise Unclear
         if piece.named.get("count") and new.count != known.count:
             raise Unclear
@@ -221,7 +227,7 @@ def _named(piece: Piece) -> Known:
     """What a name says. `count`: 0 where several are meant and it is not said how many."""
     named = piece.named
     if piece.value in ("letter", "number"):
-        return Known(f"{piece.value} {named[piece.value]}")
+        return Known(f"{piece.value} {named[piece.value].upper()}")
     if piece.value == "patch":
         shape = named.get("shape") or named.get("behind", "").replace("circle", "round")
         if "shape" in named and "behind" in named:

@@ -40,6 +40,8 @@ def sentence_read(pieces: Sequence[Piece]) -> Iterator[tuple[Statement, ...]]:
     """Every way to read a sentence."""
     if pieces[0].value in ("is", "must") and pieces[0].words.split()[0] in _ASKING:
         return
+    if any(piece.value == "could" for piece in pieces[1:]):
+        return
     limited = any(p.kind == "neither" or p.named.get("how", "").endswith(("at most", "more than")) for p in pieces)
     if any(piece.value == "may" for piece in pieces) and not limited:
         return
@@ -186,6 +188,9 @@ def _of(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, *, more: boo
     """What is said of names that stand ahead, one thing after the other."""
     for statements, end in _said(pieces, named, at):
         yield statements, end
+        if _kind(pieces, end) == "still":
+            for kept, last in _lists(pieces, end + 1):
+                yield (*statements, Statement(kept, "stay")), last
         behind = _joint(pieces, end)
         if not more or not behind or any(piece.kind == "that" for piece in pieces[end:behind]):
             continue
@@ -199,7 +204,8 @@ def _of(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, *, more: boo
 
 def _said(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> Iterator[Parse]:
     """One thing that is said of names that stand ahead."""
-    start = _verb(pieces, at)
+    listed = _kind(pieces, at) == "comma" and _kind(pieces, at + 1) == "mutual"
+    start = _verb(pieces, at + listed)
     denied = str(pieces[start].value) if _kind(pieces, start) == "not" else ""
     start = _verb(pieces, start + bool(denied))
     if denied and _kind(pieces, start) == "they" and _words(pieces, start - 1) == "without":
@@ -234,6 +240,9 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
         yield (stated,), end
         if denied:
             continue
+        if _words(pieces, end) == "but" and _words(pieces, end + 1) == "not":
+            for others, last in _lists(pieces, end + 2):
+                yield (stated, Statement(_known(named), "rel", piece.value, others, "not")), last
         if _kind(pieces, side) == "mutual" and pieces[side].words.endswith(("away", "apart")):
             far = Relation(f"{pieces[side].value.removeprefix('be ').removesuffix(' apart')} from")
             yield (stated, Statement(_known(named), "rel", far, _known(objects))), side + 1
@@ -249,7 +258,8 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
 
 def _piled(*pieces: Piece) -> bool:
     """Whether relations go on one from the other: "red on blue on green"."""
-    return all(isinstance(p.value, Relation) and p.value.phrase in ("on", "on top of") for p in pieces)
+    phrases = {p.value.phrase if isinstance(p.value, Relation) else "" for p in pieces}
+    return phrases <= {"on", "on top of"} or (len(phrases) == 1 and "off" not in phrases and "" not in phrases)
 
 
 def _with(pieces: Sequence[Piece], stated: Statement, at: int) -> Iterator[Parse]:
@@ -315,7 +325,11 @@ def _of_two(pieces: Sequence[Piece], at: int) -> Iterator[Parse]:
             if _words(pieces, end) == "with":
                 for other, last in _lists(pieces, end + 1):
                     yield (Statement((*named, *other), "mutual", "swap places"),), last
-        if kind == "between" and _kind(pieces, end) == "measure":
+        if first.value == "from" and _words(pieces, end) == "to":
+            for other, last in _lists(pieces, end + 1):
+                if _kind(pieces, last) == "measure":
+                    yield (Statement((*named, *other), "mutual", f"be {pieces[last].value} apart"),), last + 1
+        elif kind == "between" and _kind(pieces, end) == "measure":
             far = pieces[end].value
             apart = first.value == "apart"
             yield (Statement(named, "mutual" if apart else "gap", f"be {far} apart" if apart else far),), end + 1

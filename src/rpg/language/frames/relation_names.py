@@ -8,7 +8,7 @@ _NOUN = "blocks?|cubes?|bricks?|box(?:es)?|pieces?|ones?"
 _ONE = "block|cube|brick|box|piece|one"
 _PATCH = "patch|mat|zone|pad|spot|target|goal|area|rug|carpet|coaster|marker|field|sheet"
 _PLAIN_PATCH = "patch|mat|zone|pad|rug|carpet|coaster|target patch|target zone|goal patch|goal zone|target"
-_DET = "the|this|these|those|that|my|our|your|a|an|both|both the|all|all the|all of the|both of the"
+_DET = "the|this|these|those|that|my|our|your|a|an|both|both the|all|all the|all of the|both of the|another"
 _THE = "the|this|that|a|an|my|our|your|one"
 _HOW_MANY = "exactly|precisely|at least|at most|no more than|not more than|no fewer than|no less than|not fewer than"
 _OF = rf"(?:(?P<how>{_HOW_MANY}) )?(?P<part>NUM) (?:out )?of"
@@ -24,6 +24,7 @@ THINGS: list[Pattern] = [
         r"(?:(?P<det>the|a|an) )?(?:letters?|block|cube|letter block|letter cube) (?P<letter>[A-Z])"
         r"(?: (?P<noun>block|cube))?",
         r"(?:(?P<det>the|a|an) )?(?P<letter>[A-HJ-Z])(?: (?P<noun>block|cube))?",
+        r"(?P<letter>a)(?= (?:is|must|should|goes|stands|sits|lies|on|onto|next|left|right|behind|in|touches|under) )",
         r"(?P<det>the) (?P<letter>I)(?: (?P<noun>block|cube))?",
         r"(?P<det>the|a) (?:block|cube) (?:with|labeled|labelled|marked|showing|bearing) (?:the |an? )?(?:letter )?"
         r"(?P<letter>[A-Z])(?: on it)?"),

@@ -33,12 +33,14 @@ _WANTS = "(?:i|I|we) (?:want|would like|need|wish|would love)"
 _SHOWN = "(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task|arrangement|configuration)"
 MOODS: list[Pattern] = [
     *patterns("be", "moved",
-        f"(?:{_MUST}) be (?:moved|brought|taken|transferred|shifted|relocated|carried|pushed)"),
+        f"(?:{_MUST}) be (?:moved|brought|taken|transferred|shifted|relocated|pushed)"),
     *patterns("be", "must",
-        f"(?:{_MUST})(?: also)?(?: (?:be|go|come|get|touch(?= each| one)|{_REST}))?(?: (?:{_RESTS}))?",
+        f"(?:{_MUST})(?: also)?(?: to)?(?: (?:be|go|come|get|touch(?= each| one)|{_REST}))?(?: (?:{_RESTS}))?",
         f"(?:wants |want |likes |like )?to (?:be|go|come|{_REST})",
         f"{_COMES}|goes|go|belongs|belong|comes|come|going|(?:may|can)(?= not )"),
-    *patterns("be", "may", "(?:may|can) (?:be|go|come)"),
+    *patterns("be", "could", "could|would"),
+    *patterns("be", "must", "(?:(?:must |should |shall )?(?:remains?|stays?))(?= on the TABLE)", "go over(?= to)"),
+    *patterns("be", "may", f"(?:may|can) (?:be|go|come|{_REST})"),
     *patterns("be", "make",
         f"(?:{_DO})(?: (?:down|over|up))?(?= (?!where|alone|as))", "(?:move|slide|push|shift) (?:away|over|back)"),
     *patterns("be", "make", f"(?:would you mind|how about) (?:{_DOING})"),
@@ -79,14 +81,16 @@ GLUE: list[Pattern] = [
     *patterns("glue", None, "hello|hi|hi there|hey|dear|okay|ok|carefully|gently|simply|just|nicely|neatly"),
     *patterns("glue", None,
         "also(?= (?:must|should|put|place|set|move|is|are|touch|on|next|to|in|left|right|behind|under|near|beside) )"),
-    *patterns("glue", None, "that(?= the)", "(?:dear |my )?(?:robot|friend|buddy|computer)", "over(?= (?:until|so) )"),
-    *patterns("sure", "must", f"{_WANTS}(?: that| to (?:see|have)| it so that)?", "it must be that",
+    *patterns("glue", None, "that(?= the)", "(?:dear |my )?(?:robot|friend|buddy|computer)", "over(?= (?:until|so) )",
+        "down(?= (?:so|until) )"),
+    *patterns("sure", "must", f"{_WANTS}(?: that| to (?:see|have)| it so that)?", "let (?:me|us) (?:see|have)", "it must be that",
         "it is (?:important|necessary|required|essential|desired|wanted|vital) that"),
     *patterns("sure", "must",
         f"(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target )?{_SHOWN}"
         f"(?: is| shows| :)(?: that)?",
-        f"in the (?:final |finished ){_SHOWN}", "(?:the|your) (?:goal|task|aim|job) is(?: for| to| that| to have)?"),
-    *patterns("sure", "do", "(?:(?:make|be) sure|ensure|make it so)(?: that)?|see to it that|see that|take care that"),
+        f"in (?:the (?:final |finished )|this ){_SHOWN}", "(?:the|your) (?:goal|task|aim|job) is(?: for| to| that| to have)?"),
+    *patterns("sure", "do", "(?:(?:make|be) sure|ensure|make it so)(?: that)?|see to it that|see that|take care that",
+        "(?:arrange|set up|make) (?:it|things|everything) (?:so|such) that"),
 ]  # fmt: skip
 """Words that say nothing of their own beside parts: none that denies, compares, or binds parts in another way. Behind
 those of the kind "sure" stands what shall come about."""

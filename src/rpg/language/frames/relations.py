@@ -8,8 +8,9 @@ from itertools import combinations
 
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.related_things import Known, Things
-from rpg.language.frames.relation_clauses import NAMES, Statement, sentence_read
+from rpg.language.frames.relation_clauses import Statement, sentence_read
 from rpg.language.frames.relation_names import THINGS
+from rpg.language.frames.relation_pieces import plainer
 from rpg.language.frames.relation_stages import Sentence, stages_of
 from rpg.language.frames.relation_verbs import GLUE, MOODS
 from rpg.language.frames.relation_words import MUTUAL, PLACES, RELATIONS, Relation
@@ -43,7 +44,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: they can be read in no way, or in several.
     """
-    start, stages = stages_of(_joined([piece for piece in pieces if piece.kind != "glue"]))
+    start, stages = stages_of(plainer([piece for piece in pieces if piece.kind != "glue"]))
     if {"never", "while"} <= {piece.words for piece in pieces}:
         raise Unclear  # only as long as something else is so
     readings: list[Reading] = [(Things(), [])]
@@ -60,16 +61,6 @@ def told(pieces: Sequence[Piece]) -> str:
     if len(texts) != 1:
         raise Unclear
     return texts.pop()
-
-
-def _joined(pieces: Sequence[Piece]) -> list[Piece]:
-    """The pieces without colons in "red: on the mat"."""
-    colons = {
-        n
-        for n in range(1, len(pieces) - 1)
-        if pieces[n].words == ":" and pieces[n - 1].kind in NAMES and pieces[n + 1].kind in ("rel", "place", "mutual")
-    }
-    return [piece for n, piece in enumerate(pieces) if n not in colons]
 
 
 def _told_of(sentence: Sentence, things: Things, said: list[list[Said]], *, start: bool) -> Iterator[Reading]:
@@ -211,7 +202,7 @@ def _related(statement: Statement, relation: Relation, subjects: list[Known], ob
         raise Unclear
     if statement.denied and max(many) > 1 and not (on_patch and subjects[0].rest):
         raise Unclear
-    if statement.stacked and (sort != "on" or max(many) > 1):
+    if statement.stacked and (relation.phrase not in ("on", "on top of") or max(many) > 1):
         raise Unclear
     phrase = "on top of" if relation.phrase == "on" and not on_patch else relation.phrase
     if phrase == "touch":
@@ -305,6 +296,8 @@ def _check(said: Sequence[Said]) -> None:
 def _agree(one: Said, other: Said) -> bool:
     """Whether two statements about the same things hold together."""
     by_sort = {one.sort: one, other.sort: other}
+    if by_sort.keys() == {"between", "tight"}:
+        return not (one.denied or other.denied)
     if "side" in by_sort and by_sort.keys() & {"close", "tight"}:
         return not by_sort["side"].denied
     return by_sort.keys() == {"close", "tight"} and by_sort["tight"].denied and not by_sort["close"].denied

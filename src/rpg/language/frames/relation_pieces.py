@@ -22,19 +22,30 @@ def plainer(pieces: Sequence[Piece]) -> list[Piece]:
 
 
 def _taken(pieces: list[Piece]) -> list[Piece]:
-    """ "Take the red block off the blue one and put it on the mat": it is what was taken."""
+    """ "Take the red block off the blue one and put it on the mat", "move the red block so that it touches the blue one
+    and it is on the mat": it is what was taken or moved."""
     found: list[Piece] = []
     taken: Piece | None = None
+    moved: Piece | None = None
     for n, piece in enumerate(pieces):
         if piece.kind in ("stop", "then"):
-            taken = None
+            taken = moved = None
         if piece.kind == "take":
-            taken = pieces[n + 1] if n + 1 < len(pieces) and pieces[n + 1].kind == "thing" else None
-        it = piece.kind == "it" and n and pieces[n - 1].value in ("make", "stack")
-        if it and taken and taken.named.get("count") is None and "many" not in taken.named:
-            piece = replace(taken, named={**taken.named, "det": "the"})
-        found.append(piece)
+            taken = _thing(pieces, n + 1)
+        if piece.kind == "that" and n > 1 and pieces[n - 2].value == "make":
+            moved = _thing(pieces, n - 1)
+        ahead = pieces[n - 1] if n else piece
+        meant = taken if ahead.value in ("make", "stack") else moved if ahead.kind in ("that", "join") else None
+        found.append(meant if piece.kind == "it" and meant else piece)
     return found
+
+
+def _thing(pieces: list[Piece], n: int) -> Piece | None:
+    """The one thing that a piece names, as it is named again."""
+    piece = pieces[n] if n < len(pieces) else None
+    if piece is None or piece.kind != "thing" or piece.named.get("count") or "many" in piece.named:
+        return None
+    return replace(piece, named={**piece.named, "det": "the"})
 
 
 def _one_and_other(pieces: list[Piece]) -> list[Piece]:

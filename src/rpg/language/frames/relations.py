@@ -142,7 +142,7 @@ def _plain(statement: Statement, things: Things, subjects: list[Known], objects:
         raise Unclear
     if statement.how in ("rel", "mutual", "gap"):
         return _of_several(statement, subjects, objects, be, start=start)
-    them, of = _listed(subjects), frozenset(known.look for known in subjects)
+    them, of = _listed(subjects), frozenset(map(_same, subjects))
     if statement.stacked:
         raise Unclear
     if statement.how == "stay":
@@ -166,7 +166,7 @@ def _of_several(statement: Statement, subjects: list[Known], objects: list[Known
         return _related(statement, statement.what, subjects, objects, be)
     if sum(known.count for known in subjects) != 2 or any(known.part for known in subjects):
         raise Unclear
-    about, them = frozenset(known.look for known in subjects), _listed(subjects)
+    about, them = frozenset(map(_same, subjects)), _listed(subjects)
     if statement.how == "gap":
         return Said(f"There must be a gap of {statement.what} between {them}", "close", about, about)
     how = statement.what.removeprefix("be ")
@@ -212,8 +212,8 @@ def _related(statement: Statement, relation: Relation, subjects: list[Known], ob
     beside = f" on its {statement.beside.split()[-2]}" if statement.beside.endswith(("left of", "right of")) else ""
     if statement.beside and not beside:
         raise Unclear
-    of = frozenset(known.look for known in subjects)
-    about = of | {known.look for known in objects}
+    of = frozenset(map(_same, subjects))
+    about = of | frozenset(map(_same, objects))
     text = f"{_listed(subjects)} {be} {phrase} {_listed(objects)}{beside}"
     return Said(text, "both" if beside else sort, of, about, bool(statement.denied))
 
@@ -241,6 +241,11 @@ def _may_be_many(relation: Relation, sort: str, many: tuple[int, int]) -> bool:
     if sort == "side":
         return True
     return min(many) == 1 and max(many) == 2 and relation.phrase in ("touch", "next to")
+
+
+def _same(known: Known) -> str:
+    """What things, or some of a lot, are told from others by."""
+    return known.part or known.look
 
 
 def _single(subjects: Sequence[Known]) -> bool:

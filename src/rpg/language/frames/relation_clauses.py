@@ -15,8 +15,6 @@ _ASKING = frozenset({
     "is", "are", "must", "should", "shall", "will", "has", "have", "need", "needs", "ought", "being",
 })  # fmt: skip
 """A sentence that begins with one of these asks whether something is so, or tells under which condition."""
-_MOVING = ("go", "come", "be put", "be placed", "be moved", "be set", "be laid")
-"""Who asks whether something could do this wants it done."""
 _PARTICIPLES = ("carrying", "supporting", "bearing", "topped", "crowned", "capped", "touching")
 
 
@@ -42,9 +40,7 @@ def sentence_read(pieces: Sequence[Piece]) -> Iterator[tuple[Statement, ...]]:
     """Every way to read a sentence."""
     if pieces[0].value in ("is", "must") and pieces[0].words.split()[0] in _ASKING:
         return
-    if any(piece.value == "could" for piece in pieces[1:]) or (
-        pieces[0].value == "could" and not any(piece.words.startswith(_MOVING) for piece in pieces)
-    ):
+    if any(piece.value == "could" for piece in pieces[1:]):
         return
     limited = any(p.kind == "neither" or p.named.get("how", "").endswith(("at most", "more than")) for p in pieces)
     if any(piece.value == "may" for piece in pieces) and not limited:
@@ -246,6 +242,15 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
         yield (stated,), end
         if denied:
             continue
+        told = not any(p.value in ("make", "stack") for p in pieces)  # else it may be that another is not put there
+        if (
+            piece.value == Relation("touch")
+            and told
+            and _words(pieces, end) == "but"
+            and _kind(pieces, end + 1) == "not"
+        ):
+            for others, last in _lists(pieces, end + 2):
+                yield (stated, Statement(_known(named), "rel", piece.value, others, "not")), last
         if _kind(pieces, side) == "mutual" and pieces[side].words.endswith(("away", "apart")):
             far = Relation(f"{pieces[side].value.removeprefix('be ').removesuffix(' apart')} from")
             yield (stated, Statement(_known(named), "rel", far, _known(objects))), side + 1

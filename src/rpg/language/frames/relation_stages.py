@@ -113,7 +113,8 @@ def _acts(sentence: Sentence) -> bool:
 def states(sentence: Sentence) -> bool:
     """Whether a sentence says more than which things there are."""
     return not all(
-        piece.kind in NAMES | {"join", "comma", "there", "take", "have", "be", "end", "sure"} for piece in sentence
+        piece.kind in NAMES | {"join", "comma", "there", "take", "have", "be", "end", "sure", "now"}
+        for piece in sentence
     )
 
 

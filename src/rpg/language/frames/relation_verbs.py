@@ -67,6 +67,8 @@ MOODS: list[Pattern] = [
         "next(?= ,)",
         "secondly|second(?= ,)", "(?:once|when|as soon as) (?:that|this) is (?:done|finished)", "only then",
         "in a second step|in the second step|in the next step|as a second step"),
+    *patterns("now", None, "(?:right |just )?now|currently|at the moment|at present|at first|to begin with"),
+    *patterns("glue", None, f"now(?= (?:{_DO}) )"),
     *patterns("end", None, "(?:at|in) the end"),
     *patterns("join", None, "and|n|while|whereas|but|and also|as well as|plus|whilst|yet|nor"),
     *patterns("comma", None, ","),

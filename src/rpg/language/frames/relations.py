@@ -51,7 +51,9 @@ def told(pieces: Sequence[Piece]) -> str:
     for n, stage in enumerate([start, *stages]):
         readings = [(things, [*said, []]) for things, said in readings]
         for sentence in stage:
-            plain = [piece for piece in sentence if piece.kind not in ("end", "sure")]
+            if n and any(piece.kind == "now" for piece in sentence):
+                raise Unclear  # it is told how things stand, and not asked for
+            plain = [piece for piece in sentence if piece.kind not in ("end", "sure", "now")]
             if not plain:
                 continue
             readings = [told for reading in readings for told in _told_of(plain, *reading, start=not n)][:_MOST]

@@ -23,21 +23,37 @@ def plainer(pieces: Sequence[Piece]) -> list[Piece]:
 
 def _taken(pieces: list[Piece]) -> list[Piece]:
     """ "Take the red block off the blue one and put it on the mat", "move the red block so that it touches the blue one
-    and it is on the mat": it is what was taken or moved."""
+    and it is on the mat", "the red block is on the blue one. Put it on the mat": what is taken, moved or told."""
     found: list[Piece] = []
     taken: Piece | None = None
     moved: Piece | None = None
     for n, piece in enumerate(pieces):
         if piece.kind in ("stop", "then"):
             taken = moved = None
+        if piece.kind == "stop" and all(p.kind != "stop" for p in pieces[:n]):
+            taken = _told_of(pieces[:n])
         if piece.kind == "take":
             taken = _thing(pieces, n + 1)
         if piece.kind == "that" and n > 1 and pieces[n - 2].value == "make":
             moved = _thing(pieces, n - 1)
         ahead = pieces[n - 1] if n else piece
-        meant = taken if ahead.value in ("make", "stack") else moved if ahead.kind in ("that", "join") else None
+        meant = (
+            taken
+            if ahead.value in ("make", "stack") or ahead.kind == "take"
+            else moved
+            if ahead.kind in ("that", "join")
+            else None
+        )
         found.append(meant if piece.kind == "it" and meant else piece)
     return found
+
+
+def _told_of(pieces: list[Piece]) -> Piece | None:
+    """What the first sentence tells of, if it tells how one thing is to another."""
+    said = [n for n, piece in enumerate(pieces) if piece.kind not in ("there", "now") and piece.value != "is"]
+    if [pieces[n].kind for n in said] != ["thing", "rel", "thing"] or len(said) == len(pieces):
+        return None
+    return _thing(pieces, said[0])
 
 
 def _thing(pieces: list[Piece], n: int) -> Piece | None:

@@ -68,7 +68,7 @@ RELATIONS: list[Pattern] = [
     *patterns("rel", Relation("on"), f"(?:down )?(?:{_NEAR} |flat |squarely )?(?:on|onto|upon|on to)"),
     *patterns("rel", Relation("on", turned=True), "(?:(?:must|should|shall|is to|has to) )?(?:holds?|contains?)"),
     *patterns("rel", Relation("outside"), "outside|outside of"),
-    *patterns("rel", Relation("off"), "off|off of"),
+    *patterns("rel", Relation("off"), "off(?! (?:and|,) )|off of"),
     *patterns("rel", Relation("from"), "(?:away )?from"),
     *patterns("rel", Relation("inside"), "to|over to|in|into|inside|within|at|inside of"),
     *patterns("amid", None, "(?:right )?in between(?= (?:[.,;!?]|and|$))"),

@@ -14,6 +14,8 @@ from rpg.passes.schema.resolve.things.world import refuse
 def check_lists(chains: tuple[Chain, ...], text: str) -> None:
     """Refuse a reading that cuts a list in two."""
     for chain in chains:
+        for one in (part for part in parts_of(chain) if isinstance(part, Coord)):
+            _check_looks(one, text)
         for head, rest in _cuts(chain):
             between = text[head.span[1] : rest.span[0]].strip(" ,")
             finite = text[rest.span[1] :].lower().split()[:1] in _FINITE
@@ -21,6 +23,16 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
             if between in ("and", "&") and cut and not _ordered(rest, text):
                 raise refuse("ambiguous", "it is not clear whether this is said of all that is listed, or of the last",
                              rest.span, "say it in a sentence of its own")  # fmt: skip
+
+
+def _check_looks(listed: Coord, text: str) -> None:
+    """Refuse "a red and blue tower" as of a red block, and a blue tower."""
+    for one, other in pairwise(listed.items):
+        if not isinstance(one, Noun) or not isinstance(other, Structure) or other.plural or other.det != "bare":
+            continue
+        if one.head == "any" and one.det == "a" and text[one.span[1] : other.span[0]].strip() == "and":
+            raise refuse("ambiguous", "are these two looks of one thing, or two things?", one.span,
+                         "say 'block' behind the first, and 'a' ahead of the second")  # fmt: skip
 
 
 _FINITE = (["is"], ["are"], ["should"], ["must"], ["has"], ["goes"], ["stands"], ["lies"])

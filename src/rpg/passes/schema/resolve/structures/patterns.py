@@ -69,6 +69,8 @@ def pattern_of(
 def _painted(unit: str, things: list[Thing], dims: tuple[int, int, int], scene: Scene) -> Pattern:
     """A pattern by lines, with colours where none were said."""
     colors = Counter(t.color for t in things if t.color and not t.label)
+    if unit == "checkerboard" and len(colors) == 1 and colors.total() == len(things):
+        raise refuse("contradiction", "a checkerboard has two colours", None, "name a second colour")
     if unit in ("row", "column", "layer") and colors.total() == len(things):
         lines = _lines(unit, len(things), dims)
         if sorted(colors.values()) != sorted(lines):

@@ -33,7 +33,7 @@ def _taken(pieces: list[Piece]) -> list[Piece]:
         if piece.kind == "stop" and all(p.kind != "stop" for p in pieces[:n]):
             taken = _told_of(pieces[:n])
         if piece.kind == "take":
-            taken = _thing(pieces, n + 1)
+            taken = taken if pieces[n + 1 : n + 2] and pieces[n + 1].kind == "it" else _thing(pieces, n + 1)
         if piece.kind == "that" and n > 1 and pieces[n - 2].value == "make":
             moved = _thing(pieces, n - 1)
         ahead = pieces[n - 1] if n else piece

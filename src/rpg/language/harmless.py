@@ -7,6 +7,7 @@ Kept by what may be said with them. Words that could be meant of blocks in some 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from rpg.language.grammar.talk.people import PEOPLE as FOLK
@@ -53,6 +54,7 @@ _OCCASIONS = """
     supper tea coffee snack meal bedtime playtime break nap sleep bath weekend weekday monday tuesday wednesday thursday
     friday saturday sunday january february march april june july august september october november december spring
     summer autumn winter season morning afternoon evening night tonight midnight today tomorrow yesterday day week
+    noon lunchtime dinnertime afternoon
     month year century moment minute hour while time times future past childhood youth life world memory dream wish hope
     idea thought opinion reason cause sake fun pleasure joy delight happiness luck fortune love friendship peace quiet
     patience courage pride honour honor respect trust faith mood humour humor laughter smile tears sorrow grief pity
@@ -165,6 +167,19 @@ _NAMES = """
 """
 
 
+_CALLS = re.compile(r"o+h*|a+h+|w+h?o+(?:a+h*)?|w+h+e{2,}|e{2,}k+|h+m{2,}|m{2,}h*|u+h+|(?:ha){2,}h?|(?:he){2,}|"
+                    r"y+a{2,}y+|y+e{2,}s+|w+o+w{2,}|w+o{2,}h*o+|t+a+d+a{2,}|hooray+|ps{2,}t+|shh+|brr+|hell+o{2,}|"
+                    r"hi{2,}|he+y{2,}|ple+a+se{2,}|pleas{2,}e|so{3,}|uff+|pff+|(?:hi){2,}|(?:ho){2,}|oi+|aye+|ahem|"
+                    r"yipp(?:ee|ie)+|alrighty|righto|okie|dokie|okey|dokey|oopsie|whoops|yup+|yep+|yum+y?|bam|boom|"
+                    r"hurray")  # fmt: skip
+"""Calls as they are drawn out."""
+
+
+def exclaimed(word: str) -> bool:
+    """Whether a word is a call: "ooh", "yaaay"."""
+    return word in INTERJECTIONS or _CALLS.fullmatch(word) is not None
+
+
 def _words(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
@@ -199,6 +214,7 @@ def _inflected(word: str) -> Iterator[str]:
     yield past
 
 
+TIMES = _nouns("minute hour day week month year time night second century moment while")
 PEOPLE = _nouns(_PEOPLE) | _words("men women children grandchildren people folks kids wives")
 ANIMALS = _nouns(_ANIMALS) | _words("mice geese wolves")
 OCCASIONS = _nouns(_OCCASIONS)

@@ -20,7 +20,13 @@ _WHOLE = (
     "and? that|this is the whole|entire|main|actual? job|task|goal|exercise|assignment|idea|plan|point|game",
     "that will|would|should be|do all|it|the_job|nicely|for_now|for_today?",
     "nothing fancy|special|complicated|to_add|to_say|to_worry_about|more_to_say|more_to_add please?",
-    "take your time|all_the_time_you_need|it_easy|care|a_deep_breath",
+    "let me|us know please? when|once|as_soon_as you are|have|'re done|finished|ready|through please?",
+    "tell|call|wake|ping|text|show me|us please? when|once|as_soon_as you are|have|'re done|finished|ready|"
+    "through please?",
+    "you can|may|will then? rest|relax|sleep|go_home|go_to_sleep|take_a_break|have_a_break|stop now|then|after_that|"
+    "afterwards?",
+    "what shall|should|do|can|could we do|try|play|build next|now|today|then?",
+    "take your time|all_the_time_you_need|it_easy|care|a_deep_breath with_it|with_this|with_that|please?",
     "take as long as you like|need|want",
     "there is|'s? no|not_any need|reason|cause to? hurry|rush|worry|panic|for_panic?",
     "no need|reason to hurry|rush|worry|panic|be_afraid",
@@ -47,7 +53,16 @@ _WHOLE = (
     "chop chop",
     "here|there|off we|you|goes go|are|nothing then?",
     "go for it",
-    "pay|attention attention please|now|everybody?",
+    "your attention please?",
+    "here goes",
+    "fingers|everything crossed",
+    "is everything|all clear|understood|okay|ok|fine|ready for_you|so_far?",
+    "report back|to_me? when|once|as_soon_as you are|have|'re done|finished|ready?",
+    "i|we would|'d like|love to_see|to_have|to_get something nice|new|special|beautiful|fun|cool|lovely|"
+    "interesting today|now|"
+    "from_you?",
+    "pay close|good|full? attention please|now|everybody|robot|here?",
+    "attention attention|please|now|everybody?",
     "listen|concentrate|focus|relax|attention|quiet carefully|well|please|everybody|everyone|all|to_me|now?",
     "watch out",
     "look here|at_this please?",
@@ -56,7 +71,7 @@ _WHOLE = (
     "with_this_one|with_it|please|now|about_it|to_me?",
     "bear|stay with me please|here?",
     "careful|easy|steady now|does_it|please",
-    "listen carefully|up|closely|well",
+    "listen|watch|look carefully|up|closely|well|this|me|out|now|here please|everybody|everyone|robot|kids?",
     "chin up",
     "well|nicely|good|great|nice|bravely done|said|job|work|boy|girl|robot|luck|one|going everybody|everyone|team?",
     "good luck with_it|with_that?",
@@ -171,7 +186,6 @@ _WHOLE = (
     "if that|it|this is|'s okay|ok|alright|fine|all_right|possible|convenient|no_bother|no_trouble|not_a_bother|"
     "not_a_problem|not_too_much_trouble|not_too_much_bother|not_too_much_to_ask|no_problem|not_asking_too_much "
     "with_you|for_you|by_you?",
-    "without further ado",
     "in the meantime",
     "meanwhile",
     "for the fun|sake|hell|love of it|science|argument|art|beauty|god|peace",
@@ -230,10 +244,32 @@ _WHOLE = (
     "quiz|show|"
     "snack|exam time again|everybody|everyone|kids|now?",
     "my name is|was always? what|not_important",
+    "would|will|could|can|wo not? you please|now|dear|darling|love?",
+    "i|we need|could_use|want a|your|some little? hand|help|assistance please|here?",
+    "take care|be_careful not_to hurt|burn|strain|cut yourself|anybody|anyone|somebody",
+    "you know|see how to_do it|that|this|these_things|such_things",
+    "it|that|this should|will|would|might keep you busy|occupied|entertained|happy for_a_while|today?",
+    "in|at your own time|pace|leisure|convenience",
+    "without further|any|more|a|making_a ado|delay|hesitation|fuss|mess|noise",
+    "by popular|special|general|public? demand|request|tradition",
+    "as|like only you can|could|know_how",
+    "mind your fingers|head|step|language|manners",
+    "you will not regret|be_sorry it|that?",
+    "to break|pass|kill the_ice|the|some? time?",
+    "without breaking|damaging|hurting|scratching|spilling anything|anybody|anyone|yourself",
+    "do not worry|despair|panic if it|this|that takes a_while|long|some_time|time|forever",
+    "end of story|discussion|message",
+    "hugs|love|kisses and hugs|kisses",
+    "a? piece of cake for_you|for_a_robot?",
+    "with a big? smile|grin on_your_face?",
+    "it|this|that will|would|should|does|need not take long|a_minute|forever|much_time|you_long",
+    "is|was|does|did not? it|this|that|he|she not?",
+    "if it|that is all? the_same|one to you",
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )
 TIMES = (
-    "today|tonight|now|right_now|right_away|immediately|at_once|this_time|soon|asap|real_quick|quickly|in_the_meantime|meanwhile|"
+    "today|tonight|now|right_now|right_away|immediately|at_once|this_time|soon|asap|real_quick|quickly|"
+    "in_the_meantime|meanwhile|"
     "this_minute|this_instant|for_now|for_today|just_now|pronto|straight_away please|thanks|robot|ok|okay|then?",
     "this|tomorrow|every_monday? morning|afternoon|evening|week|weekend|time please?",
     "by tonight|tomorrow|noon|lunch|dinner|dinner_time|lunch_time|breakfast|bedtime|the_evening|monday|friday please?",

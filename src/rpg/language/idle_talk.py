@@ -10,8 +10,11 @@ from collections.abc import Collection, Sequence
 
 from rpg.language import harmless
 from rpg.language.idioms import IDIOMS, TIMELY
+from rpg.language.lead_ins import set_in
 from rpg.language.phrases import Rows
-from rpg.language.smalltalk import small_talk
+from rpg.language.reasons import meanwhile, reason_or_aim
+from rpg.language.smalltalk import is_strange, small_talk
+from rpg.language.talk_forms import by_form, polite_condition, takes_care
 from rpg.language.tokens import Token
 
 
@@ -23,37 +26,64 @@ _OWN = _words("my our his her their your")
 _BECAUSE = _words("because since as cause cos coz so")
 _ALONE = harmless.INTERJECTIONS | _words(
     "honestly frankly seriously luckily sadly fortunately unfortunately ideally obviously naturally hopefully "
-    "apparently "
-    "evidently clearly surely really thankfully kindly personally anyway anyhow indeed basically actually literally "
-    "today tonight normally usually"
+    "apparently evidently clearly surely really thankfully kindly personally anyway anyhow indeed basically actually "
+    "literally today tonight normally usually"
 )
 _DEGREES = _words(
     "very so really super quite pretty totally extremely incredibly simply just too truly absolutely how and"
 )
 _NOUNS = harmless.PEOPLE | harmless.ANIMALS | harmless.OCCASIONS | harmless.THINGS | harmless.NAMES
 _TOLD = harmless.FINE | harmless.PERSONAL
-_LINKING = _words("a an the 's of little old new s all at in open next today tomorrow")
+_LINKING = _words("own a an the 's and of with from little old new s all at in open next today tomorrow")
 _TIMES = _words(
     "while minute minutes moment moments hour hours day days week weeks month months year years time times night "
-    "second "
-    "seconds century"
+    "second seconds century"
 )
 """For so long it would be."""
 _SHORT, _MOST = 6, 25
 """So many words at most an exclamation and any other talk have."""
 
 
+_LATER = (
+    ("after", "that"),
+    ("afterwards",),
+    ("after", "this"),
+    ("and", "then"),
+    ("and", "afterwards"),
+    ("then",),
+    ("later",),
+)
+"""What is said behind these comes when the task is done."""
+
+
 def idle(tokens: Sequence[Token]) -> bool:
     """Whether these words ask for nothing, wherever they stand between marks."""
     words = _plain(tokens)
-    return words is not None and (_whole(words, IDIOMS) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
+    if words is None:
+        return False
+    begun = len(words) > 1 and words[0] in _BEGUN and _whole(words[1:], IDIOMS)
+    return begun or (_whole(words, IDIOMS) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
+
+
+_BEGUN = _words("now so well okay ok right and but")
 
 
 def idle_at_an_end(tokens: Sequence[Token]) -> bool:
-    """Whether they ask for nothing in front of a task or behind it."""
+    """Whether they ask for nothing in front of a task or behind it: all of it, or what an "and" or "but" joins."""
+    joints = [n for n, token in enumerate(tokens) if token.word in ("and", "but") and 0 < n < len(tokens) - 1]
+    later = next((len(lead) for lead in _LATER if tuple(t.word for t in tokens[: len(lead)]) == lead), 0)
+    if later and len(tokens) > later + 1 and _whole_at_an_end(tokens[later:]):
+        return True
+    return _whole_at_an_end(tokens) or any(
+        _whole_at_an_end(tokens[:n]) and idle_at_an_end(tokens[n + 1 :]) for n in joints
+    )
+
+
+def _whole_at_an_end(tokens: Sequence[Token]) -> bool:
     words = _plain(tokens)
     return words is not None and (
-        idle(tokens) or _whole(words, TIMELY) or _thought(words) or _for_somebody(words) or _of_own_things(words)
+        idle(tokens) or by_form(tokens) or _whole(words, TIMELY) or _thought(words) or _for_somebody(words)
+        or _of_own_things(words)
     )  # fmt: skip
 
 
@@ -62,22 +92,26 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     words = _plain(tokens[at:])
     if words is None or at == 0:
         return False
+    said = words[0] in ("if", "with", "without", "for", "in", "just", "to", "as") and _whole(words, IDIOMS)
     timely = words[0] not in ("when", "once", "by") and _whole(words, TIMELY)
-    return timely or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
+    wanted = words[0] in ("for", "as", "according", "per", "with", "using") and set_in(words) == len(words)
+    careful = words[0] in ("with", "without", "in") and takes_care(words)
+    formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful or wanted
+    return said or timely or formed or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
 
 
 def _plain(tokens: Sequence[Token]) -> list[str] | None:
     """The words, if each of them could be harmless."""
-    if not 0 < len(tokens) <= _MOST or any(not _could_be(token) for token in tokens):
+    if not 0 < len(tokens) <= _MOST or any(not _could_be(token, n == 0) for n, token in enumerate(tokens)):
         return None
     return [token.word for token in tokens]
 
 
-def _could_be(token: Token) -> bool:
+def _could_be(token: Token, first: bool) -> bool:
     if token.kind == "punct":
         return token.word in ("'s", ",", "…")
     shouted = token.raw.isupper() and len(token.raw) > 1 and token.word not in harmless.INTERJECTIONS
-    letter = len(token.raw) == 1 and token.raw.isupper() and token.word not in ("i", "a")
+    letter = len(token.raw) == 1 and token.raw.isupper() and token.word != "i" and not (token.word == "a" and first)
     return token.kind == "word" and not shouted and not letter
 
 
@@ -100,7 +134,7 @@ def _aimed(tokens: Sequence[Token], leads: Collection[str]) -> bool:
 
 def _thought(words: list[str]) -> bool:
     """ "Lovely", "very important", "honestly", "wow"."""
-    if all(word in _ALONE or word == "," for word in words):
+    if all(word in _ALONE or word == "," or harmless.exclaimed(word) for word in words):
         return True
     behind = words[words.index("to") :] if "to" in words else []
     ahead = words[: len(words) - len(behind)]
@@ -112,13 +146,24 @@ def _thought(words: list[str]) -> bool:
 def _for_somebody(words: list[str]) -> bool:
     """ "For my daughter's birthday", "for the kids"."""
     said = [word for word in words[1:] if word not in ("please", "thanks", ",")]
+    if words[0] in ("just", "only", "all") and words[1:2] == ["for"]:
+        return _for_somebody(words[1:])
     if words[0] != "for" or not said or len(said) > _SHORT + 2:
         return False
     if len(said) == 1 and said[0] in ("me", "us", "him", "her", "them", "you"):
         return said[0] in ("me", "us", "her", "him")
+    if not _PURPOSES.isdisjoint(said) and all(
+        w in _NOUNS | _TOLD | _OWN | _LINKING | _PURPOSES or is_strange(w) for w in said
+    ):
+        return True
     if _NOUNS & set(said) <= _TIMES or (said[0] not in _OWN and not harmless.THINGS.isdisjoint(said)):
         return False
-    return said[-1] in _NOUNS and all(word in _NOUNS | _TOLD | _OWN | _LINKING for word in said)
+    whose = not (_OWN | harmless.PEOPLE).isdisjoint(said)
+    known = all(word in _NOUNS | _TOLD | _OWN | _LINKING or (whose and is_strange(word)) for word in said)
+    return known and (said[-1] in _NOUNS or (whose and is_strange(said[-1])))
+
+
+_PURPOSES = _words("purpose purposes benefit sake reasons amusement enjoyment entertainment pleasure fun joy use of it")
 
 
 def _of_own_things(words: list[str]) -> bool:

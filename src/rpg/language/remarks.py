@@ -6,14 +6,17 @@ nothing. Both are left out, with a note; where a comparison may be all that tell
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
 from rpg.language import lexicon
-from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THINGS
+from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THINGS, exclaimed
 from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason_at
+from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
+from rpg.language.talk_forms import addressed_at
+from rpg.language.telling import tells
 from rpg.language.tokens import Token
 
 _ENDS = frozenset({".", "!", "?", ";", "…"})
@@ -30,27 +33,23 @@ _LIKE = (("like",), ("just", "like"), ("a", "bit", "like"), ("sort", "of", "like
          *(("so", *that, who, *look, "like") for that in (("that",), ()) for who in ("it", "they", "this")
            for look in (("looks",), ("look",), ("looks", "a", "bit"), ("will", "look"))))  # fmt: skip
 """What leads to something that it is compared with."""
-_TELLING: tuple[Collection[str], ...] = (
-    lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER,
-    lexicon.ORDINAL, lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL, lexicon.SIZE,
-    frozenset({
-        "left", "right", "top", "bottom", "middle", "center", "front", "back", "behind", "order", "first", "last",
-        "not", "no", "never", "without", "none", "upside", "reversed", "reverse", "touching", "apart", "each", "every",
-    }),
-)  # fmt: skip
-"""What tells of the task, wherever it stands."""
 _ASKING = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
 _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", "for", "before", "after", "when",
                          "whenever", "if", "by", "today", "tonight", "now", "right", "immediately", "at", "this",
                          "soon", "asap", "real", "quickly", "in", "just", "straight", "pretty", "please",
-                         "once"})  # fmt: skip
+                         "once", "to", "with", "provided", "such", "while", "whilst", "until", "till", "during",
+                         "without", "unless", "using", "according", "per"})  # fmt: skip
 """What a reason or a time of the day begins with that nothing parts from the task in front of it."""
 _PLEASE = frozenset({"please", "just", "now", "then", "could", "can", "kindly"})
+_TURNED = frozenset({"would", "will", "i", "we", "let", "do", "you", "make"})
+"""What a task begins with behind whom it is said to."""
 _WISHED = frozenset({"need", "want", "would", "wish"})
 """Who wishes it is told in front of an "and": "we are making a video and need a row"."""
 _BINDING = frozenset({"not", "no", "never", "only", "except", "nor", "or", "and", "but", "just", "even", "than", "as",
                       "is", "are", "be", "to", "if", "unless", "until", "without", "instead"})  # fmt: skip
 """Behind these no reason is told, but which one it is, or is not."""
+_KIND = frozenset({"thank", "thanks", "many", "have", "take", "good", "enjoy"})
+"""What is said behind an "and" at the end: "and thank you for that"."""
 _TAKES_BACK = frozenset({"sorry", "oops", "pardon", "well", "oh", "actually", "hm", "hmm", "um", "uh", "er", "erm",
                          "ah", "okay", "ok", "indeed", "really", "surely"})  # fmt: skip
 """What is said behind these may be put in the place of what was said before."""
@@ -62,7 +61,7 @@ def without_remarks(tokens: list[Token]) -> tuple[list[Token], list[str]] | None
     """The tokens without what asks for nothing, and notes of it; None where there is no such thing, or nothing else."""
     gone: set[int] = set()
     notes: list[str] = []
-    found = (*_comparisons(tokens), *_in_brackets(tokens), *_said_around(tokens)) if len(tokens) <= _MOST else ()
+    found = (*_said_around(tokens), *_comparisons(tokens), *_in_brackets(tokens)) if len(tokens) <= _MOST else ()
     for begin, end in found:
         if gone.isdisjoint(range(begin, end)):
             told = [t for t in tokens[begin:end] if t.word not in _BREAKS]
@@ -72,7 +71,7 @@ def without_remarks(tokens: list[Token]) -> tuple[list[Token], list[str]] | None
     rest = _closed([token for n, token in enumerate(tokens) if n not in gone])
     while rest and rest[-1].word == "…":
         rest.pop()
-    return (rest, notes) if gone and any(_tells(t) or t.word in _ASKING for t in rest) else None
+    return (rest, notes) if gone and any(tells(t) or t.word in _ASKING for t in rest) else None
 
 
 def _said_around(tokens: list[Token]) -> Iterator[tuple[int, int]]:
@@ -90,13 +89,15 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
     if begin and all(token.word in _TAKES_BACK for token in said):
         return
     marks = [n for n in range(begin, end) if tokens[n].word in _MARKS]
-    parts = [tokens[one + 1 : other] for one, other in pairwise([begin - 1, *marks, end]) if other > one + 1]
-    if idle_at_an_end(tokens[begin:end]) or all(idle_at_an_end(part) for part in parts):
+    parts = _between(tokens, begin, end)
+    if idle_at_an_end(tokens[begin:end]) or _all_idle(parts):
         yield begin, stop
         return
     first, last = begin, end
     for mark in reversed(marks):
-        if idle_at_an_end(tokens[begin:mark]):
+        if begin and tokens[mark].word == ":" and tokens[mark - 1].word in _OF_A_TIME:
+            break  # behind what is so at the start
+        if idle_at_an_end(tokens[begin:mark]) or _all_idle(_between(tokens, begin, mark)):
             first = mark + 1 + (tokens[mark + 1].word in ("but", "and", "so"))
             yield begin, first
             break
@@ -104,7 +105,8 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         yield ahead
         first = ahead[1]
     for mark in marks:
-        if mark > first and idle_at_an_end(tokens[mark + 1 : end]):
+        behind = _between(tokens, mark + 1, end)
+        if mark > first and (idle_at_an_end(tokens[mark + 1 : end]) or (behind and all(map(idle_at_an_end, behind)))):
             yield mark, end
             last = mark
             break
@@ -114,6 +116,12 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
     if laughed < last:
         yield laughed, last
         last = laughed
+    for at in range(first + 2, last - 1):
+        long = last > at + 3 or tokens[at + 1].word in _KIND
+        if tokens[at].word in ("and", "but") and long and idle_at_an_end(tokens[at + 1 : last]):
+            yield at, last
+            last = at
+            break
     for at in range(first + 2, last):
         bound = tokens[at].word not in _CONNECTING or tokens[at - 1].word in _BINDING
         if not bound and reason_at(tokens[:last], at):
@@ -125,8 +133,35 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
             yield one, other + (tokens[other + 1].word not in ("and", "then", "but"))
 
 
+_OF_A_TIME = frozenset({"goal", "end", "result", "target", "start", "task", "outcome", "scene", "finish", "finally"})
+
+
+def _between(tokens: list[Token], begin: int, end: int) -> list[list[Token]]:
+    """What stands between marks."""
+    marks = [begin - 1, *(n for n in range(begin, end) if tokens[n].word in _MARKS), end]
+    return [tokens[one + 1 : other] for one, other in pairwise(marks) if other > one + 1]
+
+
+def _all_idle(parts: list[list[Token]]) -> bool:
+    """Whether all that stands between marks is idle, or leads to what is: "right, let us begin"."""
+    said = [part for part in parts if any(token.word not in _FILLING for token in part)]
+    return bool(said) and all(map(idle_at_an_end, said))
+
+
+_FILLING = frozenset({"right", "so", "now", "then", "well", "and", "but"})
+
+
 def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
     """ "I am in a hurry so put ...", "today put ...": talk that nothing sets off; "we" stays in front of "and need"."""
+    words = [token.word for token in tokens[begin:end]]
+    called = addressed_at(words)
+    called = called or (exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary())
+    if called and begin + called < end - 2 and (tokens[begin + called].word in _ASKING | _PLEASE | _TURNED):
+        return begin, begin + called
+    ahead, behind = any(map(tells, tokens[:begin])), any(map(tells, tokens[end:]))
+    state = 0 if ahead else state_behind(words)
+    if led := command_behind(words) or state or (0 if ahead or behind else thing_behind(words)):
+        return begin, begin + led
     for at in range(begin + 1, end - 2):
         if tokens[at].word in _MARKS:
             return None
@@ -134,7 +169,7 @@ def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
         joined = tokens[at].word in ("and", "but") and (wished or tokens[at + 1].word in _ASKING | _PLEASE)
         if (joined or tokens[at].word == "so") and idle_at_an_end(tokens[begin:at]):
             return begin + (joined and wished), at + 1
-        told = tokens[at - 1].word in ("has", "have", "had")  # "someone has put ..."
+        told = tokens[at - 1].word in ("has", "have", "had") or tokens[at - 1].word in PEOPLE  # "someone has put ..."
         if tokens[at].word in _ASKING and at < begin + 3 and not told and idle_at_an_end(tokens[begin:at]):
             return begin, at
     return None
@@ -159,7 +194,7 @@ def _comparisons(tokens: list[Token]) -> Iterator[tuple[int, int]]:
 def _compared(tokens: list[Token]) -> bool:
     """Whether this is nothing of which tasks are made, but something of daily life or that is not known."""
     strange = any(t.word not in vocabulary() or t.word in PEOPLE | ANIMALS | OCCASIONS | THINGS for t in tokens)
-    return strange and not any(map(_tells, tokens))
+    return strange and not any(map(tells, tokens))
 
 
 _LIKING = frozenset({"would", "i", "we", "you", "they", "do", "does", "not", "to", "and", "or"})
@@ -180,11 +215,6 @@ def _parted(tokens: list[Token]) -> list[list[Token]]:
     """What stands between commas and stops."""
     marks = [-1, *(n for n, token in enumerate(tokens) if token.word in _ENDS | {","}), len(tokens)]
     return [tokens[one + 1 : other] for one, other in pairwise(marks) if other > one + 1]
-
-
-def _tells(token: Token) -> bool:
-    shown = token.kind in ("number", "dims", "literal", "quote") or (len(token.raw) == 1 and token.raw.isupper())
-    return (shown and token.word != "a") or any(token.word in table for table in _TELLING)
 
 
 def _break(words: list[str], at: int) -> int:

@@ -29,7 +29,7 @@ _TEXTS = _words(
     "task job note notes memo benchmark exercise lesson game puzzle test drill challenge mission demo experiment "
     "assignment homework quiz reminder request ticket prompt problem question activity scenario episode round level "
     "log message brief riddle story report worksheet project trial announcement command skill errand description "
-    "caption summary check checks"
+    "caption summary check checks statement"
 ) | (_NUMBERED - {"scene", "number", "instruction", "no", "id", "run"})
 """What a title calls its text."""
 _NOTES = _words("note notes memo message caption description summary story")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from rpg.language import lexicon
@@ -27,14 +28,23 @@ class Piece:
 
 @dataclass(frozen=True)
 class Pattern:
-    """A way to say a part. `value`: what it says, or how that is found from the match."""
+    """A way to say a part. `text`: a regular expression over words with a space behind each, and names of classes;
+    `value`: what it says, or how that is found from the match."""
 
     kind: str
-    expression: re.Pattern[str]
+    text: str
     value: Any = None
 
+    @cached_property
+    def expression(self) -> re.Pattern[str]:
+        """The expression, compiled where it is first looked for: most texts need none of them."""
+        text = self.text
+        for name, words in CLASSES.items():
+            text = re.sub(rf"\b{name}\b", f"(?:{words})".replace("\\", r"\\"), text)
+        return re.compile(f"(?:{text}) ")
 
-_CLASSES = {
+
+CLASSES = {
     "COLOR": "|".join(lexicon.COLORS),
     "NUM": r"\d+|one|single|lone",
     "SIZE": "|".join(word for word, size in lexicon.SIZE.items() if size != "medium"),
@@ -50,13 +60,8 @@ _CLASSES = {
 
 
 def patterns(kind: str, value: Any, *texts: str) -> list[Pattern]:
-    """Patterns of one kind: regular expressions over words with a space behind each, and names of classes."""
-    found = []
-    for text in texts:
-        for name, words in _CLASSES.items():
-            text = re.sub(rf"\b{name}\b", f"(?:{words})".replace("\\", r"\\"), text)
-        found.append(Pattern(kind, re.compile(f"(?:{text}) "), value))
-    return found
+    """Patterns of one kind that say the same."""
+    return [Pattern(kind, text, value) for text in texts]
 
 
 def number(said: str) -> int:

@@ -20,8 +20,9 @@ _COMES = (
     "finds its place|finds a place|takes its place"
 )
 _MUST = (
-    "must|should|shall|has to|have to|need to|needs to|needs|ought to|is to(?! (?:the|its) )|are to(?! (?:the|its|each) )|"
-    "is supposed to|are supposed to|will|is going to|has got to|is required to|are required to"
+    "must|should|shall|has to|have to|need to|needs to|needs|ought to|"
+    "is to(?! (?:the|its) )|are to(?! (?:the|its|each) )|is supposed to|are supposed to|will|"
+    "is going to|has got to|is required to|are required to"
 )
 _DO = (
     "put|place|set|move|bring|lay|position|shift|push|slide|get|stick|pop|plop|stand|sit|rest|drop|carry|transfer|"

@@ -8,9 +8,9 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, moments, relations, tower
+from rpg.language.frames import beside, moments, relations, tower, turned
 from rpg.language.frames.beside import without_distractors
-from rpg.language.frames.pieces import Pattern, Piece, Unclear, cut
+from rpg.language.frames.pieces import CLASSES, Pattern, Piece, Unclear, cut
 from rpg.language.frames.turned import without_turns
 from rpg.language.tokens import Token, tokenize
 
@@ -74,9 +74,9 @@ def _as_a_whole(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
 
 def words() -> frozenset[str]:
     """Every word that is known here."""
-    told = [*beside.TOLD, *(pattern for known, _ in FAMILIES for pattern in known)]
-    patterns = [*(pattern.expression for pattern in told), *(lead for _, lead in moments.PATTERNS)]
-    return frozenset(word for x in patterns for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", x.pattern))
+    told = [*beside.TOLD, *turned.PATTERNS, *(pattern for known, _ in FAMILIES for pattern in known)]
+    texts = [*CLASSES.values(), *(pattern.text for pattern in told), *(lead.pattern for _, lead in moments.PATTERNS)]
+    return frozenset(word for text in texts for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", text))
 
 
 def plainly(tokens: Sequence[Token]) -> str | None:

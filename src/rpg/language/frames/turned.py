@@ -58,6 +58,7 @@ _SEEN = patterns("seen", None,
     r"(?:, )?(?:as )?(?:seen|viewed|looked at|read) (?:from above|from the (?:camera|top)|by the (?:camera|viewer))",
     "(?:, )?(?:for|to) (?:me|the (?:camera|viewer|reader))", "from upright",
     "(?:, )?(?:when|as) [iI] look at (?:it|them|its top)", "please", "though", "i e", "that is")  # fmt: skip
+PATTERNS = [*_WHO, *_VERB, *_SO, *_BE, *_STATES, *_SEEN]
 _LEAD = re.compile(
     "(?:(?:[,;.:(]|and|with|but|where|while|whereas|though|then|also|please|(?:can|could|would|will) you|[iI]) )*"
 )

@@ -367,6 +367,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_AT_ALL, _denying),
     (_CHOSEN, _chosen),
     (_TAGS, _tag),
+    (("right",), lambda words, first, last: _tag(words, first, last) and words[last : last + 1] == ["?"]),
 )
 """Asides, and where they are ones."""
 _ASIDES: dict[str, dict[str, list[tuple[list[str], _Fits]]]] = {}

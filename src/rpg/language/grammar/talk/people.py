@@ -30,7 +30,8 @@ EVENTS = (
 )
 """What an instruction may be given for."""
 AGENTS = (
-    "you", "we", "the robot", "the child", "the student", "the user", "somebody", "someone", "the arm", "the agent",
+    "you", "we", "the robot", "our robot", "this robot", "the child", "the student", "the user", "somebody",
+    "someone", "the arm", "the agent",
     "the robot arm", "the machine", "the player", "the kid", "the pupil", "the worker", "the operator", "your robot",
     "the children", "the kids", "the students", "people", "the person", "the gripper", "the manipulator", "i",
 )  # fmt: skip
@@ -63,7 +64,8 @@ WISHING = Classes(
         "would": ("would|will|should|'d|do|may|might|can|could|must|am|are|is|was|were",),
         "also": ("have_always|always|just|also|simply|now|like|here|still",),
         "want": (
-            "fancy|asked|be_delighted|be_thankful|be_thrilled|want|wants|wanted|like|likes|love|loves|need|needs|prefer",
+            "fancy|asked|be_delighted|be_thankful|be_thrilled|want|wants|wanted|like|likes|love|loves|need|needs|"
+            "prefer",
             "prefers|wish|wishes|hope|hopes|ask|asks|require|requires|expect|expects|imagine|imagines|request|requests",
             "have_in_mind|picture|propose|suggest|envision|look|looking|hoping|asking|wondering|wanting|dreaming",
             "thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing",

@@ -69,7 +69,8 @@ _DONE = (
     "won|won_the_game|passed|a_success|attained|obtained|succeeded|ready|satisfied|given|through|in_success"
 )
 _WHEN = (
-    "when|if|iff|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|as_long_as|"
+    "when|if|iff|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|"
+    "as_long_as|"
     "provided|provided_that|when_and_only_when|by_having"
 )
 STATES = Patterns(
@@ -232,8 +233,9 @@ TAGS = Patterns(
     "thank you very_much?",
     "if you can|could|please",
     "if possible",
-    "so|so_that nothing|it|they|none_of_them|not_a_single_one does_not|do_not|can_not|can? falls|fall|tips|topples "
+    "so|so_that it|they|none_of_them|not_a_single_one does_not|do_not|can_not falls|fall|tips|topples|tip|topple "
     "over|down|off?",
+    "so|so_that nothing|none_of_them|not_a_single_one can? falls|fall|tips|topples over|down|off?",
     "for me",
     "would|will|can|could you",
     "as well",

@@ -1,0 +1,60 @@
+"""Words that tell of a task: looks, blocks, numbers, shapes, places, order, size, and what is done to blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+_ALWAYS: tuple[Collection[str], ...] = (
+    lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER,
+    lexicon.ORDINAL, lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL, lexicon.SIZE,
+    _words(
+        "left right top bottom middle center front back behind order first last not no never without none upside "
+        "reversed reverse touching apart each every"
+    ),
+)  # fmt: skip
+_LIGHT = _words(
+    "get gets got getting take takes took taken taking make makes made making give show shows showed find finds found "
+    "send sends sent sending sit sits sat stand stands stood keep keeps kept serve serves served ordered write writes "
+    "wrote written writing drop dropped order leave leaves left pack packed load loaded shift land landed turn turns "
+    "turned stick store split draw drew drawn drawing face ship bring brings brought fit return choose chose pose "
+    "guide collect stuck painted rest assemble deliver cut learn park craft"
+)
+"""What is done to blocks, and as often something else."""
+_OF_BLOCKS = _words(
+    "side sides corner corners edge edges face faces surface table tables tabletop workspace half halves quarter gap "
+    "gaps space spaces room spacing distance distances layer layers level levels base above below under underneath "
+    "beneath over between beside beneath around across through inside outside within near nearer close closer closest "
+    "far farther further away next adjacent high higher highest low lower lowest tall taller tallest short shorter "
+    "wide wider narrow deep long longer length height width size sizes bigger smaller larger equal equally same "
+    "different other others another else rest remaining together alone separate separated free clear empty covered "
+    "straight diagonal diagonally horizontal vertical upright tilted flat round even evenly odd uneven crooked "
+    "symmetrical symmetric mirrored mirror pattern patterns alternating alternate alternately direction upwards "
+    "downwards up down facing visible hidden touch touches contact aligned align centered balanced position positions "
+    "place places placed color colors shape shapes sequence sorted mixed twice once only all both any some few many "
+    "more most fewer less than exactly if unless until except instead or nor symmetry asymmetry asymmetric "
+    "symmetrically asymmetrical parallel perpendicular zigzag spiral slanted leaning lean clockwise counterclockwise "
+    "anticlockwise colorful colourful monochrome rainbow palindrome overlap overlapping overhang offset staggered "
+    "scattered spread clutter cluttered tidy untidy neat neatly stable unstable steady sturdy firm firmly backwards "
+    "forwards sideways vertically horizontally centrally central outermost innermost nearby opposite blocked aligning "
+    "alignment toward towards against along onto sequence sequences arrangement arrangements"
+)
+
+
+def tells(token: Token) -> bool:
+    """Whether a word tells of the task, wherever it stands."""
+    shown = token.kind in ("number", "dims", "literal", "quote") or (len(token.raw) == 1 and token.raw.isupper())
+    return (shown and token.word != "a") or any(token.word in table for table in _ALWAYS)
+
+
+def may_tell(word: str) -> bool:
+    """Whether a word could tell of blocks even where people are spoken of."""
+    handled = word in lexicon.VERB and word not in _LIGHT
+    return handled or word in _OF_BLOCKS or any(word in table for table in _ALWAYS)

@@ -3,30 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, equation, grids, group, moments, row, rowlabels, shape, spelled, stairs, tower, towers, turned
+from rpg.language.frames import beside, moments, turned
 from rpg.language.frames.beside import without_distractors
-from rpg.language.frames.pieces import CLASSES, Pattern, Piece, Unclear, cut
+from rpg.language.frames.families import FAMILIES
+from rpg.language.frames.pieces import CLASSES, Unclear, cut
 from rpg.language.frames.turned import without_turns
 from rpg.language.tokens import Token, tokenize
 
-FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
-    (tower.PATTERNS, tower.told),
-    (grids.PATTERNS, grids.told),
-    (shape.PATTERNS, shape.told),
-    (stairs.PATTERNS, stairs.told),
-    (row.PATTERNS, row.told),
-    (rowlabels.PATTERNS, rowlabels.told),
-    (equation.PATTERNS, equation.told),
-    (group.PATTERNS, group.told),
-    (spelled.PATTERNS, spelled.told),
-    (towers.PATTERNS, towers.told),
-)
-"""The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
 _ENDS = frozenset({".", "!", "?", ";"})
 _LEADS = frozenset({"please", "then", "now", "you", "to", ",", "and", "first", "just", "should"})
 """Behind these a command may begin."""
@@ -38,8 +26,8 @@ _BINDING = frozenset({
 """With these, sentences do not stand for themselves."""
 _REFERRING = frozenset({"it", "they", "this", "these", "them", "those", "all", "both", "each"})
 """A sentence that begins with these is of what is told before it."""
-_ANY = re.compile(r"(?:from|Lay) \d+ blocks")
-"""Blocks of no told look may be those that another sentence names."""
+_ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) ")
+"""Blocks of no told look may be those that another sentence names, and what there is may be there already."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
 """So many blocks may be all that the other sentence names."""
 _MOST = 120

@@ -1,0 +1,84 @@
+"""Pieces of statements put more plainly, before sentences are made of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rpg.language.frames.pieces import Piece
+from rpg.language.frames.relation_clauses import NAMES
+
+_ONE = frozenset({"a", "an", "one", "another"})
+
+
+def plainer(pieces: Sequence[Piece]) -> list[Piece]:
+    """The pieces without colons in "red: on the mat", with names for "it" and for one and another."""
+    colons = {
+        n
+        for n in range(1, len(pieces) - 1)
+        if pieces[n].words == ":" and pieces[n - 1].kind in NAMES and pieces[n + 1].kind in ("rel", "place", "mutual")
+    }
+    return _one_and_other(_taken([piece for n, piece in enumerate(pieces) if n not in colons]))
+
+
+def _taken(pieces: list[Piece]) -> list[Piece]:
+    """ "Take the red block off the blue one and put it on the mat", "move the red block so that it touches the blue one
+    and it is on the mat", "the red block is on the blue one. Put it on the mat": what is taken, moved or told."""
+    found: list[Piece] = []
+    taken: Piece | None = None
+    moved: Piece | None = None
+    for n, piece in enumerate(pieces):
+        if piece.kind in ("stop", "then"):
+            taken = moved = None
+        if piece.kind == "stop" and all(p.kind != "stop" for p in pieces[:n]):
+            taken = _told_of(pieces[:n])
+        if piece.kind == "take":
+            taken = taken if pieces[n + 1 : n + 2] and pieces[n + 1].kind == "it" else _thing(pieces, n + 1)
+        if piece.kind == "that" and n > 1 and pieces[n - 2].value == "make":
+            moved = _thing(pieces, n - 1)
+        ahead = pieces[n - 1] if n else piece
+        meant = (
+            taken
+            if ahead.value in ("make", "stack") or ahead.kind == "take"
+            else moved
+            if ahead.kind in ("that", "join")
+            else None
+        )
+        found.append(meant if piece.kind == "it" and meant else piece)
+    return found
+
+
+def _told_of(pieces: list[Piece]) -> Piece | None:
+    """What the first sentence tells of, if it tells how one thing is to another."""
+    said = [n for n, piece in enumerate(pieces) if piece.kind not in ("there", "now") and piece.value != "is"]
+    if [pieces[n].kind for n in said] != ["thing", "rel", "thing"] or len(said) == len(pieces):
+        return None
+    return _thing(pieces, said[0])
+
+
+def _thing(pieces: list[Piece], n: int) -> Piece | None:
+    """The one thing that a piece names, as it is named again."""
+    piece = pieces[n] if n < len(pieces) else None
+    if piece is None or piece.kind != "thing" or piece.named.get("count") or "many" in piece.named:
+        return None
+    return replace(piece, named={**piece.named, "det": "the"})
+
+
+def _one_and_other(pieces: list[Piece]) -> list[Piece]:
+    """ "One red block on A and another red block on B", in one sentence: one of two, and the other."""
+    found = list(pieces)
+    for color in {piece.named["color"] for piece in pieces if piece.value == "block" and piece.kind == "thing"}:
+        same = [n for n, p in enumerate(pieces) if p.named.get("color") == color and p.value != "patch"]
+        if len(same) != 2 or any(p.kind in ("stop", "then", "there", "part", "rest") for p in pieces[: same[1]]):
+            continue
+        one, other = (pieces[n] for n in same)
+        if all(_is_one(p) and "size" not in p.named for p in (one, other)):
+            found[same[0]] = Piece("part", one.words, None, {"part": "1", "count": "2", "color": color})
+            found[same[1]] = Piece("rest", other.words, None, {"color": color, "count": "1"})
+    return found
+
+
+def _is_one(piece: Piece) -> bool:
+    """Whether it is one block, which was not told of before."""
+    named = piece.named
+    return piece.kind == "thing" and "many" not in named and (named.get("det") or named.get("count", "")) in _ONE

@@ -164,6 +164,7 @@ class BuiltinFrontEnd:
                     (tokens, []), text, name, seed, author, notes, [f"understood as: {said}"], again=False
                 )
                 if task is not None:
+                    check_behind(words, task)
                     return task, found
         return None
 

@@ -15,6 +15,7 @@ from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason
 from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
+from rpg.language.spoken_leads import judged, led_by_form
 from rpg.language.talk_forms import addressed_at
 from rpg.language.telling import tells
 from rpg.language.tokens import Token
@@ -94,6 +95,13 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         yield begin, stop
         return
     first, last = begin, end
+    lead, tail = judged(tokens[begin:end])
+    if lead:
+        yield begin, begin + lead
+        first = begin + lead
+    if tail:
+        yield end - tail, end
+        last = end = end - tail
     for mark in reversed(marks):
         if begin and tokens[mark].word == ":" and tokens[mark - 1].word in _OF_A_TIME:
             break  # behind what is so at the start
@@ -101,7 +109,7 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
             first = mark + 1 + (tokens[mark + 1].word in ("but", "and", "so"))
             yield begin, first
             break
-    if ahead := _ahead(tokens, first, end):
+    while ahead := _ahead(tokens, first, end):
         yield ahead
         first = ahead[1]
     for mark in marks:
@@ -158,9 +166,13 @@ def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
     called = called or (exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary())
     if called and begin + called < end - 2 and (tokens[begin + called].word in _ASKING | _PLEASE | _TURNED):
         return begin, begin + called
+    if not any(map(tells, tokens[:begin])) and exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary():
+        return begin, begin + 1
     ahead, behind = any(map(tells, tokens[:begin])), any(map(tells, tokens[end:]))
     state = 0 if ahead else state_behind(words)
     if led := command_behind(words) or state or (0 if ahead or behind else thing_behind(words)):
+        return begin, begin + led
+    if led := 0 if ahead else led_by_form(tokens[begin:end]):
         return begin, begin + led
     for at in range(begin + 1, end - 2):
         if tokens[at].word in _MARKS:

@@ -37,7 +37,9 @@ _AGAINST = (
     "hate", "hating", "dislik", "fear", "worr", "problem", "trouble", "danger", "taboo", "mess", "chaos", "nightmare",
     "warn", "caution", "never", "non", "unwanted", "undesir", "unaccept", "unallow", "disallow", "ban", "stop",
     "refus", "reject", "rumo", "joke", "lie", "imposs", "hardly", "barely", "rare", "seldom", "revers", "mirror",
-    "rotat", "flip", "instead", "rather", "suppos", "assum", "hypothe", "imagin", "pretend",
+    "rotat", "flip", "prevent", "bewar", "inhibit", "hinder", "cancel", "abort", "resist", "oppos", "deny", "deni", "exempt", "skip",
+    "omit", "lack", "missing", "destroy", "ruin", "dismantl", "disassembl", "wreck", "demolish", "unstack", "unbuild", "protect",
+    "sabotag", "trap", "doubt", "instead", "rather", "suppos", "assum", "hypothe", "imagin", "pretend",
 )  # fmt: skip
 """How words of a lead begin that turn against what stands behind, or make no goal of it."""
 _HARMLESS_HERE = _words(
@@ -53,7 +55,7 @@ _IS = tuple(
         "is", "'s", "should be", "must be", "will be", "shall be", "would be", "has to be", "needs to be", "is to be",
         "should look like", "must look like", "looks like", "will look like", "shows", "should show", "must show",
         "depicts", "consists of", "features", "contains", "calls for", "asks for", "requires", "is called", "says",
-        "specifies", "demands", "prescribes", "describes", "wants", "is that",
+        "specifies", "demands", "prescribes", "describes", "wants", "is that", "accepts",
     )
 )  # fmt: skip
 _POINTING = _words(
@@ -61,7 +63,7 @@ _POINTING = _words(
     "please in on at to of with by from"
 )
 _MERELY = _words("simply just basically actually simple really : following")
-_BEGINS = _words("a an the") | frozenset(lexicon.NUMBER)
+_BEGINS = _words("a an the any") | frozenset(lexicon.NUMBER)
 _TESTS = _words(
     "benchmark test challenge task exercise puzzle quiz classification problem drill lesson game demo experiment "
     "evaluation check skill scenario episode mission assignment activity training practice trial stacking building "
@@ -78,7 +80,7 @@ def led_by_form(tokens: Sequence[Token]) -> int:
     """How many of the first words of a text are such a lead."""
     return (
         heading(tokens) or subject(tokens) or purpose(tokens) or dared(tokens) or glad_if(tokens)
-        or favour(tokens) or clause(tokens)
+        or favour(tokens) or clause(tokens) or announcement(tokens) or ability(tokens)
     )  # fmt: skip
 
 
@@ -120,9 +122,59 @@ def subject(tokens: Sequence[Token]) -> int:
     return 0
 
 
+_LIGHTLY = (
+    "not too", "not so", "not very", "not that", "can not reach", "can not wait", "can not manage", "can not do",
+    "one thing", "one more", "one last", "one for", "this one", "next one", "easy one", "last one", "quick one",
+    "simple one", "and then", "too hard", "too difficult", "too much", "in plain", "only one more", "the same as",
+    "something different", "completely different", "totally different", "a bit different", "to the letter", "pay attention",
+)  # fmt: skip
+"""In an announcement these do not mean blocks, and do not deny it."""
+_ASKING = _words("is are does do did was were has have had can could will would should may might whose whom")
+_PAST = _words("was were had used did been failed")
+
+
+def announcement(tokens: Sequence[Token]) -> int:
+    """How many of the first words announce what is told behind their colon: "one thing at a time:", "I hope this is not
+    too hard:"."""
+    words = [token.word for token in tokens]
+    end = next((n for n in range(min(2 * _LONGEST, len(words) - 1)) if _sets_off(tokens, n)), 0)
+    if not end or len(words) < end + 4 or not _PAST.isdisjoint(words[:end]) or words[0] in _ASKING - {"can", "could"}:
+        return 0
+    light = {
+        n + k for n in range(end) for said in _LIGHTLY if words[n : n + len(said.split())] == said.split()
+        for k in range(len(said.split()))
+    }  # fmt: skip
+    spoken = _THEM | {",", "how", "what", "here", "also"}
+    known = all(n in light or word in spoken or _tells_nothing(word) for n, word in enumerate(words[:end]))
+    return end + 1 if known and all(t.word == "," or _plain([t]) for t in tokens[:end]) else 0
+
+
+def ability(tokens: Sequence[Token]) -> int:
+    """How many of the first words ask to find out whether it can be done: "the purpose is to check whether the arm can
+    (build ...)"."""
+    words = [token.word for token in tokens]
+    for at in range(1, min(2 * _LONGEST, len(words) - 4)):
+        who = next((len(x) for x in _AGENTS if tuple(words[at + 1 : at + 1 + len(x)]) == x), 0)
+        can = next((len(x) for x in _CAN if tuple(words[at + 1 + who : at + 1 + who + len(x)]) == x), 0)
+        if words[at] in ("if", "whether", "that", "how") and who and can:
+            end = at + 1 + who + can
+            tried = not _TRIED.isdisjoint(words[:at]) and all(map(_tells_nothing, words[:at]))
+            return end if tried and _plain(tokens[:at]) and words[end] in _BASES else 0
+    return 0
+
+
+_AGENTS = (
+    *((det, who) for det in ("the", "a", "your", "our", "this")
+      for who in ("robot", "arm", "agent", "policy", "model", "gripper", "system", "machine")),
+    ("you",), ("we",),
+)  # fmt: skip
+_CAN = (("can",), ("could",), ("is", "able", "to"), ("are", "able", "to"), ("manages", "to"), ("manage", "to"),
+        ("knows", "how", "to"), ("know", "how", "to"))  # fmt: skip
+_TRIED = _words("check test tests see find show verify evaluate examine demonstrate prove probe probes checks assess")
 _EAGER = (
     "i bet you can not", "i bet you can 't", "i bet you could not", "bet you can not", "i dare you to", "we dare you to",
-    "dare you to",
+    "dare you to", "if i were you i 'd", "if i were you i would", "i 'd say we go for", "i only care that",
+    "all i care about is that", "i just care that", "the main thing is that", "what matters is that",
     *(f"{just}do something {easy}{like}" for just in ("just ", "so just ", "please ", "")
       for easy in ("easy ", "simple ", "nice ", "fun ", "quick ", "") for like in ("like", "such as")),
 )  # fmt: skip
@@ -281,7 +333,7 @@ _WHEN = (("if", "and", "only", "if"), ("only", "if"), ("only", "when"), ("exactl
          ("as", "soon", "as"), ("if",), ("when",), ("iff",), ("once",), ("whenever",), ("as", "long", "as"),
          ("provided", "that"), ("provided",))  # fmt: skip
 _ELSE = _words("otherwise else or and 0 0.0 zero false failure fail nothing no not none reward it is return , give get you "
-               "the agent gets point points")  # fmt: skip
+               "the agent gets point points mark marks score credit")  # fmt: skip
 _ZERO = _words("0 0.0 zero false failure fail nothing no not none")
 
 
@@ -300,7 +352,7 @@ def judged(tokens: Sequence[Token]) -> tuple[int, int]:
     if not lead:
         return 0, 0
     other = next((n for n in range(lead + 3, len(words)) if words[n] in ("otherwise", "else")), len(words))
-    while other < len(words) and words[other - 1] in ("and", "or", ","):
+    while lead + 3 < other < len(words) and words[other - 1] in _ELSE:
         other -= 1
     behind = words[other:]
     told = bool(behind) and _ELSE.issuperset(behind) and not _ZERO.isdisjoint(behind)

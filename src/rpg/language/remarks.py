@@ -15,7 +15,8 @@ from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason
 from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
-from rpg.language.spoken_leads import judged, led_by_form
+from rpg.language.spoken_leads import judged
+from rpg.language.spoken_wishes import led_by_form
 from rpg.language.talk_forms import addressed_at
 from rpg.language.telling import tells
 from rpg.language.tokens import Token
@@ -109,7 +110,7 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
             first = mark + 1 + (tokens[mark + 1].word in ("but", "and", "so"))
             yield begin, first
             break
-    while ahead := _ahead(tokens, first, end):
+    while ahead := _ahead(tokens, first, end, begin):
         yield ahead
         first = ahead[1]
     for mark in marks:
@@ -159,16 +160,21 @@ def _all_idle(parts: list[list[Token]]) -> bool:
 _FILLING = frozenset({"right", "so", "now", "then", "well", "and", "but"})
 
 
-def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
-    """ "I am in a hurry so put ...", "today put ...": talk that nothing sets off; "we" stays in front of "and need"."""
+def _ahead(tokens: list[Token], begin: int, end: int, sentence: int) -> tuple[int, int] | None:
+    """ "I am in a hurry so put ...", "today put ...": talk that nothing sets off; "we" stays in front of "and need".
+    `sentence`: where it begins, with other such talk."""
     words = [token.word for token in tokens[begin:end]]
     called = addressed_at(words)
     called = called or (exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary())
     if called and begin + called < end - 2 and (tokens[begin + called].word in _ASKING | _PLEASE | _TURNED):
         return begin, begin + called
-    if not any(map(tells, tokens[:begin])) and exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary():
+    if (
+        not any(map(tells, tokens[:sentence]))
+        and exclaimed(tokens[begin].word)
+        and tokens[begin].word not in vocabulary()
+    ):
         return begin, begin + 1
-    ahead, behind = any(map(tells, tokens[:begin])), any(map(tells, tokens[end:]))
+    ahead, behind = any(map(tells, tokens[:sentence])), any(map(tells, tokens[end:]))
     state = 0 if ahead else state_behind(words)
     if led := command_behind(words) or state or (0 if ahead or behind else thing_behind(words)):
         return begin, begin + led

@@ -20,15 +20,15 @@ def _words(text: str) -> frozenset[str]:
 
 
 _BINDING = _words(
-    "if unless until till before after while when whenever once or either whether except but than then again same "
-    "only always never ever constantly permanently throughout meanwhile during least most worst worse too start "
-    "starts started starting begin begins beginning initial initially current currently now present existing old "
-    "previous previously former formerly earlier yesterday already given givens original originally later "
-    "afterwards eventually optional optionally bonus alternative alternatively alternatives option options choice "
-    "maybe perhaps possibly them they these those it he she so much opposite contrary reset world background "
-    "setup safety invariant available inventory material materials ingredients stock parts objects props fixed "
-    "frozen immobile immovable static stationary movable question questions why who which what how hint false "
-    "true variant variants version versions undo add remove delete change replace swap also"
+    "rest remainder if unless until till before after while when whenever once or either whether except but than "
+    "then again same only always never ever constantly permanently throughout meanwhile during least most worst "
+    "worse too start starts started starting begin begins beginning initial initially current currently now "
+    "present existing old previous previously former formerly earlier yesterday already given givens original "
+    "originally later afterwards eventually optional optionally bonus alternative alternatively alternatives "
+    "option options choice maybe perhaps possibly them they these those it he she so much opposite contrary reset "
+    "world background setup safety invariant available inventory material materials ingredients stock parts "
+    "objects props fixed frozen immobile immovable static stationary movable question questions why who which "
+    "what how hint false true variant variants version versions undo add remove delete change replace swap also"
 )
 """Words of a lead with which more hangs on what stands behind, or something else, than that it is asked for."""
 _AGAINST = (

@@ -110,6 +110,8 @@ def dared(tokens: Sequence[Token]) -> int:
     ...)", "I just want the mess sorted: (...)"."""
     words = [token.word for token in tokens]
     bet = max((len(said) for said in _DARES if tuple(words[: len(said)]) == said), default=0)
+    if words[bet : bet + 1] in (["'"], ["'s"]):
+        return 0
     bet += bool(bet) and words[bet : bet + 1] in ([","], [":"])
     colon = words.index(":") if ":" in words else 0
     wished = colon > 3 and _SORTED.issuperset(words[:colon]) and not {"i", "we", "let"}.isdisjoint(words[:colon])

@@ -148,7 +148,7 @@ class BuiltinFrontEnd:
                     check_wanted(words if wanted else [], found.task, each_block=wanted == "block")
                     check_behind(typed, found.task)
                     return found.task, found.notes
-            found_again = self._retold(without_asides(spoken), text, name, seed, author, notes) if again else None
+            found_again = self._retold(typed, text, name, seed, author, notes) if again else None
             if found_again is not None:
                 return found_again
             raise
@@ -158,7 +158,7 @@ class BuiltinFrontEnd:
         self, words: list[Token], text: str, name: str | None, seed: int, author: str | None, notes: list[str]
     ) -> Reading | None:
         """The reading of a text that tells of a figure part by part, with a note of how it was understood."""
-        for tokens, said in retold(words):
+        for tokens, said in retold(without_asides(with_beginnings(words))):
             with suppress(Refusal):
                 task, found = self._read_tokens(
                     (tokens, []), text, name, seed, author, notes, [f"understood as: {said}"], again=False

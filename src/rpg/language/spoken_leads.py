@@ -44,7 +44,9 @@ _AGAINST = (
     "sabotag", "trap", "doubt", "instead", "rather", "suppos", "assum", "hypothe", "imagin", "pretend",
 )  # fmt: skip
 """How words of a lead begin that turn against what stands behind, or make no goal of it."""
-_HARMLESS_HERE = _words("big small little huge tiny short great up complete completed finished display sign setting returns")
+_HARMLESS_HERE = _words(
+    "mini big small little huge tiny short great up complete completed finished display sign setting returns final clean"
+)
 """Of an occasion, and of no block, where no block is spoken of."""
 DET = _words("the my our his her their your this a an today tonight tomorrow")
 _MADE = _words(
@@ -65,12 +67,14 @@ _POINTING = _words(
     "there here i we you somebody someone everybody everyone nobody nothing something anything everything and but "
     "so please in on at to of with by from"
 )
+_HAS = (("has",), ("must", "have"), ("should", "have"), ("has", "to", "have"), ("needs",), ("needs", "to", "have"))
 _MERELY = _words("simply just basically actually simple really : following")
 BEGINS = _words("a an the any") | frozenset(lexicon.NUMBER)
-_TESTS = _words(
+TESTS = _words(
     "benchmark test challenge task exercise puzzle quiz classification problem drill lesson game demo experiment "
     "evaluation check skill scenario episode mission assignment activity training practice trial stacking "
-    "building sorting spelling counting arranging ordering grouping placing placement manipulation"
+    "building sorting spelling instructions instruction guide recipe counting arranging ordering grouping placing "
+    "placement manipulation"
 )
 """Heads of titles that may have in front of them what is tried, in words that tell of blocks elsewhere."""
 _SHAPES = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER, lexicon.ORDINAL,
@@ -84,11 +88,11 @@ def heading(tokens: Sequence[Token]) -> int:
     words = [token.word for token in tokens]
     end = next((n for n in range(min(LONGEST + 1, len(words) - 1)) if sets_off(tokens, n)), 0)
     mark = end
-    if end > 1 and tokens[end - 1].kind == "number" and words[end - 2] in _TESTS:
+    if end > 1 and tokens[end - 1].kind == "number" and words[end - 2] in TESTS:
         end -= 1
     if not end or mark + 3 > len(words) or not of_words(tokens[:end]) or "'re" in words[:end]:
         return 0
-    tried = words[end - 1] in _TESTS and not any(w in table for w in words[:end] for table in _SHAPES)
+    tried = words[end - 1] in TESTS and not any(w in table for w in words[:end] for table in _SHAPES)
     tried = tried and _NOT.isdisjoint(words[:end])
     seen = tuple(words[:3]) in _TRYING and not any(w in table for w in words[:end] for table in _SHAPES)
     plain = all(map(tells_nothing, words[:end])) or (tried and not any(map(bends, words[: end - 1])))
@@ -107,8 +111,8 @@ def subject(tokens: Sequence[Token]) -> int:
         return 0
     for at in range(1 + (words[0] in DET), min(LONGEST + 1, len(words) - 3)):
         said = max((len(x) for x in _IS if tuple(words[at : at + len(x)]) == x), default=0)
-        if not said and words[at] == "has" and words[at - 1] in _MADE:
-            said = 1
+        if not said and words[at - 1] in _MADE:
+            said = next((len(x) for x in _HAS if tuple(words[at : at + len(x)]) == x), 0)
         if said:
             plain = of_words(tokens[:at]) and all(word in _MADE or tells_nothing(word) for word in words[1:at])
             end = at + said

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
-from rpg.language.spoken_leads import BEGINS, DET, LONGEST, heading, of_words, sets_off, subject, tells_nothing
+from rpg.language.spoken_leads import BEGINS, DET, LONGEST, TESTS, heading, of_words, sets_off, subject, tells_nothing
 from rpg.language.tokens import Token
 
 
@@ -29,6 +29,7 @@ _LIGHTLY = (
     "not too", "not so", "not very", "not that", "can not reach", "can not wait", "can not manage", "can not do",
     "one thing", "one more", "one last", "one for", "this one", "next one", "easy one", "last one", "quick one",
     "simple one", "and then", "too hard", "too difficult", "too much", "in plain", "only one more", "the same as",
+    "the same thing",
     "something different", "completely different", "totally different", "a bit different", "to the letter",
     "pay attention",
 )  # fmt: skip
@@ -42,13 +43,15 @@ def announcement(tokens: Sequence[Token]) -> int:
     too hard:"."""
     words = [token.word for token in tokens]
     end = next((n for n in range(min(2 * LONGEST, len(words) - 1)) if sets_off(tokens, n)), 0)
+    if not TESTS.isdisjoint(words[:LONGEST]) and words[0] in DET | {"here", "one", "another", "next"}:
+        end = next((n for n in range(3, min(2 * LONGEST, len(words) - 1)) if words[n] == ","), end)
     if not end or len(words) < end + 4 or not _PAST.isdisjoint(words[:end]) or words[0] in _ASKING - {"can", "could"}:
         return 0
     light = {
         n + k for n in range(end) for said in _LIGHTLY if words[n : n + len(said.split())] == said.split()
         for k in range(len(said.split()))
     }  # fmt: skip
-    spoken = _THEM | {",", "how", "what", "here", "also"}
+    spoken = _THEM | {",", "how", "what", "here", "also", "another", "next", "word", "number", "letter"}
     known = all(n in light or word in spoken or tells_nothing(word) for n, word in enumerate(words[:end]))
     return end + 1 if known and all(t.word == "," or of_words([t]) for t in tokens[:end]) else 0
 
@@ -86,6 +89,7 @@ _EAGER = (
       for ask in ("request", "ask", "suggest", "propose")), "i suggest that", "i propose that", "i would suggest that",
     *(f"{lead} the {what}" for lead in ("ignore", "never mind", "do not mind", "excuse", "forget")
       for what in ("noise", "mess", "music", "dog", "kids", "camera", "clutter", "people", "smell", "weather")),
+    "i 'd rather have", "i would rather have", "i 'd rather see", "i 'd prefer to have", "i would prefer to have",
     "hear me out", "tell you what", "i tell you what", "put simply", "simply put", "not to be picky but",
     "behold the goal",
     "not to be fussy but", "not to be difficult but", "as far as i 'm concerned", "as far as i am concerned", "behold",
@@ -167,11 +171,12 @@ def favour(tokens: Sequence[Token]) -> int:
 def _with_it(words: Sequence[str], begin: int) -> int:
     """ "Surprise me with (any tower ...)", "let us try (a circle ...)"."""
     tried = max((len(said) for said in _TRIES if tuple(words[begin : begin + len(said)]) == said), default=0)
-    if tried and words[begin + tried : begin + tried + 1] and words[begin + tried] in BEGINS:
+    if tried and words[begin + tried : begin + tried + 1] and words[begin + tried] in BEGINS - {"the"}:
         return begin + tried
     at = next((n for n in range(begin + 1, min(begin + LONGEST, len(words) - 3)) if words[n] == "with"), 0)
     said = words[begin:at]
-    pleasing = said[:1] and (said[0] in _PLEASING or said[:2] in (["show", "off"], ["warm", "up"], ["kick", "off"])
+    pleasing = said[:1] and (said[0] in _PLEASING or said[:2] in (["show", "off"], ["warm", "up"], ["kick", "off"],
+    ["get", "the"], ["get", "us"])
                              or (said[0] == "make" and said[-1] in _GLAD | {"smile"}))  # fmt: skip
     plain = pleasing and all(word in _THEM | {"off", "up"} or tells_nothing(word) for word in said[1:])
     return at + 1 if plain and words[at + 1] in BEGINS else 0
@@ -227,15 +232,22 @@ def clause(tokens: Sequence[Token]) -> int:
 
 
 def purpose(tokens: Sequence[Token]) -> int:
-    """How many of the first words say what for, up to a comma or to who wishes it: "for the big finish (I'd like ...)",
-    "as a little warm-up exercise, (put ...)"."""
+    """How many of the first words say what for, up to a comma, to who wishes it or to the command: "for the big finish
+    (I'd like ...)", "as a little warm-up exercise, (put ...)", "to celebrate our win, (...)"."""
     words = [token.word for token in tokens]
-    if words[:1] not in (["for"], ["as"]) or len(words) < 5:
+    if words[:1] not in (["for"], ["as"], ["to"]) or len(words) < 5:
         return 0
-    end = next((n for n, word in enumerate(words[: LONGEST + 1]) if n > 1 and word in _GOES_ON), 0)
-    begun = words[1] in DET or words[0] == "for"
-    known = begun and of_words(tokens[:end]) and all(map(tells_nothing, words[1:end]))
+    end = next((n for n in range(2, min(LONGEST + 1, len(words) - 1)) if _goes_on(words, n)), 0)
+    begun = words[0] == "for" or words[1] in DET
+    aimed = words[0] == "to" and words[1] not in lexicon.VERB and words[end] in (",", ":")
+    known = (begun or aimed) and of_words(tokens[:end]) and all(map(tells_nothing, words[1:end]))
     return end + (words[end] in (",", ":")) if end and known and len(words) > end + 3 else 0
 
 
+def _goes_on(words: Sequence[str], n: int) -> bool:
+    commanded = words[n] in _BASES and words[n + 1] in _DONE_TO
+    return words[n] in _GOES_ON or commanded
+
+
+_DONE_TO = BEGINS | _words("all both every each me us my your these some two exactly at only just any")
 _GOES_ON = _words(", : i we you please let could can would there")

@@ -45,6 +45,8 @@ _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", 
 _PLEASE = frozenset({"please", "just", "now", "then", "could", "can", "kindly"})
 _TURNED = frozenset({"would", "will", "i", "we", "let", "do", "you", "make"})
 """What a task begins with behind whom it is said to."""
+_LEADING = _PLEASE | {",", "you", "and", "to", "first"}
+"""Behind these a command may begin in another sentence."""
 _WISHED = frozenset({"need", "want", "would", "wish"})
 """Who wishes it is told in front of an "and": "we are making a video and need a row"."""
 _BINDING = frozenset({"not", "no", "never", "only", "except", "nor", "or", "and", "but", "just", "even", "than", "as",
@@ -178,7 +180,8 @@ def _ahead(tokens: list[Token], begin: int, end: int, sentence: int) -> tuple[in
     state = 0 if ahead else state_behind(words)
     if led := command_behind(words) or state or (0 if ahead or behind else thing_behind(words)):
         return begin, begin + led
-    if led := 0 if ahead else led_by_form(tokens[begin:end]):
+    commanded = any(t.word in _ASKING and t1.word in _ENDS | _LEADING for t1, t in pairwise(tokens[end - 1 :]))
+    if led := 0 if ahead else led_by_form(tokens[begin:end], commanded):
         return begin, begin + led
     for at in range(begin + 1, end - 2):
         if tokens[at].word in _MARKS:

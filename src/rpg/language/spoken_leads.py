@@ -45,7 +45,8 @@ _AGAINST = (
 )  # fmt: skip
 """How words of a lead begin that turn against what stands behind, or make no goal of it."""
 _HARMLESS_HERE = _words(
-    "mini big small little huge tiny short great up complete completed finished display sign setting returns final clean"
+    "mini big small little huge tiny short great up complete completed finished display sign setting returns "
+    "final clean"
 )
 """Of an occasion, and of no block, where no block is spoken of."""
 DET = _words("the my our his her their your this a an today tonight tomorrow")
@@ -184,6 +185,7 @@ def judged(tokens: Sequence[Token]) -> tuple[int, int]:
         if said:
             ahead = words[:at]
             known = all(word in _GIVEN or tells_nothing(word) for word in ahead[words[0] == "under" :])
+            known = known and not any(token.raw in ("-", "−", "–") for token in tokens[:at])  # "reward -1 if"
             lead = at + said if known and not _VERDICTS.isdisjoint(ahead) else 0
             break
     if not lead:

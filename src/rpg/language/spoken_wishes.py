@@ -17,12 +17,11 @@ def _words(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
 
-def led_by_form(tokens: Sequence[Token]) -> int:
-    """How many of the first words of a text are such a lead."""
-    return (
-        heading(tokens) or subject(tokens) or purpose(tokens) or dared(tokens) or glad_if(tokens)
-        or favour(tokens) or clause(tokens) or announcement(tokens) or ability(tokens)
-    )  # fmt: skip
+def led_by_form(tokens: Sequence[Token], commanded: bool) -> int:
+    """How many of the first words of a text are such a lead. `commanded`: behind what it is comes a command, so that it
+    may be like this at the start."""
+    ways = (heading, purpose, dared, glad_if, favour, clause, announcement, ability)
+    return (0 if commanded else subject(tokens)) or next((led for way in ways if (led := way(tokens))), 0)
 
 
 _LIGHTLY = (

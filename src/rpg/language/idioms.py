@@ -36,6 +36,7 @@ _WHOLE = (
     "i|we am|are not joking|kidding",
     "this|that|it is not a joke|prank",
     "watch|look|listen|observe|behold",
+    "time is short|tight|money|precious|running_out",
     "do not overthink|overcomplicate|overdo it|this|that",
     "do not worry|panic|laugh|ask|cry|hurry|rush|stress|despair|sweat|giggle|be_afraid|be_shy|be_angry|be_mad|"
     "be_scared|"

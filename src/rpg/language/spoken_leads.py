@@ -51,8 +51,8 @@ _HARMLESS_HERE = _words(
 """Of an occasion, and of no block, where no block is spoken of."""
 DET = _words("the my our his her their your this a an today tonight tomorrow")
 _MADE = _words(
-    "solution answer outcome result picture scene image arrangement structure figure formation composition layout "
-    "construction design pattern display sign"
+    "state configuration solution answer outcome result picture scene image arrangement structure figure "
+    "formation composition layout construction design pattern display sign"
 )
 """What is built may be spoken of, where a figure is told behind."""
 _IS = tuple(
@@ -108,14 +108,19 @@ def subject(tokens: Sequence[Token]) -> int:
     words = [token.word for token in tokens]
     if words[1:3] in (["'s", "either"], ["is", "either"]) and words[0] == "it":
         return 2
-    if not words or not (words[0] in DET or (tells_nothing(words[0]) and words[0] not in _POINTING)):
+    if not words or not (
+        words[0] in DET or words[0] == "what" or (tells_nothing(words[0]) and words[0] not in _POINTING)
+    ):
         return 0
-    for at in range(1 + (words[0] in DET), min(LONGEST + 1, len(words) - 3)):
+    for at in range(3 if words[0] == "what" else 1 + (words[0] in DET), min(LONGEST + 1, len(words) - 3)):
         said = max((len(x) for x in _IS if tuple(words[at : at + len(x)]) == x), default=0)
         if not said and words[at - 1] in _MADE:
             said = next((len(x) for x in _HAS if tuple(words[at : at + len(x)]) == x), 0)
         if said:
-            plain = of_words(tokens[:at]) and all(word in _MADE or tells_nothing(word) for word in words[1:at])
+            plain = of_words(tokens[:at]) and all(
+                word in _MADE or tells_nothing(word) or (word == "target" and words[n + 2] in _MADE)
+                for n, word in enumerate(words[1:at])
+            )
             end = at + said
             while end < len(words) and words[end] in _MERELY:
                 end += 1
@@ -133,7 +138,7 @@ def sets_off(tokens: Sequence[Token], n: int) -> bool:
 def of_words(tokens: Sequence[Token]) -> bool:
     """Whether these are words, and no symbols are named."""
     return all(
-        (t.kind == "word" and not (len(t.raw) == 1 and t.raw.isupper() and n)) or t.word in _CLIPPED
+        (t.kind == "word" and not (len(t.raw) == 1 and t.raw.isupper() and n and t.raw != "I")) or t.word in _CLIPPED
         for n, t in enumerate(tokens)
     )
 

@@ -28,7 +28,8 @@ _LIGHTLY = (
     "not too", "not so", "not very", "not that", "can not reach", "can not wait", "can not manage", "can not do",
     "one thing", "one more", "one last", "one for", "this one", "next one", "easy one", "last one", "quick one",
     "simple one", "and then", "too hard", "too difficult", "too much", "in plain", "only one more", "the same as",
-    "the same thing",
+    "the same thing", "same as always", "same as usual", "same as ever", "straight to the point", "to the point",
+    "put on a show",
     "something different", "completely different", "totally different", "a bit different", "to the letter",
     "pay attention",
 )  # fmt: skip
@@ -89,6 +90,7 @@ _EAGER = (
     *(f"{lead} the {what}" for lead in ("ignore", "never mind", "do not mind", "excuse", "forget")
       for what in ("noise", "mess", "music", "dog", "kids", "camera", "clutter", "people", "smell", "weather")),
     "i 'd rather have", "i would rather have", "i 'd rather see", "i 'd prefer to have", "i would prefer to have",
+    "would it kill you to", "would it hurt to", "would it hurt you to",
     "hear me out", "tell you what", "i tell you what", "put simply", "simply put", "not to be picky but",
     "behold the goal",
     "not to be fussy but", "not to be difficult but", "as far as i 'm concerned", "as far as i am concerned", "behold",
@@ -238,7 +240,8 @@ def purpose(tokens: Sequence[Token]) -> int:
         return 0
     end = next((n for n in range(2, min(LONGEST + 1, len(words) - 1)) if _goes_on(words, n)), 0)
     begun = words[0] == "for" or words[1] in DET
-    aimed = words[0] == "to" and words[1] not in lexicon.VERB and words[end] in (",", ":")
+    kept = words[1] in ("keep", "make", "get") and not _GLAD.isdisjoint(words[:end])
+    aimed = words[0] == "to" and (kept or words[1] not in lexicon.VERB) and words[end] in (",", ":")
     known = (begun or aimed) and of_words(tokens[:end]) and all(map(tells_nothing, words[1:end]))
     return end + (words[end] in (",", ":")) if end and known and len(words) > end + 3 else 0
 

@@ -90,7 +90,8 @@ class BuiltinFrontEnd:
         if found[0] is None and (plain := without_remarks(told[0])) is not None:
             rest, remarks = plain
             with suppress(Refusal):
-                task, notes = self._read_tokens((rest, told[1]), text, name, seed, author, mended, remarks)
+                within = [s for s in told[1] if rest[0].span[0] <= s.span[0] <= rest[-1].span[1]]
+                task, notes = self._read_tokens((rest, within), text, name, seed, author, mended, remarks)
                 if task is not None:
                     return task, notes
         chosen = isinstance(refusal, Repairable | TwoReadings)

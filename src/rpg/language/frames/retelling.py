@@ -103,8 +103,9 @@ def _told_besides(tokens: Sequence[Token]) -> bool:
     """Whether a later sentence tells what there is, "there is (also) a yellow block", where blocks are told before."""
     known = False
     for n, token in enumerate(tokens):
-        said = [word.word for word in tokens[n : n + 4]]
+        said = [word.word for word in tokens[n : n + 6]]
         begins = n > 0 and tokens[n - 1].word in _ENDS and said[:2] in (["there", "is"], ["there", "are"])
+        begins = begins and "them" not in said
         if begins and (known or "also" in said):
             return True
         known = known or token.word in lexicon.COLOR or (n > 0 and len(token.raw) == 1 and token.raw.isupper())

@@ -61,7 +61,7 @@ _IS = tuple(
         "is", "'s", "should be", "must be", "will be", "shall be", "would be", "has to be", "needs to be", "is to be",
         "should look like", "must look like", "looks like", "will look like", "shows", "should show", "must show",
         "depicts", "consists of", "features", "contains", "calls for", "asks for", "requires", "is called", "says",
-        "specifies", "demands", "prescribes", "describes", "wants", "is that", "accepts",
+        "specifies", "demands", "prescribes", "describes", "wants", "is that", "accepts", "will look for", "looks for",
     )
 )  # fmt: skip
 _POINTING = _words(
@@ -170,7 +170,9 @@ _VERDICTS = _words(
     "yields successful correct valid point points marks true accepted complete completed finished passes passed "
     "succeeded rewarded wins won receives earns gains scores +1"
 )
-_WHEN = (("if", "and", "only", "if"), ("only", "if"), ("only", "when"), ("exactly", "when"), ("exactly", "if"),
+_WHEN = (("is", "defined", "as"), ("is", "defined", "by"), ("means", "that"), ("means",), ("requires", "that"),
+         ("requires",), ("if", "and", "only", "if"), ("only", "if"), ("only", "when"), ("exactly", "when"),
+         ("exactly", "if"),
          ("as", "soon", "as"), ("if",), ("when",), ("iff",), ("once",), ("whenever",), ("as", "long", "as"),
          ("provided", "that"), ("provided",))  # fmt: skip
 _ELSE = _words(

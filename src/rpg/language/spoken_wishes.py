@@ -29,7 +29,7 @@ _LIGHTLY = (
     "one thing", "one more", "one last", "one for", "this one", "next one", "easy one", "last one", "quick one",
     "simple one", "and then", "too hard", "too difficult", "too much", "in plain", "only one more", "the same as",
     "the same thing", "same as always", "same as usual", "same as ever", "straight to the point", "to the point",
-    "put on a show",
+    "put on a show", "you may begin", "you can begin", "you may start", "you can start",
     "something different", "completely different", "totally different", "a bit different", "to the letter",
     "pay attention",
 )  # fmt: skip
@@ -91,6 +91,10 @@ _EAGER = (
       for what in ("noise", "mess", "music", "dog", "kids", "camera", "clutter", "people", "smell", "weather")),
     "i 'd rather have", "i would rather have", "i 'd rather see", "i 'd prefer to have", "i would prefer to have",
     "would it kill you to", "would it hurt to", "would it hurt you to",
+    *(f"it does not {have} to be {fine} , just" for have in ("have", "need")
+      for fine in ("pretty", "perfect", "fancy", "beautiful", "nice")), "so much for small talk", "enough talk",
+      "enough chatter",
+    "it 's about time for", "it is about time for", "it 's time for", "it is time for", "time for",
     "hear me out", "tell you what", "i tell you what", "put simply", "simply put", "not to be picky but",
     "behold the goal",
     "not to be fussy but", "not to be difficult but", "as far as i 'm concerned", "as far as i am concerned", "behold",

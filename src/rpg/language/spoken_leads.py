@@ -37,7 +37,8 @@ _AGAINST = (
     "hate", "hating", "dislik", "fear", "worr", "problem", "trouble", "danger", "taboo", "mess", "chaos", "nightmare",
     "warn", "caution", "never", "non", "unwanted", "undesir", "unaccept", "unallow", "disallow", "ban", "stop",
     "refus", "reject", "rumo", "joke", "lie", "imposs", "hardly", "barely", "rare", "seldom", "revers", "mirror",
-    "rotat", "flip", "prevent", "bewar", "inhibit", "hinder", "cancel", "abort", "resist", "oppos", "deny", "deni",
+    "rotat", "flip", "prevent", "lose", "losing", "lost", "unlik", "deduct", "minus", "cost", "decreas",
+    "bewar", "inhibit", "hinder", "cancel", "abort", "resist", "oppos", "deny", "deni",
     "exempt", "skip",
     "omit", "lack", "missing", "destroy", "ruin", "dismantl", "disassembl", "wreck", "demolish", "unstack", "unbuild",
     "protect",
@@ -91,7 +92,12 @@ def heading(tokens: Sequence[Token]) -> int:
     mark = end
     if end > 1 and tokens[end - 1].kind == "number" and words[end - 2] in TESTS:
         end -= 1
-    if not end or mark + 3 > len(words) or not of_words(tokens[:end]) or "'re" in words[:end]:
+    if (
+        not end
+        or (mark + 3 > len(words) and tokens[mark + 1].kind != "equation")
+        or not of_words(tokens[:end])
+        or "'re" in words[:end]
+    ):
         return 0
     tried = words[end - 1] in TESTS and not any(w in table for w in words[:end] for table in _SHAPES)
     tried = tried and _NOT.isdisjoint(words[:end])

@@ -45,7 +45,12 @@ def announcement(tokens: Sequence[Token]) -> int:
     end = next((n for n in range(min(2 * LONGEST, len(words) - 1)) if sets_off(tokens, n)), 0)
     if not TESTS.isdisjoint(words[:LONGEST]) and words[0] in DET | {"here", "one", "another", "next"}:
         end = next((n for n in range(3, min(2 * LONGEST, len(words) - 1)) if words[n] == ","), end)
-    if not end or len(words) < end + 4 or not _PAST.isdisjoint(words[:end]) or words[0] in _ASKING - {"can", "could"}:
+    if (
+        not end
+        or (len(words) < end + 4 and tokens[end + 1].kind != "equation")
+        or not _PAST.isdisjoint(words[:end])
+        or words[0] in _ASKING - {"can", "could"}
+    ):
         return 0
     light = {
         n + k for n in range(end) for said in _LIGHTLY if words[n : n + len(said.split())] == said.split()

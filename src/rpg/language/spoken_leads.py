@@ -37,7 +37,7 @@ _AGAINST = (
     "hate", "hating", "dislik", "fear", "worr", "problem", "trouble", "danger", "taboo", "mess", "chaos", "nightmare",
     "warn", "caution", "never", "non", "unwanted", "undesir", "unaccept", "unallow", "disallow", "ban", "stop",
     "refus", "reject", "rumo", "joke", "lie", "imposs", "hardly", "barely", "rare", "seldom", "revers", "mirror",
-    "rotat", "flip", "prevent", "lose", "losing", "lost", "unlik", "deduct", "minus", "cost", "decreas",
+    "rotat", "flip", "prevent", "lose", "loose", "losing", "lost", "unlik", "deduct", "minus", "cost", "decreas",
     "bewar", "inhibit", "hinder", "cancel", "abort", "resist", "oppos", "deny", "deni",
     "exempt", "skip",
     "omit", "lack", "missing", "destroy", "ruin", "dismantl", "disassembl", "wreck", "demolish", "unstack", "unbuild",

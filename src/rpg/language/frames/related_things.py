@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from rpg.language.frames.pieces import Piece, Unclear, number
@@ -97,17 +97,22 @@ class Things:
         """What a statement is about."""
         return self._meant(pieces, objects, subject=True)
 
-    def objects(self, pieces: Sequence[Piece], subjects: Sequence[Known], *, on: bool) -> list[Known]:
-        """What that stands to. `on`: it is on it, and that may be a block or a patch."""
-        return self._meant(pieces, subjects, subject=False, on=on)
+    def objects(
+        self, pieces: Sequence[Piece], subjects: Sequence[Known], *, on: bool, into: bool = False
+    ) -> list[Known]:
+        """What that stands to. `on`: it is on it, and that may be a block or a patch; `into`: it is inside or outside
+        of it, and that is a patch."""
+        return self._meant(pieces, subjects, subject=False, on=on, into=into)
 
     def _meant(
-        self, pieces: Sequence[Piece], others: Sequence[Known], *, subject: bool, on: bool = False
+        self, pieces: Sequence[Piece], others: Sequence[Known], *, subject: bool, on: bool = False, into: bool = False
     ) -> list[Known]:
         found: list[Known] = []
         for n, piece in enumerate(pieces):
             if piece.kind == "they":
-                found += self._all([known for known in self.known if known not in others], subject=subject)
+                found += self._all(piece, [known for known in self.known if known not in others], subject=subject)
+            elif piece.kind == "it" and into:
+                found.append(self.only_patch())
             elif piece.kind == "it":
                 found.append(self._it(piece, others, subject=subject))
             elif piece.kind == "thing":
@@ -122,15 +127,24 @@ class Things:
             raise Unclear
         return found
 
-    def _all(self, known: list[Known], *, subject: bool) -> list[Known]:
-        """Both things that there are, or the one lot."""
-        blocks = [thing for thing in known if not thing.patch] if subject else known
+    def _all(self, piece: Piece, known: list[Known], *, subject: bool) -> list[Known]:
+        """Both things that there are, or the one lot; or all of so many."""
+        blocks = [thing for thing in known if not thing.patch] if subject or "all" in piece.named else known
+        if "all" in piece.named:
+            if sum(thing.count for thing in blocks) != number(piece.named["all"]):
+                raise Unclear
+            return blocks
         if (len(blocks) == 1 and blocks[0].count == 2) or [thing.count for thing in blocks] == [1, 1]:
             return blocks
         raise Unclear
 
     def _it(self, piece: Piece, others: Sequence[Known], *, subject: bool) -> Known:
         blocks = [known for known in self.known if known.count == 1 and known not in others]
+        if piece.value in ("former", "latter"):
+            one, other = blocks if len(blocks) == len(self.known) == 2 else (None, None)
+            if not (one and other) or one.patch or other.patch:
+                raise Unclear
+            return one if piece.value == "former" else other
         return self._one([known for known in blocks if not known.patch or not (subject or piece.value == "block")])
 
     def _thing(self, piece: Piece, *, on: bool, both: int) -> Known:
@@ -201,17 +215,17 @@ class Things:
     def _part(self, piece: Piece) -> Known:
         """So many of a lot; no more can be told of these but what the rest of them is."""
         named = piece.named
-        part = number(named["part"])
         lots = [known for known in self.known if known.count > 1 and not known.patch]
         look = named["color"] if "color" in named else self._one(lots).look
         same = [known for known in self.known if known.look == look and not known.patch]
         count = number(named["count"]) if "count" in named else same[0].count if same else 0
         lot = same[0] if same else Known(look, count)
+        part = _how_many(named, count)
         if lot.count != count or not 0 < part < count or look in (*self.parted, *self.used):
             raise Unclear
         if not same:
             self.known.append(lot)
-        how = named.get("how", "")
+        how = named.get("how", "") if "but" not in named else "exactly"
         self.parted[look] = part if how in ("", "exactly", "precisely") else 0
         of = f"of the {count} {look} blocks"
         return replace(lot, count=part, part=f"{how} {part} {of}".strip())
@@ -223,15 +237,29 @@ class Things:
         return things[0]
 
 
+def _how_many(named: Mapping[str, str], count: int) -> int:
+    """How many a part is of so many: "2", "all but 2", "half".
+
+    Raises:
+        Unclear: half of an odd number.
+    """
+    if "half" in named:
+        if count % 2:
+            raise Unclear
+        return count // 2
+    return count - number(named["but"]) if "but" in named else number(named["part"])
+
+
 def _named(piece: Piece) -> Known:
     """What a name says. `count`: 0 where several are meant and it is not said how many."""
     named = piece.named
     if piece.value in ("letter", "number"):
         return Known(f"{piece.value} {named[piece.value].upper()}")
     if piece.value == "patch":
-        shape = named.get("shape") or named.get("behind", "").replace("circle", "round")
-        if "shape" in named and "behind" in named:
+        told = [named[part].replace("circle", "round") for part in ("shape", "behind", "form") if part in named]
+        if len(told) > 1:
             raise Unclear
+        shape = "".join(told)
         return Known(" ".join(filter(None, (named.get("size"), shape, named.get("color"), "patch"))), patch=True)
     look = " ".join(filter(None, (named.get("size"), named.get("color"))))
     if "count" in named:

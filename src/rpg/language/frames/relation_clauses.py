@@ -55,10 +55,11 @@ def _clauses(pieces: Sequence[Piece], at: int, *, first: bool, denied: bool) -> 
     for statements, end in _clause(pieces, at, first=first):
         if denied and not any(piece.kind == "be" for piece in pieces[at:end]):
             continue
+        all_named = all(statement.how == "named" for statement in statements)
         if end == len(pieces):
             yield statements
-        elif behind := _joint(pieces, end):
-            named = first and all(statement.how == "named" for statement in statements)
+        elif behind := _joint(pieces, end) or _begins(pieces, end, at, only_named=all_named):
+            named = first and all_named
             if not named and any(piece.words == "until" for piece in pieces[end:behind]):
                 continue  # it is so only as long as something else is not
             for rest in _clauses(pieces, behind, first=named, denied=any(s.denied for s in statements)):
@@ -71,6 +72,12 @@ def _joint(pieces: Sequence[Piece], at: int) -> int:
     while end < len(pieces) and pieces[end].kind in ("comma", "join", "that"):
         end += 1
     return end if end > at else 0
+
+
+def _begins(pieces: Sequence[Piece], end: int, at: int, *, only_named: bool) -> int:
+    """The place where another clause begins without any word that says so, or 0."""
+    whole = _kind(pieces, at) == "there" if only_named else pieces[end - 1].kind in (*NAMES, "place", "mutual")
+    return end if whole and _kind(pieces, end) in NAMES else 0
 
 
 def _known(named: tuple[Piece, ...]) -> tuple[Piece, ...]:
@@ -219,9 +226,16 @@ def _said(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> Iterato
         yield (Statement(named, kind, piece.value or "", denied=denied),), start + 1
     if kind == "keep" and not denied and _kind(pieces, start + 1) == "stay":
         yield (Statement(named, "stay"),), start + 2
+    if kind == "within" and not denied:
+        yield (Statement(named, "within", piece.value, denied="not"),), start + 1
+    width = start + (kind == "have")
+    if _kind(pieces, width) == "width" and not denied:
+        how, what = pieces[width].value
+        yield (Statement(named, "gap" if how == "gap" else "mutual", what),), width + 1
     if kind == "stays" and not denied:
         yield (Statement(named, "stay"),), start + 1
     if kind == "have" and not denied:
+        yield from _of_two(pieces, start + 1)
         for other, end in _lists(pieces, start + 1):
             yield from _beside(pieces, named, other, end)
     if kind == "rel":
@@ -254,6 +268,11 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
         if _kind(pieces, side) == "mutual" and pieces[side].words.endswith(("away", "apart")):
             far = Relation(f"{pieces[side].value.removeprefix('be ').removesuffix(' apart')} from")
             yield (stated, Statement(_known(named), "rel", far, _known(objects))), side + 1
+        wide = side + (_kind(pieces, side) == "have")
+        if _kind(pieces, wide) == "width" and _kind(pieces, wide + 1) != "they":
+            how, what = pieces[wide].value
+            both = _known((*named, *objects))
+            yield (stated, Statement(both, "gap" if how == "gap" else "mutual", what)), wide + 1
         if _kind(pieces, end) == "have" or (_kind(pieces, end + 1) == "have" and _kind(pieces, end) == "comma"):
             yield from _with(pieces, stated, end + (_kind(pieces, end) == "comma"))
         if getattr(piece.value, "phrase", "") == "from" and _kind(pieces, end) == "rel":
@@ -323,7 +342,17 @@ def _ahead(pieces: Sequence[Piece], at: int) -> Iterator[Parse]:
 def _of_two(pieces: Sequence[Piece], at: int) -> Iterator[Parse]:
     """What two things are to each other, where it stands ahead of them."""
     kind, first = _kind(pieces, at), pieces[at] if at < len(pieces) else None
-    if first is None or kind not in ("apart", "gap", "between", "swap"):
+    if first is None:
+        return
+    if kind == "rel" and first.value == Relation("between", count=2):
+        for named, end in _lists(pieces, at + 1):
+            wide = _verb(pieces, end + (_kind(pieces, end) == "comma"))
+            wide = _verb(pieces, wide + (_kind(pieces, wide) == "there"))
+            if _kind(pieces, wide) == "width":
+                how, what = pieces[wide].value
+                yield (Statement(named, "gap" if how == "gap" else "mutual", what),), wide + 1
+        return
+    if kind not in ("apart", "gap", "between", "swap"):
         return
     for named, end in _lists(pieces, at + 1):
         if kind in ("apart", "gap"):

@@ -18,7 +18,21 @@ def plainer(pieces: Sequence[Piece]) -> list[Piece]:
         for n in range(1, len(pieces) - 1)
         if pieces[n].words == ":" and pieces[n - 1].kind in NAMES and pieces[n + 1].kind in ("rel", "place", "mutual")
     }
-    return _one_and_other(_taken([piece for n, piece in enumerate(pieces) if n not in colons]))
+    return _one_and_other(_taken(_excepted([piece for n, piece in enumerate(pieces) if n not in colons])))
+
+
+def _excepted(pieces: list[Piece]) -> list[Piece]:
+    """ "All four red blocks on the mat except one": three of the four."""
+    found = list(pieces)
+    drop = set()
+    for n, piece in enumerate(pieces):
+        begin = max((m + 1 for m in range(n) if pieces[m].kind in ("stop", "comma", "join", "then")), default=0)
+        lots = [m for m in range(begin, n) if pieces[m].kind == "thing" and "count" in pieces[m].named]
+        if piece.kind == "except" and len(lots) == 1 and pieces[lots[0]].named.get("det", "").startswith("all"):
+            lot = pieces[lots[0]]
+            found[lots[0]] = replace(lot, kind="part", named={**lot.named, **piece.named})
+            drop.add(n)
+    return [piece for n, piece in enumerate(found) if n not in drop]
 
 
 def _taken(pieces: list[Piece]) -> list[Piece]:

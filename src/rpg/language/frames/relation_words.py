@@ -35,15 +35,21 @@ _ASIDES = {
     "on top of": "on top(?! (?:the|a|an|SIZE|COLOR) )|on (?:its|the) top|on (?:its|the) upper side",
     "under": "(?:underneath|beneath|below)(?= (?:[.,;:!?]|and|but|while|$))",
 }
+_UNIT = "(?:cm|mm|inch|inches|(?:centi|milli)(?:meters?|metres?))"
 _FAR = (
     r"(?:(?:about|around|roughly|approximately|exactly|at least|at most|no more than|no less than) )?"
-    r"\d+(?:\.\d+)? (?:cm|mm|inch|inches)"
+    rf"\d+(?:\.\d+)? {_UNIT}"
 )
+
+
+def _far(match: re.Match[str]) -> str:
+    """How far it is, in short."""
+    return re.sub("centi[a-z]+$", "cm", re.sub("milli[a-z]+$", "mm", match["far"]))
 
 
 def _in_front(group: str, phrase: str) -> Callable[[re.Match[str]], Relation]:
     """A relation with what a group of the match says in front of it: "10 cm" and "to the left of"."""
-    return lambda match: Relation(f"{match[group]} {phrase}")
+    return lambda match: Relation(f"{_far(match) if group == 'far' else match[group]} {phrase}")
 
 
 def _sided() -> list[Pattern]:
@@ -98,13 +104,13 @@ RELATIONS: list[Pattern] = [
         "between|in between|somewhere between", "(?:is |be |are )?(?:flanked|framed) by", "separates|separating"),
     *patterns("rel", Relation("halfway between", count=2),
         "(?:right |exactly )?(?:in the (?:exact )?middle|midway|halfway|half way) between"),
-    *patterns("rel", lambda match: Relation(f"{match['far']} from"),
+    *patterns("rel", lambda match: Relation(f"{_far(match)} from"),
         f"(?:at )?(?:a distance of )?(?P<far>{_FAR})(?: away| apart| distant)? from",
         f"at a distance of (?P<far>{_FAR}) (?:to|from)"),
-    *patterns("rel", lambda match: Relation(f"at most {match['far']} from"),
-        r"(?:within|no farther than|not farther than) (?P<far>\d+(?:\.\d+)? (?:cm|mm)) (?:of|from)"),
-    *patterns("rel", lambda match: Relation(f"at least {match['far']} from"),
-        r"(?:no closer than|not closer than|no nearer than) (?P<far>\d+(?:\.\d+)? (?:cm|mm)) (?:to|from)"),
+    *patterns("rel", lambda match: Relation(f"at most {_far(match)} from"),
+        rf"(?:within|no farther than|not farther than) (?P<far>\d+(?:\.\d+)? {_UNIT}) (?:of|from)"),
+    *patterns("rel", lambda match: Relation(f"at least {_far(match)} from"),
+        rf"(?:no closer than|not closer than|no nearer than) (?P<far>\d+(?:\.\d+)? {_UNIT}) (?:to|from)"),
 ]  # fmt: skip
 """Kind "rel" (with things behind it) and "aside" (without)."""
 _EACH = "(?:each other|one another)"
@@ -119,23 +125,29 @@ MUTUAL: list[Pattern] = [
     *patterns("mutual", "touch each other",
         f"(?:touch|touches|touching)(?: {_EACH}|(?= (?:[.,;:!?]|and|but|$)))",
         f"in (?:direct )?contact(?: with {_EACH})?", f"up against {_EACH}"),
-    *patterns("mutual", lambda match: f"be {match['far']} apart",
+    *patterns("mutual", lambda match: f"be {_far(match)} apart",
         f"(?P<far>{_FAR}) (?:apart|away|distant)(?: from {_EACH})?", f"(?P<far>{_FAR}) from {_EACH}",
         f"at a distance of (?P<far>{_FAR})(?: from {_EACH})?"),
     *patterns("mutual", "swap places",
         "(?:swap|swaps|exchange|exchanges|switch|switches|trade|trades|change|changes) (?:the |their )?"
         f"(?:places|positions|spots)(?: with {_EACH})?"),
-    *patterns("apart", lambda match: f"be {match['far']} apart",
+    *patterns("apart", lambda match: f"be {_far(match)} apart",
         f"(?P<far>{_FAR}) between", f"(?:a |the )?distance of (?P<far>{_FAR}) between"),
-    *patterns("gap", lambda match: match["far"],
+    *patterns("gap", _far,
         f"(?:(?:a|the) )?(?:gap|space|clearance) of (?P<far>{_FAR}) between",
-        f"(?:a )?(?P<far>{_FAR})(?: wide)? (?:gap|space) between"),
+        f"(?:a )?(?P<far>{_FAR})(?: wide)?(?: of)? (?:gap|space|clearance) between"),
     *patterns("between", "from", "(?:the )?(?:distance|center distance) from"),
     *patterns("between", "apart", "(?:the )?(?:distance|center distance) between"),
     *patterns("between", "gap", "(?:the )?(?:gap|space|clearance) between"),
-    *patterns("measure", lambda match: match["far"],
+    *patterns("width", lambda match: ("gap", _far(match)),
+        rf"(?:(?:a|the) )?(?:gap|space|clearance) of (?P<far>{_FAR})(?! between )",
+        rf"(?:a )?(?P<far>{_FAR})(?: wide)?(?: of)? (?:gap|space|clearance)(?! between )",
+        rf"(?:separated|parted) by (?:(?:a )?(?:gap|space) of )?(?P<far>{_FAR})(?: from each other)?"),
+    *patterns("width", lambda match: ("apart", f"be {_far(match)} apart"),
+        rf"(?:(?:a|the) )?(?:center )?distance of (?P<far>{_FAR})(?! (?:between|from|to) )"),
+    *patterns("measure", _far,
         f"(?:(?:must |should |shall |has to )?(?:be|is|measures|measure|amounts to) )(?P<far>{_FAR})(?: wide)?"
-        "(?! (?:apart|away|distant|from|to|left|right|in|behind) )"),
+        "(?! (?:apart|away|distant|from|to|left|right|in|behind) )", f"(?P<far>{_FAR})(?= (?:[.,;]|$))"),
     *patterns("swap", None,
         "(?:swap|exchange|switch|interchange|trade)(?: round| around| over)?(?: the)?(?: places?| positions?)?"
         "(?: of| between)?"),
@@ -148,6 +160,11 @@ _CORNER = (
     "(?:(?:near|far|front|back|close|top|bottom|upper|lower) (?:left|right)|(?:left|right) (?:near|far|front|back))"
 )
 _HE = "(?:it|he|she|they)"
+_STARTED = (
+    f"(?:(?:its|the|their) (?:starting|initial|start|original|first|old|beginning) "
+    f"(?:position|place|spot|location|pose)|where {_HE} (?:is|are|was|were|"
+    "started|starts|began|begins)(?: at the (?:start|beginning))?)"
+)
 PLACES: list[Pattern] = [
     *patterns("place", lambda match: f"in the {match['side']} half of the table",
         rf"(?:{_IN} )?(?P<side>{_SIDE}) half(?: of the TABLE)?"),
@@ -169,6 +186,13 @@ PLACES: list[Pattern] = [
         "where is",
         "in (?:its |their |the same )?(?:old |own |original |present |current )?(?:place|position|spot)",
         "untouched|unmoved|undisturbed|alone", f"as {_HE} (?:is|are)", "in the place where it is"),
+    *patterns("within", lambda match: f"be moved by more than {_far(match)}",
+        rf"(?:(?:must|should|shall|has to|have to|is to) )?(?:(?:stays?|remains?|is|are|be|keep|keeps|lies?) )?"
+        rf"(?:within|no farther than|no more than|at most|less than) "
+        rf"(?P<far>\d+(?:\.\d+)? {_UNIT})(?: away)? (?:of|from|to) "
+        rf"{_STARTED}",
+        rf"(?:must|should|shall|may|can|is to) (?:not|never) (?:be )?(?:moved?|shift(?:ed)?|displaced) (?:by )?(?:more "
+        rf"than|farther than|over) (?P<far>\d+(?:\.\d+)? {_UNIT})(?: (?:away )?from {_STARTED})?"),
     *patterns("stays", None,
         "(?:(?:must|should|shall|has to|have to|is to) )?(?:stays?|remains?) (?:put|still|in place)",
         "(?:(?:must|should|shall|may|is to|are to|does|will|can) )?(?:not|never) (?:be |get )?(?:moved|move|budge|"
@@ -176,6 +200,6 @@ PLACES: list[Pattern] = [
         "(?:is|are) not (?:to be )?(?:moved|displaced|disturbed)(?: at all)?"),
     *patterns("still", None,
         "(?:do not|never|without|not) (?:move|moving|shift|shifting|disturb|disturbing|displace|displacing)"),
-    *patterns("elsewhere", None, "elsewhere|somewhere else|anywhere else"),
+    *patterns("elsewhere", None, "(?:elsewhere|somewhere else|anywhere else)(?: on the TABLE)?"),
 ]  # fmt: skip
 """Kind "place", to be told behind "must be", and words for what stays where it is."""

@@ -48,17 +48,18 @@ class Known:
 class Things:
     """What has been told of, in order; which of it stands in a statement, and in one of
     the start; how many of a lot a part
-    of it is; what is told of without a noun, and may be a patch."""
+    of it is; what is told of without a noun, and may be a patch; whether others are spoken of that are not told."""
 
     known: list[Known] = field(default_factory=list)
     used: set[str] = field(default_factory=set)
     seen: set[str] = field(default_factory=set)
     parted: dict[str, int] = field(default_factory=dict)
     bare: set[str] = field(default_factory=set)
+    others: bool = False
 
     def copied(self) -> Things:
         """The same, to be changed by itself."""
-        return Things([*self.known], {*self.used}, {*self.seen}, {**self.parted}, {*self.bare})
+        return Things([*self.known], {*self.used}, {*self.seen}, {**self.parted}, {*self.bare}, self.others)
 
     @property
     def all_used(self) -> bool:
@@ -108,9 +109,12 @@ class Things:
         self, pieces: Sequence[Piece], others: Sequence[Known], *, subject: bool, on: bool = False, into: bool = False
     ) -> list[Known]:
         found: list[Known] = []
+        pieces = _one_of_each(pieces)
         for n, piece in enumerate(pieces):
             if piece.kind == "they":
                 found += self._all(piece, [known for known in self.known if known not in others], subject=subject)
+            elif piece.kind == "other":
+                found.append(self._other(others))
             elif piece.kind == "it" and into:
                 found.append(self.only_patch())
             elif piece.kind == "it":
@@ -137,6 +141,25 @@ class Things:
         if (len(blocks) == 1 and blocks[0].count == 2) or [thing.count for thing in blocks] == [1, 1]:
             return blocks
         raise Unclear
+
+    def _other(self, others: Sequence[Known]) -> Known:
+        """The other one of two blocks."""
+        if len(self.known) != 2 or len(others) != 1 or any(known.patch or known.count > 1 for known in self.known):
+            raise Unclear
+        return self._one([known for known in self.known if known not in others])
+
+    def empty(self, things: Sequence[Known]) -> str:
+        """That nothing is on a thing, in plain words."""
+        thing = self._one(things)
+        if thing.count > 1 or thing.part:
+            raise Unclear
+        return f"{thing.name} must be empty" if thing.patch else f"nothing must be on {thing.name}"
+
+    def left(self) -> list[Known]:
+        """The blocks of which nothing is said."""
+        if self.parted:
+            raise Unclear
+        return [known for known in self.known if not known.patch and known.look not in self.used]
 
     def _it(self, piece: Piece, others: Sequence[Known], *, subject: bool) -> Known:
         blocks = [known for known in self.known if known.count == 1 and known not in others]
@@ -269,6 +292,25 @@ def _named(piece: Piece) -> Known:
     else:
         count = 0 if "many" in named or named.get("noun") in _MANY else 1
     return Known(look, count)
+
+
+def _one_of_each(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    """ "The red and the blue blocks": one of each."""
+    *ahead, last = pieces or (None,)
+    bare = {"count", "many", "noun"}
+    if (
+        not ahead
+        or last is None
+        or last.kind != "thing"
+        or last.named.get("noun") not in _MANY
+        or "count" in last.named
+    ):
+        return pieces
+    if any(p is None or p.kind != "thing" or p.value != "block" or bare & p.named.keys() for p in ahead):
+        return pieces
+    if any(p.named.get("det", "").startswith(("both", "all", "each")) for p in pieces):
+        return pieces
+    return [*pieces[:-1], replace(last, named={**last.named, "noun": "block"})]
 
 
 def _says_both(pieces: Sequence[Piece], n: int) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.frames.pieces import Pattern, patterns
+from rpg.language.frames.pieces import Pattern, number, patterns
 
 _NOUN = "blocks?|cubes?|bricks?|box(?:es)?|pieces?|ones?"
 _ONE = "block|cube|brick|box|piece|one"
@@ -60,6 +60,8 @@ THINGS: list[Pattern] = [
         r"(?:the |all the |all )?(?:other|remaining) (?P<count>NUM)", "(?:the )?other (?P<color>COLOR)",
         rf"(?:the |all the |all )(?:others|rest|remainder)(?: of them| of the (?P<color>COLOR) (?:{_NOUN}))?",
         rf"the (?P<nth>third|fourth|fifth|sixth|last)(?: (?P<color>COLOR))?(?: (?:{_ONE}))?", "the other"),
+    *patterns("total", lambda match: number(match["count"]),
+        r"(?:the )?(?P<count>[2-9]) (?:blocks|cubes|bricks|boxes|letters|things|objects)(?: colored| in)?"),
     *patterns("neither", None, "neither(?: of (?:them|the 2|these))?"),
     *patterns("it", "any", "it|that one|this one"),
     *patterns("it", "block", "(?:the|that|this) (?:block|cube)"),

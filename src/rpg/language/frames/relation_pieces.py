@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.language.frames.pieces import Piece
-from rpg.language.frames.relation_clauses import NAMES
+from rpg.language.frames.relation_reading import NAMES
 
 _ONE = frozenset({"a", "an", "one", "another"})
 
@@ -18,7 +18,36 @@ def plainer(pieces: Sequence[Piece]) -> list[Piece]:
         for n in range(1, len(pieces) - 1)
         if pieces[n].words == ":" and pieces[n - 1].kind in NAMES and pieces[n + 1].kind in ("rel", "place", "mutual")
     }
-    return _one_and_other(_taken(_excepted([piece for n, piece in enumerate(pieces) if n not in colons])))
+    kept = [piece for n, piece in enumerate(pieces) if n not in colons]
+    return _one_and_other(_taken(_excepted(_counted_out(kept))))
+
+
+def _counted_out(pieces: list[Piece]) -> list[Piece]:
+    """ "I have 3 blocks red blue green I want ...": each of them, in a sentence of its own."""
+    found: list[Piece] = []
+    n = 0
+    while n < len(pieces):
+        end = n + 1
+        things: list[Piece] = []
+        while pieces[n].kind == "total" and end < len(pieces) and len(things) < pieces[n].value:
+            if pieces[end].kind == "thing" and "many" not in pieces[end].named and "count" not in pieces[end].named:
+                things.append(pieces[end])
+            elif pieces[end].kind not in ("comma", "join") and (pieces[end].words != ":" or things):
+                break
+            end += 1
+        ends = end == len(pieces) or pieces[end].kind not in ("rel", "place", "mutual", "join", "comma", "be", "keep")
+        ends |= end < len(pieces) and pieces[end].value in ("make", "stack")
+        if not things or len(things) != pieces[n].value or not ends:
+            found.append(pieces[n])
+            n += 1
+            continue
+        told = found[-1:] and found[-1].kind in ("there", "take")
+        found += [] if told else [Piece("there", "there are", "is")]
+        listed = [p for thing in things for p in (Piece("comma", ","), thing)][1:]
+        found += [*listed[:-2], Piece("join", "and"), listed[-1]]
+        found += [] if end == len(pieces) or pieces[end].kind == "stop" else [Piece("stop", ".")]
+        n = end
+    return found
 
 
 def _excepted(pieces: list[Piece]) -> list[Piece]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Literal
 
 from rpg.language.frames.pieces import Piece, Unclear
-from rpg.language.frames.relation_clauses import NAMES
+from rpg.language.frames.relation_reading import NAMES
 
 Sentence = Sequence[Piece]
 Mood = Literal["is", "must", "do", "open"]

@@ -29,9 +29,10 @@ _SIDES = {
     "behind": "behind|behind of|in back of|(?:at|in|to) the (?:back|rear) of",
 }
 _ASIDES = {
-    "to the left of": "(?:to|on|at) (?:the|its) left(?: hand)?(?: side)?",
-    "to the right of": "(?:to|on|at) (?:the|its) right(?: hand)?(?: side)?",
-    "in front of": "in its front",
+    "to the left of": "(?:to|on|at) (?:the |its )?left(?: hand)?(?: side)?",
+    "to the right of": "(?:to|on|at) (?:the |its )?right(?: hand)?(?: side)?",
+    "in front of": "in its front|in front(?= (?:[.,;:!?]|and|but|while|$))",
+    "behind": "behind(?= (?:[.,;:!?]|and|but|while|$))",
     "on top of": "on top(?! (?:the|a|an|SIZE|COLOR) )|on (?:its|the) top|on (?:its|the) upper side",
     "under": "(?:underneath|beneath|below)(?= (?:[.,;:!?]|and|but|while|$))",
 }
@@ -65,7 +66,7 @@ def _sided() -> list[Pattern]:
         found += patterns("rel", inside, f"{_TO}{side}(?: hand)? side (?:of|from)")
         found += patterns("rel", Relation(f"immediately to the {side} of"), f"(?:to|on) the immediate {side} of")
     for phrase, said in _ASIDES.items():
-        found += patterns("aside", Relation(phrase), said)
+        found += patterns("aside", Relation(phrase), f"(?:(?:right|just|directly) )?(?:{said})")
     return found
 
 
@@ -74,7 +75,7 @@ RELATIONS: list[Pattern] = [
     *patterns("rel", Relation("on"), f"(?:down )?(?:{_NEAR} |flat |squarely )?(?:on|onto|upon|on to)"),
     *patterns("rel", Relation("on", turned=True), "(?:(?:must|should|shall|is to|has to) )?(?:holds?|contains?)"),
     *patterns("rel", Relation("outside"), "outside|outside of"),
-    *patterns("rel", Relation("off"), "off(?! (?:and|,) )|off of"),
+    *patterns("rel", Relation("off"), "off of|off(?! (?:and|,) )"),
     *patterns("rel", Relation("from"), "(?:away )?from"),
     *patterns("rel", Relation("inside"), "to|over to|in|into|inside|within|at|inside of"),
     *patterns("amid", None, "(?:right )?in between(?= (?:[.,;!?]|and|$))"),
@@ -165,6 +166,10 @@ _STARTED = (
     f"(?:position|place|spot|location|pose)|where {_HE} (?:is|are|was|were|"
     "started|starts|began|begins)(?: at the (?:start|beginning))?)"
 )
+_REST = "(?:everything else|all else|all (?:the )?other (?:blocks|cubes)|(?:all )?the (?:others|rest))"
+_AS_IT_IS = (
+    f"(?:exactly )?(?:put|still|in place|untouched|unmoved|alone|(?:where|as) {_HE} (?:already )?(?:is|are)(?: now)?)"
+)
 PLACES: list[Pattern] = [
     *patterns("place", lambda match: f"in the {match['side']} half of the table",
         rf"(?:{_IN} )?(?P<side>{_SIDE}) half(?: of the TABLE)?"),
@@ -200,6 +205,18 @@ PLACES: list[Pattern] = [
         "(?:is|are) not (?:to be )?(?:moved|displaced|disturbed)(?: at all)?"),
     *patterns("still", None,
         "(?:do not|never|without|not) (?:move|moving|shift|shifting|disturb|disturbing|displace|displacing)"),
+    *patterns("empty", None,
+        "(?:(?:left|kept|completely|totally) )?(?:empty|clear|free|vacant|bare|unoccupied|uncovered)"
+        "(?: of (?:all |any )?(?:blocks|cubes|anything))?",
+        "with nothing on (?:it|top|top of it)"),
+    *patterns("nothing", None, "nothing|no (?:blocks?|cubes?)(?! (?:other|but|except) )"),
+    *patterns("others", None,
+        f"{_REST} (?:(?:must|should|shall|has to|have to|is to|are to) )?(?:stays?|remains?|is left|are left|be left) "
+        f"{_AS_IT_IS}",
+        f"(?:keep|leave|keeping|leaving) {_REST} {_AS_IT_IS}",
+        "(?:do not|without|not) (?:move|moving|touch|touching|disturb|disturbing) (?:anything else|any other "
+        "(?:blocks?|cubes?)|the (?:others|rest))",
+        "nothing else (?:must|should|shall|may|is to) (?:move|be moved)"),
     *patterns("elsewhere", None, "(?:elsewhere|somewhere else|anywhere else)(?: on the TABLE)?"),
 ]  # fmt: skip
 """Kind "place", to be told behind "must be", and words for what stays where it is."""

@@ -8,9 +8,10 @@ from itertools import combinations
 
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.related_things import Known, Things
-from rpg.language.frames.relation_clauses import Statement, sentence_read
+from rpg.language.frames.relation_clauses import sentence_read
 from rpg.language.frames.relation_names import THINGS
 from rpg.language.frames.relation_pieces import plainer
+from rpg.language.frames.relation_reading import Statement
 from rpg.language.frames.relation_stages import Sentence, stages_of
 from rpg.language.frames.relation_verbs import GLUE, MOODS
 from rpg.language.frames.relation_words import MUTUAL, PLACES, RELATIONS, Relation
@@ -98,6 +99,12 @@ def _plainly(statement: Statement, things: Things, *, start: bool) -> list[Said]
         objects = things.objects(statement.objects, subjects, on=on, into=into)
     if statement.how == "named":
         return []
+    if statement.how == "others":
+        subjects = things.left()
+        if subjects:
+            return [_plain(replace(statement, how="stay"), things, subjects, [], start=start)]
+        things.others = True
+        return [Said("all other blocks must stay where they are", "others", frozenset(), frozenset())]
     if said in _PLACES:
         return _by_place(statement, said, things, subjects, objects)
     if statement.denied == "each":
@@ -135,7 +142,7 @@ def _plain(statement: Statement, things: Things, subjects: list[Known], objects:
     Raises:
         Unclear: it cannot be so.
     """
-    if any(known.patch for known in subjects) and statement.how not in ("mutual", "rel"):
+    if any(known.patch for known in subjects) and statement.how not in ("mutual", "rel", "empty"):
         raise Unclear
     if any(known.part for known in subjects) and (len(subjects) > 1 or (statement.denied and not subjects[0].rest)):
         raise Unclear
@@ -154,6 +161,8 @@ def _plain(statement: Statement, things: Things, subjects: list[Known], objects:
     them, of = _listed(subjects), frozenset(map(_same, subjects))
     if statement.stacked:
         raise Unclear
+    if statement.how == "empty":
+        return Said(things.empty(subjects), "empty", of, of, denied=True)
     if statement.how in ("stay", "within") and any(known.part for known in subjects):
         raise Unclear
     if statement.how == "within":
@@ -292,7 +301,9 @@ def _text(things: Things, said: list[list[Said]]) -> str:
         _check(stage)
     if not all(stages) or all(s.sort == _TRIVIAL and not s.denied for stage in stages for s in stage):
         raise Unclear
-    told = [things.told, *(f"At the start, {s.text}." for s in start)]
+    if things.others and any(known.count > 1 for known in things.known):
+        raise Unclear
+    told = [*([] if things.others else [things.told]), *(f"At the start, {s.text}." for s in start)]
     if len(stages) == 1:
         plain = dict.fromkeys(s.text for s in stages[0])
         return " ".join([*told, *(f"{text[0].upper()}{text[1:]}." for text in plain)])
@@ -318,7 +329,7 @@ def _check(said: Sequence[Said]) -> None:
             raise Unclear
         if len(one.about) > 1 and one.about == other.about and not _agree(one, other):
             raise Unclear
-        if one.of & other.of and len(one.about) == len(other.about) == 1 and _TRIVIAL not in sorts:
+        if one.of & other.of and len(one.about) == len(other.about) == 1 and not sorts & {_TRIVIAL, "empty"}:
             raise Unclear  # in two places
 
 

@@ -201,7 +201,11 @@ def _said(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int) -> Iterato
     if kind == "aside" and not denied and not piece.value.phrase.endswith(("left of", "right of")):  # of the table?
         yield (Statement(named, "rel", piece.value, (replace(piece, kind="other"),)),), start + 1
     if kind in ("mutual", "place", "elsewhere"):
-        yield (Statement(named, kind, piece.value or "", denied=denied),), start + 1
+        stated = Statement(named, kind, piece.value or "", denied=denied)
+        yield (stated,), start + 1
+        if kind == "place" and not denied and kind_at(pieces, start + 1) == "rel":
+            for more, last in _said(pieces, known_now(named), start + 1):
+                yield (stated, *more), last
     if kind == "keep" and not denied and kind_at(pieces, start + 1) == "stay":
         yield (Statement(named, "stay"),), start + 2
     if kind == "within" and not denied:
@@ -253,7 +257,7 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
             yield (stated, Statement(both, "gap" if how == "gap" else "mutual", what)), wide + 1
         if kind_at(pieces, end) == "have" or (kind_at(pieces, end + 1) == "have" and kind_at(pieces, end) == "comma"):
             yield from _with(pieces, stated, end + (kind_at(pieces, end) == "comma"))
-        if getattr(piece.value, "phrase", "") == "from" and kind_at(pieces, end) == "rel":
+        if getattr(piece.value, "phrase", "") == "from" and kind_at(pieces, end) in ("rel", "place"):
             for more, last in _said(pieces, known_now(named), end):
                 yield (stated, *more), last
         if kind_at(pieces, end) == "rel" and len(objects) == 1 and _piled(piece, pieces[end]):

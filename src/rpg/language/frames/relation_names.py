@@ -30,6 +30,9 @@ THINGS: list[Pattern] = [
     *patterns("thing", "block",
         rf"(?P<color>COLOR)(?P<many>s)? (?P<noun>{_NOUN}) (?P<count>NUM)(?: pieces?)?"
         "(?= (?:on|onto|in|must|should|is|are|go|next) )"),
+    *patterns("thing", "block",
+        rf"(?P<count>NUM) (?P<noun>{_NOUN}) (?:of (?:the )?color |colored |in )?(?P<color>COLOR)"
+        rf"(?= (?!blocks?|cubes?|{_PATCH}))"),
     *patterns("except", None,
         "(?:, )?(?:but|except|except for|save|apart from|with the exception of)(?: for)? (?P<but>NUM)(?: of them)?"
         "(?= (?:[.,;!?]|$))"),

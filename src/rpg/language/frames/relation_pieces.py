@@ -7,7 +7,9 @@ from dataclasses import replace
 
 from rpg.language.frames.pieces import Piece
 from rpg.language.frames.relation_reading import NAMES
+from rpg.language.frames.relation_words import Relation
 
+_ON = ("on", "on top of")
 _ONE = frozenset({"a", "an", "one", "another"})
 
 
@@ -19,7 +21,62 @@ def plainer(pieces: Sequence[Piece]) -> list[Piece]:
         if pieces[n].words == ":" and pieces[n - 1].kind in NAMES and pieces[n + 1].kind in ("rel", "place", "mutual")
     }
     kept = [piece for n, piece in enumerate(pieces) if n not in colons]
-    return _one_and_other(_taken(_excepted(_counted_out(kept))))
+    return _one_and_other(_taken(_excepted(_listed(_no_longer(_counted_out(_headed(kept)))))))
+
+
+def _headed(pieces: list[Piece]) -> list[Piece]:
+    """ "Mat: red, blue": what stands behind the colon is on it."""
+    found = list(pieces)
+    for n, piece in enumerate(pieces[:-2]):
+        if pieces[n + 1].words != ":" or (n and pieces[n - 1].kind != "stop"):
+            continue
+        end = next((m for m in range(n + 2, len(pieces)) if pieces[m].kind == "stop"), len(pieces))
+        listed = pieces[n + 2 : end]
+        if any(p.kind not in ("thing", "comma", "join") or p.value == "patch" for p in listed):
+            continue
+        listed = _as_a_list([p for p in listed if p.kind == "thing"])
+        if piece.value == "patch":
+            found[n:end] = [*listed, Piece("rel", "on", Relation("on")), piece]
+        elif piece.kind == "place":
+            found[n:end] = [*listed, replace(piece, words="on the table"), Piece("comma", ",")]
+    return found
+
+
+def _as_a_list(things: Sequence[Piece]) -> list[Piece]:
+    """ "A, B and C"."""
+    listed = [p for thing in things for p in (Piece("comma", ","), thing)][1:]
+    return [*listed[:-2], Piece("join", "and"), listed[-1]] if len(things) > 1 else listed
+
+
+def _no_longer(pieces: list[Piece]) -> list[Piece]:
+    """ "A is not on B any more", "A is no longer on B": it is put off it."""
+    found = list(pieces)
+    for n, piece in enumerate(pieces):
+        if piece.kind != "anymore":
+            continue
+        begin = max((m + 1 for m in range(n) if pieces[m].kind in ("stop", "join", "then", "that")), default=0)
+        end = next(
+            (m for m in range(n, len(pieces)) if pieces[m].kind in ("stop", "join", "then", "that")), len(pieces)
+        )
+        on = [m for m in range(begin, end) if isinstance(r := pieces[m].value, Relation) and r.phrase in _ON]
+        denied = [m for m in range(begin, end) if pieces[m].kind == "not" and pieces[m].value == "not"]
+        if len(on) == 1 and not pieces[on[0]].value.turned and len(denied) == (not piece.words.startswith("no")):
+            found[on[0]] = replace(pieces[on[0]], value=Relation("off"))
+            for m in (n, *denied):
+                found[m] = Piece("dropped", "")
+    return [piece for piece in found if piece.kind != "dropped"]
+
+
+def _listed(pieces: list[Piece]) -> list[Piece]:
+    """ "One cube red one cube blue": two things, one after the other, that make a sentence."""
+    found: list[Piece] = []
+    for n, piece in enumerate(pieces):
+        found.append(piece)
+        begin = max((m + 1 for m in range(n) if pieces[m].kind == "stop"), default=0)
+        end = next((m for m in range(n, len(pieces)) if pieces[m].kind == "stop"), len(pieces))
+        if end > n + 1 and all(p.kind == "thing" and _is_one(p) for p in pieces[begin:end]):
+            found.append(Piece("comma", ",") if end > n + 2 else Piece("join", "and"))
+    return found
 
 
 def _counted_out(pieces: list[Piece]) -> list[Piece]:
@@ -43,8 +100,7 @@ def _counted_out(pieces: list[Piece]) -> list[Piece]:
             continue
         told = found[-1:] and found[-1].kind in ("there", "take")
         found += [] if told else [Piece("there", "there are", "is")]
-        listed = [p for thing in things for p in (Piece("comma", ","), thing)][1:]
-        found += [*listed[:-2], Piece("join", "and"), listed[-1]]
+        found += _as_a_list(things)
         found += [] if end == len(pieces) or pieces[end].kind == "stop" else [Piece("stop", ".")]
         n = end
     return found

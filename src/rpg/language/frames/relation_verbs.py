@@ -45,7 +45,7 @@ MOODS: list[Pattern] = [
     *patterns("be", "make",
         f"(?:{_DO})(?: (?:down|over|up))?(?= (?!where|alone|as))", "(?:move|slide|push|shift) (?:away|over|back)"),
     *patterns("be", "make", f"(?:would you mind|how about) (?:{_DOING})"),
-    *patterns("be", "is", "(?:do|does)(?= not (?:touch|stand|lie|sit|go|belong|rest) )"),
+    *patterns("be", "is", "(?:do|does)(?= not (?:touch|stand|lie|sit|go|belong|rest|end|come|get|land|finish|stay) )"),
     *patterns("be", "stack", "stack(?: up)?"),
     *patterns("be", "is", "is|are|being|be", f"(?:(?:is|are|be|being|has been|have been) )?(?:{_RESTS})",
         "lie|hide|live|wait"),

@@ -76,7 +76,7 @@ RELATIONS: list[Pattern] = [
     *patterns("rel", Relation("on", turned=True), "(?:(?:must|should|shall|is to|has to) )?(?:holds?|contains?)"),
     *patterns("rel", Relation("outside"), "outside|outside of"),
     *patterns("rel", Relation("off"), "off of|off(?! (?:and|,) )"),
-    *patterns("rel", Relation("from"), "(?:away )?from"),
+    *patterns("rel", Relation("from"), "(?:away )?from(?: on top of| the top of| off| off of| on)?"),
     *patterns("rel", Relation("inside"), "to|over to|in|into|inside|within|at|inside of"),
     *patterns("amid", None, "(?:right )?in between(?= (?:[.,;!?]|and|$))"),
     *patterns("rel", Relation("on top of"),
@@ -185,7 +185,8 @@ PLACES: list[Pattern] = [
         "(?:right )?(?:in|at|into|to|on) the (?:very |exact )?(?:middle|center) of the TABLE",
         "(?:in|at) the TABLE (?:center|middle)"),
     *patterns("place", "on the table",
-        f"(?:{_NEAR} |flat )?(?:on|onto|upon) (?:the |a )?(?:TABLE|ground|floor)(?: top| itself)?"),
+        "(?:the )?TABLE(?= : )",
+        f"(?:{_NEAR} |flat |back )?(?:on|onto|upon|to) (?:the |a )?(?:TABLE|ground|floor)(?: top| itself)?"),
     *patterns("stay", None,
         f"(?:exactly |right )?where {_HE} (?:already |now |currently )?(?:is|are|stands?|lies?|sits?)(?: now)?",
         "where is",
@@ -217,6 +218,7 @@ PLACES: list[Pattern] = [
         "(?:do not|without|not) (?:move|moving|touch|touching|disturb|disturbing) (?:anything else|any other "
         "(?:blocks?|cubes?)|the (?:others|rest))",
         "nothing else (?:must|should|shall|may|is to) (?:move|be moved)"),
+    *patterns("anymore", None, "any ?more|any longer|no longer|no more(?! than )"),
     *patterns("elsewhere", None, "(?:elsewhere|somewhere else|anywhere else)(?: on the TABLE)?"),
 ]  # fmt: skip
 """Kind "place", to be told behind "must be", and words for what stays where it is."""

@@ -161,6 +161,10 @@ def _plain(statement: Statement, things: Things, subjects: list[Known], objects:
     them, of = _listed(subjects), frozenset(map(_same, subjects))
     if statement.stacked:
         raise Unclear
+    if statement.how == "empty" and any(
+        p.value == "block" and p.named.get("noun", "one") == "one" for p in (*statement.subjects,)
+    ):
+        raise Unclear  # a block, or a patch?
     if statement.how == "empty":
         return Said(things.empty(subjects), "empty", of, of, denied=True)
     if statement.how in ("stay", "within") and any(known.part for known in subjects):
@@ -336,6 +340,8 @@ def _check(said: Sequence[Said]) -> None:
 def _agree(one: Said, other: Said) -> bool:
     """Whether two statements about the same things hold together."""
     by_sort = {one.sort: one, other.sort: other}
+    if "on" in by_sort and by_sort.keys() & {"close", "tight", "side"}:
+        return by_sort["on"].denied and not all(s.denied for s in (one, other))
     if by_sort.keys() == {"between", "tight"}:
         return not (one.denied or other.denied)
     if "side" in by_sort and by_sort.keys() & {"close", "tight"}:

@@ -251,8 +251,10 @@ def _related(pieces: Sequence[Piece], named: tuple[Piece, ...], at: int, denied:
             far = Relation(f"{pieces[side].value.removeprefix('be ').removesuffix(' apart')} from")
             yield (stated, Statement(known_now(named), "rel", far, known_now(objects))), side + 1
         wide = side + (kind_at(pieces, side) == "have")
-        if kind_at(pieces, wide) == "width" and kind_at(pieces, wide + 1) != "they":
-            how, what = pieces[wide].value
+        measured = kind_at(pieces, wide) in ("width", "apart", "gap")
+        if measured and kind_at(pieces, wide + 1) not in NAMES:
+            how, what = (pieces[wide].value if kind_at(pieces, wide) == "width"
+                         else (pieces[wide].kind, pieces[wide].value))  # fmt: skip
             both = known_now((*named, *objects))
             yield (stated, Statement(both, "gap" if how == "gap" else "mutual", what)), wide + 1
         if kind_at(pieces, end) == "have" or (kind_at(pieces, end + 1) == "have" and kind_at(pieces, end) == "comma"):

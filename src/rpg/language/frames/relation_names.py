@@ -65,6 +65,8 @@ THINGS: list[Pattern] = [
         rf"the (?P<nth>third|fourth|fifth|sixth|last)(?: (?P<color>COLOR))?(?: (?:{_ONE}))?", "the other"),
     *patterns("total", lambda match: number(match["count"]),
         r"(?:the )?(?P<count>[2-9]) (?:blocks|cubes|bricks|boxes|letters|things|objects)(?: colored| in)?"),
+    *patterns("one", None,
+        "one(?= (?:on|onto|in|to|next|left|right|behind|beside|under|near|must|should|goes|touches|touching|is|at) )"),
     *patterns("neither", None, "neither(?: of (?:them|the 2|these))?"),
     *patterns("it", "any", "it|that one|this one"),
     *patterns("it", "block", "(?:the|that|this) (?:block|cube)"),

@@ -20,8 +20,26 @@ def plainer(pieces: Sequence[Piece]) -> list[Piece]:
         for n in range(1, len(pieces) - 1)
         if pieces[n].words == ":" and pieces[n - 1].kind in NAMES and pieces[n + 1].kind in ("rel", "place", "mutual")
     }
-    kept = [piece for n, piece in enumerate(pieces) if n not in colons]
-    return _one_and_other(_taken(_excepted(_listed(_no_longer(_counted_out(_headed(kept)))))))
+    found = [piece for n, piece in enumerate(pieces) if n not in colons]
+    for step in (_headed, _counted_out, _no_longer, _listed, _excepted, _one_by_one, _taken, _one_and_other):
+        found = step(found)
+    return found
+
+
+def _one_by_one(pieces: list[Piece]) -> list[Piece]:
+    """ "The two blue blocks, one on A and one on B", or "the other on B": one of two, and the other."""
+    ones = [n for n, piece in enumerate(pieces) if piece.kind == "one"]
+    lots = [p for p in pieces[: ones[0]] if p.kind == "thing" and p.value == "block"] if ones else []
+    if len(ones) not in (1, 2) or len(lots) != 1 or lots[0].named.get("count") != "2":
+        return pieces
+    if len(ones) == 1 and not any(p.kind == "rest" for p in pieces[ones[0] :]):
+        return pieces
+    found = list(pieces)
+    lot = {"color": lots[0].named["color"]}
+    found[ones[0]] = Piece("part", "one of them", None, {"part": "1", "count": "2", **lot})
+    for n in ones[1:]:
+        found[n] = Piece("rest", "the other one", None, lot)
+    return found
 
 
 def _headed(pieces: list[Piece]) -> list[Piece]:

@@ -133,10 +133,10 @@ MUTUAL: list[Pattern] = [
         "(?:swap|swaps|exchange|exchanges|switch|switches|trade|trades|change|changes) (?:the |their )?"
         f"(?:places|positions|spots)(?: with {_EACH})?"),
     *patterns("apart", lambda match: f"be {_far(match)} apart",
-        f"(?P<far>{_FAR}) between", f"(?:a |the )?distance of (?P<far>{_FAR}) between"),
+        f"(?:a |the )?distance of (?P<far>{_FAR}) between", f"(?:a )?(?P<far>{_FAR})(?: of)? distance between"),
     *patterns("gap", _far,
         f"(?:(?:a|the) )?(?:gap|space|clearance) of (?P<far>{_FAR}) between",
-        f"(?:a )?(?P<far>{_FAR})(?: wide)?(?: of)? (?:gap|space|clearance) between"),
+        f"(?:a )?(?P<far>{_FAR})(?: wide)?(?:(?: of)? (?:gap|space|clearance))? between"),
     *patterns("between", "from", "(?:the )?(?:distance|center distance) from"),
     *patterns("between", "apart", "(?:the )?(?:distance|center distance) between"),
     *patterns("between", "gap", "(?:the )?(?:gap|space|clearance) between"),
@@ -186,7 +186,9 @@ PLACES: list[Pattern] = [
         "(?:in|at) the TABLE (?:center|middle)"),
     *patterns("place", "on the table",
         "(?:the )?TABLE(?= : )",
-        f"(?:{_NEAR} |flat |back )?(?:on|onto|upon|to) (?:the |a )?(?:TABLE|ground|floor)(?: top| itself)?"),
+        f"(?:{_NEAR} |flat |back )?(?:on|onto|upon|to) (?:the |a )?(?:TABLE|ground|floor)(?: top| itself)?(?: only)?",
+        "not (?:to be |be )?on (?:top of )?(?:anything(?: else)?|any (?:other )?(?:block|cube)|another "
+        "(?:block|cube))"),
     *patterns("stay", None,
         f"(?:exactly |right )?where {_HE} (?:already |now |currently )?(?:is|are|stands?|lies?|sits?)(?: now)?",
         "where is",

@@ -164,10 +164,9 @@ class Things:
     def _it(self, piece: Piece, others: Sequence[Known], *, subject: bool) -> Known:
         blocks = [known for known in self.known if known.count == 1 and known not in others]
         if piece.value in ("former", "latter"):
-            one, other = blocks if len(blocks) == len(self.known) == 2 else (None, None)
-            if not (one and other) or one.patch or other.patch:
+            if len(self.known) != 2 or any(known.patch or known.count > 1 for known in self.known):
                 raise Unclear
-            return one if piece.value == "former" else other
+            return self.known[piece.value == "latter"]
         return self._one([known for known in blocks if not known.patch or not (subject or piece.value == "block")])
 
     def _thing(self, piece: Piece, *, on: bool, both: int) -> Known:

@@ -54,6 +54,8 @@ def _clauses(pieces: Sequence[Piece], at: int, *, first: bool, denied: bool) -> 
             if not named and any(piece.words == "until" for piece in pieces[end:behind]):
                 continue  # it is so only as long as something else is not
             for rest in _clauses(pieces, behind, first=named, denied=any(s.denied for s in statements)):
+                if behind == end and rest[0].how == "named":
+                    continue  # nothing is said of what stands there
                 yield (*statements, *rest)
 
 

@@ -32,7 +32,7 @@ THINGS: list[Pattern] = [
         "(?= (?:on|onto|in|must|should|is|are|go|next) )"),
     *patterns("thing", "block",
         rf"(?P<count>NUM) (?P<noun>{_NOUN}) (?:of (?:the )?color |colored |in )?(?P<color>COLOR)"
-        rf"(?= (?!blocks?|cubes?|{_PATCH}))"),
+        rf"(?= (?!blocks?|cubes?|{_PATCH}|(?:, |and )*COLOR))"),
     *patterns("except", None,
         "(?:, )?(?:but|except|except for|save|apart from|with the exception of)(?: for)? (?P<but>NUM)(?: of them)?"
         "(?= (?:[.,;!?]|$))"),

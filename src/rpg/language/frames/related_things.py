@@ -166,7 +166,7 @@ class Things:
         if piece.value in ("former", "latter"):
             if len(self.known) != 2 or any(known.patch or known.count > 1 for known in self.known):
                 raise Unclear
-            return self.known[piece.value == "latter"]
+            return self.known[1 if piece.value == "latter" else 0]
         return self._one([known for known in blocks if not known.patch or not (subject or piece.value == "block")])
 
     def _thing(self, piece: Piece, *, on: bool, both: int) -> Known:

@@ -103,6 +103,9 @@ def _clause(pieces: Sequence[Piece], at: int, *, first: bool) -> Iterator[Parse]
             yield (Statement(named, "named"),), end
         if kind_at(pieces, end) == "aside" and words_at(pieces, end + 1) == "and":
             yield from _both_beside(pieces, named, end)
+        lies = kind_at(pieces, at) == "take" and kind_at(pieces, end) == "rel" and not stacked
+        if lies and getattr(pieces[end].value, "phrase", "") not in ("off", "from", "inside"):
+            continue  # where it is when it is taken
         for statements, last in _of(pieces, named, end, more=first):
             yield tuple(replace(statement, stacked=stacked) for statement in statements), last
         yield from _inserted(pieces, named, end)

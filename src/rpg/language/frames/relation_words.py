@@ -66,7 +66,9 @@ def _sided() -> list[Pattern]:
         found += patterns("rel", inside, f"{_TO}{side}(?: hand)? side (?:of|from)")
         found += patterns("rel", Relation(f"immediately to the {side} of"), f"(?:to|on) the immediate {side} of")
     for phrase, said in _ASIDES.items():
-        found += patterns("aside", Relation(phrase), f"(?:(?:right|just|directly) )?(?:{said})")
+        found += patterns("aside", Relation(phrase), said)
+        if phrase in _SIDES:
+            found += patterns("aside", _in_front("close", phrase), f"(?P<close>right|just|directly) (?:{said})")
     return found
 
 

@@ -14,7 +14,6 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.goals.two_ways import across
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
-
 _LEVEL = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Beside, r.Adjacent)
 """How a block on the table stands to another."""
 

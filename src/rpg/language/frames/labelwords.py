@@ -47,7 +47,10 @@ LABELS: list[Pattern] = [
     *patterns("lot", None,
         rf"(?:(?P<det>the|a|an|one|my) )?(?:{_ONE} )?(?:{_ONE} (?:{_CARRIES} (?:the |a |an )?(?:{_NOUN} "
         rf")?)?)?(?P<label>{_L})(?: {_ONE})?(?! blocks)",
-        r"(?P<count>\d|a|an|one) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)"),
+        r"(?P<count>\d|a|an|one) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)",
+        rf"(?:the )?(?P<label>[A-Z])(?: {_ONE})? (?:(?:x|times) (?P<count>\d)|(?:(?:appears|occurs|comes) )?"
+        r"(?P<often>once(?! each)|twice|\d(?= times))(?: times)?)",
+        r"(?P<count>\d) (?:x|times) (?:the )?(?P<label>[A-Z])"),
     *patterns("range", _range,
         rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:(?P<way>from|starting with|beginning with) )?(?P<first>{_L}|"
         rf"one) {_TO} (?P<last>{_L})(?: inclusive)?",

@@ -26,8 +26,9 @@ _BINDING = frozenset({
 """With these, sentences do not stand for themselves."""
 _REFERRING = frozenset({"it", "they", "this", "these", "them", "those", "all", "both", "each"})
 """A sentence that begins with these is of what is told before it."""
-_ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) ")
-"""Blocks of no told look may be those that another sentence names, and what there is may be there already."""
+_ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) |The blocks do not touch")
+"""Blocks of no told look may be those that another sentence names, what there is may be there already, and "the blocks"
+that are not to touch would be all."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
 """So many blocks may be all that the other sentence names."""
 _MOST = 120

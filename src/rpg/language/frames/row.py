@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from rpg.language.frames import rowparts, rowwords, shared
+from rpg.language.frames import rowparts, rowsizes, rowwords, shared
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
 from rpg.language.frames.rowcounts import facts_of, facts_of_listed, numbered
@@ -22,6 +22,7 @@ PATTERNS: list[Pattern] = [
         r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+)(?= "
         r"(?:in|on|make|making|form|forming) (?:a|one) )", r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
     *rowparts.OF_THEM,
+    *rowsizes.SIZED,
     *rowwords.FIGURE,
     *rowwords.PLACES,
     *rowwords.DIRECTIONS,
@@ -43,20 +44,22 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which blocks it is made of, or what is told of their order leaves it open.
     """
+    pieces = rowsizes.sized(pieces)
     check_lots(pieces)
     check_words(pieces)
     check_told_once(pieces)
     noun = noun_of(pieces)
     lots_at = lots_of(pieces)
     said = said_of(pieces, lots_at)
-    pattern = pattern_of(pieces)
+    by_size = rowsizes.by_size(pieces)
+    pattern = pattern_of(pieces) or by_size
     total, each, direction = (one(pieces, kind) for kind in ("total", "each", "direction"))
     size = total.value if total else None
-    row = Row(noun, direction.value if direction else "", pattern)
+    row = Row(noun, rowsizes.way(pieces, direction.value if direction else ""), pattern)
     row.set_off = bool(said.lists) and set_off(
         pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0])
     )
-    order = order_of(pieces, said, row)
+    order = None if by_size else order_of(pieces, said, row)
     if (
         said.lists
         and adds(pieces)
@@ -210,8 +213,14 @@ def check_words(pieces: Sequence[Piece]) -> None:
     """Words that tell of what stands beside them.
 
     Raises:
-        Unclear: "then" is no list, or a number of blocks has a place ("the three blocks in the middle").
+        Unclear: "then" is no list, "all but two" are not all, or a number of blocks has a place ("the three "
+        "blocks in the middle").
     """
+    of_all = False
+    for piece in pieces:
+        if piece.words == "but" and of_all:
+            raise Unclear
+        of_all = (of_all and piece.kind != "break") or not _ALL.isdisjoint(piece.words.split())
     bound = [piece for piece in pieces if piece.kind != "glue"]
     for piece, after in pairwise([*bound, Piece("end", "")]):
         if {piece.kind, after.kind} == {"total", "place"}:
@@ -220,6 +229,9 @@ def check_words(pieces: Sequence[Piece]) -> None:
     for piece, after in pairwise([*bound, Piece("end", "")]):
         if piece.value == "now" and after.kind not in ("lot", "place"):
             raise Unclear
+
+
+_ALL = frozenset({"all", "each", "every", "everything", "any", "none", "no"})
 
 
 def check_told_once(pieces: Sequence[Piece]) -> None:

@@ -14,7 +14,8 @@ _LENGTH = (
 )
 _NEIGHBORS = (
     "(?: (?:in )?(?:between|from) (?:(?:each|all|the|every|any|every 2|each 2|any 2|2|all the|all of the|adjacent|"
-    "neighboring|adjoining|consecutive|successive|their|each and every) )*(?:BLOCK|neighbors?|neighboring|ones?|them|"
+    "neighboring|adjoining|consecutive|successive|their|each and every|all of|each of|any 2 of|every 2 of|each 2 of) "
+    ")*(?:BLOCK|neighbors?|neighboring|ones?|them|"
     "other|another|faces|pair|pairs|edges|sides|pair of neighbors|pair of BLOCK|pair of neighboring BLOCK)(?: and "
     "(?:the )?(?:next|its neighbor|each other)(?: one| BLOCK)?| to (?:the )?next(?: one)?)?)"
 )
@@ -83,6 +84,13 @@ SPACING: list[Pattern] = [
         "packed closely|packed tightly) (?:right |tightly |firmly |close |flush |snugly )?(?:together|against each "
         "other|against one another)",
         "(?:tightly|densely) packed", "(?:flush|snug) (?:together|against each other|against one another)"),
+    *patterns("spacing", "The blocks do not touch each other.",
+        "(?:(?:but|and|with|so that) )*(?:none(?: of (?:them|the BLOCK))?|no 2(?: BLOCK| of them)?) (?:of them "
+        ")?(?:BE |may "
+        "|must |should )?(?:touching|touch)(?: (?:each other|one another|its neighbors?|another))?",
+        "(?:(?:but|and|they|which|that|the BLOCK) )*(?:(?:do|must|should|may|are) )*(?:not|without) (?:be "
+        ")?(?:touching|"
+        "touch)(?: (?:each other|one another))?"),
     *patterns("spacing", "The row is evenly spaced.",
         "(?:(?:they|all|BE|to) )*(?:evenly|equally|regularly|uniformly|equidistantly) (?:spaced|spread|distributed|"
         "far apart|spaced out|placed|distant|separated|set|laid|arranged|apart)(?: out)?(?: apart)?(?: from (?:each "
@@ -113,7 +121,12 @@ PATTERNED: list[Pattern] = [
         ")*(?:alternating(?:ly)?|alternate[sd]?|alternately|alternation|interleaved|striped|zebra)(?: (?:in "
         ")?(?:color|colors|colored|pattern|order|between|from|fashion|sequence|stripes))*", "(?:always )?(?:in |by "
         ")?(?:taking |take |takes )?turns", "(?:1|one) after the other in turn",
-        "(?:so )?(?:that )?no (?:2|two) (?:neighbors|adjacent BLOCK|neighboring BLOCK) (?:have|of|BE)(?: of)? the "
+        "(?:(?:so|and|with|that) )*no (?:2|two) (?:BLOCK )?(?:of|in|with|having) the same color (?:(?:may|must|"
+        "should|can) )?"
+        "(?:BE |touch |touching )?(?:(?:directly|right|immediately) )?(?:next to|beside|adjacent to|neighboring) "
+        "(?:each "
+        "other|one another)", "(?:so )?(?:that )?no (?:2|two) (?:neighbors|adjacent BLOCK|neighboring BLOCK) "
+        "(?:have|of|BE)(?: of)? the "
         "same color"),
     *patterns("pattern", "mirrored",
         f"(?:(?:in|with|an|a|of|the|have|has|having|and|BE|that|which|forms?|as|color|colors|it|they|their|its|whose|"
@@ -162,6 +175,9 @@ REST: list[Pattern] = patterns(
     r"ones|remaining BLOCK|remaining|other (?P<n>\d+)|remaining (?P<m>\d+)|inner (?P<k>\d+))(?: of (?:them|it|the "
     r"BLOCK))?(?: (?:BE|all))*",
     "everything else(?: BE)?",
+    "(?:BE )?(?:in|at|on|for|to|fill|fills|filling|take|takes|taking|occupy|occupies|occupying) (?:all )?(?:of "
+    ")?(?:the )?"
+    "(?:remaining|other|free|empty|rest of the|leftover) (?:positions|places|spots|slots|spaces)",
 )
 """Kind "rest": what is told next is all that is left."""
 
@@ -181,7 +197,8 @@ WHERE: list[Pattern] = [
 WORDS: list[Pattern] = [
     *patterns("listed", "now", "then(?: (?:comes|come|follows|goes))?(?: (?:again|another|next|finally|"
         "lastly))?", "(?:which BE )?followed (?:next )?by", "next(?: comes| follows)?(?! to)", "after (?:that|it|"
-        "which)(?: comes| follows)?", "(?:and )?(?:finally|lastly)", "→", "after (?:this|that|it)"),
+        "which)(?: comes| follows)?", "(?:and )?(?:finally|lastly)", "→", "after (?:this|that|it)",
+        "(?:then|(?:which BE )?followed by|next|and finally|finally|lastly|and lastly)(?: comes)? (?:yet )?another"),
     *patterns("stock", None, "(?:there (?:is|are)|i have(?: got)?|we have(?: got)?|you have(?: got)?|you get|take|"
         "here (?:is|are)|given(?: (?:is|are))?|given :|(?:available|materials?|inventory|stock|blocks|cubes)(?: "
         "(?:are|is))? :)"),
@@ -211,7 +228,9 @@ OF_THEM: list[Pattern] = [
         r"(?: ones)?",
         rf"(?P<count>NUM) of (?:them|these|those|which|the BLOCK) (?P<color>COLOR){_END_HERE}(?: ones)?",
         r"all (?P<count>NUM) of the (?P<color>COLOR)(?P<many>s)?(?: (?P<noun>BLOCK|ones))?",
-        r"(?P<color>COLOR)(?: BLOCK)? (?:x|X|times) (?P<count>\d+)", r"(?P<count>\d+) (?:x|X|times) (?P<color>COLOR)"),
+        r"(?P<color>COLOR)(?: BLOCK)? (?:x|X|times) (?P<count>\d+)",
+        r"(?:the )?(?P<color>COLOR)(?: (?:BLOCK|one))? (?:BE |appears |occurs |comes )?(?P<count>once|twice|\d+(?= "
+        r"times))(?: times)?", r"(?P<count>\d+) (?:x|X|times) (?P<color>COLOR)"),
     *patterns("total", lambda match: int(match["n"]),
         r"(?P<n>\d+) of (?:them|these|those)(?= (?:[,.;)]|$))",
         r"(?P<n>\d+)(?= (?:differently|different|distinct) colored BLOCK )"),

@@ -182,11 +182,13 @@ def _refined(segment: _Segment, known: dict[int, Lot]) -> Placed:
 
 
 def _both_ends(lots: list[Lot], place: Place, many: int) -> list[Placed]:
-    """ "Red and blue at the ends": one each.
+    """ "Red and blue at the ends": one each; in the middle: in any order.
 
     Raises:
         Unclear: two kinds of blocks at one place.
     """
+    if place[0] == "middle" and many == 1:
+        return [Placed(lot, ("inner", 0)) for lot in lots]
     if place[0] != "ends" or many != 1 or any(lot.count not in (None, 1) for lot in lots):
         raise Unclear
     return [Placed(lot, name) for lot, name in zip(lots, (("end", 0), ("other", 0)), strict=True)]

@@ -17,6 +17,8 @@ _PATTERNS = {
     "mirrored": " with mirrored colors",
     "rainbow": " in rainbow order",
     "grouped": " grouped by color",
+    "increasing": " by increasing size",
+    "decreasing": " by decreasing size",
 }
 _LENGTHWAYS = {"left": "from left to right", "front": "from front to back"}
 _NTH = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
@@ -101,8 +103,7 @@ def _arranged(row: Row, noun: str, names: Names) -> str:
             raise Unclear
         toward = f" {row.direction}" if row.direction else ""
         return f"{lay}{_PATTERNS[pattern]}{toward}."
-    if {"end", "other"} <= {name for name, *_ in row.facts}:
-        row.facts = [fact for fact in row.facts if (fact[0], fact[3]) != ("middle", size - 2)]  # all that is left
+    row.facts = _without_rest(row.facts, size)
     slots = filled(size, [fact for fact in row.facts if fact[0] not in ("end", "other")], row.near, row.first)
     left = row.counts - Counter(look for look in slots if look)
     if Counter(look for look in slots if look) - row.counts:
@@ -120,6 +121,26 @@ def _arranged(row: Row, noun: str, names: Names) -> str:
     return _partly(row, lay, noun, names)
 
 
+def _without_rest(facts: list[Fact], size: int) -> list[Fact]:
+    """What is told of places but for all that is left between two ends.
+
+    Raises:
+        Unclear: some blocks in the middle, in no told order.
+    """
+    names = {name for name, *_ in facts}
+    inner = sum(many for name, _, _, many in facts if name == "inner")
+    ends = {"end", "other"} <= names or (
+        inner and (names & _TWO or {"left", "right"} <= names or {"front", "back"} <= names)
+    )
+    if inner and (inner != size - 2 or not ends):
+        raise Unclear
+    kept = [fact for fact in facts if fact[0] != "inner"]
+    return [fact for fact in kept if (fact[0], fact[3]) != ("middle", size - 2)] if {"end", "other"} <= names else kept
+
+
+_TWO = frozenset({"ends", "each end"})
+
+
 def _difference(counts: Counter[str]) -> int:
     one, other = counts.values()
     return one - other
@@ -127,10 +148,10 @@ def _difference(counts: Counter[str]) -> int:
 
 def _uncolored(row: Row, noun: str) -> str:
     """Blocks of which no look is told."""
-    if row.size < 2 or row.facts or row.pattern not in ("", "different", "same", "rainbow"):
+    if row.size < 2 or row.facts or row.pattern not in ("", "different", "same", "rainbow", "increasing", "decreasing"):
         raise Unclear
     colors = {"different": " of different colors", "same": " of the same color"}.get(row.pattern, "")
-    order = " in rainbow order" * (row.pattern == "rainbow") + f" {row.direction}" * bool(row.direction)
+    order = _PATTERNS.get(row.pattern, "") + f" {row.direction}" * bool(row.direction)
     return f"Lay {row.size} blocks{colors} in a {noun}{order}."
 
 

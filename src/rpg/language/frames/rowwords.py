@@ -50,7 +50,7 @@ def _at_side(side: str) -> list[Pattern]:
         f"(?:BE )?(?:placed |located |positioned )?(?:on|at|in|to|forming|as|occupying|occupies|occupy|taking|takes|"
         f"filling|fills) (?:the|its) {_VERY}?(?:{end}){_END}(?:{_OF_IT}|{_NOT_OF}){plain}{bare}",
         f"(?:BE )?(?:on|at) (?:the )?(?:{_VERY})?(?:{end}){_END}{_NOT_OF}",
-        f"(?:(?:on|at) )?(?:the |its )?(?:{_VERY})?(?:{end}){_END}?(?= (?:BE |: ))(?: "
+        f"(?<!from )(?<!from the )(?:(?:on|at) )?(?:the |its )?(?:{_VERY})?(?:{end}){_END}?(?= (?:BE |: ))(?: "
         f"BE)?", f"the (?:{_VERY})?(?:{end}){_END}? (?:one|BLOCK)(?= (?:BE |: ))(?: BE)?",
         f"(?:the )?{_VERY}?(?:{end}){_END}(?= (?:a|one|the|NUM) )",
         f"(?:BE )?(?:the )?(?:BLOCK |one )?(?:BE )?(?:the )?(?:{most})(?:{_ONE}| "
@@ -87,12 +87,14 @@ PLACES: list[Pattern] = [
         "(?:BE )?in (?:the )?last (?:place|position|spot)", "(?:BE )?at the end(?: of (?:it|the (?:row|line)))?"),
     *(pattern for side in ("left", "right") for pattern in patterns("place", (side, 1),
         f"(?:starts|starting|start|begins|beginning|begin)(?: off)? (?:at|on|from) the {side}(?: end| side)? with",
-        f"(?:ends|ending|finishes|finishing|finish) (?:up )?(?:at|on) the {side}(?: end| side)? with")),
+        f"(?:ends|ending|finishes|finishing|finish) (?:up )?(?:at|on) the {side}(?: end| side)? with",
+        f"(?:starts|begins) (?:at|on|from) the (?:far )?{side}(?: end| side)?(?= (?:[,.;)]|and|$))")),
     *patterns("place", lambda match: ("first", _nth(match["nth"])), f"(?:the )?{_NTH}(?= (?:a |an |one )?(?:COLOR|"
         f"[A-Z]) )"),
     *patterns("place", ("left", 1), "(?<!the )(?<!from )left(?= (?:and|[,.;]|$))"),
     *patterns("place", ("right", 1), "(?<!the )(?<!from )right(?= (?:and|[,.;]|in|$))"),
-    *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:on |at )?(?:the )?inside(?= (?:[,.;]|$))"),
+    *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:BE )?(?:on |at )?(?:the )?inside(?= (?:[,.;)]|"
+    "and|$))"),
     *patterns("place", ("last", 2), "(?:BE )?(?:the )?(?:next to last|second to last|last but one|second last)(?: "
         "BLOCK| one| place)?(?: BE)?"),
     *patterns("place", ("each end", 0), f"(?:BE )?(?:placed )?(?:at|on) (?:each|either|every)(?: of the| of its)?(?: "
@@ -102,7 +104,8 @@ PLACES: list[Pattern] = [
         f"the outer|the opposite|opposite)(?: 2| outer| outer 2)? ends{_OF_IT}?",
         f"(?:at |on )?(?:with )?(?:both|the|its|the 2|the outer|both of the|both of its) (?:ends|end blocks|end "
         f"cubes|outer ones|outer BLOCK){_OF_IT}?(?: BE(?: both)?)?", "(?:BE )?(?:on|at|to) the "
-        "outsides?", "(?:BE )?outside(?= (?:[,.;)]|$))", "(?:the )?outer (?:2|ones|BLOCK|2 BLOCK)(?: BE(?: "
+        "outsides?", "(?:BE )?(?:on the )?outside(?= (?:[,.;)]|and|$))", "(?:the )?outer (?:2|ones|BLOCK|2 "
+        "BLOCK)(?: BE(?: "
         "both)?)?", "(?:the )?(?:first|leftmost)(?: one| BLOCK)? and (?:the )?(?:last|rightmost)(?: one| ones| "
         "BLOCK)?(?: BE(?: both)?)?", "(?:BE )?(?:the )?(?:2 )?outermost(?: ones| BLOCK)?",
         "(?:starts|starting|start|begins|beginning|begin) and (?:ends|ending|end|finishes|finishing|finish) (?:with|"
@@ -135,7 +138,7 @@ _ADJ = (
 _IN = "(?:(?:in|into|to|as|on|along|of|for|forming|making|make|makes|form|forms) )?"
 FIGURE: list[Pattern] = [
     *(pattern for noun, words in (("row", "row"), ("line", "line|lineup|line up|queue|sequence|single "
-        "line"), ("column", "column")) for pattern in (
+        "line|linear (?:arrangement|configuration|formation|layout|sequence|order|structure)"), ("column", "column")) for pattern in (
         *patterns("figure", noun, f"{_IN}(?:(?:a|an|one|1|my|our|exactly one|just one) )?(?:and same "
             f")?{_ADJ}*(?:{words})"),
         *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself)?"))),
@@ -155,12 +158,13 @@ DIRECTIONS: list[Pattern] = [
         f"{_READ}(?:far )?left(?: most| hand)?(?: end| side)? (?:to|→|towards) (?:the )?(?:far )?right(?: most| "
         f"hand)?(?: end| side)?", f"{_READ}leftmost to (?:the )?rightmost",
         "(?:starting|beginning|begin|start|counted|listed|reading|read|seen|counting|going) (?:at|from|on) the "
-        "(?:far )?left(?: end| side)?", "from (?:the )?left(?: end| side)?(?= (?:[:,.;]|$))", "to the right(?= :)"),
+        "(?:far )?left(?: end| side)?", "from (?:the )?left(?: end| side)?(?= (?:[:,.;]|BE|reads|COLOR|$))", "to "
+        "the right(?= :)"),
     *patterns("direction", "from right to left",
         f"{_READ}(?:far )?right(?: most| hand)?(?: end| side)? (?:to|→|towards) (?:the )?(?:far )?left(?: most| "
         f"hand)?(?: end| side)?", f"{_READ}rightmost to (?:the )?leftmost",
         "(?:starting|beginning|begin|start|counted|listed|reading|read|seen|counting|going) (?:at|from|on) the "
-        "(?:far )?right(?: end| side)?", "from (?:the )?right(?: end| side)?(?= (?:[:,.;]|$))"),
+        "(?:far )?right(?: end| side)?", "from (?:the )?right(?: end| side)?(?= (?:[:,.;]|BE|reads|COLOR|$))"),
     *patterns("direction", "from front to back",
         f"{_READ}(?:front|near|nearest|closest|near side|near end|front end|near edge|front edge) (?:to|→|towards) "
         f"(?:the )?(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back edge)",
@@ -180,6 +184,10 @@ DIRECTIONS: list[Pattern] = [
         "(?:always )?(?:exactly |precisely |just )?in (?:exactly |precisely )?(?:that|this|the following|exactly "
         "this|exactly that|the given|the stated|the same|this exact|that exact|that very|the said|precisely this|"
         "precisely that) (?:order|sequence)(?: BE)?",
+        "(?:exactly |precisely )?in (?:the|this|that) (?:exact |same )?(?:order|sequence) (?:as )?(?:(?:I |i |we |you |"
+        "they |it is |they are )?(?:named|mentioned|listed|written|typed|given|told|stated|said|shown|read|spoken|"
+        "described|specified|indicated|name|mention|list|say|give|wrote|said them|named them)|of (?:mention|naming|the "
+        "list))(?: here| above| below| before)?",
         "(?:in |with |has )?(?:the |a |their |its )?(?:color )?(?:order|sequence|color sequence|pattern|color "
         "pattern)(?: of (?:the )?colors)?(?: BE| of| shall be| reads)?", "(?:the )?colors (?:BE|read|in "
         "order)", "(?:that |which )?(?:reads|reading)", "(?:(?:should|must|shall|has to|to) )?(?:go|goes|run|runs|"

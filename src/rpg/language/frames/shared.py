@@ -33,6 +33,12 @@ GLUE: list[Pattern] = [
     *patterns("glue", None, "is|are|be|being|should|must|stands|stand|lies|lie|it has|it is|they are|(?:which|"
         "that)(?: (?:is|are))?(?! (?:(?:is|are) )?(?:on|in|at|upon|onto) )"),
     *patterns("glue", None, "(?:the |these |all the |those )?(?:blocks|cubes|pieces)"),
+    *patterns("glue", None, "(?:the |my |our |your |this )?(?:task|goal|aim|objective|job|mission|assignment|"
+    "exercise)(?: "
+        "here| now| for you)?(?: (?:is|will be))? (?:consists of|consists in|involves|requires|demands|calls for|"
+        "asks for|"
+        "about)", "producing|making|building|creating|forming|arranging|placing|constructing|laying out|setting up|"
+        "assembling|obtaining|getting"),
     *patterns("glue", None, "nice|neat|tidy|simple|proper|little|final|whole|together"),
     *patterns("glue", None, "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target "
         ")?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)"),

@@ -19,8 +19,8 @@ _NEXT = (
 )
 _SPEAKS = "(?:can|could|want|need|have|would|like|see|wish|should|am|will|must|may|read|do|get|expect)"
 _L = (
-    rf"[A-HJ-Z]|I(?= (?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$)|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|"
-    rf"a(?= {_NEXT} )|i(?= (?:,|and|[A-Z]|[b-hj-z]|BE) )"
+    rf"[A-HJ-Z]|I(?= (?:(?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$))|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|"
+    rf"a(?= (?:{_NEXT} |$))|i(?= (?:,|and|[A-Z]|[b-hj-z]|BE) )"
 )
 _DIGITS, _LETTERS = string.digits, string.ascii_uppercase
 
@@ -101,7 +101,7 @@ SORTED: list[Pattern] = [
         f"(?:they |that |which )?(?:counts?|goes|go|climbs?|runs?) up(?:wards)?{_TOWARD}",
         f"(?:so that |and |with )?(?:(?:the|their) )?(?:{_NOUN}|values?|they|which|it) (?:must |should |shall |to |"
         f"have to |may only )?(?:increase|increases|increasing|rise|rises|grow|grows|ascend|ascends|go up|get "
-        f"(?:bigger|larger|higher)|gets? (?:bigger|larger|higher))",
+        f"(?:bigger|larger|higher)|gets? (?:bigger|larger|higher)){_TOWARD}",
         f"{_SORTS}(?:from )?(?:the )?{_LOW}{_WHAT} (?:to|up to) (?:the )?{_HIGH}{_WHAT}", f"(?:with )?(?:the "
         f")?{_LOW}{_WHAT} (?:BE )?first",
         f"(?:with )?(?:the )?{_HIGH}{_WHAT} (?:BE )?last"),
@@ -110,7 +110,7 @@ SORTED: list[Pattern] = [
         f"(?:they |that |which )?(?:counts?|goes|go|runs?) down(?:wards)?{_TOWARD}",
         f"(?:so that |and |with )?(?:(?:the|their) )?(?:{_NOUN}|values?|they|which|it) (?:must |should |shall |to |"
         f"have to |may only )?(?:decrease|decreases|decreasing|fall|falls|shrink|descend|descends|go down|gets? "
-        f"(?:smaller|lower))",
+        f"(?:smaller|lower)){_TOWARD}",
         f"{_SORTS}(?:from )?(?:the )?{_HIGH}{_WHAT} (?:to|down to) (?:the )?{_LOW}{_WHAT}", f"(?:with )?(?:the "
         f")?{_HIGH}{_WHAT} (?:BE )?first",
         f"(?:with )?(?:the )?{_LOW}{_WHAT} (?:BE )?last"),

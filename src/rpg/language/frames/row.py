@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from rpg.language.frames import rowparts, rowsizes, rowwords, shared
+from rpg.language.frames import rowparts, rowplainer, rowsizes, rowwords, shared
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
 from rpg.language.frames.rowcounts import facts_of, facts_of_listed, numbered
@@ -23,6 +23,7 @@ PATTERNS: list[Pattern] = [
         r"(?:in|on|make|making|form|forming) (?:a|one) )", r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
     *rowparts.OF_THEM,
     *rowsizes.SIZED,
+    *rowplainer.PLACES,
     *rowwords.FIGURE,
     *rowwords.PLACES,
     *rowwords.DIRECTIONS,
@@ -44,7 +45,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which blocks it is made of, or what is told of their order leaves it open.
     """
-    pieces = rowsizes.sized(pieces)
+    pieces = rowsizes.sized(rowplainer.listed(rowplainer.singly(pieces)))
     check_lots(pieces)
     check_words(pieces)
     check_told_once(pieces)
@@ -68,7 +69,8 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # what is put there could go on top
     open_rest = any(piece.kind == "rest" for piece in pieces) and size is None
     if order is not None:
-        if size not in (None, len(order)) or open_rest or each:
+        together = all(lot.plural for run in said.lists for lot in run)
+        if size not in (None, len(order)) or open_rest or (each and not together):
             raise Unclear
         row.order, row.counts = order, Counter(order)
         row.facts = facts_of_listed(said, row.counts)
@@ -122,9 +124,10 @@ def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
         raise Unclear
     halves = [n for n in found if "half" in pieces[n].named]
     if halves:
-        if len(halves) != 2 or len(found) > 2 or not total or total.value % 2:
+        again = [n for n in found if n not in halves and pieces[n].words.endswith(("half", "part", "ones", "group"))]
+        if len(halves) != 2 or len(found) > 2 + len(again) or not total or total.value % 2:
             raise Unclear
-        return {n: replace(lot, count=total.value // 2) for n, lot in found.items()}
+        return {n: replace(lot, count=total.value // 2) if n in halves else lot for n, lot in found.items()}
     return found
 
 
@@ -191,7 +194,7 @@ def lies(piece: Piece) -> bool:
 def verbal(piece: Piece) -> bool:
     """Whether a figure is told by a verb, "lined up", not by a noun."""
     return piece.words.startswith(
-        ("line up", "lines", "lined", "lining", "line them", "line these", "line it", "line all")
+        ("line up", "align", "lines", "lined", "lining", "line them", "line these", "line it", "line all")
     )
 
 
@@ -271,7 +274,8 @@ def check_lots(pieces: Sequence[Piece]) -> None:
         for pair in together
         for piece in pair
     )
-    labels = [("label" in a.named) + ("label" in b.named) for a, b in together]
+    bare = bare or all("half" in piece.named for pair in together for piece in pair)
+    labels = [2 if "half" in a.named else ("label" in a.named) + ("label" in b.named) for a, b in together]
     if together and ((len(together) < 2 and 2 not in labels) or not bare or 1 in labels):
         raise Unclear
 

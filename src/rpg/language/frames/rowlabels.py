@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise, permutations
 
-from rpg.language.frames import labelwords, rowparts, rowwords, shared
+from rpg.language.frames import labelgroups, labelwords, rowparts, rowplainer, rowwords, shared
 from rpg.language.frames.arranged import Fact, filled
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number
@@ -19,6 +19,7 @@ from rpg.language.frames.rowtold import Row, in_words
 
 PATTERNS: list[Pattern] = [
     *labelwords.LABELS,
+    *labelgroups.GROUPS,
     *labelwords.KINDS,
     *labelwords.SORTED,
     *labelwords.RELATIONS,
@@ -42,7 +43,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which blocks it is made of, or what is told of their order does not agree.
     """
-    pieces = expanded(pieces)
+    pieces = rowplainer.listed(labelgroups.gathered(expanded(pieces)))
     check_lots(pieces)
     check_words(pieces)
     check_numbers(pieces)
@@ -59,6 +60,8 @@ def told(pieces: Sequence[Piece]) -> str:
         pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0])
     )
     row.facts = _facts(said)
+    if not said.lists and total:
+        said = _spanned(said, total.value)
     labels = labels_of(said, [piece.value for piece in pieces if piece.kind == "relation"])
     row.counts = Counter(labels)
     check_nouns(pieces, labels)
@@ -247,6 +250,17 @@ def _lots_at(pieces: Sequence[Piece]) -> dict[int, Lot]:
             count = named.get("count", named.get("often", "a"))
             found[n] = Lot(named["label"], 1 if count in ("a", "an") else number(count), named.get("det") == "the")
     return found
+
+
+def _spanned(said: Said, total: int) -> Said:
+    """So many labels of which the first and the last are told, if just these are from one to the other."""
+    looks = [placed.lot.look for placed in said.placed]
+    told = {placed.place for placed in said.placed}
+    labels = labelwords.between(*sorted(looks)) if len(looks) == 2 and max(map(len, looks)) == 1 else []
+    if len(labels) != total or told not in ({("first", 1), ("last", 1)}, {("left", 1), ("right", 1)}):
+        return said
+    lots = [Lot(label, 1) for label in labels]
+    return replace(said, lists=[lots], whole=[lots])
 
 
 def _facts(said: Said) -> list[Fact]:

@@ -19,7 +19,7 @@ _NEIGHBORS = (
     "other|another|faces|pair|pairs|edges|sides|pair of neighbors|pair of BLOCK|pair of neighboring BLOCK)(?: and "
     "(?:the )?(?:next|its neighbor|each other)(?: one| BLOCK)?| to (?:the )?next(?: one)?)?)"
 )
-_NEIGHBORS = f"(?:{_NEIGHBORS}| (?:in )?between each(?: one| other)?| in between)"
+_NEIGHBORS = f"(?:{_NEIGHBORS}| (?:in )?between each(?: one| other)?| in between| between(?= (?:[,.;!?]|$)))"
 _FACES = (
     "(?: (?:from|between) (?:(?:the|their|neighboring|adjacent|facing) )*(?:faces?|edges?|sides)(?: to (?:face|"
     "edge))?| face to face| edge to edge| measured (?:between|from) (?:the )?faces?(?: to face)?)"
@@ -185,8 +185,8 @@ _EDGE = "(?:front|near|far|back|left|right|closest|nearest|farthest)"
 _EDGES = {"front": "near", "closest": "near", "nearest": "near", "back": "far", "farthest": "far"}
 WHERE: list[Pattern] = [
     *patterns("where", lambda match: f"at the {_EDGES.get(match['edge'], match['edge'])} edge of the table",
-        f"(?:BE )?(?:placed )?(?:along|at|by|close to|near|next to) the (?P<edge>{_EDGE}) edge(?: of the "
-        f"TABLE)?", f"(?:BE )?(?:placed )?(?:along|at) the (?P<edge>{_EDGE}) side of the TABLE"),
+        f"(?:BE )?(?:placed )?(?:along|at|by|close to|near|next to) (?:the )?(?P<edge>{_EDGE}) edge(?: of the "
+        f"TABLE)?", f"(?:BE )?(?:placed )?(?:along|at) (?:the )?(?P<edge>{_EDGE}) side of the TABLE"),
     *patterns("where", lambda match: f"in the {match['side']} half of the table", r"(?:BE )?(?:placed )?(?:on|at|to) "
         r"the (?P<side>left|right) side of the TABLE"),
     *patterns("axis", "row", "(?:BE )?parallel to the (?:front|near|far|back) edge(?: of the TABLE)?"),
@@ -195,6 +195,14 @@ WHERE: list[Pattern] = [
 ]  # fmt: skip
 
 WORDS: list[Pattern] = [
+    *patterns("listed", None, "(?:in |with |has |having |of )?(?:the )?following (?:order|sequence|color sequence|"
+    "pattern|"
+        "color order|succession)(?: of colors)?(?= )"),
+    *patterns("glue", None, "(?:with |has |having |of |from |using )?(?:the |this )?following (?:composition|contents?|"
+        "colors?|BLOCK|elements|parts|specification|properties|description|constraints?|conditions?|requirements?|"
+        "letters|digits|numbers|symbols)", "(?:along|across) the TABLE(?! edge)", "(?:all |of )?(?:his|her|their|"
+        "our|my) "
+        "BLOCK"),
     *patterns("listed", "now", "then(?: (?:comes|come|follows|goes))?(?: (?:again|another|next|finally|"
         "lastly))?", "(?:which BE )?followed (?:next )?by", "next(?: comes| follows)?(?! to)", "after (?:that|it|"
         "which)(?: comes| follows)?", "(?:and )?(?:finally|lastly)", "→", "after (?:this|that|it)",
@@ -207,7 +215,7 @@ WORDS: list[Pattern] = [
     *patterns("act", None, "(?:and )?(?:put|place|set|add|lay|insert|stick|position|drop|move|locate)"),
     *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|$))"),
     *patterns("glue", None, "BE(?: all)?", "let there be", "(?:is |BE )?(?:needed|required|wanted|"
-        "desired)", "a series of", "(?:be )?brought", "align|aligned", "the robot(?: arm)?|robot|have|let us "
+        "desired)", "a series of", "(?:be )?brought", "the robot(?: arm)?|robot|have|let us "
         "have", "there (?:stand|stands|lie|lies|sit|sits)", "up(?= (?:[,.;]|in|from|on|with|$))", "(?:the |their |"
         "its )?colors(?= (?:from|in|COLOR|COLORs|:) )",
         "comprising|comprises|comprised of|comprise|including", "all (?:the |of the |these )?BLOCK",
@@ -227,6 +235,7 @@ OF_THEM: list[Pattern] = [
         rf"(?P<color>COLOR){_END_HERE}"
         r"(?: ones)?",
         rf"(?P<count>NUM) of (?:them|these|those|which|the BLOCK) (?P<color>COLOR){_END_HERE}(?: ones)?",
+        r"(?P<det>(?:the )?)(?P<color>COLOR)(?P<many> (?:half|group|part|section))(?= )",
         r"all (?P<count>NUM) of the (?P<color>COLOR)(?P<many>s)?(?: (?P<noun>BLOCK|ones))?",
         r"(?P<color>COLOR)(?: BLOCK)? (?:x|X|times) (?P<count>\d+)",
         r"(?:the )?(?P<color>COLOR)(?: (?:BLOCK|one))? (?:BE |appears |occurs |comes )?(?P<count>once|twice|\d+(?= "

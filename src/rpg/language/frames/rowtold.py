@@ -10,6 +10,7 @@ from typing import Protocol
 from rpg.language.frames.arranged import OPPOSITE, Fact, completed, filled
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear
+from rpg.language.lexicon import SIZE
 
 _PATTERNS = {
     "": "",
@@ -22,6 +23,7 @@ _PATTERNS = {
 }
 _LENGTHWAYS = {"left": "from left to right", "front": "from front to back"}
 _NTH = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+_SIZES = frozenset({*SIZE, "medium", "normal"})
 _ENDS = frozenset({"left", "right", "front", "back"})
 
 
@@ -173,7 +175,8 @@ def _in_order(row: Row, lay: str, noun: str, direction: str, order: Sequence[str
     """A row in an order; of many colours the order is told alone."""
     if len(row.counts) > 5 and all(look.isalpha() and len(look) > 1 for look in order):
         lay = f"Lay a {noun}"
-    return f"{lay} {direction}: {', '.join(order)}."
+    told = [f"a {look} block" if look in _SIZES else look for look in order]
+    return f"{lay} {direction}: {', '.join(told)}."
 
 
 def _partly(row: Row, lay: str, noun: str, names: Names) -> str:

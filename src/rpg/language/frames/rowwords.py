@@ -136,12 +136,17 @@ _ADJ = (
     "whole|flat|complete|beautiful|well ordered) )"
 )
 _IN = "(?:(?:in|into|to|as|on|along|of|for|forming|making|make|makes|form|forms) )?"
+_LINE = (
+    "line|lineup|line up|queue|sequence|single line|linear (?:arrangement|configuration|formation|layout|sequence|"
+    "order|"
+    "structure)"
+)
 FIGURE: list[Pattern] = [
-    *(pattern for noun, words in (("row", "row"), ("line", "line|lineup|line up|queue|sequence|single "
-        "line|linear (?:arrangement|configuration|formation|layout|sequence|order|structure)"), ("column", "column")) for pattern in (
+    *(pattern for noun, words in (("row", "row"), ("line", _LINE), ("column", "column")) for pattern in (
         *patterns("figure", noun, f"{_IN}(?:(?:a|an|one|1|my|our|exactly one|just one) )?(?:and same "
             f")?{_ADJ}*(?:{words})"),
         *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself)?"))),
+    *patterns("figure", "line", "(?:align|aligned|aligning|aligns)(?: (?:them|these|it))?(?! (?:with|to|along|at) )"),
     *patterns("figure", "line", "(?:line|lines|lined|lining) (?:them |these |it |all of them |them all )?up"),
     *patterns("beside", None, "side by side"),
     *patterns("glue", None, "(?:one|1) (?:after|beside|next to|following) (?:another|the other)"),
@@ -155,7 +160,8 @@ _READ = (
 )
 DIRECTIONS: list[Pattern] = [
     *patterns("direction", "from left to right",
-        f"{_READ}(?:far )?left(?: most| hand)?(?: end| side)? (?:to|→|towards) (?:the )?(?:far )?right(?: most| "
+        f"{_READ}(?:far )?left(?: most| hand)?(?: end| side| edge)?(?: of the TABLE)? (?:to|→|towards) (?:the "
+        f")?(?:far )?right(?: most| "
         f"hand)?(?: end| side)?", f"{_READ}leftmost to (?:the )?rightmost",
         "(?:starting|beginning|begin|start|counted|listed|reading|read|seen|counting|going) (?:at|from|on) the "
         "(?:far )?left(?: end| side)?", "from (?:the )?left(?: end| side)?(?= (?:[:,.;]|BE|reads|COLOR|$))", "to "
@@ -166,8 +172,10 @@ DIRECTIONS: list[Pattern] = [
         "(?:starting|beginning|begin|start|counted|listed|reading|read|seen|counting|going) (?:at|from|on) the "
         "(?:far )?right(?: end| side)?", "from (?:the )?right(?: end| side)?(?= (?:[:,.;]|BE|reads|COLOR|$))"),
     *patterns("direction", "from front to back",
-        f"{_READ}(?:front|near|nearest|closest|near side|near end|front end|near edge|front edge) (?:to|→|towards) "
-        f"(?:the )?(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back edge)",
+        f"{_READ}(?:front|near|nearest|closest|near side|near end|front end|near edge|front edge)(?: of the TABLE)? "
+        f"(?:to|→|towards) (?:the )?(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back "
+        f"edge)(?: "
+        f"of the TABLE)?",
         "(?:starting|beginning) (?:near|closest to|nearest to|next to|in front of) (?:me|you|us|the robot)(?: "
         "and)?(?: (?:going|running) (?:back|backwards|away))?", "(?:starting|beginning|counted|listed|reading|read) "
         "(?:at|from|in) (?:the )?front", "from (?:the )?front(?= "

@@ -39,6 +39,10 @@ GLUE: list[Pattern] = [
         "asks for|"
         "about)", "producing|making|building|creating|forming|arranging|placing|constructing|laying out|setting up|"
         "assembling|obtaining|getting"),
+    *patterns("glue", None, "(?:my|our|the|his|her) (?:son|daughter|kid|kids|child|children|boy|girl|boss|teacher|"
+    "friend|"
+        "wife|husband|customer|client|student|students|colleague) (?:wants|want|needs|need|would like|wishes|wish|asks "
+        "for|asked for|wanted)(?: to (?:see|have|get))?", "(?:ensure|make sure|be sure|see to it|take care)(?: that)?"),
     *patterns("glue", None, "nice|neat|tidy|simple|proper|little|final|whole|together"),
     *patterns("glue", None, "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target "
         ")?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)"),

@@ -1,0 +1,115 @@
+"""Pieces of a row said in plainer pieces: several places with one lot, and "first ... then ... last" as a list."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
+from rpg.language.frames.rowplaces import STOPS
+
+_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+_NTH = f"(?:{'|'.join(_ORDINALS)}|last)"
+_AND = "(?: ,| and| ,? and| &)"
+_NOUN = "(?:blocks?|cubes?|ones?|places?|positions?|spots?|slots?)"
+PLACES: list[Pattern] = [
+    *patterns("places", None,
+        rf"(?:BE )?(?:in |at |on |as )?(?:the |its )?(?P<nths>{_NTH}(?: {_NOUN})?(?:{_AND}(?: the)? {_NTH}(?: "
+        rf"{_NOUN})?)+)"
+        rf"(?: in the (?:row|line))?(?: from (?:the )?(?P<side>left|right))?(?: BE)?(?= )",
+        rf"(?:BE )?(?:in |at |on |as )?(?:the )?(?:blocks|cubes|places|positions|spots|slots|numbers) (?P<numbers>\d"
+        rf"(?:{_AND} \d)+)(?: from (?:the )?(?P<side>left|right))?(?: BE)?"),
+]  # fmt: skip
+"""Kind "places": several of them, which the same blocks have."""
+_FIRST = re.compile(r"(?:(?:to )?(?:start|begin|open)\w*(?: off)?(?: with)?|first)$")
+_LAST = re.compile(r"(?:(?:to )?(?:end|finish|clos)\w*(?: up| off)?(?: with| in| by)?|last)$")
+
+
+def singly(pieces: Sequence[Piece]) -> list[Piece]:
+    """The pieces with each of several places told with blocks of its own.
+
+    Raises:
+        Unclear: places without blocks, or with more of them than there are places.
+    """
+    found: list[Piece] = []
+    kept = list(pieces)
+    while kept:
+        piece = kept.pop(0)
+        if piece.kind != "places":
+            found.append(piece)
+            continue
+        while kept and kept[0].kind == "glue":
+            kept.pop(0)
+        ahead = found and found[-1].kind == "lot"
+        if ahead:
+            lot = found.pop()
+        elif kept and kept[0].kind == "lot":
+            lot = kept.pop(0)
+        else:
+            raise Unclear
+        places = _named(piece)
+        if lot.named.get("count", str(len(places))) != str(len(places)) or "label" in lot.named:
+            raise Unclear
+        named = {key: said for key, said in lot.named.items() if key in ("color", "size", "behind")}
+        for n, place in enumerate(places):
+            found += [Piece("break", ",")] * (n > 0)
+            found += [replace(lot, named={**named, "det": "a"}), Piece("place", piece.words, place)]
+    return found
+
+
+def _named(piece: Piece) -> list[tuple[str, int]]:
+    """The places that are told.
+
+    Raises:
+        Unclear: the same twice.
+    """
+    side = piece.named.get("side", "first")
+    if "numbers" in piece.named:
+        found = [(side, int(said)) for said in re.findall(r"\d", piece.named["numbers"])]
+    else:
+        said = re.findall(rf"\b{_NTH}\b", piece.named["nths"])
+        found = [("last", 1) if word == "last" else (side, _ORDINALS.index(word) + 1) for word in said]
+    if len(set(found)) < len(found):
+        raise Unclear
+    return found
+
+
+def listed(pieces: Sequence[Piece]) -> list[Piece]:
+    """The pieces with "first red, then blue, last green" as a list in that order."""
+    found = list(pieces)
+    begin = 0
+    for n, piece in enumerate([*found, Piece("break", ".")]):
+        if piece.kind == "break" and piece.words in STOPS:
+            found[begin:n] = _one_list(found[begin:n])
+            begin = n + 1
+    return found
+
+
+def _one_list(sentence: Sequence[Piece]) -> list[Piece]:
+    said = [piece for piece in sentence if piece.kind not in ("glue", "break")]
+    kinds = [piece.kind for piece in said]
+    places = [n for n, piece in enumerate(said) if piece.kind == "place"]
+    now = [n for n, piece in enumerate(said) if piece.value == "now"]
+    first = [n for n in places if said[n].value == ("first", 1) and _FIRST.match(said[n].words)]
+    last = [n for n in places if said[n].value == ("last", 1) and _LAST.match(said[n].words)]
+    if (
+        len(first) != 1
+        or not now
+        or now[0] < first[0]
+        or len(places) != len(first) + len(last)
+        or "act" in kinds[first[0] :]
+    ):
+        return list(sentence)
+    ends = max(n for n, kind in enumerate(kinds) if kind == "lot")
+    if len(last) > 1 or (last and abs(last[0] - ends) != 1) or any(kinds[n + 1 : n + 2] != ["lot"] for n in now):
+        return list(sentence)
+    if "lot" not in kinds[max(0, first[0] - 1) : first[0] + 2]:
+        return list(sentence)
+    gone = {id(said[n]) for n in [*first, *last]}
+    begins = said[first[0] - 1 if kinds[first[0] - 1 : first[0]] == ["lot"] else first[0] + 1]
+    plainer: list[Piece] = []
+    for piece in sentence:
+        plainer += [Piece("listed", "first")] * (piece is begins)
+        plainer += [piece] * (id(piece) not in gone)
+    return plainer

@@ -36,6 +36,11 @@ def gathered(pieces: Sequence[Piece]) -> list[Piece]:
     at = [n for n, piece in enumerate(pieces) if piece.kind == "group"]
     if not at:
         return list(pieces)
+    if len(at) == 1:
+        found, place = _members(pieces, at[0])
+        if place is not None or any(pieces[m].named["label"].upper() not in KINDS[pieces[at[0]].value] for m in found):
+            raise Unclear
+        return [piece for n, piece in enumerate(pieces) if n != at[0]]
     if len(at) != 2 or {pieces[n].value for n in at} not in _PAIRS:
         raise Unclear
     ahead: list[str] = []

@@ -82,7 +82,7 @@ _ABC = "(?:alphabetical(?:ly)?|alphabetic|alphabet|abc|a to z|A to Z|a to Z|dict
 _BACK = "(?:reverse|reversed|inverse|inverted|backwards?|opposite)"
 _ORDER = "(?: (?:order|sequence|sorted|ordered|arranged|value|number|numerical|numeric|values))*"
 _LOW = "(?:smallest|lowest|least|low|small|smaller|lower)"
-_HIGH = "(?:largest|biggest|highest|greatest|high|large|bigger|larger|higher)"
+_HIGH = "(?:largest|biggest|highest|greatest|high|big|large|bigger|larger|higher)"
 _WHAT = rf"(?: (?:{_NOUN}|one|BLOCK))?"
 _TOWARD = "(?: (?:to|towards?) the (?P<toward>left|right))?"
 _UP = "(?:ascending|increasing|counting up|going up|(?:rising|growing)(?= (?:order|sequence|numerical|number|to|from)))"
@@ -149,7 +149,8 @@ _COME = "(?: (?:must |should |shall )?(?:BE|come|comes|go|goes|stand|placed))?"
 _SEP = "(?: ,| ;)?(?: and| but| with)?"
 _THEN = "(?: then| followed by| after (?:that|them|those|these)| next| behind them)"
 _TAIL = (
-    "(?: (?:also )?(?:after (?:that|them|those|these)|afterwards|last|second|next|on the right|at the right|behind|"
+    "(?: (?:also )?(?:at the (?:end|back)|after (?:that|them|those|these)|afterwards|last|second|next|on the right|"
+    "at the right|behind|"
     "to the right))?"
 )
 
@@ -162,7 +163,8 @@ def _kinds() -> list[Pattern]:
         found += patterns("kinds", (ahead, behind),
             f"{one}{_COME} (?:before|ahead of|preceding|to the left of|left of|in front of) (?:any of "
             f")?{other}", f"{one} precede {other}",
-            f"{one}{_COME} (?:first|on the left|at the left|to the left){_SEP}{_THEN}?{_SEP} {other}{_COME}{_TAIL}",
+            f"{one}{_COME} (?:first|on the left|at the left|to the left|in front|at the (?:front|start|"
+            f"beginning)){_SEP}{_THEN}?{_SEP} {other}{_COME}{_TAIL}",
             f"first {one}{_SEP}{_THEN}?{_SEP} {other}{_COME}{_TAIL}",
             f"{one}{_SEP}{_THEN} {other}{_COME}{_TAIL}",
             f"{one}{_COME} first", f"{other}{_COME} last", f"{other}{_COME} (?:after|behind|following|to the right "

@@ -19,11 +19,13 @@ PATTERNS: list[Pattern] = [
     *LOTS,
     *patterns("total", lambda match: int(match["n"]), r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|"
         r"alternat\w+|touching|evenly|which|on) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
-        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+)(?= "
+        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+) in "
+        r"number", r"(?P<n>\d+)(?= "
         r"(?:in|on|make|making|form|forming) (?:a|one) )", r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
     *rowparts.OF_THEM,
     *rowsizes.SIZED,
     *rowplainer.PLACES,
+    *rowplainer.BEFORE,
     *rowwords.FIGURE,
     *rowwords.PLACES,
     *rowwords.DIRECTIONS,
@@ -45,7 +47,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which blocks it is made of, or what is told of their order leaves it open.
     """
-    pieces = rowsizes.sized(rowplainer.listed(rowplainer.singly(pieces)))
+    pieces = rowsizes.sized(rowplainer.listed(rowplainer.beforehand(rowplainer.singly(pieces))))
     check_lots(pieces)
     check_words(pieces)
     check_told_once(pieces)
@@ -80,6 +82,7 @@ def told(pieces: Sequence[Piece]) -> str:
         row.counts = Counter({lot.look: lot.count for lot in numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
     check_rest(pieces, row.counts)
+    rowplainer.check_about_middle(pieces, sum(row.counts.values()), sum(many for *_, many in row.facts))
     return in_words(row, pieces, _Colored())
 
 
@@ -151,7 +154,7 @@ def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
     told = [piece for piece in pieces if piece.kind == "figure"]
     nouns = [piece.value for piece in told if not verbal(piece)]
     again = [piece.value for piece in pieces if piece.kind == "mention"]
-    way = one(pieces, "direction") if sorts or any(piece.kind == "beside" for piece in pieces) else None
+    way = one(pieces, "direction") if sorts or any(piece.kind in ("beside", "axis") for piece in pieces) else None
     if (
         len(nouns) > 1
         or len(told) - len(nouns) > 1
@@ -274,6 +277,7 @@ def check_lots(pieces: Sequence[Piece]) -> None:
         for pair in together
         for piece in pair
     )
+    bare = bare or all("count" in piece.named for pair in together for piece in pair)
     bare = bare or all("half" in piece.named for pair in together for piece in pair)
     labels = [2 if "half" in a.named else ("label" in a.named) + ("label" in b.named) for a, b in together]
     if together and ((len(together) < 2 and 2 not in labels) or not bare or 1 in labels):

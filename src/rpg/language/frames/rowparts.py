@@ -102,7 +102,7 @@ SPACING: list[Pattern] = [
         f"sized)(?: size| amount of| width| length)? (?:{_GAP}|{_DISTANCE})(?: in between| "
         f"apart)?(?:{_NEIGHBORS})?(?: from (?:each other|one another))?",
         f"(?:(?:with|make|keep|let|have|all|the|leave) )*(?:{_GAP}|{_DISTANCE})(?:{_NEIGHBORS})? (?:BE )?(?:all "
-        f")?(?:BE )?(?:the same|equal|equally (?:large|big|wide)|identical|even|uniform|the same size|constant|of "
+        f")?(?:BE )?(?:the same|same|equal|equally (?:large|big|wide)|identical|even|uniform|the same size|constant|of "
         f"(?:the )?(?:same|equal) (?:size|width|length))(?: everywhere| throughout)?",
         "(?:(?:with|and) )*(?:each|every one|every)(?: BLOCK| one)? (?:BE )?(?:at )?(?:the|an) (?:same|equal) "
         "distance (?:from|to) (?:the next|its neighbors?|its neighbor)(?: one)?", "even(?:ly)? spacing", "spaced even"),
@@ -213,7 +213,7 @@ WORDS: list[Pattern] = [
     *patterns("break", None, "so that", "so", "such that", "in such a way "
         "that", "in which", "whose", "including", "where", "also", "as well as", "[()]"),
     *patterns("act", None, "(?:and )?(?:put|place|set|add|lay|insert|stick|position|drop|move|locate)"),
-    *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|$))"),
+    *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|in|$))"),
     *patterns("glue", None, "BE(?: all)?", "let there be", "(?:is |BE )?(?:needed|required|wanted|"
         "desired)", "a series of", "(?:be )?brought", "the robot(?: arm)?|robot|have|let us "
         "have", "there (?:stand|stands|lie|lies|sit|sits)", "up(?= (?:[,.;]|in|from|on|with|$))", "(?:the |their |"
@@ -236,6 +236,7 @@ OF_THEM: list[Pattern] = [
         r"(?: ones)?",
         rf"(?P<count>NUM) of (?:them|these|those|which|the BLOCK) (?P<color>COLOR){_END_HERE}(?: ones)?",
         r"(?P<det>(?:the )?)(?P<color>COLOR)(?P<many> (?:half|group|part|section))(?= )",
+        r"(?P<color>COLOR)(?: BLOCK)? : (?P<count>\d+)(?= (?:[,.;)]|and|$))",
         r"all (?P<count>NUM) of the (?P<color>COLOR)(?P<many>s)?(?: (?P<noun>BLOCK|ones))?",
         r"(?P<color>COLOR)(?: BLOCK)? (?:x|X|times) (?P<count>\d+)",
         r"(?:the )?(?P<color>COLOR)(?: (?:BLOCK|one))? (?:BE |appears |occurs |comes )?(?P<count>once|twice|\d+(?= "

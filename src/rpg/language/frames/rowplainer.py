@@ -22,8 +22,31 @@ PLACES: list[Pattern] = [
         rf"(?:{_AND} \d)+)(?: from (?:the )?(?P<side>left|right))?(?: BE)?"),
 ]  # fmt: skip
 """Kind "places": several of them, which the same blocks have."""
+BEFORE: list[Pattern] = [
+    *patterns("before", "from left to right",
+        r"(?:BE )?(?:placed )?(?:(?:to|on) the )?left(?: side)? of(?= (?:all |any |every |each |both )*(?:of "
+        r")?(?:the )?(?:NUM )?"
+        r"(?:SIZE )?COLOR(?:s)?(?: (?:ones?|BLOCK))? (?:[,.;]|in|$))"),
+    *patterns("before", "from right to left",
+        r"(?:BE )?(?:placed )?(?:(?:to|on) the )?right(?: side)? of(?= (?:all |any |every |each |both )*(?:of "
+        r")?(?:the )?(?:NUM )?"
+        r"(?:SIZE )?COLOR(?:s)?(?: (?:ones?|BLOCK))? (?:[,.;]|in|$))"),
+]  # fmt: skip
+"""Kind "before": the blocks ahead of it are to one side of those behind it; the direction in which they are listed."""
+_OF_IT = re.compile(r"(?:left|right)(?: hand)?(?: side)? of|its (?:left|right)")
 _FIRST = re.compile(r"(?:(?:to )?(?:start|begin|open)\w*(?: off)?(?: with)?|first)$")
 _LAST = re.compile(r"(?:(?:to )?(?:end|finish|clos)\w*(?: up| off)?(?: with| in| by)?|last)$")
+
+
+def check_about_middle(pieces: Sequence[Piece], size: int, told: int) -> None:
+    """Blocks to the left and right "of it" are beside the block in the middle, and with it all that there are.
+
+    Raises:
+        Unclear: they are not.
+    """
+    about = any(piece.kind == "place" and _OF_IT.search(piece.words) for piece in pieces)
+    if about and (size != told or all(piece.value != ("middle", 0) for piece in pieces)):
+        raise Unclear
 
 
 def singly(pieces: Sequence[Piece]) -> list[Piece]:
@@ -73,6 +96,29 @@ def _named(piece: Piece) -> list[tuple[str, int]]:
     if len(set(found)) < len(found):
         raise Unclear
     return found
+
+
+def beforehand(pieces: Sequence[Piece]) -> list[Piece]:
+    """The pieces with "all red ones left of all blue ones" as a list in a direction, at the end.
+
+    Raises:
+        Unclear: these are not all blocks, or their numbers are not told besides.
+    """
+    found = list(pieces)
+    at = [n for n, piece in enumerate(found) if piece.kind == "before"]
+    if not at:
+        return found
+    told = [piece for piece in found if piece.kind == "lot"]
+    if len(at) > 1 or len({(piece.named.get("size"), piece.named["color"]) for piece in told}) != 2:
+        raise Unclear
+    if [piece.kind for piece in found[at[0] - 1 : at[0] + 2]] != ["lot", "before", "lot"]:
+        raise Unclear
+    ahead, behind = found[at[0] - 1], found[at[0] + 1]
+    rest = [piece for n, piece in enumerate(found) if abs(n - at[0]) > 1]
+    if not any(piece.kind == "lot" for piece in rest):
+        raise Unclear
+    return [*rest, Piece("break", "."), Piece("listed", "before"), Piece("direction", "before", found[at[0]].value),
+            ahead, Piece("break", ","), behind]  # fmt: skip
 
 
 def listed(pieces: Sequence[Piece]) -> list[Piece]:

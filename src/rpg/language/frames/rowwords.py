@@ -91,6 +91,10 @@ PLACES: list[Pattern] = [
         f"(?:starts|begins) (?:at|on|from) the (?:far )?{side}(?: end| side)?(?= (?:[,.;)]|and|$))")),
     *patterns("place", lambda match: ("first", _nth(match["nth"])), f"(?:the )?{_NTH}(?= (?:a |an |one )?(?:COLOR|"
         f"[A-Z]) )"),
+    *(pattern for side in ("left", "right") for pattern in patterns("place", (side, 1),
+        f"(?:BE )?(?:placed )?(?:(?:to|on|at) )?(?:the |its )?{side}(?: hand)?(?: side)? of (?:it|that|this|the "
+        f"(?:middle|"
+        f"center)(?: one| BLOCK)?)", f"(?:BE )?(?:placed )?(?:to|on|at) its {side}(?: side)?")),
     *patterns("place", ("left", 1), "(?<!the )(?<!from )left(?= (?:and|[,.;]|$))"),
     *patterns("place", ("right", 1), "(?<!the )(?<!from )right(?= (?:and|[,.;]|in|$))"),
     *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:BE )?(?:on |at )?(?:the )?inside(?= (?:[,.;)]|"
@@ -143,7 +147,7 @@ _LINE = (
 )
 FIGURE: list[Pattern] = [
     *(pattern for noun, words in (("row", "row"), ("line", _LINE), ("column", "column")) for pattern in (
-        *patterns("figure", noun, f"{_IN}(?:(?:a|an|one|1|my|our|exactly one|just one) )?(?:and same "
+        *patterns("figure", noun, f"{_IN}(?:(?:a|an|one|1|my|our|exactly one|just one|the following) )?(?:and same "
             f")?{_ADJ}*(?:{words})"),
         *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself)?"))),
     *patterns("figure", "line", "(?:align|aligned|aligning|aligns)(?: (?:them|these|it))?(?! (?:with|to|along|at) )"),
@@ -176,7 +180,9 @@ DIRECTIONS: list[Pattern] = [
         f"(?:to|→|towards) (?:the )?(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back "
         f"edge)(?: "
         f"of the TABLE)?",
-        "(?:starting|beginning) (?:near|closest to|nearest to|next to|in front of) (?:me|you|us|the robot)(?: "
+        "(?:starting|beginning) (?:near|closest to|nearest to|nearest|closest|next to|in front of) (?:me|you|us|"
+        "the (?:robot|"
+        "viewer|camera))(?: "
         "and)?(?: (?:going|running) (?:back|backwards|away))?", "(?:starting|beginning|counted|listed|reading|read) "
         "(?:at|from|in) (?:the )?front", "from (?:the )?front(?= "
         "[:,])"),

@@ -42,7 +42,12 @@ GLUE: list[Pattern] = [
     *patterns("glue", None, "(?:my|our|the|his|her) (?:son|daughter|kid|kids|child|children|boy|girl|boss|teacher|"
     "friend|"
         "wife|husband|customer|client|student|students|colleague) (?:wants|want|needs|need|would like|wishes|wish|asks "
-        "for|asked for|wanted)(?: to (?:see|have|get))?", "(?:ensure|make sure|be sure|see to it|take care)(?: that)?"),
+        "for|asked for|wanted)(?: to (?:see|have|get))?", "(?:ensure|make sure|be sure|see to it|take care)(?: "
+        "that)?", "(?:it )?would be "
+        "(?:great|nice|good|lovely|perfect|cool|fine|helpful|ideal|wonderful)(?: if| to have| to see)?", "were|had",
+        "for (?:a |the |my |our |this )?(?:lesson|class|demo|experiment|test|game|exercise|homework|school|kids|"
+        "children|"
+        "video|photo|benchmark)"),
     *patterns("glue", None, "nice|neat|tidy|simple|proper|little|final|whole|together"),
     *patterns("glue", None, "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target "
         ")?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)"),

@@ -42,6 +42,10 @@ def _range(match: re.Match[str]) -> list[str]:
     return between(_bare(match["first"]), _bare(match["last"]))
 
 
+def _every_other(match: re.Match[str]) -> list[str]:
+    return [label for label in _range(match) if label.isdigit() and int(label) % 2 == (match["which"] == "odd")]
+
+
 _TO = "(?:to|through|thru|till|until|up to|…|down to|up through)"
 LABELS: list[Pattern] = [
     *patterns("lot", None,
@@ -56,6 +60,9 @@ LABELS: list[Pattern] = [
         rf"one) {_TO} (?P<last>{_L})(?: inclusive)?",
         rf"(?:from )?(?P<first>{_L}) (?:at|on) the (?P<side>left|right)(?: end| side)? {_TO} (?P<last>{_L}) (?:at|"
         rf"on) the (?:left|right)(?: end| side)?"),
+    *patterns("range", _every_other,
+        rf"(?:all )?(?:of )?(?:the )?(?P<which>even|odd) (?:{_NOUN}|BLOCK)(?: from)? (?P<first>{_L}|one) {_TO} "
+        rf"(?P<last>{_L})(?: inclusive)?"),
     *patterns("range", lambda match: list(_LETTERS[: int(match["n"])]),
         r"(?:the )?first (?P<n>\d+) letters(?: of the alphabet| in the alphabet)?"),
     *patterns("range", lambda match: list(_DIGITS), r"all (?:of )?(?:the )?(?:10 )?(?:digits|numerals)(?= )(?! "

@@ -31,6 +31,10 @@ _ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) |The blocks do not
 that are not to touch would be all."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
 """So many blocks may be all that the other sentence names."""
+_ASKS = frozenset(
+    {"is", "are", "was", "were", "do", "does", "did", "has", "have", "which", "what", "where", "who", "how", "why"}
+)
+"""With these a question begins that asks for no task."""
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -38,7 +42,7 @@ _MOST = 120
 def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text in plain sentences, and the words of that: all of it, or its first or last part, where the other part
     is left as it is. Most of the text comes first. Told words stand where what they tell again stands."""
-    if not 0 < len(tokens) <= _MOST:
+    if not 0 < len(tokens) <= _MOST or (tokens[0].word in _ASKS and tokens[-1].word == "?"):
         return
     yield from _as_a_whole(tokens)
     for rest, stretch, aside in (*without_distractors(tokens), *without_turns(tokens)):

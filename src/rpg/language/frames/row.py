@@ -20,8 +20,9 @@ PATTERNS: list[Pattern] = [
     *patterns("total", lambda match: int(match["n"]), r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|"
         r"alternat\w+|touching|evenly|which|on) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
         r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+) in "
-        r"number", r"(?P<n>\d+)(?= "
-        r"(?:in|on|make|making|form|forming) (?:a|one) )", r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
+        r"number", r"(?P<n>\d+)(?= (?:in|on|make|making|form|forming) (?:a|one) )",
+        r"(?:quantity|count|amount|number)(?: (?:BE|of|:))? (?P<n>\d+)(?= (?:[,.;)]|$))",
+        r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
     *rowparts.OF_THEM,
     *rowsizes.SIZED,
     *rowplainer.PLACES,
@@ -70,6 +71,8 @@ def told(pieces: Sequence[Piece]) -> str:
     ):
         raise Unclear  # what is put there could go on top
     open_rest = any(piece.kind == "rest" for piece in pieces) and size is None
+    if order and size and size % len(order) == 0 and rowplainer.repeats(pieces):
+        order *= size // len(order)
     if order is not None:
         together = all(lot.plural for run in said.lists for lot in run)
         if size not in (None, len(order)) or open_rest or (each and not together):
@@ -82,7 +85,6 @@ def told(pieces: Sequence[Piece]) -> str:
         row.counts = Counter({lot.look: lot.count for lot in numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
     check_rest(pieces, row.counts)
-    rowplainer.check_about_middle(pieces, sum(row.counts.values()), sum(many for *_, many in row.facts))
     return in_words(row, pieces, _Colored())
 
 
@@ -131,6 +133,10 @@ def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
         if len(halves) != 2 or len(found) > 2 + len(again) or not total or total.value % 2:
             raise Unclear
         return {n: replace(lot, count=total.value // 2) if n in halves else lot for n, lot in found.items()}
+    for n, piece in enumerate(pieces):
+        behind = next((m for m in found if m > n), None)
+        if piece.kind == "rest" and piece.named and behind and found[behind].count is None and not total:
+            found[behind] = replace(found[behind], count=int(next(iter(piece.named.values()))))
     return found
 
 

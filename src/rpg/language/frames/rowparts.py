@@ -159,7 +159,7 @@ PATTERNED: list[Pattern] = [
     *patterns("pattern", "same",
         "(?:(?:with|and|in) )*(?:all |all of them |each )?(?:BE )?(?:of |in |have |with |has )+(?:just |only "
         ")?(?:the same|one|a single|one single|one and the same|1|the very same|1 single|equal) "
-        "color", "(?:all )?(?:the )?same color"),
+        "color", "(?:all )?(?:the )?same color(?: as (?:each other|one another))?"),
 ]  # fmt: skip
 """Kind "pattern" of the colours of all blocks."""
 
@@ -171,9 +171,8 @@ EACH: list[Pattern] = patterns("each", lambda match: number(match["n"]),
 REST: list[Pattern] = patterns(
     "rest",
     None,
-    r"(?:all )?(?:the )?(?:rest|others|other ones|other BLOCK|remaining "
-    r"ones|remaining BLOCK|remaining|other (?P<n>\d+)|remaining (?P<m>\d+)|inner (?P<k>\d+))(?: of (?:them|it|the "
-    r"BLOCK))?(?: (?:BE|all))*",
+    r"(?:all )?(?:the )?(?:other (?P<n>\d+)|remaining (?P<m>\d+)|inner (?P<k>\d+)|rest|others|other ones|other BLOCK|"
+    r"remaining ones|remaining BLOCK|remaining)(?: (?:BLOCK|ones))?(?: of (?:them|it|the BLOCK))?(?: (?:BE|all))*",
     "everything else(?: BE)?",
     "(?:BE )?(?:in|at|on|for|to|fill|fills|filling|take|takes|taking|occupy|occupies|occupying) (?:all )?(?:of "
     ")?(?:the )?"
@@ -213,6 +212,10 @@ WORDS: list[Pattern] = [
     *patterns("break", None, "so that", "so", "such that", "in such a way "
         "that", "in which", "whose", "including", "where", "also", "as well as", "[()]"),
     *patterns("act", None, "(?:and )?(?:put|place|set|add|lay|insert|stick|position|drop|move|locate)"),
+    *patterns("repeated", None, "(?:(?:this|the|that|which) (?:pattern |sequence |order )?)?(?:BE )?(?:repeated|"
+    "repeating|repeats)"
+        "(?: (?:itself|over and over|until the end))?", "(?:in )?(?:a |the )?repeating (?:pattern|sequence|"
+        "order)(?: of)?"),
     *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|in|$))"),
     *patterns("glue", None, "BE(?: all)?", "let there be", "(?:is |BE )?(?:needed|required|wanted|"
         "desired)", "a series of", "(?:be )?brought", "the robot(?: arm)?|robot|have|let us "
@@ -220,6 +223,9 @@ WORDS: list[Pattern] = [
         "its )?colors(?= (?:from|in|COLOR|COLORs|:) )",
         "comprising|comprises|comprised of|comprise|including", "all (?:the |of the |these )?BLOCK",
         "standing|sitting|lying|resting|placed|positioned|located|neatly|nicely|please|ok|so|all"),
+    *patterns("glue", None, "(?:in|of|with) (?:the |any |whatever |whichever )?colors? (?:of your (?:own )?choice|"
+    "(?:that )?you "
+        "(?:like|want|choose|prefer|please))", "(?:of|in) any color"),
     *patterns("glue", None, "(?:all of )?(?:them|these)(?: all)?|they(?: all)?|it", "(?:colored|plain)", "also please"),
     *patterns("glue", None, "(?:color|number|letter|blocks|cubes|count|quantity|figure|structure|shape|arrangement|"
         "layout|configuration|object|objects|spacing|colors|which|that)(?= :)"),

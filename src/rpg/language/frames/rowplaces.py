@@ -95,6 +95,7 @@ def _segments(sentence: Sequence[Piece]) -> list[_Segment]:
         elif piece.kind in ("figure", "mention"):
             found[-1].figure = True
         elif piece.kind == "rest":
+            found += [_Segment("rest", [])] if found[-1].said else []
             found[-1].mark += " rest"
     return found
 

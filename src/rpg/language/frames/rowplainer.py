@@ -49,6 +49,20 @@ def check_about_middle(pieces: Sequence[Piece], size: int, told: int) -> None:
         raise Unclear
 
 
+def repeats(pieces: Sequence[Piece]) -> bool:
+    """Whether the listed looks are a pattern, which a longer row repeats.
+
+    Raises:
+        Unclear: numbers are told, or places.
+    """
+    found = any(
+        piece.kind == "repeated" or (piece.kind == "listed" and "pattern" in piece.words.split()) for piece in pieces
+    )
+    if found and any(piece.kind == "place" or "count" in piece.named for piece in pieces):
+        raise Unclear
+    return found
+
+
 def singly(pieces: Sequence[Piece]) -> list[Piece]:
     """The pieces with each of several places told with blocks of its own.
 

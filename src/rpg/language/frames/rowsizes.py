@@ -18,6 +18,9 @@ _SORTS = (
     "(?:(?:in|into|by|an|a|the|BE|sorted|sort|ordered|order|arranged|arrange|them|going|goes|go|running|runs|from|"
     "with|all|their|so that they are) )*"
 )
+_BLOCKS = "(?:(?:and|with|so that|each|they|which|that|the|BLOCK|must|should|to) )*"
+_GET = f"{_BLOCKS}(?:get|gets|getting|become|becomes|becoming|grow|growing|grows|are|is)"
+_IN_SIZE = f"{_BLOCKS}(?:their )?sizes?"
 SIZED: list[Pattern] = [
     *patterns("lot", None,
         rf"(?:(?P<det>the|a|an|both the|both|the other) )?(?:(?P<count>NUM) )?(?:plain )?{_SIZED} "
@@ -25,11 +28,15 @@ SIZED: list[Pattern] = [
     *patterns("bysize", "increasing",
         f"{_SORTS}{_LOW} {_TO} {_HIGH}", f"{_SORTS}(?:increasing|ascending|growing|rising) (?:in )?(?:order of "
         f")?sizes?",
-        f"{_SORTS}(?:increasing|ascending) order (?:of|by) size", f"{_LOW} (?:BE )?first", f"{_HIGH} (?:BE )?last"),
+        f"{_SORTS}(?:increasing|ascending) order (?:of|by) size", f"{_LOW} (?:BE )?first", f"{_HIGH} (?:BE "
+        f")?last", f"{_GET} (?:larger|bigger)(?: in size)?", f"{_IN_SIZE} (?:increase|increasing|grow|growing)",
+        f"{_BLOCKS}(?:increase|increasing|grow|growing) in size"),
     *patterns("bysize", "decreasing",
         f"{_SORTS}{_HIGH} {_TO} {_LOW}",
         f"{_SORTS}(?:decreasing|descending|shrinking|falling) (?:in )?(?:order of )?sizes?",
-        f"{_SORTS}(?:decreasing|descending) order (?:of|by) size", f"{_HIGH} (?:BE )?first", f"{_LOW} (?:BE )?last"),
+        f"{_SORTS}(?:decreasing|descending) order (?:of|by) size", f"{_HIGH} (?:BE )?first", f"{_LOW} (?:BE "
+        f")?last", f"{_GET} smaller(?: in size)?", f"{_IN_SIZE} (?:decrease|decreasing|shrink|shrinking)",
+        f"{_BLOCKS}(?:decrease|decreasing|shrink|shrinking) in size"),
     *patterns("bysize", "increasing",
         f"(?:the |with |with the )*{_LEAST}(?: (?:one|BLOCK))? (?:BE )?{_AT} (?P<side>left){_END}",
         f"(?:the |with |with the )*{_MOST}(?: (?:one|BLOCK))? (?:BE )?{_AT} (?P<side>right){_END}"),

@@ -10,6 +10,7 @@ from typing import Protocol
 from rpg.language.frames.arranged import OPPOSITE, Fact, completed, filled
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear
+from rpg.language.frames.rowplainer import check_about_middle
 from rpg.language.lexicon import SIZE
 
 _PATTERNS = {
@@ -76,6 +77,7 @@ def in_words(row: Row, pieces: Sequence[Piece], names: Names, lay: str = "") -> 
     Raises:
         Unclear: what is told of it cannot be told again.
     """
+    check_about_middle(pieces, sum(row.counts.values()), sum(many for *_, many in row.facts))
     if row.near != row.first and row.near not in (row.first, {"right": "left", "back": "front"}.get(row.first)):
         raise Unclear
     noun = "column" if row.near == "front" else "row" if row.direction else row.noun
@@ -150,6 +152,8 @@ def _difference(counts: Counter[str]) -> int:
 
 def _uncolored(row: Row, noun: str) -> str:
     """Blocks of which no look is told."""
+    if row.pattern in ("increasing", "decreasing") and not row.size and not row.facts:
+        return f"Lay the blocks in a {noun}{_PATTERNS[row.pattern]}{f' {row.direction}' if row.direction else ''}."
     if row.size < 2 or row.facts or row.pattern not in ("", "different", "same", "rainbow", "increasing", "decreasing"):
         raise Unclear
     colors = {"different": " of different colors", "same": " of the same color"}.get(row.pattern, "")

@@ -24,6 +24,7 @@ _FROM = (
     "(?: (?:one |BLOCK |place |position )?(?:when )?(?:counted |counting |seen |reading |read |starting |as seen "
     ")?(?:from|on) (?:the )?(?P<side>left|right|front|near|back|rear|far)(?: hand)?(?: end| side| edge)?)"
 )
+_HAS = "(?:occupies|occupy|occupying|takes|take|taking|fills|filling|gets|has|holds|holding)"
 _NAMES = {"near": "front", "rear": "back", "far": "back"}
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
@@ -66,7 +67,8 @@ def _at_side(side: str) -> list[Pattern]:
 PLACES: list[Pattern] = [
     *(pattern for side in _SIDES for pattern in _at_side(side)),
     *patterns("place", lambda match: (_side(match["side"]), _nth(match["nth"])),
-        f"(?:BE )?(?:in |at |as )?(?:the |its )?{_NTH}{_ONE}?(?: in)?{_FROM}", f"(?:BE )?on the {_NTH} (?:place|"
+        f"(?:BE |{_HAS} )?(?:in |at |as |on )?(?:the |its )?{_NTH}{_ONE}?(?: in)?{_FROM}", f"(?:BE )?on the {_NTH} "
+        f"(?:place|"
         f"position|spot|slot){_FROM}"),
     *patterns("place", lambda match: (_side(match["side"]), int(match["n"])),
         r"(?:BE )?(?:in |at |on )(?:the )?(?:position|place|spot|slot|number) (?P<n>\d+)" + _FROM),
@@ -74,7 +76,7 @@ PLACES: list[Pattern] = [
         r"spot|slot|number) (?P<n>\d+)(?! from)", r"(?:the )?(?:position|place|spot|slot|number) (?P<n>\d+)(?= (?:is|"
         r":|has) )"),
     *patterns("place", lambda match: ("first", _nth(match["nth"])),
-        f"(?:BE )?(?:in |at )?(?:the |its )?{_NTH}{_ONE}(?: in (?:the )?(?:row|line))?(?: BE)?(?! "
+        f"(?:BE |{_HAS} )?(?:in |at )?(?:the |its )?{_NTH}{_ONE}(?: in (?:the )?(?:row|line))?(?: BE)?(?! "
         f"from)", f"BE (?:the )?{_NTH}(?: in (?:the )?(?:row|line))?(?! from)",
         f"(?:the )?{_NTH}(?: in (?:the )?(?:row|line))? BE"),
     *patterns("place", ("first", 1),
@@ -120,14 +122,15 @@ PLACES: list[Pattern] = [
     *patterns("place", ("middle", 0),
         f"(?:BE )?(?:right |exactly |just |precisely |directly )?(?:in|at|on|occupying|occupies|occupy|taking|takes|"
         f"filling|fills) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|"
-        f"(?! of))(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
+        f"{_NOT_OF})(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
         "(?:BE )?(?:middle|center)(?= (?:[,.;)]|$))", "(?:the )?(?:middle|central|center|centermost|middlemost)(?: "
         "BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |halfway |squeezed |sandwiched "
         "|wedged |"
         "caught )?(?:in |right |exactly )?between(?: them| those| these| the ends| the 2 ends| the 2(?! COLOR)| the "
         "2 of them)?", "in the (?:middle|center)(?= (?:a|one|the|1) )"),
     *patterns("place", ("sides", 0),
-        "(?:BE )?(?:on|at|to) (?:each|either|both|every)(?: one)?(?: of (?:its|the 2|the))? sides?(?: of (?:it|that|"
+        "(?:BE )?(?:(?:on|at|to) )?(?:each|either|both|every)(?: one)?(?: of (?:its|the 2|the))? sides?(?: of "
+        "(?:it|that|"
         "them))?", "(?:BE )?(?:to the )?left and right of (?:it|that)", "(?:BE )?to (?:its|the) left and (?:to "
         ")?(?:its )?right"),
 ]  # fmt: skip
@@ -150,6 +153,8 @@ FIGURE: list[Pattern] = [
         *patterns("figure", noun, f"{_IN}(?:(?:a|an|one|1|my|our|exactly one|just one|the following) )?(?:and same "
             f")?{_ADJ}*(?:{words})"),
         *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself)?"))),
+    *patterns("mention", "row", "from (?:one|either) end of the row to the other(?: end| one)?"),
+    *patterns("mention", "line", "from (?:one|either) end of the line to the other(?: end| one)?"),
     *patterns("figure", "line", "(?:align|aligned|aligning|aligns)(?: (?:them|these|it))?(?! (?:with|to|along|at) )"),
     *patterns("figure", "line", "(?:line|lines|lined|lining) (?:them |these |it |all of them |them all )?up"),
     *patterns("beside", None, "side by side"),

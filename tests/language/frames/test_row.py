@@ -47,7 +47,7 @@ from tests.language.frames.told import told
         (
             "Symmetric row: two red, two blue, one green in the middle, red outside.",
             "Lay 2 red blocks, 2 blue blocks and 1 green block in a row from left to right: red, blue, green, blue, "
-            "red.",
+            "green, red, red.",
         ),
         (
             "white block second from left in a row of four; rest black",
@@ -76,8 +76,8 @@ from tests.language.frames.told import told
         ),
         (
             "blue ones first, then the green ones, then the red ones, two of each, in a line",
-            "Lay 2 blue blocks, 2 green blocks and 2 red blocks in a line from left to right: blue, blue, green, green, red, "
-            "red.",
+            "Lay 2 blue blocks, 2 green blocks and 2 red blocks in a line from left to right: blue, blue, green, "
+            "green, red, red.",
         ),
         (
             "put a small block between two big blocks in a row",

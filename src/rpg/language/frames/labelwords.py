@@ -83,7 +83,7 @@ LABELS: list[Pattern] = [
 
 _SORTS = (
     "(?:(?:in|into|by|the|an|a|with|BE|sorted|sort|ordered|order|arranged|arrange|their|its|according to|following|"
-    "strictly|put|going|listed|running|goes|go|runs|all|so that they are) )*"
+    "strictly|run|they|stand|put|going|listed|running|goes|go|runs|all|so that they are) )*"
 )
 _ABC = "(?:alphabetical(?:ly)?|alphabetic|alphabet|abc|a to z|A to Z|a to Z|dictionary|lexicographic(?:al)?)"
 _BACK = "(?:reverse|reversed|inverse|inverted|backwards?|opposite)"
@@ -169,7 +169,7 @@ def _kinds() -> list[Pattern]:
         one, other = (f"(?:the |all |all the |any |its )?{_KINDS[kind]}" for kind in (ahead, behind))
         found += patterns("kinds", (ahead, behind),
             f"{one}{_COME} (?:before|ahead of|preceding|to the left of|left of|in front of) (?:any of "
-            f")?{other}", f"{one} precede {other}",
+            f")?{other}", f"{one}(?: (?:must|should|shall|have to|to))? (?:precede|come before) {other}",
             f"{one}{_COME} (?:first|on the left|at the left|to the left|in front|at the (?:front|start|"
             f"beginning)){_SEP}{_THEN}?{_SEP} {other}{_COME}{_TAIL}",
             f"first {one}{_SEP}{_THEN}?{_SEP} {other}{_COME}{_TAIL}",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
@@ -103,6 +104,9 @@ def check_rest(pieces: Sequence[Piece], counts: Counter[str]) -> None:
             raise Unclear
 
 
+_OF_WHICH = re.compile(r"\bof (?:them|these|those|which)\b")
+
+
 def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
     """What the pieces name, by where they stand; with the numbers that "two of each" and "half of them" tell.
 
@@ -127,6 +131,9 @@ def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
     ]
     if of_them and (sum(n < of_them[0] for n in found) != 1 or any(piece.kind == "rest" for piece in pieces)):
         raise Unclear
+    parts = [n for n in found if _OF_WHICH.search(pieces[n].words)]
+    if parts and not total and any(n not in parts for n in found if n < parts[0]):
+        raise Unclear  # "three red blocks, two of which are blue"
     halves = [n for n in found if "half" in pieces[n].named]
     if halves:
         again = [n for n in found if n not in halves and pieces[n].words.endswith(("half", "part", "ones", "group"))]

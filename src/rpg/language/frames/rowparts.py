@@ -215,12 +215,12 @@ WORDS: list[Pattern] = [
     *patterns("repeated", None, "(?:(?:this|the|that|which) (?:pattern |sequence |order )?)?(?:BE )?(?:repeated|"
     "repeating|repeats)"
         "(?: (?:itself|over and over|until the end))?", "(?:in )?(?:a |the )?repeating (?:pattern|sequence|"
-        "order)(?: of)?"),
+        "order)(?: of)?", "(?:the )?(?:colors )?repeating(?= COLOR)"),
     *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|in|$))"),
     *patterns("glue", None, "BE(?: all)?", "let there be", "(?:is |BE )?(?:needed|required|wanted|"
         "desired)", "a series of", "(?:be )?brought", "the robot(?: arm)?|robot|have|let us "
         "have", "there (?:stand|stands|lie|lies|sit|sits)", "up(?= (?:[,.;]|in|from|on|with|$))", "(?:the |their |"
-        "its )?colors(?= (?:from|in|COLOR|COLORs|:) )",
+        "its )?colors(?= (?:from|in|COLOR|COLORs|:) )", "color(?= COLOR )",
         "comprising|comprises|comprised of|comprise|including", "all (?:the |of the |these )?BLOCK",
         "standing|sitting|lying|resting|placed|positioned|located|neatly|nicely|please|ok|so|all"),
     *patterns("glue", None, "(?:in|of|with) (?:the |any |whatever |whichever )?colors? (?:of your (?:own )?choice|"

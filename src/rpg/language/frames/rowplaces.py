@@ -197,7 +197,7 @@ def _both_ends(lots: list[Lot], place: Place, many: int) -> list[Placed]:
 
 def _runs(sentence: Sequence[Piece], known: dict[int, Lot]) -> list[list[Lot]]:
     """The lists of blocks in a sentence: nothing but breaks, places and small words stands in a list."""
-    between = ("glue", "break", "stock", "place", "rest", "each")
+    between = ("glue", "break", "stock", "place", "rest", "each", "again")
     kept = [piece for piece in sentence if piece.kind not in between and piece.value != "now"]
     return [
         [known[id(piece)] for piece in run]

@@ -117,13 +117,14 @@ PLACES: list[Pattern] = [
         "(?:starts|starting|start|begins|beginning|begin) and (?:ends|ending|end|finishes|finishing|finish) (?:with|"
         "in|by)", "(?:BE )?(?:flanked|framed|bordered|enclosed|bracketed|sandwiched) (?:on both sides |on each side |"
         "at both ends )?by"),
+    *patterns("place", ("ends", 0), "(?:the )?ends(?= (?:COLOR|BE) )(?: BE)?"),
     *patterns("place", ("end", 0), f"(?:BE )?(?:at|on) (?:one|1|an) (?:of the (?:2 )?ends|end){_OF_IT}?"),
     *patterns("place", ("other", 0), f"(?:BE )?(?:at|on) the (?:other|opposite)(?: end| one){_OF_IT}?"),
     *patterns("place", ("middle", 0),
         f"(?:BE )?(?:right |exactly |just |precisely |directly )?(?:in|at|on|occupying|occupies|occupy|taking|takes|"
         f"filling|fills) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|"
         f"{_NOT_OF})(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
-        "(?:BE )?(?:middle|center)(?= (?:[,.;)]|$))", "(?:the )?(?:middle|central|center|centermost|middlemost)(?: "
+        "(?:BE )?(?:middle|center)(?= (?:[,.;)]|and|$))", "(?:the )?(?:middle|central|center|centermost|middlemost)(?: "
         "BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |halfway |squeezed |sandwiched "
         "|wedged |"
         "caught )?(?:in |right |exactly )?between(?: them| those| these| the ends| the 2 ends| the 2(?! COLOR)| the "
@@ -152,11 +153,12 @@ FIGURE: list[Pattern] = [
     *(pattern for noun, words in (("row", "row"), ("line", _LINE), ("column", "column")) for pattern in (
         *patterns("figure", noun, f"{_IN}(?:(?:a|an|one|1|my|our|exactly one|just one|the following) )?(?:and same "
             f")?{_ADJ}*(?:{words})"),
-        *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself)?"))),
+        *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself| 's)?"))),
     *patterns("mention", "row", "from (?:one|either) end of the row to the other(?: end| one)?"),
     *patterns("mention", "line", "from (?:one|either) end of the line to the other(?: end| one)?"),
     *patterns("figure", "line", "(?:align|aligned|aligning|aligns)(?: (?:them|these|it))?(?! (?:with|to|along|at) )"),
-    *patterns("figure", "line", "(?:line|lines|lined|lining) (?:them |these |it |all of them |them all )?up"),
+    *patterns("figure", "line", "(?:line|lines|lined|lining) (?:them |these |it |all of them |them all |(?:the |my "
+    "|our |these )?(?:BLOCK|letters|digits|numbers) )?up"),
     *patterns("beside", None, "side by side"),
     *patterns("glue", None, "(?:one|1) (?:after|beside|next to|following) (?:another|the other)"),
 ]  # fmt: skip

@@ -47,7 +47,7 @@ from tests.language.frames.told import told
         (
             "Symmetric row: two red, two blue, one green in the middle, red outside.",
             "Lay 2 red blocks, 2 blue blocks and 1 green block in a row from left to right: red, blue, green, blue, "
-            "green, red, red.",
+            "red.",
         ),
         (
             "white block second from left in a row of four; rest black",

@@ -242,7 +242,7 @@ def check_words(pieces: Sequence[Piece]) -> None:
         of_all = (of_all and piece.kind != "break") or not _ALL.isdisjoint(piece.words.split())
     bound = [piece for piece in pieces if piece.kind != "glue"]
     for piece, after in pairwise([*bound, Piece("end", "")]):
-        if {piece.kind, after.kind} == {"total", "place"}:
+        if {piece.kind, after.kind} == {"total", "place"} and after.words != "middle":
             raise Unclear
     bound = [piece for piece in bound if piece.kind != "break"]
     for piece, after in pairwise([*bound, Piece("end", "")]):

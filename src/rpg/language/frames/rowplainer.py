@@ -58,7 +58,7 @@ def repeats(pieces: Sequence[Piece]) -> bool:
     found = any(
         piece.kind == "repeated" or (piece.kind == "listed" and "pattern" in piece.words.split()) for piece in pieces
     )
-    if found and any(piece.kind == "place" or "count" in piece.named for piece in pieces):
+    if found and any(piece.kind == "place" or (piece.kind == "lot" and "count" in piece.named) for piece in pieces):
         raise Unclear
     return found
 

@@ -86,6 +86,8 @@ def told(pieces: Sequence[Piece]) -> str:
         row.counts = Counter({lot.look: lot.count for lot in numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
     check_rest(pieces, row.counts)
+    if any(piece.kind == "hues" and piece.value != len(row.counts) for piece in pieces):
+        raise Unclear
     return in_words(row, pieces, _Colored())
 
 
@@ -293,7 +295,8 @@ def check_lots(pieces: Sequence[Piece]) -> None:
     bare = bare or all("count" in piece.named for pair in together for piece in pair)
     bare = bare or all("half" in piece.named for pair in together for piece in pair)
     labels = [2 if "half" in a.named else ("label" in a.named) + ("label" in b.named) for a, b in together]
-    if together and ((len(together) < 2 and 2 not in labels) or not bare or 1 in labels):
+    alternate = any(a.value == "alternating" and b.kind == "lot" for a, b in pairwise(pieces))
+    if together and ((len(together) < 2 and 2 not in labels and not alternate) or not bare or 1 in labels):
         raise Unclear
 
 

@@ -204,8 +204,10 @@ WORDS: list[Pattern] = [
         "BLOCK"),
     *patterns("listed", "now", "then(?: (?:comes|come|follows|goes))?(?: (?:again|another|next|finally|"
         "lastly))?", "(?:which BE )?followed (?:next )?by", "next(?: comes| follows)?(?! to)", "after (?:that|it|"
-        "which)(?: comes| follows)?", "(?:and )?(?:finally|lastly)", "→", "after (?:this|that|it)",
+        "which)(?: comes| follows)?", "(?:and )?(?:finally|lastly)", "→", "after (?:this|that|it|them|these|those)",
         "(?:then|(?:which BE )?followed by|next|and finally|finally|lastly|and lastly)(?: comes)? (?:yet )?another"),
+    *patterns("hues", lambda match: int(match["n"]),
+        r"(?:(?:of|in|with|the|using) )*(?P<n>\d) (?:different )?colors(?= (?:[,.;:(]|alternating) )"),
     *patterns("stock", None, "(?:there (?:is|are)|i have(?: got)?|we have(?: got)?|you have(?: got)?|you get|take|"
         "here (?:is|are)|given(?: (?:is|are))?|given :|(?:available|materials?|inventory|stock|blocks|cubes)(?: "
         "(?:are|is))? :)"),

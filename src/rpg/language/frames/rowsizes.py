@@ -24,7 +24,7 @@ _IN_SIZE = f"{_BLOCKS}(?:their )?sizes?"
 SIZED: list[Pattern] = [
     *patterns("lot", None,
         rf"(?:(?P<det>the|a|an|both the|both|the other) )?(?:(?P<count>NUM) )?(?:plain )?{_SIZED} "
-        r"(?P<noun>BLOCK|ones|one)(?! in size)"),
+        r"(?P<noun>BLOCK|ones|one)(?! in size)", rf"{_SIZED}(?= (?:[,.;)]|and|then|$))"),
     *patterns("bysize", "increasing",
         f"{_SORTS}{_LOW} {_TO} {_HIGH}", f"{_SORTS}(?:increasing|ascending|growing|rising) (?:in )?(?:order of "
         f")?sizes?",

@@ -99,6 +99,8 @@ PLACES: list[Pattern] = [
         f"center)(?: one| BLOCK)?)", f"(?:BE )?(?:placed )?(?:to|on|at) its {side}(?: side)?")),
     *patterns("place", ("left", 1), "(?<!the )(?<!from )left(?= (?:and|[,.;]|$))"),
     *patterns("place", ("right", 1), "(?<!the )(?<!from )right(?= (?:and|[,.;]|in|$))"),
+    *patterns("place", ("front", 1), "(?:BE )?(?:at|in) the front(?= (?:[,.;)]|and|with|$))"),
+    *patterns("place", ("back", 1), "(?:BE )?(?:at|in) the (?:back|rear)(?= (?:[,.;)]|and|with|$))"),
     *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:BE )?(?:on |at )?(?:the )?inside(?= (?:[,.;)]|"
     "and|$))"),
     *patterns("place", ("last", 2), "(?:BE )?(?:the )?(?:next to last|second to last|last but one|second last)(?: "
@@ -119,7 +121,8 @@ PLACES: list[Pattern] = [
         "at both ends )?by"),
     *patterns("place", ("ends", 0), "(?:the )?ends(?= (?:COLOR|BE) )(?: BE)?"),
     *patterns("place", ("end", 0), f"(?:BE )?(?:at|on) (?:one|1|an) (?:of the (?:2 )?ends|end){_OF_IT}?"),
-    *patterns("place", ("other", 0), f"(?:BE )?(?:at|on) the (?:other|opposite)(?: end| one){_OF_IT}?"),
+    *patterns("place", ("other", 0), f"(?:BE )?(?:at|on) the (?:other|opposite)(?: end| one){_OF_IT}?", r"(?:BE "
+    r")?(?:at|on) the other(?= (?:[,.;)]|and|$))"),
     *patterns("place", ("middle", 0),
         f"(?:BE )?(?:right |exactly |just |precisely |directly )?(?:in|at|on|occupying|occupies|occupy|taking|takes|"
         f"filling|fills) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|"
@@ -129,7 +132,7 @@ PLACES: list[Pattern] = [
         "|wedged |"
         "caught )?(?:in |right |exactly )?between(?: them| those| these| the ends| the 2 ends| the 2(?! COLOR)| the "
         "2 of them)?", "in the (?:middle|center)(?= (?:a|one|the|1) )"),
-    *patterns("place", ("sides", 0),
+    *patterns("place", ("sides", 0), "(?:the |both |its )?sides(?= (?:COLOR|BE) )(?: BE)?",
         "(?:BE )?(?:(?:on|at|to) )?(?:each|either|both|every)(?: one)?(?: of (?:its|the 2|the))? sides?(?: of "
         "(?:it|that|"
         "them))?", "(?:BE )?(?:to the )?left and right of (?:it|that)", "(?:BE )?to (?:its|the) left and (?:to "

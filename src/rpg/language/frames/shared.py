@@ -44,7 +44,8 @@ GLUE: list[Pattern] = [
         "wife|husband|customer|client|student|students|colleague) (?:wants|want|needs|need|would like|wishes|wish|asks "
         "for|asked for|wanted)(?: to (?:see|have|get))?", "(?:ensure|make sure|be sure|see to it|take care)(?: "
         "that)?", "(?:it )?would be "
-        "(?:great|nice|good|lovely|perfect|cool|fine|helpful|ideal|wonderful)(?: if| to have| to see)?", "were|had",
+        "(?:great|nice|good|lovely|perfect|cool|fine|helpful|ideal|wonderful)(?: if| to have| to see)?", "were|"
+        "had", "basically|essentially|simply|actually|out(?= in (?:a|one) )",
         "for (?:a |the |my |our |this )?(?:lesson|class|demo|experiment|test|game|exercise|homework|school|kids|"
         "children|"
         "video|photo|benchmark)"),

@@ -19,7 +19,7 @@ from rpg.language.lexicon import RAINBOW
 PATTERNS: list[Pattern] = [
     *LOTS,
     *patterns("total", lambda match: int(match["n"]), r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|"
-        r"alternat\w+|touching|evenly|which|on) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
+        r"alternat\w+|touching|evenly|which|on|the) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
         r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+) in "
         r"number", r"(?P<n>\d+)(?= (?:in|on|make|making|form|forming) (?:a|one) )",
         r"(?:quantity|count|amount|number)(?: (?:BE|of|:))? (?P<n>\d+)(?= (?:[,.;)]|$))",

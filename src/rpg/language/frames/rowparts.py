@@ -59,6 +59,7 @@ SPACING: list[Pattern] = [
         f"(?:(?:a|the|with|of|leaving|leave|keep) )*{_DISTANCE}{_FACES}(?: BE)?(?: of| :| =)* {_LENGTH}"),
     *_length("The blocks are {} apart.",
         f"(?:with )?(?:each|every)(?: BLOCK| one)? (?:BE )?{_LENGTH} (?:away )?from {_NEXT_ONE}",
+        f"(?:BE )?spaced (?:at |by |out )?{_LENGTH}",
         f"(?:(?:spaced|set|placed|at|with|standing|sitting|lying|BE) )*{_EACH}?{_LENGTH} apart(?: from (?:each other|"
         f"one another|the next|its neighbor))?(?:,? (?:measured )?{_CENTERS})?",
         f"(?:(?:a|the|with|of|leaving|leave|keep|at) )*(?:equal |regular |constant |center "

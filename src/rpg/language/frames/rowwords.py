@@ -101,6 +101,7 @@ PLACES: list[Pattern] = [
     *patterns("place", ("right", 1), "(?<!the )(?<!from )right(?= (?:and|[,.;]|in|$))"),
     *patterns("place", ("front", 1), "(?:BE )?(?:at|in) the front(?= (?:[,.;)]|and|with|$))"),
     *patterns("place", ("back", 1), "(?:BE )?(?:at|in) the (?:back|rear)(?= (?:[,.;)]|and|with|$))"),
+    *patterns("place", ("middle", 0), "(?:the )?(?:middle|center)(?= COLOR )"),
     *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:BE )?(?:on |at )?(?:the )?inside(?= (?:[,.;)]|"
     "and|$))"),
     *patterns("place", ("last", 2), "(?:BE )?(?:the )?(?:next to last|second to last|last but one|second last)(?: "
@@ -121,8 +122,7 @@ PLACES: list[Pattern] = [
         "at both ends )?by"),
     *patterns("place", ("ends", 0), "(?:the )?ends(?= (?:COLOR|BE) )(?: BE)?"),
     *patterns("place", ("end", 0), f"(?:BE )?(?:at|on) (?:one|1|an) (?:of the (?:2 )?ends|end){_OF_IT}?"),
-    *patterns("place", ("other", 0), f"(?:BE )?(?:at|on) the (?:other|opposite)(?: end| one){_OF_IT}?", r"(?:BE "
-    r")?(?:at|on) the other(?= (?:[,.;)]|and|$))"),
+    *patterns("place", ("other", 0), f"(?:BE )?(?:at|on) the (?:other|opposite)(?: end| one){_OF_IT}?"),
     *patterns("place", ("middle", 0),
         f"(?:BE )?(?:right |exactly |just |precisely |directly )?(?:in|at|on|occupying|occupies|occupy|taking|takes|"
         f"filling|fills) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|"

@@ -135,6 +135,10 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "blocks 1 and 3 red, 3 and 4 blue, in a row",
         "a row with all red ones left of all blue ones",  # how many?
         "first line up red and blue, then put green on the left",
+        "three red blocks in a row touching the blue block",
+        "row of red and blue repeated",
+        "row of six, two colours, red, white and blue",
+        "three red blocks in a row, two of which are blue",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

@@ -72,8 +72,7 @@ def told(pieces: Sequence[Piece]) -> str:
     ):
         raise Unclear  # what is put there could go on top
     open_rest = any(piece.kind == "rest" for piece in pieces) and size is None
-    if order and size and size % len(order) == 0 and rowplainer.repeats(pieces):
-        order *= size // len(order)
+    order = rowplainer.repeated(pieces, order, size)
     if order is not None:
         together = all(lot.plural for run in said.lists for lot in run)
         if size not in (None, len(order)) or open_rest or (each and not together):

@@ -76,7 +76,7 @@ SPACING: list[Pattern] = [
         "(?:(?:they|all|each|must|should|shall|so|that|everything|every one|every|one|BLOCK|of them|the) )*(?:BE "
         ")?(?:all )?(?:just )?(?:to )?(?:touching|touch|touches|contacting|in contact(?: with)?|in touch with)(?: "
         "(?:each other|one another|(?:the|its|their) (?:next|neighbors?|neighbor)(?: one| BLOCK| in (?:the )?(?:row|"
-        "line))?))?",
+        "line))?))?(?! (?:the|a|an|another|its|both) )",
         f"(?:with(?:out)? |and |there (?:BE|shall be|must be|should be) |leave |leaving |has |have )*(?:no|any|"
         f"without|zero) (?:free |visible |empty |any )?(?:{_GAP}|spacing|gap|distance)(?: left| at all| in "
         f"between)*(?:{_NEIGHBORS})?(?: at all)?",
@@ -88,10 +88,10 @@ SPACING: list[Pattern] = [
     *patterns("spacing", "The blocks do not touch each other.",
         "(?:(?:but|and|with|so that) )*(?:none(?: of (?:them|the BLOCK))?|no 2(?: BLOCK| of them)?) (?:of them "
         ")?(?:BE |may "
-        "|must |should )?(?:touching|touch)(?: (?:each other|one another|its neighbors?|another))?",
+        "|must |should )?(?:touching|touch)(?: (?:each other|one another|its neighbors?|another))?(?! (?:the|a|an|"
+        "any|both) )",
         "(?:(?:but|and|they|which|that|the BLOCK) )*(?:(?:do|must|should|may|are) )*(?:not|without) (?:be "
-        ")?(?:touching|"
-        "touch)(?: (?:each other|one another))?"),
+        ")?(?:touching|touch)(?: (?:each other|one another))?(?! (?:the|a|an|any|another|its|both) )"),
     *patterns("spacing", "The row is evenly spaced.",
         "(?:(?:they|all|BE|to) )*(?:evenly|equally|regularly|uniformly|equidistantly) (?:spaced|spread|distributed|"
         "far apart|spaced out|placed|distant|separated|set|laid|arranged|apart)(?: out)?(?: apart)?(?: from (?:each "

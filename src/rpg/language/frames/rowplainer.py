@@ -49,18 +49,21 @@ def check_about_middle(pieces: Sequence[Piece], size: int, told: int) -> None:
         raise Unclear
 
 
-def repeats(pieces: Sequence[Piece]) -> bool:
-    """Whether the listed looks are a pattern, which a longer row repeats.
+def repeated(pieces: Sequence[Piece], order: list[str] | None, size: int | None) -> list[str] | None:
+    """The order of the looks, with a listed pattern as often as it takes for so many blocks.
 
     Raises:
-        Unclear: numbers are told, or places.
+        Unclear: it is repeated, but it is not told how many blocks there are, or it takes a part of the pattern.
     """
-    found = any(
-        piece.kind == "repeated" or (piece.kind == "listed" and "pattern" in piece.words.split()) for piece in pieces
-    )
-    if found and any(piece.kind == "place" or (piece.kind == "lot" and "count" in piece.named) for piece in pieces):
-        raise Unclear
-    return found
+    told = any(piece.kind == "repeated" for piece in pieces)
+    if not told and not any(piece.kind == "listed" and "pattern" in piece.words.split() for piece in pieces):
+        return order
+    numbered = any(piece.kind == "place" or (piece.kind == "lot" and "count" in piece.named) for piece in pieces)
+    if not order or not size or size % len(order) or numbered:
+        if told:
+            raise Unclear
+        return order
+    return order * (size // len(order))
 
 
 def singly(pieces: Sequence[Piece]) -> list[Piece]:

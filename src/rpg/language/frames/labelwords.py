@@ -43,6 +43,7 @@ def _range(match: re.Match[str]) -> list[str]:
 
 
 def _every_other(match: re.Match[str]) -> list[str]:
+    """The even or odd digits of a range ("from 2 to 8 from right to left" tells two ways, and is left alone)."""
     return [label for label in _range(match) if label.isdigit() and int(label) % 2 == (match["which"] == "odd")]
 
 
@@ -62,7 +63,7 @@ LABELS: list[Pattern] = [
         rf"on) the (?:left|right)(?: end| side)?"),
     *patterns("range", _every_other,
         rf"(?:all )?(?:of )?(?:the )?(?P<which>even|odd) (?:{_NOUN}|BLOCK)(?: from)? (?P<first>{_L}|one) {_TO} "
-        rf"(?P<last>{_L})(?: inclusive)?"),
+        rf"(?P<last>{_L})(?: inclusive)?(?! from )"),
     *patterns("range", lambda match: list(_LETTERS[: int(match["n"])]),
         r"(?:the )?first (?P<n>\d+) letters(?: of the alphabet| in the alphabet)?"),
     *patterns("range", lambda match: list(_DIGITS), r"all (?:of )?(?:the )?(?:10 )?(?:digits|numerals)(?= )(?! "

@@ -240,7 +240,7 @@ OF_THEM: list[Pattern] = [
     *patterns("lot", None,
         rf"(?P<half>half) (?:(?:of )?(?:them|these|those|which|the BLOCK) )?(?:BE )?(?P<color>COLOR){_END_HERE}(?: "
         rf"ones)?",
-        rf"(?P<count>NUM) (?:(?:of (?:them|these|those|which|the BLOCK)|BLOCK) )?BE(?: all)? "
+        rf"(?<!of )(?P<count>NUM) (?:(?:of (?:them|these|those|which|the BLOCK)|BLOCK) )?BE(?: all)? "
         rf"(?P<color>COLOR){_END_HERE}"
         r"(?: ones)?",
         rf"(?P<count>NUM) of (?:them|these|those|which|the BLOCK) (?P<color>COLOR){_END_HERE}(?: ones)?",

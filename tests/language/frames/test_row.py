@@ -140,6 +140,7 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "row of six, two colours, red, white and blue",
         "three red blocks in a row, two of which are blue",
         "the third block from the left in a row of five is red",  # and not five of them
+        "align the red block with the blue block",  # along which line?
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

@@ -159,7 +159,8 @@ FIGURE: list[Pattern] = [
         *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself| 's)?"))),
     *patterns("mention", "row", "from (?:one|either) end of the row to the other(?: end| one)?"),
     *patterns("mention", "line", "from (?:one|either) end of the line to the other(?: end| one)?"),
-    *patterns("figure", "line", "(?:align|aligned|aligning|aligns)(?: (?:them|these|it))?(?! (?:with|to|along|at) )"),
+    *patterns("figure", "line", "(?:align|aligned|aligning|aligns)(?: (?:them|these|it))?(?! (?:to|along|at) )"
+        "(?! (?:[^.,;]+ )?with (?:the|a|an|its|this|that) )"),
     *patterns("figure", "line", "(?:line|lines|lined|lining) (?:them |these |it |all of them |them all |(?:the |my "
     "|our |these )?(?:BLOCK|letters|digits|numbers) )?up"),
     *patterns("beside", None, "side by side"),

@@ -141,6 +141,7 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "three red blocks in a row, two of which are blue",
         "the third block from the left in a row of five is red",  # and not five of them
         "align the red block with the blue block",  # along which line?
+        "a row of four red blocks, a blue block lies on the second one from the left",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

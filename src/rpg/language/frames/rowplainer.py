@@ -15,7 +15,7 @@ _AND = "(?: ,| and| ,? and| &)"
 _NOUN = "(?:blocks?|cubes?|ones?|places?|positions?|spots?|slots?)"
 PLACES: list[Pattern] = [
     *patterns("places", None,
-        rf"(?:BE )?(?:in |at |on |as )?(?:the |its )?(?P<nths>{_NTH}(?: {_NOUN})?(?:{_AND}(?: the)? {_NTH}(?: "
+        rf"(?:BE )?(?:in |at |as )?(?:the |its )?(?P<nths>{_NTH}(?: {_NOUN})?(?:{_AND}(?: the)? {_NTH}(?: "
         rf"{_NOUN})?)+)"
         rf"(?: in the (?:row|line))?(?: from (?:the )?(?P<side>left|right))?(?: BE)?(?= )",
         rf"(?:BE )?(?:in |at |on |as )?(?:the )?(?:blocks|cubes|places|positions|spots|slots|numbers) (?P<numbers>\d"

@@ -67,7 +67,7 @@ def _at_side(side: str) -> list[Pattern]:
 PLACES: list[Pattern] = [
     *(pattern for side in _SIDES for pattern in _at_side(side)),
     *patterns("place", lambda match: (_side(match["side"]), _nth(match["nth"])),
-        f"(?:BE |{_HAS} )?(?:in |at |as |on )?(?:the |its )?{_NTH}{_ONE}?(?: in)?{_FROM}", f"(?:BE )?on the {_NTH} "
+        f"(?:BE |{_HAS} )?(?:in |at |as )?(?:the |its )?{_NTH}{_ONE}?(?: in)?{_FROM}", f"(?:BE )?on the {_NTH} "
         f"(?:place|"
         f"position|spot|slot){_FROM}"),
     *patterns("place", lambda match: (_side(match["side"]), int(match["n"])),

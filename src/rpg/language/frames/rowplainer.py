@@ -18,7 +18,7 @@ PLACES: list[Pattern] = [
         rf"(?:BE )?(?:in |at |as )?(?:the |its )?(?P<nths>{_NTH}(?: {_NOUN})?(?:{_AND}(?: the)? {_NTH}(?: "
         rf"{_NOUN})?)+)"
         rf"(?: in the (?:row|line))?(?: from (?:the )?(?P<side>left|right))?(?: BE)?(?= )",
-        rf"(?:BE )?(?:in |at |on |as )?(?:the )?(?:blocks|cubes|places|positions|spots|slots|numbers) (?P<numbers>\d"
+        rf"(?:BE )?(?:in |at |as )?(?:the )?(?:blocks|cubes|places|positions|spots|slots|numbers) (?P<numbers>\d"
         rf"(?:{_AND} \d)+)(?: from (?:the )?(?P<side>left|right))?(?: BE)?"),
 ]  # fmt: skip
 """Kind "places": several of them, which the same blocks have."""

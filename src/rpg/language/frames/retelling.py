@@ -26,10 +26,15 @@ _BINDING = frozenset({
 """With these, sentences do not stand for themselves."""
 _REFERRING = frozenset({"it", "they", "this", "these", "them", "those", "all", "both", "each"})
 """A sentence that begins with these is of what is told before it."""
-_ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) ")
-"""Blocks of no told look may be those that another sentence names, and what there is may be there already."""
+_ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) |The blocks do not touch")
+"""Blocks of no told look may be those that another sentence names, what there is may be there already, and "the blocks"
+that are not to touch would be all."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
 """So many blocks may be all that the other sentence names."""
+_ASKS = frozenset(
+    {"is", "are", "was", "were", "do", "does", "did", "has", "have", "which", "what", "where", "who", "how", "why"}
+)
+"""With these a question begins that asks for no task."""
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -37,7 +42,7 @@ _MOST = 120
 def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text in plain sentences, and the words of that: all of it, or its first or last part, where the other part
     is left as it is. Most of the text comes first. Told words stand where what they tell again stands."""
-    if not 0 < len(tokens) <= _MOST:
+    if not 0 < len(tokens) <= _MOST or (tokens[0].word in _ASKS and tokens[-1].word == "?"):
         return
     yield from _as_a_whole(tokens)
     for rest, stretch, aside in (*without_distractors(tokens), *without_turns(tokens)):

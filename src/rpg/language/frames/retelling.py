@@ -8,9 +8,12 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, moments, turned
+from rpg.language.frames import attached, beside, measured, moments, turned
+from rpg.language.frames.attached import without_attached
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.families import FAMILIES
+from rpg.language.frames.given import with_given
+from rpg.language.frames.measured import without_measures
 from rpg.language.frames.pieces import CLASSES, Unclear, cut
 from rpg.language.frames.turned import without_turns
 from rpg.language.tokens import Token, tokenize
@@ -40,7 +43,9 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     if not 0 < len(tokens) <= _MOST:
         return
     yield from _as_a_whole(tokens)
-    for rest, stretch, aside in (*without_distractors(tokens), *without_turns(tokens)):
+    yield from _with_given(tokens)
+    asides = (without_distractors, without_turns, without_measures, without_attached)
+    for rest, stretch, aside in (found for without in asides for found in without(tokens)):
         rest = beside.stopped(rest, stretch[0])
         for told, said in ((rest, _text(rest)), *_as_a_whole(rest)) if rest else (([], ""),):
             yield [*told, *_standing(aside, stretch)], f"{said} {aside}".strip()
@@ -77,9 +82,17 @@ def _as_a_whole(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
         yield out, _text(out)
 
 
+def _with_given(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The text with the figure that is there already told again, and what is to be done as it is or told again."""
+    for start, ahead, behind in with_given(tokens, plainly):
+        yield [*_standing(start, ahead), *behind], f"{start} {_text(behind)}"
+        if (aim := plainly(behind)) is not None:
+            yield [*_standing(start, ahead), *_standing(aim, behind)], f"{start} {aim}"
+
+
 def words() -> frozenset[str]:
     """Every word that is known here."""
-    told = [*beside.TOLD, *turned.PATTERNS, *(pattern for known, _ in FAMILIES for pattern in known)]
+    told = [*attached.TOLD, *beside.TOLD, *measured.TOLD, *turned.PATTERNS, *(pattern for known, _ in FAMILIES for pattern in known)]
     texts = [*CLASSES.values(), *(pattern.text for pattern in told), *(lead.pattern for _, lead in moments.PATTERNS)]
     return frozenset(word for text in texts for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", text))
 

@@ -106,7 +106,7 @@ def _aim(tokens: Sequence[Token]) -> Sequence[Token]:
 def at_start(said: str) -> str:
     """Plain sentences about a figure as it is to be, told as how things stand at the start; "" where that is not
     clear."""
-    first, *others = re.findall(r"[^.]+\.", said)
+    first, *others = re.findall(r"[^.]+\.", _in_order(said))
     figure = re.match(r"Build (?=an? )", first)
     row = re.match(r"Lay (?P<blocks>(?:the )?.+?) in a (?P<row>row|line|column)", first)
     if not figure and not row:
@@ -120,6 +120,16 @@ def at_start(said: str) -> str:
         text = f"At the start, there is {first[len('Build ') :]}"
     told = [f" At the start, {text.strip()[0].lower()}{text.strip()[1:]}" for text in others]
     return "".join([text, *told])
+
+
+def _in_order(said: str) -> str:
+    """A tower of which it is told where each block is, as one that is told in order."""
+    placed = dict(reversed(found) for found in re.findall(r"The (\S+) block is (at the bottom|in the middle|at the top)\.", said))
+    blocks = re.match(r"Build a tower from ((?:(?: and )?1 \S+ block)+)\.", said)
+    if not blocks or len(placed) != blocks[1].count("block"):
+        return said
+    order = [placed[place] for place in ("at the bottom", "in the middle", "at the top") if place in placed]
+    return f"{blocks[0][:-1]}, from bottom to top: {', '.join(order)}."
 
 
 def _compiled(text: str) -> re.Pattern[str]:

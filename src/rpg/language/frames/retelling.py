@@ -85,9 +85,11 @@ def _as_a_whole(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
 def _with_given(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text with the figure that is there already told again, and what is to be done as it is or told again."""
     for start, ahead, behind in with_given(tokens, plainly):
-        yield [*_standing(start, ahead), *behind], f"{start} {_text(behind)}"
+        sentences = re.findall(r"[^.]+\.", start)
+        begun = [token for n, text in enumerate(sentences) for token in _standing(text, ahead[min(n, len(ahead) - 1) :])]
+        yield [*begun, *behind], f"{start} {_text(behind)}"
         if (aim := plainly(behind)) is not None:
-            yield [*_standing(start, ahead), *_standing(aim, behind)], f"{start} {aim}"
+            yield [*begun, *_standing(aim, behind)], f"{start} {aim}"
 
 
 def words() -> frozenset[str]:

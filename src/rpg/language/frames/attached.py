@@ -24,9 +24,9 @@ _BUILT = (
     rf"(?:of|from|with|out of) {_LOT}(?: and {_LOT})*"
 )
 _THINGS = rf"(?P<things>{_BUILT}|{_LOT}(?: and {_LOT})?|{_LETTER})"
-_OF_IT = rf"(?:it|them|that|this|(?:the|that|this|these|your|its)(?: (?:whole|entire|finished|new|same))? (?:{_FIGURE}))"
+OF_IT = rf"(?:it|them|that|this|(?:the|that|this|these|your|its)(?: (?:whole|entire|finished|new|same))? (?:{_FIGURE}))"
 _CLOSE = "(?P<close>(?:right|directly|just|immediately|straight) )?"
-_SIDES = (
+SIDES = (
     ("in front of", "in front(?: side)? of|before"),
     ("behind", "behind|in back of|at the back of"),
     ("to the left of", "(?:(?:to|on|at) )?(?:the |its )?left(?: hand)?(?: side)? of|left from"),
@@ -47,11 +47,11 @@ _ALONE = (
 """The same where it is not named."""
 _FREE = tuple((way, said if way not in ("behind", "next to") else "<>") for way, said in _ALONE)
 """Those that cannot be followed by what they are relative to."""
-_VERB = (
+VERB = (
     "(?:(?:please|also|just|i|we|you|can|could|would|like|want|to|should|must|the robot|need) )*(?:put|place|set|add|lay|"
     "position|stand|build|make|have|leave|there (?:is|are|should be|must be|shall be))(?: also| then)?"
 )
-_BE = (
+BE = (
     "(?:(?:that|which) )?(?:(?:must|should|shall|will|is to|has to|are to|have to|needs to) )?(?:be |is |are )?(?:also )?(?:"
     "put|placed|set|added|laid|positioned|built|go|goes|come|comes|stand|stands|standing|lie|lies|lying|sit|sits|sitting|"
     "rest|rests|resting|be|is|are|being|waiting|following|follows|follow)"
@@ -65,11 +65,11 @@ def _sides(ways: Sequence[tuple[str, str]]) -> str:
 
 TOLD = [
     *patterns("named", None,
-        rf"{_LEAD}(?:(?P<verb>{_VERB}) )?{_THINGS}(?: {_BE})? {_CLOSE}(?:{_sides(_SIDES)}) {_OF_IT}",
-        rf"{_LEAD}{_CLOSE}(?:{_sides(_SIDES)}) {_OF_IT}(?: ,| :)?(?: (?P<verb>{_VERB})| {_BE})? {_THINGS}"),
+        rf"{_LEAD}(?:(?P<verb>{VERB}) )?{_THINGS}(?: {BE})? {_CLOSE}(?:{_sides(SIDES)}) {OF_IT}",
+        rf"{_LEAD}{_CLOSE}(?:{_sides(SIDES)}) {OF_IT}(?: ,| :)?(?: (?P<verb>{VERB})| {BE})? {_THINGS}"),
     *patterns("alone", None,
-        rf"{_LEAD}(?:(?P<verb>{_VERB}) )?{_THINGS}(?: {_BE})? {_CLOSE}(?:{_sides(_ALONE)})",
-        rf"{_LEAD}{_CLOSE}(?:{_sides(_ALONE)})(?: of it)?(?: ,| :| (?P<verb>{_VERB})| {_BE}) {_THINGS}",
+        rf"{_LEAD}(?:(?P<verb>{VERB}) )?{_THINGS}(?: {BE})? {_CLOSE}(?:{_sides(_ALONE)})",
+        rf"{_LEAD}{_CLOSE}(?:{_sides(_ALONE)})(?: of it)?(?: ,| :| (?P<verb>{VERB})| {BE}) {_THINGS}",
         rf"{_LEAD}{_CLOSE}(?:{_sides(_FREE)})(?: of it)? {_THINGS}"),
 ]  # fmt: skip
 _POINTS = re.compile(r"\b(?:it|its|that|this|them)\b")
@@ -82,7 +82,7 @@ _BOUNDS = frozenset({".", ",", ";", "!", "?", "and", "while", "but", "with", "th
 _STOPS = frozenset({".", ";", "!", "?"})
 _COLOR = rf"\b(?:{'|'.join(lexicon.COLORS)})(?=s?\b)"
 _MANY = re.compile(r"\b(?:towers|stacks|rows|lines|columns|walls|squares)\b")
-_UNBOUND = frozenset({
+UNBOUND = frozenset({
     "or", "if", "until", "unless", "before", "first", "initial", "initially", "start", "starts", "begin", "begins",
     "already", "each", "every", "both", "swap", "not", "never", "no", "without", "except", "instead", "remove", "take",
     "either", "neither", "nor", "goal", "reverse", "exchange", "replace",
@@ -96,7 +96,7 @@ _GIVEN = re.compile(r"(?:^|[.;,] )(?:there (?:is|are)|the (?:tower|stack|row|lin
 
 def without_attached(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], list[Token], str]]:
     """The text of a figure without the stretches that tell what is beside it; the first of those, and what all say."""
-    if not _UNBOUND.isdisjoint(coded(tokens)) or sum(token.word in _STOPS for token in tokens) > 4:
+    if not UNBOUND.isdisjoint(coded(tokens)) or sum(token.word in _STOPS for token in tokens) > 4:
         return
     rest, stretch, said = list(tokens), list[Token](), list[str]()
     pointed = False
@@ -163,7 +163,7 @@ def _told(match: re.Match[str], kind: str, told: Sequence[str]) -> str:
     if not re.search(rf"{_COLOR}|'\w+'|\b[A-Z]\b|\b(?:rainbow|colors)\b", rest):
         return ""  # nor is it told which blocks make the figure
     things = re.sub(r"(?<=\b)one (?=(?:of|from|with|made|built|out) )", f"{figure} ", things)
-    ways = _SIDES if kind == "named" else _ALONE
+    ways = SIDES if kind == "named" else _ALONE
     side = next(way for n, (way, _) in enumerate(ways) if match.groupdict().get(f"side{n}"))
     verb = "build" if re.search(rf"\b(?:{_FIGURE})\b", things) else "put"
     lead = f"Then {verb}" if _AFTER & set((match["lead"] or "").split()) else verb.capitalize()

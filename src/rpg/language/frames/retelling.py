@@ -14,6 +14,7 @@ from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.families import FAMILIES
 from rpg.language.frames.given import with_given
 from rpg.language.frames.measured import without_measures
+from rpg.language.frames.paired import pairs
 from rpg.language.frames.pieces import CLASSES, Unclear, cut
 from rpg.language.frames.turned import without_turns
 from rpg.language.tokens import Token, tokenize
@@ -43,6 +44,7 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     if not 0 < len(tokens) <= _MOST:
         return
     yield from _as_a_whole(tokens)
+    yield from ((_standing(told, tokens), told) for told in pairs(tokens, plainly))
     yield from _with_given(tokens)
     asides = (without_distractors, without_turns, without_measures, without_attached)
     for rest, stretch, aside in (found for without in asides for found in without(tokens)):

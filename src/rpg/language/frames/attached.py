@@ -12,7 +12,8 @@ from rpg.language.frames.pieces import coded, patterns
 from rpg.language.tokens import Token
 
 _FIGURE = (
-    "tower|stack|pillar|row|line|column|wall|grid|pyramid|staircase|stairs|square|rectangle|circle|ring|triangle|cross|"
+    "tower|stack|pillar|row|line|column|wall|grid|pyramid|staircase|stairs|square|rectangle|circle|ring|triangle|"
+    "cross|"
     "plus|word"
 )
 _DET = "(?:(?:the|a|an|my|our|another|one|single|just|some|also) )*"
@@ -24,7 +25,8 @@ _BUILT = (
     rf"(?:of|from|with|out of) {_LOT}(?: and {_LOT})*"
 )
 _THINGS = rf"(?P<things>{_BUILT}|{_LOT}(?: and {_LOT})?|{_LETTER})"
-OF_IT = rf"(?:it|them|that|this|(?:the|that|this|these|your|its)(?: (?:whole|entire|finished|new|same))? (?:{_FIGURE}))"
+_PATCHES = "|".join(lexicon.PATCH_NOUNS.split())
+OF_IT = rf"(?:it|them|that|this|(?:the|that|this|these|your|its)(?: (?:whole|entire|finished|new|same))? (?:{_FIGURE})|(?:(?:the|that|this) )?(?P<patch>(?:COLOR )?PATCH))"
 _CLOSE = "(?P<close>(?:right|directly|just|immediately|straight) )?"
 SIDES = (
     ("in front of", "in front(?: side)? of|before"),
@@ -48,12 +50,15 @@ _ALONE = (
 _FREE = tuple((way, said if way not in ("behind", "next to") else "<>") for way, said in _ALONE)
 """Those that cannot be followed by what they are relative to."""
 VERB = (
-    "(?:(?:please|also|just|i|we|you|can|could|would|like|want|to|should|must|the robot|need) )*(?:put|place|set|add|lay|"
+    "(?:(?:please|also|just|i|we|you|can|could|would|like|want|to|should|must|the robot|need) )*(?:put|place|set|"
+    "add|lay|"
     "position|stand|build|make|have|leave|there (?:is|are|should be|must be|shall be))(?: also| then)?"
 )
 BE = (
-    "(?:(?:that|which) )?(?:(?:must|should|shall|will|is to|has to|are to|have to|needs to) )?(?:be |is |are )?(?:also )?(?:"
-    "put|placed|set|added|laid|positioned|built|go|goes|come|comes|stand|stands|standing|lie|lies|lying|sit|sits|sitting|"
+    "(?:(?:that|which) )?(?:(?:must|should|shall|will|is to|has to|are to|have to|needs to) )?(?:be |is |are "
+    ")?(?:also )?(?:"
+    "put|placed|set|added|laid|positioned|built|go|goes|come|comes|stand|stands|standing|lie|lies|lying|sit|sits|"
+    "sitting|"
     "rest|rests|resting|be|is|are|being|waiting|following|follows|follow)"
 )
 _LEAD = r"(?P<lead>(?:(?:[,;.:]|and|with|plus|while|where|but|as well as|also|then|afterwards|after that|next) )*)"
@@ -88,7 +93,10 @@ UNBOUND = frozenset({
     "either", "neither", "nor", "goal", "reverse", "exchange", "replace",
 })  # fmt: skip
 """With these it is not clear that what is told is of the figure as it is to be."""
-_COUNTED = re.compile(r"(?<!of )(?<!from )(?<!with )(?<!using )(?<!x )\b\d+ (?:blocks|cubes|pieces|elements)\b(?! (?:high|tall|wide|long))")
+_COUNTED = re.compile(
+    r"(?<!of )(?<!from )(?<!with )(?<!using )(?<!x )\b\d+ (?:blocks|cubes|pieces|elements)\b(?! (?:high|tall|wide|"
+    r"long))"
+)
 _NAMED = re.compile(rf"\b(?P<figure>{_FIGURE})s?\b")
 _GIVEN = re.compile(r"(?:^|[.;,] )(?:there (?:is|are)|the (?:tower|stack|row|line|wall|pyramid)|we have|given)\b")
 """How a figure is told of that may be there already."""
@@ -154,9 +162,14 @@ def _told(match: re.Match[str], kind: str, told: Sequence[str]) -> str:
     if len(set(figures)) != 1 or len(figures) > 3 or _COUNTED.search(rest) or _MANY.search(rest):
         return ""
     things, figure = match["things"].strip(), figures[0]
-    if not match.groupdict().get("verb") and (_GIVEN.search(rest) or (kind == "alone" and figure in _LONG) or _DONE.search(rest)):
+    if not match.groupdict().get("verb") and (
+        _GIVEN.search(rest) or (kind == "alone" and figure in _LONG) or _DONE.search(rest)
+    ):
         return ""
-    named = _NAMED.search(match[0].replace(things, ""))
+    patch = match.groupdict().get("patch")
+    if (patch and len(re.findall(rf"\b(?:{_PATCHES})\b", rest)) != 1) or (patch and patch not in rest):
+        return ""
+    named = _NAMED.search(match[0].replace(things, "")) if not patch else None
     known = re.search(_COLOR, things) if things.startswith("the ") else None
     if (named and named["figure"] != figure) or (known and known[0] in rest):
         return ""  # it may be one of those of the figure
@@ -167,4 +180,4 @@ def _told(match: re.Match[str], kind: str, told: Sequence[str]) -> str:
     side = next(way for n, (way, _) in enumerate(ways) if match.groupdict().get(f"side{n}"))
     verb = "build" if re.search(rf"\b(?:{_FIGURE})\b", things) else "put"
     lead = f"Then {verb}" if _AFTER & set((match["lead"] or "").split()) else verb.capitalize()
-    return f"{lead} {things} {match['close'] or ''}{side} the {figure}."
+    return f"{lead} {things} {match['close'] or ''}{side} the {patch or figure}."

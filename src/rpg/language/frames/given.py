@@ -11,12 +11,16 @@ from rpg.language.tokens import Token
 
 _TALK = "(?:okay|ok|so|now|look|well|hi|hello|imagine|suppose|assume|say|let us say|that|,|:)"
 _THERE = (
-    "there (?:is|are|stands?|lies?|lie)|(?:here )?(?:we|i|you) (?:already )?(?:have|see|get|got|begin with|start with|are "
+    "there (?:is|are|stands?|lies?|lie)|(?:here )?(?:we|i|you) (?:already )?(?:have|see|get|got|begin with|start "
+    "with|are "
     "given)|(?:you are )?given(?: is| are)?|(?:starting|start|beginning|begin|starts) (?:from|with|out with)|on the "
     "TABLE(?: there)? (?:is|are|stands?|lies?|lie)|(?:the )?(?:initial|starting|start) (?:state|configuration|layout|"
-    "arrangement|scene|setup)(?: is| :| shows| has)?|(?:initially|at the (?:start|beginning)|in the beginning)(?: ,)?(?: "
-    "(?:there (?:is|are)|we have|you have))?|(?:the )?(?:episode|task|scene|trial|world)(?: always)? (?:starts|begins|opens)"
-    "(?: out)? (?:with|from|as|in)|(?:it|everything) (?:starts|begins)(?: out)? (?:with|from|as)|(?:start|before|init|"
+    "arrangement|scene|setup)(?: is| :| shows| has)?|(?:initially|at the (?:start|beginning)|in the beginning)(?: "
+    ",)?(?: "
+    "(?:there (?:is|are)|we have|you have))?|(?:the )?(?:episode|task|scene|trial|world)(?: always)? (?:starts|"
+    "begins|opens)"
+    "(?: out)? (?:with|from|as|in)|(?:it|everything) (?:starts|begins)(?: out)? (?:with|from|as)|(?:start|before|"
+    "init|"
     "initial) :"
 )
 _ALREADY = "(?:already|currently|now|presently|at present|at the moment|right now|here|there|built|standing|lying)"
@@ -26,8 +30,9 @@ _BEHIND = (
     rf"(?:you|me|the robot|us)))*"
 )
 _STANDS = (
-    rf"(?: (?:(?:{_ALREADY} )*(?:stands?|lies?|is|are)(?: {_ALREADY})+|already (?:stands|lies|is)|(?:is|are) (?:given|"
-    rf"there))(?: on the TABLE)?)"
+    rf"(?: (?:(?:{_ALREADY} )*(?:stands?|lies?|is|are)(?: {_ALREADY})+|already (?:stands|lies|is)|(?:is|are) "
+    rf"(?:given|"
+    rf"there)|(?:stands?|lies?|sits?|rests?|is|are)(?= on the TABLE))(?: on the TABLE)?)"
 )
 _FIGURE = "(?:tower|stack|pillar|row|line|column|wall|pyramid|grid|square|blocks|word|on)"
 _STOPS = frozenset({".", ";", "!", "?"})
@@ -39,10 +44,13 @@ _LEADS = frozenset({
 """What may begin the telling of what is to be done, beside a command."""
 _MOST = 4
 _GOAL = re.compile(
-    r"(?:(?:[,;:.]|and|then|now|please|but|so|i want you to|you (?:should|must|have to|need to)|your (?:task|job|goal) is "
-    r"to|(?:the )?(?:goal|task|aim|job)(?: is)?(?: to)?(?: :)?|can you|could you|would you|we want to|i want to|i would "
+    r"(?:(?:[,;:.]|and|then|now|please|but|so|i want you to|you (?:should|must|have to|need to)|your (?:task|job|"
+    r"goal) is "
+    r"to|(?:the )?(?:goal|task|aim|job)(?: is)?(?: to)?(?: :)?|can you|could you|would you|we want to|i want to|i "
+    r"would "
     r"like you to|the robot (?:should|must|has to|shall)|it ends (?:with|as|in)|it should end (?:with|as)|and ends "
-    r"(?:with|as)|at the end(?: ,)?(?: there (?:is|are|should be|must be))?|in the end(?: ,)?(?: there (?:is|are|should "
+    r"(?:with|as)|at the end(?: ,)?(?: there (?:is|are|should be|must be))?|in the end(?: ,)?(?: there (?:is|are|"
+    r"should "
     r"be|must be))?|end(?: :)?|target(?: :)?|after(?: :)|result(?: :)|first(?: ,)?) )*"
 )
 _THEM = re.compile(r"\b(?:it|them|they|this|these|all of them|the (?:tower|row|stack|blocks))\b")
@@ -91,7 +99,11 @@ def _asks(words: Sequence[str]) -> bool:
     """Whether something is to be done."""
     lead = _GOAL.match("".join(f"{word} " for word in words))
     behind = words[lead[0].count(" ") :] if lead else words
-    return bool(behind) and (behind[0] in ("do", "leave", "keep", "without") or lexicon.commands(behind[0]) or bool(lead and lead[0].strip(" ,;:.")))
+    return bool(behind) and (
+        behind[0] in ("do", "leave", "keep", "without")
+        or lexicon.commands(behind[0])
+        or bool(lead and lead[0].strip(" ,;:."))
+    )
 
 
 def _aim(tokens: Sequence[Token]) -> Sequence[Token]:
@@ -124,7 +136,9 @@ def at_start(said: str) -> str:
 
 def _in_order(said: str) -> str:
     """A tower of which it is told where each block is, as one that is told in order."""
-    placed = dict(reversed(found) for found in re.findall(r"The (\S+) block is (at the bottom|in the middle|at the top)\.", said))
+    placed = dict(
+        reversed(found) for found in re.findall(r"The (\S+) block is (at the bottom|in the middle|at the top)\.", said)
+    )
     blocks = re.match(r"Build a tower from ((?:(?: and )?1 \S+ block)+)\.", said)
     if not blocks or len(placed) != blocks[1].count("block"):
         return said

@@ -24,25 +24,32 @@ _ALL = "(?:both|all|all the|all of the|each of the|each|every|both the|the|all (
 _WHO = r"(?:blocks|cubes|pieces|elements|block|cube|ones|of (?:them|the blocks|the cubes)|of both)"
 _LEAD = r"(?:(?:[,;.:]|and|with|where|while|note that|please|use|using|now) )*"
 _A = "(?:(?:a|an|the) )?"
-_PATCHED = rf"(?:the|this|that)(?: (?P<color>COLOR))?(?: (?:square|round|circular))? (?P<patch>PATCH)"
+_PATCHED = r"(?:the|this|that)(?: (?P<color>COLOR))?(?: (?:square|round|circular))? (?P<patch>PATCH)"
 TOLD: list[Pattern] = [
     *patterns("blocks", None,
         rf"{_LEAD}{_A}{_EDGE}(?: {_BE})? {_SIZE} (?:for|on|of) (?:{_ALL} )?{_WHO}",
         rf"{_LEAD}{_A}{_EDGE}(?: (?:for|of|on))? (?:{_ALL} )?{_WHO}(?: {_BE})? {_SIZE}",
-        rf"{_LEAD}(?:{_ALL} )?(?:{_WHO} )?(?:{_BE} )+{_A}(?:{_EDGE}(?: of| is)? )?(?:exactly )?{_SIZE}(?: {_LARGE})?",
+        rf"{_LEAD}(?:{_ALL} )?{_WHO} (?:{_BE} )+{_A}(?:{_EDGE}(?: of| is)? )?(?:exactly )?{_SIZE}(?: {_LARGE})?",
         rf"{_LEAD}(?:{_ALL} )(?:(?:{_BE}|of|at) )*{_A}{_EDGE}(?: of| is| :)? {_SIZE}",
         rf"{_LEAD}(?:{_ALL} )?(?:blocks|cubes) (?:of|at) {_SIZE}(?: {_EDGE}| {_LARGE})?",
         rf"{_LEAD}{_A}(?:block|cube|edge) (?:size|length)(?: {_BE})? {_SIZE}",
         rf"{_LEAD}{_SIZE} (?:blocks|cubes)",
+        rf"{_LEAD}(?:{_ALL} )?(?:blocks|cubes) {_SIZE}(?: {_LARGE})?",
         rf"{_LEAD}(?:each|all|both) {_SIZE}(?: {_LARGE})?"),
+    *patterns("counted", None,
+        rf"(?:that |which |both |all |each )?(?:{_BE} )+{_A}(?:{_EDGE}(?: of| is)? )?(?:exactly )?{_SIZE}"
+        rf"(?: {_LARGE}| {_EDGE})?"),
     *patterns("patch", None,
         rf"{_LEAD}{_PATCHED}(?: {_BE})? {_A}(?:{_EDGE}(?: of)? )?(?:exactly )?{_SIZE}(?: {_LARGE})?",
         rf"{_LEAD}{_A}{_EDGE} of {_PATCHED}(?: {_BE})? {_SIZE}"),
 ]  # fmt: skip
 _LAST = re.compile(r"\b(?:both|each|all) (?!(?:the |of the )?(?:blocks|cubes))")
 """This may be of those alone that the sentence before it is about."""
+_MANY = frozenset({"blocks", "cubes"})
+_COLORED = frozenset({*lexicon.COLORS, *(f"{color}s" for color in lexicon.COLORS)})
 _SIZED = re.compile(
-    rf"\b(?:cm|mm) (?:(?:{'|'.join(lexicon.COLORS)})s? (?!{'|'.join(lexicon.PATCH_NOUNS.split())})|(?:block|cube|one))"
+    rf"\b(?:cm|mm) (?:(?:{'|'.join(lexicon.COLORS)})s? (?!{'|'.join(lexicon.PATCH_NOUNS.split())})|(?:block|cube|"
+    rf"one))"
 )
 """Some of the blocks have a size of their own."""
 _STOPS = frozenset({".", ";", "!", "?", ":"})
@@ -64,10 +71,10 @@ def without_measures(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], lis
     said: dict[str, str] = {}
     n = 0
     while n < len(words):
-        ways = []
-        if n == 0 or words[n] in _BOUNDS or words[n - 1] in _BOUNDS:
-            ways = [(match.end(), pattern.kind, match) for pattern in TOLD
-                    if (match := pattern.expression.match(text, places[n])) and match.end() in places]  # fmt: skip
+        kinds = {"blocks", "patch"} if n == 0 or words[n] in _BOUNDS or words[n - 1] in _BOUNDS else set()
+        kinds |= {"counted"} if words[n - 1] in _MANY and _COLORED.isdisjoint(words[:n]) else set()
+        ways = [(match.end(), pattern.kind, match) for pattern in TOLD if pattern.kind in kinds
+                if (match := pattern.expression.match(text, places[n])) and match.end() in places]  # fmt: skip
         ways = [way for way in ways if (end := places.index(way[0])) == len(words) or words[end] in _STOPS | {","}]
         if not ways:
             rest.append(tokens[n])

@@ -13,14 +13,18 @@ from rpg.language.tokens import Token
 
 Plainly = Callable[[Sequence[Token]], str | None]
 
-_ENDS = frozenset({",", ".", ";", ":", "!", "and", "with", "while", "where", "but", "plus", "there", "is", "are", "then"})
+_ENDS = frozenset(
+    {",", ".", ";", ":", "!", "and", "with", "while", "where", "but", "plus", "there", "is", "are", "then"}
+)
 _JOINTS = frozenset({",", ".", ";", "and", "with", "while", "plus", "but", "where"})
 _RELATIONS = [
     Pattern("side", rf"(?:{BE} )?(?:(?:right|directly|just|immediately) )?(?:{ways})", side)
     for side, ways in SIDES
     if side not in ("on top of", "on both sides of")
 ]
-_MUTUAL = Pattern("mutual", rf"(?:{BE} )?(?:(?:right )?(?:next to|beside|alongside) (?:each other|one another)|side by side)")
+_MUTUAL = Pattern(
+    "mutual", rf"(?:{BE} )?(?:(?:right )?(?:next to|beside|alongside) (?:each other|one another)|side by side)"
+)
 _HOST = Pattern("host", rf"{OF_IT}(?: ,| :)?(?: (?:{VERB}|{BE}))?")
 _NOUN = re.compile(
     r"(?:Build|Lay) (?:an? |.+? in an? )(?:\S+ )??(?P<noun>tower|wall|grid|pyramid|staircase|row|line|column|square|"
@@ -70,6 +74,8 @@ def pairs(tokens: Sequence[Token], plainly: Plainly) -> Iterator[str]:
             side, behind = str(known.value), places.index(match.end())
             side = f"{close[0]}{side}" if (close := _CLOSE.search(match[0])) else side
             host = _HOST.expression.match(text, match.end())
+            if host and host["patch"]:
+                continue
             if host is None:
                 for one, other in _both(tokens[:n], tokens[behind : len(words)], plainly):
                     yield from _told(one, other, side)
@@ -89,7 +95,8 @@ def _mentions(words: Sequence[str]) -> bool:
 
 
 _FIGURES = (
-    "tower|stack|pillar|row|line|column|wall|grid|pyramid|staircase|stairs|square|rectangle|circle|ring|triangle|cross|"
+    "tower|stack|pillar|row|line|column|wall|grid|pyramid|staircase|stairs|square|rectangle|circle|ring|triangle|"
+    "cross|"
     "word|stacked|one|spell|checkerboard|block"
 )
 

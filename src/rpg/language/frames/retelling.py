@@ -11,6 +11,7 @@ from rpg.language import lexicon
 from rpg.language.frames import attached, beside, measured, moments, turned
 from rpg.language.frames.attached import without_attached
 from rpg.language.frames.beside import without_distractors
+from rpg.language.frames.changed import changes
 from rpg.language.frames.families import FAMILIES
 from rpg.language.frames.given import with_given
 from rpg.language.frames.measured import without_measures
@@ -34,6 +35,8 @@ _ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) ")
 """Blocks of no told look may be those that another sentence names, and what there is may be there already."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
 """So many blocks may be all that the other sentence names."""
+_ASKS = frozenset({"is", "are", "was", "were", "does", "did", "has", "why", "how", "what", "which", "where", "who"})
+"""A text that begins with these is a question."""
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -41,8 +44,10 @@ _MOST = 120
 def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text in plain sentences, and the words of that: all of it, or its first or last part, where the other part
     is left as it is. Most of the text comes first. Told words stand where what they tell again stands."""
-    if not 0 < len(tokens) <= _MOST:
+    if not 0 < len(tokens) <= _MOST or tokens[0].word in _ASKS:
         return
+    given = [(start, behind) for start, _, behind in with_given(tokens, plainly)]
+    yield from ((_standing(told, tokens), told) for told in changes(tokens, plainly, given))
     yield from _as_a_whole(tokens)
     yield from ((_standing(told, tokens), told) for told in pairs(tokens, plainly))
     yield from _with_given(tokens)
@@ -88,7 +93,9 @@ def _with_given(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text with the figure that is there already told again, and what is to be done as it is or told again."""
     for start, ahead, behind in with_given(tokens, plainly):
         sentences = re.findall(r"[^.]+\.", start)
-        begun = [token for n, text in enumerate(sentences) for token in _standing(text, ahead[min(n, len(ahead) - 1) :])]
+        begun = [
+            token for n, text in enumerate(sentences) for token in _standing(text, ahead[min(n, len(ahead) - 1) :])
+        ]
         yield [*begun, *behind], f"{start} {_text(behind)}"
         if (aim := plainly(behind)) is not None:
             yield [*begun, *_standing(aim, behind)], f"{start} {aim}"
@@ -96,7 +103,13 @@ def _with_given(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
 
 def words() -> frozenset[str]:
     """Every word that is known here."""
-    told = [*attached.TOLD, *beside.TOLD, *measured.TOLD, *turned.PATTERNS, *(pattern for known, _ in FAMILIES for pattern in known)]
+    told = [
+        *attached.TOLD,
+        *beside.TOLD,
+        *measured.TOLD,
+        *turned.PATTERNS,
+        *(pattern for known, _ in FAMILIES for pattern in known),
+    ]
     texts = [*CLASSES.values(), *(pattern.text for pattern in told), *(lead.pattern for _, lead in moments.PATTERNS)]
     return frozenset(word for text in texts for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", text))
 

@@ -17,7 +17,10 @@ _FIGURE = (
     "plus|word"
 )
 _DET = "(?:(?:the|a|an|my|our|another|one|single|just|some|also) )*"
-_LOT = rf"{_DET}(?:(?:\d+|extra|more|further|additional|lone|other) )*(?:SIZE )?(?:plain )?COLOR(?:s)?(?: BLOCK| ones| one)?"
+_LOT = (
+    rf"{_DET}(?:(?:\d+|extra|more|further|additional|lone|other) )*(?:SIZE )?(?:plain )?COLOR(?:s)?"
+    "(?: BLOCK| ones| one)?"
+)
 _LETTER = r"(?:the |a )?(?:(?:letter )?BLOCK )?(?:letter )?[A-Z](?: BLOCK)?"
 _SMALL = "(?:(?:small|second|little|similar|smaller|short|separate) )*"
 _BUILT = (
@@ -26,7 +29,10 @@ _BUILT = (
 )
 _THINGS = rf"(?P<things>{_BUILT}|{_LOT}(?: and {_LOT})?|{_LETTER})"
 _PATCHES = "|".join(lexicon.PATCH_NOUNS.split())
-OF_IT = rf"(?:it|them|that|this|(?:the|that|this|these|your|its)(?: (?:whole|entire|finished|new|same))? (?:{_FIGURE})|(?:(?:the|that|this) )?(?P<patch>(?:COLOR )?PATCH))"
+OF_IT = (
+    rf"(?:it|them|that|this|(?:the|that|this|these|your|its)(?: (?:whole|entire|finished|new|same))? (?:{_FIGURE})|"
+    r"(?:(?:the|that|this) )?(?P<patch>(?:COLOR )?PATCH))"
+)
 _CLOSE = "(?P<close>(?:right|directly|just|immediately|straight) )?"
 SIDES = (
     ("in front of", "in front(?: side)? of|before"),

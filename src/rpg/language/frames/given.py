@@ -11,6 +11,7 @@ from rpg.language.tokens import Token
 
 _TALK = "(?:okay|ok|so|now|look|well|hi|hello|imagine|suppose|assume|say|let us say|that|,|:)"
 _THERE = (
+    r"(?:i|we|somebody|someone|(?:my|our|the) \w+) (?:(?:have|has) )?(?:already |just )?(?:built|set up|put up)|"
     "there (?:is|are|stands?|lies?|lie)|(?:here )?(?:we|i|you) (?:already )?(?:have|see|get|got|begin with|start "
     "with|are "
     "given)|(?:you are )?given(?: is| are)?|(?:starting|start|beginning|begin|starts) (?:from|with|out with)|on the "

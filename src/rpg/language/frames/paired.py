@@ -25,7 +25,7 @@ _RELATIONS = [
 _MUTUAL = Pattern(
     "mutual", rf"(?:{BE} )?(?:(?:right )?(?:next to|beside|alongside) (?:each other|one another)|side by side)"
 )
-_HOST = Pattern("host", rf"{OF_IT}(?: ,| :)?(?: (?:{VERB}|{BE}))?")
+_HOST = Pattern("host", rf"(?:{OF_IT}|which)(?: ,| :)?(?: (?:{VERB}|{BE}))?")
 _NOUN = re.compile(
     r"(?:Build|Lay) (?:an? |.+? in an? )(?:\S+ )??(?P<noun>tower|wall|grid|pyramid|staircase|row|line|column|square|"
     r"rectangle|triangle|circle|cross|checkerboard)\b|(?P<word>Spell)\b"
@@ -33,6 +33,8 @@ _NOUN = re.compile(
 _BLOCKS = re.compile(r"(?:from|Lay) (?P<blocks>\d+ \S+ blocks?(?:(?:, | and )\d+ \S+ blocks?)*)")
 _COLORS = re.compile(rf"\b(?:{'|'.join(lexicon.COLORS)})\b")
 _GIVEN = re.compile(r"\b(?:there (?:is|are)|we have|already|given|the (?:tower|row|wall|stack|pyramid))\b")
+_MANY = frozenset({"which", "whose", "what", "those", "these", "that", "both", "each", "every", "all", "its", "their"})
+"""What begins with these is told of by what stands ahead."""
 _CLOSE = re.compile(r"\b(?:right|directly|just|immediately) ")
 
 
@@ -75,6 +77,8 @@ def pairs(tokens: Sequence[Token], plainly: Plainly) -> Iterator[str]:
             side = f"{close[0]}{side}" if (close := _CLOSE.search(match[0])) else side
             host = _HOST.expression.match(text, match.end())
             if host and host["patch"]:
+                continue
+            if host is None and not _MANY.isdisjoint(words[behind : behind + 1]):
                 continue
             if host is None:
                 for one, other in _both(tokens[:n], tokens[behind : len(words)], plainly):

@@ -15,8 +15,8 @@ PATTERNS = [
     *WHERE,
     *BREAKS,
     *GLUE,
-    *patterns("figure", "tower", "(?:one |single |tall |vertical )*(?:tower|stack|pillar)", "on top of (?:each other|one "
-        "another)"),
+    *patterns("figure", "tower",
+        "(?:one |single |tall |vertical )*(?:tower|stack|pillar)", "on top of (?:each other|one another)"),
     *patterns("height", numbers("height"),
         "(?P<height>NUM) (?:BLOCK )?(?:high|tall|in height)", "(?:with )?(?:a )?height (?:of |: |is "
         ")?(?P<height>NUM)(?: BLOCK)?"),

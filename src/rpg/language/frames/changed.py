@@ -25,6 +25,7 @@ _NEW = r"(?:a|an|one|1|another|the)(?: new| further)? (?P<new>COLOR)(?: (?:BLOCK
 _LEAD = (
     r"(?:(?:please|now|then|just|,|\.|:|and|so|first|can you|could you|would you|will you|you should|you must|i "
     r"want you to|"
+    r"(?:let|have|make) the robot|"
     r"i would like you to|we want to|i want to|the robot (?:should|must|has to|shall|is to|needs to)|robot|your "
     r"(?:task|job|"
     r"goal) is to|(?:the )?(?:goal|task|aim)(?: is)?(?: to)?(?: :)?) )*"
@@ -70,7 +71,7 @@ TOLD = [
         rf"(?:underneath|under|below|beneath|at the bottom of) (?:{_TOWER}|them)){_AIM}"),
 ]  # fmt: skip
 _TOLD = re.compile(
-    rf"\bthe (?:{_KNOWN} )?(?:(?P<color>[a-z]+) )?(?P<figure>tower|stack|pillar)(?P<list> (?:made |built |"
+    rf"\b(?:the|an?) (?:{_KNOWN} )?(?:(?P<color>[a-z]+) )?(?P<figure>tower|stack|pillar)(?P<list> (?:made |built |"
     rf"consisting |formed )?"
     rf"(?:of|from|out of|with) (?:(?!, and |and (?:put|place|lay|set|then)|, (?:put|then|so)|by |with a |so |to |"
     rf"for ).)+?)"
@@ -194,11 +195,9 @@ def _taken(blocks: list[str], match: re.Match[str]) -> str:
         raise Unclear
     left, look = blocks[: at[0]], blocks[at[0]]
     side = next(SIDES[n][0] for n in range(6) if match[f"side{n}"])
-    other = "other " if look in left else ""
-    put = (
-        (f"another {look} block" if other else f"a {look} block") if len(at) == 1 else f"{len(at)} {other}{look} blocks"
-    )
-    return f"Build {_told(left)}. Put {put} {side} the tower. At the start, all blocks form {_ordered(blocks)}."
+    first = "another" if look in left else "a"
+    put = " ".join(f"Put {'another' if n else first} {look} block {side} the tower." for n in range(len(at)))
+    return f"Build {_told(left)}. {put} At the start, all blocks form {_ordered(blocks)}."
 
 
 def _replaced(blocks: list[str], match: re.Match[str]) -> str:

@@ -12,6 +12,8 @@ from rpg.language.tokens import Token
 _TALK = "(?:okay|ok|so|now|look|well|hi|hello|imagine|suppose|assume|say|let us say|that|,|:)"
 _THERE = (
     r"(?:i|we|somebody|someone|(?:my|our|the) \w+) (?:(?:have|has) )?(?:already |just )?(?:built|set up|put up)|"
+    "(?:the )?(?:scene|"
+    "TABLE|world|setup) (?:has|contains|shows|holds)|"
     "there (?:is|are|stands?|lies?|lie)|(?:here )?(?:we|i|you) (?:already )?(?:have|see|get|got|begin with|start "
     "with|are "
     "given)|(?:you are )?given(?: is| are)?|(?:starting|start|beginning|begin|starts) (?:from|with|out with)|on the "
@@ -24,7 +26,9 @@ _THERE = (
     "init|"
     "initial) :"
 )
-_ALREADY = "(?:already|currently|now|presently|at present|at the moment|right now|here|there|built|standing|lying)"
+_ALREADY = (
+    "(?:already|ready|currently|now|presently|at present|at the moment|right now|here|there|built|standing|lying)"
+)
 _AHEAD = rf"(?:{_TALK} )*(?:{_THERE})(?: {_ALREADY})*(?: ,| :)?"
 _BEHIND = (
     rf"(?: (?:(?:that|which) )?(?:is |are |stands? |lies? )?(?:{_ALREADY} )*(?:{_ALREADY}|on the TABLE|in front of "
@@ -78,6 +82,18 @@ def with_given(
             found += 1
         if found == _MOST:
             return
+
+
+def existing(
+    tokens: Sequence[Token], plainly: Callable[[Sequence[Token]], str | None]
+) -> Iterator[tuple[str, Sequence[Token], Sequence[Token]]]:
+    """The same of "the existing tower of two red blocks", at the end of what is to be done."""
+    words = coded(tokens)
+    for n in range(1, len(words) - 3):
+        known = words[n] in ("existing", "given", "current") and words[n - 1] == "the"
+        figure = [*tokens[n + 1 :], tokens[n].saying(".")]
+        if known and (said := plainly(figure)) and (told := at_start(said)):
+            yield told, tokens[: n + 1], [*tokens[:n], *tokens[n + 1 :]]
 
 
 def _given(tokens: Sequence[Token]) -> Sequence[Token]:

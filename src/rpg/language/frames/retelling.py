@@ -8,12 +8,12 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import attached, beside, measured, moments, relations, turned
+from rpg.language.frames import attached, beside, changed, measured, moments, relations, turned
 from rpg.language.frames.attached import without_attached
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.changed import changes
 from rpg.language.frames.families import FAMILIES
-from rpg.language.frames.given import with_given
+from rpg.language.frames.given import existing, with_given
 from rpg.language.frames.measured import without_measures
 from rpg.language.frames.paired import pairs
 from rpg.language.frames.pieces import CLASSES, Unclear, cut
@@ -91,7 +91,7 @@ def _as_a_whole(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
 
 def _with_given(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text with the figure that is there already told again, and what is to be done as it is or told again."""
-    for start, ahead, behind in with_given(tokens, plainly):
+    for start, ahead, behind in (*with_given(tokens, plainly), *existing(tokens, plainly)):
         sentences = re.findall(r"[^.]+\.", start)
         begun = [
             token for n, text in enumerate(sentences) for token in _standing(text, ahead[min(n, len(ahead) - 1) :])
@@ -106,6 +106,7 @@ def words() -> frozenset[str]:
     told = [
         *attached.TOLD,
         *beside.TOLD,
+        *changed.TOLD,
         *measured.TOLD,
         *turned.PATTERNS,
         *(pattern for known, _ in FAMILIES for pattern in known),

@@ -171,6 +171,11 @@ def test_a_figure_that_is_there_is_told_of_the_start(text: str, told: str) -> No
             "At the start, all blocks form a tower.",
         ),
         (
+            "The scene has a tower of five gray blocks. Remove the top two blocks and put them next to the tower.",
+            "Build a tower from 3 gray blocks. Put another gray block next to the tower. "
+            "Put another gray block next to the tower. At the start, all blocks form a tower.",
+        ),
+        (
             "Insert one black cube between the two green cubes of the existing tower, "
             "so that the tower reads green, black, green",
             "At the start, there is a tower from 2 green blocks. "
@@ -200,6 +205,8 @@ def test_a_change_to_a_tower_is_told_as_what_comes_out(text: str, told: str) -> 
         "There are two towers of three red blocks. Move the top one in front of the tower.",
         "Insert a black cube between the two green cubes of the existing tower, so that it reads black, green, green.",
         "There is a tower of two green blocks. Replace the top block with a green one.",
+        "Remove the top block of each tower of three red blocks and put it next to the tower.",
+        "Build a tower of three red blocks and take the top block off the tower and put it to the left of the tower.",
         "Take the top red block off the tower of three green blocks and put it next to it.",
         "Remove the top block from the tower of two red blocks and put it beside it.",
         "Take the bottom block out of the tower of three red blocks and put it next to it.",
@@ -208,6 +215,11 @@ def test_a_change_to_a_tower_is_told_as_what_comes_out(text: str, told: str) -> 
 )
 def test_other_changes_are_left_alone(text: str) -> None:
     assert not changed(text)
+
+
+def test_an_existing_tower_is_told_of_the_start() -> None:
+    text = "Make a tower of three yellow cubes next to the existing tower of two purple cubes."
+    assert next(said for _, said in retold(words(text))).startswith("At the start, there is a tower from 2 purple")
 
 
 def test_distractors_may_have_to_stay() -> None:

@@ -48,8 +48,8 @@ SIDES = (
 _ALONE = (
     ("in front of", "in front|at the front"),
     ("behind", "behind|at the back|in the back"),
-    ("to the left of", "(?:to|on|at) (?:the|its) left(?: hand)?(?: side)?"),
-    ("to the right of", "(?:to|on|at) (?:the|its) right(?: hand)?(?: side)?"),
+    ("to the left of", "(?:to|on|at) its left(?: hand)?(?: side)?"),
+    ("to the right of", "(?:to|on|at) its right(?: hand)?(?: side)?"),
     ("next to", "beside|alongside|next to"),
 )
 """The same where it is not named."""

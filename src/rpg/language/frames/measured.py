@@ -47,6 +47,8 @@ _LAST = re.compile(r"\b(?:both|each|all) (?!(?:the |of the )?(?:blocks|cubes))")
 """This may be of those alone that the sentence before it is about."""
 _MANY = frozenset({"blocks", "cubes"})
 _COLORED = frozenset({*lexicon.COLORS, *(f"{color}s" for color in lexicon.COLORS)})
+_SIDED = frozenset({"square", "rectangle", "triangle", "wall", "circle"})
+"""These may have sides of such a length."""
 _SIZED = re.compile(
     rf"\b(?:cm|mm) (?:(?:{'|'.join(lexicon.COLORS)})s? (?!{'|'.join(lexicon.PATCH_NOUNS.split())})|(?:block|cube|"
     rf"one))"
@@ -72,7 +74,11 @@ def without_measures(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], lis
     n = 0
     while n < len(words):
         kinds = {"blocks", "patch"} if n == 0 or words[n] in _BOUNDS or words[n - 1] in _BOUNDS else set()
-        kinds |= {"counted"} if words[n - 1] in _MANY and _COLORED.isdisjoint(words[:n]) else set()
+        kinds |= (
+            {"counted"}
+            if words[n - 1] in _MANY and _COLORED.isdisjoint(words[:n]) and _SIDED.isdisjoint(words)
+            else set()
+        )
         ways = [(match.end(), pattern.kind, match) for pattern in TOLD if pattern.kind in kinds
                 if (match := pattern.expression.match(text, places[n])) and match.end() in places]  # fmt: skip
         ways = [way for way in ways if (end := places.index(way[0])) == len(words) or words[end] in _STOPS | {","}]

@@ -144,6 +144,8 @@ def _told(one: _Figure, other: _Figure, side: str) -> Iterator[str]:
     """That one stands so to the other, and what both are, in the order in which they are told."""
     if one.looks & other.looks or (one.noun == other.noun and not (one.blocks and other.blocks)):
         return
+    if not all(figure.noun == "word" or re.search(r"\d", figure.told) for figure in (one, other)):
+        return  # "a red square" may be a patch
     if not all(figure.looks or figure.noun == "word" or "blocks " in figure.told for figure in (one, other)):
         return
     names = (one.named, other.named) if one.noun == other.noun else (f"the {one.noun}", f"the {other.noun}")

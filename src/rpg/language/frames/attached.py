@@ -86,6 +86,7 @@ TOLD = [
 _POINTS = re.compile(r"\b(?:it|its|that|this|them)\b")
 _LONG = frozenset({"row", "line", "column", "word"})
 """Blocks that lie at the side of these may be at their ends."""
+_COUNT = re.compile(r"\b\d+ (?:blocks|cubes|pieces|elements)\b")
 _DONE = re.compile(r"(?:^|[.;,] |and |please )(?:stack|line up) (?!of )")
 """What is to be done may be done with what is told behind it, too."""
 _AFTER = frozenset({"then", "afterwards", "next", "after"})
@@ -184,6 +185,8 @@ def _told(match: re.Match[str], kind: str, told: Sequence[str]) -> str:
     things = re.sub(r"(?<=\b)one (?=(?:of|from|with|made|built|out) )", f"{figure} ", things)
     ways = SIDES if kind == "named" else _ALONE
     side = next(way for n, (way, _) in enumerate(ways) if match.groupdict().get(f"side{n}"))
+    if side == "on top of" and (_POINTS.search(match[0]) or _COUNT.search(rest)):
+        return ""  # on another thing, or one of those that are counted
     verb = "build" if re.search(rf"\b(?:{_FIGURE})\b", things) else "put"
     lead = f"Then {verb}" if _AFTER & set((match["lead"] or "").split()) else verb.capitalize()
     return f"{lead} {things} {match['close'] or ''}{side} the {patch or figure}."

@@ -7,7 +7,7 @@ from rpg.language.frames.pieces import Pattern, patterns
 _PLACED = r"(?:(?!that |which )BE )?(?:put |placed |set |built )?"
 WHERE: list[Pattern] = [
     *patterns("where", lambda match: f"on the {match['patch']}",
-        rf"{_PLACED}(?:on|onto|upon|on top of) (?:the|a) (?P<patch>(?:(?:SIZE|long|round|square|circular) )?COLOR "
+        rf"{_PLACED}(?:on|onto|upon|on top of) (?:(?:the|a) )?(?P<patch>(?:(?:SIZE|long|round|square|circular) )?COLOR "
         rf"PATCH)"),
     *patterns("where", lambda match: f"in the {match['side']} half of the table",
         rf"{_PLACED}(?:in|on) the (?P<side>left|right|near|far) half(?: of (?:the )?TABLE)?"),

@@ -35,6 +35,7 @@ _LIGHTLY = (
 )  # fmt: skip
 """In an announcement these do not mean blocks, and do not deny it."""
 _ASKING = _words("is are does do did was were has have had can could will would should may might whose whom")
+_STAYING = _words("keep keeps leave leaves stay stays remain remains kept left")
 _PAST = _words("was were had used did been failed")
 
 
@@ -49,6 +50,7 @@ def announcement(tokens: Sequence[Token]) -> int:
         not end
         or (len(words) < end + 4 and tokens[end + 1].kind != "equation")
         or not _PAST.isdisjoint(words[:end])
+        or not _STAYING.isdisjoint(words[:end])
         or words[0] in _ASKING - {"can", "could"}
     ):
         return 0

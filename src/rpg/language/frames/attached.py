@@ -178,7 +178,8 @@ def _told(match: re.Match[str], kind: str, told: Sequence[str]) -> str:
         return ""
     named = _NAMED.search(match[0].replace(things, "")) if not patch else None
     known = re.search(_COLOR, things) if things.startswith("the ") else None
-    if (named and named["figure"] != figure) or (known and known[0] in rest):
+    letter = re.search(r"\b[A-Z]\b", things)
+    if (named and named["figure"] != figure) or (known and known[0] in rest) or (letter and letter[0] in told):
         return ""  # it may be one of those of the figure
     if not re.search(rf"{_COLOR}|'\w+'|\b[A-Z]\b|\b(?:rainbow|colors)\b", rest):
         return ""  # nor is it told which blocks make the figure

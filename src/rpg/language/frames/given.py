@@ -47,6 +47,7 @@ _LEADS = frozenset({
     "the", "in", "at", "end", "your", "target", "make", "so",
 })  # fmt: skip
 """What may begin the telling of what is to be done, beside a command."""
+_TURNED = frozenset({"reverse", "turn", "flip", "invert", "reversed", "around"})
 _MOST = 4
 _GOAL = re.compile(
     r"(?:(?:[,;:.]|and|then|now|please|but|so|i want you to|you (?:should|must|have to|need to)|your (?:task|job|"
@@ -78,6 +79,8 @@ def with_given(
         if not rest or not start or not _asks(coded(rest)):
             continue
         if (figure := _given(start)) and (said := plainly(figure)) and (told := at_start(said)):
+            if ":" not in told and not _TURNED.isdisjoint(coded(rest)):
+                continue  # it is not told which way it is now
             yield told, tokens[:n], _aim(rest)
             found += 1
         if found == _MOST:

@@ -35,7 +35,7 @@ _COLORS = re.compile(rf"\b(?:{'|'.join(lexicon.COLORS)})\b")
 _GIVEN = re.compile(r"\b(?:there (?:is|are)|we have|already|given|the (?:tower|row|wall|stack|pyramid))\b")
 _MANY = frozenset({"which", "whose", "what", "those", "these", "that", "both", "each", "every", "all", "its", "their"})
 """What begins with these is told of by what stands ahead."""
-_CLOSE = re.compile(r"\b(?:right|directly|just|immediately) ")
+_CLOSE = re.compile(r"\b(?:right|directly|just|immediately) (?=next|beside|behind|in |to |on |at |left|right)")
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ _ONE = "block|cube|brick|box|piece|one"
 _PATCH = "patch|mat|zone|pad|spot|target|goal|area|rug|carpet|coaster|marker|field|sheet"
 _PLAIN_PATCH = "patch|mat|zone|pad|rug|carpet|coaster|target patch|target zone|goal patch|goal zone|target"
 _DET = (
-    "each of the|every one of the|the|this|these|those|that|my|our|your|a|an|both|both the|"
+    "the|this|these|those|that|my|our|your|a|an|both|both the|"
     "all|all the|all of the|both of the|another"
 )
 _THE = "the|this|that|a|an|my|our|your|one"

@@ -197,7 +197,9 @@ def _in_several_lines(theme: Meaning, found: tuple[str, ...]) -> bool:
 def _whole(item: Absolute, place: At | Places, names: tuple[str, ...], scene: Scene) -> bool:
     """ "white in the middle": all of it, however many; a single white one of more blocks is in the very middle."""
     theme = item.theme
-    if getattr(place, "several", None) is not None or not isinstance(theme, Noun) or theme.det != "bare":
+    if getattr(place, "several", None) is not None or getattr(place, "own", False):
+        return False  # "the middle one blue"
+    if not isinstance(theme, Noun) or theme.det != "bare":
         return False
     such = [t for t in matching(theme.traits, scene, False) if t.name in names]
     return theme.amount is None and len(such) != 1

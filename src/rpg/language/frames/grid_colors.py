@@ -57,8 +57,16 @@ COLORS: list[Pattern] = [
         "(?: colors?)?(?= [,.;:])"),
     *patterns("any line", axis_of, f"(?:one|another) {AXES}(?: (?:BE|has|of|in|all|with|only|made|entirely))*"),
     *patterns("free order", None, "(?:in )?(?:any|whatever|some) order(?: you like)?", "(?:it )?does not matter which"),
+    *patterns("lines", axis_of, f"(?:the |with )?{AXES}s? colors?(?: BE)?",
+        f"(?:the )?colors of (?:the |its )?{AXES}s(?: BE)?"),
     *patterns("lines", axis_of, f"(?:the |its |whose |with the |their |these )?{AXES}s(?: (?:being|colored|BE))?(?! "
         f"of )"),
+    *patterns("begins", lambda match: (match["color"], match.groupdict().get("side")),
+        "(?:(?:and|always) )?(?:starting|start|starts|beginning|begin|begins) (?:with|from) (?:a |the "
+        ")?(?P<color>COLOR)(?: (?:one|BLOCK))?"
+        "(?: (?:row|column|layer))?(?: (?:at|on|in) (?:the )?(?P<side>bottom|top|left|right|front|back)(?: row| "
+        "layer| column)?)?"),
+    *patterns("lines", axis_of, f"by {AXES}s?", f"(?:in |with |of )alternating {AXES}s(?: of)?"),
     *patterns("alternating", None, "(?:colored )?(?:alternately|alternate|alternates|alternating|in alternation|"
         "by turns|taking turns)(?: (?:between|in color|colors|from))?"),
     *patterns("direction", ("column", "left"), _between("left", "right"), f"{_BEGIN} (?:on|at|from|with) the left",

@@ -107,6 +107,8 @@ class Filling:
             return self._single(place.side)
         if place.side == "middle" and place.axis is None and self._central():
             return self._single("center")
+        if place.side == "middle" and place.axis is None and place.blocks == 4 and self._even():
+            return self._single("inside")
         axis = self._axis_of(place)
         lines = self.lines(axis)
         numbers = self._numbers(place, axis, lines)
@@ -121,6 +123,10 @@ class Filling:
         """Whether "the middle" is a block: no other lines are told."""
         others = [p for ps, _ in self._told.placed for p in ps if p.kind == "line" and p.side != "middle"]
         return self.figure.flat and not others and self._axis is None
+
+    def _even(self) -> bool:
+        """Whether the four blocks in the middle are all those inside: "the middle four" of a 4x4 grid."""
+        return self.figure.flat and len(self.figure.widths) == self.figure.widths[0] == 4
 
     def _axis_of(self, place: Place) -> str:
         axis = place.axis
@@ -192,13 +198,16 @@ class Filling:
         corners = [(0, 0), (0, wide - 1), (high - 1, 0), (high - 1, wide - 1)]
         if side == "corners":
             return corners
-        if side == "center" and high % 2 and wide % 2 and self.figure.flat:
+        if side == "center" and high % 2 and wide % 2:
             return [(high // 2, wide // 2)]
         border = [(n, k) for n, k in self.figure.cells if n in (0, high - 1) or k in (0, wide - 1)]
         if side == "border" and min(high, wide) > 2:
             return border
         if side == "inside":
             return [cell for cell in self.figure.cells if cell not in border]
+        if side == "edges" and min(high, wide) > 2:
+            named = any(place.side == "corners" for places, _ in self._told.placed for place in places)
+            return [cell for cell in border if not named or cell not in corners]
         line, _, column = side.partition(" ")
         if not column or line not in _ENDS[self.figure.axis]:
             raise Unclear

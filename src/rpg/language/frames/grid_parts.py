@@ -16,13 +16,15 @@ _STRONG = (".", ";", "!", "?")
 @dataclass(frozen=True)
 class Blocks:
     """Blocks as they are named. `look`: empty where none is told; `count`: None where that is left open; `bare`: a
-    colour alone; `label`: the look is a symbol; `base`: they were told as "3x3"."""
+    colour alone; `label`: the look is a symbol; `base`: they were told as "3x3";
+    `half`: they are half of all."""
 
     look: str
     count: int | None = None
     bare: bool = False
     label: bool = False
     base: tuple[int, ...] | None = None
+    half: bool = False
 
 
 @dataclass
@@ -54,7 +56,7 @@ def blocks_of(piece: Piece) -> list[Blocks]:
     count = number(named["count"]) if "count" in named else None
     if count is None and named.get("noun") in _SINGLE and "many" not in named and named.get("det") != "all":
         count = 1
-    return [Blocks(look, count, bare=not {"count", "noun", "size"} & set(named))]
+    return [Blocks(look, count, bare=not {"count", "noun", "size", "half"} & set(named), half="half" in named)]
 
 
 def _rest_of(piece: Piece) -> list[Place]:
@@ -140,6 +142,9 @@ class _Reader:
             if piece.kind == "place":
                 items.append(piece.value)
             elif piece.kind in ("lines", "each", "direction"):
+                if piece.kind == "lines" and items and part[0].kind == "lot":
+                    self._ahead(piece, part)
+                    continue
                 self._along(piece, bool(items) or self._listing or bool(self._said.listed))
             else:
                 items += [*_rest_of(piece), *blocks_of(piece)]
@@ -167,6 +172,16 @@ class _Reader:
             self._last, self._row, self._listing = "BP", None, False
         else:
             raise Unclear
+
+    def _ahead(self, piece: Piece, part: list[Piece]) -> None:
+        """ "Red, white and blue layers": the colours of the lines are told ahead, and behind them where they begin.
+
+        Raises:
+            Unclear: "two red rows".
+        """
+        if self._said.axis not in (None, piece.value) or any("count" in p.named for p in part if p.kind == "lot"):
+            raise Unclear
+        self._said.axis = piece.value
 
     def _pairs(self, places: list[Place], blocks: list[list[Blocks]]) -> None:
         self._said.placed += [

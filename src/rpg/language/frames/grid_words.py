@@ -91,7 +91,9 @@ FIGURES: list[Pattern] = [
         "rectangle(?: (?:that is )?filled)"),
     *patterns("figure", "outline", "(?:(?:small|flat|little) )*rectangle"),
     *patterns("figure", "square", f"{_KINDS}square(?: (?:that is )?filled(?: in)?)?"),
-    *patterns("figure", "wall", f"{_KINDS}(?:long |tall |high |big )?(?:block )?wall"),
+    *patterns("figure", "wall",
+        f"{_KINDS}(?:long |tall |high |big )?(?:(?:block|castle|garden|brick|stone|city|boundary|fortress|border) "
+        f")?wall"),
     *patterns("figure", "pyramid",
         f"{_KINDS}(?:big )?(?:step |stepped |layered )?(?:square |square based |flat |two dimensional |triangular )?"
         "pyramid"),
@@ -177,19 +179,24 @@ PLACES: list[Pattern] = [
     *patterns("place", Place("cells", "corners"), "on the(?: 4)? corners"),
     *patterns("place", Place("cells", "corners", None, 4),
         f"(?:(?:in|at) )?(?:each|every)(?: one)?(?: of (?:the|its)(?: 4)?)? corners?{_OF}"),
+    *patterns("place", Place("cells", "edges"), f"{_IN}(?:(?:the|its|all|4|outer) )*(?:edges|sides)"),
     *patterns("place", Place("cells", "border"),
         "(?:all )?(?:around|round)(?: (?:it|that|the (?:middle|center)(?: one| block)?))?", f"{_IN}(?:(?:the|its|a) "
-        f")?(?:outer )?(?:border|rim|frame)",
+        f")?(?:outer |outside )?(?:border|rim|frame|perimeter|(?<=outer )ring|(?<=outer )edge|boundary)(?: of (?:it|"
+        f"the {_FIGURE}|BLOCK))?",
         f"{_IN}(?:the |its )?(?:outer|outside|outermost|edge|border) (?:blocks|cubes|ones|cells)"),
     *patterns("place", Place("cells", "inside"), f"{_IN}(?:(?:the|its|a) )?(?:inside|interior|inner part|inner square)",
         f"{_IN}(?:the |its )?(?:inner|interior|inside) (?:blocks|cubes|ones|cells)"),
+    *patterns("place", lambda match: Place("cells", "inside", None, 0, int(match["count"])),
+        rf"{_IN}(?:the |its )?(?:inner|interior|inside) (?P<count>4|6|8|9)(?: BLOCK| ones| cells| squares)?"
+        r"(?! (?:rows|columns|layers|by|x))"),
     *patterns("place", _corner,
         rf"(?:the (?:BLOCK|one) )?{_IN}(?:the )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
         rf"(?P<b>left|right)(?: hand)?"
         rf"(?: (?:corner|BLOCK|cell|one|square|position))?{_OF}",
         rf"{_IN}(?:the )?(?P<b>left|right) (?:hand )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
         rf"(?:corner|BLOCK|cell|one|square|position){_OF}"),
-    *patterns("place", _rest,
+    *patterns("place", _rest, "the remainder", "all (?:of )?the rest",
         f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere", "the other color(?: "
         "is| being)?",
         "(?:all )?(?:(?:of )?the )?(?:others|rest|remainder)(?: of (?:it|them))?", r"(?:all )?the (?P<many>\d+) others",
@@ -198,15 +205,31 @@ PLACES: list[Pattern] = [
 ]  # fmt: skip
 """Kind "place"."""
 JOINTS: list[Pattern] = [
+    *patterns("any", True, "(?:(?:of|in|with) )?(?:any|whatever|whichever) colors?(?: (?:(?:at all|you (?:like|want|"
+        "choose|wish|prefer)|"
+        "will do|(?:BE )?(?:fine|ok|okay|good|allowed|possible|welcome|works?)|goes)))?",
+        "(?:the )?colors? (?:of (?:the )?(?:BLOCK|it|them) )?(?:BE )?(?:irrelevant|unimportant|arbitrary|free|"
+        "optional|open|up to you|"
+        "your choice|not important|not relevant|(?:do|does) not matter)",
+        "(?:i )?do not (?:care|mind) (?:about )?(?:what |which )?(?:the )?colors?(?: (?:(?:they|it) (?:are|is|have)))?",
+        "no matter (?:what|which) colors?", "(?:with )?no (?:color preference|preference (?:for|of) "
+        "colors?)", "(?:of |in )?arbitrary colors?"),
+    *patterns("lot", None, r"(?:(?P<det>the|all the) )?(?:(?P<count>NUM) )?(?P<color>COLOR) (?:cells|squares|fields|"
+        r"tiles|positions|spots)"),
+    *patterns("total", lambda match: number(match["count"]), r"(?:of |with |from )?(?P<count>NUM) (?:squares|cells|"
+        r"fields|spaces|slots|spots|tiles)"
+        "(?: in total| in all)?"),
     *patterns("then", None, "(?:and )?then", "followed by"),
     *patterns("except", None, "except(?: for| that)?", "apart from", "save for"),
+    *patterns("lot", None, "(?P<half>half)(?: of (?:them|it|the BLOCK))?(?: (?:BE |in )*)?(?P<color>COLOR)(?: BLOCK)?"),
+    *patterns("glue", None, "as (?:the |its )?(?:second|other|first|main) color"),
     *patterns("some", None, r"(?P<count>NUM)(?: (?:of (?:them|these|which)|ones?))?"),
     *patterns("glue", None, "(?:it|its|they|where|here|completely|in all|"
         "entirely|all over|fill|fills|cover|covers|tile|occupied by|occupied|occupies|shall|must|be|"
         "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
-        "a (?:row|line|square|layer) of|over the 4|centered)",
+        "a (?:row|line|layer) of|over the 4|centered)",
         "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|"
         "showing|shows|occupy|occupies|hey|hi|hello|ok|okay|so|"
         "(?:would )?(?:you )?mind|building|making|constructing|arranging|laying|placing|putting|creating|down|"

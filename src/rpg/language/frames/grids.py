@@ -6,10 +6,12 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
+from math import isqrt
 
 from rpg.language.frames.grid_colors import COLORS
 from rpg.language.frames.grid_each import plain
 from rpg.language.frames.grid_fill import Cell, Filling, completed
+from rpg.language.frames.grid_layers import in_order, layered
 from rpg.language.frames.grid_measures import SIZES
 from rpg.language.frames.grid_parts import Blocks, Said, said
 from rpg.language.frames.grid_sizes import Figure, Sizes, figures
@@ -35,7 +37,10 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: its size does not follow, or which blocks are where.
     """
     kind, words = _figure(pieces)
-    pieces = plain(pieces, kind)
+    pieces = in_order(pieces, "figure" if kind in ("wall", "pyramid", "cube") else "")
+    pieces = plain(layered(pieces) if kind == "pyramid" else pieces, kind)
+    if one(pieces, "any") and any(piece.kind in ("lot", "labels", "alternating") for piece in pieces):
+        raise Unclear
     where = one(pieces, "where")
     parts = said(pieces, dims_are_blocks=kind == "pyramid")
     sizes = _sizes(pieces, parts)
@@ -152,6 +157,11 @@ def _sizes(pieces: Sequence[Piece], parts: Said) -> Sizes:
     if bases:
         return Sizes(each, None, base.value if base else max(bases))
     dims = one(pieces, "dims")
+    squares = [piece for piece in pieces if piece.kind == "figure" and piece.value == "square"]
+    total = _total(parts)
+    if squares and not dims and not each and not base and total in (4, 9, 25):
+        side = isqrt(total)  # no outline of a square has so many, or it is the same
+        return Sizes(each, (side, side))
     return Sizes(each, dims.value if dims else None, base.value if base else None)
 
 
@@ -176,6 +186,10 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
     if not figure.flat:
         _check_layers(figure, parts, sizes, pieces, len(filling.looks))
     free = [item for item in parts.free if item.look]
+    if any(item.half for item in free):
+        if len(figure.cells) % 2:
+            raise Unclear
+        free = [replace(item, count=len(figure.cells) // 2) if item.half else item for item in free]
     reading = {piece.value for piece in pieces if piece.kind == "reading"}
     if reading - {"verb"} or (reading and any(item.label for item in free) and not filling.looks):
         return _read(figure, free, total, ordered="ordered" in reading, filled=bool(filling.looks))

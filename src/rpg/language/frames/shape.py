@@ -20,6 +20,10 @@ _ITS_WAY = {
     "triangle": {"tip": "tip"},
 }
 _DOWN = re.compile(r"\b(?:down|downwards?|below|underneath|under|hang|hanging)\b")
+_ROW_AT = re.compile(
+    r"\b(?P<count>\d+|one)(?: blocks?| cubes?)? (?:along|at|in|on|for) (?:the |its )?(?P<side>front|near|nearest|"
+    r"back|far|rear|farthest)\b"
+)
 _ARTICLES = ("a", "an", "the")
 _OVER = {"front": "back", "back": "front", "left": "right", "right": "left"}
 
@@ -45,6 +49,9 @@ def told(pieces: Sequence[Piece]) -> str:
     if any(piece.kind == "except" for piece in pieces) and any(lot.count for lot in said.free):
         raise Unclear  # is it one of them?
     pieces = with_limbs(pieces, said, shape)
+    armed = any(piece.kind == "place" and not piece.words and piece.value == "arms" for piece in pieces)
+    if shape == "plus" and armed and {"center", "rest"} <= {part for _, part in said.placed}:
+        pieces = [*pieces, Piece("apart", "", True)]  # "a white center and arms of two red blocks"
     if any(piece.kind == "fill" and piece.value == "hollow" for piece in pieces):
         if shape == "circle" and any(part == "inner" for _, part in said.placed):
             raise Unclear  # is its middle empty?
@@ -91,7 +98,7 @@ def _shape(pieces: Sequence[Piece]) -> str:
     if any(piece.kind == "again" for piece in pieces[:first]):
         raise Unclear
     last = ahead[-1] if ahead else ""
-    makes = ("make", "build", "form", "create", "construct", "draw")
+    makes = ("make", "build", "form", "create", "construct", "draw", "making", "forming", "building", "creating")
     wished = first + 1 < len(pieces) and pieces[first + 1].words in ("should", "shall", "must")
     if last == "the" and not wished and (len(ahead) < 2 or ahead[-2] not in makes):
         raise Unclear  # "the circle ..." tells of one that is there
@@ -156,6 +163,18 @@ def _check_where(pieces: Sequence[Piece]) -> None:
         clause = []
 
 
+def _tips(piece: Piece) -> set[str]:
+    """Where the tip of a triangle is by the places of its rows: "three in the front row, ..., one at the back"."""
+    found = set()
+    for row in _ROW_AT.finditer(piece.words):
+        side = "front" if row["side"] in ("front", "near", "nearest") else "back"
+        count = 1 if row["count"] == "one" else int(row["count"])
+        if count not in (1, max(piece.value)):
+            continue
+        found.add(side if count == 1 else _OVER[side])
+    return found
+
+
 def _way(pieces: Sequence[Piece], shape: str) -> str:
     """ " with its foot to the right".
 
@@ -165,6 +184,7 @@ def _way(pieces: Sequence[Piece], shape: str) -> str:
     ways = {(piece.value[0], piece.value[1]) for piece in pieces if piece.kind == "way"}
     ways |= {("tip", piece.value[1]) for piece in pieces if piece.kind == "base"}
     ways |= {("foot", piece.value[2]) for piece in pieces if piece.kind == "along"}
+    ways |= {("tip", side) for piece in pieces if piece.kind == "rows" for side in _tips(piece)}
     if ("any", "") in ways:
         if len(ways) > 1 or any(piece.kind == "limb" and _DOWN.search(piece.words) for piece in pieces):
             raise Unclear

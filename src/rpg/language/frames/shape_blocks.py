@@ -18,7 +18,7 @@ _PARTS: dict[str, dict[str, str]] = {
     "T": {"bar": "bar", "stem": "stem", "rest": "rest"},
     "L": {"corners": "corner", "rest": "rest"},
     "V": {"tip": "tip", "arms": "rest", "rest": "rest"},
-    "U": {"corners": "corners", "rest": "rest"},
+    "U": {"corners": "corners", "base": "base", **dict.fromkeys(("sides", "arms", "around", "rest"), "rest")},
 }
 """The parts of each figure that may have a colour, by the words for places."""
 SINGLE = frozenset({"center", "inner", "tip", "corner"})
@@ -43,11 +43,15 @@ def parted(pieces: Sequence[Piece]) -> list[Piece]:
         if piece.words == ":" and before.kind in ("place", "each") and behind.kind == "lot":
             continue
         found.append(piece)
+        if piece.kind == "lot" and before.kind == "arm" and not {"count", "det"} & piece.named.keys():
+            found.append(Piece("place", "", "arms"))  # "each arm has two red blocks"
         following = next((p.kind for p in pieces[n + 1 :] if p.kind not in ("glue", "dims", "fill")), "")
         if piece.kind == "place" and following == "figure":
             found.append(Piece("break", ""))  # "in the middle of a ring of ..."
+        alone = n < 2 or pieces[n - 2].kind != "arm"
         if (
             before.kind == "lot"
+            and alone
             and not {"count", "noun", "many"} & before.named.keys()
             and not piece.words[0].isdigit()
         ):
@@ -224,6 +228,8 @@ def _times(place: str, shape: str) -> int:
         return 3 if shape == "triangle" else 4
     if shape in ("plus", "X") and place in ("around", "arms"):
         return 4
+    if shape == "U" and place in ("around", "arms"):
+        return 2
     raise Unclear
 
 
@@ -237,6 +243,8 @@ def _part(place: str, shape: str) -> str:
 def total_of(said: Told, total: int | None, shape: str) -> int | None:
     """How many blocks the figure has, as far as that is told, without one that stands in it."""
     inner = any(part == "inner" for _, part in said.placed) or "inner" in said.numbers
+    if len(said.numbers) > 1 and shape not in ("plus", "X", "T", "L", "V", "U"):
+        raise Unclear  # "four at the corners and one in the middle" are no outline
     if said.numbers and not said.placed:
         counts = sum(number for part, number in said.numbers.items() if part != "inner")
         if len(said.numbers) > 1 and total is not None and total != sum(said.numbers.values()):

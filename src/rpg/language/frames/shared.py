@@ -34,6 +34,9 @@ GLUE: list[Pattern] = [
         "that)(?: (?:is|are))?(?! (?:(?:is|are) )?(?:on|in|at|upon|onto) )"),
     *patterns("glue", None, "(?:the |these |all the |those )?(?:blocks|cubes|pieces)"),
     *patterns("glue", None, "nice|neat|tidy|simple|proper|little|final|whole|together"),
+    *patterns("glue", None, "(?:would|will|could) (?:be|look) (?:really |very |so |just )?(?:lovely|nice|great|good|"
+        "cool|perfect|"
+        "wonderful|fun|sweet|awesome|fine|appreciated|ideal)(?: to (?:have|see|get))?"),
     *patterns("glue", None, "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target "
         ")?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)"),
 ]  # fmt: skip

@@ -52,6 +52,7 @@ _NEAR = "(?:me|us|you|the (?:robot|viewer|camera))"
 _HIGH = "(?:highest|tallest|top|topmost|biggest|high|tall|last|upper)"
 _LOW = "(?:lowest|shortest|smallest|bottom|low|short|first|lower)"
 _THE = "(?:(?:with|and|where) )?(?:(?:the|its|whose|a) )?"
+_NTH = ("first", "second", "third", "fourth")
 _END = f"(?: (?:{_STEP}|one|end|side|BLOCK|part))?(?: of it)?"
 _AT = "(?:BE )?(?:(?:on|at|to|towards?) )(?:the |its |my )?"
 
@@ -88,7 +89,10 @@ _WAYS = [
             f"{_THE}{_LOW}{_END} (?:{_AT})?(?:very |far )?{_SIDES[other]}"),
         *patterns("top", lambda match, side=side: (number(match["count"]), side),
             f"{_THE}{_HIGH}{_END} {_AT}(?:very )?{_SIDES[side]}(?: ,)? and (?:BE|has|counts) (?P<count>NUM)(?: BLOCK)?"
-            "(?: high| tall)?(?! COLOR)"),
+            "(?: high| tall)?(?! COLOR)",
+            f"{_THE}{_HIGH}{_END} (?:BE |has |have |having |with |of |counts |measures |height )*(?P<count>NUM)(?: "
+            f"BLOCK)?"
+            f"(?: high| tall| in height)?(?: ,)?(?: and)?(?: it)? {_AT}(?:very |far )?{_SIDES[side]}"),
         *patterns("order", side, f"{_SIDES[other]} to (?:the )?{_SIDES[side]}",
             f"(?:counted |listed |read |told )?{_toward(side)}(?= [,:]| (?:one|NUM|a) )",
             f"(?:{_LOW} to {_HIGH} )?from (?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"),
@@ -104,7 +108,8 @@ PATTERNS: list[Pattern] = [
     *patterns("figure", "staircase",
         "(?:(?:flight|set|row) of )?(?:stairs?|stairways?|staircases?|stair case)(?: (?:shape|shaped|form|"
         "formation|structure|"
-        "figure|pattern))?", "(?:flight|set) of steps", "steps(?! (?:of )?(?:the|which))"),
+        "figure|pattern))?", "(?:flight|set) of steps", "(?:flight|set) of(?= NUM steps )", "steps(?! (?:of )?(?:the|"
+        "which))"),
     *_counts(
         f"(?:in )?(?P<count>NUM) (?:BLOCK )?{_STEP}(?! (?:high|tall))", "steps : (?P<count>NUM)(?! ,)(?! BLOCK ,)",
         "(?P<count>NUM) (?:steps?|stepped|level)(?= (?:stair|flight))",
@@ -120,7 +125,8 @@ PATTERNS: list[Pattern] = [
         rf"(?:(?:with|in|of|the|its|whose) )*(?:{_COLUMN} )?(?:(?:BE|has|have|having|with|of|in) )*(?:the )?heights?"
         rf"(?: (?:BE|of|:))*(?: (?:steps?|columns?))? (?P<list>{_LIST})",
         rf"(?:(?:with|in|of|the|its|whose) )*{_COLUMN}(?: (?:BE|has|have|having|with|of|:))* (?P<list>{_LIST})",
-        f"(?P<list>(?:the |its )?first(?: {_STEP})? {_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the |its )?(?:second|third|"
+        f"(?:(?:where|in which|with|whose|so that) )?(?P<list>(?:the |its )?first(?: {_STEP})? "
+        f"{_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the |its )?(?:second|third|"
         "fourth|next|"
         f"last)(?: {_STEP})? {_BE}{_HEIGHT})+)",
         rf"(?:of |with |in )?(?P<list>{_LIST})(?: in (?:height|each))?(?: per {_STEP})?"),
@@ -128,6 +134,16 @@ PATTERNS: list[Pattern] = [
     *patterns("place", "over it",
         "(?:BE )?(?:on|onto|on top of|upon|atop|at the top of) (?:the|its|this) (?:very )?(?:highest|tallest|top|"
         f"topmost|last) {_STEP}(?: of (?:it|the stairs?|the staircase))?"),
+    *(found for n, nth in enumerate(_NTH) for found in patterns("place", f"{nth} step",
+        f"(?:(?:in|at|as|for) )?{_THE}{nth} {_STEP}", f"{_THE}{nth}(?: one)?(?= (?::|BE|(?:all )?COLOR))",
+        f"{_STEP} (?:number )?{n + 1}(?= (?::|BE|(?:all )?COLOR))")),
+    *patterns("place", "highest step", f"(?:(?:in|at|as|for) )?{_THE}last {_STEP}", f"{_THE}last(?: one)?(?= (?::|BE|"
+        f"(?:all )?COLOR))"),
+    *patterns("place", "highest step", f"{_THE}(?:highest|tallest|top|topmost|biggest)(?: one)?(?= (?::|BE|(?:all "
+        f")?COLOR))"),
+    *patterns("place", "lowest step", f"{_THE}(?:lowest|shortest|smallest|bottom)(?: one)?(?= (?::|BE|(?:all "
+        f")?COLOR))"),
+    *patterns("place", "middle step", f"{_THE}(?:middle|center)(?: one)?(?= (?::|BE|(?:all )?COLOR))"),
     *patterns("place", "highest step", f"(?:(?:in|at|as|for) )?{_THE}(?:highest|tallest|top|topmost|biggest) {_STEP}"),
     *patterns("place", "lowest step", f"(?:(?:in|at|as|for) )?{_THE}(?:lowest|shortest|smallest|bottom) {_STEP}"),
     *patterns("place", "middle step", f"(?:(?:in|at|as|for) )?{_THE}(?:middle|center) {_STEP}",
@@ -140,6 +156,11 @@ PATTERNS: list[Pattern] = [
         "BLOCK)| BLOCK)?(?: (?:BE|in))? (?P<color>COLOR)(?! (?:except|apart|save))"),
     *patterns("lot", None,
         "(?:in )?(?:all |only |just |completely |entirely )(?:in )?(?P<color>COLOR)(?: throughout)?"),
+    *patterns("hues", lambda match: re.findall(r"[a-z]+", match["hues"].replace(" and", "").replace(" then", "")),
+        "(?:(?:and|with|in|the|their|its) )*colors? (?:(?:BE|go|goes|run|runs|should|must|will|:|in order|in that "
+        "order) )*"
+        "(?P<hues>COLOR(?:(?: ,| and| then)* COLOR)+)(?: (?:respectively|in (?:this|that) order))?",
+        "(?:in )?(?P<hues>COLOR(?:(?: ,| and)* COLOR)+)(?: BLOCK)?(?: ,)? (?:respectively|in (?:this|that) order)"),
     *patterns("then", None, "(?:,|;)?(?: and)? ?(?:then|next|after that|finally)", ", (?:then|next|finally)",
         "and (?:then|finally)"),
     *patterns("own", None,
@@ -164,9 +185,6 @@ PATTERNS: list[Pattern] = [
 ]  # fmt: skip
 
 
-_NTH = ("first", "second", "third", "fourth")
-
-
 def told(pieces: Sequence[Piece]) -> str:
     """The staircase in plain sentences.
 
@@ -187,7 +205,11 @@ def told(pieces: Sequence[Piece]) -> str:
     way = _way(pieces)
     if one_of(pieces, "then") and not _in_order(pieces):
         raise Unclear
-    blocks, parts = ("", _ordered(pieces)) if _in_order(pieces) else _looks(pieces, steps, size)
+    hues = one(pieces, "hues")
+    if hues:
+        blocks, parts = "", _by_height(pieces, hues.value, steps)
+    else:
+        blocks, parts = ("", _ordered(pieces)) if _in_order(pieces) else _looks(pieces, steps, size)
     text = f"Build a staircase{f' of {steps} steps' if steps else ''}{blocks}{f' rising to the {way}' if way else ''}."
     over = [look for part, look in parts if part == "over it"]
     text += f" Put a {over[0]} block on top of the staircase." if over else ""
@@ -306,6 +328,19 @@ def _ordered(pieces: Sequence[Piece]) -> list[tuple[str, str]]:
     ]
 
 
+def _by_height(pieces: Sequence[Piece], hues: Sequence[str], steps: int | None) -> list[tuple[str, str]]:
+    """The looks of the steps whose heights are listed, each with its colour.
+
+    Raises:
+        Unclear: they are as many as neither, or it is not told which is which.
+    """
+    heights = one(pieces, "heights")
+    if not heights or len(hues) != steps or steps > len(_NTH) or one_of(pieces, "lot") or one_of(pieces, "place"):
+        raise Unclear
+    rising = hues if heights.value[0] == 1 else hues[::-1]
+    return [(f"{nth} step", look) for nth, look in zip(_NTH, rising, strict=False)]
+
+
 def _looks(pieces: Sequence[Piece], steps: int | None, size: int | None) -> tuple[str, list[tuple[str, str]]]:
     """ "from 6 red blocks", or which step has which look.
 
@@ -323,10 +358,15 @@ def _looks(pieces: Sequence[Piece], steps: int | None, size: int | None) -> tupl
     if len({lot.look for lot, _ in placed}) == 1 and not free and steps and len(placed) == steps:
         free, placed = [Lot(placed[0][0].look)], []
     if placed:
+        named = [part for _, part in placed]
+        inferred = not steps and len(named) > 1 and sorted(named) == sorted(f"{nth} step" for nth in _NTH[: len(named)])
+        if inferred:
+            steps, size = len(named), len(named) * (len(named) + 1) // 2
         if not steps or size is None:
             raise Unclear
         parts = _parts(free, placed, steps, size)
-        return ("" if all(part.endswith(" step") for part, _ in parts) else f" from {size} blocks"), parts
+        by_steps = all(part.endswith(" step") for part, _ in parts) and not inferred
+        return ("" if by_steps else f" from {size} blocks"), parts
     if len(free) > 1:
         raise Unclear  # which of them are where?
     lots = counted(free, size)
@@ -338,6 +378,14 @@ def _looks(pieces: Sequence[Piece], steps: int | None, size: int | None) -> tupl
 def _parts(free: list[Lot], placed: list[tuple[Lot, str]], steps: int, size: int) -> list[tuple[str, str]]:
     """The looks of the steps: each one's, or those of some and of the rest."""
     high = {"lowest step": 1, "middle step": 2, "highest step": steps, "top block of the highest step": 1}
+    numbered = {f"{nth} step": n for n, nth in enumerate(_NTH, 1)}
+    high |= numbered
+    if len({numbered.get(part, high.get(part, 0)) for _, part in placed if part.endswith(" step")}) < sum(
+        part.endswith(" step") and not part.startswith("top block") for _, part in placed
+    ):
+        raise Unclear  # one step is told twice
+    if any(numbered.get(part, 0) > steps for _, part in placed):
+        raise Unclear
     parts = [part for _, part in placed]
     if len(set(parts)) < len(parts) or len(free) > 1 or ("middle step" in parts and steps != 3):
         raise Unclear

@@ -144,6 +144,9 @@ class Filling:
             axis = self._axis if self._axis != "row" or self.figure.flat else "layer"
             if axis is None and any(p.side in ("left", "right") for ps, _ in self._told.placed for p in ps):
                 axis = "column"
+        high, wide = len(self.figure.widths), self.figure.widths[0]
+        if axis is None and place.side == "middle" and self.figure.flat and high % 2 == 0 and wide % 2:
+            axis = "column"
         axis = axis or self.figure.axis
         if axis == "layer" and self.figure.flat:
             raise Unclear
@@ -208,6 +211,9 @@ class Filling:
         if side == "edges" and min(high, wide) > 2:
             named = any(place.side == "corners" for places, _ in self._told.placed for place in places)
             return [cell for cell in border if not named or cell not in corners]
+        if "diagonal" in side and high == wide and self.figure.flat:
+            falling, rising = [(n, n) for n in range(high)], [(n, high - 1 - n) for n in range(high)]
+            return {"diagonal left": falling, "diagonal right": rising}.get(side, list(dict.fromkeys(falling + rising)))
         line, _, column = side.partition(" ")
         if not column or line not in _ENDS[self.figure.axis]:
             raise Unclear

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import groupby
 from math import isqrt, prod
 
 from rpg.language.frames.pieces import Piece, Unclear, number
@@ -140,6 +141,20 @@ def in_order(pieces: Sequence[Piece], upright: str) -> list[Piece]:
         found.append(piece)
     found = _begun(found)
     return _listed(found) if upright else found
+
+
+def merged(pieces: Sequence[Piece]) -> list[Piece]:
+    """The pieces with "red red red" told as three red ones."""
+    found: list[Piece] = []
+    for _, run in groupby(pieces, lambda piece: _bare(piece)):
+        same = list(run)
+        alike = {piece.named.get("color") for piece in same}
+        if len(same) > 1 and len(alike) == 1 and _bare(same[0]) and not any("det" in piece.named for piece in same):
+            words = " ".join(piece.words for piece in same)
+            found.append(replace(same[0], words=words, named={**same[0].named, "count": str(len(same))}))
+        else:
+            found += same
+    return found
 
 
 def _bare(piece: Piece) -> bool:

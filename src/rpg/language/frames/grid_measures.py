@@ -82,7 +82,7 @@ SIZES: list[Pattern] = [
         rf"(?P<deep>NUM) {_N}(?:deep|in depth|from front to back|from back to front)",
         r"(?:a |the |its )?depth (?:(?:of|is|:|being) )*(?P<deep>NUM)(?: BLOCK)?",
         rf"(?:with )?(?P<side>NUM) {_N}(?:on|along|to|per|at|in) (?:(?:each|every|a|one|its) )?(?:side|edge)",
-        r"(?:a )?(?:side|sides|edge|edges)(?: length)? of (?P<side>NUM)(?: BLOCK)?",
+        r"(?:with )?(?:an? )?(?:side|sides|edge|edges)(?: lengths?)? (?:of|being|is|:) (?P<side>NUM)(?: BLOCK)?",
         rf"(?:its |whose |the )?{_BASE}{_OF} (?P<base>NUM){_NO_LOOK}(?: BLOCK)?",
         rf"(?:its |whose |the )?(?:{_BASE_ROW}){_OF} (?P<line>NUM){_NO_LOOK}(?: BLOCK)?",
         rf"(?:its |whose |the )?{_BASE}{_OF} (?P<line>NUM)(?: BLOCK)? (?:wide|long|across|in (?:a|one) (?:row|line))",

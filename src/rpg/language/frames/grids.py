@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -11,12 +12,12 @@ from math import isqrt
 from rpg.language.frames.grid_colors import COLORS
 from rpg.language.frames.grid_each import plain
 from rpg.language.frames.grid_fill import Cell, Filling, completed
-from rpg.language.frames.grid_layers import in_order, layered
+from rpg.language.frames.grid_layers import in_order, layered, merged
 from rpg.language.frames.grid_measures import SIZES
 from rpg.language.frames.grid_parts import Blocks, Said, said
 from rpg.language.frames.grid_sizes import Figure, Sizes, figures
 from rpg.language.frames.grid_words import FIGURES, JOINTS, PLACES
-from rpg.language.frames.lots import LOTS, Lot, one
+from rpg.language.frames.lots import LOTS, Lot, lot_of, one, without_brackets
 from rpg.language.frames.pieces import Piece, Unclear, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
@@ -36,6 +37,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: its size does not follow, or which blocks are where.
     """
+    pieces, over = _over(merged(without_brackets(pieces)))
     kind, words = _figure(pieces)
     pieces = in_order(pieces, "figure" if kind in ("wall", "pyramid", "cube") else "")
     pieces = plain(layered(pieces) if kind == "pyramid" else pieces, kind)
@@ -63,7 +65,32 @@ def told(pieces: Sequence[Piece]) -> str:
     if len(found) != 1:
         raise Unclear
     name = kind if kind in ("wall", "pyramid") else "grid"
-    return f"{found[0]} The {name} is {where.value}." if where else found[0]
+    text = f"{found[0]} The {name} is {where.value}." if where else found[0]
+    if over:
+        odd = [figure for figure in figures(kind, words, sizes) if len(figure.widths) % 2 and figure.widths[0] % 2]
+        if len(odd) != 1 or not odd[0].flat or over in re.findall(r"[a-z]+", found[0]):
+            raise Unclear
+        text += f" Put a {over} block on the center block."
+    return text
+
+
+def _over(pieces: Sequence[Piece]) -> tuple[list[Piece], str]:
+    """The pieces without the one block that lies on that in the middle, and its look.
+
+    Raises:
+        Unclear: there are more blocks on it, or none.
+    """
+    at = [n for n, piece in enumerate(pieces) if piece.kind == "over"]
+    if not at:
+        return list(pieces), ""
+    n = at[0]
+    near = [m for m in (n - 1, n + 1) if 0 <= m < len(pieces) and pieces[m].kind == "lot"]
+    if len(at) > 1 or len(near) != 1:
+        raise Unclear
+    lot = lot_of(pieces[near[0]])
+    if lot.count != 1 or lot.known or " " in lot.look:
+        raise Unclear
+    return [piece for m, piece in enumerate(pieces) if m not in (n, near[0])], lot.look
 
 
 def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:

@@ -107,6 +107,15 @@ def with_placed(lots: Iterable[Lot], placed: Iterable[tuple[Lot, str]]) -> list[
     return found
 
 
+def without_brackets(pieces: Sequence[Piece]) -> list[Piece]:
+    """Without the brackets around one place: "red (at the bottom)"."""
+    found = list(pieces)
+    for n in range(len(found) - 3, -1, -1):
+        if [found[n].words, found[n + 2].words] == ["(", ")"] and found[n + 1].kind == "place":
+            found[n : n + 3] = [found[n + 1]]
+    return found
+
+
 def check_listed(pieces: Sequence[Piece]) -> None:
     """Lots are parted from each other, and are one list.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.frames.lots import as_adjectives, check_listed, check_owned, one
+from rpg.language.frames.lots import as_adjectives, check_listed, check_owned, one, without_brackets
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.shape_blocks import blocks_of, by_side, each_side, parted, sum_of, total_of, with_limbs
 from rpg.language.frames.shape_looks import alternate, check_incomplete, colored, looks_of
@@ -34,7 +34,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which figure it is, or not which blocks it is made of.
     """
-    pieces = parted(as_adjectives(pieces))
+    pieces = parted(without_brackets(as_adjectives(pieces)))
     check_listed(pieces)
     check_owned(pieces, ("way", "limb", "arm", "side", "place", "along", "base"))
     _check_parts(pieces)

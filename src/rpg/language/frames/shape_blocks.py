@@ -45,6 +45,9 @@ def parted(pieces: Sequence[Piece]) -> list[Piece]:
         found.append(piece)
         if piece.kind == "lot" and before.kind == "arm" and not {"count", "det"} & piece.named.keys():
             found.append(Piece("place", "", "arms"))  # "each arm has two red blocks"
+        limb = before.kind == "limb" and before.value[0] in ("bar", "stem") and behind.kind in ("break", "except")
+        if piece.kind == "lot" and limb and not {"count", "noun", "many"} & piece.named.keys():
+            found.append(Piece("part", "", before.value[:2]))  # "top line 5 blocks blue"
         following = next((p.kind for p in pieces[n + 1 :] if p.kind not in ("glue", "dims", "fill")), "")
         if piece.kind == "place" and following == "figure":
             found.append(Piece("break", ""))  # "in the middle of a ring of ..."

@@ -97,7 +97,10 @@ BAR = (
     "(?:(?:top |horizontal |upper )?(?:bar|crossbar|cross bar|crosspiece|cross piece|beam|stroke|line|arm|roof)|"
     "top(?: row)?)"
 )
-STEM = "(?:(?:vertical |long |middle )?(?:stem|leg|trunk|post|shaft|tail|stalk|vertical(?: bar| line| stroke)?))"
+STEM = (
+    "(?:(?:down|downward|downwards|lower) (?:line|bar|stroke|part|piece|leg)|(?:vertical |long |middle )?(?:stem|"
+    "leg|trunk|post|shaft|tail|stalk|vertical(?: bar| line| stroke)?))"
+)
 _N = "(?:with )?(?:then )?(?P<another>another |the other |the remaining )?" + COUNT
 
 

@@ -111,7 +111,7 @@ OWN_GLUE: list[Pattern] = [
         "shall|are|stand|lie|in|as|into|on|to)\\b)"),
     *patterns("glue", None, "(?:big|large|small|little|tiny|giant|huge|mini)(?= (?:plus|cross|circle|ring|square|"
         "triangle|rectangle|[TLUVX]) )",
-        "apiece", "each(?= [,.;])"),
+        "apiece", "each(?= [,.;])", "it(?= (?:with|has|BE) )"),
     *patterns("glue", None, "only(?= [,.;!])", "take|grab", "needed|are needed",
         "(?:arrange|put|place|lay|set|use|form|make|bring|organize)(?: out)? (?:them|these)(?: all| out)?",
         "(?:could|can|would|will|should|shall|must) the robot(?: please| kindly)?",

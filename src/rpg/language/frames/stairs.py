@@ -15,6 +15,7 @@ from rpg.language.frames.lots import (
     lot_of,
     one,
     placed_lots,
+    without_brackets,
 )
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
@@ -85,6 +86,8 @@ _WAYS = [
         *patterns("way", side,
             f"{_RISE}(?: (?:in|by) {_STEP})? {_toward(side)}", f"{_FALL} {_toward(other)}",
             f"{_toward(side)} (?:upwards?|up)",
+            f"(?:the |its )?(?:direction of (?:the )?(?:ascent|rise|climb|climbing)|(?:rise|ascent|climb|climbing|"
+            f"upward) direction) (?:BE |: )?{_toward(side)}",
             f"{_THE}{_HIGH}{_END} (?:{_AT})?(?:very |far )?{_SIDES[side]}",
             f"{_THE}{_LOW}{_END} (?:{_AT})?(?:very |far )?{_SIDES[other]}"),
         *patterns("top", lambda match, side=side: (number(match["count"]), side),
@@ -135,15 +138,15 @@ PATTERNS: list[Pattern] = [
         "(?:BE )?(?:on|onto|on top of|upon|atop|at the top of) (?:the|its|this) (?:very )?(?:highest|tallest|top|"
         f"topmost|last) {_STEP}(?: of (?:it|the stairs?|the staircase))?"),
     *(found for n, nth in enumerate(_NTH) for found in patterns("place", f"{nth} step",
-        f"(?:(?:in|at|as|for) )?{_THE}{nth} {_STEP}", f"{_THE}{nth}(?: one)?(?= (?::|BE|(?:all )?COLOR))",
-        f"{_STEP} (?:number )?{n + 1}(?= (?::|BE|(?:all )?COLOR))")),
+        f"(?:(?:in|at|as|for) )?{_THE}{nth} {_STEP}", f"{_THE}{nth}(?: one)?(?= (?::|BE|(?:all )?COLOR|\\)))",
+        f"{_STEP} (?:number )?{n + 1}(?= (?::|BE|(?:all )?COLOR|\\)))")),
     *patterns("place", "highest step", f"(?:(?:in|at|as|for) )?{_THE}last {_STEP}", f"{_THE}last(?: one)?(?= (?::|BE|"
         f"(?:all )?COLOR))"),
     *patterns("place", "highest step", f"{_THE}(?:highest|tallest|top|topmost|biggest)(?: one)?(?= (?::|BE|(?:all "
         f")?COLOR))"),
     *patterns("place", "lowest step", f"{_THE}(?:lowest|shortest|smallest|bottom)(?: one)?(?= (?::|BE|(?:all "
         f")?COLOR))"),
-    *patterns("place", "middle step", f"{_THE}(?:middle|center)(?: one)?(?= (?::|BE|(?:all )?COLOR))"),
+    *patterns("place", "middle step", f"{_THE}(?:middle|center)(?: one)?(?= (?::|BE|(?:all )?COLOR|\\)))"),
     *patterns("place", "highest step", f"(?:(?:in|at|as|for) )?{_THE}(?:highest|tallest|top|topmost|biggest) {_STEP}"),
     *patterns("place", "lowest step", f"(?:(?:in|at|as|for) )?{_THE}(?:lowest|shortest|smallest|bottom) {_STEP}"),
     *patterns("place", "middle step", f"(?:(?:in|at|as|for) )?{_THE}(?:middle|center) {_STEP}",
@@ -175,7 +178,8 @@ PATTERNS: list[Pattern] = [
         "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", "(?:gets?|grows?|becomes?|rises?|goes up|"
         f"going up) (?:by )?(?:one )?(?:BLOCK )?(?:higher |taller )?(?:with|at|for) (?:each|every) {_STEP}",
         f"(?:{_RISE} )?(?:by )?one BLOCK (?:per|each|every) {_STEP}",
-        f"(?:each|every) (?:{_STEP}|one) (?:BE )?(?:(?:by )?one (?:BLOCK )?)?(?:higher|taller)(?: by one BLOCK)? than "
+        f"(?:each|every)(?: {_STEP}| one)? (?:BE )?(?:(?:by )?one (?:BLOCK )?)?(?:higher|taller)(?: by one BLOCK)? "
+        f"than "
         f"the (?:{_STEP} |one )?(?:before|last|previous|one before|last one|previous one)(?: it)?",
         "(?:going |growing |increasing )?(?:by )?one (?:BLOCK )?(?:more|higher|taller)? ?(?:each time|every time)"),
     *patterns("glue", None, "so that|such that|which|that|its|whose|only|used|up|out|side by side|adjoining|like|"
@@ -191,7 +195,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is told of more than one, or its steps do not agree.
     """
-    pieces = as_adjectives(pieces)
+    pieces = without_brackets(as_adjectives(pieces))
     check_listed(pieces)
     check_owned(pieces, ("way", "low", "place", "end"))
     _check_figure(pieces)
@@ -203,7 +207,7 @@ def told(pieces: Sequence[Piece]) -> str:
     size = steps * (steps + 1) // 2 if steps else size
     steps = steps or next((n for n in range(2, 8) if size == n * (n + 1) // 2), None)
     way = _way(pieces)
-    if one_of(pieces, "then") and not _in_order(pieces):
+    if (one_of(pieces, "then") or one_of(pieces, "own")) and not _in_order(pieces) and not one_of(pieces, "place"):
         raise Unclear
     hues = one(pieces, "hues")
     if hues:

@@ -122,7 +122,8 @@ class Filling:
     def _central(self) -> bool:
         """Whether "the middle" is a block: no other lines are told."""
         others = [p for ps, _ in self._told.placed for p in ps if p.kind == "line" and p.side != "middle"]
-        return self.figure.flat and not others and self._axis is None
+        odd = len(self.figure.widths) % 2 == self.figure.widths[0] % 2 == 1
+        return self.figure.flat and odd and not others and self._axis is None
 
     def _even(self) -> bool:
         """Whether the four blocks in the middle are all those inside: "the middle four" of a 4x4 grid."""

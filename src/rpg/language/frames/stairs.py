@@ -141,11 +141,11 @@ PATTERNS: list[Pattern] = [
         f"(?:(?:in|at|as|for) )?{_THE}{nth} {_STEP}", f"{_THE}{nth}(?: one)?(?= (?::|BE|(?:all )?COLOR|\\)))",
         f"{_STEP} (?:number )?{n + 1}(?= (?::|BE|(?:all )?COLOR|\\)))")),
     *patterns("place", "highest step", f"(?:(?:in|at|as|for) )?{_THE}last {_STEP}", f"{_THE}last(?: one)?(?= (?::|BE|"
-        f"(?:all )?COLOR))"),
+        f"(?:all )?COLOR|\\)))"),
     *patterns("place", "highest step", f"{_THE}(?:highest|tallest|top|topmost|biggest)(?: one)?(?= (?::|BE|(?:all "
-        f")?COLOR))"),
+        f")?COLOR|\\)))"),
     *patterns("place", "lowest step", f"{_THE}(?:lowest|shortest|smallest|bottom)(?: one)?(?= (?::|BE|(?:all "
-        f")?COLOR))"),
+        f")?COLOR|\\)))"),
     *patterns("place", "middle step", f"{_THE}(?:middle|center)(?: one)?(?= (?::|BE|(?:all )?COLOR|\\)))"),
     *patterns("place", "highest step", f"(?:(?:in|at|as|for) )?{_THE}(?:highest|tallest|top|topmost|biggest) {_STEP}"),
     *patterns("place", "lowest step", f"(?:(?:in|at|as|for) )?{_THE}(?:lowest|shortest|smallest|bottom) {_STEP}"),
@@ -240,7 +240,10 @@ def _check_figure(pieces: Sequence[Piece]) -> None:
     if (
         not named
         and not any("stairs" in pieces[n].words for n in at)
-        and not (figures and (one_of(pieces, "heights") or one_of(pieces, "way")))
+        and not (
+            (figures or any("step" in pieces[n].words for n in at))
+            and (one_of(pieces, "heights") or one_of(pieces, "way"))
+        )
     ):
         raise Unclear
     again = [

@@ -100,7 +100,11 @@ COLORS: list[Pattern] = [
         r"layers?|COLOR))"),
     *patterns("symbols", None, f"(?:of |the |with )?{_SYMBOLS}"),
     *patterns("reading", "verb", "(?:(?:which|that|it|they) )?(?:says?|spells?|reads?|reading)"),
+    *patterns("lines", "layer", "(?:in |as |with |of )?(?:horizontal )?stripes"),
     *patterns("reading", "told",
+        "(?:(?:so|such) that )?(?:(?:it|they) )?(?:can be |may be )?(?:reads?|reading|read) (?:from )?left to "
+        "right(?: ,| and| then)* (?:from )?top to bottom",
+        "(?:from )?left to right(?: ,| and| then)* (?:from )?top to bottom",
         "(?:(?:arranged|told|ordered|going|sorted|all) )?(?:in |by )?(?:the )?(?:usual |normal |their )?reading order",
         "(?:read )?row by row", "(?:read|reads|reading|laid out|to be read|that reads|which reads) (?:like|as|in) "
         "(?:a |the )?(?:page|book|text)(?: of a book| of text)?", "(?:line by line)",

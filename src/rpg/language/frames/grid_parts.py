@@ -9,7 +9,7 @@ from math import prod
 from rpg.language.frames.grid_words import Place
 from rpg.language.frames.pieces import Piece, Unclear, number
 
-_SINGLE = frozenset({"block", "cube", "piece", "element", "one"})
+_SINGLE = frozenset({"block", "cube", "piece", "element", "tile", "one"})
 _STRONG = (".", ";", "!", "?")
 
 

@@ -103,7 +103,9 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
     dims = " ".join(piece.words for piece in pieces if piece.kind == "dims")
     words = " ".join([dims, *(piece.words for piece in pieces if piece.kind in ("figure", "square", "filled", "flat"))])
     rows = any("rows" in piece.value for piece in pieces if piece.kind == "size")
-    if any(pieces[n].value == "outline" for n in at) and not rows and _FILLED.isdisjoint(dims.split()):
+    sizes = [piece.value for piece in pieces if piece.kind == "dims"]
+    narrow = bool(sizes) and min(sizes[0]) == 2  # its outline is all of it
+    if any(pieces[n].value == "outline" for n in at) and not rows and not narrow and _FILLED.isdisjoint(dims.split()):
         raise Unclear  # of a rectangle without a word more the outline is meant
     kinds = {{"board": "grid", "outline": "rectangle"}.get(pieces[n].value, pieces[n].value) for n in at}
     if len(kinds) > 1:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.frames.lots import as_adjectives, check_listed, check_owned, one, without_brackets
+from rpg.language.frames.lots import Lot, as_adjectives, check_listed, check_owned, declared, one, without_brackets
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.shape_blocks import blocks_of, by_side, each_side, parted, sum_of, total_of, with_limbs
 from rpg.language.frames.shape_looks import alternate, check_incomplete, colored, looks_of
@@ -39,9 +39,10 @@ def told(pieces: Sequence[Piece]) -> str:
     check_owned(pieces, ("way", "limb", "arm", "side", "place", "along", "base"))
     _check_parts(pieces)
     shape = _shape(pieces)
-    if shape in ("square", "triangle", "L", "U"):
+    based = any(piece.kind == "place" and piece.value == "base" for piece in pieces)
+    if shape in ("square", "triangle", "L", "U") and not based:
         pieces = by_side(pieces)
-    elif shape == "plus":
+    elif shape == "plus" or based:
         pieces = each_side(pieces)
     said = blocks_of(pieces, shape)
     _check_where(pieces)
@@ -49,6 +50,13 @@ def told(pieces: Sequence[Piece]) -> str:
     if any(piece.kind == "except" for piece in pieces) and any(lot.count for lot in said.free):
         raise Unclear  # is it one of them?
     pieces = with_limbs(pieces, said, shape)
+    hues = {piece.named["hue"] for piece in pieces if piece.kind in ("limb", "along") and "hue" in piece.named}
+    if hues:
+        if len(hues) > 1 or said.free or said.placed:
+            raise Unclear  # which of them is the corner?
+        said.free = [Lot(hues.pop())]
+    if shape == "plus" and said.numbers == {"center": 1}:
+        pieces = [*pieces, Piece("apart", "", True)]  # "two on each arm and one in the middle"
     armed = any(piece.kind == "place" and not piece.words and piece.value == "arms" for piece in pieces)
     if shape == "plus" and armed and {"center", "rest"} <= {part for _, part in said.placed}:
         pieces = [*pieces, Piece("apart", "", True)]  # "a white center and arms of two red blocks"
@@ -69,6 +77,8 @@ def told(pieces: Sequence[Piece]) -> str:
         size_of, looks, parts = colored(said, size_of, colors.value if colors else "alternating", shape)
     else:
         looks, parts = looks_of(said, size_of, shape)
+    if parts and size_of.name.startswith("a filled") and shape == "square":
+        raise Unclear  # the colours of its places are those of a grid
     way = _way(pieces, shape)
     text = f"Build {size_of.name}{size_of.measures}{looks}{way}."
     text += "".join(f" The {part} {'are' if part in ('corners', 'rest') else 'is'} {look}." for part, look in parts)
@@ -99,7 +109,7 @@ def _shape(pieces: Sequence[Piece]) -> str:
         raise Unclear
     last = ahead[-1] if ahead else ""
     makes = ("make", "build", "form", "create", "construct", "draw", "making", "forming", "building", "creating")
-    wished = first + 1 < len(pieces) and pieces[first + 1].words in ("should", "shall", "must")
+    wished = declared(pieces[first + 1 :])
     if last == "the" and not wished and (len(ahead) < 2 or ahead[-2] not in makes):
         raise Unclear  # "the circle ..." tells of one that is there
     letter = len(shape) == 1 and last not in ("a", "an") and "shape" not in pieces[first].words

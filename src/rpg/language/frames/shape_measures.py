@@ -128,6 +128,14 @@ LIMBS: list[Pattern] = [
     *patterns("limb", lambda m: ("up", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)? (?:going |standing |straight )?(?:up(?:wards?|right)?|{_FOR}(?:the |its "
         ")?(?:upright|stem|back))"),
+    *patterns("limb", lambda m: ("up", number(m["count"]), _further(m)),
+        f"(?:with )?(?P<count>NUM){_MORE} (?P<hue>COLOR)(?: BLOCK)? (?:going |go |standing |straight "
+        f")*(?:up(?:wards?)?|tall|high|"
+        "vertical|vertically)"),
+    *(found for side in ("left", "right") for found in patterns("along",
+        lambda m, side=side: (number(m["count"]), _further(m), side),
+        f"(?:with )?(?P<count>NUM){_MORE} (?P<hue>COLOR)(?: BLOCK)? (?:going |pointing |go )?(?:to|towards?) the "
+        f"{side}")),
     *patterns("limb", lambda m: ("long", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)? (?:tall|high|long|{_FOR}(?:the |its )?(?:long|longer|vertical) {_ARM})",
         f"(?:the |its |a |whose |with a |with the )?(?:(?:long|longer|vertical) {_ARM}|upright) "

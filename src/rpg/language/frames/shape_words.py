@@ -56,6 +56,7 @@ FILL: list[Pattern] = [
         "(?:with )?(?:no|without a|without any|without) holes?(?: in (?:it|the middle|the center))?",
         "(?:the |its |with the )?(?:inside|interior|middle|center) (?:BE )?(?:filled|full)(?: in| too| as well)?",
         "not hollow"),
+    *patterns("fill", "hollow", "(?:but |and )?not (?:filled|solid|full)(?: in)?"),
 ]  # fmt: skip
 
 LOOKS: list[Pattern] = [
@@ -67,6 +68,7 @@ LOOKS: list[Pattern] = [
         "(?:i )?do not (?:care|mind) (?:about )?(?:what |which |the )?colors?(?: (?:they|it) (?:are|is|have))?",
         "what color"),
     *patterns("lot", None, "(?P<count>NUM) of (?:them|these|which)(?: BLOCK)? (?:BE )?(?:in )?(?P<color>COLOR)"),
+    *patterns("total", lambda m: number(m["count"]), r"(?<=[,.] )(?P<count>NUM)(?= [.!]| $)"),
     *patterns("total", lambda m: number(m["count"]), "(?:, )?of which there (?:BE) (?P<count>NUM)(?= ,)",
         "(?P<count>NUM) of (?:them|these)(?= [,.;!])"),
     *patterns("lot", None, "(?:(?:all|every one|each one|each|everything)(?: of (?:them|these|it|the BLOCK)| BLOCK)? "

@@ -12,6 +12,7 @@ from rpg.language.frames.lots import (
     check_listed,
     check_owned,
     counted,
+    declared,
     lot_of,
     one,
     placed_lots,
@@ -86,6 +87,8 @@ _WAYS = [
         *patterns("way", side,
             f"{_RISE}(?: (?:in|by) {_STEP})? {_toward(side)}", f"{_FALL} {_toward(other)}",
             f"{_toward(side)} (?:upwards?|up)",
+            f"(?:which |that )?(?:going|goes|go|leading|leads|heading|running) (?:to|towards?) the {_SIDES[side]}(?! "
+            f"(?:of|down))",
             f"(?:the |its )?(?:direction of (?:the )?(?:ascent|rise|climb|climbing)|(?:rise|ascent|climb|climbing|"
             f"upward) direction) (?:BE |: )?{_toward(side)}",
             f"{_THE}{_HIGH}{_END} (?:{_AT})?(?:very |far )?{_SIDES[side]}",
@@ -115,6 +118,7 @@ PATTERNS: list[Pattern] = [
         "which))"),
     *_counts(
         f"(?:in )?(?P<count>NUM) (?:BLOCK )?{_STEP}(?! (?:high|tall))", "steps : (?P<count>NUM)(?! ,)(?! BLOCK ,)",
+        "(?:steps|stairs) ,? ?(?P<count>NUM) of (?:them|those)",
         "(?P<count>NUM) (?:steps?|stepped|level)(?= (?:stair|flight))",
         f"(?P<count>NUM)(?: {_STEP}| BLOCK)? (?:high|tall|long|wide|in height|in length)",
         f"{_THE}{_HIGH}{_END} (?:BE |has |have |having |with |of |counts |measures |height )*(?P<count>NUM)(?: BLOCK)?"
@@ -252,7 +256,8 @@ def _check_figure(pieces: Sequence[Piece]) -> None:
     if again or (figures and any("staircases" in pieces[n].words or "stairways" in pieces[n].words for n in figures)):
         raise Unclear
     ahead = [piece for piece in pieces[: at[0]] if piece.words not in ("a", "an")]
-    if [p.words for p in ahead] == ["the"] or ([p.words for p in ahead[-1:]] == ["and"] and len(ahead) > 1):
+    there = [p.words for p in ahead] == ["the"] and not declared(pieces[at[0] + 1 :])
+    if there or ([p.words for p in ahead[-1:]] == ["and"] and len(ahead) > 1):
         raise Unclear  # "the stairs are ..." may tell of now; "a red block and stairs" is more than stairs
     if [p.words for p in ahead[-1:]] in (["on"], ["onto"], ["to"]):
         raise Unclear

@@ -202,7 +202,7 @@ class Filling:
         corners = [(0, 0), (0, wide - 1), (high - 1, 0), (high - 1, wide - 1)]
         if side == "corners":
             return corners
-        if side == "center" and high % 2 and wide % 2:
+        if side == "center" and high % 2 and wide % 2 and self.figure.flat:
             return [(high // 2, wide // 2)]
         border = [(n, k) for n, k in self.figure.cells if n in (0, high - 1) or k in (0, wide - 1)]
         if side == "border" and min(high, wide) > 2:

@@ -85,7 +85,9 @@ def _run(pieces: Sequence[Piece], begin: int) -> _Run | None:
             side = piece.value.side
             if piece.value.kind != "line" or side not in _LAYERS or piece.value.blocks:
                 break
-            if parted or not run.counts or run.sides[-1]:
+            behind = n + 1 < len(pieces) and bool(_counts(pieces[n + 1]))
+            bare = behind and piece.words.split()[0] not in ("in", "on", "at", "along", "as", "for", "over", "above")
+            if parted or not run.counts or run.sides[-1] or bare:
                 ahead = {side}
             else:
                 run.sides[-1] = {side}

@@ -265,7 +265,7 @@ JOINTS: list[Pattern] = [
     *patterns("glue", None, "lay|set|put|spread", "out(?= (?:as|in|of|on|into|a|the) )", "make up", "erected|raised",
         "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
     *patterns("over", "center",
-        f"(?:(?:(?:that|which) )?(?:BE )?(?:put|placed|set|sitting|resting) )?(?:on|onto|on top of|atop|upon|over|"
+        f"(?:(?:(?:that|which) )?(?:BE )?(?:put|placed|set|sitting|resting) )?(?:onto|on top of|atop|over|"
         f"above) {_THE}(?:middle|center|central)"
         f"(?: (?:one|BLOCK|cell|square|position|field))?{_OF}",
         f"(?:on top|above)(?: of (?:it|them))?,? {_MIDDLE}{_OF}"),

@@ -188,7 +188,8 @@ def _sizes(pieces: Sequence[Piece], parts: Said) -> Sizes:
     dims = one(pieces, "dims")
     squares = [piece for piece in pieces if piece.kind == "figure" and piece.value == "square"]
     total = _total(parts)
-    if squares and not dims and not each and not base and total in (4, 9, 25):
+    counted = any(not item.look for item in parts.free)
+    if squares and counted and not dims and not each and not base and total in (4, 9, 25):
         side = isqrt(total)  # no outline of a square has so many, or it is the same
         return Sizes(each, (side, side))
     return Sizes(each, dims.value if dims else None, base.value if base else None)

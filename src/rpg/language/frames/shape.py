@@ -77,7 +77,8 @@ def told(pieces: Sequence[Piece]) -> str:
         size_of, looks, parts = colored(said, size_of, colors.value if colors else "alternating", shape)
     else:
         looks, parts = looks_of(said, size_of, shape)
-    if parts and size_of.name.startswith("a filled") and shape == "square":
+    each = any(piece.kind == "each" for piece in pieces)
+    if parts and each and size_of.name.startswith("a filled") and shape == "square":
         raise Unclear  # the colours of its places are those of a grid
     way = _way(pieces, shape)
     text = f"Build {size_of.name}{size_of.measures}{looks}{way}."

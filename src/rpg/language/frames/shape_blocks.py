@@ -179,9 +179,11 @@ def _clause(clause: Sequence[Piece], said: Told, shape: str) -> None:
         return
     if not places:
         said.free += map(lot_of, lots)
-    elif not lots and [_part(place.value, shape) for place in places if place.kind == "place"] == [
-        p for _, p in said.placed[-1:]
-    ]:
+    elif (
+        not lots
+        and all(place.kind == "place" for place in places)
+        and [_part(p.value, shape) for p in places] == [p for _, p in said.placed[-1:]]
+    ):
         return  # told twice: "inside, in the middle"
     elif not lots or (len(lots) == 1 and len(places) > 1 and all(place.kind == "part" for place in places)):
         said.free += map(lot_of, lots)

@@ -60,6 +60,67 @@ FLAT = "Build a pyramid with a base of 3 blocks"
             "Build a grid of 2 rows, 2 columns and 2 layers, in reading order: "
             "white, white, white, white, black, black, black, black.",
         ),
+        (
+            "3x3 grid red corners blue edges white center",
+            "Build a grid of 3 rows and 3 columns, in reading order: red, blue, red, blue, white, blue, red, "
+            "blue, red.",
+        ),
+        (
+            "step pyramid base 3x3 second layer 2x2 and one block on top all gray",
+            "Build a pyramid with a 3x3 base from 14 gray blocks.",
+        ),
+        (
+            "pyramid, four on the bottom as a two by two and one on top, all in orange",
+            "Build a pyramid with a 2x2 base from 5 orange blocks.",
+        ),
+        (
+            "A square pyramid would be lovely: four gray blocks for the base and a yellow one on top",
+            "Build a pyramid with a 2x2 base, in reading order: yellow, gray, gray, gray, gray.",
+        ),
+        (
+            "Make wall of two layers, each layer four boxes: lower layer brown, upper layer white",
+            "Build a wall 4 blocks wide and 2 blocks high, in reading order: white, white, white, white, brown, "
+            "brown, brown, brown.",
+        ),
+        (
+            "Grid with three rows and four columns, column colors from left to right: red, green, blue, white",
+            "Build a grid of 3 rows and 4 columns, in reading order: red, green, blue, white, red, green, blue, "
+            "white, red, green, blue, white.",
+        ),
+        (
+            "4-by-4 grid so that black and white cells alternate like a checkerboard",
+            "Build a 4x4 checkerboard of black and white blocks.",
+        ),
+        ("2x2x2 cube, colors irrelevant", "Build a grid of 2 rows, 2 columns and 2 layers from 8 blocks."),
+        (
+            "Build a 2x2x3 cuboid with red, white and blue layers from the bottom.",
+            "Build a grid of 2 rows, 2 columns and 3 layers, in reading order: blue, blue, blue, blue, white, "
+            "white, white, white, red, red, red, red.",
+        ),
+        (
+            "four layers pyramid, red at the bottom, then orange, yellow, and white on top",
+            "Build a pyramid with a base of 4 blocks, in reading order: white, yellow, yellow, orange, orange, "
+            "orange, red, red, red, red.",
+        ),
+        ("checkerboard 4 rows 4 columns red black", "Build a 4x4 checkerboard of red and black blocks."),
+        (
+            "Make wall from twelve block, 4 in each row, color alternate red and blue by row, start with red on bottom",
+            "Build a wall 4 blocks wide and 3 blocks high, in reading order: red, red, red, red, blue, blue, "
+            "blue, blue, red, red, red, red.",
+        ),
+        (
+            "The grid has two rows and two columns; the diagonal from the upper left to the lower right is red, "
+            "the other two blocks are blue.",
+            "Build a grid of 2 rows and 2 columns, in reading order: red, blue, blue, red.",
+        ),
+        (
+            "wall: red red red on bottom, blue blue blue on top",
+            "Build a wall 3 blocks wide and 2 blocks high, in reading order: blue, blue, blue, red, red, red.",
+        ),
+        (
+            "make me a flat 3x3 square of white cubes and put a red cube on top of the middle",
+            "Build a grid of 3 rows and 3 columns from 9 white blocks. Put a red block on the center block.",
+        ),
     ],
 )
 def test_parts_are_put_together(text: str, plain: str) -> None:
@@ -88,6 +149,10 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "a pyramid: three red, two blue, one green",  # its layers?
         "a pyramid with a bottom row of four blocks, made from exactly five cubes",
         "a 3x3 checkerboard of red, white and blue",
+        "A pyramid of six black blocks as a 2x2 base and one yellow block on top",
+        "pyramid with a base of three, two blocks in the third layer and one on top, red",
+        "2x2 grid with two red rows",
+        "3x3 grid of red blocks and a red block on top of the middle",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

@@ -75,6 +75,38 @@ from tests.language.frames.told import told
             "Circle on the green mat, six blue blocks",
             "Build a circle from 6 blue blocks. The circle is on the green mat.",
         ),
+        (
+            "The plus has a white center and four arms of two black blocks each.",
+            "Build a plus with each arm of 2 blocks from 1 white block and 8 black blocks. The center is white.",
+        ),
+        (
+            "Arrange ten blocks in a triangular formation with four in the back row, three in the next, then "
+            "two, and one in front.",
+            "Build a filled triangle with 4 blocks per side from 10 blocks with its tip to the front.",
+        ),
+        (
+            "Make T letter: top line 5 blocks blue, down line 3 blocks white",
+            "Build a T with a bar of 5 blocks and a stem of 3 blocks from 5 blue blocks and 3 white blocks with "
+            "its stem to the front. The bar is blue.",
+        ),
+        (
+            "Make a T of five red blocks, seen from where I stand",
+            "Build a T from 5 red blocks with its stem to the front.",
+        ),
+        (
+            "could you do a T shape, 5 blocks, across the top 3 and down 2, any colors",
+            "Build a T with a bar of 3 blocks and a stem of 2 blocks from 5 blocks with its stem to the front.",
+        ),
+        (
+            "A triangular outline with four blocks along each edge, tip facing away from me, vertices red and "
+            "other blocks blue.",
+            "Build the outline of a triangle with 4 blocks per side from 9 blocks with its tip to the back. The "
+            "corners are red. The rest are blue.",
+        ),
+        (
+            "Make a L shape with 3 red blocks going up and 2 more red blocks going to the right",
+            "Build an L with each arm of 3 blocks from 5 red blocks with its foot to the right.",
+        ),
     ],
 )
 def test_parts_are_put_together(text: str, plain: str) -> None:
@@ -104,6 +136,9 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "by the red block, a circle of eight blue ones",
         "a circle of eight red blocks, and nothing in it but a blue block",
         "an L, three blocks one way and two the other",  # is the corner one of both?
+        "put 4 blocks as corners of a square and one more in the middle of it",
+        "a plus with two blocks on each arm",
+        "L with 3 red blocks going up and 2 blue blocks to the right",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

@@ -57,6 +57,35 @@ from tests.language.frames.told import told
             "the red mat",
             "Build a staircase of 3 steps from 6 orange blocks rising to the left. The staircase is on the red mat.",
         ),
+        (
+            "stairs going up to the right, 3 steps, first step green second red third blue",
+            "Build a staircase of 3 steps rising to the right. The first step is green, the second step is red "
+            "and the third step is blue.",
+        ),
+        (
+            "make a stairs, the tallest column is 4 blocks and it is at the left",
+            "Build a staircase of 4 steps rising to the left.",
+        ),
+        (
+            "staircase that has one block then two blocks then three blocks and the colors go red yellow green",
+            "Build a staircase of 3 steps. The first step is red, the second step is yellow and the third step "
+            "is green.",
+        ),
+        (
+            "four steps, each one block higher than the one before it, going up to the left, all white blocks",
+            "Build a staircase of 4 steps from 10 white blocks rising to the left.",
+        ),
+        (
+            "make stairs with three steps out of red (lowest), orange (middle) and yellow (highest) blocks",
+            "Build a staircase of 3 steps. The lowest step is red, the middle step is orange and the highest "
+            "step is yellow.",
+        ),
+        ("Build a flight of four steps, the lowest on the right.", "Build a staircase of 4 steps rising to the left."),
+        (
+            "The staircase consists of three columns with heights of one, two and three blocks from left to "
+            "right, all in orange.",
+            "Build a staircase of 3 steps from 6 orange blocks rising to the right.",
+        ),
     ],
 )
 def test_parts_are_put_together(text: str, plain: str) -> None:
@@ -82,6 +111,10 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "a red block and a staircase of three steps",
         "a staircase of three steps, five gray blocks, with a red one on the highest step",  # is it on top of them?
         "The stairs rise to the left and have three steps",  # now, or in the end?
+        "Build a staircase with four steps, each step a different color.",
+        "stairs of three steps, fourth step red, the rest blue",
+        "three steps of red, first step blue, lowest step white",
+        "The staircase is red.",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

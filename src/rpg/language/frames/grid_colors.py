@@ -57,8 +57,16 @@ COLORS: list[Pattern] = [
         "(?: colors?)?(?= [,.;:])"),
     *patterns("any line", axis_of, f"(?:one|another) {AXES}(?: (?:BE|has|of|in|all|with|only|made|entirely))*"),
     *patterns("free order", None, "(?:in )?(?:any|whatever|some) order(?: you like)?", "(?:it )?does not matter which"),
+    *patterns("lines", axis_of, f"(?:the |with )?{AXES}s? colors?(?: BE)?",
+        f"(?:the )?colors of (?:the |its )?{AXES}s(?: BE)?"),
     *patterns("lines", axis_of, f"(?:the |its |whose |with the |their |these )?{AXES}s(?: (?:being|colored|BE))?(?! "
         f"of )"),
+    *patterns("begins", lambda match: (match["color"], match.groupdict().get("side")),
+        "(?:(?:and|always) )?(?:starting|start|starts|beginning|begin|begins) (?:with|from) (?:a |the "
+        ")?(?P<color>COLOR)(?: (?:one|BLOCK))?"
+        "(?: (?:row|column|layer))?(?: (?:at|on|in) (?:the )?(?P<side>bottom|top|left|right|front|back)(?: row| "
+        "layer| column)?)?"),
+    *patterns("lines", axis_of, f"by {AXES}s?", f"(?:in |with |of )alternating {AXES}s(?: of)?"),
     *patterns("alternating", None, "(?:colored )?(?:alternately|alternate|alternates|alternating|in alternation|"
         "by turns|taking turns)(?: (?:between|in color|colors|from))?"),
     *patterns("direction", ("column", "left"), _between("left", "right"), f"{_BEGIN} (?:on|at|from|with) the left",
@@ -92,7 +100,11 @@ COLORS: list[Pattern] = [
         r"layers?|COLOR))"),
     *patterns("symbols", None, f"(?:of |the |with )?{_SYMBOLS}"),
     *patterns("reading", "verb", "(?:(?:which|that|it|they) )?(?:says?|spells?|reads?|reading)"),
+    *patterns("lines", "layer", "(?:in |as |with |of )?(?:horizontal )?stripes"),
     *patterns("reading", "told",
+        "(?:(?:so|such) that )?(?:(?:it|they) )?(?:can be |may be )?(?:reads?|reading|read) (?:from )?left to "
+        "right(?: ,| and| then)* (?:from )?top to bottom",
+        "(?:from )?left to right(?: ,| and| then)* (?:from )?top to bottom",
         "(?:(?:arranged|told|ordered|going|sorted|all) )?(?:in |by )?(?:the )?(?:usual |normal |their )?reading order",
         "(?:read )?row by row", "(?:read|reads|reading|laid out|to be read|that reads|which reads) (?:like|as|in) "
         "(?:a |the )?(?:page|book|text)(?: of a book| of text)?", "(?:line by line)",

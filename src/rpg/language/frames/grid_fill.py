@@ -107,6 +107,8 @@ class Filling:
             return self._single(place.side)
         if place.side == "middle" and place.axis is None and self._central():
             return self._single("center")
+        if place.side == "middle" and place.axis is None and place.blocks == 4 and self._even():
+            return self._single("inside")
         axis = self._axis_of(place)
         lines = self.lines(axis)
         numbers = self._numbers(place, axis, lines)
@@ -120,7 +122,12 @@ class Filling:
     def _central(self) -> bool:
         """Whether "the middle" is a block: no other lines are told."""
         others = [p for ps, _ in self._told.placed for p in ps if p.kind == "line" and p.side != "middle"]
-        return self.figure.flat and not others and self._axis is None
+        odd = len(self.figure.widths) % 2 == self.figure.widths[0] % 2 == 1
+        return self.figure.flat and odd and not others and self._axis is None
+
+    def _even(self) -> bool:
+        """Whether the four blocks in the middle are all those inside: "the middle four" of a 4x4 grid."""
+        return self.figure.flat and len(self.figure.widths) == self.figure.widths[0] == 4
 
     def _axis_of(self, place: Place) -> str:
         axis = place.axis
@@ -138,6 +145,9 @@ class Filling:
             axis = self._axis if self._axis != "row" or self.figure.flat else "layer"
             if axis is None and any(p.side in ("left", "right") for ps, _ in self._told.placed for p in ps):
                 axis = "column"
+        high, wide = len(self.figure.widths), self.figure.widths[0]
+        if axis is None and place.side == "middle" and self.figure.flat and high % 2 == 0 and wide % 2:
+            axis = "column"
         axis = axis or self.figure.axis
         if axis == "layer" and self.figure.flat:
             raise Unclear
@@ -199,6 +209,12 @@ class Filling:
             return border
         if side == "inside":
             return [cell for cell in self.figure.cells if cell not in border]
+        if side == "edges" and min(high, wide) > 2:
+            named = any(place.side == "corners" for places, _ in self._told.placed for place in places)
+            return [cell for cell in border if not named or cell not in corners]
+        if "diagonal" in side and high == wide and self.figure.flat:
+            falling, rising = [(n, n) for n in range(high)], [(n, high - 1 - n) for n in range(high)]
+            return {"diagonal left": falling, "diagonal right": rising}.get(side, list(dict.fromkeys(falling + rising)))
         line, _, column = side.partition(" ")
         if not column or line not in _ENDS[self.figure.axis]:
             raise Unclear

@@ -21,6 +21,9 @@ _NO_LINES = "(?! (?:rows?|columns?|files?|layers?|levels?|by|x) )"
 _NO_LOOK = "(?! (?:rows?|columns?|files?|layers?|levels?|by|x|plain|SIZE|COLOR)s? )"
 
 
+_NO_AXIS = "(?! (?:rows?|columns?|files?|layers?|levels?|by|x|COLOR)s? )"
+
+
 def _size(match: re.Match[str]) -> dict[str, int]:
     return {name.strip("_"): number(said) for name, said in match.groupdict().items() if said}
 
@@ -43,7 +46,7 @@ def _each_has(line: str, of: str, more: str) -> tuple[str, str]:
     """ "Three in each row", "each row has three"."""
     return (
         rf"(?:with |of |having |has )?(?P<{of}>NUM) {_N}(?:in|per|to|for) (?:{_EACH} )?(?:{line})",
-        rf"(?:in )?(?:each|every) (?:{line}) {_HAS}(?P<{of}>NUM)(?: BLOCK)?(?: {more})?",
+        rf"(?:in )?(?:each|every) (?:{line}) (?:{_HAS})?(?P<{of}>NUM)(?: BLOCK)?(?: {more})?{_NO_AXIS}",
     )
 
 
@@ -79,7 +82,7 @@ SIZES: list[Pattern] = [
         rf"(?P<deep>NUM) {_N}(?:deep|in depth|from front to back|from back to front)",
         r"(?:a |the |its )?depth (?:(?:of|is|:|being) )*(?P<deep>NUM)(?: BLOCK)?",
         rf"(?:with )?(?P<side>NUM) {_N}(?:on|along|to|per|at|in) (?:(?:each|every|a|one|its) )?(?:side|edge)",
-        r"(?:a )?(?:side|sides|edge|edges)(?: length)? of (?P<side>NUM)(?: BLOCK)?",
+        r"(?:with )?(?:an? )?(?:side|sides|edge|edges)(?: lengths?)? (?:of|being|is|:) (?P<side>NUM)(?: BLOCK)?",
         rf"(?:its |whose |the )?{_BASE}{_OF} (?P<base>NUM){_NO_LOOK}(?: BLOCK)?",
         rf"(?:its |whose |the )?(?:{_BASE_ROW}){_OF} (?P<line>NUM){_NO_LOOK}(?: BLOCK)?",
         rf"(?:its |whose |the )?{_BASE}{_OF} (?P<line>NUM)(?: BLOCK)? (?:wide|long|across|in (?:a|one) (?:row|line))",

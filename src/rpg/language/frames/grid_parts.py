@@ -9,20 +9,22 @@ from math import prod
 from rpg.language.frames.grid_words import Place
 from rpg.language.frames.pieces import Piece, Unclear, number
 
-_SINGLE = frozenset({"block", "cube", "piece", "element", "one"})
+_SINGLE = frozenset({"block", "cube", "piece", "element", "tile", "one"})
 _STRONG = (".", ";", "!", "?")
 
 
 @dataclass(frozen=True)
 class Blocks:
     """Blocks as they are named. `look`: empty where none is told; `count`: None where that is left open; `bare`: a
-    colour alone; `label`: the look is a symbol; `base`: they were told as "3x3"."""
+    colour alone; `label`: the look is a symbol; `base`: they were told as "3x3";
+    `half`: they are half of all."""
 
     look: str
     count: int | None = None
     bare: bool = False
     label: bool = False
     base: tuple[int, ...] | None = None
+    half: bool = False
 
 
 @dataclass
@@ -54,7 +56,7 @@ def blocks_of(piece: Piece) -> list[Blocks]:
     count = number(named["count"]) if "count" in named else None
     if count is None and named.get("noun") in _SINGLE and "many" not in named and named.get("det") != "all":
         count = 1
-    return [Blocks(look, count, bare=not {"count", "noun", "size"} & set(named))]
+    return [Blocks(look, count, bare=not {"count", "noun", "size", "half"} & set(named), half="half" in named)]
 
 
 def _rest_of(piece: Piece) -> list[Place]:
@@ -113,6 +115,9 @@ class _Reader:
         kinds = {piece.kind for piece in pieces}
         if "free order" in kinds and not this.each:
             raise Unclear
+        if this.alternating and this.axis and not this.listed and len(this.free) == 2:
+            this.listed = [item for item in this.free if item.bare and item.look]
+            this.free = [item for item in this.free if item not in this.listed]
         if this.start and not this.listed and (this.axis or this.start in ("top", "bottom")):
             this.axis = this.axis or "layer"
             this.listed = [item for item in this.free if item.bare and item.look]
@@ -140,6 +145,9 @@ class _Reader:
             if piece.kind == "place":
                 items.append(piece.value)
             elif piece.kind in ("lines", "each", "direction"):
+                if piece.kind == "lines" and items and part[0].kind == "lot":
+                    self._ahead(piece, part)
+                    continue
                 self._along(piece, bool(items) or self._listing or bool(self._said.listed))
             else:
                 items += [*_rest_of(piece), *blocks_of(piece)]
@@ -167,6 +175,16 @@ class _Reader:
             self._last, self._row, self._listing = "BP", None, False
         else:
             raise Unclear
+
+    def _ahead(self, piece: Piece, part: list[Piece]) -> None:
+        """ "Red, white and blue layers": the colours of the lines are told ahead, and behind them where they begin.
+
+        Raises:
+            Unclear: "two red rows".
+        """
+        if self._said.axis not in (None, piece.value) or any("count" in p.named for p in part if p.kind == "lot"):
+            raise Unclear
+        self._said.axis = piece.value
 
     def _pairs(self, places: list[Place], blocks: list[list[Blocks]]) -> None:
         self._said.placed += [

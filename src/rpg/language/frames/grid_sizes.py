@@ -70,7 +70,7 @@ def figures(kind: str, words: str, sizes: Sizes) -> Iterator[Figure]:
 
 def _flat(kind: str, words: str, sizes: Sizes) -> Iterator[Figure]:
     filled = {"filled", "solid", "full", "complete"} & set(words.split())
-    if kind == "square" and not filled and not sizes.dims:
+    if kind == "square" and not filled and not sizes.dims and sizes.each != {"side": 2}:
         raise Unclear  # its outline
     for rows, columns in product(range(2, 11), range(2, 11)):
         sides = {"side": rows} if rows == columns else {}

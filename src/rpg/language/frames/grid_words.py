@@ -68,12 +68,23 @@ def _corner(match: re.Match[str]) -> Place:
     return Place("cells", f"{_SIDE_OF[match['a']]} {_SIDE_OF[match['b']]}")
 
 
+_FAR, _NEAR = "far|back|rear|top|upper", "near|front|bottom|lower"
+
+
+def _diagonal(match: re.Match[str]) -> Place:
+    """The diagonal that begins in the far left, or in the far right corner; one that is none has no cells."""
+    far = "left" if (_SIDE_OF[match["a"]] in ("far", "top")) == (match["b"] == "left") else "right"
+    across = match["b"] != match["d"] and (match["a"] in _FAR.split("|")) != (match["c"] in _FAR.split("|"))
+    return Place("cells", f"diagonal {far}" if across else "")
+
+
 def _rest(match: re.Match[str]) -> Place:
     return Place("rest", "", None, int(match.groupdict().get("many") or 0))
 
 
 _KINDS = (
-    "(?:(?:one|single|small|little|tiny|simple|plain|nice|neat|proper|regular|complete|full|filled|solid|flat|low|"
+    "(?:(?:one|single|small|big|large|huge|giant|little|tiny|simple|plain|nice|neat|proper|regular|complete|full|"
+    "filled|solid|flat|low|"
     "short|thick|"
     "standing|upright|brick|mini|decent) )*"
 )
@@ -91,22 +102,28 @@ FIGURES: list[Pattern] = [
         "rectangle(?: (?:that is )?filled)"),
     *patterns("figure", "outline", "(?:(?:small|flat|little) )*rectangle"),
     *patterns("figure", "square", f"{_KINDS}square(?: (?:that is )?filled(?: in)?)?"),
-    *patterns("figure", "wall", f"{_KINDS}(?:long |tall |high |big )?(?:block )?wall"),
+    *patterns("figure", "wall",
+        f"{_KINDS}(?:long |tall |high |big )?(?:(?:block|castle|garden|brick|stone|city|boundary|fortress|border) "
+        f")?wall"),
     *patterns("figure", "pyramid",
-        f"{_KINDS}(?:big )?(?:step |stepped |layered )?(?:square |square based |flat |two dimensional |triangular )?"
+        f"{_KINDS}(?:big )?(?:step |stepped |layered )?(?:square |square based |flat |(?:two|2) dimensional |"
+        f"triangular )?"
         "pyramid"),
     *patterns("figure", "cube",
         f"{_KINDS}(?:big|large|huge|giant|bigger|larger|solid|compact)(?: solid)? (?:cube|block|cuboid|box)", "cuboid",
         "(?:cube|block)(?= (?:of|from|out of|made|consisting|built|that is made|which is made|that consists|which "
-        "consists) )", r"cube(?= \d+x\d+x\d+ )",
+        "consists|with an? (?:edge|side)) )", r"cube(?= \d+x\d+x\d+ )",
         r"(?<=\dx\d )cube", r"(?<=\dx\dx\d )cube"),
-    *patterns("figure", "board", f"{_KINDS}{_BOARD}(?: pattern| grid)?"),
+    *patterns("figure", "board", f"{_KINDS}{_BOARD}(?: pattern| grid| square)?",
+        f"{_KINDS}(?:checkered|chequered|checkerboard|chessboard|chess) (?:floor|area|surface|field|tiling|mat|plane|"
+        f"carpet|rectangle|square)"),
     *patterns("checkered", None,
         f"(?:in |with |like |as |has |showing |to form |after )*(?:(?:a|the) )?{_CHECKER}(?: like)? "
         "(?:pattern|fashion|style|way|arrangement|order|manner|coloring|design)",
         f"(?:{_ALTERNATING} )?(?:(?:that|which|to|it) )?(?:(?:look|looks|looking) )?(?:like|as|after the manner of|"
         f"in the manner of) (?:on |in )?(?:a |the )?"
         f"(?:small |real )?{_BOARD}",
+        "(?:like|as in|as on|as for) (?:a )?(?:chess|checkers|draughts)(?: game)?", "chess style",
         "(?:checkered|chequered)"),
 ]  # fmt: skip
 """Kinds "figure" (which) and "checkered"."""
@@ -138,10 +155,12 @@ PLACES: list[Pattern] = [
         rf"(?:at|as|in) its {_side(*_PLAIN)}", rf"(?:at|as) (?:its |the )?{_side('top', 'bottom')}{_OF}",
         rf"on {_side('top')} {_MIDDLE}",
         rf"(?:the |its )?{_side(*_PLAIN)} (?P<count>\d+)(?: BLOCK| ones)?(?! (?:rows|columns|layers|by|x))",
+        rf"(?:the )?(?P<count>\d+)(?: BLOCK| ones)? (?:in|at|on) the {_side(*_PLAIN)}(?= (?:BE )?(?:all )?(?:in "
+        rf")?COLOR)",
         rf"(?:the |its )?{_side(*_PLAIN)} (?:blocks|cubes|ones)(?: in {AXES})?",
         rf"(?:the |its )?(?:very )?{_side('top', 'bottom')} (?P<single>block|cube|piece|element)",
         rf"{_side(*_PLAIN, '1', '2', '3', '4', 'last')}(?: one)?(?= (?::|'s|is|are|BE|(?:all )?COLOR))",
-        rf"{_side('top', 'bottom')}(?= [,.;)]|and)", rf"(?:the |both )?{_side('outer')} (?P<many>2)",
+        rf"{_side(*_PLAIN[:-1])}(?= [,.;)]| and | $)", rf"(?:the |both )?{_side('outer')} (?P<many>2)",
         rf"{_side('middle')}(?: one)?", "(?P<side>tip|peak|apex)", rf"(?:the )?{_side(*_PLAIN[:-1])} (?P<half>half)"),
     *patterns("place", Place("line", "top"),
         "(?:(?:which|that) is )?(?:is )?(?:crowned|topped|capped|finished)(?: off)?(?: (?:by|with))",
@@ -177,19 +196,29 @@ PLACES: list[Pattern] = [
     *patterns("place", Place("cells", "corners"), "on the(?: 4)? corners"),
     *patterns("place", Place("cells", "corners", None, 4),
         f"(?:(?:in|at) )?(?:each|every)(?: one)?(?: of (?:the|its)(?: 4)?)? corners?{_OF}"),
+    *patterns("place", Place("cells", "edges"), f"{_IN}(?:(?:the|its|all|4|outer) )*(?:edges|sides)"),
     *patterns("place", Place("cells", "border"),
         "(?:all )?(?:around|round)(?: (?:it|that|the (?:middle|center)(?: one| block)?))?", f"{_IN}(?:(?:the|its|a) "
-        f")?(?:outer )?(?:border|rim|frame)",
+        f")?(?:outer |outside )?(?:border|rim|frame|perimeter|(?<=outer )ring|(?<=outer )edge|boundary)(?: of (?:it|"
+        f"the {_FIGURE}|BLOCK))?",
         f"{_IN}(?:the |its )?(?:outer|outside|outermost|edge|border) (?:blocks|cubes|ones|cells)"),
     *patterns("place", Place("cells", "inside"), f"{_IN}(?:(?:the|its|a) )?(?:inside|interior|inner part|inner square)",
         f"{_IN}(?:the |its )?(?:inner|interior|inside) (?:blocks|cubes|ones|cells)"),
+    *patterns("place", lambda match: Place("cells", "inside", None, 0, int(match["count"])),
+        rf"{_IN}(?:the |its )?(?:inner|interior|inside) (?P<count>4|6|8|9)(?: BLOCK| ones| cells| squares)?"
+        r"(?! (?:rows|columns|layers|by|x))"),
+    *patterns("place", _diagonal,
+        rf"{_IN}(?:the )?(?:main )?diagonal (?:(?:which|that) )?(?:(?:goes|runs|going|running|leading) )?from (?:the "
+        rf")?(?P<a>{_FAR}|{_NEAR}) (?P<b>left|right)"
+        rf"(?: corner)?(?: down| up)? to (?:the )?(?P<c>{_FAR}|{_NEAR}) (?P<d>left|right)(?: corner)?"),
+    *patterns("place", Place("cells", "diagonals"), f"{_IN}(?:both|the|the 2|both the)(?: main)? diagonals"),
     *patterns("place", _corner,
         rf"(?:the (?:BLOCK|one) )?{_IN}(?:the )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
         rf"(?P<b>left|right)(?: hand)?"
         rf"(?: (?:corner|BLOCK|cell|one|square|position))?{_OF}",
         rf"{_IN}(?:the )?(?P<b>left|right) (?:hand )?(?P<a>far|back|rear|near|front|top|upper|bottom|lower) "
         rf"(?:corner|BLOCK|cell|one|square|position){_OF}"),
-    *patterns("place", _rest,
+    *patterns("place", _rest, "the remainder", "all (?:of )?the rest",
         f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere", "the other color(?: "
         "is| being)?",
         "(?:all )?(?:(?:of )?the )?(?:others|rest|remainder)(?: of (?:it|them))?", r"(?:all )?the (?P<many>\d+) others",
@@ -198,15 +227,31 @@ PLACES: list[Pattern] = [
 ]  # fmt: skip
 """Kind "place"."""
 JOINTS: list[Pattern] = [
+    *patterns("any", True, "(?:(?:of|in|with) )?(?:any|whatever|whichever) colors?(?: (?:(?:at all|you (?:like|want|"
+        "choose|wish|prefer)|"
+        "will do|(?:BE )?(?:fine|ok|okay|good|allowed|possible|welcome|works?)|goes)))?",
+        "(?:the )?colors? (?:of (?:the )?(?:BLOCK|it|them) )?(?:BE )?(?:irrelevant|unimportant|arbitrary|free|"
+        "optional|open|up to you|"
+        "your choice|not important|not relevant|(?:do|does) not matter)",
+        "(?:i )?do not (?:care|mind) (?:about )?(?:what |which )?(?:the )?colors?(?: (?:(?:they|it) (?:are|is|have)))?",
+        "no matter (?:what|which) colors?", "(?:with )?no (?:color preference|preference (?:for|of) "
+        "colors?)", "(?:of |in )?arbitrary colors?"),
+    *patterns("lot", None, r"(?:(?P<det>the|all the) )?(?:(?P<count>NUM) )?(?P<color>COLOR) (?:cells|squares|fields|"
+        r"tiles|positions|spots)"),
+    *patterns("total", lambda match: number(match["count"]), r"(?:of |with |from )?(?P<count>NUM) (?:squares|cells|"
+        r"fields|spaces|slots|spots|tiles)"
+        "(?: in total| in all)?"),
     *patterns("then", None, "(?:and )?then", "followed by"),
     *patterns("except", None, "except(?: for| that)?", "apart from", "save for"),
+    *patterns("lot", None, "(?P<half>half)(?: of (?:them|it|the BLOCK))?(?: (?:BE |in )*)?(?P<color>COLOR)(?: BLOCK)?"),
+    *patterns("glue", None, "as (?:the |its )?(?:second|other|first|main) color"),
     *patterns("some", None, r"(?P<count>NUM)(?: (?:of (?:them|these|which)|ones?))?"),
     *patterns("glue", None, "(?:it|its|they|where|here|completely|in all|"
         "entirely|all over|fill|fills|cover|covers|tile|occupied by|occupied|occupies|shall|must|be|"
         "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
-        "a (?:row|line|square|layer) of|over the 4|centered)",
+        "a (?:row|line|layer) of|over the 4|centered)",
         "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|"
         "showing|shows|occupy|occupies|hey|hi|hello|ok|okay|so|"
         "(?:would )?(?:you )?mind|building|making|constructing|arranging|laying|placing|putting|creating|down|"
@@ -219,6 +264,13 @@ JOINTS: list[Pattern] = [
     *patterns("break", None, "whose|such that|so that|(?:all )?(?:on|of|with|in) which"),
     *patterns("glue", None, "lay|set|put|spread", "out(?= (?:as|in|of|on|into|a|the) )", "make up", "erected|raised",
         "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
+    *patterns("over", "center",
+        f"(?:(?:(?:that|which) )?(?:BE )?(?:put|placed|set|sitting|resting) )?(?:onto|on top of|atop|over|"
+        f"above) {_THE}(?:middle|center|central)"
+        f"(?: (?:one|BLOCK|cell|square|position|field))?{_OF}",
+        f"(?:on top|above)(?: of (?:it|them))?,? {_MIDDLE}{_OF}"),
+    *patterns("glue", None, "(?:the|this|your|my) (?:figure|structure|arrangement|construction|target|goal|"
+        "result)(?= (?:BE|must|has|should|shall) )"),
     *patterns("flat", None, "flat"),
     *patterns("glue", None, "got|field|these are|they are|require|requires|full of|that's|measures|measuring|planar",
         "(?:each|every) (?:BLOCK|one|one of them)(?: BE)?(?= (?:COLOR|in|at|on) )",

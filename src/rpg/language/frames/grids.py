@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
+from math import isqrt
 
 from rpg.language.frames.grid_colors import COLORS
 from rpg.language.frames.grid_each import plain
 from rpg.language.frames.grid_fill import Cell, Filling, completed
+from rpg.language.frames.grid_layers import in_order, layered, merged
 from rpg.language.frames.grid_measures import SIZES
 from rpg.language.frames.grid_parts import Blocks, Said, said
 from rpg.language.frames.grid_sizes import Figure, Sizes, figures
 from rpg.language.frames.grid_words import FIGURES, JOINTS, PLACES
-from rpg.language.frames.lots import LOTS, Lot, one
+from rpg.language.frames.lots import LOTS, Lot, lot_of, one, without_brackets
 from rpg.language.frames.pieces import Piece, Unclear, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
@@ -34,8 +37,12 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: its size does not follow, or which blocks are where.
     """
+    pieces, over = _over(merged(without_brackets(pieces)))
     kind, words = _figure(pieces)
-    pieces = plain(pieces, kind)
+    pieces = in_order(pieces, "figure" if kind in ("wall", "pyramid", "cube") else "")
+    pieces = plain(layered(pieces) if kind == "pyramid" else pieces, kind)
+    if one(pieces, "any") and any(piece.kind in ("lot", "labels", "alternating") for piece in pieces):
+        raise Unclear
     where = one(pieces, "where")
     parts = said(pieces, dims_are_blocks=kind == "pyramid")
     sizes = _sizes(pieces, parts)
@@ -58,7 +65,32 @@ def told(pieces: Sequence[Piece]) -> str:
     if len(found) != 1:
         raise Unclear
     name = kind if kind in ("wall", "pyramid") else "grid"
-    return f"{found[0]} The {name} is {where.value}." if where else found[0]
+    text = f"{found[0]} The {name} is {where.value}." if where else found[0]
+    if over:
+        odd = [figure for figure in figures(kind, words, sizes) if len(figure.widths) % 2 and figure.widths[0] % 2]
+        if len(odd) != 1 or not odd[0].flat or over in re.findall(r"[a-z]+", found[0]):
+            raise Unclear
+        text += f" Put a {over} block on the center block."
+    return text
+
+
+def _over(pieces: Sequence[Piece]) -> tuple[list[Piece], str]:
+    """The pieces without the one block that lies on that in the middle, and its look.
+
+    Raises:
+        Unclear: there are more blocks on it, or none.
+    """
+    at = [n for n, piece in enumerate(pieces) if piece.kind == "over"]
+    if not at:
+        return list(pieces), ""
+    n = at[0]
+    near = [m for m in (n - 1, n + 1) if 0 <= m < len(pieces) and pieces[m].kind == "lot"]
+    if len(at) > 1 or len(near) != 1:
+        raise Unclear
+    lot = lot_of(pieces[near[0]])
+    if lot.count != 1 or lot.known or " " in lot.look:
+        raise Unclear
+    return [piece for m, piece in enumerate(pieces) if m not in (n, near[0])], lot.look
 
 
 def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
@@ -71,7 +103,9 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
     dims = " ".join(piece.words for piece in pieces if piece.kind == "dims")
     words = " ".join([dims, *(piece.words for piece in pieces if piece.kind in ("figure", "square", "filled", "flat"))])
     rows = any("rows" in piece.value for piece in pieces if piece.kind == "size")
-    if any(pieces[n].value == "outline" for n in at) and not rows and _FILLED.isdisjoint(dims.split()):
+    sizes = [piece.value for piece in pieces if piece.kind == "dims"]
+    narrow = bool(sizes) and min(sizes[0]) == 2  # its outline is all of it
+    if any(pieces[n].value == "outline" for n in at) and not rows and not narrow and _FILLED.isdisjoint(dims.split()):
         raise Unclear  # of a rectangle without a word more the outline is meant
     kinds = {{"board": "grid", "outline": "rectangle"}.get(pieces[n].value, pieces[n].value) for n in at}
     if len(kinds) > 1:
@@ -152,6 +186,12 @@ def _sizes(pieces: Sequence[Piece], parts: Said) -> Sizes:
     if bases:
         return Sizes(each, None, base.value if base else max(bases))
     dims = one(pieces, "dims")
+    squares = [piece for piece in pieces if piece.kind == "figure" and piece.value == "square"]
+    total = _total(parts)
+    counted = any(not item.look for item in parts.free)
+    if squares and counted and not dims and not each and not base and total in (4, 9, 25):
+        side = isqrt(total)  # no outline of a square has so many, or it is the same
+        return Sizes(each, (side, side))
     return Sizes(each, dims.value if dims else None, base.value if base else None)
 
 
@@ -176,6 +216,10 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
     if not figure.flat:
         _check_layers(figure, parts, sizes, pieces, len(filling.looks))
     free = [item for item in parts.free if item.look]
+    if any(item.half for item in free):
+        if len(figure.cells) % 2:
+            raise Unclear
+        free = [replace(item, count=len(figure.cells) // 2) if item.half else item for item in free]
     reading = {piece.value for piece in pieces if piece.kind == "reading"}
     if reading - {"verb"} or (reading and any(item.label for item in free) and not filling.looks):
         return _read(figure, free, total, ordered="ordered" in reading, filled=bool(filling.looks))

@@ -20,7 +20,7 @@ LOTS: list[Pattern] = [
         r"(?P<count>NUM) (?:in total|in all|altogether|overall)"),
 ]  # fmt: skip
 """Kinds "lot" (see `lot_of`) and "total" (a number)."""
-_SINGLE = frozenset({"block", "cube", "piece", "element", "one"})
+_SINGLE = frozenset({"block", "cube", "piece", "element", "tile", "one"})
 
 
 @dataclass(frozen=True)
@@ -105,6 +105,31 @@ def with_placed(lots: Iterable[Lot], placed: Iterable[tuple[Lot, str]]) -> list[
             raise Unclear
         found += [] if same else [replace(lot, count=lot.count or 1)]
     return found
+
+
+def without_brackets(pieces: Sequence[Piece]) -> list[Piece]:
+    """Without the brackets around one place: "red (at the bottom)"."""
+    found = list(pieces)
+    for n in range(len(found) - 3, -1, -1):
+        if [found[n].words, found[n + 2].words] == ["(", ")"] and found[n + 1].kind == "place":
+            found[n : n + 3] = [found[n + 1]]
+    return found
+
+
+_DECLARES = frozenset({
+    "has", "have", "having", "consists", "consist", "comprises", "contains", "should", "shall", "must", "with", "made",
+    "built", "composed", "formed", "constructed", "assembled", "be", "to",
+})  # fmt: skip
+
+
+def declared(pieces: Sequence[Piece]) -> bool:
+    """Whether what stands behind a figure tells what it is to be: "the plus has a red center"; "the plus is red" may
+    tell of one that is there."""
+    words = " ".join(piece.words for piece in pieces[:3]).split()
+    alone = _DECLARES - {"made", "built", "be", "to"}
+    return bool(words) and (
+        words[0] in alone or (words[0] in ("is", "are") and words[1:2] != [] and words[1] in _DECLARES)
+    )
 
 
 def check_listed(pieces: Sequence[Piece]) -> None:

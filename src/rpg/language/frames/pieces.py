@@ -48,7 +48,7 @@ CLASSES = {
     "COLOR": "|".join(lexicon.COLORS),
     "NUM": r"\d+|one|single|lone",
     "SIZE": "|".join(word for word, size in lexicon.SIZE.items() if size != "medium"),
-    "BLOCK": "blocks?|cubes?|pieces?|elements?",
+    "BLOCK": "blocks?|cubes?|pieces?|elements?|tiles?",
     "PATCH": "|".join(lexicon.PATCH_NOUNS.split()),
     "TABLE": "|".join(lexicon.TABLE_NOUNS.split()),
     "BE": "(?:(?:that|which) )?(?:must be|should be|has to be|have to be|will be|shall be|needs to be|to be|is|are|"

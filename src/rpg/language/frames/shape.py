@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.frames.lots import as_adjectives, check_listed, check_owned, one
+from rpg.language.frames.lots import Lot, as_adjectives, check_listed, check_owned, declared, one, without_brackets
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.shape_blocks import blocks_of, by_side, each_side, parted, sum_of, total_of, with_limbs
 from rpg.language.frames.shape_looks import alternate, check_incomplete, colored, looks_of
@@ -20,6 +20,10 @@ _ITS_WAY = {
     "triangle": {"tip": "tip"},
 }
 _DOWN = re.compile(r"\b(?:down|downwards?|below|underneath|under|hang|hanging)\b")
+_ROW_AT = re.compile(
+    r"\b(?P<count>\d+|one)(?: blocks?| cubes?)? (?:along|at|in|on|for) (?:the |its )?(?P<side>front|near|nearest|"
+    r"back|far|rear|farthest)\b"
+)
 _ARTICLES = ("a", "an", "the")
 _OVER = {"front": "back", "back": "front", "left": "right", "right": "left"}
 
@@ -30,14 +34,15 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which figure it is, or not which blocks it is made of.
     """
-    pieces = parted(as_adjectives(pieces))
+    pieces = parted(without_brackets(as_adjectives(pieces)))
     check_listed(pieces)
     check_owned(pieces, ("way", "limb", "arm", "side", "place", "along", "base"))
     _check_parts(pieces)
     shape = _shape(pieces)
-    if shape in ("square", "triangle", "L", "U"):
+    based = any(piece.kind == "place" and piece.value == "base" for piece in pieces)
+    if shape in ("square", "triangle", "L", "U") and not based:
         pieces = by_side(pieces)
-    elif shape == "plus":
+    elif shape == "plus" or based:
         pieces = each_side(pieces)
     said = blocks_of(pieces, shape)
     _check_where(pieces)
@@ -45,6 +50,16 @@ def told(pieces: Sequence[Piece]) -> str:
     if any(piece.kind == "except" for piece in pieces) and any(lot.count for lot in said.free):
         raise Unclear  # is it one of them?
     pieces = with_limbs(pieces, said, shape)
+    hues = {piece.named["hue"] for piece in pieces if piece.kind in ("limb", "along") and "hue" in piece.named}
+    if hues:
+        if len(hues) > 1 or said.free or said.placed:
+            raise Unclear  # which of them is the corner?
+        said.free = [Lot(hues.pop())]
+    if shape == "plus" and said.numbers == {"center": 1}:
+        pieces = [*pieces, Piece("apart", "", True)]  # "two on each arm and one in the middle"
+    armed = any(piece.kind == "place" and not piece.words and piece.value == "arms" for piece in pieces)
+    if shape == "plus" and armed and {"center", "rest"} <= {part for _, part in said.placed}:
+        pieces = [*pieces, Piece("apart", "", True)]  # "a white center and arms of two red blocks"
     if any(piece.kind == "fill" and piece.value == "hollow" for piece in pieces):
         if shape == "circle" and any(part == "inner" for _, part in said.placed):
             raise Unclear  # is its middle empty?
@@ -62,6 +77,9 @@ def told(pieces: Sequence[Piece]) -> str:
         size_of, looks, parts = colored(said, size_of, colors.value if colors else "alternating", shape)
     else:
         looks, parts = looks_of(said, size_of, shape)
+    each = any(piece.kind == "each" for piece in pieces)
+    if parts and each and size_of.name.startswith("a filled") and shape == "square":
+        raise Unclear  # the colours of its places are those of a grid
     way = _way(pieces, shape)
     text = f"Build {size_of.name}{size_of.measures}{looks}{way}."
     text += "".join(f" The {part} {'are' if part in ('corners', 'rest') else 'is'} {look}." for part, look in parts)
@@ -91,8 +109,8 @@ def _shape(pieces: Sequence[Piece]) -> str:
     if any(piece.kind == "again" for piece in pieces[:first]):
         raise Unclear
     last = ahead[-1] if ahead else ""
-    makes = ("make", "build", "form", "create", "construct", "draw")
-    wished = first + 1 < len(pieces) and pieces[first + 1].words in ("should", "shall", "must")
+    makes = ("make", "build", "form", "create", "construct", "draw", "making", "forming", "building", "creating")
+    wished = declared(pieces[first + 1 :])
     if last == "the" and not wished and (len(ahead) < 2 or ahead[-2] not in makes):
         raise Unclear  # "the circle ..." tells of one that is there
     letter = len(shape) == 1 and last not in ("a", "an") and "shape" not in pieces[first].words
@@ -156,6 +174,18 @@ def _check_where(pieces: Sequence[Piece]) -> None:
         clause = []
 
 
+def _tips(piece: Piece) -> set[str]:
+    """Where the tip of a triangle is by the places of its rows: "three in the front row, ..., one at the back"."""
+    found = set()
+    for row in _ROW_AT.finditer(piece.words):
+        side = "front" if row["side"] in ("front", "near", "nearest") else "back"
+        count = 1 if row["count"] == "one" else int(row["count"])
+        if count not in (1, max(piece.value)):
+            continue
+        found.add(side if count == 1 else _OVER[side])
+    return found
+
+
 def _way(pieces: Sequence[Piece], shape: str) -> str:
     """ " with its foot to the right".
 
@@ -165,6 +195,7 @@ def _way(pieces: Sequence[Piece], shape: str) -> str:
     ways = {(piece.value[0], piece.value[1]) for piece in pieces if piece.kind == "way"}
     ways |= {("tip", piece.value[1]) for piece in pieces if piece.kind == "base"}
     ways |= {("foot", piece.value[2]) for piece in pieces if piece.kind == "along"}
+    ways |= {("tip", side) for piece in pieces if piece.kind == "rows" for side in _tips(piece)}
     if ("any", "") in ways:
         if len(ways) > 1 or any(piece.kind == "limb" and _DOWN.search(piece.words) for piece in pieces):
             raise Unclear

@@ -18,7 +18,7 @@ _PARTS: dict[str, dict[str, str]] = {
     "T": {"bar": "bar", "stem": "stem", "rest": "rest"},
     "L": {"corners": "corner", "rest": "rest"},
     "V": {"tip": "tip", "arms": "rest", "rest": "rest"},
-    "U": {"corners": "corners", "rest": "rest"},
+    "U": {"corners": "corners", "base": "base", **dict.fromkeys(("sides", "arms", "around", "rest"), "rest")},
 }
 """The parts of each figure that may have a colour, by the words for places."""
 SINGLE = frozenset({"center", "inner", "tip", "corner"})
@@ -43,11 +43,18 @@ def parted(pieces: Sequence[Piece]) -> list[Piece]:
         if piece.words == ":" and before.kind in ("place", "each") and behind.kind == "lot":
             continue
         found.append(piece)
+        if piece.kind == "lot" and before.kind == "arm" and not {"count", "det"} & piece.named.keys():
+            found.append(Piece("place", "", "arms"))  # "each arm has two red blocks"
+        limb = before.kind == "limb" and before.value[0] in ("bar", "stem") and behind.kind in ("break", "except")
+        if piece.kind == "lot" and limb and not {"count", "noun", "many"} & piece.named.keys():
+            found.append(Piece("part", "", before.value[:2]))  # "top line 5 blocks blue"
         following = next((p.kind for p in pieces[n + 1 :] if p.kind not in ("glue", "dims", "fill")), "")
         if piece.kind == "place" and following == "figure":
             found.append(Piece("break", ""))  # "in the middle of a ring of ..."
+        alone = n < 2 or pieces[n - 2].kind != "arm"
         if (
             before.kind == "lot"
+            and alone
             and not {"count", "noun", "many"} & before.named.keys()
             and not piece.words[0].isdigit()
         ):
@@ -172,9 +179,11 @@ def _clause(clause: Sequence[Piece], said: Told, shape: str) -> None:
         return
     if not places:
         said.free += map(lot_of, lots)
-    elif not lots and [_part(place.value, shape) for place in places if place.kind == "place"] == [
-        p for _, p in said.placed[-1:]
-    ]:
+    elif (
+        not lots
+        and all(place.kind == "place" for place in places)
+        and [_part(p.value, shape) for p in places] == [p for _, p in said.placed[-1:]]
+    ):
         return  # told twice: "inside, in the middle"
     elif not lots or (len(lots) == 1 and len(places) > 1 and all(place.kind == "part" for place in places)):
         said.free += map(lot_of, lots)
@@ -224,6 +233,8 @@ def _times(place: str, shape: str) -> int:
         return 3 if shape == "triangle" else 4
     if shape in ("plus", "X") and place in ("around", "arms"):
         return 4
+    if shape == "U" and place in ("around", "arms"):
+        return 2
     raise Unclear
 
 
@@ -237,6 +248,8 @@ def _part(place: str, shape: str) -> str:
 def total_of(said: Told, total: int | None, shape: str) -> int | None:
     """How many blocks the figure has, as far as that is told, without one that stands in it."""
     inner = any(part == "inner" for _, part in said.placed) or "inner" in said.numbers
+    if len(said.numbers) > 1 and shape not in ("plus", "X", "T", "L", "V", "U"):
+        raise Unclear  # "four at the corners and one in the middle" are no outline
     if said.numbers and not said.placed:
         counts = sum(number for part, number in said.numbers.items() if part != "inner")
         if len(said.numbers) > 1 and total is not None and total != sum(said.numbers.values()):

@@ -19,7 +19,12 @@ _LONG = "(?:long|along|in length)"
 _AND = "(?: ,)?(?: and| by| x| times)?"
 _SIDE = "(?:sides?|edges?)(?: of it)?"
 _WAYS = "(?:way|direction|ways|directions)"
-_ROW = "(?: (?:along|at|in|on|for) (?:the|its) (?:base|bottom|front|back|top|near side|far side)(?: row)?)?"
+_ROW = (
+    "(?: (?:along|at|in|on|for) (?:the |its )?(?:base|bottom|front|back|top|near side|far side|next|second|third|"
+    "fourth|"
+    "first|last|middle|near|far|rear|nearest|farthest|following)(?: (?:row|one|line))?(?: (?:behind|before|in front "
+    "of|after) (?:it|that|them))?)?"
+)
 SIZES: list[Pattern] = [
     *patterns("dims", lambda m: ("x", *sorted(map(int, re.findall(r"\d+", m[0])), reverse=True)),
         r"(?:of )?(?:size )?\d+x\d+(?: BLOCK)?(?: in size)?", r"(?:of )?\d+(?: BLOCK)? (?:by|times|x) \d+(?: BLOCK)?"),
@@ -50,8 +55,8 @@ SIZES: list[Pattern] = [
         f"{COUNT}{_MADE_LONG} (?:a|per|each) {_SIDE}"),
     *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|one", m[0])],
         r"(?:in )?rows of (?:(?:\d+|one|single)(?: BLOCK)?(?: ,)?(?: and| then| and then)? )+(?:\d+|one)(?: BLOCK)?"),
-    *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|one", m[0])],
-        f"NUM(?: BLOCK)?{_ROW}(?:(?: ,| then| and)+ NUM(?: BLOCK)?{_ROW}){{2,}}"),
+    *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|(?<!next )\bone\b", m[0])],
+        f"(?:in |with )?(?:rows of )?NUM(?: BLOCK)?{_ROW}(?:(?: ,| then| and)+ NUM(?: BLOCK)?{_ROW}){{2,}}"),
     *patterns("per", True,
         f"(?:per|on|along|in|for|at|to|down) (?:(?:each|every|both|all)(?: of)?(?: the| its)?(?: [234])? ){_SIDE}",
         f"(?:per|each|every) {_SIDE}",
@@ -63,7 +68,9 @@ SIZES: list[Pattern] = [
         f"{_EACH})? (?:arms?|legs?|branch|branches|{_WAYS})",
         "(?:with )?(?P<count>NUM) BLOCK (?:long )?arms?", f"{COUNT} each {_WAYS}",
         "arms (?P<count>NUM)(?: BLOCK)? long",
-        f"(?:with )?(?:4 )?arms {HAS}(?:length )?(?P<count>NUM)"),
+        f"(?:with )?(?:4 )?arms {HAS}(?:length )?(?P<count>NUM)",
+        f"(?:with |and )?(?:{_EACH} |(?:(?:the|its) )?(?:[234] )?)(?:arms?|branch|branches) {HAS}(?P<count>NUM)(?= "
+        f"(?:SIZE )?COLOR )"),
     *patterns("shared", True, "(?:including|counting) (?:the )?(?:shared )?(?:corner|corners)(?: BLOCK)?(?: "
         "(?:counted|included|shared|twice|in both|in each))*",
         r"(?:with )?(?:the |a )?shared corner(?: BLOCK)?", "with (?:the )?corners?(?: BLOCK)? (?:counted|included|"
@@ -90,31 +97,45 @@ BAR = (
     "(?:(?:top |horizontal |upper )?(?:bar|crossbar|cross bar|crosspiece|cross piece|beam|stroke|line|arm|roof)|"
     "top(?: row)?)"
 )
-STEM = "(?:(?:vertical |long |middle )?(?:stem|leg|trunk|post|shaft|tail|stalk|vertical(?: bar| line| stroke)?))"
+STEM = (
+    "(?:(?:down|downward|downwards|lower) (?:line|bar|stroke|part|piece|leg)|(?:vertical |long |middle )?(?:stem|"
+    "leg|trunk|post|shaft|tail|stalk|vertical(?: bar| line| stroke)?))"
+)
 _N = "(?:with )?(?:then )?(?P<another>another |the other |the remaining )?" + COUNT
 
 
 def _further(match: re.Match[str]) -> bool:
     """Whether these are blocks besides those that are told before."""
-    return bool(match["another"] or match["more"]) if "another" in match.re.groupindex else bool(match["more"])
+    return any(match.groupdict().get(name) for name in ("another", "more"))
 
 
 LIMBS: list[Pattern] = [
     *patterns("limb", lambda m: ("bar", number(m["count"]), _further(m)),
-        f"{_N}{_MORE}(?: BLOCK)?(?: go| lie| lying| run| running)? (?:across|{_FOR}(?:the |its )?{BAR}|across "
+        f"{_N}{_MORE}(?: BLOCK)?(?: go| goes| going| lie| lying| run| running)? (?:across|horizontal|horizontally|"
+        f"{_FOR}(?:the |its )?{BAR}|across "
         f"(?:the |its )?(?:top|{BAR}|bar))(?: {_FOR}?the {BAR})?",
         f"(?:the |its |a |whose |with a |with the )?{BAR}(?: of it)? {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| wide| "
-        "across)?"),
+        "across)?",
+        f"across (?:the )?top(?: row)? {HAS}{COUNT}", f"across(?: :)? {COUNT}"),
     *patterns("limb", lambda m: ("stem", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)?(?: going| go| running| run| lie| lying| hanging| hang| sticking)? (?:{_FOR}(?:the "
         f"|its )?{STEM}|down(?:wards?)?(?: (?:from )?(?:the|its) (?:middle|center|stem))?|below(?: (?:it|them|that|"
-        "the bar|the middle))?(?: in the (?:middle|center))?|down from the (?:middle|center)|under (?:it|the "
+        "the bar|the middle))?(?: in the (?:middle|center))?|vertical|vertically|down from the (?:middle|center)|"
+        "under (?:it|the "
         f"middle|the bar)|underneath(?: it)?)(?: in the middle)?(?: (?:as|for) (?:the|its) {STEM})?",
         f"(?:the |its |a |whose |with a |with the )?{STEM}(?: of it)? {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high|"
-        " tall)?"),
+        " tall)?", f"down(?:wards)?(?: :)? {COUNT}"),
     *patterns("limb", lambda m: ("up", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)? (?:going |standing |straight )?(?:up(?:wards?|right)?|{_FOR}(?:the |its "
         ")?(?:upright|stem|back))"),
+    *patterns("limb", lambda m: ("up", number(m["count"]), _further(m)),
+        f"(?:with )?(?P<count>NUM){_MORE} (?P<hue>COLOR)(?: BLOCK)? (?:going |go |standing |straight "
+        f")*(?:up(?:wards?)?|tall|high|"
+        "vertical|vertically)"),
+    *(found for side in ("left", "right") for found in patterns("along",
+        lambda m, side=side: (number(m["count"]), _further(m), side),
+        f"(?:with )?(?P<count>NUM){_MORE} (?P<hue>COLOR)(?: BLOCK)? (?:going |pointing |go )?(?:to|towards?) the "
+        f"{side}")),
     *patterns("limb", lambda m: ("long", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)? (?:tall|high|long|{_FOR}(?:the |its )?(?:long|longer|vertical) {_ARM})",
         f"(?:the |its |a |whose |with a |with the )?(?:(?:long|longer|vertical) {_ARM}|upright) "

@@ -22,6 +22,8 @@ _TOWARD = {
     "(?:farthest|furthest)(?: away)?(?: from (?:me|us|you|the (?:robot|viewer|camera)))?",
     "top": "(?:(?:at|to|towards?|on) )?(?:the )?top|up(?:wards?)?",
 }  # fmt: skip
+_VIEWER = "(?:i|I|we|you|me|us|(?:the )?(?:robot|viewer|camera|observer|spectator))"
+_SPOT = "(?:side|seat|position|place|point of view|viewpoint|standpoint|perspective|view|angle|chair|eyes)"
 _POINTS = (
     "(?:(?:BE |must |should |shall |to |that |which )?(?:point|points|pointing|pointed|face|faces|facing|aim|aims|"
     "aiming|aimed|directed|turned|turn|turns|turning|look|looks|looking|show|shows|showing|open|opens|opening|extend|"
@@ -47,6 +49,12 @@ WAYS: list[Pattern] = [
     *patterns("way", ("all", "upright"),
         "(?:(?:that|which) )?(?:BE )?(?:upright|right way up|the right way up|readable)(?= [,.;]| and )",
         "upright(?= letter| capital| [TLUV] )"),
+    *patterns("way", ("all", "upright"),
+        f"(?:(?:as|when|if) )?(?:it BE )?(?:seen|viewed|looked at|visible|read) (?:for|by) {_VIEWER}",
+        f"(?:(?:as|when|if) )?(?:it BE )?(?:seen|viewed|looked at|visible|read|reading)? ?from (?:where {_VIEWER} "
+        f"(?:sit|sits|stand|"
+        f"stands|am|are|is|look|looks)|(?:my|our|your)(?: own)? {_SPOT}|{_VIEWER}(?: 's)?(?: {_SPOT})?)",
+        f"(?:as|when|if) {_VIEWER} (?:see|sees|look at|looks at|read|reads)(?: (?:it|them|this|that))?"),
     *(found for side in ("left", "right") for found in patterns("way", ("foot", side),
         "(?:(?:its|the) )?foot (?:BE )?(?:at|on|in) the (?:near|bottom|lower|front)(?: end| side| edge)? "
         f"{_POINTS}(?:{_TOWARD[side]})")),
@@ -78,7 +86,8 @@ _PLACES = {
     "this) )(?! COLOR)",
                "(?:BE )?on (?:all|the|its) (?:4 )?sides(?: of it)?", "(?:BE )?(?:at|on|for) the outside",
                "(?:the )?outer (?:ones|BLOCK)"),
-    "corners": (f"(?:BE )?(?:(?:in|at|on|as|for) )?{_ITS}corners?(?: BLOCK| ones)?{_OF_IT}", "at corners"),
+    "corners": (f"(?:BE )?(?:(?:in|at|on|as|for) )?{_ITS}(?:corners?|vertices|vertex|corner points)(?: BLOCK| "
+    f"ones)?{_OF_IT}", "at corners"),
     "arms": (f"(?:BE )?(?:(?:in|at|as|for|on|forming) )?{_ITS}(?:arms|ends|tips|branches)(?: of it)?{_TWO_PARTS}",
              "(?:BE )?(?:on|at) (?:the|its) outside"),
     "sides": (f"(?:BE )?(?:(?:in|at|as|for|along) )?{_ITS}(?:sides|edges|border|rim|frame|edge)(?: (?:BLOCK|ones))?",
@@ -90,6 +99,8 @@ _PLACES = {
     "(?:BE )?(?:below|underneath|beneath|under it|below it)(?= [,.;])"),
     "tip": (
     f"(?:BE )?(?:(?:in|at|as|for|on|forming) )?(?:(?:the|its|whose|a) )?(?:tip|point|apex|peak)(?: BLOCK)?{_OF_IT}",),
+    "base": ("(?:BE )?(?:(?:in|at|as|for|on|forming|along) )?(?:(?:the|its|a) )?(?:base|bottom|bottom (?:row|line|"
+    "bar|part))",),
     "rest": ("(?:all )?(?:of )?(?:the |its )?(?:rest|others|remainder|remaining (?:ones|BLOCK)|other (?:ones|"
     "BLOCK))(?: of (?:it|them))?", "everything else", "everywhere else|elsewhere",
     "(?:all )?other BLOCK"),
@@ -109,7 +120,7 @@ PLACES: list[Pattern] = [
     *patterns("each", "around",
         "(?:BE )?(?:on|at|for) (?:each|every)(?: one)?(?: of (?:its|the))?(?: 4)? sides?(?: of it)?"),
     *patterns("each", "arms",
-        "(?:BE )?(?:on|at|for|in) (?:each|every)(?: one)?(?: of (?:its|the))?(?: 4)? (?:arms?|ends?)(?: of it)?"),
+        "(?:BE )?(?:on|at|for|in) (?:each|every)(?: one)?(?: of (?:its|the))?(?: 4)? (?:arms?|ends?|legs?)(?: of it)?"),
     *patterns("each", "corners",
         "(?:BE )?(?:in|at|on|for) (?:each|every)(?: one)?(?: of (?:its|the))?(?: [34])? corners?(?: of it)?"),
     *patterns("pivot", "around", "(?:BE |all |placed |arranged |set |put )*(?:a?round|surrounding|surround|"

@@ -49,7 +49,10 @@ def _sized(pieces: Sequence[Piece], shape: str, total: int | None) -> Sized:
     if any(piece.kind in _SIZES and piece.kind not in _KNOWN[shape] for piece in pieces):
         raise Unclear
     fill = one(pieces, "fill")
-    filled = fill.value if fill else ""
+    outlined = any(piece.kind == "figure" and "outline" in piece.words.split() for piece in pieces)
+    filled = fill.value if fill else "hollow" if outlined else ""
+    if outlined and filled != "hollow":
+        raise Unclear
     if filled and shape not in ("square", "rectangle", "triangle", "circle"):
         raise Unclear
     if shape in ("square", "rectangle", "triangle"):

@@ -19,7 +19,7 @@ FIGURES: list[Pattern] = [
         "triangular (?:shape|figure|form|formation|arrangement|outline)"),
     *patterns("figure", "square", f"square(?! PATCH| base| BLOCK){_KIND}"),
     *patterns("figure", "rectangle", f"(?:rectangle|oblong){_KIND}",
-        "rectangular (?:shape|figure|form|formation|arrangement)"),
+        "rectangular (?:shape|figure|form|formation|arrangement|ring)"),
     *(found for letter in "TLUVX" for found in patterns("figure", letter,
         f"{_LETTER}'?{letter}'?{_KIND}", f"{_LETTER}'?(?<!')\\b{letter.lower()}(?: shape| shaped| form| figure)+",
         f"(?:an?|the|letter|the letter|a letter) {letter.lower()}(?= (?:of|from|out|made|with|using|on|,|that|"
@@ -56,6 +56,7 @@ FILL: list[Pattern] = [
         "(?:with )?(?:no|without a|without any|without) holes?(?: in (?:it|the middle|the center))?",
         "(?:the |its |with the )?(?:inside|interior|middle|center) (?:BE )?(?:filled|full)(?: in| too| as well)?",
         "not hollow"),
+    *patterns("fill", "hollow", "(?:but |and )?not (?:filled|solid|full)(?: in)?"),
 ]  # fmt: skip
 
 LOOKS: list[Pattern] = [
@@ -67,8 +68,12 @@ LOOKS: list[Pattern] = [
         "(?:i )?do not (?:care|mind) (?:about )?(?:what |which |the )?colors?(?: (?:they|it) (?:are|is|have))?",
         "what color"),
     *patterns("lot", None, "(?P<count>NUM) of (?:them|these|which)(?: BLOCK)? (?:BE )?(?:in )?(?P<color>COLOR)"),
+    *patterns("total", lambda m: number(m["count"]), r"(?<=[,.] )(?P<count>NUM)(?= [.!]| $)"),
     *patterns("total", lambda m: number(m["count"]), "(?:, )?of which there (?:BE) (?P<count>NUM)(?= ,)",
         "(?P<count>NUM) of (?:them|these)(?= [,.;!])"),
+    *patterns("lot", None, "(?:(?:all|every one|each one|each|everything)(?: of (?:them|these|it|the BLOCK)| BLOCK)? "
+        ")?(?:BE )?(?:of |in |have |having |with )?"
+        "the color (?P<color>COLOR)"),
     *patterns("lot", None, "(?:all|every one|each one|everything|each BLOCK|every BLOCK)(?: of (?:them|these|it|"
         "the BLOCK)| BLOCK)?(?: (?:BE|in))? (?P<color>COLOR)(?! (?:but|except|apart|save))"),
     *patterns("colors", "alternating",
@@ -106,6 +111,9 @@ OWN_GLUE: list[Pattern] = [
         "formation|layout|letter)(?: (?:of|like|:))?(?: an?| the)?"),
     *patterns("glue", None, "(?:the |these |all the |all these |my |your )?(?:BLOCK)(?= (?:form|make|should|must|"
         "shall|are|stand|lie|in|as|into|on|to)\\b)"),
+    *patterns("glue", None, "(?:big|large|small|little|tiny|giant|huge|mini)(?= (?:plus|cross|circle|ring|square|"
+        "triangle|rectangle|[TLUVX]) )",
+        "apiece", "each(?= [,.;])", "it(?= (?:with|has|BE) )"),
     *patterns("glue", None, "only(?= [,.;!])", "take|grab", "needed|are needed",
         "(?:arrange|put|place|lay|set|use|form|make|bring|organize)(?: out)? (?:them|these)(?: all| out)?",
         "(?:could|can|would|will|should|shall|must) the robot(?: please| kindly)?",
@@ -115,7 +123,7 @@ OWN_GLUE: list[Pattern] = [
         "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", "for which",
         "all the way (?:a?round)"),
     *patterns("glue", None, "(?:a?round)(?= in (?:a )?(?:circle|ring))",
-        "shape|draw|makes|shaped|pattern|color|colored|in color|colour"),
+        "shape|draw|makes|shaped|pattern|colors?|colored|in color|kind of"),
     *patterns("glue", None, "looks? like|that looks like|like|resembling|represents|show|result|should|shall|must|"
         "would|makes up|become|becomes|becoming|serves? as|acting as|acts as|take|takes|play|plays"),
 ]  # fmt: skip

@@ -49,7 +49,18 @@ GLUE: list[Pattern] = [
         "for (?:a |the |my |our |this )?(?:lesson|class|demo|experiment|test|game|exercise|homework|school|kids|"
         "children|"
         "video|photo|benchmark)"),
+    *patterns("glue", None, "for (?:my|our|his|her) (?:(?:little|dear|young|small|old) )?(?:son|daughter|kid|kids|"
+        "child|children|boy|boys|girl|"
+        "girls|baby|toddler|boss|friend|friends|wife|husband|customer|customers|client|class|student|students|pupils|"
+        "doll|"
+        "dolls|toy|toys|grandson|granddaughter|niece|nephew|mother|father|mom|dad|sister|brother|teacher|demo|"
+        "experiment|"
+        "benchmark|test|paper|video|photo|lesson|game|birthday)(?! (?:BE|must|has|have) )",
+        "(?:the )?BLOCK colors?(?: (?:BE|:))?"),
     *patterns("glue", None, "nice|neat|tidy|simple|proper|little|final|whole|together"),
+    *patterns("glue", None, "(?:would|will|could) (?:be|look) (?:really |very |so |just )?(?:lovely|nice|great|good|"
+        "cool|perfect|"
+        "wonderful|fun|sweet|awesome|fine|appreciated|ideal)(?: to (?:have|see|get))?"),
     *patterns("glue", None, "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target "
         ")?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)"),
 ]  # fmt: skip

@@ -2,169 +2,23 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from rpg.language.frames.lots import (
-    LOTS,
     Lot,
     as_adjectives,
     check_listed,
     check_owned,
     counted,
+    declared,
     lot_of,
     one,
     placed_lots,
+    without_brackets,
 )
-from rpg.language.frames.pieces import Pattern, Piece, Unclear, number, patterns
-from rpg.language.frames.shared import BREAKS, GLUE, WHERE
-
-_COLUMN = "(?:steps|columns?|treads?|stacks?|towers?|levels?)"
-_STEP = "(?:steps?|stairs?|columns?|treads?|stacks?|towers?|levels?)"
-_HEIGHT = rf"(?:\d+|one|a|an)(?: single)?(?: BLOCK)?(?: (?:high|tall|stacked))?(?: BLOCK)?(?: {_STEP})?"
-_SEP = (
-    "(?: ,| ;| and| plus| then| next| after that| afterwards| followed by| beside it| beside that| next to it| next to "
-    "that)+"
-)
-_BE = "(?:(?:BE|has|have|with|of|:) )*"
-_LIST = rf"(?:{_HEIGHT}(?:(?:{_SEP})? {_HEIGHT}){{2,}}|{_HEIGHT}{_SEP} {_HEIGHT}(?! COLOR))"
-_RISE = (
-    "(?:(?:that|which|it|should|must|shall|has to|and) )*(?:(?:BE|that is|which is) )?"
-    "(?:rising|rises?|going up|goes? up|climbing|climbs?|climb up|climbing up|ascending|ascends?|leading up|leads? up|"
-    "ascend|climb|running up|runs? up|stepping up|steps? up|walking up|growing|grows?|mounting|mounts?|upwards?|up|"
-    "uphill|"
-    "get higher|gets higher|getting higher)"
-)
-_FALL = (
-    "(?:(?:that|which|it|should|must|shall|has to|and) )*(?:(?:BE|that is|which is) )?"
-    "(?:descending|descends?|going down|goes? down|leading down|leads? down|falling|falls?|dropping|drops?|"
-    "stepping down|steps? down|running down|runs? down|down|downwards?|downhill|get lower|gets lower|getting lower)"
-)
-_SIDES = {
-    "left": "left(?: hand)?(?: side| end)?",
-    "right": "right(?: hand)?(?: side| end)?",
-    "front": "(?:front|near(?:er)?)(?: side| end| edge)?",
-    "back": "(?:back|rear|far(?:ther)?)(?: side| end| edge)?",
-}
-_OVER = {"left": "right", "right": "left", "front": "back", "back": "front"}
-_AWAY = "(?:away )?from (?:me|us|you|the (?:robot|viewer|camera))"
-_NEAR = "(?:me|us|you|the (?:robot|viewer|camera))"
-_HIGH = "(?:highest|tallest|top|topmost|biggest|high|tall|last|upper)"
-_LOW = "(?:lowest|shortest|smallest|bottom|low|short|first|lower)"
-_THE = "(?:(?:with|and|where) )?(?:(?:the|its|whose|a) )?"
-_END = f"(?: (?:{_STEP}|one|end|side|BLOCK|part))?(?: of it)?"
-_AT = "(?:BE )?(?:(?:on|at|to|towards?) )(?:the |its |my )?"
-
-
-def _toward(side: str) -> str:
-    """Words for a direction."""
-    other = _OVER[side]
-    ways = f"(?:to|towards?) (?:the |my )?{_SIDES[side]}(?! of)"
-    ways += f"|(?:from )?(?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"
-    ways += f"|{side}wards?" if side in ("left", "right") else ""
-    ways += {"back": f"|{_AWAY}", "front": f"|towards? {_NEAR}"}.get(side, "")
-    return f"(?:{ways})"
-
-
-def _heights(match: re.Match[str]) -> tuple[int, ...]:
-    """The numbers of a list of heights."""
-    said = re.findall(r"\b(?:\d+|one|an?)\b(?! single)", match["list"])
-    return tuple(int(word) if word.isdigit() else 1 for word in said)
-
-
-def _counts(*texts: str) -> list[Pattern]:
-    """Ways to tell how many steps there are."""
-    return patterns("steps", lambda match: number(match["count"]), *texts)
-
-
-_WAYS = [
-    found
-    for side, other in _OVER.items()
-    for found in (
-        *patterns("way", side,
-            f"{_RISE}(?: (?:in|by) {_STEP})? {_toward(side)}", f"{_FALL} {_toward(other)}",
-            f"{_toward(side)} (?:upwards?|up)",
-            f"{_THE}{_HIGH}{_END} (?:{_AT})?(?:very |far )?{_SIDES[side]}",
-            f"{_THE}{_LOW}{_END} (?:{_AT})?(?:very |far )?{_SIDES[other]}"),
-        *patterns("top", lambda match, side=side: (number(match["count"]), side),
-            f"{_THE}{_HIGH}{_END} {_AT}(?:very )?{_SIDES[side]}(?: ,)? and (?:BE|has|counts) (?P<count>NUM)(?: BLOCK)?"
-            "(?: high| tall)?(?! COLOR)"),
-        *patterns("order", side, f"{_SIDES[other]} to (?:the )?{_SIDES[side]}",
-            f"(?:counted |listed |read |told )?{_toward(side)}(?= [,:]| (?:one|NUM|a) )",
-            f"(?:{_LOW} to {_HIGH} )?from (?:the )?{_SIDES[other]} to (?:the )?{_SIDES[side]}"),
-        *patterns("end", lambda match, side=side: (number(match["count"]), side),
-            f"(?:BE )?(?P<count>NUM)(?: BLOCK)?(?: high| tall)? (?:on|at) the (?:very )?{_SIDES[side]}"),
-    )
-]  # fmt: skip
-PATTERNS: list[Pattern] = [
-    *LOTS,
-    *WHERE,
-    *BREAKS,
-    *GLUE,
-    *patterns("figure", "staircase",
-        "(?:(?:flight|set|row) of )?(?:stairs?|stairways?|staircases?|stair case)(?: (?:shape|shaped|form|"
-        "formation|structure|"
-        "figure|pattern))?", "(?:flight|set) of steps", "steps(?! (?:of )?(?:the|which))"),
-    *_counts(
-        f"(?:in )?(?P<count>NUM) (?:BLOCK )?{_STEP}(?! (?:high|tall))", "steps : (?P<count>NUM)(?! ,)(?! BLOCK ,)",
-        "(?P<count>NUM) (?:steps?|stepped|level)(?= (?:stair|flight))",
-        f"(?P<count>NUM)(?: {_STEP}| BLOCK)? (?:high|tall|long|wide|in height|in length)",
-        f"{_THE}{_HIGH}{_END} (?:BE |has |have |having |with |of |counts |measures |height )*(?P<count>NUM)(?: BLOCK)?"
-        "(?: high| tall| in height)?(?! COLOR)",
-        f"(?P<count>NUM)(?: BLOCK)?(?: high| tall)? (?:on|at) (?:the|its) {_HIGH}{_END}",
-        "(?:with )?(?:a |its )?(?:total |maximum |maximal |max )?height (?:of |is |: )?(?P<count>NUM)(?: BLOCK)?"),
-    *patterns("low", None,
-        f"{_THE}{_LOW}{_END} (?:BE |has |have |having |with |of |counts |measures |height )*(?:one|a single|1)"
-        "(?: BLOCK)?(?: high| tall| in height)?(?! COLOR)"),
-    *patterns("heights", _heights,
-        rf"(?:(?:with|in|of|the|its|whose) )*(?:{_COLUMN} )?(?:(?:BE|has|have|having|with|of|in) )*(?:the )?heights?"
-        rf"(?: (?:BE|of|:))*(?: (?:steps?|columns?))? (?P<list>{_LIST})",
-        rf"(?:(?:with|in|of|the|its|whose) )*{_COLUMN}(?: (?:BE|has|have|having|with|of|:))* (?P<list>{_LIST})",
-        f"(?P<list>(?:the |its )?first(?: {_STEP})? {_BE}{_HEIGHT}(?:(?:{_SEP})? (?:the |its )?(?:second|third|"
-        "fourth|next|"
-        f"last)(?: {_STEP})? {_BE}{_HEIGHT})+)",
-        rf"(?:of |with |in )?(?P<list>{_LIST})(?: in (?:height|each))?(?: per {_STEP})?"),
-    *_WAYS,
-    *patterns("place", "over it",
-        "(?:BE )?(?:on|onto|on top of|upon|atop|at the top of) (?:the|its|this) (?:very )?(?:highest|tallest|top|"
-        f"topmost|last) {_STEP}(?: of (?:it|the stairs?|the staircase))?"),
-    *patterns("place", "highest step", f"(?:(?:in|at|as|for) )?{_THE}(?:highest|tallest|top|topmost|biggest) {_STEP}"),
-    *patterns("place", "lowest step", f"(?:(?:in|at|as|for) )?{_THE}(?:lowest|shortest|smallest|bottom) {_STEP}"),
-    *patterns("place", "middle step", f"(?:(?:in|at|as|for) )?{_THE}(?:middle|center) {_STEP}",
-        f"{_THE}{_STEP} in the (?:middle|center)"),
-    *patterns("place", "top block of the highest step",
-        f"{_THE}(?:top|topmost|highest|uppermost) BLOCK(?: (?:of|on) (?:the|its) (?:highest|tallest|top) {_STEP})?"),
-    *patterns("place", "rest", "(?:all )?(?:of )?(?:the |its )?(?:rest|others|other ones|other BLOCK|remaining ones|"
-        f"remaining BLOCK|remainder|other {_STEP}|remaining {_STEP})(?: of (?:it|them))?", "everything else"),
-    *patterns("lot", None, "(?:all|every one|each one|everything|each BLOCK|every BLOCK)(?: of (?:them|these|it|the "
-        "BLOCK)| BLOCK)?(?: (?:BE|in))? (?P<color>COLOR)(?! (?:except|apart|save))"),
-    *patterns("lot", None,
-        "(?:in )?(?:all |only |just |completely |entirely )(?:in )?(?P<color>COLOR)(?: throughout)?"),
-    *patterns("then", None, "(?:,|;)?(?: and)? ?(?:then|next|after that|finally)", ", (?:then|next|finally)",
-        "and (?:then|finally)"),
-    *patterns("own", None,
-        f"(?:with )?(?:each|every) {_STEP} (?:BE )?(?:has |have |having |of |with |in )?(?:its own|a different|"
-        "another|one|a single|its) color(?: of its own)?",
-        f"(?:with )?(?:each|every) {_STEP} (?:BE )?(?:a |of |in )?(?:different|own) colors?",
-        f"{_STEP} of different colors",
-        f"one color (?:per|for each|for every|each) {_STEP}"),
-    *patterns("break", None, "[()]", "except(?: for)?|apart from|save for|other than", ", which"),
-    *patterns("glue", None, "needed|are needed", "they|it|in all", f"{_RISE}(?= [:,.])"),
-    *patterns("glue", None, "high|tall|been|given|(?:there|here) (?:are|is)|(?:we|i|you) have|"
-        "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", "(?:gets?|grows?|becomes?|rises?|goes up|"
-        f"going up) (?:by )?(?:one )?(?:BLOCK )?(?:higher |taller )?(?:with|at|for) (?:each|every) {_STEP}",
-        f"(?:{_RISE} )?(?:by )?one BLOCK (?:per|each|every) {_STEP}",
-        f"(?:each|every) (?:{_STEP}|one) (?:BE )?(?:(?:by )?one (?:BLOCK )?)?(?:higher|taller)(?: by one BLOCK)? than "
-        f"the (?:{_STEP} |one )?(?:before|last|previous|one before|last one|previous one)(?: it)?",
-        "(?:going |growing |increasing )?(?:by )?one (?:BLOCK )?(?:more|higher|taller)? ?(?:each time|every time)"),
-    *patterns("glue", None, "so that|such that|which|that|its|whose|only|used|up|out|side by side|adjoining|like|"
-        "in total|total|color|itself|was|thinking of|thinking|imagine|picture|love|some|so|have|has been|have been|"
-        "verify that|check that|make sure that|sure|on|flat|beside each other|next to each other|neighboring|"
-        "throughout|get|looks like|do|make|stacked|stack|pile|piled|ordinary|stacked into|rise"),
-]  # fmt: skip
-
-
-_NTH = ("first", "second", "third", "fourth")
+from rpg.language.frames.pieces import Piece, Unclear
+from rpg.language.frames.stairs_words import NTH, OVER
+from rpg.language.frames.stairs_words import PATTERNS as PATTERNS
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -173,7 +27,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is told of more than one, or its steps do not agree.
     """
-    pieces = as_adjectives(pieces)
+    pieces = without_brackets(as_adjectives(pieces))
     check_listed(pieces)
     check_owned(pieces, ("way", "low", "place", "end"))
     _check_figure(pieces)
@@ -185,9 +39,13 @@ def told(pieces: Sequence[Piece]) -> str:
     size = steps * (steps + 1) // 2 if steps else size
     steps = steps or next((n for n in range(2, 8) if size == n * (n + 1) // 2), None)
     way = _way(pieces)
-    if one_of(pieces, "then") and not _in_order(pieces):
+    if (one_of(pieces, "then") or one_of(pieces, "own")) and not _in_order(pieces) and not one_of(pieces, "place"):
         raise Unclear
-    blocks, parts = ("", _ordered(pieces)) if _in_order(pieces) else _looks(pieces, steps, size)
+    hues = one(pieces, "hues")
+    if hues:
+        blocks, parts = "", _by_height(pieces, hues.value, steps)
+    else:
+        blocks, parts = ("", _ordered(pieces)) if _in_order(pieces) else _looks(pieces, steps, size)
     text = f"Build a staircase{f' of {steps} steps' if steps else ''}{blocks}{f' rising to the {way}' if way else ''}."
     over = [look for part, look in parts if part == "over it"]
     text += f" Put a {over[0]} block on top of the staircase." if over else ""
@@ -214,7 +72,10 @@ def _check_figure(pieces: Sequence[Piece]) -> None:
     if (
         not named
         and not any("stairs" in pieces[n].words for n in at)
-        and not (figures and (one_of(pieces, "heights") or one_of(pieces, "way")))
+        and not (
+            (figures or any("step" in pieces[n].words for n in at))
+            and (one_of(pieces, "heights") or one_of(pieces, "way"))
+        )
     ):
         raise Unclear
     again = [
@@ -223,7 +84,8 @@ def _check_figure(pieces: Sequence[Piece]) -> None:
     if again or (figures and any("staircases" in pieces[n].words or "stairways" in pieces[n].words for n in figures)):
         raise Unclear
     ahead = [piece for piece in pieces[: at[0]] if piece.words not in ("a", "an")]
-    if [p.words for p in ahead] == ["the"] or ([p.words for p in ahead[-1:]] == ["and"] and len(ahead) > 1):
+    there = [p.words for p in ahead] == ["the"] and not declared(pieces[at[0] + 1 :])
+    if there or ([p.words for p in ahead[-1:]] == ["and"] and len(ahead) > 1):
         raise Unclear  # "the stairs are ..." may tell of now; "a red block and stairs" is more than stairs
     if [p.words for p in ahead[-1:]] in (["on"], ["onto"], ["to"]):
         raise Unclear
@@ -242,7 +104,7 @@ def _steps(pieces: Sequence[Piece]) -> int | None:
             found.add(len(heights))
     ends = [piece.value for piece in pieces if piece.kind == "end"]
     if ends:
-        if len(ends) != 2 or min(ends)[0] != 1 or _OVER[ends[0][1]] != ends[1][1]:
+        if len(ends) != 2 or min(ends)[0] != 1 or OVER[ends[0][1]] != ends[1][1]:
             raise Unclear
         found.add(max(ends)[0])
     lots = [count for piece in pieces if piece.kind == "lot" if (count := lot_of(piece).count)]
@@ -269,7 +131,7 @@ def _way(pieces: Sequence[Piece]) -> str:
         lots = [count for piece in pieces if piece.kind == "lot" if (count := lot_of(piece).count)]
         if not heights and not (len(lots) > 2 and sorted(lots) == [*range(1, len(lots) + 1)]):
             raise Unclear
-        ways |= {order.value if (heights.value if heights else lots)[0] == 1 else _OVER[order.value]}
+        ways |= {order.value if (heights.value if heights else lots)[0] == 1 else OVER[order.value]}
     if len(ways) > 1:
         raise Unclear
     return ways.pop() if ways else ""
@@ -297,13 +159,26 @@ def _ordered(pieces: Sequence[Piece]) -> list[tuple[str, str]]:
     ahead = {lot.look for lot in lots if lot.count is None}
     lots = [lot for lot in lots if lot.count]
     counts = [lot.count or 0 for lot in lots]
-    if ahead not in (set(), {lot.look for lot in lots}) or not 1 < len(lots) <= len(_NTH):
+    if ahead not in (set(), {lot.look for lot in lots}) or not 1 < len(lots) <= len(NTH):
         raise Unclear
     if sorted(counts) != [*range(1, len(lots) + 1)] or counts not in (sorted(counts), sorted(counts, reverse=True)):
         raise Unclear
     return [
-        (f"{nth} step", lot.look) for nth, lot in zip(_NTH, sorted(lots, key=lambda lot: lot.count or 0), strict=False)
+        (f"{nth} step", lot.look) for nth, lot in zip(NTH, sorted(lots, key=lambda lot: lot.count or 0), strict=False)
     ]
+
+
+def _by_height(pieces: Sequence[Piece], hues: Sequence[str], steps: int | None) -> list[tuple[str, str]]:
+    """The looks of the steps whose heights are listed, each with its colour.
+
+    Raises:
+        Unclear: they are as many as neither, or it is not told which is which.
+    """
+    heights = one(pieces, "heights")
+    if not heights or len(hues) != steps or steps > len(NTH) or one_of(pieces, "lot") or one_of(pieces, "place"):
+        raise Unclear
+    rising = hues if heights.value[0] == 1 else hues[::-1]
+    return [(f"{nth} step", look) for nth, look in zip(NTH, rising, strict=False)]
 
 
 def _looks(pieces: Sequence[Piece], steps: int | None, size: int | None) -> tuple[str, list[tuple[str, str]]]:
@@ -323,10 +198,15 @@ def _looks(pieces: Sequence[Piece], steps: int | None, size: int | None) -> tupl
     if len({lot.look for lot, _ in placed}) == 1 and not free and steps and len(placed) == steps:
         free, placed = [Lot(placed[0][0].look)], []
     if placed:
+        named = [part for _, part in placed]
+        inferred = not steps and len(named) > 1 and sorted(named) == sorted(f"{nth} step" for nth in NTH[: len(named)])
+        if inferred:
+            steps, size = len(named), len(named) * (len(named) + 1) // 2
         if not steps or size is None:
             raise Unclear
         parts = _parts(free, placed, steps, size)
-        return ("" if all(part.endswith(" step") for part, _ in parts) else f" from {size} blocks"), parts
+        by_steps = all(part.endswith(" step") for part, _ in parts) and not inferred
+        return ("" if by_steps else f" from {size} blocks"), parts
     if len(free) > 1:
         raise Unclear  # which of them are where?
     lots = counted(free, size)
@@ -338,6 +218,14 @@ def _looks(pieces: Sequence[Piece], steps: int | None, size: int | None) -> tupl
 def _parts(free: list[Lot], placed: list[tuple[Lot, str]], steps: int, size: int) -> list[tuple[str, str]]:
     """The looks of the steps: each one's, or those of some and of the rest."""
     high = {"lowest step": 1, "middle step": 2, "highest step": steps, "top block of the highest step": 1}
+    numbered = {f"{nth} step": n for n, nth in enumerate(NTH, 1)}
+    high |= numbered
+    if len({numbered.get(part, high.get(part, 0)) for _, part in placed if part.endswith(" step")}) < sum(
+        part.endswith(" step") and not part.startswith("top block") for _, part in placed
+    ):
+        raise Unclear  # one step is told twice
+    if any(numbered.get(part, 0) > steps for _, part in placed):
+        raise Unclear
     parts = [part for _, part in placed]
     if len(set(parts)) < len(parts) or len(free) > 1 or ("middle step" in parts and steps != 3):
         raise Unclear

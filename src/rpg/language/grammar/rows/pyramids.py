@@ -53,7 +53,8 @@ PYRAMIDS: tuple[Turn, ...] = (
     (f"\\b(?:square )?(pyramid\\b[^,:]*?)(?: ,| :| with)+ (?:nine|9){N}{_BOTTOM}{_AND} (?:four|4){N}{_ABOVE}{_AND} "
      f"(?:one|1){N}{_TOP}$", "{1} with a three by three base"),
     (f"\\b(?:square )?(pyramid)(?: ,| :| with| of| from| out of| on)+(?: an?)? (?:(?:base of )?{_BASE}(?: base of)? "
-     f"({COLOR}){N}(?:{_BOTTOM})?|({COLOR}) {_BASE}{_BOTTOM}|{MANY} ({COLOR}){N} as an? {_BASE} base){_AND} (?:an?|"
+     f"({COLOR}){N}(?:{_BOTTOM})?|({COLOR}) {_BASE}{_BOTTOM}|(?:four|4) ({COLOR}){N} as an? (2x2|two by two|2 by 2|2 "
+     f"x 2) base){_AND} (?:an?|"
      f"one)(?: single)? ({COLOR}){N}{_TOP}$",
      "{1} with a {2} {5} {7} base of {3} {4} {6} blocks and a {8} block on top"),
     (f"^(?:four|4) ({COLOR}){N}(?: (?:in a|as a|in|,))? {_SQUARE}(?: square)?(?:{_BOTTOM}| base){_AND} (?:an?|one)(?: "

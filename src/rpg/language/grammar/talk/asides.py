@@ -80,9 +80,15 @@ def without_asides(tokens: list[Token]) -> list[Token]:
     p = Parser(tokens)
     out: list[Token] = []
     waiting: list[Token] = []
+    upright = _letter(words)
     at = 0
     while at < len(tokens):
         end = _standing(words, at)
+        if upright and (words[at] in VIEW.firsts or "seen" in words[at:end]):
+            seen = max((j for j in VIEW.matches(p, at)), default=end if "camera" in words[at:end] else at)
+            if seen > at:
+                out, at = out + tokens[at:seen], seen
+                continue
         if words[at] in VIEW.firsts:
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
         if words[at] in ("left", "right") and at and words[at - 1] in _ENDED and words[at] in _before(words, at - 1):
@@ -111,6 +117,22 @@ def without_asides(tokens: list[Token]) -> list[Token]:
     out += waiting
     plain = rephrased(plainer(in_words(repeated([token for n in range(len(out)) for token in meant(out, n)]))))
     return reckoned(exceptions_first(plain))
+
+
+_WAYS = frozenset({
+    "left", "right", "front", "back", "far", "near", "up", "down", "upright", "upside", "towards", "toward", "away",
+    "pointing", "points", "turned", "rotated", "facing", "direction", "orientation", "open", "opening", "beside",
+        "next",
+})  # fmt: skip
+
+
+def _letter(words: list[str]) -> bool:
+    """Whether blocks are to form a letter, and no way is told in which it points: who looks at it makes it upright."""
+    shaped = any(
+        word in ("t", "l", "u", "v") and words[n - 1 : n] in (["a"], ["an"], ["letter"], ["capital"], ["big"])
+        for n, word in enumerate(words)
+    )
+    return shaped and _WAYS.isdisjoint(words) and "block" not in words
 
 
 def _before(words: list[str], end: int) -> list[str]:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear, number, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
+from rpg.language.frames.wishes import WISHES
 
 _SIGNS = {
     "+": "<\\+>|plus(?: signs?| symbols?)?",
@@ -45,7 +46,7 @@ PATTERNS = [
     *patterns(
         "symbols", lambda match: _symbols(match["list"]),
         "(?:(?:the |these |only |just |exactly |following |given |your |my |i have |we have |you have |there are |"
-        "namely )*(?:number |digit |symbol |numbered )?(?:BLOCK|signs|operators|digits|numbers|symbols|numerals|"
+        "namely )*(?:number |digit |symbol |numbered |operator |sign |operation )?(?:BLOCK|signs|operators|digits|numbers|symbols|numerals|"
         "tiles|cards) ?(?:: |with |showing |labell?ed |marked |are |is |and signs |and symbols |and operators "
         f")*)?(?P<list>{_ITEM}(?:(?: ,| and| with| ;| together with| as well as| along with| plus(?= an? ))* "
         f"{_ITEM})+)",
@@ -97,6 +98,7 @@ PATTERNS = [
         "(?:from |in |with |of |out of |using )?(?:all )?(?P<color>COLOR)s?(?: (?:number|digit|symbol))?(?: "
         "BLOCK)?",
     ),
+    *WISHES,
     *WHERE,
     *BREAKS,
     *GLUE,

@@ -10,14 +10,15 @@ from itertools import pairwise
 from rpg.language.frames.lots import Lot, counted, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import (
-    START,
     Gathered,
+    belongs,
     check_clauses,
     gathered,
     listed,
     said_of,
     settled,
 )
+from rpg.language.frames.words_of_several import START
 from rpg.language.frames.words_of_groups import GS, KINDS, ORD, PATTERNS, G
 from rpg.language.lexicon import COLORS
 
@@ -29,26 +30,8 @@ _COMMAND = re.compile(
     "should|shall|want|need)\\b"
 )
 _EQUAL = re.compile(r"\b(?:equal|equally|identical|same)\b")
-_INTO = re.compile(r"into\b|.*\b(?:together|grouped|apart)\b")
-_UNIQUE = frozenset({*ORD.split("|"), "here", "there", "other", "1", "2", "3"})
-
-
-def _belongs(name: str, look: str) -> bool:
-    """Whether a symbol is of a class."""
-    match name:
-        case "<vowels>":
-            return look in tuple("AEIOU")
-        case "<consonants>":
-            return look in tuple("BCDFGHJKLMNPQRSTVWXYZ")
-        case "<odd>":
-            return look in tuple("13579")
-        case "<even>":
-            return look in tuple("02468")
-        case "<letters>":
-            return len(look) == 1 and look.isalpha()
-        case "<digits>":
-            return len(look) == 1 and look.isdigit()
-    return False
+_INTO = re.compile(r"into\b|.*\b(?:together|grouped|apart|with)\b")
+_UNIQUE = frozenset({*ORD.split("|"), "here", "there", "other", *"123ABC"})
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -58,10 +41,11 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told what belongs together, or how many blocks there are.
     """
     check_clauses(pieces)
-    pieces = _parted(_put_together(pieces))
+    pieces = _one_each(_parted(_put_together(pieces)))
     named = {piece.kind for piece in pieces if piece.kind in ("figure", "parted")}
     kinds = [piece.kind for piece in pieces]
     sorts = "basis" in kinds and ("sorted" in kinds or any(_INTO.match(p.words) for p in pieces if p.kind == "basis"))
+    sorts = sorts or ("sorted" in kinds and {"here", "there"} <= {piece.value for piece in pieces})
     if not (named or sorts or any(_NAMED.search(piece.words) for piece in pieces if piece.kind in ("slot", "basis"))):
         raise Unclear
     found = gathered(pieces)
@@ -110,7 +94,7 @@ def _without_nouns(found: Gathered, bases: set[str]) -> None:
         if name not in found.lots or not shown or {"<letters>", "<digits>"} <= set(classes):
             continue
         if len(classes) > 1 or bases - {"letters and digits"}:
-            if not all(_belongs(name, look) for look in shown):
+            if not all(belongs(name, look) for look in shown):
                 raise Unclear
             del found.lots[name]
 
@@ -146,6 +130,24 @@ def _parted(pieces: Sequence[Piece]) -> list[Piece]:
         found.insert(end + 1, Piece("stop", "."))
         return found
     return found
+
+
+def _one_each(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "Three piles, one red, one blue, one white, with four blocks each": the ones are piles, and no blocks."""
+    lots = [piece for piece in pieces if piece.kind == "lot"]
+    ones = all(p.words.startswith("one ") and p.named.get("noun") in (None, "one") for p in lots)
+    kinds = {piece.kind for piece in pieces}
+    count = [piece.value for piece in pieces if piece.kind == "figure" and piece.value]
+    if not ones or count != [len(lots)] or not kinds & {"size", "each"} or kinds & {"slot", "basis", "glyphs", "every"}:
+        return list(pieces)
+    told_of = {"color", "size"}
+    found = [
+        replace(piece, named={name: said for name, said in piece.named.items() if name in told_of} | {"many": "s"})
+        if piece.kind == "lot"
+        else piece
+        for piece in pieces
+    ]
+    return [*found, Piece("basis", "one each", "color")]
 
 
 def _strangers(pieces: Sequence[Piece]) -> str:
@@ -201,7 +203,7 @@ def _of_basis(look: str, basis: str) -> str | None:
     if basis == "kind" and len(look) > 1:
         return "plain"
     names = ["letters", "digits"] if basis == "kind" else basis.split(" and ")
-    return next((name for name in names if _belongs(f"<{name}>", look)), None)
+    return next((name for name in names if belongs(f"<{name}>", look)), None)
 
 
 def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count: int | None) -> str:
@@ -210,7 +212,7 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
     Raises:
         Unclear: there are not so many groups, or they are not those of the property.
     """
-    places, size, total = settled(found, _belongs), one(pieces, "size"), one(pieces, "total")
+    places, size, total = settled(found, belongs), one(pieces, "size"), one(pieces, "total")
     if len(places) == 1 and total and not found.lots:
         places = [(places[0][0], counted(places[0][1], total.value))]
     if total and total.value != sum(lot.count or 0 for _, lots in places for lot in lots) and not size:
@@ -253,7 +255,7 @@ def _related(relation: Piece, found: Gathered, basis: str | None) -> str:
         raise Unclear
     if basis == "color":
         return str(relation.value)
-    members = {name: [look for look in found.lots if _belongs(f"<{name}>", look)] for name in names}
+    members = {name: [look for look in found.lots if belongs(f"<{name}>", look)] for name in names}
     if not all(members.values()):
         raise Unclear
     one_of, other_of = (members[relation.named[name]][0] for name in ("one", "other"))

@@ -88,7 +88,7 @@ _BEHIND_SYMBOL = frozenset(
     {",", "and", "on", "over", "under", "above", "below", "beside", "goes", "must", "should", "with"}
 )
 """Before these an A is no article."""
-_SPELLING = frozenset({"say", "says", "spell", "spells", "read", "reads", "write", "word", "name", "saying", "reading"})
+_SPELLING = frozenset({"say", "says", "spell", "spells", "spelled", "spelt", "spelling", "wrote", "written", "writing", "string", "read", "reads", "write", "word", "name", "saying", "reading"})
 """Behind these, words in capitals are to be spelt, whatever they mean."""
 
 

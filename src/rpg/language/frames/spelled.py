@@ -8,8 +8,9 @@ from itertools import pairwise
 
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear, number, patterns
-from rpg.language.frames.several import GLYPHS, glyphs
+from rpg.language.frames.words_of_several import GLYPHS, glyphs
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
+from rpg.language.frames.wishes import WHOSE, WISHES
 
 _X = "(?:(?:the |letter |an |a |both |all |every |each |only |its )*(?:[A-Z]|'[A-Z]')(?: blocks?| cubes?)?)"
 _XS = f"{_X}(?:(?: ,)?(?: and)? {_X})*"
@@ -33,7 +34,8 @@ PATTERNS = [
     *patterns("glue", None, "'(?:ME|US)'(?= '[A-Z]+')"),
     *patterns(
         "word", lambda match: match["word"],
-        "(?:the |my |our |a )?(?:(?:english |short |little |single )*(?:word|name|text|sign|message|letters) (?:, "
+        f"(?:{WHOSE} 's name(?: ,| is)?(?: :)? )'(?P<word>[A-Z]{{2,}})'",
+        "(?:the |my |our |a )?(?:(?:english |short |little |single )*(?:word|name|text|sign|message|letters|string|sequence|term|inscription|title|phrase|label|letter sequence) (?:, "
         ")?)?(?:: )?'(?P<word>[A-Z0-9]{2,})'(?: 's name)?",
     ),
     *patterns(
@@ -113,6 +115,7 @@ PATTERNS = [
         "(?P<unit>cm|mm) (?:(?:gaps?|of space|spaces?|apart|between|in between|of air|each|the|neighbo(?:u)?rs|"
         f"them|neighboring|adjacent|{_LETTER}) ?)+(?<! )(?= )",
     ),
+    *WISHES,
     *GLYPHS,
     *WHERE,
     *BREAKS,
@@ -126,13 +129,13 @@ PATTERNS = [
     *patterns("tint", lambda match: ("all", match["color"]), "(?:the )?color(?: BE| :) (?P<color>COLOR)",
         f"(?:the )?color of (?:every|each|all|all the|the|its|all its) {_LETTER} BE (?P<color>COLOR)"),
     *patterns(
-        "spell", None, "letter|letters|letter BLOCK|BLOCK with letters|word|name|text|tiles|lettered BLOCK",
-        "spell|spells|spelled|spelt|spelling|write|writes|written|writing|read|reads|reading|say|says|saying|"
-        "display|displays|displayed|legible|readable|spell out|spelled out|(?:can|could|may|should) be read|can "
+        "spell", None, "<=>|string|sequence|term|inscription|title|phrase|letter|letters|letter BLOCK|BLOCK with letters|word|name|text|tiles|lettered BLOCK",
+        "spell|spells|spelled|spelt|spelling|write|writes|written|wrote|writing|read|reads|reading|say|says|saying|"
+        "display|displays|displayed|print|prints|printed|type|typed|legible|readable|spell out|spelled out|(?:can|could|may|should) be read|can "
         "read",
     ),
     *patterns(
-        "glue", None, "on|onto|one",
+        "glue", None, "on|onto|one|rearrange|reorder|order|using",
         "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|"
         "correctly|properly|in order|in (?:this|that|the right) order|upright|in capital letters|in capitals|"
         "single|vertical|horizontal",

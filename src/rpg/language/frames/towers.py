@@ -11,7 +11,6 @@ from rpg.language.frames.alike import Told, together, told_in_line
 from rpg.language.frames.lots import Lot, lot_of, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import (
-    START,
     Gathered,
     check_clauses,
     gathered,
@@ -19,13 +18,15 @@ from rpg.language.frames.several import (
     lots_in,
     settled,
 )
+from rpg.language.frames.words_of_several import START
 from rpg.language.frames.words_of_towers import ORD, PATTERNS, TS, T
 
 __all__ = ["PATTERNS", "told"]
 
 _SINGLE = re.compile("(?:single|one) color")
 _STACKED = re.compile("(?:is|are) stack(?:ed)?\\b")
-_UNIQUE = frozenset({*ORD.split("|"), "other", *"12345"})
+_THING = re.compile(f"{T}|{TS}")
+_UNIQUE = frozenset({*ORD.split("|"), "other", *"12345ABCDE"})
 _NAMED = re.compile(rf"\b(?:{T}|{TS})\b")
 _WAYS = (["left", "right"], ["left", "middle", "right"])
 
@@ -46,6 +47,8 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear
     if any(a.kind == "lot" and lot_of(a).known and b.kind == "line" for a, b in pairwise(pieces)):
         raise Unclear  # "the yellow ones in a tower and the purple ones lined up"
+    if any(a.kind == "lot" and _THING.fullmatch(b.words) for a, b in pairwise(pieces)):
+        raise Unclear  # "a red stack"
     if any(_STACKED.search(f"{a.words} {b.words}") for a, b in pairwise(pieces)):
         raise Unclear  # "four cubes are stacked up; ...": so they are at the start
     pieces, heights = _heights(_one_each(_apart(pieces)))
@@ -106,6 +109,8 @@ def _apart(pieces: Sequence[Piece]) -> list[Piece]:
             found += [replace(piece, kind="figure", value=count), lot]
         elif piece.kind == "slot" and alone:
             found.append(replace(piece, kind="figure", value=None))  # "for each color build a stack of ..."
+        elif piece.kind == "alone":
+            found += [Piece("slot", "one tower", "one"), Piece("lot", piece.words, None, {"color": piece.value, "many": "s"})]
         elif piece.kind == "whole":
             color, size = piece.value
             named = {"color": color, "count": str(size), "noun": "blocks"}

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import re
 
-from rpg.language.frames.pieces import number, patterns
-from rpg.language.frames.several import ALSO, LOTS, OF, STARTS, STOPS
+from rpg.language.frames.pieces import Pattern, number, patterns
+from rpg.language.frames.words_of_several import ALSO, LOTS, OF, STARTS, STOPS
 from rpg.language.frames.shared import GLUE, WHERE
 
 G = "(?:group|pile|cluster|bunch|heap|clump|bundle|lot|set|gathering|collection)"
 GS = "(?:groups|piles|clusters|bunches|heaps|clumps|bundles|sets|lots)"
 _ADJ = (
     "(?:(?:own|separate|single|little|small|neat|different|big|tidy|distinct|common|proper|clear|equal|identical|"
-    "equally large|equally big|equal sized|same sized|close|tight|compact) )"
+    "equally large|equally big|equal sized|same sized|close|tight|compact|(?:(?:spatially|clearly|well|physically|visibly|"
+    "cleanly|mutually) )?(?:separated|distinct|disjoint|isolated|spaced)|neatly|dense|nice|plain|individual|such) )"
 )
 ORD = "1st|2nd|3rd|4th|first|second|third|fourth|fifth|last|left|right|middle|center"
 _IN = (
@@ -40,6 +41,10 @@ _DOES = (
     "sorted|grouped|into|to|in|on|as|up|its|together) )*"
 )
 _C = "(?: numbers| digits| ones| cubes?| blocks?| letters| numerals| number BLOCK| digit BLOCK)?"
+_PURE = (
+    "(?:color homogeneous|color pure|monochrome|monochromatic|unicolored|single colored|one colored|uniformly colored|"
+    f"color sorted|homogeneous|single color|one color|same color)(?= {_ADJ}*{GS})"
+)
 _SAME = (
     "(?:only |just |exactly )?(?:of |the |a )*(?:one|single|same|only one|just one|its own|one single|one and the same)"
 )
@@ -52,6 +57,26 @@ def _apart(match: re.Match[str]) -> str:
     return f"The gap between the groups is {length}." if gap else f"The groups are {length} apart."
 
 
+_CARRY = (
+    "(?:(?:all|every|each|the|any|of|those|these|my) )*(?:BLOCK|tiles?|ones?|those|all|every one)(?: that| which)? (?:with|bearing|"
+    "bears?|showing|shows?|carrying|carry|carries|labell?ed|marked|having|have|has|display|displaying|displays)(?: with)? "
+    "(?:(?:a|an|the|any) )?"
+)
+SORTS: list[Pattern] = [
+    *patterns("class", "<vowels>", f"{_CARRY}vowels?", f"{_DET}vowels?(?: letters| BLOCK| ones)?"),
+    *patterns("class", "<consonants>", f"{_CARRY}consonants?", f"{_DET}consonants?(?: letters| BLOCK| ones)?"),
+    *patterns("class", "<odd>", f"{_CARRY}(?:odd|uneven) (?:numbers?|digits?|numerals?)", f"{_DET}odds", rf"{_DET}(?:odd|uneven){_C}"),
+    *patterns("class", "<even>", f"{_CARRY}even (?:numbers?|digits?|numerals?)", f"{_DET}evens", rf"{_DET}even{_C}"),
+    *patterns("class", "<letters>", f"{_CARRY}letters?", f"{_DET}(?:letters|letter BLOCK)"),
+    *patterns("class", "<digits>", f"{_CARRY}(?:digits?|numbers?|numerals?)", f"{_DET}(?:digits|numbers|numerals|number BLOCK|digit BLOCK)"),
+    *patterns(
+        "class", "<rest>",
+        "(?:all )?(?:of )?(?:the )?(?:rest|others|remaining ones|remaining BLOCK|other BLOCK|other ones|(?:remaining|other) "
+        "(?:letters|digits|numbers))(?: of them)?", "(?:everything|all|anything) else",
+    ),
+]  # fmt: skip
+"""Kind "class": symbols of one sort, and the others."""
+
 PATTERNS = [
     *patterns(
         "relation", lambda match: f"The {match['one']} group is {match['side']} of the {match['other']} group.",
@@ -60,7 +85,8 @@ PATTERNS = [
     ),
     *patterns(
         "slot", "together",
-        "(?:BE |go |goes |belong |should |must |put |stay |gathered |stand |lie )*(?:all )?(?:close )?together(?: "
+        "(?:BE |go |goes |belongs? |should |must |to |put |stays? |gathered |kept |stand |lie |sit |live |hang |out |stick "
+        "|remain |huddle |bunched |grouped |placed |pushed |come |end up )*(?:all )?(?:close )?together(?: "
         f"in (?:one|a) {_ADJ}*{G})?",
     ),
     *LOTS,
@@ -71,6 +97,9 @@ PATTERNS = [
     *GLUE,
     *patterns("figure", lambda match: number(match["count"]) if match["count"] else None,
         rf"(?:(?:in|into|to|as|of) )?(?:the )?(?:exactly )?(?:(?P<count>NUM) )?{_ADJ}*{GS}"),
+    *patterns("figure", lambda match: int(match["count"]), rf"(?:(?:in|into|to|as) )?(?P<count>[2-9]) {_ADJ}*{G}"),
+    *patterns("figure", lambda match: number(match["count"]), rf"(?:(?:in|into) )?(?P<count>NUM)(?= {_PURE} )"),
+    *patterns("basis", "color", f"(?:(?:in|into|of) )?(?:the )?{_PURE}"),
     *patterns(
         "figure", None,
         "group|grouped|grouping|cluster|clustered|clustering|gather|gathered|gathering|segregate|segregated|partition|"
@@ -102,13 +131,14 @@ PATTERNS = [
     ),
     *patterns(
         "even", None,
-        "(?:of )?(?:the )?(?:equal|equally large|equally big|same|equal in|identical)(?: size)?|equally|evenly|in "
+        "(?:of |with )?(?:the )?(?:equal|equally large|equally big|same|equal in|identical)(?: size)?|equally|evenly|in "
         "half|into halves|into (?:two )?equal parts",
     ),
     *patterns(
         "basis", "color",
         "(?:by|per|for each|for every|according to|on the basis of|based on|with respect to|depending on|after|"
-        "for) (?:their |its |the |own )*color", "by their colors", "color wise|by matching color",
+        "for) (?:their |its |the |own )*color", "by their colors", "(?:arranged?|organized?|sorted|ordered|grouped|put|formed|laid out|assembled|put together|set up) by "
+        "(?:their |its |the )?colors?", "one (?:of them )?(?:per|for each|for every|of each|of every|each for) color", "color wise|by matching color",
         f"one {_ADJ}*{G} (?:per|for each|for every|of each|of every|for) (?:one )?color",
         f"(?:a|an) {_ADJ}*{G} (?:per|for each|for every|of each|of every) color",
         f"(?:each|every)(?: single)? color {_DOES}(?:a |an |one |in )*{_ADJ}*{G}(?: of its own| for itself| by "
@@ -116,6 +146,8 @@ PATTERNS = [
         f"(?:each|every) color {_DOES}(?:by itself|on its own|separately|together|separate|apart|for itself)",
         "(?:keep|keeping|kept|hold) (?:the |all |different )*colors (?:apart|separate|separated|unmixed)(?: from "
         "each other)?",
+        f"(?:all |the )*(?:BLOCK |ones |those )?of (?:the |a )*(?:same|one|single) color (?:in|into|at|to) (?:one|the same|a) (?:place|spot|{G})",
+        f"(?:all |of |the )*(?:same|equal|like) color(?:ed)? (?:BLOCK|ones) (?:in|into|at|to) (?:one|the same|a) (?:place|spot|{G})",
         "(?:BLOCK |ones |those )?of (?:the |a )?same color (?:BE |should |must |go |belong |stay |kept |lie |"
         f"stand |in |into |close |all )*(?:together|next to each other|the same {G}|one {G}|a {G})",
         "(?:BLOCK |ones |those )?(?:that |which |who )?(?:have |has |of |with |in |share )?(?:the |a )?same color "
@@ -128,7 +160,7 @@ PATTERNS = [
         f"different {GS}|separate {GS})(?: from each other)?",
         f"{_EACH} (?:BE |must |should |shall |may |can |has |have |to |contains |contain |show |hold |be |holds |"
         f"with |consists |consist |only |of |blocks of |cubes of |pieces of |made of |for )*{_SAME} color(?: only| "
-        "alone)?", f"(?:{GS} |{G} )?(?:of|with|in) {_SAME} color(?: each| only)?",
+        "alone)?", f"(?:{GS} |{G} )?(?:of|with|in|from) {_SAME} color(?:ed)?(?: each| only| BLOCK| ones)?",
         "(?:same|equal|like) colors? (?:BE )?(?:with |to |and )?(?:(?:same|equal|like) colors?)?(?: ?together)?",
         "(?:the )?(?P<color>COLOR)s? (?:BLOCK )?(?:BE )?with (?:the )?(?P=color)s?(?: BLOCK)?(?: ,)?(?: and)?(?: "
         "(?:the )?(?P<other>COLOR)s? (?:BLOCK )?(?:BE )?with (?:the )?(?P=other)s?(?: BLOCK)?)*",
@@ -144,7 +176,7 @@ PATTERNS = [
         "letters (?:BE )?with letters(?: ,)?(?: and)? (?:digits|numbers) with (?:digits|numbers)",
     ),
     *patterns(
-        "basis", "odd and even", "by (?:their )?parity",
+        "basis", "odd and even", "(?:by|according to|based on|with respect to|depending on|in terms of) (?:their |the )?parity",
         "(?:(?:by|into|in|as) )?(?:the |its |their )*(?:odd and (?:the )?even|even and (?:the )?odd|odd or even|"
         f"even or odd|whether they are odd or even|evenness)(?: numbers| digits| ones| BLOCK)?(?: {GS})?",
     ),
@@ -153,6 +185,7 @@ PATTERNS = [
         "(?:by|into|in|as|according to|depending on) (?:the |their )*(?:vowels and (?:the )?consonants|consonants "
         "and vowels|vowel and consonant|vowel or consonant|consonant or vowel|vowels or consonants|whether (?:they|"
         "it) (?:are|is a) (?:vowels|vowel) or (?:a )?(?:consonants|consonant))",
+        "vowel (?:and|vs|versus|or|/) consonant|vowels (?:vs|versus|/) consonants",
         "vowels (?:BE )?with vowels(?: ,)?(?: and)? consonants with consonants",
     ),
     *patterns(
@@ -175,6 +208,7 @@ PATTERNS = [
         f"the)* (?:digit|number)s?|(?:digit|number)s? {_ADJ}*{G}(?: ,)?(?: and)?(?: an?| one| the)* letters?) "
         f"{_ADJ}*{G}",
     ),
+    *patterns("glue", None, "by (?:the )?(?:letter|digit|number) (?:kind|type|class|category)"),
     *patterns("basis", "size", "(?:by|according to|per) (?:their |its |the )*size"),
     *patterns(
         "basis", "label",
@@ -182,16 +216,7 @@ PATTERNS = [
         "(?:each|every) (?:letter|number|digit|symbol) (?:BE )?(?:in |forms |has |gets |makes )?(?:its|a|an|one) "
         f"{_ADJ}*{G}(?: of its own)?",
     ),
-    *patterns("class", "<vowels>", f"{_DET}vowels?(?: letters| BLOCK| ones)?"),
-    *patterns("class", "<consonants>", f"{_DET}consonants?(?: letters| BLOCK| ones)?"),
-    *patterns("class", "<odd>", rf"{_DET}(?:odd|uneven){_C}"),
-    *patterns("class", "<even>", rf"{_DET}even{_C}"),
-    *patterns("class", "<letters>", f"{_DET}(?:letters|letter BLOCK)"),
-    *patterns("class", "<digits>", f"{_DET}(?:digits|numbers|numerals|number BLOCK|digit BLOCK)"),
-    *patterns(
-        "class", "<rest>",
-        "(?:the )?(?:rest|others|remaining ones|remaining BLOCK|other BLOCK|other ones)(?: of them)?",
-    ),
+    *SORTS,
     *patterns(
         "slot", lambda match: match["slot"],
         f"{_IN}(?:the |a |an |its |their )*(?P<slot>one|a|other|another|{ORD})(?: (?:hand|side))? {_ADJ}*{G}{_OF}",
@@ -205,7 +230,7 @@ PATTERNS = [
         "(?:BE )?(?:(?:on|at|to|in) )?(?:the |my )?(?P<slot>left|right)(?: (?:hand )?side| half| end| hand)?(?: of "
         "the TABLE)?(?: :)?", "(?:BE |over )?(?P<slot>here|there)(?: :)?",
         f"(?:BE |put )?(?:in|into|to|as) (?:the )?{G} (?P<slot>[123])",
-        f"(?:the )?{G} (?P<slot>[123])(?: :| =| has| contains| BE| with| gets)",
+        f"(?:the )?{G} (?P<slot>[123A-C])(?: :| =| has| contains| BE| with| gets)",
     ),
     *patterns(
         "strange", lambda match: number(match["count"]),
@@ -238,6 +263,7 @@ PATTERNS = [
     ),
     *patterns(
         "glue", None,
+        "as (?:must|should|do|are|shall)", "(?:must|should|have to|need to|shall|to|be|are)(?: be)? (?:disjoint|distinct)",
         "(?:well |clearly |far |a bit )?(?:apart|separated|separate|distinct)(?: from (?:each other|one "
         "another))?", "(?:the )?NUM kinds", "(?:the )?(?:different )?colors",
     ),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from rpg.language.frames.pieces import number, patterns
-from rpg.language.frames.several import ALSO, LOTS, OF, STARTS, STOPS
+from rpg.language.frames.words_of_several import ALSO, LOTS, OF, STARTS, STOPS
 from rpg.language.frames.shared import GLUE, WHERE
 
 _SIDES = {
@@ -21,7 +21,7 @@ T = "(?:tower|stack|pillar)"
 TS = "(?:towers|stacks|pillars)"
 _ADJ = (
     "(?:(?:little|small|neat|separate|identical|equal|single|own|different|similar|individual|short|matching|twin|"
-    "single color|one color|distinct) )"
+    "single color|one color|distinct|such) )"
 )
 ORD = "first|second|third|fourth|fifth|last|left|right|middle|center|leftmost|rightmost"
 _IN = "(?:(?:in|into|as|to|on|forms?|makes?) )?"
@@ -40,13 +40,16 @@ PATTERNS = [
         "whole", lambda match: (match["color"], int(match["size"])),
         f"(?:a|an|one|another|the other)(?: {T})? (?P<color>COLOR)(?: {T}| one)?(?: ,)? (?:of |which |that |BE |"
         f"with |has |height |having )*(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
-        f"(?P<color>COLOR) (?:{T}|one) (?:of |which |that |BE |with |has |height |having |: )*(?P<size>[2-9])(?: "
-        f"BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
+        f"(?P<color>COLOR) (?:{T}|one)(?: \\()? (?:of |which |that |BE |with |has |height |having |: |, )*(?P<size>[2-9])"
+        f"(?: BLOCK)?(?: {_HIGH})?(?: \\))?(?! (?:COLOR|SIZE|x|cm)\\b)", f"{T} (?P<color>COLOR)(?: ,| :)? (?P<size>[2-9])"
+        f"(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm|each)\\b)",
         f"(?:a|an|one|another|the other) (?P<color>COLOR)(?: {T}| one)? \\( (?P<size>[2-9])(?: BLOCK)?(?: "
         f"{_HIGH})? \\)", f"(?:a|one|another|the other) (?P<size>[2-9]) (?:BLOCK )?(?:{_HIGH} )?(?P<color>COLOR) {T}",
         f"(?:a|an|one|another|the other)(?: {T})? (?P<size>[2-9])(?: BLOCK)? {_HIGH}(?: {T})?(?: ,)? (?:BE |in |of "
         "|from |all |only |made of |made from )*(?P<color>COLOR)(?: BLOCK)?",
     ),
+    *patterns("alone", lambda match: match["color"],
+        f"(?:a|an|one|another) (?P<color>COLOR) {T}", f"(?P<color>COLOR) {T}(?= (?:,|and|\\.|;))"),
     *patterns(
         "line", None,
         "(?:BE )?(?:lined up |standing |arranged )?(?:in|into|along|forming) (?:a|one) (?:straight |single "
@@ -78,13 +81,14 @@ PATTERNS = [
         "(?:(?:in|into|to|as|of) )?(?:the |exactly |a set of |a group of )*(?:(?P<count>NUM|both|pair of|twin) "
         f")?{_ADJ}*{TS}",
     ),
+    *patterns("figure", lambda match: int(match["count"]), f"(?:into |in )?(?P<count>[2-9]) {_ADJ}*{T}", f"{TS} x (?P<count>[2-9])"),
     *patterns("figures", lambda match: (number(match["count"]), int(match["size"])),
         f"(?:in |into |as |of )?(?:the )?(?P<count>NUM) {_ADJ}*(?P<size>[2-9]) (?:BLOCK (?:{_HIGH} )?|{_HIGH} ){TS}"),
     *patterns(
         "size", lambda match: number(match["size"]),
         r"(?P<size>[2-9])(?= (?:[,.;]|$))",
         f"(?:BE )?(?:of |each of |with )?(?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?: (?:{_HIGH}|each|apiece|in "
-        f"each|per {T}))+", r"of (?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?! (?:COLOR|SIZE)\b)",
+        f"each(?: {T})?|per {T}))+", r"of (?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?! (?:COLOR|SIZE)\b)",
         rf"(?:(?:with|where) )?{_EACH} {_HAS}(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x)\b)",
         "(?:BE )?(?:each |both |all )?(?:of |with |at )?(?:a |the )?height (?:of |BE )?(?P<size>[2-9])(?: "
         "BLOCK)?(?: each)?", f"(?P<size>[2-9]) (?:BLOCK )?(?:per|in each|in every|to a|for each|in) {T}",
@@ -128,19 +132,21 @@ PATTERNS = [
     *patterns(
         "each", None,
         f"(?:(?:in|with|where|of|for|on) )*{_EACH}(?: (?:with|has|have|of|contains?|is|are|must|should|be|"
-        "consists? of|made of|made from|:))*",
+        "consists? of|made of|made from|to|shall|will|needs?|built (?:from|of)|composed of|includes?|gets?|exactly|made up "
+        "of|:))*",
         "of which each (?:has|is)|each of which (?:has|is|consists of|contains)|apiece",
     ),
     *patterns(
         "place", "at the bottom",
         "(?:BE )?(?:(?:at|on|in|as|forming) )?(?:the |its )?(?:very )?(?:bottom|base|lower part|foot)(?: (?:one|"
         "block|of it))?(?: BE)?(?: :)?", "(?:BE )?(?:the )?lower(?: one| BLOCK)?(?: BE)?",
-        "(?:BE )?(?:below|underneath|under it)",
+        "(?:BE )?(?:below|underneath|under it|down|downstairs)",
     ),
     *patterns(
         "place", "at the top",
         "(?:BE )?(?:(?:at|on|in|as) )?(?:the |its )?(?:very )?top(?: (?:one|block|of it))?(?: BE)?(?: :)?",
         "(?:BE )?(?:the )?upper(?: one| BLOCK)?(?: BE)?", "(?:BE )?(?:above|above it|over it|on it)",
+        "(?:(?<=cube )|(?<=block )|(?<=one )|(?<=cubes )|(?<=blocks ))(?:BE )?up(?= (?:(?:,|and|\\.|;) |$))",
     ),
     *patterns(
         "over", None, "(?:BE )?(?:directly )?(?:on|upon|over|on top of|above|atop|sitting on|standing on|stacked on)",
@@ -152,7 +158,7 @@ PATTERNS = [
         f"{_IN}(?:the )?(?P<slot>other|another|{ORD})(?! BLOCK)(?: one| hand one)?{_OF}",
         "in (?P<slot>one)(?: of them)?(?: of)?", f"(?P<slot>{T}) (?:of|with|from|made of|made from|:)",
 f"(?P<slot>one)(?: of them)? (?:{OF}|:)(?: {OF})*", f"(?:the )?(?P<slot>one|other|first|second) of which{_OF}",
-        f"{T} (?P<slot>[1-5])(?: {OF}| =| :)+",
+        f"{T} (?P<slot>[1-5A-E])(?: {OF}| =| :)+",
         f"(?P<slot>a) {_ADJ}*{T}{_OF}",
     ),
     *patterns(

@@ -165,6 +165,9 @@ def _layered(pieces: Sequence[Piece], lots: list[Lot], told_of: Told) -> str:
         top, bottom = order if kinds[1] == "over" else order[::-1]
         if max(lot.count or 1 for lot in lots) > 1 and "each" not in [p.kind for p in said]:
             raise Unclear  # "two towers of two red blocks on a blue block"
+    elif kinds == ["lot", "lot", "place"]:  # "one red block and one gray block on it"
+        at_top = next(p.value for p in said if p.kind == "place") == "at the top"
+        bottom, top = lots if at_top else lots[::-1]
     elif kinds in (["lot", "place", "lot", "place"], ["place", "lot", "place", "lot"]):
         at = [p.value for p in said if p.kind == "place"]
         if sorted(at) != ["at the bottom", "at the top"]:

@@ -41,7 +41,7 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told what belongs together, or how many blocks there are.
     """
     check_clauses(pieces)
-    pieces = _one_each(_parted(_put_together(pieces)))
+    pieces = _one_each(_parted(_put_together(_with_colors(pieces))))
     named = {piece.kind for piece in pieces if piece.kind in ("figure", "parted")}
     kinds = [piece.kind for piece in pieces]
     sorts = "basis" in kinds and ("sorted" in kinds or any(_INTO.match(p.words) for p in pieces if p.kind == "basis"))
@@ -51,6 +51,9 @@ def told(pieces: Sequence[Piece]) -> str:
     found = gathered(pieces)
     figures = {piece.value for piece in pieces if piece.kind == "figure" and piece.value is not None}
     bases = {piece.value for piece in pieces if piece.kind == "basis"}
+    sorts_of = {piece.named.get("sort") for piece in pieces if piece.kind == "glyphs"}
+    if sorts_of in ({"odd", "even"}, {"vowel", "consonant"}) and not found.places:
+        bases.add("odd and even" if "odd" in sorts_of else "vowels and consonants")
     _without_nouns(found, bases)
     for piece in pieces:
         if piece.kind == "basis" and piece.value == "color":  # "red with red and blue with blue, three of each"
@@ -97,6 +100,18 @@ def _without_nouns(found: Gathered, bases: set[str]) -> None:
             if not all(belongs(name, look) for look in shown):
                 raise Unclear
             del found.lots[name]
+
+
+def _with_colors(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "A red pile" as a pile and its blocks."""
+    found: list[Piece] = []
+    for piece in pieces:
+        if piece.kind == "alone":
+            named = {"color": piece.value, "many": "s"}
+            found += [Piece("slot", f"one {piece.words}", "one"), Piece("lot", piece.words, None, named)]
+        else:
+            found.append(piece)
+    return found
 
 
 def _put_together(pieces: Sequence[Piece]) -> list[Piece]:

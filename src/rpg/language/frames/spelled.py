@@ -12,7 +12,7 @@ from rpg.language.frames.words_of_several import GLYPHS, glyphs
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 from rpg.language.frames.wishes import WHOSE, WISHES
 
-_X = "(?:(?:the |letter |an |a |both |all |every |each |only |its )*(?:[A-Z]|'[A-Z]')(?: blocks?| cubes?)?)"
+_X = "(?:(?:the |letter |an |a |both |all |every |each |only |its )*(?:[A-Z]s?|'[A-Z]')(?: blocks?| cubes?)?)"
 _XS = f"{_X}(?:(?: ,)?(?: and)? {_X})*"
 _PART = "first|second|third|fourth|fifth|last|middle|final|initial"
 _LETTER = "(?:letters?|characters?|symbols?|(?:letter )?BLOCK)"
@@ -86,13 +86,13 @@ PATTERNS = [
     ),
     *patterns(
         "tint", lambda match: (f"a {match['who']}" if match["article"] else match["who"], match["color"]),
-        "(?:with |from )*(?:the |(?P<article>an? ))?(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]|'[A-Z]')|vowels?|"
+        "(?:with |from )*(?:the |(?P<article>an? ))?(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]s?|'[A-Z]')|vowels?|"
         "consonants?)(?: BLOCK)?", f"(?:with )?(?:the |(?P<article>a ))?(?P<color>COLOR) (?P<who>(?:{_PART}) letter)",
     ),
     *patterns("tint", lambda match: (match["who"], match["color"], number(match["count"])),
-        r"(?:the |with |from )*(?P<count>[2-9]) (?P<color>COLOR) (?P<who>[A-Z])(?: BLOCK)?"),
+        r"(?:the |with |from )*(?P<count>[2-9]) (?P<color>COLOR) (?P<who>[A-Z])s?(?: BLOCK)?"),
     *patterns("tint", lambda match: (match["who"], match["color"], number(match["count"])),
-        rf"(?:the |with )*(?P<count>[2-9]) (?P<who>[A-Z])(?: blocks)? {_IS}(?P<color>COLOR)"),
+        rf"(?:the |with )*(?P<count>[2-9]) (?P<who>[A-Z])s?(?: blocks)? {_IS}(?P<color>COLOR)"),
     *patterns(
         "tint", lambda match: ("all", match["color"]),
         "(?:with|from|in|of|using|use|out of|by means of|by)?(?: the| only| all| just)* ?(?P<color>COLOR) "
@@ -143,7 +143,8 @@ PATTERNS = [
 ]  # fmt: skip
 _VERB = re.compile("spel|read|say|writ")
 _NOUNS = frozenset({"word", "name", "text", "letters", "letter"})
-_LETTERS_ALONE = re.compile("[A-Z]( ,)?( [A-Z]( ,)?)* [A-Z]")
+_WORDS = frozenset({"word", "name", "text"})
+_LETTERS_ALONE = re.compile("'?[A-Z]'?( ,)?( [A-Z]( ,)?)* [A-Z]")
 _INITIALS = frozenset("ROYGCBPKWV")
 """First letters of colours."""
 _FIRST = frozenset({"top", "highest", "uppermost", "topmost", "left", "leftmost", "first"})
@@ -207,8 +208,10 @@ def _by_letters(pieces: Sequence[Piece]) -> list[Piece]:
     """A word that is told letter by letter: "spell D, O, G"."""
     listed = [n for n, piece in enumerate(pieces) if piece.kind == "glyphs" and len(piece.value) > 1]
     spelt = any(_VERB.match(piece.words) for piece in pieces if piece.kind == "spell")
-    named = any(piece.kind == "word" or piece.words in _NOUNS for piece in pieces)
-    if len(listed) != 1 or not spelt or named or not _LETTERS_ALONE.fullmatch(pieces[listed[0]].words):
+    before = pieces[listed[0] - 1].words if len(listed) == 1 else ""
+    ahead = [piece for n, piece in enumerate(pieces) if not (before in _WORDS and n == listed[0] - 1)]
+    named = any(piece.kind == "word" or piece.words in _NOUNS for piece in ahead)
+    if len(listed) != 1 or not (spelt or before in _WORDS) or named or not _LETTERS_ALONE.fullmatch(pieces[listed[0]].words):
         return list(pieces)
     word = "".join(pieces[listed[0]].value)
     return [Piece("word", piece.words, word) if n == listed[0] else piece for n, piece in enumerate(pieces)]
@@ -271,6 +274,7 @@ def _places(who: str, word: str, told_of: set[int]) -> set[int]:
         }
         middle = {len(word) // 2} if len(word) % 2 else set()
         return set.union(*(middle if part == "middle" else {numbers[part]} for part in parts)) & every
+    words = [said[:1] if re.fullmatch("[A-Z]s", said) else said for said in words]
     named = [said for said in words if len(said) == 1 and said.isupper()]
     if not named:
         return every

@@ -37,6 +37,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told what they are made of, or how high they are.
     """
+    pieces, mats = _on_mats(pieces)
     check_clauses(pieces)
     named = [
         piece for piece in pieces if piece.kind in ("figure", "figures", "tinted", "each", "slot", "basis", "whole")
@@ -70,6 +71,10 @@ def told(pieces: Sequence[Piece]) -> str:
     else:
         found = gathered(pieces)
         text, looks = together(pieces, found, told_of)
+    if mats:
+        if where or len(set(looks)) < len(looks) or set(looks) != {look for look, _ in mats}:
+            raise Unclear
+        text += "".join(f" The {look} tower is {place}." for look, place in mats)
     if near and near.value == "next to it":
         if kinds.count("slot") != 2:
             raise Unclear
@@ -90,13 +95,38 @@ def told(pieces: Sequence[Piece]) -> str:
     return text + (f" The towers are {where.value}." if where else "")
 
 
+def _on_mats(pieces: Sequence[Piece]) -> tuple[list[Piece], list[tuple[str, str]]]:
+    """The pieces without the patches of which each is told of one tower, and the look of the tower of each."""
+    said = [piece for piece in pieces if piece.kind in ("lot", "where", "slot", "whole", "alone")]
+    blocks = [piece for piece in said if piece.kind in ("lot", "whole", "alone")]
+    kinds = ["lot" if piece.kind in ("lot", "whole", "alone") else piece.kind for piece in said]
+    places = [piece for piece in said if piece.kind == "where"]
+    ways = (["lot", "where"], ["where", "lot"], ["slot", "lot", "where"], ["slot", "where", "lot"], ["where", "slot", "lot"])
+    if len(places) < 2 or not any(kinds == way * len(places) for way in ways):
+        return list(pieces), []
+    looks = [lot_of(piece).look if piece.kind == "lot" else str(_color(piece)) for piece in blocks]
+    left: list[Piece] = []
+    for piece in pieces:
+        if piece.kind == "lot" and "slot" not in kinds:
+            left.append(Piece("slot", "one tower", "one"))
+        left += [piece] if piece.kind != "where" else []
+    return left, [(look, place.value) for look, place in zip(looks, places, strict=True)]
+
+
+def _color(piece: Piece) -> str:
+    """The colour of a tower that is told with it."""
+    return piece.value[0] if piece.kind == "whole" else piece.value
+
+
 def _apart(pieces: Sequence[Piece]) -> list[Piece]:
     """A tower that is told with its colour and its height at once, as a tower and its blocks."""
     found: list[Piece] = []
     alone = [p.kind for p in pieces].count("slot") == 1 and "basis" in [p.kind for p in pieces]
     layered = {"place", "over", "under"} & {piece.kind for piece in pieces}
-    for piece in pieces:
-        if piece.kind == "each" and piece.value and layered:
+    for n, piece in enumerate(pieces):
+        if piece.kind == "total" and n and pieces[n - 1].kind == "each" and not pieces[n - 1].value:
+            found.append(replace(piece, kind="size"))  # "each tower from two cubes"
+        elif piece.kind == "each" and piece.value and layered:
             found.append(replace(piece, kind="size"))  # "two blocks each, both red below and white above"
         elif piece.kind == "each" and piece.value == 1 and re.search("(?:for|per) (?:each|every) color", piece.words):
             found.append(replace(piece, kind="basis", value="color"))  # "three red, three green, one for each color"

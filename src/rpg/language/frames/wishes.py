@@ -38,5 +38,7 @@ WISHES: list[Pattern] = patterns(
     "help(?: me| us| out)?(?: to)?|go ahead(?: and)?|try(?: to)?|start by|proceed to|make sure(?: that)?|ensure(?: "
     "that)?|see to it that|have (?:it|them)|you see|got|all right|alright|ok|okay|so|well|hey|hi|hello there",
     "picture this|imagine(?: this)?|here is (?:the|my|a) (?:deal|plan|idea|task|challenge|thing)|listen|do(?! not)",
+    "(?:keep|make) it (?:simple|short|easy|quick)|away|provide|present|compose|generate|establish|realize|achieve|obtain|"
+    "craft|fashion|assemble|construct|produce|(?:i am|i m) thinking(?: of)?",
     "take|pick|grab|get|choose|select|fetch|pick up|with the help of|thanks|thank you|thx|pls|plz",
 )  # fmt: skip

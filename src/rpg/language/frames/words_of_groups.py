@@ -17,8 +17,8 @@ _ADJ = (
 )
 ORD = "1st|2nd|3rd|4th|first|second|third|fourth|fifth|last|left|right|middle|center"
 _IN = (
-    "(?:BE )?(?:belongs? )?(?:all )?(?:together )?(?:put |gathered |sorted )?(?:(?:in|into|on|onto|to|forms?|"
-    "makes?|get|gets|as|inside) )?"
+    "(?:BE )?(?:belongs? )?(?:all )?(?:together )?(?:put |gathered |sorted )?(?:(?:in|into|on|onto|to|→|forms?|forming|"
+    "makes?|making|get|gets|as|inside) )?"
 )
 _OF = f"(?: {OF})*(?: :)?"
 _EACH = f"(?:each|every|either|both|any)(?: of the(?: NUM)?)?(?: {G}s?| {GS}| one)?(?: of them)?"
@@ -34,7 +34,7 @@ KINDS = {
     "letters": "letters and digits", "digits": "letters and digits",
 }  # fmt: skip
 """What blocks are sorted by where one of its classes is told."""
-_DET = "(?:(?:the|these|those|my|our|all|all the|all of the|following|given) )*"
+_DET = "(?:(?:the|each|every|any of the|these|those|my|our|all|all the|all of the|following|given) )*"
 _DOES = (
     "(?:(?:BE|shall|should|ought to|must|will|has to|have to|has|have|gets?|forms?|makes?|make up|makes up|"
     "becomes?|goes|go|constitutes?|builds?|ends? up|lies|stays?|stay|remains?|kept|put|placed|gathered|collected|"
@@ -58,15 +58,15 @@ def _apart(match: re.Match[str]) -> str:
 
 
 _CARRY = (
-    "(?:(?:all|every|each|the|any|of|those|these|my) )*(?:BLOCK|tiles?|ones?|those|all|every one)(?: that| which)? (?:with|bearing|"
+    "(?:(?:all|every|each|the|any|of|those|these|my) )*(?:(?:number |digit |letter )?BLOCK|tiles?|ones?|those|all|every one)(?: that| which)? (?:with|bearing|"
     "bears?|showing|shows?|carrying|carry|carries|labell?ed|marked|having|have|has|display|displaying|displays)(?: with)? "
     "(?:(?:a|an|the|any) )?"
 )
 SORTS: list[Pattern] = [
     *patterns("class", "<vowels>", f"{_CARRY}vowels?", f"{_DET}vowels?(?: letters| BLOCK| ones)?"),
     *patterns("class", "<consonants>", f"{_CARRY}consonants?", f"{_DET}consonants?(?: letters| BLOCK| ones)?"),
-    *patterns("class", "<odd>", f"{_CARRY}(?:odd|uneven) (?:numbers?|digits?|numerals?)", f"{_DET}odds", rf"{_DET}(?:odd|uneven){_C}"),
-    *patterns("class", "<even>", f"{_CARRY}even (?:numbers?|digits?|numerals?)", f"{_DET}evens", rf"{_DET}even{_C}"),
+    *patterns("class", "<odd>", f"{_CARRY}(?:odd|uneven) (?:numbers?|digits?|numerals?)", f"{_DET}odds", f"{_DET}(?:digits?|numbers?) (?:(?:that|which) are )?odd", rf"{_DET}(?:odd|uneven){_C}"),
+    *patterns("class", "<even>", f"{_CARRY}even (?:numbers?|digits?|numerals?)", f"{_DET}evens", f"{_DET}(?:digits?|numbers?) (?:(?:that|which) are )?even", rf"{_DET}even{_C}"),
     *patterns("class", "<letters>", f"{_CARRY}letters?", f"{_DET}(?:letters|letter BLOCK)"),
     *patterns("class", "<digits>", f"{_CARRY}(?:digits?|numbers?|numerals?)", f"{_DET}(?:digits|numbers|numerals|number BLOCK|digit BLOCK)"),
     *patterns(
@@ -97,6 +97,9 @@ PATTERNS = [
     *GLUE,
     *patterns("figure", lambda match: number(match["count"]) if match["count"] else None,
         rf"(?:(?:in|into|to|as|of) )?(?:the )?(?:exactly )?(?:(?P<count>NUM) )?{_ADJ}*{GS}"),
+    *patterns("figure", None, f"(?:in|into) {_ADJ}*{G}(?= (?:,|by|per|according|\\.))"),
+    *patterns("alone", lambda match: match["color"], f"(?:(?:a|an|one|another) )?(?P<color>COLOR) {G}(?= (?:,|and|&|\\.|;|with|of))"),
+    *patterns("glue", None, "(?:the |their |its )?colors? (?:BE|:|will be)"),
     *patterns("figure", lambda match: int(match["count"]), rf"(?:(?:in|into|to|as) )?(?P<count>[2-9]) {_ADJ}*{G}"),
     *patterns("figure", lambda match: number(match["count"]), rf"(?:(?:in|into) )?(?P<count>NUM)(?= {_PURE} )"),
     *patterns("basis", "color", f"(?:(?:in|into|of) )?(?:the )?{_PURE}"),
@@ -105,6 +108,9 @@ PATTERNS = [
         "group|grouped|grouping|cluster|clustered|clustering|gather|gathered|gathering|segregate|segregated|partition|"
         "partitioned|collect|collected|bunch|bunched|group together|group up|gather up",
     ),
+    *patterns("break", None, "→"),
+    *patterns("glue", None,
+        "(?:(?<=put )|(?<=sort )|(?<=group )|(?<=all )|(?<=every )|(?<=divide )|(?<=arrange )|(?<=place )|(?<=separate ))(?:block|cube)"),
     *patterns(
         "parted", None,
         "break|break up|broken up|divide|divided|split|split up|separate|separated|separating|distribute|"
@@ -126,7 +132,8 @@ PATTERNS = [
         "size", lambda match: number(match["size"]),
         f"(?:with |exactly )*(?P<size>NUM) (?:BLOCK )?(?:in|to|per|for|inside) (?:each|every|both)(?: one| {G}| of "
         "them)?", r"of (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?: each)?(?! (?:COLOR|SIZE|each)\b)",
-        f"{_EACH} (?:of|with|has|have|contains?|consists? of) (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?! (?:COLOR|"
+        f"(?:in |of |for |with )?{_EACH} (?:(?:of|with|has|have|contains?|consists? of|there are|there must be|:) )?(?:exactly "
+        f")?(?P<size>NUM)(?: BLOCK)?(?! (?:COLOR|"
         r"SIZE)\b)",
     ),
     *patterns(
@@ -153,6 +160,8 @@ PATTERNS = [
         "(?:BLOCK |ones |those )?(?:that |which |who )?(?:have |has |of |with |in |share )?(?:the |a )?same color "
         "(?:BE |should |must |go |belong |stay |kept |lie |stand |in |into |close |all )*(?:together(?: in (?:a|"
         f"one) {G})?|next to each other|(?:in )?the same {G}|one {G}|a {G})",
+        "(?:BLOCK|ones|those|everything) (?:of|with|in|having|sharing|that have|that share) (?:the |an |a )?(?:same|equal|"
+        "identical|like|one) color",
         "(?:same|equal|like) color(?:ed)? (?:BLOCK |ones )?(?:together|next to each other)?(?: BLOCK| ones)?",
         f"(?:as many {GS} as|one {G} for each of the|{GS} for all the) (?:there BE )?colors",
         f"(?:none|no BLOCK) of (?:another|a different|any other) color (?:in|inside|among) (?:a|any|the|each) {G}",
@@ -177,12 +186,12 @@ PATTERNS = [
     ),
     *patterns(
         "basis", "odd and even", "(?:by|according to|based on|with respect to|depending on|in terms of) (?:their |the )?parity",
-        "(?:(?:by|into|in|as) )?(?:the |its |their )*(?:odd and (?:the )?even|even and (?:the )?odd|odd or even|"
+        "(?:(?:by|into|in|as|to) )?(?:the |its |their )*(?:odd and (?:the )?even|even and (?:the )?odd|odd or even|"
         f"even or odd|whether they are odd or even|evenness)(?: numbers| digits| ones| BLOCK)?(?: {GS})?",
     ),
     *patterns(
         "basis", "vowels and consonants",
-        "(?:by|into|in|as|according to|depending on) (?:the |their )*(?:vowels and (?:the )?consonants|consonants "
+        "(?:by|into|in|as|to|according to|depending on) (?:the |their )*(?:vowels and (?:the )?consonants|consonants "
         "and vowels|vowel and consonant|vowel or consonant|consonant or vowel|vowels or consonants|whether (?:they|"
         "it) (?:are|is a) (?:vowels|vowel) or (?:a )?(?:consonants|consonant))",
         "vowel (?:and|vs|versus|or|/) consonant|vowels (?:vs|versus|/) consonants",
@@ -220,6 +229,8 @@ PATTERNS = [
     *patterns(
         "slot", lambda match: match["slot"],
         f"{_IN}(?:the |a |an |its |their )*(?P<slot>one|a|other|another|{ORD})(?: (?:hand|side))? {_ADJ}*{G}{_OF}",
+        f"{_IN}(?:the |a |an |one |another )*{_ADJ}*{G} (?:BE )?(?:on|at|to|in) (?:the |its )(?P<slot>left|right|middle|center)"
+        f"(?: side| hand side| half)?{_OF}",
         f"{_IN}(?:the )?(?P<slot>other|another|{ORD})(?: one| hand side)?{_OF}",
         f"in (?P<slot>one)(?: of them)?{_OF}", "(?P<slot>group|pile|cluster|bunch|heap) (?:of|:)",
         f"(?:the )?(?P<slot>one|other|first|second) of which{_OF}",

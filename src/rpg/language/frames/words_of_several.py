@@ -17,12 +17,13 @@ _SAID = (
     "named |namely |from |\\( )*"
 )
 _EDGE = (
-    "(?! (?:(?:SIZE|more|of|to|by|x|high|tall|each) )?(?:COLOR|BLOCK|odd|even|vowels?|consonants?|letters?|digits?|numbers?|numerals?|groups?|piles?|towers?|stacks?|cm|mm|each|"
+    "(?! (?:(?:SIZE|more|of|to|by|x|high|tall|each) )?(?:COLOR|BLOCK|groups?|piles?|towers?|stacks?|cm|mm|each|"
     r"high|tall|of|or)\b)"
+    r"(?! (?:odd|even|vowels?|consonants?|letters?|digits?|numbers?|numerals?)\b)"
 )
 _LIST = (
     r"(?:[A-Z]|[b-z]|a(?= (?:[,a]|[B-Z] (?!BLOCK)|[b-z] |and [b-z] ))|\d|one(?= ,? ?[2-9])|'[A-Z]')(?:(?: ,)?(?: and)?(?: the)? (?:[A-Z]|"
-    rf"(?<=[,d] )a|[b-z]|\d|one|'[A-Z]')(?! [A-Za-z]?BLOCK\b))+{_EDGE}"
+    rf"(?<=[,d] )a|[b-z]|\d|one(?= (?:,|and \d|\d|[.;:)]|are|go|$))|'[A-Z]')(?! [A-Za-z]?BLOCK\b))+{_EDGE}"
 )
 _RANGE = r"(?:from )?(?:[A-Z]|\d|one) (?:to|through|up to|till|until) (?:[A-Z]|\d)" + _EDGE
 _ONE = r"(?:[A-Z]|\d|'[A-Z]')" + _EDGE
@@ -55,7 +56,7 @@ GLYPHS: list[Pattern] = [
     ),
     *patterns(
         "glyphs", lambda match: (match["list"],) * number(match["count"]),
-        r"(?:the )?(?P<count>\d) (?P<list>[A-Z])(?: BLOCK)?",
+        r"(?:the )?(?P<count>\d) (?P<list>[A-Z])s?(?: BLOCK)?",
         r"(?:the )?(?P<count>\d) (?:BLOCK|letters|tiles) (?:with|showing|labell?ed|marked) (?:an? |the letter "
         r")?(?P<list>[A-Z])(?! ,? ?(?:and )?[A-Z]\b)",
     ),
@@ -84,6 +85,7 @@ LOTS: list[Pattern] = [
     *patterns("lot", None,
         r"(?P<count>[2-9]|NUM(?= of))(?: BLOCK)? (?:of (?:them|these|those|which|the BLOCK) )?(?:are|is) (?P<color>COLOR)"
         r"(?! BLOCK)", r"(?P<color>COLOR)(?P<many>s)?(?: BLOCK)? (?:x|×|\*|<\*>) (?P<count>NUM)",
+        r"(?P<color>COLOR)(?P<many>s)? (?:: |= )?(?P<count>[2-9])(?: (?:BLOCK|pcs|of them)(?! (?:high|tall|each|in|per|for)))",
         r"(?P<count>NUM) (?:x|×|\*|<\*>) (?P<color>COLOR)(?P<many>s)?(?: (?P<noun>BLOCK))?"),
     *GLYPHS,
 ]  # fmt: skip
@@ -124,7 +126,7 @@ STOPS: list[Pattern] = [
     *patterns(
         "stop", None, "[.;!?:]",
         "(?:altogether|in total|in all|overall|all in all)(?: ,)? (?:there are|we have|i have|you have|there will be|use|using)",
-        "(?:by |when )?(?:using|use|there (?:are|is)|we have|i have|you have|given)(?: got)?",
+        "(?:by |when )?(?:using|use|there (?:are|is|'s)|we have|i have|you have|given)(?: got)?",
     ),
     *patterns("from", None, "from|out of|apart from|away from|separate from|separated from"),
     *patterns("break", None, "[,()&/]|<[+/]>", "and|with|while|where|but|whereas|plus|n"),

@@ -40,11 +40,13 @@ PATTERNS = [
         "whole", lambda match: (match["color"], int(match["size"])),
         f"(?:a|an|one|another|the other)(?: {T})? (?P<color>COLOR)(?: {T}| one)?(?: ,)? (?:of |which |that |BE |"
         f"with |has |height |having )*(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
-        f"(?P<color>COLOR) (?:{T}|one)(?: \\()? (?:of |which |that |BE |with |has |height |having |: |, )*(?P<size>[2-9])"
+        f"(?:the )?(?P<color>COLOR) (?:{T}|one)(?: \\()? (?:of |which |that |BE |with |has |height |having |: |, )*(?P<size>[2-9])"
         f"(?: BLOCK)?(?: {_HIGH})?(?: \\))?(?! (?:COLOR|SIZE|x|cm)\\b)", f"{T} (?P<color>COLOR)(?: ,| :)? (?P<size>[2-9])"
         f"(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm|each)\\b)",
         f"(?:a|an|one|another|the other) (?P<color>COLOR)(?: {T}| one)? \\( (?P<size>[2-9])(?: BLOCK)?(?: "
         f"{_HIGH})? \\)", f"(?:a|one|another|the other) (?P<size>[2-9]) (?:BLOCK )?(?:{_HIGH} )?(?P<color>COLOR) {T}",
+        f"(?:(?:a|an|one|another|the other|other)(?: {T})?|{T})(?: of| with)? (?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})? (?:(?:in|of|"
+        f"all|with|only|colored) )*color (?P<color>COLOR)",
         f"(?:a|an|one|another|the other)(?: {T})? (?P<size>[2-9])(?: BLOCK)? {_HIGH}(?: {T})?(?: ,)? (?:BE |in |of "
         "|from |all |only |made of |made from )*(?P<color>COLOR)(?: BLOCK)?",
     ),
@@ -103,7 +105,7 @@ PATTERNS = [
     ),
     *patterns(
         "even", None,
-        "(?:BE |of |with )*(?:the )?(?:same|equal|equally tall|equally high|even|as tall as each other)(?: "
+        "(?:BE |of |with )*(?:the )?(?:same|equal|identical|equally tall|equally high|even|as tall as each other)(?: "
         "(?:height|size|high|tall|number of BLOCK))?|equally(?: high| tall)?|alike",
     ),
     *patterns(
@@ -124,8 +126,8 @@ PATTERNS = [
         f"{_EACH} {_HAS}(?:only |just |in )*(?:of |blocks of |BLOCK of )*(?:a |one |the )?(?:single|one|same|just "
         "one|only one) (?:single )?color(?: only| alone)?", f"{_EACH} BLOCK (?:have|has|BE|of) (?:the )?same color",
         f"(?:each |all )?(?:of|in|with) (?:one|a single|the same|only one) color(?: each| per {T})?",
-        f"(?:single|one|same) color(?= {TS})",
-        "(?:BE )?(?:monochrome|monochromatic|unicolored|single colored|one colored)",
+        f"(?:single|one|same) color(?= {TS})", "(?:of |in |with )?(?:the |a )?same color(?:ed)?",
+        f"(?:(?:so that|such that) )?(?:{_EACH} )?(?:BE )?(?:monochrome|monochromatic|unicolored|single colored|one colored)",
         "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors)", "(?:do not|never) mix (?:the )?colors",
     ),
     *patterns("basis", "different", f"{TS} (?:have|of|in|with|BE|are of|are in|have all) different colors"),

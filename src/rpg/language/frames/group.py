@@ -116,6 +116,12 @@ def _with_colors(pieces: Sequence[Piece]) -> list[Piece]:
 
 def _put_together(pieces: Sequence[Piece]) -> list[Piece]:
     """ "The reds together, the blues together" tells of groups; "together" by itself says nothing."""
+    pieces = [
+        replace(p, kind="figure", value=None)
+        if p.kind == "slot" and p.value in ("a", "one") and [q.kind for q in pieces[:n] if q.kind != "glue"][-1:] == ["basis"]
+        else p
+        for n, p in enumerate(pieces)
+    ]  # "blocks of the same colour in one pile": one for each of them
     pieces = [replace(p, value="one") if p.value == "together" and " in " in p.words else p for p in pieces]
     found = [piece for piece in pieces if piece.value == "together" and piece.kind == "slot"]
     as_one = [replace(piece, kind="slot" if len(found) > 1 else "glue", value="one") for piece in found]
@@ -254,6 +260,8 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
         if slots[0] not in ("one", "a") or not _asked(pieces):
             raise Unclear
         return f"Make one group of {said_of(places[0][1])}."
+    if basis == "size":
+        return f"Group {said_of(lot for _, lots in places for lot in lots)} by size."
     groups = listed([f"one of {said_of(lots)}" for _, lots in places])
     return f"Make {len(places)} groups, {groups}.{_sides(places)}"
 

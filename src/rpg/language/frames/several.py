@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby
 
+from rpg.language import lexicon
 from rpg.language.frames.lots import Lot, lot_of
 from rpg.language.frames.pieces import Piece, Unclear, number
 
@@ -50,6 +51,8 @@ def belongs(name: str, look: str) -> bool:
             return len(look) == 1 and look.isalpha()
         case "<digits>":
             return len(look) == 1 and look.isdigit()
+        case "<big>" | "<small>":
+            return lexicon.SIZE.get(look.split()[0]) == name.strip("<>")
     return False
 
 

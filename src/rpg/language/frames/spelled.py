@@ -12,7 +12,7 @@ from rpg.language.frames.words_of_several import GLYPHS, glyphs
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 from rpg.language.frames.wishes import WHOSE, WISHES
 
-_X = "(?:(?:the |letter |an |a |both |all |every |each |only |its )*(?:[A-Z]s?|'[A-Z]')(?: blocks?| cubes?)?)"
+_X = "(?:(?:the |letter |an |a |one |both |all |every |each |only |its )*(?:[A-Z]s?|'[A-Z]')(?: blocks?| cubes?)?)"
 _XS = f"{_X}(?:(?: ,)?(?: and)? {_X})*"
 _PART = "first|second|third|fourth|fifth|last|middle|final|initial"
 _LETTER = "(?:letters?|characters?|symbols?|(?:letter )?BLOCK)"
@@ -135,7 +135,7 @@ PATTERNS = [
         "read",
     ),
     *patterns(
-        "glue", None, "on|onto|one|rearrange|reorder|order|using",
+        "glue", None, "on|onto|one|rearrange|reorder|order|using", "(?:with|from|of|by) (?:letter )?(?:cube|block)",
         "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|"
         "correctly|properly|in order|in (?:this|that|the right) order|upright|in capital letters|in capitals|"
         "single|vertical|horizontal",
@@ -229,7 +229,7 @@ def _tints(pieces: Sequence[Piece], word: str) -> str:
         places = _places(who, word, set(at))
         if not places or any(n in at for n in places) or (count and count[0] != len(places)):
             raise Unclear
-        if not count and len(places) > 1 and who.split()[0] in ("a", "an"):
+        if not count and len(places) > 1 and who.split()[0] in ("a", "an", "one"):
             raise Unclear
         at |= dict.fromkeys(places, color)
     if len(at) == len(word) and len(set(at.values())) == 1:

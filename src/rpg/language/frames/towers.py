@@ -37,15 +37,15 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told what they are made of, or how high they are.
     """
-    pieces, mats = _on_mats(pieces)
-    check_clauses(pieces)
     named = [
-        piece for piece in pieces if piece.kind in ("figure", "figures", "tinted", "each", "slot", "basis", "whole")
+        piece for piece in pieces if piece.kind in ("figure", "figures", "tinted", "each", "slot", "basis", "whole", "alone")
     ]
     if pieces[0].words in ("is", "are", "there are", "there is") or not any(
         _NAMED.search(piece.words) for piece in named
     ):
         raise Unclear
+    pieces, mats = _on_mats(pieces)
+    check_clauses(pieces)
     if any(a.kind == "lot" and lot_of(a).known and b.kind == "line" for a, b in pairwise(pieces)):
         raise Unclear  # "the yellow ones in a tower and the purple ones lined up"
     if any(a.kind == "lot" and _THING.fullmatch(b.words) for a, b in pairwise(pieces)):
@@ -80,7 +80,7 @@ def told(pieces: Sequence[Piece]) -> str:
             raise Unclear
         text += " The towers are next to each other."
     elif near:
-        text += f" The towers are {near.value}." if near.value.startswith("next") else f" The towers {near.value}."
+        text += f" The towers are {near.value}." if near.value.startswith(("next", "near")) else f" The towers {near.value}."
     if relation:
         if (
             not {relation.named["one"], relation.named["other"]} <= set(looks)

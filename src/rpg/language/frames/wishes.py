@@ -20,7 +20,8 @@ MOVED = (
 """Ways to bring a block somewhere."""
 WISHES: list[Pattern] = patterns(
     "glue", None,
-    f"for {WHOSE}s?(?: please)?", "for (?:kids|children|pupils|students|fun|school|homework|practice)",
+    f"for {WHOSE}s?(?: please)?", f"for {_PERSON}",
+    "(?:mommy|daddy|mom|dad|mum|grandma|grandpa)(?= with| of| ,| and)", "(?:tower|stack|pile|color|colors|sorting|math|maths|spelling|building|letter|word|number|cluster) time", "for (?:kids|children|pupils|students|fun|school|homework|practice)",
     f"{WHOSE}s? (?:wants?|needs?|likes?|would like|would love|wishes|asks? for|asked for|asked|wanted|loves?)"
     "(?: me| you| us)?(?: to see| to have)?(?: to)?",
     "(?:it )?(?:would be|will be|is) (?:very |really |so )?(?:nice|great|lovely|good|cool|perfect|awesome|wonderful|"

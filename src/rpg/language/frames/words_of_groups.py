@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from rpg.language import lexicon
 from rpg.language.frames.pieces import Pattern, number, patterns
 from rpg.language.frames.words_of_several import ALSO, LOTS, OF, STARTS, STOPS
 from rpg.language.frames.shared import GLUE, WHERE
@@ -13,7 +14,7 @@ GS = "(?:groups|piles|clusters|bunches|heaps|clumps|bundles|sets|lots)"
 _ADJ = (
     "(?:(?:own|separate|single|little|small|neat|different|big|tidy|distinct|common|proper|clear|equal|identical|"
     "equally large|equally big|equal sized|same sized|close|tight|compact|(?:(?:spatially|clearly|well|physically|visibly|"
-    "cleanly|mutually) )?(?:separated|distinct|disjoint|isolated|spaced)|neatly|dense|nice|plain|individual|such) )"
+    "cleanly|mutually) )?(?:separated|distinct|disjoint|isolated|spaced)|neatly|dense|contiguous|coherent|connected|compact|nice|plain|individual|such) )"
 )
 ORD = "1st|2nd|3rd|4th|first|second|third|fourth|fifth|last|left|right|middle|center"
 _IN = (
@@ -31,7 +32,7 @@ _ODD = (
 KINDS = {
     "vowels": "vowels and consonants", "consonants": "vowels and consonants",
     "odd": "odd and even", "even": "odd and even",
-    "letters": "letters and digits", "digits": "letters and digits",
+    "letters": "letters and digits", "digits": "letters and digits", "big": "size", "small": "size",
 }  # fmt: skip
 """What blocks are sorted by where one of its classes is told."""
 _DET = "(?:(?:the|each|every|any of the|these|those|my|our|all|all the|all of the|following|given) )*"
@@ -46,7 +47,7 @@ _PURE = (
     f"color sorted|homogeneous|single color|one color|same color)(?= {_ADJ}*{GS})"
 )
 _SAME = (
-    "(?:only |just |exactly )?(?:of |the |a )*(?:one|single|same|only one|just one|its own|one single|one and the same)"
+    "(?:only |just |exactly )?(?:of |the |a )*(?:one|single|uniform|same|only one|just one|its own|one single|one and the same)"
 )
 
 
@@ -67,8 +68,9 @@ SORTS: list[Pattern] = [
     *patterns("class", "<consonants>", f"{_CARRY}consonants?", f"{_DET}consonants?(?: letters| BLOCK| ones)?"),
     *patterns("class", "<odd>", f"{_CARRY}(?:odd|uneven) (?:numbers?|digits?|numerals?)", f"{_DET}odds", f"{_DET}(?:digits?|numbers?) (?:(?:that|which) are )?odd", rf"{_DET}(?:odd|uneven){_C}"),
     *patterns("class", "<even>", f"{_CARRY}even (?:numbers?|digits?|numerals?)", f"{_DET}evens", f"{_DET}(?:digits?|numbers?) (?:(?:that|which) are )?even", rf"{_DET}even{_C}"),
-    *patterns("class", "<letters>", f"{_CARRY}letters?", f"{_DET}(?:letters|letter BLOCK)"),
-    *patterns("class", "<digits>", f"{_CARRY}(?:digits?|numbers?|numerals?)", f"{_DET}(?:digits|numbers|numerals|number BLOCK|digit BLOCK)"),
+    *patterns("class", "<letters>", f"{_CARRY}letters?", f"{_DET}(?:letters?|letter BLOCK)"),
+    *patterns("class", "<digits>", f"{_CARRY}(?:digits?|numbers?|numerals?)", f"{_DET}(?:digits?|numbers?|numerals?|number BLOCK|digit BLOCK)"),
+    *patterns("class", lambda match: f"<{lexicon.SIZE[match['sized']]}>", f"{_DET}(?P<sized>SIZE) (?:BLOCK|ones)"),
     *patterns(
         "class", "<rest>",
         "(?:all )?(?:of )?(?:the )?(?:rest|others|remaining ones|remaining BLOCK|other BLOCK|other ones|(?:remaining|other) "
@@ -154,7 +156,7 @@ PATTERNS = [
         "(?:keep|keeping|kept|hold) (?:the |all |different )*colors (?:apart|separate|separated|unmixed)(?: from "
         "each other)?",
         f"(?:all |the )*(?:BLOCK |ones |those )?of (?:the |a )*(?:same|one|single) color (?:in|into|at|to) (?:one|the same|a) (?:place|spot|{G})",
-        f"(?:all |of |the )*(?:same|equal|like) color(?:ed)? (?:BLOCK|ones) (?:in|into|at|to) (?:one|the same|a) (?:place|spot|{G})",
+        f"(?:all |of |the )*(?:same|equal|like) color(?:ed)? (?:BLOCK|ones) (?:in|into|at|to) (?:one|the same|same|a) (?:place|spot|{G})",
         "(?:BLOCK |ones |those )?of (?:the |a )?same color (?:BE |should |must |go |belong |stay |kept |lie |"
         f"stand |in |into |close |all )*(?:together|next to each other|the same {G}|one {G}|a {G})",
         "(?:BLOCK |ones |those )?(?:that |which |who )?(?:have |has |of |with |in |share )?(?:the |a )?same color "
@@ -186,7 +188,7 @@ PATTERNS = [
     ),
     *patterns(
         "basis", "odd and even", "(?:by|according to|based on|with respect to|depending on|in terms of) (?:their |the )?parity",
-        "(?:(?:by|into|in|as|to) )?(?:the |its |their )*(?:odd and (?:the )?even|even and (?:the )?odd|odd or even|"
+        "(?:(?:by|into|in|as|to) )?(?:the |its |their )*(?:odds? and (?:the )?evens?|evens? and (?:the )?odds?|odd or even|"
         f"even or odd|whether they are odd or even|evenness)(?: numbers| digits| ones| BLOCK)?(?: {GS})?",
     ),
     *patterns(
@@ -238,6 +240,7 @@ PATTERNS = [
     ),
     *patterns(
         "slot", lambda match: match["slot"],
+        f"{_IN}(?:a|an|one|another) {_ADJ}*{G} (?:over )?(?P<slot>here|there)",
         "(?:BE )?(?:(?:on|at|to|in) )?(?:the |my )?(?P<slot>left|right)(?: (?:hand )?side| half| end| hand)?(?: of "
         "the TABLE)?(?: :)?", "(?:BE |over )?(?P<slot>here|there)(?: :)?",
         f"(?:BE |put )?(?:in|into|to|as) (?:the )?{G} (?P<slot>[123])",

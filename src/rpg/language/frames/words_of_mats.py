@@ -15,7 +15,7 @@ _DOES = (
     f"move|moves|moved|belongs?|{MOVED}|ends?|ending|stays?|lands?|finish|finishes|remains?|kept|put|placed|gathered|"
     "collected|sorted|grouped|over|all|together|each|be|to end) )*"
 )
-_ON = "(?:on|onto|on to|in|into|to|upon|inside|within|over to|on top of|at|→|>|<->>)"
+_ON = "(?:on|onto|on to|in|into|to|upon|inside|within|over to|on top of|at|→|:|=|<=>)"
 _A = "(?:the |a |an |its |my |our |one |that |this )*"
 _LOOK = "(?:(?:(?:SIZE|long|round|square|circular|flat) )*(?P<patch>COLOR))"
 _ITS = "(?:its|their|the|his|her|a|an)"

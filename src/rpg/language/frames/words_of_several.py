@@ -78,7 +78,7 @@ LOTS: list[Pattern] = [
     *patterns(
         "each", lambda match: number(match["count"]),
         "(?:(?:exactly|there are|with|always) )?(?P<count>NUM) (?:BLOCK )?(?:each(?: of| in)?|apiece|(?:of|in|per|"
-        "for) (?:each|every)(?: one)?(?: of the| of these)?(?: NUM)? colors?|of (?:each|every|both)(?: one| kind| color)?)",
+        "for) (?:each|every)(?: one)?(?: of| of the| of these)?(?: NUM)? colors?|of (?:each|every|both)(?: one| kind| color)?)",
         "(?:exactly )?(?P<count>NUM) (?:BLOCK )?each", "(?:of )?(?:each|every)(?: of the)? colors? (?:has |gets |with |of |: |is "
         "|there are |we have |i have |exactly |just )*(?P<count>NUM)(?: BLOCK| ones| of them| pieces)?(?! COLOR)",
     ),
@@ -119,7 +119,7 @@ ALSO: list[Pattern] = [*WISHES, *patterns(
     "ought to|is to|supposed to|desired|wanted|required|needed|expected|result|results|resulting|emerge|erected|"
     "raised|erect|raise|take|become|becomes|turn into|turned into|end up|ends up|them|these|those|they|that have|"
     "hold|holds|comprise|available|given|that is to say|following|the following|in other words|namely|make up|"
-    "makes up|its|say|let us say|let there be|is what (?:I|i|we) (?:want|need)|what (?:I|i|we) (?:want|need) (?:is|are)",
+    "(?:all )?(?:the|my|these|those) (?:things|items|objects|toys|stuff|shapes|bunch|lot)|makes up|its|say|let us say|let there be|is what (?:I|i|we) (?:want|need)|what (?:I|i|we) (?:want|need) (?:is|are)",
 )]  # fmt: skip
 """More words that say nothing beside what several things are made of."""
 STOPS: list[Pattern] = [

@@ -175,6 +175,10 @@ f"(?P<slot>one)(?: of them)? (?:{OF}|:)(?: {OF})*", f"(?:the )?(?P<slot>one|othe
         "side|adjacent(?: to each other)?|neighboring",
     ),
     *patterns(
+        "near", "near each other", f"(?:(?:{TS}|{T}) )?(?:BE |standing )*(?:near|close to|close by) (?:each other|one another)|close "
+        "together",
+    ),
+    *patterns(
         "near", "touch",
         f"(?:that |which |so that |and |with |the )*(?:they |{TS} )*(?:BE )?(?:must |should |all )?(?:touching|"
         "touch)(?: (?:each other|one another))?", "no gaps? between (?:them|the towers)",

@@ -46,7 +46,8 @@ PATTERNS = [
     *patterns(
         "symbols", lambda match: _symbols(match["list"]),
         "(?:(?:the |these |only |just |exactly |following |given |your |my |i have |we have |you have |there are |"
-        "namely )*(?:number |digit |symbol |numbered |operator |sign |operation )?(?:BLOCK|signs|operators|digits|numbers|symbols|numerals|"
+        "namely )*(?:number |digit |symbol |numbered |operator |sign |operation )?(?:BLOCK|signs|operators|digits|"
+        "numbers|symbols|numerals|"
         "tiles|cards) ?(?:: |with |showing |labell?ed |marked |are |is |and signs |and symbols |and operators "
         f")*)?(?P<list>{_ITEM}(?:(?: ,| and| with| ;| together with| as well as| along with| plus(?= an? ))* "
         f"{_ITEM})+)",
@@ -54,7 +55,8 @@ PATTERNS = [
     *patterns(
         "figure", lambda match: _kind(match[0].split()),
         f"(?:(?:a|an|the|one|some|this) )?(?:(?:math|maths|arithmetic|simple|little|single|{_TRUE}|complete|"
-        "addition|subtraction|multiplication|division|horizontal) )*(?P<kind>equation|sum|addition|subtraction|multiplication|division|product|"
+        "addition|subtraction|multiplication|division|horizontal) )*(?P<kind>equation|sum|addition|subtraction|"
+        "multiplication|division|product|"
         "calculation|formula|difference|quotient)(?: (?:equation|sum|problem|task|exercise))?(?: in one row| in "
         "a row)?",
     ),

@@ -18,8 +18,8 @@ from rpg.language.frames.several import (
     said_of,
     settled,
 )
-from rpg.language.frames.words_of_several import START
 from rpg.language.frames.words_of_groups import GS, KINDS, ORD, PATTERNS, G
+from rpg.language.frames.words_of_several import START
 from rpg.language.lexicon import COLORS
 
 __all__ = ["PATTERNS", "told"]
@@ -118,7 +118,9 @@ def _put_together(pieces: Sequence[Piece]) -> list[Piece]:
     """ "The reds together, the blues together" tells of groups; "together" by itself says nothing."""
     pieces = [
         replace(p, kind="figure", value=None)
-        if p.kind == "slot" and p.value in ("a", "one") and [q.kind for q in pieces[:n] if q.kind != "glue"][-1:] == ["basis"]
+        if p.kind == "slot"
+        and p.value in ("a", "one")
+        and [q.kind for q in pieces[:n] if q.kind != "glue"][-1:] == ["basis"]
         else p
         for n, p in enumerate(pieces)
     ]  # "blocks of the same colour in one pile": one for each of them
@@ -260,8 +262,18 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
         if slots[0] not in ("one", "a") or not _asked(pieces):
             raise Unclear
         return f"Make one group of {said_of(places[0][1])}."
-    if basis == "size":
-        return f"Group {said_of(lot for _, lots in places for lot in lots)} by size."
+    if (
+        all(" " in lots[0].look for _, lots in places)
+        and len({lots[0].look for _, lots in places}) > 1
+        and basis
+        in (
+            None,
+            "size",
+        )
+        and all(len(lots) == 1 for _, lots in places)
+        and len({lots[0].look.split()[-1] for _, lots in places}) == 1
+    ):
+        return f"Group {said_of(lots[0] for _, lots in places)} by size."
     groups = listed([f"one of {said_of(lots)}" for _, lots in places])
     return f"Make {len(places)} groups, {groups}.{_sides(places)}"
 

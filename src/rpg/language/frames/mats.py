@@ -9,8 +9,8 @@ from dataclasses import replace
 from rpg.language.frames.lots import Lot, counted, lot_of, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import Gathered, belongs, check_clauses, gathered, listed, said_of, settled
-from rpg.language.frames.words_of_several import START
 from rpg.language.frames.words_of_mats import PATTERNS
+from rpg.language.frames.words_of_several import START
 
 __all__ = ["PATTERNS", "told"]
 

@@ -91,7 +91,28 @@ _BEHIND_SYMBOL = frozenset(
 _SEVERAL = re.compile("[A-Z]s")
 _AHEAD = frozenset({"both", "all", "the", *lexicon.COLORS})
 """Behind these and numbers "As" and "Is" are letters."""
-_SPELLING = frozenset({"say", "says", "spell", "spells", "spelled", "spelt", "spelling", "wrote", "written", "writing", "string", "read", "reads", "write", "word", "name", "saying", "reading"})
+_SPELLING = frozenset(
+    {
+        "say",
+        "says",
+        "spell",
+        "spells",
+        "spelled",
+        "spelt",
+        "spelling",
+        "wrote",
+        "written",
+        "writing",
+        "string",
+        "read",
+        "reads",
+        "write",
+        "word",
+        "name",
+        "saying",
+        "reading",
+    }
+)
 """Behind these, words in capitals are to be spelt, whatever they mean."""
 
 
@@ -119,6 +140,8 @@ def _code(tokens: Sequence[Token], n: int) -> str:
         return "<other>"
     if len(token.raw) > 1 and token.raw.isupper() and token.raw.isalpha() and n and tokens[n - 1].word in _SPELLING:
         return f"'{token.raw}'"
+    if len(token.raw) > 1 and token.raw.isupper() and n and tokens[n - 1].kind in ("literal", "quote"):
+        return f"'{token.raw}'"  # "spell THANK YOU"
     begins = n == 0 or tokens[n - 1].word in (".", "!", "?", ";", ":")
     before = _code(tokens, n - 1) if _SEVERAL.fullmatch(token.raw) and n else ""
     behind = tokens[n + 1].word if n + 1 < len(tokens) else ""

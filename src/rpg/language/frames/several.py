@@ -11,6 +11,7 @@ from rpg.language import lexicon
 from rpg.language.frames.lots import Lot, lot_of
 from rpg.language.frames.pieces import Piece, Unclear, number
 
+
 @dataclass
 class Gathered:
     """Blocks by look: all of them, and those of each place that is told, in the order of the text."""
@@ -76,7 +77,9 @@ def lots_in(piece: Piece) -> list[Lot]:
         return [Lot(piece.value)]
     if int(piece.named.get("number", len(piece.value))) != len(piece.value):
         raise Unclear
-    if not all(belongs(f"<{_SORT.get(piece.named.get('sort', ''))}>", look) for look in piece.value if "sort" in piece.named):
+    if not all(
+        belongs(f"<{_SORT.get(piece.named.get('sort', ''))}>", look) for look in piece.value if "sort" in piece.named
+    ):
         raise Unclear
     return [Lot(glyph, count) for glyph, count in Counter(piece.value).items()]
 
@@ -172,7 +175,9 @@ def _place(part: list[Piece], free: list[Piece], placed: list[tuple[str, list[Pi
         if len(slots) > 1:
             raise Unclear
         if not kinds[0] and not placed:
-            again = [k for k, p in enumerate(blocks) if p.kind == "class" and {q.kind for q in blocks[:k]} == {"glyphs"}]
+            again = [
+                k for k, p in enumerate(blocks) if p.kind == "class" and {q.kind for q in blocks[:k]} == {"glyphs"}
+            ]
             again = again or [k for k, p in enumerate(blocks) if any(_same(p, q) for q in blocks[:k])]
             free += blocks[: again[0]] if again else []
             blocks = blocks[again[0] :] if again else blocks

@@ -8,9 +8,9 @@ from itertools import pairwise
 
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear, number, patterns
-from rpg.language.frames.words_of_several import GLYPHS, glyphs
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 from rpg.language.frames.wishes import WHOSE, WISHES
+from rpg.language.frames.words_of_several import GLYPHS, glyphs
 
 _X = "(?:(?:the |letter |an |a |one |both |all |every |each |only |its )*(?:[A-Z]s?|'[A-Z]')(?: blocks?| cubes?)?)"
 _XS = f"{_X}(?:(?: ,)?(?: and)? {_X})*"
@@ -35,7 +35,8 @@ PATTERNS = [
     *patterns(
         "word", lambda match: match["word"],
         f"(?:{WHOSE} 's name(?: ,| is)?(?: :)? )'(?P<word>[A-Z]{{2,}})'",
-        "(?:the |my |our |a )?(?:(?:english |short |little |single )*(?:word|name|text|sign|message|letters|string|sequence|term|inscription|title|phrase|label|letter sequence) (?:, "
+        "(?:the |my |our |a )?(?:(?:english |short |little |single )*(?:word|name|text|sign|message|letters|string|"
+        "sequence|term|inscription|title|phrase|label|letter sequence) (?:, "
         ")?)?(?:: )?'(?P<word>[A-Z0-9]{2,})'(?: 's name)?",
     ),
     *patterns(
@@ -129,13 +130,16 @@ PATTERNS = [
     *patterns("tint", lambda match: ("all", match["color"]), "(?:the )?color(?: BE| :) (?P<color>COLOR)",
         f"(?:the )?color of (?:every|each|all|all the|the|its|all its) {_LETTER} BE (?P<color>COLOR)"),
     *patterns(
-        "spell", None, "<=>|string|sequence|term|inscription|title|phrase|letter|letters|letter BLOCK|BLOCK with letters|word|name|text|tiles|lettered BLOCK",
+        "spell", None, "<=>|string|sequence|term|inscription|title|phrase|letter|letters|letter BLOCK|BLOCK with "
+        "letters|word|name|text|tiles|lettered BLOCK",
         "spell|spells|spelled|spelt|spelling|write|writes|written|wrote|writing|read|reads|reading|say|says|saying|"
-        "display|displays|displayed|print|prints|printed|type|typed|legible|readable|spell out|spelled out|(?:can|could|may|should) be read|can "
+        "display|displays|displayed|print|prints|printed|type|typed|legible|readable|spell out|spelled out|(?:can|"
+        "could|may|should) be read|can "
         "read",
     ),
     *patterns(
-        "glue", None, "on|onto|one|rearrange|reorder|order|using", "(?:with|from|of|by) (?:letter )?(?:cube|block)",
+        "glue", None, "on|onto|one|rearrange|rearranged|reorder|order|ordered|using", "(?:with|from|of|by) "
+        "(?:letter )?(?:cube|block)",
         "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|"
         "correctly|properly|in order|in (?:this|that|the right) order|upright|in capital letters|in capitals|"
         "single|vertical|horizontal",
@@ -211,7 +215,12 @@ def _by_letters(pieces: Sequence[Piece]) -> list[Piece]:
     before = pieces[listed[0] - 1].words if len(listed) == 1 else ""
     ahead = [piece for n, piece in enumerate(pieces) if not (before in _WORDS and n == listed[0] - 1)]
     named = any(piece.kind == "word" or piece.words in _NOUNS for piece in ahead)
-    if len(listed) != 1 or not (spelt or before in _WORDS) or named or not _LETTERS_ALONE.fullmatch(pieces[listed[0]].words):
+    if (
+        len(listed) != 1
+        or not (spelt or before in _WORDS)
+        or named
+        or not _LETTERS_ALONE.fullmatch(pieces[listed[0]].words)
+    ):
         return list(pieces)
     word = "".join(pieces[listed[0]].value)
     return [Piece("word", piece.words, word) if n == listed[0] else piece for n, piece in enumerate(pieces)]

@@ -38,7 +38,9 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told what they are made of, or how high they are.
     """
     named = [
-        piece for piece in pieces if piece.kind in ("figure", "figures", "tinted", "each", "slot", "basis", "whole", "alone")
+        piece
+        for piece in pieces
+        if piece.kind in ("figure", "figures", "tinted", "each", "slot", "basis", "whole", "alone")
     ]
     if pieces[0].words in ("is", "are", "there are", "there is") or not any(
         _NAMED.search(piece.words) for piece in named
@@ -80,7 +82,11 @@ def told(pieces: Sequence[Piece]) -> str:
             raise Unclear
         text += " The towers are next to each other."
     elif near:
-        text += f" The towers are {near.value}." if near.value.startswith(("next", "near")) else f" The towers {near.value}."
+        text += (
+            f" The towers are {near.value}."
+            if near.value.startswith(("next", "near"))
+            else f" The towers {near.value}."
+        )
     if relation:
         if (
             not {relation.named["one"], relation.named["other"]} <= set(looks)
@@ -101,10 +107,16 @@ def _on_mats(pieces: Sequence[Piece]) -> tuple[list[Piece], list[tuple[str, str]
     blocks = [piece for piece in said if piece.kind in ("lot", "whole", "alone")]
     kinds = ["lot" if piece.kind in ("lot", "whole", "alone") else piece.kind for piece in said]
     places = [piece for piece in said if piece.kind == "where"]
-    ways = (["lot", "where"], ["where", "lot"], ["slot", "lot", "where"], ["slot", "where", "lot"], ["where", "slot", "lot"])
+    ways = (
+        ["lot", "where"],
+        ["where", "lot"],
+        ["slot", "lot", "where"],
+        ["slot", "where", "lot"],
+        ["where", "slot", "lot"],
+    )
     if len(places) < 2 or not any(kinds == way * len(places) for way in ways):
         return list(pieces), []
-    looks = [lot_of(piece).look if piece.kind == "lot" else str(_color(piece)) for piece in blocks]
+    looks = [lot_of(piece).look if piece.kind == "lot" else _color(piece) for piece in blocks]
     left: list[Piece] = []
     for piece in pieces:
         if piece.kind == "lot" and "slot" not in kinds:
@@ -115,7 +127,7 @@ def _on_mats(pieces: Sequence[Piece]) -> tuple[list[Piece], list[tuple[str, str]
 
 def _color(piece: Piece) -> str:
     """The colour of a tower that is told with it."""
-    return piece.value[0] if piece.kind == "whole" else piece.value
+    return str(piece.value[0] if piece.kind == "whole" else piece.value)
 
 
 def _apart(pieces: Sequence[Piece]) -> list[Piece]:
@@ -140,7 +152,10 @@ def _apart(pieces: Sequence[Piece]) -> list[Piece]:
         elif piece.kind == "slot" and alone:
             found.append(replace(piece, kind="figure", value=None))  # "for each color build a stack of ..."
         elif piece.kind == "alone":
-            found += [Piece("slot", "one tower", "one"), Piece("lot", piece.words, None, {"color": piece.value, "many": "s"})]
+            found += [
+                Piece("slot", "one tower", "one"),
+                Piece("lot", piece.words, None, {"color": piece.value, "many": "s"}),
+            ]
         elif piece.kind == "whole":
             color, size = piece.value
             named = {"color": color, "count": str(size), "noun": "blocks"}

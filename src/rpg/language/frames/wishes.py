@@ -15,13 +15,16 @@ WHOSE = f"(?:(?:my|our|his|her|the|their|your)(?: (?:little|big|older|younger|be
 MOVED = (
     "deposit|deposited|deliver|delivered|transport|transported|transfer|transferred|bring|brought|carry|carried|drop|"
     "dropped|throw|thrown|toss|tossed|dump|dumped|chuck|pop|stick|shove|slide|store|stored|stow|stowed|send|sent|"
-    "put away|put back|tidy away|clear away|clear up|relocate|relocated|assign|assigned|allocate|allocated|locate|located|position|positioned|push|pushed"
+    "put away|put back|tidy away|clear away|clear up|relocate|relocated|assign|assigned|allocate|allocated|locate|"
+    "located|position|positioned|push|pushed"
 )
 """Ways to bring a block somewhere."""
 WISHES: list[Pattern] = patterns(
     "glue", None,
     f"for {WHOSE}s?(?: please)?", f"for {_PERSON}",
-    "(?:mommy|daddy|mom|dad|mum|grandma|grandpa)(?= with| of| ,| and)", "(?:tower|stack|pile|color|colors|sorting|math|maths|spelling|building|letter|word|number|cluster) time", "for (?:kids|children|pupils|students|fun|school|homework|practice)",
+    "(?:mommy|daddy|mom|dad|mum|grandma|grandpa)(?= with| of| ,| and)", "(?:tower|stack|pile|color|colors|sorting|"
+    "math|maths|spelling|building|letter|word|number|cluster) time", "for (?:kids|children|pupils|students|fun|"
+    "school|homework|practice)",
     f"{WHOSE}s? (?:wants?|needs?|likes?|would like|would love|wishes|asks? for|asked for|asked|wanted|loves?)"
     "(?: me| you| us)?(?: to see| to have)?(?: to)?",
     "(?:it )?(?:would be|will be|is) (?:very |really |so )?(?:nice|great|lovely|good|cool|perfect|awesome|wonderful|"
@@ -39,7 +42,9 @@ WISHES: list[Pattern] = patterns(
     "help(?: me| us| out)?(?: to)?|go ahead(?: and)?|try(?: to)?|start by|proceed to|make sure(?: that)?|ensure(?: "
     "that)?|see to it that|have (?:it|them)|you see|got|all right|alright|ok|okay|so|well|hey|hi|hello there",
     "picture this|imagine(?: this)?|here is (?:the|my|a) (?:deal|plan|idea|task|challenge|thing)|listen|do(?! not)",
-    "(?:keep|make) it (?:simple|short|easy|quick)|away|provide|present|compose|generate|establish|realize|achieve|obtain|"
+    "(?:keep|make) it (?:simple|short|easy|quick)|away|provide|present|compose|generate|establish|realize|achieve|"
+    "obtain|"
     "craft|fashion|assemble|construct|produce|(?:i am|i m) thinking(?: of)?",
+    "(?:a )?(?:bunch|number|couple|set|box|bag) of (?:BLOCK|letters|digits|numbers)(?: here)?",
     "take|pick|grab|get|choose|select|fetch|pick up|with the help of|thanks|thank you|thx|pls|plz",
 )  # fmt: skip

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 from rpg.language.frames.pieces import number, patterns
-from rpg.language.frames.words_of_several import ALSO, LOTS, STARTS, STOPS
 from rpg.language.frames.shared import GLUE
-from rpg.language.frames.words_of_groups import SORTS
 from rpg.language.frames.wishes import MOVED
+from rpg.language.frames.words_of_groups import SORTS
+from rpg.language.frames.words_of_several import ALSO, LOTS, STARTS, STOPS
 
 _DOES = (
     "(?:(?:BE|shall|should|ought to|must|will|has to|have to|need to|needs to|supposed to|up|goes|go|get|gets|"
@@ -21,7 +21,10 @@ _LOOK = "(?:(?:(?:SIZE|long|round|square|circular|flat) )*(?P<patch>COLOR))"
 _ITS = "(?:its|their|the|his|her|a|an)"
 _SAME = "(?:(?:respective|corresponding|matching|same|own|right|proper|correct|appropriate|fitting) )"
 _ANY = "(?:(?:each|every|all|the|my|our|these|those|all of|single) )*"
-_MATCHES = "(?:(?:that|which|whose color) )?(?:matches|matching|match|fits|sharing|shares|share|having|bearing|fitting|suits|corresponds to|has|with|of|in)"
+_MATCHES = (
+    "(?:(?:that|which|whose color) )?(?:matches|matching|match|fits|sharing|shares|share|having|bearing|"
+    "fitting|suits|corresponds to|has|with|of|in)"
+)
 _P = "(?:PATCH|place|region|position|section)"
 _THEIR = "(?:(?:the|its|their|a|that|your|exactly|one|very|block|cube) )*(?:(?:same|own|matching|corresponding|'s) )*"
 _COLORS = f"{_THEIR}(?:color|colors|colour)(?: as (?:it|they|them|the BLOCK)(?: BE| has| have)?| of (?:the )?BLOCK)?"
@@ -34,14 +37,20 @@ PATTERNS = [
         f"{_DOES}{_ON} (?:its|their|the own|own|its own|their own) {_P}(?: by color)?",
         f"{_DOES}{_ON} (?:{_ITS} )*(?:colored )?{_P} {_MATCHES} {_COLORS}",
         f"{_DOES}{_ON} (?:{_ITS} )*color 's {_P}",
-        f"(?:match|pair|matched|paired)(?: up)? {_ANY}(?:BLOCK|one|ones) (?:with|to|and) (?:{_ITS} )*{_SAME}*(?:colored )?"
+        f"(?:match|pair|matched|paired)(?: up)? {_ANY}(?:BLOCK|one|ones) (?:with|to|and) (?:{_ITS} "
+        f")*{_SAME}*(?:colored )?"
         f"{_P}(?: {_MATCHES} {_COLORS})?",
+        f"(?:{_ANY}(?:BLOCK |ones |those )?(?:of |with )?(?:the )?)?same color(?:s|ed)?(?: BLOCK| ones)? "
+        f"{_DOES}{_ON} (?:the )?same {_P}",
+        f"(?:for )?(?:each|every) color (?:there is |there must be |has |gets |has got )?(?:one|a|its|its own|an "
+        f"own) {_P}",
         f"{_DOES}where (?:its|their|the) colors? (?:belongs?|matches|match|BE)"),
     *patterns(
         "matched", None, "(?:sorted |sort |matched |match )?by (?:their |its |the )?colors?(?: into| onto)?",
         "(?:so that |such that |with )?(?:the |their )*colors? (?:BE )?(?:match|matching|matches|agree|fit)",
     ),
-    *patterns("everything", None, f"{_ANY}(?:BLOCK|colored BLOCK|color|colors)", "everything|all|each|each one|all of them|every one"),
+    *patterns("everything", None, f"{_ANY}(?:BLOCK|colored BLOCK|color|colors)", "everything|all|each|each one|all "
+        "of them|every one"),
     *patterns("slot", lambda match: f"{_looks(match[0])}{match['patch']} patch",
         f"{_DOES}{_ON} {_A}{_LOOK} (?:colored )?{_P}(?: :)?"),
     *patterns("bare slot", lambda match: f"{match['patch']} patch",

@@ -22,7 +22,8 @@ _EDGE = (
     r"(?! (?:odd|even|vowels?|consonants?|letters?|digits?|numbers?|numerals?)\b)"
 )
 _LIST = (
-    r"(?:[A-Z]|[b-z]|a(?= (?:[,a]|[B-Z] (?!BLOCK)|[b-z] |and [b-z] ))|\d|one(?= ,? ?[2-9])|'[A-Z]')(?:(?: ,)?(?: and)?(?: the)? (?:[A-Z]|"
+    r"(?:[A-Z]|[b-z]|a(?= (?:[,a]|[B-Z] (?!BLOCK)|[b-z] |and [b-z] ))|\d|one(?= ,? ?[2-9])|'[A-Z]')(?:(?: ,)?(?: "
+    r"and)?(?: the)? (?:[A-Z]|"
     rf"(?<=[,d] )a|[b-z]|\d|one(?= (?:,|and \d|\d|[.;:)]|are|go|$))|'[A-Z]')(?! [A-Za-z]?BLOCK\b))+{_EDGE}"
 )
 _RANGE = r"(?:from )?(?:[A-Z]|\d|one) (?:to|through|up to|till|until) (?:[A-Z]|\d)" + _EDGE
@@ -64,7 +65,8 @@ GLYPHS: list[Pattern] = [
 """Lists of symbols."""
 LOTS: list[Pattern] = [
     *patterns("lot", None,
-        r"(?:(?P<det>the|these|those|my|our|your|all|all the|all of the|both|both the|a|an|exactly|just|only|every|each(?! NUM\b)|with|all of them|all of which|(?:all of them|all of which|all|they|they all) are) )?"
+        r"(?:(?P<det>the|these|those|my|our|your|all|all the|all of the|both|both the|a|an|exactly|just|only|every|"
+        r"each(?! NUM\b)|with|all of them|all of which|(?:all of them|all of which|all|they|they all) are) )?"
         r"(?:(?P<count>NUM) )?(?:of the |of )?(?:(?P<size>SIZE) )?(?:plain )?(?P<color>COLOR)(?P<many>s)?"
         r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one(?! (?:COLOR|of|pile|group|heap|tower|stack))))?"
         r"(?: \( (?P<paren>NUM)(?: BLOCK| of them)? \)| , (?P<among>NUM) of them(?: ,)?)?"),
@@ -78,15 +80,22 @@ LOTS: list[Pattern] = [
     *patterns(
         "each", lambda match: number(match["count"]),
         "(?:(?:exactly|there are|with|always) )?(?P<count>NUM) (?:BLOCK )?(?:each(?: of| in)?|apiece|(?:of|in|per|"
-        "for) (?:each|every)(?: one)?(?: of| of the| of these)?(?: NUM)? colors?|of (?:each|every|both)(?: one| kind| color)?)",
-        "(?:exactly )?(?P<count>NUM) (?:BLOCK )?each", "(?:of )?(?:each|every)(?: of the)? colors? (?:has |gets |with |of |: |is "
+        "for) (?:each|every)(?: one)?(?: of| of the| of these)?(?: NUM)? colors?|of (?:each|every|both)(?: one| "
+        "kind| color)?)",
+        "(?:exactly )?(?P<count>NUM) (?:BLOCK )?each", "(?:of )?(?:each|every)(?: of the)? colors? (?:has |gets |"
+        "with |of |: |is "
         "|there are |we have |i have |exactly |just )*(?P<count>NUM)(?: BLOCK| ones| of them| pieces)?(?! COLOR)",
     ),
     *patterns("lot", None,
-        r"(?P<count>[2-9]|NUM(?= of))(?: BLOCK)? (?:of (?:them|these|those|which|the BLOCK) )?(?:are|is) (?P<color>COLOR)"
+        r"(?P<count>[2-9]|NUM(?= of))(?: BLOCK)? (?:of (?:them|these|those|which|the BLOCK) )?(?:are|is) "
+        r"(?P<color>COLOR)"
         r"(?! BLOCK)", r"(?P<color>COLOR)(?P<many>s)?(?: BLOCK)? (?:x|×|\*|<\*>) (?P<count>NUM)",
-        r"(?P<color>COLOR)(?P<many>s)? (?:: |= )?(?P<count>[2-9])(?: (?:BLOCK|pcs|of them)(?! (?:high|tall|each|in|per|for)))",
+        r"(?P<color>COLOR)(?P<many>s)? (?:: |= )?(?P<count>[2-9])(?: (?:BLOCK|pcs|of them)(?! (?:high|tall|each|in|"
+        r"per|for)))",
         r"(?P<count>NUM) (?:x|×|\*|<\*>) (?P<color>COLOR)(?P<many>s)?(?: (?P<noun>BLOCK))?"),
+    *patterns("lot", None,
+        "(?:(?:the|all|all the|those|these) )?BLOCK (?:that|which) (?:are|is) (?P<color>COLOR)(?P<many>)(?! BLOCK)",
+        "(?:everything|all|anything) (?:that is |which is )?(?P<color>COLOR)(?P<many>)(?! BLOCK)"),
     *GLYPHS,
 ]  # fmt: skip
 """Lots as in `lots`, but "the other red" is not one; and lists of symbols."""
@@ -110,22 +119,27 @@ STARTS: list[Pattern] = patterns(
 OF = (
     "(?:of|in|with|from|for|is for|has|have|having|contains|contain|containing|comprises|comprise|comprising|holds|"
     "hold|holding|includes|include|including|takes|gets|uses|using|BE|shall|should|must|has to|ought to|to|be|"
-    "consists of|consist of|consisting of|composed of|made of|made out of|made from|made up of|made only of|made|'s|'s got|has got|have got|got|all the|with all|"
+    "consists of|consist of|consisting of|composed of|made of|made out of|made from|made up of|made only of|made|"
+    "'s|'s got|has got|have got|got|all the|with all|"
     "built|built of|built from|formed by|formed of|formed from|out of|all|entirely|only|purely|completely)"
 )
 """What stands between a group or a tower and its blocks."""
 ALSO: list[Pattern] = [*WISHES, *patterns(
     "glue", None, MOVED,
+    "(?:have|has|need|needs|ought|are|is) to(?: be)?|(?:can|will|shall|could|would|may) be",
     "ought to|is to|supposed to|desired|wanted|required|needed|expected|result|results|resulting|emerge|erected|"
     "raised|erect|raise|take|become|becomes|turn into|turned into|end up|ends up|them|these|those|they|that have|"
-    "hold|holds|comprise|available|given|that is to say|following|the following|in other words|namely|make up|"
-    "(?:all )?(?:the|my|these|those) (?:things|items|objects|toys|stuff|shapes|bunch|lot)|makes up|its|say|let us say|let there be|is what (?:I|i|we) (?:want|need)|what (?:I|i|we) (?:want|need) (?:is|are)",
+    "hold|holds|comprise|available|given|that is to say|following|the following|in other words|namely|make up",
+    "(?:all )?(?:the|my|these|those) (?:things|items|objects|toys|stuff|shapes|bunch|lot|guys)",
+    "makes up|its|say|let us say|let there be|is what (?:I|i|we) (?:want|need)|what (?:I|i|we) (?:want|need) (?:is|"
+    "are)",
 )]  # fmt: skip
 """More words that say nothing beside what several things are made of."""
 STOPS: list[Pattern] = [
     *patterns(
         "stop", None, "[.;!?:]",
-        "(?:altogether|in total|in all|overall|all in all)(?: ,)? (?:there are|we have|i have|you have|there will be|use|using)",
+        "(?:altogether|in total|in all|overall|all in all)(?: ,)? (?:there are|we have|i have|you have|there will "
+        "be|use|using)",
         "(?:by |when )?(?:using|use|there (?:are|is|'s)|we have|i have|you have|given)(?: got)?",
     ),
     *patterns("from", None, "from|out of|apart from|away from|separate from|separated from"),

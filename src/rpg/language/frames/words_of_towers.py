@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from rpg.language.frames.pieces import number, patterns
-from rpg.language.frames.words_of_several import ALSO, LOTS, OF, STARTS, STOPS
 from rpg.language.frames.shared import GLUE, WHERE
+from rpg.language.frames.words_of_several import ALSO, LOTS, OF, STARTS, STOPS
 
 _SIDES = {
     "left": "left of",
@@ -40,12 +40,15 @@ PATTERNS = [
         "whole", lambda match: (match["color"], int(match["size"])),
         f"(?:a|an|one|another|the other)(?: {T})? (?P<color>COLOR)(?: {T}| one)?(?: ,)? (?:of |which |that |BE |"
         f"with |has |height |having )*(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
-        f"(?:the )?(?P<color>COLOR) (?:{T}|one)(?: \\()? (?:of |which |that |BE |with |has |height |having |: |, )*(?P<size>[2-9])"
-        f"(?: BLOCK)?(?: {_HIGH})?(?: \\))?(?! (?:COLOR|SIZE|x|cm)\\b)", f"{T} (?P<color>COLOR)(?: ,| :)? (?P<size>[2-9])"
+        f"(?:the )?(?P<color>COLOR) (?:{T}|one)(?: \\()? (?:of |which |that |BE |with |has |height |having |: |, "
+        f")*(?P<size>[2-9])"
+        f"(?: BLOCK)?(?: {_HIGH})?(?: \\))?(?! (?:COLOR|SIZE|x|cm)\\b)", f"{T} (?P<color>COLOR)(?: ,| :)? "
+        f"(?P<size>[2-9])"
         f"(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm|each)\\b)",
         f"(?:a|an|one|another|the other) (?P<color>COLOR)(?: {T}| one)? \\( (?P<size>[2-9])(?: BLOCK)?(?: "
         f"{_HIGH})? \\)", f"(?:a|one|another|the other) (?P<size>[2-9]) (?:BLOCK )?(?:{_HIGH} )?(?P<color>COLOR) {T}",
-        f"(?:(?:a|an|one|another|the other|other)(?: {T})?|{T})(?: of| with)? (?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})? (?:(?:in|of|"
+        f"(?:(?:a|an|one|another|the other|other)(?: {T})?|{T})(?: of| with)? (?P<size>[2-9])(?: BLOCK)?(?: "
+        f"{_HIGH})? (?:(?:in|of|"
         f"all|with|only|colored) )*color (?P<color>COLOR)",
         f"(?:a|an|one|another|the other)(?: {T})? (?P<size>[2-9])(?: BLOCK)? {_HIGH}(?: {T})?(?: ,)? (?:BE |in |of "
         "|from |all |only |made of |made from )*(?P<color>COLOR)(?: BLOCK)?",
@@ -83,7 +86,8 @@ PATTERNS = [
         "(?:(?:in|into|to|as|of) )?(?:the |exactly |a set of |a group of )*(?:(?P<count>NUM|both|pair of|twin) "
         f")?{_ADJ}*{TS}",
     ),
-    *patterns("figure", lambda match: int(match["count"]), f"(?:into |in )?(?P<count>[2-9]) {_ADJ}*{T}", f"{TS} x (?P<count>[2-9])"),
+    *patterns("figure", lambda match: int(match["count"]), f"(?:into |in )?(?P<count>[2-9]) {_ADJ}*{T}",
+    f"{TS} x (?P<count>[2-9])"),
     *patterns("figures", lambda match: (number(match["count"]), int(match["size"])),
         f"(?:in |into |as |of )?(?:the )?(?P<count>NUM) {_ADJ}*(?P<size>[2-9]) (?:BLOCK (?:{_HIGH} )?|{_HIGH} ){TS}"),
     *patterns(
@@ -116,7 +120,8 @@ PATTERNS = [
         "(?:each|every one|all)(?: one)? (?:in |of |with |has |having )?(?:a |its )?(?:color of its own|own color|"
         "color for itself)",
         "(?:each|every) color (?:BE |has |have |gets |forms |makes |becomes |goes |should have |must have |must "
-        f"form |must be |should form |into |to |in |on )*(?:a |an |its |one |in )*{_ADJ}*{T}(?: of its own| for "
+        f"form |must be |should form |be |stacked |put |placed |built |made |into |to |in |on )*(?:a |an |its |one "
+        f"|in )*{_ADJ}*{T}(?: of its own| for "
         "itself| by itself)?",
         f"{_EACH} (?:tower |stack )?(?:BE )?(?:in |of |with |has |have |having )*a different color",
         "sorted by color",
@@ -127,14 +132,16 @@ PATTERNS = [
         "one|only one) (?:single )?color(?: only| alone)?", f"{_EACH} BLOCK (?:have|has|BE|of) (?:the )?same color",
         f"(?:each |all )?(?:of|in|with) (?:one|a single|the same|only one) color(?: each| per {T})?",
         f"(?:single|one|same) color(?= {TS})", "(?:of |in |with )?(?:the |a )?same color(?:ed)?",
-        f"(?:(?:so that|such that) )?(?:{_EACH} )?(?:BE )?(?:monochrome|monochromatic|unicolored|single colored|one colored)",
+        f"(?:(?:so that|such that) )?(?:{_EACH} )?(?:BE )?(?:monochrome|monochromatic|unicolored|single colored|"
+        f"one colored)",
         "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors)", "(?:do not|never) mix (?:the )?colors",
     ),
     *patterns("basis", "different", f"{TS} (?:have|of|in|with|BE|are of|are in|have all) different colors"),
     *patterns(
         "each", None,
         f"(?:(?:in|with|where|of|for|on) )*{_EACH}(?: (?:with|has|have|of|contains?|is|are|must|should|be|"
-        "consists? of|made of|made from|to|shall|will|needs?|built (?:from|of)|composed of|includes?|gets?|exactly|made up "
+        "consists? of|made of|made from|to|shall|will|needs?|built (?:from|of)|composed of|includes?|gets?|exactly|"
+        "made up "
         "of|:))*",
         "of which each (?:has|is)|each of which (?:has|is|consists of|contains)|apiece",
     ),
@@ -175,7 +182,8 @@ f"(?P<slot>one)(?: of them)? (?:{OF}|:)(?: {OF})*", f"(?:the )?(?P<slot>one|othe
         "side|adjacent(?: to each other)?|neighboring",
     ),
     *patterns(
-        "near", "near each other", f"(?:(?:{TS}|{T}) )?(?:BE |standing )*(?:near|close to|close by) (?:each other|one another)|close "
+        "near", "near each other", f"(?:(?:{TS}|{T}) )?(?:BE |standing )*(?:near|close to|close by) (?:each other|"
+            f"one another)|close "
         "together",
     ),
     *patterns(

@@ -9,17 +9,24 @@ import pytest
 from rpg.core.codes import CODES
 from rpg.language.spelling import vocabulary
 from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.corpus.entries import load
 
-TEXTS = 250
+TEXTS = 300
+SENTENCES = [entry.text for entry in load("heldout")]
+SIGNS = ("(", ")", "not", "and", ":", "?", ".", ",", "=", "'", "2x2", "of", "A", "3")
 
 
 def garbage(rng: random.Random) -> str:
-    """Known words in any order, unknown ones, signs, letters."""
+    """Known words in any order, unknown ones, signs, letters; sentences cut off, and with signs in them."""
     words = sorted(vocabulary())
-    kind = rng.randrange(4)
+    kind = rng.randrange(5)
     if kind == 0:
         return "".join(rng.choice(string.printable) for _ in range(rng.randrange(1, 120)))
     length = rng.randrange(1, 25)
+    if kind == 4:
+        said = rng.choice(SENTENCES).split()
+        said.insert(rng.randrange(len(said) + 1), rng.choice(SIGNS))
+        return " ".join([*said[: rng.randrange(1, len(said) + 1)], rng.choice(SIGNS)])
     if kind == 1:
         return " ".join(rng.choice(words) for _ in range(length))
     common = [

@@ -13,6 +13,9 @@ import pytest
 
 from rpg.blocks.state import BlockState, World
 from rpg.cli.options import find
+from rpg.language.frames.pieces import Unclear, cut
+from rpg.language.spelling import read_words
+from rpg.language.tokens import tokenize
 from rpg.passes.validate.bench import Bench
 from rpg.pipeline import load_program
 from tests.cli.conftest import SCHEMA
@@ -47,6 +50,21 @@ def test_the_example_gate(compiled: Path) -> None:
     assert report.passed and report.figures["height_m"] == pytest.approx(0.08, abs=1e-3)
     strict = gate(highest_m=0.05).check(program, Bench(program))
     assert not strict.passed and strict.failures[0].facts["class"] == "bounds"
+
+
+def test_the_example_way_of_speaking() -> None:
+    space = run_block("totem")
+    for text, plain in (
+        ("From two red cubes and one blue cube make a totem pole, please.", "2 red blocks and 1 blue block"),
+        ("Totem pole: red cubes, three in total", "3 red blocks"),
+        ("Make a totem pole of red cubes.", None),
+        ("No totem pole of two red cubes.", None),
+    ):
+        pieces = cut(read_words(tokenize(text)[0])[0], space["PATTERNS"])
+        try:
+            assert space["told"](pieces or []) == f"Build a tower from {plain}."
+        except Unclear:
+            assert plain is None
 
 
 def test_the_example_predicate() -> None:

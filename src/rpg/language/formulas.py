@@ -74,6 +74,8 @@ def _joined(tokens: list[Token], at: int) -> bool:
 
 def _formula(tokens: list[Token], at: int) -> tuple[list[Token] | None, int]:
     """What the formula that begins there says, and where it ends; None where there is none."""
+    if at >= len(tokens):
+        return None, at
     if _words(tokens, at, 2) in (("not", "("), ("(", "not")):
         inner, end = _formula(tokens, at + 2)
         if inner and _words(tokens, end, 1) == (")",):

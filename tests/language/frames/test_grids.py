@@ -84,7 +84,6 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "letters C, A, B, D in a 2x2 grid, in alphabetical order",
         "a wall of three layers, the bottom one red and the top one blue",
         "a large red wall, 3 wide and 2 high",
-        "a rectangle of red blocks, 4 by 3",  # its outline
         "two rows of three red blocks",  # anywhere
         "a pyramid: three red, two blue, one green",  # its layers?
         "a pyramid with a bottom row of four blocks, made from exactly five cubes",

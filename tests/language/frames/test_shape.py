@@ -95,7 +95,6 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "a T with a bar of three and a stem of two from six red blocks",
         "square of seven red blocks, 3 per side",
         "a U of seven blocks open to the left or to the right",
-        "put the letter T on the red block",  # a block with this letter
         "a triangle of six blocks, two corners red",  # which two?
         "two white blocks and a circle of red ones",
         "eight red blocks surround two blue ones in a ring",  # there is room for one

@@ -55,3 +55,16 @@ def test_what_is_bound_together_is_left_alone(text: str) -> None:
 def test_how_it_was_understood_is_noted() -> None:
     task, _ = BuiltinFrontEnd().read("tower: bottom: red, top: blue, red below, with a pink decoy")
     assert task is None or any(note.startswith("understood as: ") for note in task.assumptions)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Build a row of a red, a green and a blue block. There is also a yellow block.",
+        "Build a row of a red, a green and a blue block. There is a yellow block.",
+        "Make a circle of six blue blocks. There are also two yellow blocks.",
+    ],
+)
+def test_what_there_is_besides_is_no_part_of_the_figure(text: str) -> None:
+    for _, said in retold(words(text)):
+        assert said.endswith(text.rpartition("There")[2]), said

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, moments, turned
+from rpg.language.frames import beside, moments, relations, turned
 from rpg.language.frames.beside import without_distractors
 from rpg.language.frames.families import FAMILIES
 from rpg.language.frames.pieces import CLASSES, Unclear, cut
@@ -87,13 +87,29 @@ def words() -> frozenset[str]:
 def plainly(tokens: Sequence[Token]) -> str | None:
     """What the one family that knows all the words says of them; None where none does, or several differ."""
     found = set()
+    besides = _told_besides(tokens)
     for known, told in FAMILIES:
+        if besides and told is not relations.told:
+            continue
         pieces = cut(tokens, known)
         try:
             found |= {told(pieces)} if pieces else set()
         except Unclear:
             continue
     return found.pop() if len(found) == 1 else None
+
+
+def _told_besides(tokens: Sequence[Token]) -> bool:
+    """Whether a later sentence tells what there is, "there is (also) a yellow block", where blocks are told before."""
+    known = False
+    for n, token in enumerate(tokens):
+        said = [word.word for word in tokens[n : n + 6]]
+        begins = n > 0 and tokens[n - 1].word in _ENDS and said[:2] in (["there", "is"], ["there", "are"])
+        begins = begins and "them" not in said
+        if begins and (known or "also" in said):
+            return True
+        known = known or token.word in lexicon.COLOR or (n > 0 and len(token.raw) == 1 and token.raw.isupper())
+    return False
 
 
 def commands(tokens: Sequence[Token]) -> bool:

@@ -111,7 +111,7 @@ PATTERNS = [
         "without (?:any )?(?:gaps?|spaces?)(?: between (?:them|the BLOCK|the letters|letters))?",
     ),
     *patterns(
-        "gaps", lambda match: f"The gaps are {match['gap']} {match['unit']}.",
+        "gaps", lambda match: _gaps(match),
         r"(?:with |leave |leaving |keep |keeping |at |and )*(?:a |gaps? of |spaces? of )*(?P<gap>[\d.]+) "
         "(?P<unit>cm|mm) (?:(?:gaps?|of space|spaces?|apart|between|in between|of air|each|the|neighbo(?:u)?rs|"
         f"them|neighboring|adjacent|{_LETTER}) ?)+(?<! )(?= )",
@@ -152,6 +152,13 @@ _LETTERS_ALONE = re.compile("'?[A-Z]'?( ,)?( [A-Z]( ,)?)* [A-Z]")
 _INITIALS = frozenset("ROYGCBPKWV")
 """First letters of colours."""
 _FIRST = frozenset({"top", "highest", "uppermost", "topmost", "left", "leftmost", "first"})
+
+
+def _gaps(match: re.Match[str]) -> str:
+    """ "5 cm apart" is between centres, a gap is between faces."""
+    apart = "apart" in match[0] and not re.search("gap|space|air|between", match[0])
+    length = f"{match['gap']} {match['unit']}"
+    return f"The blocks are {length} apart." if apart else f"The gaps are {length}."
 
 
 def told(pieces: Sequence[Piece]) -> str:

@@ -28,6 +28,7 @@ from rpg.passes.schema.reading_order import THEM, as_they_are_read, of_everythin
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_first
 from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
+from rpg.passes.schema.resolve.clauses.each_of_what import check_each
 from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
 from rpg.passes.schema.resolve.clauses.in_parts import links_left
@@ -147,6 +148,7 @@ def resolve(
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     check_lists(chains, text)
+    check_each(chains, text)
     chains = from_heaps(readied(chains, text), text)
     links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(*left_out_behind(links, chains), text))))
     told = begun(chains, text)

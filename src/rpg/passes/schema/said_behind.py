@@ -11,8 +11,9 @@ from rpg.ir import goal as g
 from rpg.ir.assets import Block
 from rpg.ir.node import members
 from rpg.ir.order import Order
+from rpg.ir.relations import InRegion
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Equation, Row, Spells, Stack
+from rpg.ir.structures import Equation, Figure, Grid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
@@ -34,7 +35,38 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _reversed(sentence, task)
         _at_an_end(sentence, task)
         _too(sentence, task)
+        _corner_of(sentence, task)
+        _listed_from(sentence, task)
     _one_way(tokens, task)
+
+
+_LISTED_FROM = re.compile(r"\bfrom (?:the )?(?:left|right|top|bottom|front|back)(?: to (?:the )?\w+)? :")
+
+
+def _listed_from(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "order from left: gray, white, cyan. It is a row" as a row in any order."""
+    if not _LISTED_FROM.search(" ".join(token.word for token in sentence)):
+        return
+    found = [x for part in (task.goal, *task.init.arranged) for x in atoms(part)]
+    if any(isinstance(x, Row | Stack) for x in found) and not any(_ends(x) for x in found):
+        raise refuse("misplaced", "this lists blocks in an order, and nothing has one", sentence[0].span,
+                     "say the order where the row is told")  # fmt: skip
+
+
+def _corner_of(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "build a 2x2 grid. The blue block is in the far left corner" as of a corner of the table."""
+    corner = next((token for token in sentence if token.word == "corner"), None)
+    if corner is None or not _TABLE.isdisjoint(token.word for token in sentence):
+        return
+    found = list(atoms(task.goal))
+    figures = [{*members(x.blocks)} for x in found if isinstance(x, Grid | Figure)]
+    cornered = [{*members(x.a)} for x in found if isinstance(x, InRegion) and x.region.endswith("corner")]
+    if any(blocks < figure for blocks in cornered for figure in figures):
+        raise refuse("ambiguous", "a corner of the table, or of what is built?", corner.span,
+                     "say 'of the table' or 'of the grid'")  # fmt: skip
+
+
+_TABLE = frozenset(lexicon.TABLE_NOUNS.split())
 
 
 _POLITE = frozenset({"please", "and", "but", "then", "always", "just"})

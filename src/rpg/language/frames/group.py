@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from rpg.language.frames.lots import Lot, counted, one
+from rpg.language.frames.lots import Lot, counted, lot_of, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import (
     Gathered,
@@ -103,10 +103,19 @@ def _without_nouns(found: Gathered, bases: set[str]) -> None:
 
 
 def _with_colors(pieces: Sequence[Piece]) -> list[Piece]:
-    """ "A red pile" as a pile and its blocks."""
+    """ "A red pile" as a pile and its blocks.
+
+    Raises:
+        Unclear: other blocks are to be in it.
+    """
     found: list[Piece] = []
     for piece in pieces:
-        if piece.kind == "alone":
+        if piece.kind == "own":
+            before = next((p for p in reversed(found) if p.kind != "glue"), piece)
+            if before.kind != "lot" or lot_of(before).look != piece.value:
+                raise Unclear
+            found.append(Piece("slot", piece.words, "one"))  # "every red block in the red pile"
+        elif piece.kind == "alone":
             named = {"color": piece.value, "many": "s"}
             found += [Piece("slot", f"one {piece.words}", "one"), Piece("lot", piece.words, None, named)]
         else:

@@ -36,6 +36,7 @@ def told(pieces: Sequence[Piece]) -> str:
     kinds = [piece.kind for piece in pieces]
     found, total = gathered(pieces), one(pieces, "total")
     plain = not {"basis", "class", "each", "total", "everything"} & set(kinds)
+    plain = plain and all(len(piece.value) == 1 for piece in pieces if piece.kind == "glyphs")
     if "matched" in kinds or (plain and not found.lots):
         raise Unclear  # which block is where, told of each by itself, is a matter of relations
     patches = {piece.value for piece in pieces if piece.kind == "patch"}
@@ -57,7 +58,7 @@ def told(pieces: Sequence[Piece]) -> str:
 
 def _matched(pieces: Sequence[Piece]) -> list[Piece]:
     """ "By colour" is told of patches where they are named."""
-    named = any(piece.kind in ("patch", "patches", "basis") for piece in pieces)
+    named = any(piece.kind in ("patch", "basis") for piece in pieces)
     return [
         replace(piece, kind="basis", value="color") if piece.kind == "matched" and named else piece for piece in pieces
     ]
@@ -70,8 +71,10 @@ def _named(pieces: Sequence[Piece]) -> list[Piece]:
         Unclear: none is: "red on blue".
     """
     told_of = {piece.value.split()[-2] for piece in pieces if piece.kind in ("slot", "patch")}
-    if any(piece.kind == "bare slot" and piece.value.split()[0] not in told_of for piece in pieces):
-        raise Unclear
+    for piece in pieces:
+        one_of_them = piece.words.endswith(" one") and told_of
+        if piece.kind == "bare slot" and piece.value.split()[0] not in told_of and not one_of_them:
+            raise Unclear
     looks = {lot_of(piece).look for piece in pieces if piece.kind == "lot"}
     for n, piece in enumerate(pieces):
         color = piece.value.split()[0] if piece.kind == "bare slot" else ""

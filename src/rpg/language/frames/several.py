@@ -296,6 +296,10 @@ def _members(here: dict[str, Lot], found: Gathered, belongs: Callable[[str, str]
     return members
 
 
+_EXCEPTED = frozenset({"lot", "glyphs", "class", "everything", "every", "each", "total", "glue", "even"})
+"""Behind these "but" tells what is not meant."""
+
+
 def check_clauses(pieces: Sequence[Piece]) -> None:
     """No letter A was taken for an article, and a place on the table is that of all the blocks.
 
@@ -306,6 +310,8 @@ def check_clauses(pieces: Sequence[Piece]) -> None:
         behind = pieces[n + 1] if n + 1 < len(pieces) else Piece("stop", ".")
         if piece.kind == "glue" and piece.words == "a" and behind.kind in ("glyphs", "stop", "break"):
             raise Unclear
+        if piece.words == "but" and n and pieces[n - 1].kind in _EXCEPTED:
+            raise Unclear  # "everything but the green ones"
         if piece.kind != "where":
             continue
         ends = [k for k in range(n) if pieces[k].kind in ("stop", "break")]

@@ -151,6 +151,8 @@ def _apart(pieces: Sequence[Piece]) -> list[Piece]:
             found += [replace(piece, kind="figure", value=count), lot]
         elif piece.kind == "slot" and alone:
             found.append(replace(piece, kind="figure", value=None))  # "for each color build a stack of ..."
+        elif piece.kind == "lot" and set(piece.named) == {"det", "color"} and _before_alone(pieces[n + 1 :]):
+            found += [Piece("slot", "one tower", "one"), replace(piece, named={**piece.named, "det": "", "many": "s"})]
         elif piece.kind == "alone":
             found += [
                 Piece("slot", "one tower", "one"),
@@ -166,6 +168,12 @@ def _apart(pieces: Sequence[Piece]) -> list[Piece]:
             if piece.kind == "figure" and _SINGLE.search(piece.words):
                 found.append(Piece("basis", "single color", "single"))
     return found
+
+
+def _before_alone(pieces: Sequence[Piece]) -> bool:
+    """Whether only a break parts a lot from a tower told with its colour: "a red and a blue tower"."""
+    kinds = [piece.kind for piece in pieces[:2]]
+    return kinds == ["break", "alone"]
 
 
 def _one_each(pieces: list[Piece]) -> list[Piece]:

@@ -46,5 +46,6 @@ WISHES: list[Pattern] = patterns(
     "obtain|"
     "craft|fashion|assemble|construct|produce|(?:i am|i m) thinking(?: of)?",
     "(?:a )?(?:bunch|number|couple|set|box|bag) of (?:BLOCK|letters|digits|numbers)(?: here)?",
+    "obviously|of course|naturally|you know|basically|simply|actually|just",
     "take|pick|grab|get|choose|select|fetch|pick up|with the help of|thanks|thank you|thx|pls|plz",
 )  # fmt: skip

@@ -70,8 +70,8 @@ _CARRY = (
     "(?:(?:a|an|the|any) )?"
 )
 SORTS: list[Pattern] = [
-    *patterns("class", "<vowels>", f"{_CARRY}vowels?", f"{_DET}vowels?(?: letters| BLOCK| ones)?"),
-    *patterns("class", "<consonants>", f"{_CARRY}consonants?", f"{_DET}consonants?(?: letters| BLOCK| ones)?"),
+    *patterns("class", "<vowels>", f"{_CARRY}vowels?", f"{_DET}vowels?(?: letters?| BLOCK| ones)?"),
+    *patterns("class", "<consonants>", f"{_CARRY}consonants?", f"{_DET}consonants?(?: letters?| BLOCK| ones)?"),
     *patterns("class", "<odd>", f"{_CARRY}(?:odd|uneven) (?:numbers?|digits?|numerals?)", f"{_DET}odds",
     f"{_DET}(?:digits?|numbers?) (?:(?:that|which) are )?odd", rf"{_DET}(?:odd|uneven){_C}"),
     *patterns("class", "<even>", f"{_CARRY}even (?:numbers?|digits?|numerals?)", f"{_DET}evens",
@@ -110,7 +110,9 @@ PATTERNS = [
     *GLUE,
     *patterns("figure", lambda match: number(match["count"]) if match["count"] else None,
         rf"(?:(?:in|into|to|as|of) )?(?:the )?(?:exactly )?(?:(?P<count>NUM) )?{_ADJ}*{GS}"),
-    *patterns("figure", None, f"(?:in|into) {_ADJ}*{G}(?= (?:,|by|per|according|\\.))"),
+    *patterns("figure", None, f"(?:in|into|make|form) {_ADJ}*{G}(?= (?:,|by|per|according|\\.))"),
+    *patterns("own", lambda match: match["color"], f"(?:BE |go |goes )*(?:in|into|to|on) (?:the|a|its) "
+        f"(?P<color>COLOR) {G}"),
     *patterns("alone", lambda match: match["color"], f"(?:(?:a|an|one|another) )?(?P<color>COLOR) {G}(?= (?:,|and|"
         f"&|\\.|;|with|of))"),
     *patterns("glue", None, "(?:the |their |its )?colors? (?:BE|:|will be)"),
@@ -159,6 +161,11 @@ PATTERNS = [
         "evenly|in "
         "half|into halves|into (?:two )?equal parts",
     ),
+    *patterns("basis", "color",
+        "(?:by|per|according to|based on|depending on) (?:what|which) color (?:they|it|each) (?:are|is|have|has)",
+        f"(?:so that |so |all |of |the )*(?:same|equal|like) colors? (?:BE |go |goes |stay |end up |put )*(?:in|"
+        f"into|to) "
+        f"(?:the same|one|same) {G}"),
     *patterns(
         "basis", "color",
         "(?:by|per|for each|for every|according to|on the basis of|based on|with respect to|depending on|after|"

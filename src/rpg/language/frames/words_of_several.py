@@ -49,9 +49,10 @@ GLYPHS: list[Pattern] = [
     *patterns(
         "glyphs", _listed,
         f"(?:{_LETTERS})*(?:(?:{_NOUN}) )(?:{_SAID})(?P<list>{_LIST}|{_RANGE}|{_ONE})(?: BLOCK)?(?: \\))?",
-        f"(?:{_LETTERS})*(?:(?P<number>[2-9]) )?(?:(?P<sort>odd|even|vowel|consonant) )?(?:(?:{_NOUN}) )(?:{_SAID})"
+        f"(?:{_LETTERS})*(?:(?P<number>[2-9]) )?(?:(?P<sort>odd|even|vowel|consonant) (?=\\w+ "
+        f"(?!:)))?(?:(?:{_NOUN}) )(?:{_SAID})"
         f"(?P<list>{_LIST}|{_RANGE})",
-        f"(?:{_LETTERS})*(?:(?P<number>[2-9]) )?(?P<sort>vowel|consonant)s (?:{_SAID})(?P<list>{_LIST}|{_RANGE})",
+        f"(?:{_LETTERS})*(?:(?P<number>[2-9]) )?(?P<sort>vowel|consonant)s (?!:)(?:{_SAID})(?P<list>{_LIST}|{_RANGE})",
         f"(?:the )?(?P<list>{_LIST}|{_RANGE})", "(?:the |a |an )?(?P<list>[A-HJ-Z])(?: BLOCK)?",
         "(?:the )?(?P<list>I)(?: BLOCK)?(?! [a-z])",
     ),
@@ -87,13 +88,14 @@ LOTS: list[Pattern] = [
         "|there are |we have |i have |exactly |just )*(?P<count>NUM)(?: BLOCK| ones| of them| pieces)?(?! COLOR)",
     ),
     *patterns("lot", None,
-        r"(?P<count>[2-9]|NUM(?= of))(?: BLOCK)? (?:of (?:them|these|those|which|the BLOCK) )?(?:are|is) "
+        r"(?P<count>[2-9](?! is)|NUM(?= of))(?: BLOCK)? (?:of (?:them|these|those|which|the BLOCK) )?(?:are|is) "
         r"(?P<color>COLOR)"
         r"(?! BLOCK)", r"(?P<color>COLOR)(?P<many>s)?(?: BLOCK)? (?:x|×|\*|<\*>) (?P<count>NUM)",
         r"(?P<color>COLOR)(?P<many>s)? (?:: |= )?(?P<count>[2-9])(?: (?:BLOCK|pcs|of them)(?! (?:high|tall|each|in|"
         r"per|for)))",
         r"(?P<count>NUM) (?:x|×|\*|<\*>) (?P<color>COLOR)(?P<many>s)?(?: (?P<noun>BLOCK))?"),
     *patterns("lot", None,
+        r"BLOCK (?P<color>COLOR)(?P<many>) (?P<count>[2-9])(?= (?:,|and|\.|;))",
         "(?:(?:the|all|all the|those|these) )?BLOCK (?:that|which) (?:are|is) (?P<color>COLOR)(?P<many>)(?! BLOCK)",
         "(?:everything|all|anything) (?:that is |which is )?(?P<color>COLOR)(?P<many>)(?! BLOCK)"),
     *GLYPHS,
@@ -140,7 +142,7 @@ STOPS: list[Pattern] = [
         "stop", None, "[.;!?:]",
         "(?:altogether|in total|in all|overall|all in all)(?: ,)? (?:there are|we have|i have|you have|there will "
         "be|use|using)",
-        "(?:by |when )?(?:using|use|there (?:are|is|'s)|we have|i have|you have|given)(?: got)?",
+        "(?:by |when )?(?:using|use|(?:have|got)(?= NUM)|there (?:are|is|'s)|we have|i have|you have|given)(?: got)?",
     ),
     *patterns("from", None, "from|out of|apart from|away from|separate from|separated from"),
     *patterns("break", None, "[,()&/]|<[+/]>", "and|with|while|where|but|whereas|plus|n"),

@@ -98,7 +98,7 @@ PATTERNS = [
         rf"(?:(?:with|where) )?{_EACH} {_HAS}(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x)\b)",
         "(?:BE )?(?:each |both |all )?(?:of |with |at )?(?:a |the )?height (?:of |BE )?(?P<size>[2-9])(?: "
         "BLOCK)?(?: each)?", f"(?P<size>[2-9]) (?:BLOCK )?(?:per|in each|in every|to a|for each|in) {T}",
-        f"(?:BE )?(?P<size>[2-9]) BLOCK {_HIGH}",
+        f"(?:BE )?(?P<size>[2-9]) BLOCK {_HIGH}", "(?:high|tall) (?P<size>[2-9])",
     ),
     *patterns(
         "heights", lambda match: [int(said) for said in re.findall(r"\d", match["list"])],
@@ -131,7 +131,8 @@ PATTERNS = [
         f"{_EACH} {_HAS}(?:only |just |in )*(?:of |blocks of |BLOCK of )*(?:a |one |the )?(?:single|one|same|just "
         "one|only one) (?:single )?color(?: only| alone)?", f"{_EACH} BLOCK (?:have|has|BE|of) (?:the )?same color",
         f"(?:each |all )?(?:of|in|with) (?:one|a single|the same|only one) color(?: each| per {T})?",
-        f"(?:single|one|same) color(?= {TS})", "(?:of |in |with )?(?:the |a )?same color(?:ed)?",
+        "(?:(?:in|with|of|using) )?(?:the )?colors(?: :)?(?= COLOR)", f"(?:single|one|same) color(?= {TS})",
+        "(?:of |in |with )?(?:the |a )?same color(?:ed)?",
         f"(?:(?:so that|such that) )?(?:{_EACH} )?(?:BE )?(?:monochrome|monochromatic|unicolored|single colored|"
         f"one colored)",
         "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors)", "(?:do not|never) mix (?:the )?colors",

@@ -19,16 +19,19 @@ _ON = "(?:on|onto|on to|in|into|to|upon|inside|within|over to|on top of|at|→|:
 _A = "(?:the |a |an |its |my |our |one |that |this )*"
 _LOOK = "(?:(?:(?:SIZE|long|round|square|circular|flat) )*(?P<patch>COLOR))"
 _ITS = "(?:its|their|the|his|her|a|an)"
-_SAME = "(?:(?:identical|equal|like|respective|corresponding|matching|same|own|right|proper|correct|appropriate|"
-    "fitting) )"
+_SAME = (
+    "(?:(?:identical|equal|like|respective|corresponding|matching|same|own|right|proper|correct|appropriate|fitting) )"
+)
 _ANY = "(?:(?:each|every|all|each of|each of the|the|my|our|these|those|all of|single) )*"
 _MATCHES = (
     "(?:(?:that|which|whose color) )?(?:matches|matching|match|fits|sharing|shares|share|having|bearing|"
     "fitting|suits|corresponds to|has|with|of|in)"
 )
 _P = "(?:PATCH|place|region|position|section)"
-_THEIR = "(?:(?:the|its|their|a|that|your|exactly|one|very|block|cube) )*(?:(?:same|identical|equal|own|matching|"
+_THEIR = (
+    "(?:(?:the|its|their|a|that|your|exactly|one|very|block|cube) )*(?:(?:same|identical|equal|own|matching|"
     "corresponding|'s) )*"
+)
 _COLORS = f"{_THEIR}(?:color|colors|colour)(?: as (?:it|they|them|the BLOCK)(?: BE| has| have)?| of (?:the )?BLOCK)?"
 
 PATTERNS = [

@@ -73,10 +73,7 @@ def told(pieces: Sequence[Piece]) -> str:
     else:
         found = gathered(pieces)
         text, looks = together(pieces, found, told_of)
-    if mats:
-        if where or len(set(looks)) < len(looks) or set(looks) != {look for look, _ in mats}:
-            raise Unclear
-        text += "".join(f" The {look} tower is {place}." for look, place in mats)
+    text += _mats_told(mats, looks, where)
     if near and near.value == "next to it":
         if kinds.count("slot") != 2:
             raise Unclear
@@ -123,6 +120,17 @@ def _on_mats(pieces: Sequence[Piece]) -> tuple[list[Piece], list[tuple[str, str]
             left.append(Piece("slot", "one tower", "one"))
         left += [piece] if piece.kind != "where" else []
     return left, [(look, place.value) for look, place in zip(looks, places, strict=True)]
+
+
+def _mats_told(mats: Sequence[tuple[str, str]], looks: Sequence[str], where: Piece | None) -> str:
+    """On which patch each tower is.
+
+    Raises:
+        Unclear: towers that are not told, or two of one colour.
+    """
+    if mats and (where or len(set(looks)) < len(looks) or set(looks) != {look for look, _ in mats}):
+        raise Unclear
+    return "".join(f" The {look} tower is {place}." for look, place in mats)
 
 
 def _color(piece: Piece) -> str:

@@ -64,6 +64,7 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "each block on the mat that does not match its colour: red, blue",
         "every block but one on the patch of its colour: 2 red, 2 blue",
         "Everything but the green block goes on the red patch.",
+        "Line up A, B and C, standing on the green patch.",
         "only the red ones on the red mat, 2 red, 2 blue",
         "exactly two of the digits 1, 2, 3 on the red patch",
         "odd digits on the red patch, even digits on the red patch: 1, 2, 3, 4",

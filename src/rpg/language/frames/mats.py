@@ -32,6 +32,8 @@ def told(pieces: Sequence[Piece]) -> str:
             raise Unclear
     if any(piece.kind in ("lot", "glyphs", "class") and _SOME.search(piece.words) for piece in pieces):
         raise Unclear
+    if any(piece.words == "line up" for piece in pieces):
+        raise Unclear  # a row, and not only on a patch
     pieces = _named(_matched(pieces))
     kinds = [piece.kind for piece in pieces]
     found, total = gathered(pieces), one(pieces, "total")

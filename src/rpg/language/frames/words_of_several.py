@@ -24,7 +24,8 @@ _EDGE = (
 _LIST = (
     r"(?:[A-Z]|[b-z]|a(?= (?:[,a]|[B-Z] (?!BLOCK)|[b-z] |and [b-z] ))|\d|one(?= ,? ?[2-9])|'[A-Z]')(?:(?: ,)?(?: "
     r"and)?(?: the)? (?:[A-Z]|"
-    rf"(?<=[,d] )a|[b-z]|\d|one(?= (?:,|and \d|\d|[.;:)]|are|go|$))|'[A-Z]')(?! [A-Za-z]?BLOCK\b))+{_EDGE}"
+    rf"(?<=[,d] )a|[b-hj-z]|i(?! (?:want|need|have|would|like|wish|am|can|could|should|see|got|think|m|d)\b)|\d|"
+    rf"one(?= (?:,|and \d|\d|[.;:)]|are|go|$))|'[A-Z]')(?! [A-Za-z]?BLOCK\b))+{_EDGE}"
 )
 _RANGE = r"(?:from )?(?:[A-Z]|\d|one) (?:to|through|up to|till|until) (?:[A-Z]|\d)" + _EDGE
 _ONE = r"(?:[A-Z]|\d|'[A-Z]')" + _EDGE

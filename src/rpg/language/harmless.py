@@ -154,6 +154,7 @@ _INTERJECTIONS = """
     ha haha hahaha hehe hooray hurray yay wow oops gosh phew alas ahoy bravo cheers ciao adios hello hi hey hiya howdy
     greetings bye goodbye thanks thank ta thx welcome amen bingo voila bonjour hola aloha congrats congratulations
     sorry pardon please okay ok alright yes yeah yep sure lol omg oh ah aha well hmm ugh ouch yikes hallelujah
+    tyvm tysm thxx kthx kthxbye thnx tks tnx plzz plss thankyou cheerio toodles
     ooh oo aw aww yippee tada hurrah um uh er erm hm mm yo jeez blimey crikey
 """
 _NAMES = """

@@ -35,6 +35,9 @@ _WHOLE = (
     "big_deal|pun_intended|sweat|excuses|questions|questions_asked|arguments at_all|please|though|today|really|here?",
     "i|we am|are not joking|kidding",
     "this|that|it is not a joke|prank",
+    "watch|look|listen|observe|behold",
+    "time is short|tight|money|precious|running_out",
+    "do not overthink|overcomplicate|overdo it|this|that",
     "do not worry|panic|laugh|ask|cry|hurry|rush|stress|despair|sweat|giggle|be_afraid|be_shy|be_angry|be_mad|"
     "be_scared|"
     "be_sad|be_cross|be_nervous|you_worry|mind_me|mind_the_mess|mind_the_noise|get_nervous|get_angry|thank_me|"

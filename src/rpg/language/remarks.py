@@ -15,6 +15,8 @@ from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason
 from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
+from rpg.language.spoken_leads import judged
+from rpg.language.spoken_wishes import led_by_form
 from rpg.language.talk_forms import addressed_at
 from rpg.language.telling import tells
 from rpg.language.tokens import Token
@@ -43,6 +45,8 @@ _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", 
 _PLEASE = frozenset({"please", "just", "now", "then", "could", "can", "kindly"})
 _TURNED = frozenset({"would", "will", "i", "we", "let", "do", "you", "make"})
 """What a task begins with behind whom it is said to."""
+_LEADING = _PLEASE | {",", "you", "and", "to", "first"}
+"""Behind these a command may begin in another sentence."""
 _WISHED = frozenset({"need", "want", "would", "wish"})
 """Who wishes it is told in front of an "and": "we are making a video and need a row"."""
 _BINDING = frozenset({"not", "no", "never", "only", "except", "nor", "or", "and", "but", "just", "even", "than", "as",
@@ -94,6 +98,13 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         yield begin, stop
         return
     first, last = begin, end
+    lead, tail = judged(tokens[begin:end])
+    if lead:
+        yield begin, begin + lead
+        first = begin + lead
+    if tail:
+        yield end - tail, end
+        last = end = end - tail
     for mark in reversed(marks):
         if begin and tokens[mark].word == ":" and tokens[mark - 1].word in _OF_A_TIME:
             break  # behind what is so at the start
@@ -101,7 +112,7 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
             first = mark + 1 + (tokens[mark + 1].word in ("but", "and", "so"))
             yield begin, first
             break
-    if ahead := _ahead(tokens, first, end):
+    while ahead := _ahead(tokens, first, end, begin):
         yield ahead
         first = ahead[1]
     for mark in marks:
@@ -151,16 +162,26 @@ def _all_idle(parts: list[list[Token]]) -> bool:
 _FILLING = frozenset({"right", "so", "now", "then", "well", "and", "but"})
 
 
-def _ahead(tokens: list[Token], begin: int, end: int) -> tuple[int, int] | None:
-    """ "I am in a hurry so put ...", "today put ...": talk that nothing sets off; "we" stays in front of "and need"."""
+def _ahead(tokens: list[Token], begin: int, end: int, sentence: int) -> tuple[int, int] | None:
+    """ "I am in a hurry so put ...", "today put ...": talk that nothing sets off; "we" stays in front of "and need".
+    `sentence`: where it begins, with other such talk."""
     words = [token.word for token in tokens[begin:end]]
     called = addressed_at(words)
     called = called or (exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary())
     if called and begin + called < end - 2 and (tokens[begin + called].word in _ASKING | _PLEASE | _TURNED):
         return begin, begin + called
-    ahead, behind = any(map(tells, tokens[:begin])), any(map(tells, tokens[end:]))
+    if (
+        not any(map(tells, tokens[:sentence]))
+        and exclaimed(tokens[begin].word)
+        and tokens[begin].word not in vocabulary()
+    ):
+        return begin, begin + 1
+    ahead, behind = any(map(tells, tokens[:sentence])), any(map(tells, tokens[end:]))
     state = 0 if ahead else state_behind(words)
     if led := command_behind(words) or state or (0 if ahead or behind else thing_behind(words)):
+        return begin, begin + led
+    commanded = any(t.word in _ASKING and t1.word in _ENDS | _LEADING for t1, t in pairwise(tokens[end - 1 :]))
+    if led := 0 if ahead else led_by_form(tokens[begin:end], commanded):
         return begin, begin + led
     for at in range(begin + 1, end - 2):
         if tokens[at].word in _MARKS:

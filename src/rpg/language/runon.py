@@ -17,7 +17,8 @@ def runs_on(tokens: list[Token], n: int) -> bool:
     last, first = tokens[n - 1], tokens[n]
     ended = last.word in _ENDS or _symbol(last) or any(last.word in table for table in (*_NAMES, *_NOUNS))
     named = first.raw in ("the", "a", "an") or _symbol(first) or any(first.word in table for table in _NAMES)
-    return ended and (named or first.word in _STEPS)
+    beside = first.word == "next" and n + 1 < len(tokens) and tokens[n + 1].word == "to"
+    return ended and (named or (first.word in _STEPS and not beside))
 
 
 def _symbol(token: Token) -> bool:

@@ -95,6 +95,109 @@ from tests.language.frames.told import told
             "There are 5 blue blocks and a gray patch. 3 of the 5 blue blocks must be on the gray patch. The "
             "other 2 blue blocks must be in the right half of the table.",
         ),
+        (
+            "blue and green next to each other red on top of blue",
+            "There are a blue block, a green block and a red block. The blue block and the green block must be "
+            "next to each other. The red block must be on top of the blue block.",
+        ),
+        (
+            "got 4 blue blocks, all but one go on the patch",
+            "There are 4 blue blocks and a patch. Exactly 3 of the 4 blue blocks must be on the patch.",
+        ),
+        (
+            "all four red blocks on the patch except one",
+            "There are 4 red blocks and a patch. Exactly 3 of the 4 red blocks must be on the patch.",
+        ),
+        (
+            "Between cyan box and orange box must be gap of 6 centimeter.",
+            "There are a cyan block and an orange block. There must be a gap of 6 cm between the cyan block and "
+            "the orange block.",
+        ),
+        (
+            "The white block stays within 1 cm of its starting position while the red block is moved onto the patch.",
+            "There are a white block, a red block and a patch. The white block must not be moved by more than 1 "
+            "cm. The red block must be on the patch.",
+        ),
+        (
+            "White target of circle shape should have red block and blue block on it, and black block should be "
+            "outside of it.",
+            "There are a red block, a blue block, a round white patch and a black block. The red block and the "
+            "blue block must be on the round white patch. The black block must not be on the round white patch.",
+        ),
+        (
+            "one of three purple boxes must be on top of gray box, other two are on table",
+            "There are 3 purple blocks and a gray block. 1 of the 3 purple blocks must be on top of the gray "
+            "block. The other 2 purple blocks must be on the table.",
+        ),
+        (
+            "Only the yellow block should be on the mat, the red and the green block are elsewhere on the table.",
+            "There are a yellow block, a patch, a red block and a green block. Only the yellow block must be on "
+            "the patch. The red block and the green block must not be on the patch.",
+        ),
+        (
+            "red blocks 2 pieces on patch red, blue block 1 piece on patch blue",
+            "There are 2 red blocks, a red patch, a blue block and a blue patch. The 2 red blocks must be on the "
+            "red patch. The blue block must be on the blue patch.",
+        ),
+        (
+            "the mat should be clear, the red block and the blue block next to it",
+            "There are a patch, a red block and a blue block. The patch must be empty. The red block and the blue"
+            " block must be next to the patch.",
+        ),
+        (
+            "mat: red, blue. table: green.",
+            "There are a red block, a blue block, a patch and a green block. The red block and the blue block "
+            "must be on the patch. The green block must be on the table.",
+        ),
+        (
+            "Make it so the brown block isn't on the gray block any more but next to it.",
+            "There are a brown block and a gray block. At the start, the brown block is on top of the gray block."
+            " The brown block must not be on top of the gray block. The brown block must be next to the gray "
+            "block.",
+        ),
+        (
+            "please take the two orange blocks and put one on the red mat and one on the blue mat",
+            "There are 2 orange blocks, a red patch and a blue patch. 1 of the 2 orange blocks must be on the red"
+            " patch. The other orange block must be on the blue patch.",
+        ),
+        (
+            "put red left of blue with 10 cm between them",
+            "There are a red block and a blue block. The red block must be to the left of the blue block. There "
+            "must be a gap of 10 cm between the red block and the blue block.",
+        ),
+        (
+            "Both of the cyan blocks must touch the brown block, but the cyan blocks must not touch each other.",
+            "There are 2 cyan blocks and a brown block. The 2 cyan blocks must touch the brown block. The 2 cyan "
+            "blocks must not touch each other.",
+        ),
+        (
+            "the cyan one above the red one, not necessarily touching",
+            "There are a cyan block and a red block. The cyan block must be above the red block.",
+        ),
+        (
+            "Move the small black block from on top of the big white block to the table in front of it.",
+            "There are a small black block and a big white block. At the start, the small black block is on top "
+            "of the big white block. The small black block must be on the table. The small black block must be in"
+            " front of the big white block.",
+        ),
+        (
+            "i have three blocks red blue green i want red to be between blue and green",
+            "There are a red block, a blue block and a green block. The red block must be between the blue "
+            "block and the green block.",
+        ),
+        (
+            "red next to blue and leave everything else alone",
+            "The red block must be next to the blue block. All other blocks must stay where they are.",
+        ),
+        (
+            "There are a red block, a blue block and a green block. Swap red and blue. Leave everything else alone.",
+            "There are a red block, a blue block and a green block. The red block and the blue block must "
+            "swap places. The green block must stay where it is.",
+        ),
+        (
+            "There are a red and a blue block. The former must be on the latter.",
+            "There are a red block and a blue block. The red block must be on top of the blue block.",
+        ),
     ],
 )
 def test_relations_are_told_plainly(text: str, plain: str) -> None:
@@ -109,6 +212,18 @@ def test_relations_are_told_plainly(text: str, plain: str) -> None:
         "Put the red block on the blue block. Green is on the mat.",  # now, or in the end?
         "red on blue and green on yellow, in the left half of the table",  # both, or the last?
         "Put two blue blocks on the mat and one on the green block.",  # one of them, or another?
+        "Put three red blocks on the mat except one.",  # of how many?
+        "All but four of the three red blocks on the patch.",
+        "red on blue, and red to the left",  # of the table, or of the blue block?
+        "Three white cubes on the purple patch. The orange one must stay empty.",  # a patch
+        "The mat must be clear and the red one on the blue one, the blue one clear.",
+        "Half of the five red blocks on the mat.",
+        "There are a red block, a blue block and a mat. The latter must be next to the red block.",
+        "The red block must never be within 5 cm of its starting position.",
+        "mat: not red. table: red",
+        "Leave the red block on the mat except one.",
+        "The red block may only be on the mat if the blue block is too.",
+        "the red block must be on the blue block red",
         "Put the red block next to the blue block or the green one.",
         "The red block may be on the blue block.",
         "Is the red block on the blue block?",

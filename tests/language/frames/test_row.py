@@ -62,6 +62,47 @@ from tests.language.frames.told import told
             "the red and the white blocks go in a line, two of each",
             "Lay 2 red blocks and 2 white blocks in a line.",
         ),
+        (
+            "white twice, black once, in a row with black in the middle",
+            "Lay 2 white blocks and 1 black block in a row from left to right: white, black, white.",
+        ),
+        (
+            "Three red and three white, lined up, no two of the same colour next to each other",
+            "Lay 3 red blocks and 3 white blocks in a line of alternating colors.",
+        ),
+        (
+            "Row: first and third block red, second and fourth block blue",
+            "Lay 2 red blocks and 2 blue blocks in a row from left to right: red, blue, red, blue.",
+        ),
+        (
+            "blue ones first, then the green ones, then the red ones, two of each, in a line",
+            "Lay 2 blue blocks, 2 green blocks and 2 red blocks in a line from left to right: blue, blue, green, "
+            "green, red, red.",
+        ),
+        (
+            "put a small block between two big blocks in a row",
+            "Lay 1 small block and 2 big blocks in a row from left to right: a big block, a small block, a big block.",
+        ),
+        (
+            "All the red blocks go to the left of all the blue blocks in a row of three reds and two blues.",
+            "Lay 3 red blocks and 2 blue blocks in a row from left to right: red, red, red, blue, blue.",
+        ),
+        (
+            "line of cubes, blue in the center, two whites left of it and two whites right of it",
+            "Lay 1 blue block and 4 white blocks in a line from left to right: white, white, blue, white, white.",
+        ),
+        (
+            "row of 6 with pattern blue blue red",
+            "Lay 4 blue blocks and 2 red blocks in a row from left to right: blue, blue, red, blue, blue, red.",
+        ),
+        (
+            "one line, first and last red, the remaining three white",
+            "Lay 3 white blocks and 2 red blocks in a line from left to right: red, white, white, white, red.",
+        ),
+        (
+            "Six blue blocks in a row, none of them touching",
+            "Lay 6 blue blocks in a row. The blocks do not touch each other.",
+        ),
     ],
 )
 def test_parts_are_put_together(text: str, plain: str) -> None:
@@ -86,6 +127,21 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "line up red and white, standing on the green mat",  # both, or the white one?
         "at the left end a red and a blue block, in a row with two white ones",
         "put four blocks in a row, the other two are red",
+        "a row of five, all but the last one red",
+        "a row of five blocks, all red but two",
+        "a row of three small blocks and two red ones",  # are these small?
+        "a row of blue, two whites left of it and one white right of it",
+        "a row of seven with pattern blue blue red",
+        "blocks 1 and 3 red, 3 and 4 blue, in a row",
+        "a row with all red ones left of all blue ones",  # how many?
+        "first line up red and blue, then put green on the left",
+        "three red blocks in a row touching the blue block",
+        "row of red and blue repeated",
+        "row of six, two colours, red, white and blue",
+        "three red blocks in a row, two of which are blue",
+        "the third block from the left in a row of five is red",  # and not five of them
+        "align the red block with the blue block",  # along which line?
+        "a row of four red blocks, a blue block lies on the second one from the left",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

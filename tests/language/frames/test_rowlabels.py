@@ -67,6 +67,28 @@ from tests.language.frames.told import told
             "Place letter C between letters A and B in a row.",
             "Lay the blocks C, A and B in a row with A and B at the ends.",
         ),
+        ("row letters: A x2, B x1", "Lay the blocks A, A and B in a row from left to right: A, A, B."),
+        (
+            "In one row, the vowels A and E on the right, the consonants B, C and D on the left",
+            "Lay the blocks A, E, B, C and D in a row from left to right with the consonants before the vowels.",
+        ),
+        (
+            "Five digits in a row, descending, starting with 8 and ending with 4",
+            "Lay the blocks 4, 5, 6, 7 and 8 in a row in descending order from left to right.",
+        ),
+        (
+            "P, Q and R in a row in the order named",
+            "Lay the blocks P, Q and R in a row from left to right: P, Q, R.",
+        ),
+        (
+            "3 letters and 2 digits in a line, A 1 B 2 C",
+            "Lay the blocks A, 1, B, 2 and C in a line from left to right: A, 1, B, 2, C.",
+        ),
+        ("even numbers from 2 to 8 in a row, ascending", "Lay the blocks 2, 4, 6 and 8 in a row in ascending order."),
+        (
+            "Please place A and B at the two ends of a row and the blocks C and D between them.",
+            "Lay the blocks A, B, C and D in a row with A and B at the ends.",
+        ),
     ],
 )
 def test_parts_are_put_together(text: str, plain: str) -> None:
@@ -94,6 +116,9 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "line up A, C, B in order",
         "Line up A, B and C so that A is left of B and C is left of A and B is left of C",
         "A, B, C in a row from left to right; then C, B, A",
+        "row with the vowels A, B on the left and the consonants C, D on the right",
+        "3 letters and 3 digits in a line, A 1 B 2 C",
+        "the vowels A and E in a row with the digits 1 and 2 left of them",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

@@ -27,7 +27,7 @@ THREE = "Build a tower from 1 orange block and 1 brown block and 1 cyan block."
         ("Green cubes, a stack, four high.", "Build a tower from 4 green blocks."),
         (
             "make a stack, alternating black and white, 6 blocks tall, with black at the bottom",
-            "Build a tower of alternating colors from 3 black blocks and 3 white blocks. The black block is at the "
+            "Build a tower of alternating colors from 3 black blocks and 3 white blocks. A black block is at the "
             "bottom.",
         ),
         (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from rpg.language import lexicon
@@ -9,7 +10,8 @@ from rpg.language.frames.pieces import coded, patterns
 from rpg.language.tokens import Token
 
 _ITEM = (
-    "(?:(?:a|an|NUM|some) )?(?:(?:other|extra|further|more|additional|single) )?(?:SIZE )?COLOR(?: (?:letter )?BLOCK)?|"
+    "(?:(?:a|an|NUM|some) )?(?:(?:other|extra|further|more|additional|single) )?(?:SIZE )?COLOR(?: (?:letter "
+    ")?BLOCK)?|"
     "(?:(?:a|an|the) )?(?:letters? |digits? |numbers? )?(?:BLOCK )?(?:[A-Z]|\\d)(?: BLOCK)?"
 )
 _ITEMS = f"(?P<items>(?:{_ITEM})(?:(?: ,)?(?: and)? (?:{_ITEM}))*)"
@@ -22,9 +24,11 @@ _LEAD = (
     r"in the scene|on the TABLE) )*"
 )
 _TAIL = (
-    r"(?: (?:somewhere|anywhere|lying|standing|placed|scattered|around|about|on the TABLE|in the scene|too|as well|"
+    r"(?: (?:somewhere|anywhere|lying|lies|lie|stands|stand|standing|placed|scattered|around|about|on the TABLE|in "
+    r"the scene|too|as well|"
     r"(?:that|which) (?:play|plays|have|has) no (?:role|part|function|meaning)|"
-    r"(?:that|which) (?:have|has) nothing to do with (?:it|this|the task)|to (?:be )?ignored?))*"
+    r"(?:that|which) (?:have|has) nothing to do with (?:it|this|the task)|to (?:be )?ignored?|"
+    r"(?:and|but|that|which) (?:must|should|may|shall|are|is) not (?:to )?be (?:touched|moved|disturbed)))*"
 )
 TOLD = [
     *patterns("items", None,
@@ -67,7 +71,14 @@ def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], 
             last = items.split()[-1]
             bare = last in lexicon.COLORS or last in _ONE or (last.isdigit() and last == items)
             noun = (" block" if items.split()[0] in _ONE else " blocks") if bare else ""
-            yield rest, list(tokens[n:m]), f"There are also {items}{noun} as distractors."
+            said = f"There are also {items}{noun} as distractors."
+            if re.search(r"not (?:to )?be (?:touched|moved|disturbed)", match[0]):
+                if not re.match(r"(?:an?|one|1) ", items):
+                    return
+                known = re.sub(r"\b(?:an?|one|1) ", "the ", f"{items}{noun}")
+                stays = "they are" if " and " in items else "it is"
+                said = f"There are also {items}{noun}. {known.capitalize()} must stay where {stays}."
+            yield rest, list(tokens[n:m]), said
         return
 
 

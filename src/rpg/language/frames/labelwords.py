@@ -19,8 +19,8 @@ _NEXT = (
 )
 _SPEAKS = "(?:can|could|want|need|have|would|like|see|wish|should|am|will|must|may|read|do|get|expect)"
 _L = (
-    rf"[A-HJ-Z]|I(?= (?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$)|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|"
-    rf"a(?= {_NEXT} )|i(?= (?:,|and|[A-Z]|[b-hj-z]|BE) )"
+    rf"[A-HJ-Z]|I(?= (?:(?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$))|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|"
+    rf"a(?= (?:{_NEXT} |$))|i(?= (?:,|and|[A-Z]|[b-hj-z]|BE) )"
 )
 _DIGITS, _LETTERS = string.digits, string.ascii_uppercase
 
@@ -42,17 +42,28 @@ def _range(match: re.Match[str]) -> list[str]:
     return between(_bare(match["first"]), _bare(match["last"]))
 
 
+def _every_other(match: re.Match[str]) -> list[str]:
+    """The even or odd digits of a range ("from 2 to 8 from right to left" tells two ways, and is left alone)."""
+    return [label for label in _range(match) if label.isdigit() and int(label) % 2 == (match["which"] == "odd")]
+
+
 _TO = "(?:to|through|thru|till|until|up to|…|down to|up through)"
 LABELS: list[Pattern] = [
     *patterns("lot", None,
         rf"(?:(?P<det>the|a|an|one|my) )?(?:{_ONE} )?(?:{_ONE} (?:{_CARRIES} (?:the |a |an )?(?:{_NOUN} "
         rf")?)?)?(?P<label>{_L})(?: {_ONE})?(?! blocks)",
-        r"(?P<count>\d|a|an|one) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)"),
+        r"(?P<count>\d|a|an|one) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)",
+        rf"(?:the )?(?P<label>[A-Z])(?: {_ONE})? (?:(?:x|times) (?P<count>\d)|(?:(?:appears|occurs|comes) )?"
+        r"(?P<often>once(?! each)|twice|\d(?= times))(?: times)?)",
+        r"(?P<count>\d) (?:x|times) (?:the )?(?P<label>[A-Z])"),
     *patterns("range", _range,
         rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:(?P<way>from|starting with|beginning with) )?(?P<first>{_L}|"
         rf"one) {_TO} (?P<last>{_L})(?: inclusive)?",
         rf"(?:from )?(?P<first>{_L}) (?:at|on) the (?P<side>left|right)(?: end| side)? {_TO} (?P<last>{_L}) (?:at|"
         rf"on) the (?:left|right)(?: end| side)?"),
+    *patterns("range", _every_other,
+        rf"(?:all )?(?:of )?(?:the )?(?P<which>even|odd) (?:{_NOUN}|BLOCK)(?: from)? (?P<first>{_L}|one) {_TO} "
+        rf"(?P<last>{_L})(?: inclusive)?(?! from )"),
     *patterns("range", lambda match: list(_LETTERS[: int(match["n"])]),
         r"(?:the )?first (?P<n>\d+) letters(?: of the alphabet| in the alphabet)?"),
     *patterns("range", lambda match: list(_DIGITS), r"all (?:of )?(?:the )?(?:10 )?(?:digits|numerals)(?= )(?! "
@@ -73,13 +84,13 @@ LABELS: list[Pattern] = [
 
 _SORTS = (
     "(?:(?:in|into|by|the|an|a|with|BE|sorted|sort|ordered|order|arranged|arrange|their|its|according to|following|"
-    "strictly|put|going|listed|running|goes|go|runs|all|so that they are) )*"
+    "strictly|run|they|stand|put|going|listed|running|goes|go|runs|all|so that they are) )*"
 )
 _ABC = "(?:alphabetical(?:ly)?|alphabetic|alphabet|abc|a to z|A to Z|a to Z|dictionary|lexicographic(?:al)?)"
 _BACK = "(?:reverse|reversed|inverse|inverted|backwards?|opposite)"
 _ORDER = "(?: (?:order|sequence|sorted|ordered|arranged|value|number|numerical|numeric|values))*"
 _LOW = "(?:smallest|lowest|least|low|small|smaller|lower)"
-_HIGH = "(?:largest|biggest|highest|greatest|high|large|bigger|larger|higher)"
+_HIGH = "(?:largest|biggest|highest|greatest|high|big|large|bigger|larger|higher)"
 _WHAT = rf"(?: (?:{_NOUN}|one|BLOCK))?"
 _TOWARD = "(?: (?:to|towards?) the (?P<toward>left|right))?"
 _UP = "(?:ascending|increasing|counting up|going up|(?:rising|growing)(?= (?:order|sequence|numerical|number|to|from)))"
@@ -98,7 +109,7 @@ SORTED: list[Pattern] = [
         f"(?:they |that |which )?(?:counts?|goes|go|climbs?|runs?) up(?:wards)?{_TOWARD}",
         f"(?:so that |and |with )?(?:(?:the|their) )?(?:{_NOUN}|values?|they|which|it) (?:must |should |shall |to |"
         f"have to |may only )?(?:increase|increases|increasing|rise|rises|grow|grows|ascend|ascends|go up|get "
-        f"(?:bigger|larger|higher)|gets? (?:bigger|larger|higher))",
+        f"(?:bigger|larger|higher)|gets? (?:bigger|larger|higher)){_TOWARD}",
         f"{_SORTS}(?:from )?(?:the )?{_LOW}{_WHAT} (?:to|up to) (?:the )?{_HIGH}{_WHAT}", f"(?:with )?(?:the "
         f")?{_LOW}{_WHAT} (?:BE )?first",
         f"(?:with )?(?:the )?{_HIGH}{_WHAT} (?:BE )?last"),
@@ -107,7 +118,7 @@ SORTED: list[Pattern] = [
         f"(?:they |that |which )?(?:counts?|goes|go|runs?) down(?:wards)?{_TOWARD}",
         f"(?:so that |and |with )?(?:(?:the|their) )?(?:{_NOUN}|values?|they|which|it) (?:must |should |shall |to |"
         f"have to |may only )?(?:decrease|decreases|decreasing|fall|falls|shrink|descend|descends|go down|gets? "
-        f"(?:smaller|lower))",
+        f"(?:smaller|lower)){_TOWARD}",
         f"{_SORTS}(?:from )?(?:the )?{_HIGH}{_WHAT} (?:to|down to) (?:the )?{_LOW}{_WHAT}", f"(?:with )?(?:the "
         f")?{_HIGH}{_WHAT} (?:BE )?first",
         f"(?:with )?(?:the )?{_LOW}{_WHAT} (?:BE )?last"),
@@ -146,7 +157,8 @@ _COME = "(?: (?:must |should |shall )?(?:BE|come|comes|go|goes|stand|placed))?"
 _SEP = "(?: ,| ;)?(?: and| but| with)?"
 _THEN = "(?: then| followed by| after (?:that|them|those|these)| next| behind them)"
 _TAIL = (
-    "(?: (?:also )?(?:after (?:that|them|those|these)|afterwards|last|second|next|on the right|at the right|behind|"
+    "(?: (?:also )?(?:at the (?:end|back)|after (?:that|them|those|these)|afterwards|last|second|next|on the right|"
+    "at the right|behind|"
     "to the right))?"
 )
 
@@ -158,8 +170,9 @@ def _kinds() -> list[Pattern]:
         one, other = (f"(?:the |all |all the |any |its )?{_KINDS[kind]}" for kind in (ahead, behind))
         found += patterns("kinds", (ahead, behind),
             f"{one}{_COME} (?:before|ahead of|preceding|to the left of|left of|in front of) (?:any of "
-            f")?{other}", f"{one} precede {other}",
-            f"{one}{_COME} (?:first|on the left|at the left|to the left){_SEP}{_THEN}?{_SEP} {other}{_COME}{_TAIL}",
+            f")?{other}", f"{one}(?: (?:must|should|shall|have to|to))? (?:precede|come before) {other}",
+            f"{one}{_COME} (?:first|on the left|at the left|to the left|in front|at the (?:front|start|"
+            f"beginning)){_SEP}{_THEN}?{_SEP} {other}{_COME}{_TAIL}",
             f"first {one}{_SEP}{_THEN}?{_SEP} {other}{_COME}{_TAIL}",
             f"{one}{_SEP}{_THEN} {other}{_COME}{_TAIL}",
             f"{one}{_COME} first", f"{other}{_COME} last", f"{other}{_COME} (?:after|behind|following|to the right "

@@ -12,7 +12,7 @@ _DET = "the|these|those|my|our|your|all|all the|both|both the|a|an|exactly|just|
 LOTS: list[Pattern] = [
     *patterns("lot", None,
         rf"(?:(?P<det>{_DET}) )?(?:(?P<count>NUM) )?(?:(?P<size>SIZE) )?(?:plain )?(?P<color>COLOR)(?P<many>s)?"
-        r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one))?"),
+        r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one(?! (?:SIZE )?COLOR)))?"),
     *patterns("total", lambda match: number(match["count"]),
         r"(?:of |from |with |using )?(?:the |all |exactly )?(?P<count>NUM) (?:identical |plain )?BLOCK"
         r"(?: in total| in all| altogether| overall)?",

@@ -17,7 +17,9 @@ _STATE = (
     "pose|poses)"
 )
 _IS = (
-    "(?:(?: is| are| shows| has| contains| looks like this| consists of| means| requires)?"
+    "(?:(?:(?: must| should| shall| has to| needs to)?(?: satisfy| satisfies| fulfills?| meets?| have| show)(?: the "
+    "following(?: conditions?| requirements?| constraints?)?)?| is| are| shows| has| contains| looks like this| "
+    "consists of| means| requires)?"
     "(?: that| to have| to be)?(?: :)?| ,| -)?"
 )
 _EPISODE = "(?:episode|task|trial|scene|run|rollout|exercise|game|test|experiment|world|table|simulation)"

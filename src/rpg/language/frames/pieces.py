@@ -75,8 +75,8 @@ def patterns(kind: str, value: Any, *texts: str) -> list[Pattern]:
 
 
 def number(said: str) -> int:
-    """The number that a word of the class NUM says."""
-    return int(said) if said.isdigit() else 1
+    """The number that a word of the class NUM says, or how many times."""
+    return int(said) if said.isdigit() else 2 if said == "twice" else 1
 
 
 def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
@@ -85,7 +85,7 @@ def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
 
 
 _BEHIND_SYMBOL = frozenset(
-    {",", "and", "on", "over", "under", "above", "below", "beside", "goes", "must", "should", "with"}
+    {",", "x", "and", "on", "over", "under", "above", "below", "beside", "goes", "must", "should", "with"}
 )
 """Before these an A is no article."""
 _SEVERAL = re.compile("[A-Z]s")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from rpg.language.frames.pieces import Piece, Unclear, number
@@ -48,17 +48,18 @@ class Known:
 class Things:
     """What has been told of, in order; which of it stands in a statement, and in one of
     the start; how many of a lot a part
-    of it is; what is told of without a noun, and may be a patch."""
+    of it is; what is told of without a noun, and may be a patch; whether others are spoken of that are not told."""
 
     known: list[Known] = field(default_factory=list)
     used: set[str] = field(default_factory=set)
     seen: set[str] = field(default_factory=set)
     parted: dict[str, int] = field(default_factory=dict)
     bare: set[str] = field(default_factory=set)
+    others: bool = False
 
     def copied(self) -> Things:
         """The same, to be changed by itself."""
-        return Things([*self.known], {*self.used}, {*self.seen}, {**self.parted}, {*self.bare})
+        return Things([*self.known], {*self.used}, {*self.seen}, {**self.parted}, {*self.bare}, self.others)
 
     @property
     def all_used(self) -> bool:
@@ -97,17 +98,25 @@ class Things:
         """What a statement is about."""
         return self._meant(pieces, objects, subject=True)
 
-    def objects(self, pieces: Sequence[Piece], subjects: Sequence[Known], *, on: bool) -> list[Known]:
-        """What that stands to. `on`: it is on it, and that may be a block or a patch."""
-        return self._meant(pieces, subjects, subject=False, on=on)
+    def objects(
+        self, pieces: Sequence[Piece], subjects: Sequence[Known], *, on: bool, into: bool = False
+    ) -> list[Known]:
+        """What that stands to. `on`: it is on it, and that may be a block or a patch; `into`: it is inside or outside
+        of it, and that is a patch."""
+        return self._meant(pieces, subjects, subject=False, on=on, into=into)
 
     def _meant(
-        self, pieces: Sequence[Piece], others: Sequence[Known], *, subject: bool, on: bool = False
+        self, pieces: Sequence[Piece], others: Sequence[Known], *, subject: bool, on: bool = False, into: bool = False
     ) -> list[Known]:
         found: list[Known] = []
+        pieces = _one_of_each(pieces)
         for n, piece in enumerate(pieces):
             if piece.kind == "they":
-                found += self._all([known for known in self.known if known not in others], subject=subject)
+                found += self._all(piece, [known for known in self.known if known not in others], subject=subject)
+            elif piece.kind == "other":
+                found.append(self._other(others))
+            elif piece.kind == "it" and into:
+                found.append(self.only_patch())
             elif piece.kind == "it":
                 found.append(self._it(piece, others, subject=subject))
             elif piece.kind == "thing":
@@ -122,15 +131,42 @@ class Things:
             raise Unclear
         return found
 
-    def _all(self, known: list[Known], *, subject: bool) -> list[Known]:
-        """Both things that there are, or the one lot."""
-        blocks = [thing for thing in known if not thing.patch] if subject else known
+    def _all(self, piece: Piece, known: list[Known], *, subject: bool) -> list[Known]:
+        """Both things that there are, or the one lot; or all of so many."""
+        blocks = [thing for thing in known if not thing.patch] if subject or "all" in piece.named else known
+        if "all" in piece.named:
+            if sum(thing.count for thing in blocks) != number(piece.named["all"]):
+                raise Unclear
+            return blocks
         if (len(blocks) == 1 and blocks[0].count == 2) or [thing.count for thing in blocks] == [1, 1]:
             return blocks
         raise Unclear
 
+    def _other(self, others: Sequence[Known]) -> Known:
+        """The other one of two blocks."""
+        if len(self.known) != 2 or len(others) != 1 or any(known.patch or known.count > 1 for known in self.known):
+            raise Unclear
+        return self._one([known for known in self.known if known not in others])
+
+    def empty(self, things: Sequence[Known]) -> str:
+        """That nothing is on a thing, in plain words."""
+        thing = self._one(things)
+        if thing.count > 1 or thing.part:
+            raise Unclear
+        return f"{thing.name} must be empty" if thing.patch else f"nothing must be on {thing.name}"
+
+    def left(self) -> list[Known]:
+        """The blocks of which nothing is said."""
+        if self.parted:
+            raise Unclear
+        return [known for known in self.known if not known.patch and known.look not in self.used]
+
     def _it(self, piece: Piece, others: Sequence[Known], *, subject: bool) -> Known:
         blocks = [known for known in self.known if known.count == 1 and known not in others]
+        if piece.value in ("former", "latter"):
+            if len(self.known) != 2 or any(known.patch or known.count > 1 for known in self.known):
+                raise Unclear
+            return self.known[1 if piece.value == "latter" else 0]
         return self._one([known for known in blocks if not known.patch or not (subject or piece.value == "block")])
 
     def _thing(self, piece: Piece, *, on: bool, both: int) -> Known:
@@ -201,17 +237,17 @@ class Things:
     def _part(self, piece: Piece) -> Known:
         """So many of a lot; no more can be told of these but what the rest of them is."""
         named = piece.named
-        part = number(named["part"])
         lots = [known for known in self.known if known.count > 1 and not known.patch]
         look = named["color"] if "color" in named else self._one(lots).look
         same = [known for known in self.known if known.look == look and not known.patch]
         count = number(named["count"]) if "count" in named else same[0].count if same else 0
         lot = same[0] if same else Known(look, count)
+        part = _how_many(named, count)
         if lot.count != count or not 0 < part < count or look in (*self.parted, *self.used):
             raise Unclear
         if not same:
             self.known.append(lot)
-        how = named.get("how", "")
+        how = named.get("how", "") if "but" not in named else "exactly"
         self.parted[look] = part if how in ("", "exactly", "precisely") else 0
         of = f"of the {count} {look} blocks"
         return replace(lot, count=part, part=f"{how} {part} {of}".strip())
@@ -223,15 +259,29 @@ class Things:
         return things[0]
 
 
+def _how_many(named: Mapping[str, str], count: int) -> int:
+    """How many a part is of so many: "2", "all but 2", "half".
+
+    Raises:
+        Unclear: half of an odd number.
+    """
+    if "half" in named:
+        if count % 2:
+            raise Unclear
+        return count // 2
+    return count - number(named["but"]) if "but" in named else number(named["part"])
+
+
 def _named(piece: Piece) -> Known:
     """What a name says. `count`: 0 where several are meant and it is not said how many."""
     named = piece.named
     if piece.value in ("letter", "number"):
         return Known(f"{piece.value} {named[piece.value].upper()}")
     if piece.value == "patch":
-        shape = named.get("shape") or named.get("behind", "").replace("circle", "round")
-        if "shape" in named and "behind" in named:
+        told = [named[part].replace("circle", "round") for part in ("shape", "behind", "form") if part in named]
+        if len(told) > 1:
             raise Unclear
+        shape = "".join(told)
         return Known(" ".join(filter(None, (named.get("size"), shape, named.get("color"), "patch"))), patch=True)
     look = " ".join(filter(None, (named.get("size"), named.get("color"))))
     if "count" in named:
@@ -241,6 +291,25 @@ def _named(piece: Piece) -> Known:
     else:
         count = 0 if "many" in named or named.get("noun") in _MANY else 1
     return Known(look, count)
+
+
+def _one_of_each(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    """ "The red and the blue blocks": one of each."""
+    *ahead, last = pieces or (None,)
+    bare = {"count", "many", "noun"}
+    if (
+        not ahead
+        or last is None
+        or last.kind != "thing"
+        or last.named.get("noun") not in _MANY
+        or "count" in last.named
+    ):
+        return pieces
+    if any(p is None or p.kind != "thing" or p.value != "block" or bare & p.named.keys() for p in ahead):
+        return pieces
+    if any(p.named.get("det", "").startswith(("both", "all", "each")) for p in pieces):
+        return pieces
+    return [*pieces[:-1], replace(last, named={**last.named, "noun": "block"})]
 
 
 def _says_both(pieces: Sequence[Piece], n: int) -> int:

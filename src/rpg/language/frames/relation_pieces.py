@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.language.frames.pieces import Piece
-from rpg.language.frames.relation_clauses import NAMES
+from rpg.language.frames.relation_reading import NAMES
+from rpg.language.frames.relation_words import Relation
 
+_ON = ("on", "on top of")
 _ONE = frozenset({"a", "an", "one", "another"})
 
 
@@ -18,7 +20,122 @@ def plainer(pieces: Sequence[Piece]) -> list[Piece]:
         for n in range(1, len(pieces) - 1)
         if pieces[n].words == ":" and pieces[n - 1].kind in NAMES and pieces[n + 1].kind in ("rel", "place", "mutual")
     }
-    return _one_and_other(_taken([piece for n, piece in enumerate(pieces) if n not in colons]))
+    found = [piece for n, piece in enumerate(pieces) if n not in colons]
+    for step in (_headed, _counted_out, _no_longer, _listed, _excepted, _one_by_one, _taken, _one_and_other):
+        found = step(found)
+    return found
+
+
+def _one_by_one(pieces: list[Piece]) -> list[Piece]:
+    """ "The two blue blocks, one on A and one on B", or "the other on B": one of two, and the other."""
+    ones = [n for n, piece in enumerate(pieces) if piece.kind == "one"]
+    lots = [p for p in pieces[: ones[0]] if p.kind == "thing" and p.value == "block"] if ones else []
+    if len(ones) not in (1, 2) or len(lots) != 1 or lots[0].named.get("count") != "2":
+        return pieces
+    if len(ones) == 1 and not any(p.kind == "rest" for p in pieces[ones[0] :]):
+        return pieces
+    found = list(pieces)
+    lot = {"color": lots[0].named["color"]}
+    found[ones[0]] = Piece("part", "one of them", None, {"part": "1", "count": "2", **lot})
+    for n in ones[1:]:
+        found[n] = Piece("rest", "the other one", None, lot)
+    return found
+
+
+def _headed(pieces: list[Piece]) -> list[Piece]:
+    """ "Mat: red, blue": what stands behind the colon is on it."""
+    found = list(pieces)
+    for n, piece in enumerate(pieces[:-2]):
+        if pieces[n + 1].words != ":" or (n and pieces[n - 1].kind != "stop"):
+            continue
+        end = next((m for m in range(n + 2, len(pieces)) if pieces[m].kind == "stop"), len(pieces))
+        listed = pieces[n + 2 : end]
+        if any(p.kind not in ("thing", "comma", "join") or p.value == "patch" for p in listed):
+            continue
+        listed = _as_a_list([p for p in listed if p.kind == "thing"])
+        if piece.value == "patch":
+            found[n:end] = [*listed, Piece("rel", "on", Relation("on")), piece]
+        elif piece.kind == "place":
+            found[n:end] = [*listed, replace(piece, words="on the table"), Piece("comma", ",")]
+    return found
+
+
+def _as_a_list(things: Sequence[Piece]) -> list[Piece]:
+    """ "A, B and C"."""
+    listed = [p for thing in things for p in (Piece("comma", ","), thing)][1:]
+    return [*listed[:-2], Piece("join", "and"), listed[-1]] if len(things) > 1 else listed
+
+
+def _no_longer(pieces: list[Piece]) -> list[Piece]:
+    """ "A is not on B any more", "A is no longer on B": it is put off it."""
+    found = list(pieces)
+    for n, piece in enumerate(pieces):
+        if piece.kind != "anymore":
+            continue
+        begin = max((m + 1 for m in range(n) if pieces[m].kind in ("stop", "join", "then", "that")), default=0)
+        end = next(
+            (m for m in range(n, len(pieces)) if pieces[m].kind in ("stop", "join", "then", "that")), len(pieces)
+        )
+        on = [m for m in range(begin, end) if isinstance(r := pieces[m].value, Relation) and r.phrase in _ON]
+        denied = [m for m in range(begin, end) if pieces[m].kind == "not" and pieces[m].value == "not"]
+        if len(on) == 1 and not pieces[on[0]].value.turned and len(denied) == (not piece.words.startswith("no")):
+            found[on[0]] = replace(pieces[on[0]], value=Relation("off"))
+            for m in (n, *denied):
+                found[m] = Piece("dropped", "")
+    return [piece for piece in found if piece.kind != "dropped"]
+
+
+def _listed(pieces: list[Piece]) -> list[Piece]:
+    """ "One cube red one cube blue": two things, one after the other, that make a sentence."""
+    found: list[Piece] = []
+    for n, piece in enumerate(pieces):
+        found.append(piece)
+        begin = max((m + 1 for m in range(n) if pieces[m].kind == "stop"), default=0)
+        end = next((m for m in range(n, len(pieces)) if pieces[m].kind == "stop"), len(pieces))
+        if end > n + 1 and all(p.kind == "thing" and _is_one(p) for p in pieces[begin:end]):
+            found.append(Piece("comma", ",") if end > n + 2 else Piece("join", "and"))
+    return found
+
+
+def _counted_out(pieces: list[Piece]) -> list[Piece]:
+    """ "I have 3 blocks red blue green I want ...": each of them, in a sentence of its own."""
+    found: list[Piece] = []
+    n = 0
+    while n < len(pieces):
+        end = n + 1
+        things: list[Piece] = []
+        while pieces[n].kind == "total" and end < len(pieces) and len(things) < pieces[n].value:
+            if pieces[end].kind == "thing" and "many" not in pieces[end].named and "count" not in pieces[end].named:
+                things.append(pieces[end])
+            elif pieces[end].kind not in ("comma", "join") and (pieces[end].words != ":" or things):
+                break
+            end += 1
+        ends = end == len(pieces) or pieces[end].kind not in ("rel", "place", "mutual", "join", "comma", "be", "keep")
+        ends |= end < len(pieces) and pieces[end].value in ("make", "stack")
+        if not things or len(things) != pieces[n].value or not ends:
+            found.append(pieces[n])
+            n += 1
+            continue
+        told = found[-1:] and found[-1].kind in ("there", "take")
+        found += [] if told else [Piece("there", "there are", "is")]
+        found += _as_a_list(things)
+        found += [] if end == len(pieces) or pieces[end].kind == "stop" else [Piece("stop", ".")]
+        n = end
+    return found
+
+
+def _excepted(pieces: list[Piece]) -> list[Piece]:
+    """ "All four red blocks on the mat except one": three of the four."""
+    found = list(pieces)
+    drop = set()
+    for n, piece in enumerate(pieces):
+        begin = max((m + 1 for m in range(n) if pieces[m].kind in ("stop", "comma", "join", "then")), default=0)
+        lots = [m for m in range(begin, n) if pieces[m].kind == "thing" and "count" in pieces[m].named]
+        if piece.kind == "except" and len(lots) == 1 and pieces[lots[0]].named.get("det", "").startswith("all"):
+            lot = pieces[lots[0]]
+            found[lots[0]] = replace(lot, kind="part", named={**lot.named, **piece.named})
+            drop.add(n)
+    return [piece for n, piece in enumerate(found) if n not in drop]
 
 
 def _taken(pieces: list[Piece]) -> list[Piece]:

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from typing import Literal
 
 from rpg.language.frames.pieces import Piece, Unclear
-from rpg.language.frames.relation_clauses import NAMES
+from rpg.language.frames.relation_reading import NAMES
 
 Sentence = Sequence[Piece]
 Mood = Literal["is", "must", "do", "open"]
 """It is told that something is so; it must be so; it is to be done; none of that is said."""
-_STATING = frozenset({"rel", "place", "mutual", "aside"})
+_STATING = frozenset({"rel", "place", "mutual", "aside", "width", "within"})
 
 
 def stages_of(pieces: Sequence[Piece]) -> tuple[list[Sentence], list[list[Sentence]]]:
@@ -98,12 +98,19 @@ def _open_ahead(moods: Sequence[set[Mood]]) -> bool:
 
 def _moods(sentence: Sentence) -> set[Mood]:
     """The moods of the parts of a sentence that say something, but for that something is on the table."""
-    said = [piece.words for piece in sentence if piece.kind in _STATING]
-    if not states(sentence) or (said and all(words.endswith("on the table") for words in said)):
+    if not states(sentence) or _on_table(sentence):
         return {"do"} if _acts(sentence) else set()
-    moods = {_mood(part) for part in _at_joints(sentence)}
+    parts = [*_at_joints(sentence)]
+    moods = {_mood(part) for n, part in enumerate(parts) if not n or not _on_table(part)}
     there: set[Mood] = {piece.value for piece in sentence if piece.kind == "there"}
     return there if moods == {"open"} and there else moods
+
+
+def _on_table(part: Sentence) -> bool:
+    """Whether a part of a sentence tells only that something is on the table, as things are by themselves, or
+    elsewhere."""
+    said = [piece for piece in part if piece.kind in _STATING or piece.kind == "elsewhere"]
+    return bool(said) and all(p.kind == "elsewhere" or p.words.endswith(("on the table", "on table")) for p in said)
 
 
 def _acts(sentence: Sentence) -> bool:

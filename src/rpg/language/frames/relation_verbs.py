@@ -45,12 +45,13 @@ MOODS: list[Pattern] = [
     *patterns("be", "make",
         f"(?:{_DO})(?: (?:down|over|up))?(?= (?!where|alone|as))", "(?:move|slide|push|shift) (?:away|over|back)"),
     *patterns("be", "make", f"(?:would you mind|how about) (?:{_DOING})"),
-    *patterns("be", "is", "(?:do|does)(?= not (?:touch|stand|lie|sit|go|belong|rest) )"),
+    *patterns("be", "is", "(?:do|does)(?= not (?:touch|stand|lie|sit|go|belong|rest|end|come|get|land|finish|stay) )"),
     *patterns("be", "stack", "stack(?: up)?"),
     *patterns("be", "is", "is|are|being|be", f"(?:(?:is|are|be|being|has been|have been) )?(?:{_RESTS})",
         "lie|hide|live|wait"),
     *patterns("there", "is",
-        "there (?:is|are)|(?:i|I|we|you) have|you see|one sees|i see|I see|we see|here (?:is|are)"),
+        "there (?:is|are)|(?:i|I|we|you) have(?: got)?|"
+        "got(?= (?:a|an|NUM|some) )|you see|one sees|i see|I see|we see|here (?:is|are)"),
     *patterns("there", "must", "there (?:must|should|shall|has to|have to|needs to|will) be|let there be"),
     *patterns("take", None, "take|use|pick|pick up|grab|using|given|you get|we use"),
     *patterns("keep", None,
@@ -93,7 +94,11 @@ GLUE: list[Pattern] = [
         f"(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target )?{_SHOWN}"
         f"(?: is| shows| :)(?: that)?",
         f"in (?:the (?:final |finished )|this ){_SHOWN}",
+        rf"(?:the |my |a )?(?:final |end |finished |last |closing |goal |target )?{_SHOWN} (?:(?:must|should|shall|has "
+        r"to|needs to) )?(?:satisfy|satisfies|fulfills?|meets?|show|be|look like this)(?: the following)?"
+        r"(?: conditions?| requirements?| constraints?)?(?: :| that)",
         "(?:the|your) (?:goal|task|aim|job) is(?: for| to| that| to have)?"),
+    *patterns("glue", None, "not (?:necessarily|needing to be) touching"),
     *patterns("sure", "do", "(?:(?:make|be) sure|ensure|make it so)(?: that)?|see to it that|see that|take care that",
         "(?:arrange|set up|make) (?:it|things|everything) (?:so|such) that"),
 ]  # fmt: skip

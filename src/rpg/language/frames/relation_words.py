@@ -29,21 +29,28 @@ _SIDES = {
     "behind": "behind|behind of|in back of|(?:at|in|to) the (?:back|rear) of",
 }
 _ASIDES = {
-    "to the left of": "(?:to|on|at) (?:the|its) left(?: hand)?(?: side)?",
-    "to the right of": "(?:to|on|at) (?:the|its) right(?: hand)?(?: side)?",
-    "in front of": "in its front",
+    "to the left of": "(?:to|on|at) (?:the |its )?left(?: hand)?(?: side)?",
+    "to the right of": "(?:to|on|at) (?:the |its )?right(?: hand)?(?: side)?",
+    "in front of": "in its front|in front(?= (?:[.,;:!?]|and|but|while|$))",
+    "behind": "behind(?= (?:[.,;:!?]|and|but|while|$))",
     "on top of": "on top(?! (?:the|a|an|SIZE|COLOR) )|on (?:its|the) top|on (?:its|the) upper side",
     "under": "(?:underneath|beneath|below)(?= (?:[.,;:!?]|and|but|while|$))",
 }
+_UNIT = "(?:cm|mm|inch|inches|(?:centi|milli)(?:meters?|metres?))"
 _FAR = (
     r"(?:(?:about|around|roughly|approximately|exactly|at least|at most|no more than|no less than) )?"
-    r"\d+(?:\.\d+)? (?:cm|mm|inch|inches)"
+    rf"\d+(?:\.\d+)? {_UNIT}"
 )
+
+
+def _far(match: re.Match[str]) -> str:
+    """How far it is, in short."""
+    return re.sub("centi[a-z]+$", "cm", re.sub("milli[a-z]+$", "mm", match["far"]))
 
 
 def _in_front(group: str, phrase: str) -> Callable[[re.Match[str]], Relation]:
     """A relation with what a group of the match says in front of it: "10 cm" and "to the left of"."""
-    return lambda match: Relation(f"{match[group]} {phrase}")
+    return lambda match: Relation(f"{_far(match) if group == 'far' else match[group]} {phrase}")
 
 
 def _sided() -> list[Pattern]:
@@ -60,6 +67,8 @@ def _sided() -> list[Pattern]:
         found += patterns("rel", Relation(f"immediately to the {side} of"), f"(?:to|on) the immediate {side} of")
     for phrase, said in _ASIDES.items():
         found += patterns("aside", Relation(phrase), said)
+        if phrase in _SIDES:
+            found += patterns("aside", _in_front("close", phrase), f"(?P<close>right|just|directly) (?:{said})")
     return found
 
 
@@ -68,8 +77,8 @@ RELATIONS: list[Pattern] = [
     *patterns("rel", Relation("on"), f"(?:down )?(?:{_NEAR} |flat |squarely )?(?:on|onto|upon|on to)"),
     *patterns("rel", Relation("on", turned=True), "(?:(?:must|should|shall|is to|has to) )?(?:holds?|contains?)"),
     *patterns("rel", Relation("outside"), "outside|outside of"),
-    *patterns("rel", Relation("off"), "off(?! (?:and|,) )|off of"),
-    *patterns("rel", Relation("from"), "(?:away )?from"),
+    *patterns("rel", Relation("off"), "off of|off(?! (?:and|,) )"),
+    *patterns("rel", Relation("from"), "(?:away )?from(?: on top of| the top of| off| off of| on)?"),
     *patterns("rel", Relation("inside"), "to|over to|in|into|inside|within|at|inside of"),
     *patterns("amid", None, "(?:right )?in between(?= (?:[.,;!?]|and|$))"),
     *patterns("rel", Relation("on top of"),
@@ -98,13 +107,13 @@ RELATIONS: list[Pattern] = [
         "between|in between|somewhere between", "(?:is |be |are )?(?:flanked|framed) by", "separates|separating"),
     *patterns("rel", Relation("halfway between", count=2),
         "(?:right |exactly )?(?:in the (?:exact )?middle|midway|halfway|half way) between"),
-    *patterns("rel", lambda match: Relation(f"{match['far']} from"),
+    *patterns("rel", lambda match: Relation(f"{_far(match)} from"),
         f"(?:at )?(?:a distance of )?(?P<far>{_FAR})(?: away| apart| distant)? from",
         f"at a distance of (?P<far>{_FAR}) (?:to|from)"),
-    *patterns("rel", lambda match: Relation(f"at most {match['far']} from"),
-        r"(?:within|no farther than|not farther than) (?P<far>\d+(?:\.\d+)? (?:cm|mm)) (?:of|from)"),
-    *patterns("rel", lambda match: Relation(f"at least {match['far']} from"),
-        r"(?:no closer than|not closer than|no nearer than) (?P<far>\d+(?:\.\d+)? (?:cm|mm)) (?:to|from)"),
+    *patterns("rel", lambda match: Relation(f"at most {_far(match)} from"),
+        rf"(?:within|no farther than|not farther than) (?P<far>\d+(?:\.\d+)? {_UNIT}) (?:of|from)"),
+    *patterns("rel", lambda match: Relation(f"at least {_far(match)} from"),
+        rf"(?:no closer than|not closer than|no nearer than) (?P<far>\d+(?:\.\d+)? {_UNIT}) (?:to|from)"),
 ]  # fmt: skip
 """Kind "rel" (with things behind it) and "aside" (without)."""
 _EACH = "(?:each other|one another)"
@@ -119,23 +128,29 @@ MUTUAL: list[Pattern] = [
     *patterns("mutual", "touch each other",
         f"(?:touch|touches|touching)(?: {_EACH}|(?= (?:[.,;:!?]|and|but|$)))",
         f"in (?:direct )?contact(?: with {_EACH})?", f"up against {_EACH}"),
-    *patterns("mutual", lambda match: f"be {match['far']} apart",
+    *patterns("mutual", lambda match: f"be {_far(match)} apart",
         f"(?P<far>{_FAR}) (?:apart|away|distant)(?: from {_EACH})?", f"(?P<far>{_FAR}) from {_EACH}",
         f"at a distance of (?P<far>{_FAR})(?: from {_EACH})?"),
     *patterns("mutual", "swap places",
         "(?:swap|swaps|exchange|exchanges|switch|switches|trade|trades|change|changes) (?:the |their )?"
         f"(?:places|positions|spots)(?: with {_EACH})?"),
-    *patterns("apart", lambda match: f"be {match['far']} apart",
-        f"(?P<far>{_FAR}) between", f"(?:a |the )?distance of (?P<far>{_FAR}) between"),
-    *patterns("gap", lambda match: match["far"],
+    *patterns("apart", lambda match: f"be {_far(match)} apart",
+        f"(?:a |the )?distance of (?P<far>{_FAR}) between", f"(?:a )?(?P<far>{_FAR})(?: of)? distance between"),
+    *patterns("gap", _far,
         f"(?:(?:a|the) )?(?:gap|space|clearance) of (?P<far>{_FAR}) between",
-        f"(?:a )?(?P<far>{_FAR})(?: wide)? (?:gap|space) between"),
+        f"(?:a )?(?P<far>{_FAR})(?: wide)?(?:(?: of)? (?:gap|space|clearance))? between"),
     *patterns("between", "from", "(?:the )?(?:distance|center distance) from"),
     *patterns("between", "apart", "(?:the )?(?:distance|center distance) between"),
     *patterns("between", "gap", "(?:the )?(?:gap|space|clearance) between"),
-    *patterns("measure", lambda match: match["far"],
+    *patterns("width", lambda match: ("gap", _far(match)),
+        rf"(?:(?:a|the) )?(?:gap|space|clearance) of (?P<far>{_FAR})(?! between )",
+        rf"(?:a )?(?P<far>{_FAR})(?: wide)?(?: of)? (?:gap|space|clearance)(?! between )",
+        rf"(?:separated|parted) by (?:(?:a )?(?:gap|space) of )?(?P<far>{_FAR})(?: from each other)?"),
+    *patterns("width", lambda match: ("apart", f"be {_far(match)} apart"),
+        rf"(?:(?:a|the) )?(?:center )?distance of (?P<far>{_FAR})(?! (?:between|from|to) )"),
+    *patterns("measure", _far,
         f"(?:(?:must |should |shall |has to )?(?:be|is|measures|measure|amounts to) )(?P<far>{_FAR})(?: wide)?"
-        "(?! (?:apart|away|distant|from|to|left|right|in|behind) )"),
+        "(?! (?:apart|away|distant|from|to|left|right|in|behind) )", f"(?P<far>{_FAR})(?= (?:[.,;]|$))"),
     *patterns("swap", None,
         "(?:swap|exchange|switch|interchange|trade)(?: round| around| over)?(?: the)?(?: places?| positions?)?"
         "(?: of| between)?"),
@@ -148,6 +163,15 @@ _CORNER = (
     "(?:(?:near|far|front|back|close|top|bottom|upper|lower) (?:left|right)|(?:left|right) (?:near|far|front|back))"
 )
 _HE = "(?:it|he|she|they)"
+_STARTED = (
+    f"(?:(?:its|the|their) (?:starting|initial|start|original|first|old|beginning) "
+    f"(?:position|place|spot|location|pose)|where {_HE} (?:is|are|was|were|"
+    "started|starts|began|begins)(?: at the (?:start|beginning))?)"
+)
+_REST = "(?:everything else|all else|all (?:the )?other (?:blocks|cubes)|(?:all )?the (?:others|rest))"
+_AS_IT_IS = (
+    f"(?:exactly )?(?:put|still|in place|untouched|unmoved|alone|(?:where|as) {_HE} (?:already )?(?:is|are)(?: now)?)"
+)
 PLACES: list[Pattern] = [
     *patterns("place", lambda match: f"in the {match['side']} half of the table",
         rf"(?:{_IN} )?(?P<side>{_SIDE}) half(?: of the TABLE)?"),
@@ -163,12 +187,22 @@ PLACES: list[Pattern] = [
         "(?:right )?(?:in|at|into|to|on) the (?:very |exact )?(?:middle|center) of the TABLE",
         "(?:in|at) the TABLE (?:center|middle)"),
     *patterns("place", "on the table",
-        f"(?:{_NEAR} |flat )?(?:on|onto|upon) (?:the |a )?(?:TABLE|ground|floor)(?: top| itself)?"),
+        "(?:the )?TABLE(?= : )",
+        f"(?:{_NEAR} |flat |back )?(?:on|onto|upon|to) (?:the |a )?(?:TABLE|ground|floor)(?: top| itself)?(?: only)?",
+        "not (?:to be |be )?on (?:top of )?(?:anything(?: else)?|any (?:other )?(?:block|cube)|another "
+        "(?:block|cube))"),
     *patterns("stay", None,
         f"(?:exactly |right )?where {_HE} (?:already |now |currently )?(?:is|are|stands?|lies?|sits?)(?: now)?",
         "where is",
         "in (?:its |their |the same )?(?:old |own |original |present |current )?(?:place|position|spot)",
         "untouched|unmoved|undisturbed|alone", f"as {_HE} (?:is|are)", "in the place where it is"),
+    *patterns("within", lambda match: f"be moved by more than {_far(match)}",
+        rf"(?:(?:must|should|shall|has to|have to|is to) )?(?:(?:stays?|remains?|is|are|be|keep|keeps|lies?) )?"
+        rf"(?:within|no farther than|no more than|at most|less than) "
+        rf"(?P<far>\d+(?:\.\d+)? {_UNIT})(?: away)? (?:of|from|to) "
+        rf"{_STARTED}",
+        rf"(?:must|should|shall|may|can|is to) (?:not|never) (?:be )?(?:moved?|shift(?:ed)?|displaced) (?:by )?(?:more "
+        rf"than|farther than|over) (?P<far>\d+(?:\.\d+)? {_UNIT})(?: (?:away )?from {_STARTED})?"),
     *patterns("stays", None,
         "(?:(?:must|should|shall|has to|have to|is to) )?(?:stays?|remains?) (?:put|still|in place)",
         "(?:(?:must|should|shall|may|is to|are to|does|will|can) )?(?:not|never) (?:be |get )?(?:moved|move|budge|"
@@ -176,6 +210,19 @@ PLACES: list[Pattern] = [
         "(?:is|are) not (?:to be )?(?:moved|displaced|disturbed)(?: at all)?"),
     *patterns("still", None,
         "(?:do not|never|without|not) (?:move|moving|shift|shifting|disturb|disturbing|displace|displacing)"),
-    *patterns("elsewhere", None, "elsewhere|somewhere else|anywhere else"),
+    *patterns("empty", None,
+        "(?:(?:left|kept|completely|totally) )?(?:empty|clear|free|vacant|bare|unoccupied|uncovered)"
+        "(?: of (?:all |any )?(?:blocks|cubes|anything))?",
+        "with nothing on (?:it|top|top of it)"),
+    *patterns("nothing", None, "nothing|no (?:blocks?|cubes?)(?! (?:other|but|except) )"),
+    *patterns("others", None,
+        f"{_REST} (?:(?:must|should|shall|has to|have to|is to|are to) )?(?:stays?|remains?|is left|are left|be left) "
+        f"{_AS_IT_IS}",
+        f"(?:keep|leave|keeping|leaving) {_REST} {_AS_IT_IS}",
+        "(?:do not|without|not) (?:move|moving|touch|touching|disturb|disturbing) (?:anything else|any other "
+        "(?:blocks?|cubes?)|the (?:others|rest))",
+        "nothing else (?:must|should|shall|may|is to) (?:move|be moved)"),
+    *patterns("anymore", None, "any ?more|any longer|no longer|no more(?! than )"),
+    *patterns("elsewhere", None, "(?:elsewhere|somewhere else|anywhere else)(?: on the TABLE)?"),
 ]  # fmt: skip
 """Kind "place", to be told behind "must be", and words for what stays where it is."""

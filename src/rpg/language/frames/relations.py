@@ -8,9 +8,10 @@ from itertools import combinations
 
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.related_things import Known, Things
-from rpg.language.frames.relation_clauses import Statement, sentence_read
+from rpg.language.frames.relation_clauses import sentence_read
 from rpg.language.frames.relation_names import THINGS
 from rpg.language.frames.relation_pieces import plainer
+from rpg.language.frames.relation_reading import Statement
 from rpg.language.frames.relation_stages import Sentence, stages_of
 from rpg.language.frames.relation_verbs import GLUE, MOODS
 from rpg.language.frames.relation_words import MUTUAL, PLACES, RELATIONS, Relation
@@ -20,6 +21,7 @@ _MOST = 200
 """More readings than these are not looked at."""
 _PLACES = frozenset({"inside", "outside", "off", "from"})
 _TRIVIAL = "on the table"
+_CLOSE = frozenset({"touch", "next to", "right next to", "near"})
 
 
 @dataclass(frozen=True)
@@ -87,18 +89,24 @@ def _plainly(statement: Statement, things: Things, *, start: bool) -> list[Said]
     Raises:
         Unclear: it is not clear what it is about, or it cannot be so.
     """
-    on = isinstance(statement.what, Relation) and statement.what.phrase == "on"
+    said = statement.what.phrase if isinstance(statement.what, Relation) else ""
+    on, into = said == "on", said in ("inside", "outside")
     if statement.ahead:
-        objects = things.objects(statement.objects, (), on=on)
+        objects = things.objects(statement.objects, (), on=on, into=into)
         subjects = things.subjects(statement.subjects, objects)
     else:
         subjects = things.subjects(statement.subjects, ())
-        objects = things.objects(statement.objects, subjects, on=on)
+        objects = things.objects(statement.objects, subjects, on=on, into=into)
     if statement.how == "named":
         return []
-    phrase = statement.what.phrase if isinstance(statement.what, Relation) else ""
-    if phrase in _PLACES:
-        return _by_place(statement, phrase, things, subjects, objects)
+    if statement.how == "others":
+        subjects = things.left()
+        if subjects:
+            return [_plain(replace(statement, how="stay"), things, subjects, [], start=start)]
+        things.others = True
+        return [Said("all other blocks must stay where they are", "others", frozenset(), frozenset())]
+    if said in _PLACES:
+        return _by_place(statement, said, things, subjects, objects)
     if statement.denied == "each":
         each = replace(statement, denied="not")
         return [_plain(each, things, [subject], objects, start=start) for subject in subjects]
@@ -134,28 +142,54 @@ def _plain(statement: Statement, things: Things, subjects: list[Known], objects:
     Raises:
         Unclear: it cannot be so.
     """
-    if any(known.patch for known in subjects) and statement.how not in ("mutual", "rel"):
+    if any(known.patch for known in subjects) and statement.how not in ("mutual", "rel", "empty"):
         raise Unclear
     if any(known.part for known in subjects) and (len(subjects) > 1 or (statement.denied and not subjects[0].rest)):
         raise Unclear
+    alone = _only(statement)
     things.use(*subjects, *objects, start=start)
     be = f"{'is' if _single(subjects) else 'are'}" if start else f"must {statement.denied} be".replace("  ", " ")
     if start and (statement.denied or statement.how not in ("rel", "place", "mutual")):
         raise Unclear
     if statement.how in ("rel", "mutual", "gap"):
-        return _of_several(statement, subjects, objects, be, start=start)
+        said = _of_several(statement, subjects, objects, be, start=start)
+        if alone and (start or said.text.split(" must ")[0] != _listed(subjects) or said.sort not in ("on", "tight")):
+            raise Unclear
+        return replace(said, text=f"only {said.text}") if alone else said
+    if alone:
+        raise Unclear
     them, of = _listed(subjects), frozenset(map(_same, subjects))
     if statement.stacked:
         raise Unclear
+    if statement.how == "empty" and any(
+        p.value == "block" and p.named.get("noun", "one") == "one" for p in (*statement.subjects,)
+    ):
+        raise Unclear  # a block, or a patch?
+    if statement.how == "empty":
+        return Said(things.empty(subjects), "empty", of, of, denied=True)
+    if statement.how in ("stay", "within") and any(known.part for known in subjects):
+        raise Unclear
+    if statement.how == "within":
+        return Said(f"{them} must not {statement.what}", "stay", of, of, denied=True)
     if statement.how == "stay":
-        if any(known.part for known in subjects):
-            raise Unclear
         text = f"{them} must stay where {'it is' if _single(subjects) else 'they are'}"
         return Said(text, "stay", of, of)
     if statement.how == "elsewhere":
         patch = things.only_patch()
         return Said(f"{them} must not be on {patch.name}", "on", of, of | {patch.look}, denied=True)
     return Said(f"{them} {be} {statement.what}", str(statement.what), of, of, denied=bool(statement.denied))
+
+
+def _only(statement: Statement) -> bool:
+    """Whether it is said only of what it is about.
+
+    Raises:
+        Unclear: "only" stands somewhere else.
+    """
+    only = [piece for piece in (*statement.subjects, *statement.objects) if "only" in piece.named]
+    if only and (only != [*statement.subjects] or statement.denied):
+        raise Unclear
+    return bool(only)
 
 
 def _of_several(statement: Statement, subjects: list[Known], objects: list[Known], be: str, *, start: bool) -> Said:
@@ -202,7 +236,8 @@ def _related(statement: Statement, relation: Relation, subjects: list[Known], ob
         raise Unclear
     if max(many) > 1 and not on_patch and not _may_be_many(relation, sort, many):
         raise Unclear
-    if statement.denied and max(many) > 1 and not (on_patch and subjects[0].rest):
+    apart = relation.phrase in _CLOSE and many[1] == 1  # denied of several, it is denied of each
+    if statement.denied and max(many) > 1 and not apart and not (on_patch and subjects[0].rest):
         raise Unclear
     if statement.stacked and (relation.phrase not in ("on", "on top of") or max(many) > 1):
         raise Unclear
@@ -242,7 +277,7 @@ def _may_be_many(relation: Relation, sort: str, many: tuple[int, int]) -> bool:
         return many[0] == 1
     if sort == "side":
         return True
-    return min(many) == 1 and max(many) == 2 and relation.phrase in ("touch", "next to")
+    return min(many) == 1 and max(many) <= (4 if relation.phrase in ("touch", "next to") else 1)
 
 
 def _same(known: Known) -> str:
@@ -270,7 +305,9 @@ def _text(things: Things, said: list[list[Said]]) -> str:
         _check(stage)
     if not all(stages) or all(s.sort == _TRIVIAL and not s.denied for stage in stages for s in stage):
         raise Unclear
-    told = [things.told, *(f"At the start, {s.text}." for s in start)]
+    if things.others and any(known.count > 1 for known in things.known):
+        raise Unclear
+    told = [*([] if things.others else [things.told]), *(f"At the start, {s.text}." for s in start)]
     if len(stages) == 1:
         plain = dict.fromkeys(s.text for s in stages[0])
         return " ".join([*told, *(f"{text[0].upper()}{text[1:]}." for text in plain)])
@@ -296,13 +333,15 @@ def _check(said: Sequence[Said]) -> None:
             raise Unclear
         if len(one.about) > 1 and one.about == other.about and not _agree(one, other):
             raise Unclear
-        if one.of & other.of and len(one.about) == len(other.about) == 1 and _TRIVIAL not in sorts:
+        if one.of & other.of and len(one.about) == len(other.about) == 1 and not sorts & {_TRIVIAL, "empty"}:
             raise Unclear  # in two places
 
 
 def _agree(one: Said, other: Said) -> bool:
     """Whether two statements about the same things hold together."""
     by_sort = {one.sort: one, other.sort: other}
+    if "on" in by_sort and by_sort.keys() & {"close", "tight", "side"}:
+        return by_sort["on"].denied and not all(s.denied for s in (one, other))
     if by_sort.keys() == {"between", "tight"}:
         return not (one.denied or other.denied)
     if "side" in by_sort and by_sort.keys() & {"close", "tight"}:

@@ -8,9 +8,14 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import beside, moments, relations, turned
+from rpg.language.frames import attached, beside, changed, measured, moments, relations, turned
+from rpg.language.frames.attached import without_attached
 from rpg.language.frames.beside import without_distractors
+from rpg.language.frames.changed import changes
 from rpg.language.frames.families import FAMILIES
+from rpg.language.frames.given import existing, with_given
+from rpg.language.frames.measured import without_measures
+from rpg.language.frames.paired import pairs
 from rpg.language.frames.pieces import CLASSES, Unclear, cut
 from rpg.language.frames.turned import without_turns
 from rpg.language.tokens import Token, tokenize
@@ -26,10 +31,13 @@ _BINDING = frozenset({
 """With these, sentences do not stand for themselves."""
 _REFERRING = frozenset({"it", "they", "this", "these", "them", "those", "all", "both", "each"})
 """A sentence that begins with these is of what is told before it."""
-_ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) ")
-"""Blocks of no told look may be those that another sentence names, and what there is may be there already."""
+_ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) |The blocks do not touch")
+"""Blocks of no told look may be those that another sentence names, what there is may be there already, and "the blocks"
+that are not to touch would be all."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
 """So many blocks may be all that the other sentence names."""
+_ASKS = frozenset({"is", "are", "was", "were", "does", "did", "has", "why", "how", "what", "which", "where", "who"})
+"""A text that begins with these is a question."""
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -37,10 +45,15 @@ _MOST = 120
 def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text in plain sentences, and the words of that: all of it, or its first or last part, where the other part
     is left as it is. Most of the text comes first. Told words stand where what they tell again stands."""
-    if not 0 < len(tokens) <= _MOST:
+    if not 0 < len(tokens) <= _MOST or tokens[0].word in _ASKS:
         return
+    given = [(start, behind) for start, _, behind in with_given(tokens, plainly)]
+    yield from ((_standing(told, tokens), told) for told in changes(tokens, plainly, given))
     yield from _as_a_whole(tokens)
-    for rest, stretch, aside in (*without_distractors(tokens), *without_turns(tokens)):
+    yield from ((_standing(told, tokens), told) for told in pairs(tokens, plainly))
+    yield from _with_given(tokens)
+    asides = (without_distractors, without_turns, without_measures, without_attached)
+    for rest, stretch, aside in (found for without in asides for found in without(tokens)):
         rest = beside.stopped(rest, stretch[0])
         for told, said in ((rest, _text(rest)), *_as_a_whole(rest)) if rest else (([], ""),):
             yield [*told, *_standing(aside, stretch)], f"{said} {aside}".strip()
@@ -77,9 +90,28 @@ def _as_a_whole(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
         yield out, _text(out)
 
 
+def _with_given(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The text with the figure that is there already told again, and what is to be done as it is or told again."""
+    for start, ahead, behind in (*with_given(tokens, plainly), *existing(tokens, plainly)):
+        sentences = re.findall(r"[^.]+\.", start)
+        begun = [
+            token for n, text in enumerate(sentences) for token in _standing(text, ahead[min(n, len(ahead) - 1) :])
+        ]
+        yield [*begun, *behind], f"{start} {_text(behind)}"
+        if (aim := plainly(behind)) is not None:
+            yield [*begun, *_standing(aim, behind)], f"{start} {aim}"
+
+
 def words() -> frozenset[str]:
     """Every word that is known here."""
-    told = [*beside.TOLD, *turned.PATTERNS, *(pattern for known, _ in FAMILIES for pattern in known)]
+    told = [
+        *attached.TOLD,
+        *beside.TOLD,
+        *changed.TOLD,
+        *measured.TOLD,
+        *turned.PATTERNS,
+        *(pattern for known, _ in FAMILIES for pattern in known),
+    ]
     texts = [*CLASSES.values(), *(pattern.text for pattern in told), *(lead.pattern for _, lead in moments.PATTERNS)]
     return frozenset(word for text in texts for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", text))
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from rpg.language.frames import rowparts, rowwords, shared
+from rpg.language.frames import rowparts, rowplainer, rowsizes, rowwords, shared
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
 from rpg.language.frames.rowcounts import facts_of, facts_of_listed, numbered
@@ -18,10 +19,15 @@ from rpg.language.lexicon import RAINBOW
 PATTERNS: list[Pattern] = [
     *LOTS,
     *patterns("total", lambda match: int(match["n"]), r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|"
-        r"alternat\w+|touching|evenly|which|on) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
-        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+)(?= "
-        r"(?:in|on|make|making|form|forming) (?:a|one) )", r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
+        r"alternat\w+|touching|evenly|which|on|the) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
+        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+) in "
+        r"number", r"(?P<n>\d+)(?= (?:in|on|make|making|form|forming) (?:a|one) )",
+        r"(?:quantity|count|amount|number)(?: (?:BE|of|:))? (?P<n>\d+)(?= (?:[,.;)]|$))",
+        r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
     *rowparts.OF_THEM,
+    *rowsizes.SIZED,
+    *rowplainer.PLACES,
+    *rowplainer.BEFORE,
     *rowwords.FIGURE,
     *rowwords.PLACES,
     *rowwords.DIRECTIONS,
@@ -43,20 +49,22 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which blocks it is made of, or what is told of their order leaves it open.
     """
+    pieces = rowsizes.sized(rowplainer.listed(rowplainer.beforehand(rowplainer.singly(pieces))))
     check_lots(pieces)
     check_words(pieces)
     check_told_once(pieces)
     noun = noun_of(pieces)
     lots_at = lots_of(pieces)
     said = said_of(pieces, lots_at)
-    pattern = pattern_of(pieces)
+    by_size = rowsizes.by_size(pieces)
+    pattern = pattern_of(pieces) or by_size
     total, each, direction = (one(pieces, kind) for kind in ("total", "each", "direction"))
     size = total.value if total else None
-    row = Row(noun, direction.value if direction else "", pattern)
+    row = Row(noun, rowsizes.way(pieces, direction.value if direction else ""), pattern)
     row.set_off = bool(said.lists) and set_off(
         pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0])
     )
-    order = order_of(pieces, said, row)
+    order = None if by_size else order_of(pieces, said, row)
     if (
         said.lists
         and adds(pieces)
@@ -64,8 +72,10 @@ def told(pieces: Sequence[Piece]) -> str:
     ):
         raise Unclear  # what is put there could go on top
     open_rest = any(piece.kind == "rest" for piece in pieces) and size is None
+    order = rowplainer.repeated(pieces, order, size)
     if order is not None:
-        if size not in (None, len(order)) or open_rest or each:
+        together = all(lot.plural for run in said.lists for lot in run)
+        if size not in (None, len(order)) or open_rest or (each and not together):
             raise Unclear
         row.order, row.counts = order, Counter(order)
         row.facts = facts_of_listed(said, row.counts)
@@ -75,6 +85,8 @@ def told(pieces: Sequence[Piece]) -> str:
         row.counts = Counter({lot.look: lot.count for lot in numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
     check_rest(pieces, row.counts)
+    if any(piece.kind == "hues" and piece.value != len(row.counts) for piece in pieces):
+        raise Unclear
     return in_words(row, pieces, _Colored())
 
 
@@ -91,6 +103,9 @@ def check_rest(pieces: Sequence[Piece], counts: Counter[str]) -> None:
             raise Unclear
         if "k" in piece.named and piece.kind == "rest" and all(other.value != ("ends", 0) for other in pieces[:n]):
             raise Unclear
+
+
+_OF_WHICH = re.compile(r"\bof (?:them|these|those|which)\b")
 
 
 def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
@@ -117,11 +132,19 @@ def lots_of(pieces: Sequence[Piece]) -> dict[int, Lot]:
     ]
     if of_them and (sum(n < of_them[0] for n in found) != 1 or any(piece.kind == "rest" for piece in pieces)):
         raise Unclear
+    parts = [n for n in found if _OF_WHICH.search(pieces[n].words)]
+    if parts and not total and any(n not in parts for n in found if n < parts[0]):
+        raise Unclear  # "three red blocks, two of which are blue"
     halves = [n for n in found if "half" in pieces[n].named]
     if halves:
-        if len(halves) != 2 or len(found) > 2 or not total or total.value % 2:
+        again = [n for n in found if n not in halves and pieces[n].words.endswith(("half", "part", "ones", "group"))]
+        if len(halves) != 2 or len(found) > 2 + len(again) or not total or total.value % 2:
             raise Unclear
-        return {n: replace(lot, count=total.value // 2) for n, lot in found.items()}
+        return {n: replace(lot, count=total.value // 2) if n in halves else lot for n, lot in found.items()}
+    for n, piece in enumerate(pieces):
+        behind = next((m for m in found if m > n), None)
+        if piece.kind == "rest" and piece.named and behind and found[behind].count is None and not total:
+            found[behind] = replace(found[behind], count=int(next(iter(piece.named.values()))))
     return found
 
 
@@ -145,7 +168,7 @@ def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
     told = [piece for piece in pieces if piece.kind == "figure"]
     nouns = [piece.value for piece in told if not verbal(piece)]
     again = [piece.value for piece in pieces if piece.kind == "mention"]
-    way = one(pieces, "direction") if sorts or any(piece.kind == "beside" for piece in pieces) else None
+    way = one(pieces, "direction") if sorts or any(piece.kind in ("beside", "axis") for piece in pieces) else None
     if (
         len(nouns) > 1
         or len(told) - len(nouns) > 1
@@ -188,7 +211,7 @@ def lies(piece: Piece) -> bool:
 def verbal(piece: Piece) -> bool:
     """Whether a figure is told by a verb, "lined up", not by a noun."""
     return piece.words.startswith(
-        ("line up", "lines", "lined", "lining", "line them", "line these", "line it", "line all")
+        ("line up", "align", "lines", "lined", "lining", "line them", "line these", "line it", "line all")
     )
 
 
@@ -210,16 +233,25 @@ def check_words(pieces: Sequence[Piece]) -> None:
     """Words that tell of what stands beside them.
 
     Raises:
-        Unclear: "then" is no list, or a number of blocks has a place ("the three blocks in the middle").
+        Unclear: "then" is no list, "all but two" are not all, or a number of blocks has a place ("the three "
+        "blocks in the middle").
     """
+    of_all = False
+    for piece in pieces:
+        if piece.words == "but" and of_all:
+            raise Unclear
+        of_all = (of_all and piece.kind != "break") or not _ALL.isdisjoint(piece.words.split())
     bound = [piece for piece in pieces if piece.kind != "glue"]
     for piece, after in pairwise([*bound, Piece("end", "")]):
-        if {piece.kind, after.kind} == {"total", "place"}:
+        if {piece.kind, after.kind} == {"total", "place"} and after.words != "middle":
             raise Unclear
     bound = [piece for piece in bound if piece.kind != "break"]
     for piece, after in pairwise([*bound, Piece("end", "")]):
         if piece.value == "now" and after.kind not in ("lot", "place"):
             raise Unclear
+
+
+_ALL = frozenset({"all", "each", "every", "everything", "any", "none", "no"})
 
 
 def check_told_once(pieces: Sequence[Piece]) -> None:
@@ -259,8 +291,11 @@ def check_lots(pieces: Sequence[Piece]) -> None:
         for pair in together
         for piece in pair
     )
-    labels = [("label" in a.named) + ("label" in b.named) for a, b in together]
-    if together and ((len(together) < 2 and 2 not in labels) or not bare or 1 in labels):
+    bare = bare or all("count" in piece.named for pair in together for piece in pair)
+    bare = bare or all("half" in piece.named for pair in together for piece in pair)
+    labels = [2 if "half" in a.named else ("label" in a.named) + ("label" in b.named) for a, b in together]
+    alternate = any(a.value == "alternating" and b.kind == "lot" for a, b in pairwise(pieces))
+    if together and ((len(together) < 2 and 2 not in labels and not alternate) or not bare or 1 in labels):
         raise Unclear
 
 

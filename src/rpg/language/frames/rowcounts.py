@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 
 from rpg.language.frames.arranged import Fact
 from rpg.language.frames.lots import Lot, counted
@@ -69,6 +70,12 @@ def _unclear() -> int:
     raise Unclear
 
 
+_OUTER = frozenset({
+    ("ends", 0), ("each end", 0), ("first", 1), ("last", 1), ("left", 1), ("right", 1), ("front", 1), ("back", 1),
+})  # fmt: skip
+"""What alternates in an odd row has one more of what is at one of these."""
+
+
 def numbered(lots: list[Lot], said: Said, size: int | None, pattern: str, open_rest: bool) -> list[Lot]:
     """The lots with their numbers.
 
@@ -77,6 +84,11 @@ def numbered(lots: list[Lot], said: Said, size: int | None, pattern: str, open_r
     """
     if any(lot.count is None and lot.plural for lot in lots[:-1]) and size is None:
         raise Unclear
+    if pattern == "alternating" and len(lots) == 2 and size and size % 2 and all(lot.count is None for lot in lots):
+        outer = {placed.lot.look for placed in said.placed if placed.place in _OUTER}
+        more = [n for n, lot in enumerate(lots) if lot.look in outer]
+        if len(more) == 1:
+            lots = [replace(lot, count=size // 2 + (n == more[0])) for n, lot in enumerate(lots)]
     several = len(lots) > 1 and not open_rest
     if lots and lots[-1].count is None and lots[-1].plural and size is None and not (len(lots) > 1 and not said.placed):
         raise Unclear

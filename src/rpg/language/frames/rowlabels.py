@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise, permutations
 
-from rpg.language.frames import labelwords, rowparts, rowwords, shared
+from rpg.language.frames import labelgroups, labelwords, rowparts, rowplainer, rowwords, shared
 from rpg.language.frames.arranged import Fact, filled
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number
@@ -18,6 +19,7 @@ from rpg.language.frames.rowtold import Row, in_words
 
 PATTERNS: list[Pattern] = [
     *labelwords.LABELS,
+    *labelgroups.GROUPS,
     *labelwords.KINDS,
     *labelwords.SORTED,
     *labelwords.RELATIONS,
@@ -41,13 +43,14 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which blocks it is made of, or what is told of their order does not agree.
     """
-    pieces = expanded(pieces)
+    pieces = rowplainer.listed(labelgroups.gathered(expanded(pieces)))
     check_lots(pieces)
     check_words(pieces)
     check_numbers(pieces)
     check_told_once(pieces)
     row = Row(noun_of(pieces, sorts=any(piece.kind in ("sort", "kinds") for piece in pieces)), "", "")
-    direction, total = one(pieces, "direction"), one(pieces, "total")
+    pieces, direction = _without_kind_totals(pieces), one(pieces, "direction")
+    total = one(pieces, "total")
     row.direction = direction.value if direction else ""
     lots_at = _lots_at(pieces)
     if not lots_at and all(piece.kind != "relation" for piece in pieces):
@@ -57,6 +60,8 @@ def told(pieces: Sequence[Piece]) -> str:
         pieces, next(n for n, lot in lots_at.items() if lot is said.lists[-1][0])
     )
     row.facts = _facts(said)
+    if not said.lists and total:
+        said = _spanned(said, total.value)
     labels = labels_of(said, [piece.value for piece in pieces if piece.kind == "relation"])
     row.counts = Counter(labels)
     check_nouns(pieces, labels)
@@ -143,15 +148,36 @@ def check_numbers(pieces: Sequence[Piece]) -> None:
         Unclear: it may be ("a row of 3: A, B, C").
     """
     labels = sum("label" in piece.named for piece in pieces)
+    colored = any("color" in piece.named for piece in pieces)
     ahead = Piece("", "")
     for piece, after in zip(pieces, [*pieces[1:], Piece("break", "")], strict=True):
         if piece.words.isdigit() and "label" in piece.named:
             of = ahead.words.split()[-1:] == ["of"] or ahead.kind in ("figure", "mention")
-            if after.words == ":" or (of and int(piece.words) == labels - 1):
+            if after.words == ":" or (of and (int(piece.words) == labels - 1 or colored)):
                 raise Unclear
         if piece.words in ("a", "i") and piece.kind == "glue" and (after.kind == "break" or "label" in ahead.named):
             raise Unclear
         ahead = piece
+
+
+def _without_kind_totals(pieces: Sequence[Piece]) -> list[Piece]:
+    """Without "three letters and two digits", where so many are named.
+
+    Raises:
+        Unclear: they are not.
+    """
+    labels = [piece.named["label"] for piece in pieces if "label" in piece.named]
+    told = [piece for piece in pieces if piece.kind == "total"]
+    kinds = [
+        kind for piece in told for kind in KINDS if re.search(rf"\b{kind}s$", piece.words.replace("number", "digit"))
+    ]
+    if len(kinds) != 2 or len(told) != 2 or not labels:
+        return list(pieces)
+    if any(
+        piece.value != sum(label in KINDS[kind] for label in labels) for piece, kind in zip(told, kinds, strict=True)
+    ):
+        raise Unclear
+    return [piece for piece in pieces if piece.kind != "total"]
 
 
 def check_nouns(pieces: Sequence[Piece], labels: Sequence[str]) -> None:
@@ -221,9 +247,20 @@ def _lots_at(pieces: Sequence[Piece]) -> dict[int, Lot]:
                 raise Unclear
             found[n] = replace(lot, count=lot.count or 1)
         else:
-            count = named.get("count", "a")
+            count = named.get("count", named.get("often", "a"))
             found[n] = Lot(named["label"], 1 if count in ("a", "an") else number(count), named.get("det") == "the")
     return found
+
+
+def _spanned(said: Said, total: int) -> Said:
+    """So many labels of which the first and the last are told, if just these are from one to the other."""
+    looks = [placed.lot.look for placed in said.placed]
+    told = {placed.place for placed in said.placed}
+    labels = labelwords.between(*sorted(looks)) if len(looks) == 2 and max(map(len, looks)) == 1 else []
+    if len(labels) != total or told not in ({("first", 1), ("last", 1)}, {("left", 1), ("right", 1)}):
+        return said
+    lots = [Lot(label, 1) for label in labels]
+    return replace(said, lists=[lots], whole=[lots])
 
 
 def _facts(said: Said) -> list[Fact]:

@@ -14,11 +14,12 @@ _LENGTH = (
 )
 _NEIGHBORS = (
     "(?: (?:in )?(?:between|from) (?:(?:each|all|the|every|any|every 2|each 2|any 2|2|all the|all of the|adjacent|"
-    "neighboring|adjoining|consecutive|successive|their|each and every) )*(?:BLOCK|neighbors?|neighboring|ones?|them|"
+    "neighboring|adjoining|consecutive|successive|their|each and every|all of|each of|any 2 of|every 2 of|each 2 of) "
+    ")*(?:BLOCK|neighbors?|neighboring|ones?|them|"
     "other|another|faces|pair|pairs|edges|sides|pair of neighbors|pair of BLOCK|pair of neighboring BLOCK)(?: and "
     "(?:the )?(?:next|its neighbor|each other)(?: one| BLOCK)?| to (?:the )?next(?: one)?)?)"
 )
-_NEIGHBORS = f"(?:{_NEIGHBORS}| (?:in )?between each(?: one| other)?| in between)"
+_NEIGHBORS = f"(?:{_NEIGHBORS}| (?:in )?between each(?: one| other)?| in between| between(?= (?:[,.;!?]|$)))"
 _FACES = (
     "(?: (?:from|between) (?:(?:the|their|neighboring|adjacent|facing) )*(?:faces?|edges?|sides)(?: to (?:face|"
     "edge))?| face to face| edge to edge| measured (?:between|from) (?:the )?faces?(?: to face)?)"
@@ -58,6 +59,7 @@ SPACING: list[Pattern] = [
         f"(?:(?:a|the|with|of|leaving|leave|keep) )*{_DISTANCE}{_FACES}(?: BE)?(?: of| :| =)* {_LENGTH}"),
     *_length("The blocks are {} apart.",
         f"(?:with )?(?:each|every)(?: BLOCK| one)? (?:BE )?{_LENGTH} (?:away )?from {_NEXT_ONE}",
+        f"(?:BE )?spaced (?:at |by |out )?{_LENGTH}",
         f"(?:(?:spaced|set|placed|at|with|standing|sitting|lying|BE) )*{_EACH}?{_LENGTH} apart(?: from (?:each other|"
         f"one another|the next|its neighbor))?(?:,? (?:measured )?{_CENTERS})?",
         f"(?:(?:a|the|with|of|leaving|leave|keep|at) )*(?:equal |regular |constant |center "
@@ -74,7 +76,7 @@ SPACING: list[Pattern] = [
         "(?:(?:they|all|each|must|should|shall|so|that|everything|every one|every|one|BLOCK|of them|the) )*(?:BE "
         ")?(?:all )?(?:just )?(?:to )?(?:touching|touch|touches|contacting|in contact(?: with)?|in touch with)(?: "
         "(?:each other|one another|(?:the|its|their) (?:next|neighbors?|neighbor)(?: one| BLOCK| in (?:the )?(?:row|"
-        "line))?))?",
+        "line))?))?(?! (?:the|a|an|another|its|both) )",
         f"(?:with(?:out)? |and |there (?:BE|shall be|must be|should be) |leave |leaving |has |have )*(?:no|any|"
         f"without|zero) (?:free |visible |empty |any )?(?:{_GAP}|spacing|gap|distance)(?: left| at all| in "
         f"between)*(?:{_NEIGHBORS})?(?: at all)?",
@@ -83,6 +85,13 @@ SPACING: list[Pattern] = [
         "packed closely|packed tightly) (?:right |tightly |firmly |close |flush |snugly )?(?:together|against each "
         "other|against one another)",
         "(?:tightly|densely) packed", "(?:flush|snug) (?:together|against each other|against one another)"),
+    *patterns("spacing", "The blocks do not touch each other.",
+        "(?:(?:but|and|with|so that) )*(?:none(?: of (?:them|the BLOCK))?|no 2(?: BLOCK| of them)?) (?:of them "
+        ")?(?:BE |may "
+        "|must |should )?(?:touching|touch)(?: (?:each other|one another|its neighbors?|another))?(?! (?:the|a|an|"
+        "any|both) )",
+        "(?:(?:but|and|they|which|that|the BLOCK) )*(?:(?:do|must|should|may|are) )*(?:not|without) (?:be "
+        ")?(?:touching|touch)(?: (?:each other|one another))?(?! (?:the|a|an|any|another|its|both) )"),
     *patterns("spacing", "The row is evenly spaced.",
         "(?:(?:they|all|BE|to) )*(?:evenly|equally|regularly|uniformly|equidistantly) (?:spaced|spread|distributed|"
         "far apart|spaced out|placed|distant|separated|set|laid|arranged|apart)(?: out)?(?: apart)?(?: from (?:each "
@@ -94,7 +103,7 @@ SPACING: list[Pattern] = [
         f"sized)(?: size| amount of| width| length)? (?:{_GAP}|{_DISTANCE})(?: in between| "
         f"apart)?(?:{_NEIGHBORS})?(?: from (?:each other|one another))?",
         f"(?:(?:with|make|keep|let|have|all|the|leave) )*(?:{_GAP}|{_DISTANCE})(?:{_NEIGHBORS})? (?:BE )?(?:all "
-        f")?(?:BE )?(?:the same|equal|equally (?:large|big|wide)|identical|even|uniform|the same size|constant|of "
+        f")?(?:BE )?(?:the same|same|equal|equally (?:large|big|wide)|identical|even|uniform|the same size|constant|of "
         f"(?:the )?(?:same|equal) (?:size|width|length))(?: everywhere| throughout)?",
         "(?:(?:with|and) )*(?:each|every one|every)(?: BLOCK| one)? (?:BE )?(?:at )?(?:the|an) (?:same|equal) "
         "distance (?:from|to) (?:the next|its neighbors?|its neighbor)(?: one)?", "even(?:ly)? spacing", "spaced even"),
@@ -113,7 +122,12 @@ PATTERNED: list[Pattern] = [
         ")*(?:alternating(?:ly)?|alternate[sd]?|alternately|alternation|interleaved|striped|zebra)(?: (?:in "
         ")?(?:color|colors|colored|pattern|order|between|from|fashion|sequence|stripes))*", "(?:always )?(?:in |by "
         ")?(?:taking |take |takes )?turns", "(?:1|one) after the other in turn",
-        "(?:so )?(?:that )?no (?:2|two) (?:neighbors|adjacent BLOCK|neighboring BLOCK) (?:have|of|BE)(?: of)? the "
+        "(?:(?:so|and|with|that) )*no (?:2|two) (?:BLOCK )?(?:of|in|with|having) the same color (?:(?:may|must|"
+        "should|can) )?"
+        "(?:BE |touch |touching )?(?:(?:directly|right|immediately) )?(?:next to|beside|adjacent to|neighboring) "
+        "(?:each "
+        "other|one another)", "(?:so )?(?:that )?no (?:2|two) (?:neighbors|adjacent BLOCK|neighboring BLOCK) "
+        "(?:have|of|BE)(?: of)? the "
         "same color"),
     *patterns("pattern", "mirrored",
         f"(?:(?:in|with|an|a|of|the|have|has|having|and|BE|that|which|forms?|as|color|colors|it|they|their|its|whose|"
@@ -146,7 +160,7 @@ PATTERNED: list[Pattern] = [
     *patterns("pattern", "same",
         "(?:(?:with|and|in) )*(?:all |all of them |each )?(?:BE )?(?:of |in |have |with |has )+(?:just |only "
         ")?(?:the same|one|a single|one single|one and the same|1|the very same|1 single|equal) "
-        "color", "(?:all )?(?:the )?same color"),
+        "color", "(?:all )?(?:the )?same color(?: as (?:each other|one another))?"),
 ]  # fmt: skip
 """Kind "pattern" of the colours of all blocks."""
 
@@ -158,10 +172,12 @@ EACH: list[Pattern] = patterns("each", lambda match: number(match["n"]),
 REST: list[Pattern] = patterns(
     "rest",
     None,
-    r"(?:all )?(?:the )?(?:rest|others|other ones|other BLOCK|remaining "
-    r"ones|remaining BLOCK|remaining|other (?P<n>\d+)|remaining (?P<m>\d+)|inner (?P<k>\d+))(?: of (?:them|it|the "
-    r"BLOCK))?(?: (?:BE|all))*",
+    r"(?:all )?(?:the )?(?:other (?P<n>\d+)|remaining (?P<m>\d+)|inner (?P<k>\d+)|rest|others|other ones|other BLOCK|"
+    r"remaining ones|remaining BLOCK|remaining)(?: (?:BLOCK|ones))?(?: of (?:them|it|the BLOCK))?(?: (?:BE|all))*",
     "everything else(?: BE)?",
+    "(?:BE )?(?:in|at|on|for|to|fill|fills|filling|take|takes|taking|occupy|occupies|occupying) (?:all )?(?:of "
+    ")?(?:the )?"
+    "(?:remaining|other|free|empty|rest of the|leftover) (?:positions|places|spots|slots|spaces)",
 )
 """Kind "rest": what is told next is all that is left."""
 
@@ -169,8 +185,8 @@ _EDGE = "(?:front|near|far|back|left|right|closest|nearest|farthest)"
 _EDGES = {"front": "near", "closest": "near", "nearest": "near", "back": "far", "farthest": "far"}
 WHERE: list[Pattern] = [
     *patterns("where", lambda match: f"at the {_EDGES.get(match['edge'], match['edge'])} edge of the table",
-        f"(?:BE )?(?:placed )?(?:along|at|by|close to|near|next to) the (?P<edge>{_EDGE}) edge(?: of the "
-        f"TABLE)?", f"(?:BE )?(?:placed )?(?:along|at) the (?P<edge>{_EDGE}) side of the TABLE"),
+        f"(?:BE )?(?:placed )?(?:along|at|by|close to|near|next to) (?:the )?(?P<edge>{_EDGE}) edge(?: of the "
+        f"TABLE)?", f"(?:BE )?(?:placed )?(?:along|at) (?:the )?(?P<edge>{_EDGE}) side of the TABLE"),
     *patterns("where", lambda match: f"in the {match['side']} half of the table", r"(?:BE )?(?:placed )?(?:on|at|to) "
         r"the (?P<side>left|right) side of the TABLE"),
     *patterns("axis", "row", "(?:BE )?parallel to the (?:front|near|far|back) edge(?: of the TABLE)?"),
@@ -179,22 +195,40 @@ WHERE: list[Pattern] = [
 ]  # fmt: skip
 
 WORDS: list[Pattern] = [
+    *patterns("listed", None, "(?:in |with |has |having |of )?(?:the )?following (?:order|sequence|color sequence|"
+    "pattern|"
+        "color order|succession)(?: of colors)?(?= )"),
+    *patterns("glue", None, "(?:with |has |having |of |from |using )?(?:the |this )?following (?:composition|contents?|"
+        "colors?|BLOCK|elements|parts|specification|properties|description|constraints?|conditions?|requirements?|"
+        "letters|digits|numbers|symbols)", "(?:along|across) the TABLE(?! edge)", "(?:all |of )?(?:his|her|their|"
+        "our|my) "
+        "BLOCK"),
     *patterns("listed", "now", "then(?: (?:comes|come|follows|goes))?(?: (?:again|another|next|finally|"
         "lastly))?", "(?:which BE )?followed (?:next )?by", "next(?: comes| follows)?(?! to)", "after (?:that|it|"
-        "which)(?: comes| follows)?", "(?:and )?(?:finally|lastly)", "→", "after (?:this|that|it)"),
+        "which)(?: comes| follows)?", "(?:and )?(?:finally|lastly)", "→", "after (?:this|that|it|them|these|those)",
+        "(?:then|(?:which BE )?followed by|next|and finally|finally|lastly|and lastly)(?: comes)? (?:yet )?another"),
+    *patterns("hues", lambda match: int(match["n"]),
+        r"(?:(?:of|in|with|the|using) )*(?P<n>\d) (?:different )?colors(?= (?:[,.;:(]|alternating) )"),
     *patterns("stock", None, "(?:there (?:is|are)|i have(?: got)?|we have(?: got)?|you have(?: got)?|you get|take|"
         "here (?:is|are)|given(?: (?:is|are))?|given :|(?:available|materials?|inventory|stock|blocks|cubes)(?: "
         "(?:are|is))? :)"),
     *patterns("break", None, "so that", "so", "such that", "in such a way "
         "that", "in which", "whose", "including", "where", "also", "as well as", "[()]"),
     *patterns("act", None, "(?:and )?(?:put|place|set|add|lay|insert|stick|position|drop|move|locate)"),
-    *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|$))"),
+    *patterns("repeated", None, "(?:(?:this|the|that|which) (?:pattern |sequence |order )?)?(?:BE )?(?:repeated|"
+    "repeating|repeats)"
+        "(?: (?:itself|over and over|until the end))?", "(?:in )?(?:a |the )?repeating (?:pattern|sequence|"
+        "order)(?: of)?", "(?:the )?(?:colors )?repeating(?= COLOR)"),
+    *patterns("again", None, "(?:once )?(?:again|more)(?= (?:[,.;)]|in|$))"),
     *patterns("glue", None, "BE(?: all)?", "let there be", "(?:is |BE )?(?:needed|required|wanted|"
-        "desired)", "a series of", "(?:be )?brought", "align|aligned", "the robot(?: arm)?|robot|have|let us "
+        "desired)", "a series of", "(?:be )?brought", "the robot(?: arm)?|robot|have|let us "
         "have", "there (?:stand|stands|lie|lies|sit|sits)", "up(?= (?:[,.;]|in|from|on|with|$))", "(?:the |their |"
-        "its )?colors(?= (?:from|in|COLOR|COLORs|:) )",
+        "its )?colors(?= (?:from|in|COLOR|COLORs|:) )", "color(?= COLOR )",
         "comprising|comprises|comprised of|comprise|including", "all (?:the |of the |these )?BLOCK",
         "standing|sitting|lying|resting|placed|positioned|located|neatly|nicely|please|ok|so|all"),
+    *patterns("glue", None, "(?:in|of|with) (?:the |any |whatever |whichever )?colors? (?:of your (?:own )?choice|"
+    "(?:that )?you "
+        "(?:like|want|choose|prefer|please))", "(?:of|in) any color"),
     *patterns("glue", None, "(?:all of )?(?:them|these)(?: all)?|they(?: all)?|it", "(?:colored|plain)", "also please"),
     *patterns("glue", None, "(?:color|number|letter|blocks|cubes|count|quantity|figure|structure|shape|arrangement|"
         "layout|configuration|object|objects|spacing|colors|which|that)(?= :)"),
@@ -206,12 +240,16 @@ OF_THEM: list[Pattern] = [
     *patterns("lot", None,
         rf"(?P<half>half) (?:(?:of )?(?:them|these|those|which|the BLOCK) )?(?:BE )?(?P<color>COLOR){_END_HERE}(?: "
         rf"ones)?",
-        rf"(?P<count>NUM) (?:(?:of (?:them|these|those|which|the BLOCK)|BLOCK) )?BE(?: all)? "
+        rf"(?<!of )(?P<count>NUM) (?:(?:of (?:them|these|those|which|the BLOCK)|BLOCK) )?BE(?: all)? "
         rf"(?P<color>COLOR){_END_HERE}"
         r"(?: ones)?",
         rf"(?P<count>NUM) of (?:them|these|those|which|the BLOCK) (?P<color>COLOR){_END_HERE}(?: ones)?",
+        r"(?P<det>(?:the )?)(?P<color>COLOR)(?P<many> (?:half|group|part|section))(?= )",
+        r"(?P<color>COLOR)(?: BLOCK)? : (?P<count>\d+)(?= (?:[,.;)]|and|$))",
         r"all (?P<count>NUM) of the (?P<color>COLOR)(?P<many>s)?(?: (?P<noun>BLOCK|ones))?",
-        r"(?P<color>COLOR)(?: BLOCK)? (?:x|X|times) (?P<count>\d+)", r"(?P<count>\d+) (?:x|X|times) (?P<color>COLOR)"),
+        r"(?P<color>COLOR)(?: BLOCK)? (?:x|X|times) (?P<count>\d+)",
+        r"(?:the )?(?P<color>COLOR)(?: (?:BLOCK|one))? (?:BE |appears |occurs |comes )?(?P<count>once|twice|\d+(?= "
+        r"times))(?: times)?", r"(?P<count>\d+) (?:x|X|times) (?P<color>COLOR)"),
     *patterns("total", lambda match: int(match["n"]),
         r"(?P<n>\d+) of (?:them|these|those)(?= (?:[,.;)]|$))",
         r"(?P<n>\d+)(?= (?:differently|different|distinct) colored BLOCK )"),

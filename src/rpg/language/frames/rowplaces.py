@@ -95,6 +95,7 @@ def _segments(sentence: Sequence[Piece]) -> list[_Segment]:
         elif piece.kind in ("figure", "mention"):
             found[-1].figure = True
         elif piece.kind == "rest":
+            found += [_Segment("rest", [])] if found[-1].said else []
             found[-1].mark += " rest"
     return found
 
@@ -182,11 +183,13 @@ def _refined(segment: _Segment, known: dict[int, Lot]) -> Placed:
 
 
 def _both_ends(lots: list[Lot], place: Place, many: int) -> list[Placed]:
-    """ "Red and blue at the ends": one each.
+    """ "Red and blue at the ends": one each; in the middle: in any order.
 
     Raises:
         Unclear: two kinds of blocks at one place.
     """
+    if place[0] == "middle" and many == 1:
+        return [Placed(lot, ("inner", 0)) for lot in lots]
     if place[0] != "ends" or many != 1 or any(lot.count not in (None, 1) for lot in lots):
         raise Unclear
     return [Placed(lot, name) for lot, name in zip(lots, (("end", 0), ("other", 0)), strict=True)]
@@ -194,7 +197,7 @@ def _both_ends(lots: list[Lot], place: Place, many: int) -> list[Placed]:
 
 def _runs(sentence: Sequence[Piece], known: dict[int, Lot]) -> list[list[Lot]]:
     """The lists of blocks in a sentence: nothing but breaks, places and small words stands in a list."""
-    between = ("glue", "break", "stock", "place", "rest", "each")
+    between = ("glue", "break", "stock", "place", "rest", "each", "again")
     kept = [piece for piece in sentence if piece.kind not in between and piece.value != "now"]
     return [
         [known[id(piece)] for piece in run]

@@ -10,6 +10,8 @@ from typing import Protocol
 from rpg.language.frames.arranged import OPPOSITE, Fact, completed, filled
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear
+from rpg.language.frames.rowplainer import check_about_middle
+from rpg.language.lexicon import SIZE
 
 _PATTERNS = {
     "": "",
@@ -17,9 +19,12 @@ _PATTERNS = {
     "mirrored": " with mirrored colors",
     "rainbow": " in rainbow order",
     "grouped": " grouped by color",
+    "increasing": " by increasing size",
+    "decreasing": " by decreasing size",
 }
 _LENGTHWAYS = {"left": "from left to right", "front": "from front to back"}
 _NTH = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+_SIZES = frozenset({*SIZE, "medium", "normal"})
 _ENDS = frozenset({"left", "right", "front", "back"})
 
 
@@ -72,6 +77,7 @@ def in_words(row: Row, pieces: Sequence[Piece], names: Names, lay: str = "") -> 
     Raises:
         Unclear: what is told of it cannot be told again.
     """
+    check_about_middle(pieces, sum(row.counts.values()), sum(many for *_, many in row.facts))
     if row.near != row.first and row.near not in (row.first, {"right": "left", "back": "front"}.get(row.first)):
         raise Unclear
     noun = "column" if row.near == "front" else "row" if row.direction else row.noun
@@ -101,8 +107,7 @@ def _arranged(row: Row, noun: str, names: Names) -> str:
             raise Unclear
         toward = f" {row.direction}" if row.direction else ""
         return f"{lay}{_PATTERNS[pattern]}{toward}."
-    if {"end", "other"} <= {name for name, *_ in row.facts}:
-        row.facts = [fact for fact in row.facts if (fact[0], fact[3]) != ("middle", size - 2)]  # all that is left
+    row.facts = _without_rest(row.facts, size)
     slots = filled(size, [fact for fact in row.facts if fact[0] not in ("end", "other")], row.near, row.first)
     left = row.counts - Counter(look for look in slots if look)
     if Counter(look for look in slots if look) - row.counts:
@@ -120,6 +125,26 @@ def _arranged(row: Row, noun: str, names: Names) -> str:
     return _partly(row, lay, noun, names)
 
 
+def _without_rest(facts: list[Fact], size: int) -> list[Fact]:
+    """What is told of places but for all that is left between two ends.
+
+    Raises:
+        Unclear: some blocks in the middle, in no told order.
+    """
+    names = {name for name, *_ in facts}
+    inner = sum(many for name, _, _, many in facts if name == "inner")
+    ends = {"end", "other"} <= names or (
+        inner and (names & _TWO or {"left", "right"} <= names or {"front", "back"} <= names)
+    )
+    if inner and (inner != size - 2 or not ends):
+        raise Unclear
+    kept = [fact for fact in facts if fact[0] != "inner"]
+    return [fact for fact in kept if (fact[0], fact[3]) != ("middle", size - 2)] if {"end", "other"} <= names else kept
+
+
+_TWO = frozenset({"ends", "each end"})
+
+
 def _difference(counts: Counter[str]) -> int:
     one, other = counts.values()
     return one - other
@@ -127,10 +152,12 @@ def _difference(counts: Counter[str]) -> int:
 
 def _uncolored(row: Row, noun: str) -> str:
     """Blocks of which no look is told."""
-    if row.size < 2 or row.facts or row.pattern not in ("", "different", "same", "rainbow"):
+    if row.pattern in ("increasing", "decreasing") and not row.size and not row.facts:
+        return f"Lay the blocks in a {noun}{_PATTERNS[row.pattern]}{f' {row.direction}' if row.direction else ''}."
+    if row.size < 2 or row.facts or row.pattern not in ("", "different", "same", "rainbow", "increasing", "decreasing"):
         raise Unclear
     colors = {"different": " of different colors", "same": " of the same color"}.get(row.pattern, "")
-    order = " in rainbow order" * (row.pattern == "rainbow") + f" {row.direction}" * bool(row.direction)
+    order = _PATTERNS.get(row.pattern, "") + f" {row.direction}" * bool(row.direction)
     return f"Lay {row.size} blocks{colors} in a {noun}{order}."
 
 
@@ -152,7 +179,8 @@ def _in_order(row: Row, lay: str, noun: str, direction: str, order: Sequence[str
     """A row in an order; of many colours the order is told alone."""
     if len(row.counts) > 5 and all(look.isalpha() and len(look) > 1 for look in order):
         lay = f"Lay a {noun}"
-    return f"{lay} {direction}: {', '.join(order)}."
+    told = [f"a {look} block" if look in _SIZES else look for look in order]
+    return f"{lay} {direction}: {', '.join(told)}."
 
 
 def _partly(row: Row, lay: str, noun: str, names: Names) -> str:

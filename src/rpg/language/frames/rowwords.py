@@ -24,6 +24,7 @@ _FROM = (
     "(?: (?:one |BLOCK |place |position )?(?:when )?(?:counted |counting |seen |reading |read |starting |as seen "
     ")?(?:from|on) (?:the )?(?P<side>left|right|front|near|back|rear|far)(?: hand)?(?: end| side| edge)?)"
 )
+_HAS = "(?:occupies|occupy|occupying|takes|take|taking|fills|filling|gets|has|holds|holding)"
 _NAMES = {"near": "front", "rear": "back", "far": "back"}
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
@@ -50,7 +51,7 @@ def _at_side(side: str) -> list[Pattern]:
         f"(?:BE )?(?:placed |located |positioned )?(?:on|at|in|to|forming|as|occupying|occupies|occupy|taking|takes|"
         f"filling|fills) (?:the|its) {_VERY}?(?:{end}){_END}(?:{_OF_IT}|{_NOT_OF}){plain}{bare}",
         f"(?:BE )?(?:on|at) (?:the )?(?:{_VERY})?(?:{end}){_END}{_NOT_OF}",
-        f"(?:(?:on|at) )?(?:the |its )?(?:{_VERY})?(?:{end}){_END}?(?= (?:BE |: ))(?: "
+        f"(?<!from )(?<!from the )(?:(?:on|at) )?(?:the |its )?(?:{_VERY})?(?:{end}){_END}?(?= (?:BE |: ))(?: "
         f"BE)?", f"the (?:{_VERY})?(?:{end}){_END}? (?:one|BLOCK)(?= (?:BE |: ))(?: BE)?",
         f"(?:the )?{_VERY}?(?:{end}){_END}(?= (?:a|one|the|NUM) )",
         f"(?:BE )?(?:the )?(?:BLOCK |one )?(?:BE )?(?:the )?(?:{most})(?:{_ONE}| "
@@ -66,7 +67,8 @@ def _at_side(side: str) -> list[Pattern]:
 PLACES: list[Pattern] = [
     *(pattern for side in _SIDES for pattern in _at_side(side)),
     *patterns("place", lambda match: (_side(match["side"]), _nth(match["nth"])),
-        f"(?:BE )?(?:in |at |as )?(?:the |its )?{_NTH}{_ONE}?(?: in)?{_FROM}", f"(?:BE )?on the {_NTH} (?:place|"
+        f"(?:BE |{_HAS} )?(?:in |at |as )?(?:the |its )?{_NTH}{_ONE}?(?: in)?{_FROM}", f"(?:BE )?on the {_NTH} "
+        f"(?:place|"
         f"position|spot|slot){_FROM}"),
     *patterns("place", lambda match: (_side(match["side"]), int(match["n"])),
         r"(?:BE )?(?:in |at |on )(?:the )?(?:position|place|spot|slot|number) (?P<n>\d+)" + _FROM),
@@ -74,7 +76,7 @@ PLACES: list[Pattern] = [
         r"spot|slot|number) (?P<n>\d+)(?! from)", r"(?:the )?(?:position|place|spot|slot|number) (?P<n>\d+)(?= (?:is|"
         r":|has) )"),
     *patterns("place", lambda match: ("first", _nth(match["nth"])),
-        f"(?:BE )?(?:in |at )?(?:the |its )?{_NTH}{_ONE}(?: in (?:the )?(?:row|line))?(?: BE)?(?! "
+        f"(?:BE |{_HAS} )?(?:in |at )?(?:the |its )?{_NTH}{_ONE}(?: in (?:the )?(?:row|line))?(?: BE)?(?! "
         f"from)", f"BE (?:the )?{_NTH}(?: in (?:the )?(?:row|line))?(?! from)",
         f"(?:the )?{_NTH}(?: in (?:the )?(?:row|line))? BE"),
     *patterns("place", ("first", 1),
@@ -87,12 +89,21 @@ PLACES: list[Pattern] = [
         "(?:BE )?in (?:the )?last (?:place|position|spot)", "(?:BE )?at the end(?: of (?:it|the (?:row|line)))?"),
     *(pattern for side in ("left", "right") for pattern in patterns("place", (side, 1),
         f"(?:starts|starting|start|begins|beginning|begin)(?: off)? (?:at|on|from) the {side}(?: end| side)? with",
-        f"(?:ends|ending|finishes|finishing|finish) (?:up )?(?:at|on) the {side}(?: end| side)? with")),
+        f"(?:ends|ending|finishes|finishing|finish) (?:up )?(?:at|on) the {side}(?: end| side)? with",
+        f"(?:starts|begins) (?:at|on|from) the (?:far )?{side}(?: end| side)?(?= (?:[,.;)]|and|$))")),
     *patterns("place", lambda match: ("first", _nth(match["nth"])), f"(?:the )?{_NTH}(?= (?:a |an |one )?(?:COLOR|"
         f"[A-Z]) )"),
+    *(pattern for side in ("left", "right") for pattern in patterns("place", (side, 1),
+        f"(?:BE )?(?:placed )?(?:(?:to|on|at) )?(?:the |its )?{side}(?: hand)?(?: side)? of (?:it|that|this|the "
+        f"(?:middle|"
+        f"center)(?: one| BLOCK)?)", f"(?:BE )?(?:placed )?(?:to|on|at) its {side}(?: side)?")),
     *patterns("place", ("left", 1), "(?<!the )(?<!from )left(?= (?:and|[,.;]|$))"),
     *patterns("place", ("right", 1), "(?<!the )(?<!from )right(?= (?:and|[,.;]|in|$))"),
-    *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:on |at )?(?:the )?inside(?= (?:[,.;]|$))"),
+    *patterns("place", ("front", 1), "(?:BE )?(?:at|in) the front(?= (?:[,.;)]|and|with|$))"),
+    *patterns("place", ("back", 1), "(?:BE )?(?:at|in) the (?:back|rear)(?= (?:[,.;)]|and|with|$))"),
+    *patterns("place", ("middle", 0), "(?:the )?(?:middle|center)(?= COLOR )"),
+    *patterns("place", ("middle", 0), r"(?:the )?middle(?= \d)", "(?:BE )?(?:on |at )?(?:the )?inside(?= (?:[,.;)]|"
+    "and|$))"),
     *patterns("place", ("last", 2), "(?:BE )?(?:the )?(?:next to last|second to last|last but one|second last)(?: "
         "BLOCK| one| place)?(?: BE)?"),
     *patterns("place", ("each end", 0), f"(?:BE )?(?:placed )?(?:at|on) (?:each|either|every)(?: of the| of its)?(?: "
@@ -102,25 +113,28 @@ PLACES: list[Pattern] = [
         f"the outer|the opposite|opposite)(?: 2| outer| outer 2)? ends{_OF_IT}?",
         f"(?:at |on )?(?:with )?(?:both|the|its|the 2|the outer|both of the|both of its) (?:ends|end blocks|end "
         f"cubes|outer ones|outer BLOCK){_OF_IT}?(?: BE(?: both)?)?", "(?:BE )?(?:on|at|to) the "
-        "outsides?", "(?:BE )?outside(?= (?:[,.;)]|$))", "(?:the )?outer (?:2|ones|BLOCK|2 BLOCK)(?: BE(?: "
+        "outsides?", "(?:BE )?(?:on the )?outside(?= (?:[,.;)]|and|$))", "(?:the )?outer (?:2|ones|BLOCK|2 "
+        "BLOCK)(?: BE(?: "
         "both)?)?", "(?:the )?(?:first|leftmost)(?: one| BLOCK)? and (?:the )?(?:last|rightmost)(?: one| ones| "
         "BLOCK)?(?: BE(?: both)?)?", "(?:BE )?(?:the )?(?:2 )?outermost(?: ones| BLOCK)?",
         "(?:starts|starting|start|begins|beginning|begin) and (?:ends|ending|end|finishes|finishing|finish) (?:with|"
         "in|by)", "(?:BE )?(?:flanked|framed|bordered|enclosed|bracketed|sandwiched) (?:on both sides |on each side |"
         "at both ends )?by"),
+    *patterns("place", ("ends", 0), "(?:the )?ends(?= (?:COLOR|BE) )(?: BE)?"),
     *patterns("place", ("end", 0), f"(?:BE )?(?:at|on) (?:one|1|an) (?:of the (?:2 )?ends|end){_OF_IT}?"),
     *patterns("place", ("other", 0), f"(?:BE )?(?:at|on) the (?:other|opposite)(?: end| one){_OF_IT}?"),
     *patterns("place", ("middle", 0),
         f"(?:BE )?(?:right |exactly |just |precisely |directly )?(?:in|at|on|occupying|occupies|occupy|taking|takes|"
         f"filling|fills) (?:the|its) (?:very |exact |dead )?(?:middle|center)(?: position| place| spot)?(?:{_OF_IT}|"
-        f"(?! of))(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
-        "(?:BE )?(?:middle|center)(?= (?:[,.;)]|$))", "(?:the )?(?:middle|central|center|centermost|middlemost)(?: "
+        f"{_NOT_OF})(?: BE)?", "(?:BE )?(?:in )?(?:the )?(?:middle|center)(?= : )",
+        "(?:BE )?(?:middle|center)(?= (?:[,.;)]|and|$))", "(?:the )?(?:middle|central|center|centermost|middlemost)(?: "
         "BLOCK| one| ones| position| place)(?: BE)?", "(?:BE )?(?:hides |hide |hidden |halfway |squeezed |sandwiched "
         "|wedged |"
         "caught )?(?:in |right |exactly )?between(?: them| those| these| the ends| the 2 ends| the 2(?! COLOR)| the "
         "2 of them)?", "in the (?:middle|center)(?= (?:a|one|the|1) )"),
-    *patterns("place", ("sides", 0),
-        "(?:BE )?(?:on|at|to) (?:each|either|both|every)(?: one)?(?: of (?:its|the 2|the))? sides?(?: of (?:it|that|"
+    *patterns("place", ("sides", 0), "(?:the |both |its )?sides(?= (?:COLOR|BE) )(?: BE)?",
+        "(?:BE )?(?:(?:on|at|to) )?(?:each|either|both|every)(?: one)?(?: of (?:its|the 2|the))? sides?(?: of "
+        "(?:it|that|"
         "them))?", "(?:BE )?(?:to the )?left and right of (?:it|that)", "(?:BE )?to (?:its|the) left and (?:to "
         ")?(?:its )?right"),
 ]  # fmt: skip
@@ -133,13 +147,22 @@ _ADJ = (
     "whole|flat|complete|beautiful|well ordered) )"
 )
 _IN = "(?:(?:in|into|to|as|on|along|of|for|forming|making|make|makes|form|forms) )?"
+_LINE = (
+    "line|lineup|line up|queue|sequence|single line|linear (?:arrangement|configuration|formation|layout|sequence|"
+    "order|"
+    "structure)"
+)
 FIGURE: list[Pattern] = [
-    *(pattern for noun, words in (("row", "row"), ("line", "line|lineup|line up|queue|sequence|single "
-        "line"), ("column", "column")) for pattern in (
-        *patterns("figure", noun, f"{_IN}(?:(?:a|an|one|1|my|our|exactly one|just one) )?(?:and same "
+    *(pattern for noun, words in (("row", "row"), ("line", _LINE), ("column", "column")) for pattern in (
+        *patterns("figure", noun, f"{_IN}(?:(?:a|an|one|1|my|our|exactly one|just one|the following) )?(?:and same "
             f")?{_ADJ}*(?:{words})"),
-        *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself)?"))),
-    *patterns("figure", "line", "(?:line|lines|lined|lining) (?:them |these |it |all of them |them all )?up"),
+        *patterns("mention", noun, f"{_IN}(?:the|this|that|the same|your) {_ADJ}*(?:{words})(?: itself| 's)?"))),
+    *patterns("mention", "row", "from (?:one|either) end of the row to the other(?: end| one)?"),
+    *patterns("mention", "line", "from (?:one|either) end of the line to the other(?: end| one)?"),
+    *patterns("figure", "line", "(?:align|aligned|aligning|aligns)(?: (?:them|these|it))?(?! (?:to|along|at) )"
+        "(?! (?:[^.,;]+ )?with (?:the|a|an|its|this|that) )"),
+    *patterns("figure", "line", "(?:line|lines|lined|lining) (?:them |these |it |all of them |them all |(?:the |my "
+    "|our |these )?(?:BLOCK|letters|digits|numbers) )?up"),
     *patterns("beside", None, "side by side"),
     *patterns("glue", None, "(?:one|1) (?:after|beside|next to|following) (?:another|the other)"),
 ]  # fmt: skip
@@ -152,19 +175,25 @@ _READ = (
 )
 DIRECTIONS: list[Pattern] = [
     *patterns("direction", "from left to right",
-        f"{_READ}(?:far )?left(?: most| hand)?(?: end| side)? (?:to|→|towards) (?:the )?(?:far )?right(?: most| "
+        f"{_READ}(?:far )?left(?: most| hand)?(?: end| side| edge)?(?: of the TABLE)? (?:to|→|towards) (?:the "
+        f")?(?:far )?right(?: most| "
         f"hand)?(?: end| side)?", f"{_READ}leftmost to (?:the )?rightmost",
         "(?:starting|beginning|begin|start|counted|listed|reading|read|seen|counting|going) (?:at|from|on) the "
-        "(?:far )?left(?: end| side)?", "from (?:the )?left(?: end| side)?(?= (?:[:,.;]|$))", "to the right(?= :)"),
+        "(?:far )?left(?: end| side)?", "from (?:the )?left(?: end| side)?(?= (?:[:,.;]|BE|reads|COLOR|$))", "to "
+        "the right(?= :)"),
     *patterns("direction", "from right to left",
         f"{_READ}(?:far )?right(?: most| hand)?(?: end| side)? (?:to|→|towards) (?:the )?(?:far )?left(?: most| "
         f"hand)?(?: end| side)?", f"{_READ}rightmost to (?:the )?leftmost",
         "(?:starting|beginning|begin|start|counted|listed|reading|read|seen|counting|going) (?:at|from|on) the "
-        "(?:far )?right(?: end| side)?", "from (?:the )?right(?: end| side)?(?= (?:[:,.;]|$))"),
+        "(?:far )?right(?: end| side)?", "from (?:the )?right(?: end| side)?(?= (?:[:,.;]|BE|reads|COLOR|$))"),
     *patterns("direction", "from front to back",
-        f"{_READ}(?:front|near|nearest|closest|near side|near end|front end|near edge|front edge) (?:to|→|towards) "
-        f"(?:the )?(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back edge)",
-        "(?:starting|beginning) (?:near|closest to|nearest to|next to|in front of) (?:me|you|us|the robot)(?: "
+        f"{_READ}(?:front|near|nearest|closest|near side|near end|front end|near edge|front edge)(?: of the TABLE)? "
+        f"(?:to|→|towards) (?:the )?(?:back|far|farthest|furthest|rear|far side|far end|back end|far edge|back "
+        f"edge)(?: "
+        f"of the TABLE)?",
+        "(?:starting|beginning) (?:near|closest to|nearest to|nearest|closest|next to|in front of) (?:me|you|us|"
+        "the (?:robot|"
+        "viewer|camera))(?: "
         "and)?(?: (?:going|running) (?:back|backwards|away))?", "(?:starting|beginning|counted|listed|reading|read) "
         "(?:at|from|in) (?:the )?front", "from (?:the )?front(?= "
         "[:,])"),
@@ -180,6 +209,10 @@ DIRECTIONS: list[Pattern] = [
         "(?:always )?(?:exactly |precisely |just )?in (?:exactly |precisely )?(?:that|this|the following|exactly "
         "this|exactly that|the given|the stated|the same|this exact|that exact|that very|the said|precisely this|"
         "precisely that) (?:order|sequence)(?: BE)?",
+        "(?:exactly |precisely )?in (?:the|this|that) (?:exact |same )?(?:order|sequence) (?:as )?(?:(?:I |i |we |you |"
+        "they |it is |they are )?(?:named|mentioned|listed|written|typed|given|told|stated|said|shown|read|spoken|"
+        "described|specified|indicated|name|mention|list|say|give|wrote|said them|named them)|of (?:mention|naming|the "
+        "list))(?: here| above| below| before)?",
         "(?:in |with |has )?(?:the |a |their |its )?(?:color )?(?:order|sequence|color sequence|pattern|color "
         "pattern)(?: of (?:the )?colors)?(?: BE| of| shall be| reads)?", "(?:the )?colors (?:BE|read|in "
         "order)", "(?:that |which )?(?:reads|reading)", "(?:(?:should|must|shall|has to|to) )?(?:go|goes|run|runs|"

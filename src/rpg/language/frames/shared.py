@@ -7,7 +7,7 @@ from rpg.language.frames.pieces import Pattern, patterns
 _PLACED = r"(?:(?!that |which )BE )?(?:put |placed |set |built )?"
 WHERE: list[Pattern] = [
     *patterns("where", lambda match: f"on the {match['patch']}",
-        rf"{_PLACED}(?:on|onto|upon|on top of) (?:the|a) (?P<patch>(?:(?:SIZE|long|round|square|circular) )?COLOR "
+        rf"{_PLACED}(?:on|onto|upon|on top of) (?:(?:the|a) )?(?P<patch>(?:(?:SIZE|long|round|square|circular) )?COLOR "
         rf"PATCH)"),
     *patterns("where", lambda match: f"in the {match['side']} half of the table",
         rf"{_PLACED}(?:in|on) the (?P<side>left|right|near|far) half(?: of (?:the )?TABLE)?"),
@@ -33,6 +33,22 @@ GLUE: list[Pattern] = [
     *patterns("glue", None, "is|are|be|being|should|must|stands|stand|lies|lie|it has|it is|they are|(?:which|"
         "that)(?: (?:is|are))?(?! (?:(?:is|are) )?(?:on|in|at|upon|onto) )"),
     *patterns("glue", None, "(?:the |these |all the |those )?(?:blocks|cubes|pieces)"),
+    *patterns("glue", None, "(?:the |my |our |your |this )?(?:task|goal|aim|objective|job|mission|assignment|"
+    "exercise)(?: "
+        "here| now| for you)?(?: (?:is|will be))? (?:consists of|consists in|involves|requires|demands|calls for|"
+        "asks for|"
+        "about)", "producing|making|building|creating|forming|arranging|placing|constructing|laying out|setting up|"
+        "assembling|obtaining|getting"),
+    *patterns("glue", None, "(?:my|our|the|his|her) (?:son|daughter|kid|kids|child|children|boy|girl|boss|teacher|"
+    "friend|"
+        "wife|husband|customer|client|student|students|colleague) (?:wants|want|needs|need|would like|wishes|wish|asks "
+        "for|asked for|wanted)(?: to (?:see|have|get))?", "(?:ensure|make sure|be sure|see to it|take care)(?: "
+        "that)?", "(?:it )?would be "
+        "(?:great|nice|good|lovely|perfect|cool|fine|helpful|ideal|wonderful)(?: if| to have| to see)?", "were|"
+        "had", "basically|essentially|simply|actually|out(?= in (?:a|one) )",
+        "for (?:a |the |my |our |this )?(?:lesson|class|demo|experiment|test|game|exercise|homework|school|kids|"
+        "children|"
+        "video|photo|benchmark)"),
     *patterns("glue", None, "nice|neat|tidy|simple|proper|little|final|whole|together"),
     *patterns("glue", None, "(?:in )?(?:the |my |a )?(?:final |end |finished |last |closing |goal |target "
         ")?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)"),

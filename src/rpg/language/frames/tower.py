@@ -15,8 +15,8 @@ PATTERNS = [
     *WHERE,
     *BREAKS,
     *GLUE,
-    *patterns("figure", "tower", "(?:single |tall |vertical )?(?:tower|stack|pillar)", "on top of (?:each other|one "
-        "another)"),
+    *patterns("figure", "tower",
+        "(?:one |single |tall |vertical )*(?:tower|stack|pillar)", "on top of (?:each other|one another)"),
     *patterns("height", numbers("height"),
         "(?P<height>NUM) (?:BLOCK )?(?:high|tall|in height)", "(?:with )?(?:a )?height (?:of |: |is "
         ")?(?P<height>NUM)(?: BLOCK)?"),
@@ -114,7 +114,8 @@ def _placed(pieces: Sequence[Piece], size: int | None, colors: str) -> str:
         known = next(other for other in lots if other.look == lot.look)
         if known.count != 1 and (lot.count is None or (lot.known and lot.count == 1)) and not alternating:
             raise Unclear  # all of them, or one of them?
-        text += f" {Lot(lot.look, lot.count or 1).again.capitalize()} {place}."
+        again = f"a {lot.look} block is" if known.count != 1 and alternating else Lot(lot.look, lot.count or 1).again
+        text += f" {again.capitalize()} {place}."
     return text
 
 

@@ -217,7 +217,7 @@ def _resolved(
     ]
     stated: dict[int, list[g.Goal]] = {}
     for n in as_they_are_read(chains, late):
-        scene.sentence, loose = n, len(scene.loose)
+        scene.sentence, loose, scene.later = n, len(scene.loose), n > 0 and links[n] == "then"
         stated[n] = chain_goals(chains[n], scene)
         at_their_times(links[max(n, 1) : n + 2], stated[n], loose, scene)
     links, sequence = in_time(links, chains, (0, len(text)))

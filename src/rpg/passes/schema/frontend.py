@@ -90,7 +90,8 @@ class BuiltinFrontEnd:
         if found[0] is None and (plain := without_remarks(told[0])) is not None:
             rest, remarks = plain
             with suppress(Refusal):
-                task, notes = self._read_tokens((rest, told[1]), text, name, seed, author, mended, remarks)
+                within = [s for s in told[1] if rest[0].span[0] <= s.span[0] <= rest[-1].span[1]]
+                task, notes = self._read_tokens((rest, within), text, name, seed, author, mended, remarks)
                 if task is not None:
                     return task, notes
         chosen = isinstance(refusal, Repairable | TwoReadings)
@@ -148,7 +149,7 @@ class BuiltinFrontEnd:
                     check_wanted(words if wanted else [], found.task, each_block=wanted == "block")
                     check_behind(typed, found.task)
                     return found.task, found.notes
-            found_again = self._retold(without_asides(spoken), text, name, seed, author, notes) if again else None
+            found_again = self._retold(typed, text, name, seed, author, notes) if again else None
             if found_again is not None:
                 return found_again
             raise
@@ -158,7 +159,7 @@ class BuiltinFrontEnd:
         self, words: list[Token], text: str, name: str | None, seed: int, author: str | None, notes: list[str]
     ) -> Reading | None:
         """The reading of a text that tells of a figure part by part, with a note of how it was understood."""
-        for tokens, said in retold(words):
+        for tokens, said in retold(without_asides(with_beginnings(words))):
             with suppress(Refusal):
                 task, found = self._read_tokens(
                     (tokens, []), text, name, seed, author, notes, [f"understood as: {said}"], again=False

@@ -115,7 +115,8 @@ COMMANDS = Patterns(
     "why do? not you|we",
     "do you think|suppose you could|can|would",
     "can|could|may|might i|we ask|request|trouble|bother you to",
-    "i|we was|were|am? wonder|wondering if|whether? you? could|can|might?",
+    "i|we was|were|am? wonder|wondering if|whether you|we|i|it could|can|might",
+    "i|we was|were|am? wonder|wondering could|can|might",
     "would|do you mind|care",
     "any chance you could|can",
     "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|"

@@ -44,7 +44,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         return chain_goals(untimed(chain), scene, start)
     chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(chain))))
     stages: list[Goals] = [[]]
-    towers = Towers.of(scene)
+    towers, later = Towers.of(scene), scene.later
     pairs = _given_first(chain)
     before: Clause | None = None
     for (link, clause), after in zip(pairs, [*(link for link, _ in pairs[1:]), ""], strict=True):
@@ -62,7 +62,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         towers = Towers.of(scene) if link != "or" else towers
         if link == "or":
             towers.after(scene, start=False, denied=True)
-        loose = len(scene.loose)
+        loose, scene.later = len(scene.loose), later or link == "then"
         goals = clause_goals(clause, scene, starts)
         if link == "or":
             towers.after(scene, start=False, denied=True)

@@ -89,6 +89,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
             raise refuse("ambiguous", "all but this one, or all away from it?", one.span, "say 'except' or 'away from'")
     loose, towers = len(scene.loose), Towers.of(scene)
     scene.placing = clause.verb in ("place", "use") and getattr(clause.theme, "word", "") != "same"
+    scene.placing |= clause.verb == "be" and scene.later  # where it is then, it was moved to
     scene.denying, scene.describing = clause.negated, clause.verb == "be"
     goals = of_the_same(_dispatch(clause, spec, scene, scope), clause, scene)
     scene.denying = False

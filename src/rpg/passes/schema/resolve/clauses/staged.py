@@ -14,6 +14,9 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.goals.two_ways import across
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
+_LEVEL = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Beside, r.Adjacent)
+"""How a block on the table stands to another."""
+
 
 def staged(goals: list[g.Goal], scene: Scene, span: Span) -> tuple[g.Stage, ...]:
     """The goals, each to be met after the one before; refused where what one of them says is not to be told then."""
@@ -29,14 +32,17 @@ def staged(goals: list[g.Goal], scene: Scene, span: Span) -> tuple[g.Stage, ...]
 
 
 def _put_down(goals: list[g.Goal]) -> list[g.Goal]:
-    """ "Stack red on blue, then put the red block on the mat": it lies on the mat itself, not on what it was put on."""
+    """ "Stack red on blue, then put the red block on the mat", or next to the white one: it lies there itself, not on
+    what it was put on."""
     found: list[g.Goal] = []
     for index, goal in enumerate(goals):
         there = [x for x in required(goal) if isinstance(x, r.OnPatch)]
-        put = {name for x in there for name in members(x.a)}
+        aside = [x for x in required(goal) if isinstance(x, _LEVEL)]
+        put = {name for x in (*there, *aside) for name in members(x.a)}
         carried = {n for before in goals[:index] for x in required(before) for n in _carried(x, put)}
         again = {n for x in required(goal) for n in _carried(x, put)}
-        down = [n for x in there for n in members(x.a) if n in carried - again]
+        there_or_by = [*there, *(x for x in aside if carried.isdisjoint(members(x.b)))]
+        down = [n for x in there_or_by for n in members(x.a) if n in carried - again]
         found.append(conj([goal, r.OnTable(a=tuple(dict.fromkeys(down)))]) if down else goal)
     return found
 

@@ -142,6 +142,7 @@ class Scene:
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
     `surveyed`: all blocks of some look that there were when something was said of whichever there are.
+    `later`: whether the sentence or clause is told of a later time than what stands ahead of it.
     `describing`: whether the clause says how something is to be, and nothing of how it comes to be so.
     `excepted`: blocks that are left out of what all others form.
     `left_out`: blocks that are not to be used at all. `dealt`: blocks of which structures take a share each, and what
@@ -188,6 +189,7 @@ class Scene:
     begun_on: set[str] = field(default_factory=set)
     on_bare: set[str] = field(default_factory=set)
     placing: bool = False
+    later: bool = False
     denying: bool = False
     describing: bool = False
     premises: list[Meaning] = field(default_factory=list)

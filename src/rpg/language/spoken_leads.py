@@ -1,0 +1,211 @@
+"""Leads of any words: "Parity benchmark: (...)", "my idea is (a plus ...)", "reward 1 if (...), else 0".
+
+The form says that what stands behind is all that is asked for. So the words of a lead may be any that cannot tell of
+blocks; but none that denies, that is of the start or of another time, that compares or leaves something open, and none
+by which what stands behind is something else than a goal, as a distractor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.language import lexicon
+from rpg.language.smalltalk import takes_back
+from rpg.language.telling import may_tell
+from rpg.language.tokens import Token
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+_BINDING = _words(
+    "rest remainder if unless until till before after while when whenever once or either whether except but than "
+    "then again same only always never ever constantly permanently throughout meanwhile during least most worst "
+    "worse too start starts started starting begin begins beginning initial initially current currently now "
+    "present existing old previous previously former formerly earlier yesterday already given givens original "
+    "originally later afterwards eventually optional optionally bonus alternative alternatively alternatives "
+    "option options choice maybe perhaps possibly them they these those it he she so much opposite contrary reset "
+    "world background setup safety invariant available inventory material materials ingredients stock parts "
+    "objects props fixed frozen immobile immovable static stationary movable question questions why who which "
+    "what how hint false true variant variants version versions undo add remove delete change replace swap also"
+)
+"""Words of a lead with which more hangs on what stands behind, or something else, than that it is asked for."""
+_AGAINST = (
+    "forbid", "forbad", "prohibit", "avoid", "fail", "penal", "punish", "illegal", "invalid", "wrong", "bad", "negativ",
+    "incorrect", "error", "mistak", "violat", "counter", "anti", "distract", "decoy", "obstacle", "ignor", "exclu",
+    "hate", "hating", "dislik", "fear", "worr", "problem", "trouble", "danger", "taboo", "mess", "chaos", "nightmare",
+    "warn", "caution", "never", "non", "unwanted", "undesir", "unaccept", "unallow", "disallow", "ban", "stop",
+    "refus", "reject", "rumo", "joke", "lie", "imposs", "hardly", "barely", "rare", "seldom", "revers", "mirror",
+    "rotat", "flip", "prevent", "lose", "loose", "losing", "lost", "unlik", "deduct", "minus", "cost", "decreas",
+    "bewar", "inhibit", "hinder", "cancel", "abort", "resist", "oppos", "deny", "deni",
+    "exempt", "skip",
+    "omit", "lack", "missing", "destroy", "ruin", "dismantl", "disassembl", "wreck", "demolish", "unstack", "unbuild",
+    "protect",
+    "sabotag", "trap", "doubt", "instead", "rather", "suppos", "assum", "hypothe", "imagin", "pretend",
+)  # fmt: skip
+"""How words of a lead begin that turn against what stands behind, or make no goal of it."""
+_HARMLESS_HERE = _words(
+    "mini big small little huge tiny short great up complete completed finished display sign setting returns "
+    "final clean"
+)
+"""Of an occasion, and of no block, where no block is spoken of."""
+DET = _words("the my our his her their your this a an today tonight tomorrow")
+_MADE = _words(
+    "state configuration solution answer outcome result picture scene image arrangement structure figure "
+    "formation composition layout construction design pattern display sign"
+)
+"""What is built may be spoken of, where a figure is told behind."""
+_IS = tuple(
+    tuple(said.split())
+    for said in (
+        "is", "'s", "should be", "must be", "will be", "shall be", "would be", "has to be", "needs to be", "is to be",
+        "should look like", "must look like", "looks like", "will look like", "shows", "should show", "must show",
+        "depicts", "consists of", "features", "contains", "calls for", "asks for", "requires", "is called", "says",
+        "specifies", "demands", "prescribes", "describes", "wants", "is that", "accepts", "will look for", "looks for",
+    )
+)  # fmt: skip
+_POINTING = _words(
+    "there here i we you somebody someone everybody everyone nobody nothing something anything everything and but "
+    "so please in on at to of with by from"
+)
+_HAS = (("has",), ("must", "have"), ("should", "have"), ("has", "to", "have"), ("needs",), ("needs", "to", "have"))
+_MERELY = _words("simply just basically actually simple really : following")
+BEGINS = _words("a an the any") | frozenset(lexicon.NUMBER)
+TESTS = _words(
+    "benchmark test challenge task exercise puzzle quiz classification problem drill lesson game demo experiment "
+    "evaluation check skill scenario episode mission assignment activity training practice trial stacking "
+    "building sorting spelling instructions instruction guide recipe counting arranging ordering grouping placing "
+    "placement manipulation"
+)
+"""Heads of titles that may have in front of them what is tried, in words that tell of blocks elsewhere."""
+_SHAPES = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER, lexicon.ORDINAL,
+           lexicon.SIZE)  # fmt: skip
+_NOT = _words("not no never without none non un upside left right front back top bottom all each every any both")
+LONGEST = 8
+
+
+def heading(tokens: Sequence[Token]) -> int:
+    """How many of the first words are a heading: "Colour logic drill:", "Grandma's birthday surprise:"."""
+    words = [token.word for token in tokens]
+    end = next((n for n in range(min(LONGEST + 1, len(words) - 1)) if sets_off(tokens, n)), 0)
+    mark = end
+    if end > 1 and tokens[end - 1].kind == "number" and words[end - 2] in TESTS:
+        end -= 1
+    if (
+        not end
+        or (mark + 3 > len(words) and tokens[mark + 1].kind != "equation")
+        or not of_words(tokens[:end])
+        or "'re" in words[:end]
+    ):
+        return 0
+    tried = words[end - 1] in TESTS and not any(w in table for w in words[:end] for table in _SHAPES)
+    tried = tried and _NOT.isdisjoint(words[:end])
+    seen = tuple(words[:3]) in _TRYING and not any(w in table for w in words[:end] for table in _SHAPES)
+    plain = all(map(tells_nothing, words[:end])) or (tried and not any(map(bends, words[: end - 1])))
+    return mark + 1 if plain or (seen and _NOT.isdisjoint(words[:end])) else 0
+
+
+_TRYING = {("let", who, done) for who in ("us", "me") for done in ("see", "try", "test", "check", "find", "practise")}
+
+
+def subject(tokens: Sequence[Token]) -> int:
+    """How many of the first words say what a figure is, "the finished mosaic should be (a 3x3 grid ...)"."""
+    words = [token.word for token in tokens]
+    if words[1:3] in (["'s", "either"], ["is", "either"]) and words[0] == "it":
+        return 2
+    if not words or not (
+        words[0] in DET or words[0] == "what" or (tells_nothing(words[0]) and words[0] not in _POINTING)
+    ):
+        return 0
+    for at in range(3 if words[0] == "what" else 1 + (words[0] in DET), min(LONGEST + 1, len(words) - 3)):
+        said = max((len(x) for x in _IS if tuple(words[at : at + len(x)]) == x), default=0)
+        if not said and words[at - 1] in _MADE:
+            said = next((len(x) for x in _HAS if tuple(words[at : at + len(x)]) == x), 0)
+        if said:
+            plain = of_words(tokens[:at]) and all(
+                word in _MADE or tells_nothing(word) or (word == "target" and words[n + 2] in _MADE)
+                for n, word in enumerate(words[1:at])
+            )
+            end = at + said
+            while end < len(words) and words[end] in _MERELY:
+                end += 1
+            begun = end < len(words) - 2 and (words[end] in BEGINS or words[end - 1] == ":")
+            return end if plain and begun else 0
+    return 0
+
+
+def sets_off(tokens: Sequence[Token], n: int) -> bool:
+    """A colon, or a dash with room around it; "-1" is a number."""
+    apart = n > 0 and tokens[n - 1].span[1] < tokens[n].span[0] and tokens[n].span[1] < tokens[n + 1].span[0]
+    return tokens[n].word == ":" or (apart and tokens[n].raw in ("-", "—", "–"))
+
+
+def of_words(tokens: Sequence[Token]) -> bool:
+    """Whether these are words, and no symbols are named."""
+    return all(
+        (t.kind == "word" and not (len(t.raw) == 1 and t.raw.isupper() and n and t.raw != "I")) or t.word in _CLIPPED
+        for n, t in enumerate(tokens)
+    )
+
+
+_CLIPPED = _words("'s 'd 'm 're 've 'll -")
+
+
+def tells_nothing(word: str) -> bool:
+    """Whether a word of a lead carries nothing."""
+    return not (may_tell(word) and word not in _HARMLESS_HERE) and not bends(word) and not takes_back([word])
+
+
+def bends(word: str) -> bool:
+    """Whether what stands behind a word may be no goal, or not at the end: "Invariant: (red on blue)"."""
+    return word in _BINDING or word.startswith(_AGAINST)
+
+
+_GIVEN = _words(
+    "reward score return give award get grant assign output pay earn receive pass accept success succeed succeeds "
+    "win terminate done solved point points the a an one 1 1.0 + full marks true yes agent robot policy you "
+    "episode of is are will be it this task only as with and ends end finish finishes finished complete completed "
+    "considered successful counted counts count positive credit mark judge grade evaluate to trial run attempt we "
+    "i ok okay valid receives gets earns gains obtains scores rewarded +1 correct yield yields ticked tick green "
+    "light candidate solution sparse binary : ="
+)
+"""What is said in front of the condition under which it is well done."""
+_VERDICTS = _words(
+    "reward score return award grant pass accept success succeed succeeds win terminate done solved credit yield "
+    "yields successful correct valid point points marks true accepted complete completed finished passes passed "
+    "succeeded rewarded wins won receives earns gains scores +1"
+)
+_WHEN = (("is", "defined", "as"), ("is", "defined", "by"), ("means", "that"), ("means",), ("requires", "that"),
+         ("requires",), ("if", "and", "only", "if"), ("only", "if"), ("only", "when"), ("exactly", "when"),
+         ("exactly", "if"),
+         ("as", "soon", "as"), ("if",), ("when",), ("iff",), ("once",), ("whenever",), ("as", "long", "as"),
+         ("provided", "that"), ("provided",))  # fmt: skip
+_ELSE = _words(
+    "otherwise else or and 0 0.0 zero false failure fail nothing no not none reward it is return , give get you "
+    "the agent gets point points mark marks score credit"
+)
+_ZERO = _words("0 0.0 zero false failure fail nothing no not none")
+
+
+def judged(tokens: Sequence[Token]) -> tuple[int, int]:
+    """How many of the first words say that it is judged by what comes behind them, "reward 1 if (...)"; and how many
+    of the last say what there is else, "(...), otherwise 0"."""
+    words = [token.word for token in tokens]
+    lead = 0
+    for at in range(1, min(LONGEST + 4, len(words) - 3)):
+        said = max((len(x) for x in _WHEN if tuple(words[at : at + len(x)]) == x), default=0)
+        if said:
+            ahead = words[:at]
+            known = all(word in _GIVEN or tells_nothing(word) for word in ahead[words[0] == "under" :])
+            known = known and not any(token.raw in ("-", "−", "–") for token in tokens[:at])  # "reward -1 if"
+            lead = at + said if known and not _VERDICTS.isdisjoint(ahead) else 0
+            break
+    if not lead:
+        return 0, 0
+    other = next((n for n in range(lead + 3, len(words)) if words[n] in ("otherwise", "else")), len(words))
+    while lead + 3 < other < len(words) and words[other - 1] in _ELSE:
+        other -= 1
+    behind = words[other:]
+    told = bool(behind) and _ELSE.issuperset(behind) and not _ZERO.isdisjoint(behind)
+    return lead, len(behind) if told else 0

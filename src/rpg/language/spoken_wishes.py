@@ -1,0 +1,264 @@
+"""Leads of those who wish, dare, announce and tell of themselves: "it would mean the world to me if (...)", "I bet you
+can't (...)", "one thing at a time: (...)", "our grandson calls it the sandwich: (...)".
+
+As in `spoken_leads` their words may be any that cannot tell of blocks; they stand in front of all else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.language import harmless, lexicon
+from rpg.language.spoken_leads import BEGINS, DET, LONGEST, TESTS, heading, of_words, sets_off, subject, tells_nothing
+from rpg.language.tokens import Token
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+def led_by_form(tokens: Sequence[Token], commanded: bool) -> int:
+    """How many of the first words of a text are such a lead. `commanded`: behind what it is comes a command, so that it
+    may be like this at the start."""
+    ways = (heading, purpose, dared, glad_if, favour, clause, announcement, ability)
+    return (0 if commanded else subject(tokens)) or next((led for way in ways if (led := way(tokens))), 0)
+
+
+_LIGHTLY = (
+    "not too", "not so", "not very", "not that", "can not reach", "can not wait", "can not manage", "can not do",
+    "one thing", "one more", "one last", "one for", "this one", "next one", "easy one", "last one", "quick one",
+    "simple one", "and then", "too hard", "too difficult", "too much", "in plain", "only one more", "the same as",
+    "the same thing", "same as always", "same as usual", "same as ever", "straight to the point", "to the point",
+    "put on a show", "you may begin", "you can begin", "you may start", "you can start",
+    "something different", "completely different", "totally different", "a bit different", "to the letter",
+    "pay attention",
+)  # fmt: skip
+"""In an announcement these do not mean blocks, and do not deny it."""
+_ASKING = _words("is are does do did was were has have had can could will would should may might whose whom")
+_PAST = _words("was were had used did been failed")
+
+
+def announcement(tokens: Sequence[Token]) -> int:
+    """How many of the first words announce what is told behind their colon: "one thing at a time:", "I hope this is not
+    too hard:"."""
+    words = [token.word for token in tokens]
+    end = next((n for n in range(min(2 * LONGEST, len(words) - 1)) if sets_off(tokens, n)), 0)
+    if not TESTS.isdisjoint(words[:LONGEST]) and words[0] in DET | {"here", "one", "another", "next"}:
+        end = next((n for n in range(3, min(2 * LONGEST, len(words) - 1)) if words[n] == ","), end)
+    if (
+        not end
+        or (len(words) < end + 4 and tokens[end + 1].kind != "equation")
+        or not _PAST.isdisjoint(words[:end])
+        or words[0] in _ASKING - {"can", "could"}
+    ):
+        return 0
+    light = {
+        n + k for n in range(end) for said in _LIGHTLY if words[n : n + len(said.split())] == said.split()
+        for k in range(len(said.split()))
+    }  # fmt: skip
+    spoken = _THEM | {",", "how", "what", "here", "also", "another", "next", "word", "number", "letter"}
+    known = all(n in light or word in spoken or tells_nothing(word) for n, word in enumerate(words[:end]))
+    return end + 1 if known and all(t.word == "," or of_words([t]) for t in tokens[:end]) else 0
+
+
+def ability(tokens: Sequence[Token]) -> int:
+    """How many of the first words ask to find out whether it can be done: "the purpose is to check whether the arm can
+    (build ...)"."""
+    words = [token.word for token in tokens]
+    for at in range(1, min(2 * LONGEST, len(words) - 4)):
+        who = next((len(x) for x in _AGENTS if tuple(words[at + 1 : at + 1 + len(x)]) == x), 0)
+        can = next((len(x) for x in _CAN if tuple(words[at + 1 + who : at + 1 + who + len(x)]) == x), 0)
+        if words[at] in ("if", "whether", "that", "how") and who and can:
+            end = at + 1 + who + can
+            tried = not _TRIED.isdisjoint(words[:at]) and all(map(tells_nothing, words[:at]))
+            return end if tried and of_words(tokens[:at]) and words[end] in _BASES else 0
+    return 0
+
+
+_AGENTS = (
+    *((det, who) for det in ("the", "a", "your", "our", "this")
+      for who in ("robot", "arm", "agent", "policy", "model", "gripper", "system", "machine")),
+    ("you",), ("we",),
+)  # fmt: skip
+_CAN = (("can",), ("could",), ("is", "able", "to"), ("are", "able", "to"), ("manages", "to"), ("manage", "to"),
+        ("knows", "how", "to"), ("know", "how", "to"))  # fmt: skip
+_TRIED = _words("check test tests see find show verify evaluate examine demonstrate prove probe probes checks assess")
+_EAGER = (
+    "i bet you can not", "i bet you can 't", "i bet you could not", "bet you can not", "i dare you to",
+    "we dare you to",
+    "dare you to", "if i were you i 'd", "if i were you i would", "i 'd say we go for", "i only care that",
+    "all i care about is that", "i just care that", "the main thing is that", "what matters is that",
+    "whatever happens", "whatever you do", "come what may", "no need to hurry but", "no need to rush but",
+    "no rush but",
+    "no hurry but", "no pressure but", *(f"{may} i {ask} that" for may in ("may", "can", "could", "might")
+      for ask in ("request", "ask", "suggest", "propose")), "i suggest that", "i propose that", "i would suggest that",
+    *(f"{lead} the {what}" for lead in ("ignore", "never mind", "do not mind", "excuse", "forget")
+      for what in ("noise", "mess", "music", "dog", "kids", "camera", "clutter", "people", "smell", "weather")),
+    "i 'd rather have", "i would rather have", "i 'd rather see", "i 'd prefer to have", "i would prefer to have",
+    "would it kill you to", "would it hurt to", "would it hurt you to",
+    *(f"it does not {have} to be {fine} , just" for have in ("have", "need")
+      for fine in ("pretty", "perfect", "fancy", "beautiful", "nice")), "so much for small talk", "enough talk",
+      "enough chatter",
+    "it 's about time for", "it is about time for", "it 's time for", "it is time for", "time for",
+    "hear me out", "tell you what", "i tell you what", "put simply", "simply put", "not to be picky but",
+    "behold the goal",
+    "not to be fussy but", "not to be difficult but", "as far as i 'm concerned", "as far as i am concerned", "behold",
+    "this time around", "this time round", "this time", "truth be told", "honest to god", "i challenge you to",
+    "hand on heart",
+    "for what it 's worth", "for what it is worth", "here 's what i 'm thinking", "here is what i am thinking",
+    "here 's what i want", "here is what i want", "here 's the plan", "here is the plan", "here 's the thing",
+    *(f"{just}do something {easy}{like}" for just in ("just ", "so just ", "please ", "")
+      for easy in ("easy ", "simple ", "nice ", "fun ", "quick ", "") for like in ("like", "such as")),
+)  # fmt: skip
+_DARES = tuple(tuple(said.split()) for said in _EAGER)
+_SORTED = _words(
+    "i we you just want need would like love wish can could please let us get have 'd the this that all it "
+    "everything things stuff mess chaos sorted tidied organized organised arranged tidy cleaned neat up out done "
+    "fixed set laid properly nicely neatly honestly really now today so to be a bit little here well ok okay "
+    "simply only"
+)
+
+
+def dared(tokens: Sequence[Token]) -> int:
+    """How many of the first words only dare to do it, or say that all should be in order: "I bet you can't (build
+    ...)", "I just want the mess sorted: (...)"."""
+    words = [token.word for token in tokens]
+    bet = max((len(said) for said in _DARES if tuple(words[: len(said)]) == said), default=0)
+    if words[bet : bet + 1] in (["'"], ["'s"]):
+        return 0
+    bet += bool(bet) and words[bet : bet + 1] in ([","], [":"])
+    colon = words.index(":") if ":" in words else 0
+    wished = colon > 3 and _SORTED.issuperset(words[:colon]) and not {"i", "we", "let"}.isdisjoint(words[:colon])
+    return colon + 1 if wished and len(words) > colon + 3 else bet
+
+
+_GLAD = _words(
+    "great nice good lovely wonderful perfect cool awesome amazing fantastic brilliant super neat fun happy glad "
+    "delighted grateful thankful thrilled pleased proud cookies cakes chocolate love appreciate appreciated world "
+    "moon day hug hugs kiss kisses excited helpful kind sweet ideal best dream ecstatic charmed impressed honored "
+    "honoured cookie beer thanks"
+)
+_SAD = _words(
+    "sad angry upset cry cries annoyed annoying furious disappointed mad hurt weep scream ashamed die mind kill "
+    "quit scold bad terrible awful horrible silly stupid strange odd boring funny weird dangerous unhappy "
+    "surprised shame pity"
+)
+
+
+def glad_if(tokens: Sequence[Token]) -> int:
+    """How many of the first words say that somebody would be glad: "it would mean the world to me if (...)"."""
+    words = [token.word for token in tokens]
+    at = next((n for n, word in enumerate(words[: 2 * LONGEST]) if word in ("if", "when", ",", ":")), 0)
+    if not at or words[at] in (",", ":") or len(words) < at + 5 or not of_words(tokens[:at]):
+        return 0
+    ahead = [
+        word for n, word in enumerate(words[:at]) if not (word == "not" and words[n - 1 : n] == ["would"] and n < 2)
+    ]
+    glad = not _GLAD.isdisjoint(ahead) and _SAD.isdisjoint(ahead)
+    return at + 1 if glad and all(w in _GLAD | _THEM or tells_nothing(w) for w in ahead) else 0
+
+
+_THEM = _words("it he she so much over only you me")
+
+
+def favour(tokens: Sequence[Token]) -> int:
+    """How many of the first words only ask to be kind: "can you do me a solid and (line up ...)"."""
+    words = [token.word for token in tokens]
+    begin = 2 if words[:2] in (["can", "you"], ["could", "you"], ["would", "you"], ["will", "you"]) else 0
+    begin += words[begin : begin + 1] == ["please"]
+    at = next((n for n in range(begin, min(begin + LONGEST, len(words) - 3)) if words[n] == "and"), 0)
+    kind = words[begin : begin + 3]
+    asked = (
+        (kind[:1] == ["do"] and kind[1:2] in (["me"], ["us"], ["yourself"]) and kind[2:3] in (["a"], ["the"], ["this"]))
+        or (kind[:1] == ["make"] and kind[1:2] in (["me"], ["us"], ["my"], ["somebody"], ["someone"], ["mommy"])
+            and not (_GLAD | {"smile", "laugh"}).isdisjoint(words[begin + 2 : at]))
+        or kind[:2] in (["be", "a"], ["be", "an"], ["be", "my"])
+    )  # fmt: skip
+    plain = at and asked and all(w in _THEM or tells_nothing(w) for w in words[begin + 1 : at])
+    return at + 1 if plain and words[at + 1] in _BASES else _with_it(words, begin)
+
+
+def _with_it(words: Sequence[str], begin: int) -> int:
+    """ "Surprise me with (any tower ...)", "let us try (a circle ...)"."""
+    tried = max((len(said) for said in _TRIES if tuple(words[begin : begin + len(said)]) == said), default=0)
+    if tried and words[begin + tried : begin + tried + 1] and words[begin + tried] in BEGINS - {"the"}:
+        return begin + tried
+    at = next((n for n in range(begin + 1, min(begin + LONGEST, len(words) - 3)) if words[n] == "with"), 0)
+    said = words[begin:at]
+    pleasing = said[:1] and (said[0] in _PLEASING or said[:2] in (["show", "off"], ["warm", "up"], ["kick", "off"],
+    ["get", "the"], ["get", "us"])
+                             or (said[0] == "make" and said[-1] in _GLAD | {"smile"}))  # fmt: skip
+    plain = pleasing and all(word in _THEM | {"off", "up"} or tells_nothing(word) for word in said[1:])
+    return at + 1 if plain and words[at + 1] in BEGINS else 0
+
+
+_PLEASING = _words("surprise impress delight wow dazzle amaze treat spoil cheer entertain honor honour astonish reward")
+_TRIES = tuple(
+    (*lead, *said)
+    for lead in ((), ("maybe",), ("let", "us"), ("please",), ("just",), ("perhaps",), ("so", "let", "us"))
+    for said in (("try",), ("go", "with"), ("go", "for"), ("do",), ("attempt",))
+)
+
+_BASES = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
+_SPEAKERS = _words("i we he she my our his her the")
+_ASKED = _words(
+    "want wants wanted need needs needed like likes wish wishes wished prefer prefers require requires order "
+    "orders ordered request requests requested demand demands build builds make makes must should shall have has "
+    "you ask asks would will love loves get gets expect expects put place"
+)
+"""With these more is asked for in front than what stands behind."""
+_ABOUT_PEOPLE = _words(
+    "it he she so much over me table desk order neat tidy untidy messy mess cluttered clutter chaos all together "
+    "away once blind color reach room shop place too not can yet still also then patterns colors letters shapes "
+    "numbers rainbows puzzles stairs patience bad problem problems trouble worried fear fears joke jokes hate "
+    "hates kitchen hands back"
+) - {"not"}
+"""Of these nothing hangs on for blocks where people are told of in front of a command."""
+_AROUND_VERBS = _words("up out over down through off")
+_GOING = _words("please can could would will let i we you need want kindly now just lets")
+
+
+def clause(tokens: Sequence[Token]) -> int:
+    """How many of the first words tell of people: "I am decorating a shop window and (need ...)", "our grandson calls
+    it the sandwich: (...)"."""
+    words = [token.word for token in tokens]
+    if words[:1] == [] or words[0] not in _SPEAKERS:
+        return 0
+    for at in range(3, min(2 * LONGEST, len(words) - 3)):
+        joined = words[at] in ("and", "so", "but") and words[at + 1] in _GOING | _BASES
+        if words[at] in (",", ":") or joined:
+            break
+    else:
+        return 0
+    said = words[1:at]
+    known = all(
+        word in _ABOUT_PEOPLE or tells_nothing(word)
+        or (word in _AROUND_VERBS and said[n - 1].endswith(("ing", "ed")))
+        for n, word in enumerate(said)
+    )  # fmt: skip
+    acting = words[0] in ("i", "we", "he", "she") or not (harmless.PEOPLE | harmless.ANIMALS).isdisjoint(words[1:5])
+    told = known and acting and of_words(tokens[:at]) and _ASKED.isdisjoint(said)
+    return at + 1 + (words[at] == "," and words[at + 1] in ("and", "so", "but")) if told else 0
+
+
+def purpose(tokens: Sequence[Token]) -> int:
+    """How many of the first words say what for, up to a comma, to who wishes it or to the command: "for the big finish
+    (I'd like ...)", "as a little warm-up exercise, (put ...)", "to celebrate our win, (...)"."""
+    words = [token.word for token in tokens]
+    if words[:1] not in (["for"], ["as"], ["to"]) or len(words) < 5:
+        return 0
+    end = next((n for n in range(2, min(LONGEST + 1, len(words) - 1)) if _goes_on(words, n)), 0)
+    begun = words[0] == "for" or words[1] in DET
+    kept = words[1] in ("keep", "make", "get") and not _GLAD.isdisjoint(words[:end])
+    aimed = words[0] == "to" and (kept or words[1] not in lexicon.VERB) and words[end] in (",", ":")
+    known = (begun or aimed) and of_words(tokens[:end]) and all(map(tells_nothing, words[1:end]))
+    return end + (words[end] in (",", ":")) if end and known and len(words) > end + 3 else 0
+
+
+def _goes_on(words: Sequence[str], n: int) -> bool:
+    commanded = words[n] in _BASES and words[n + 1] in _DONE_TO
+    return words[n] in _GOES_ON or commanded
+
+
+_DONE_TO = BEGINS | _words("all both every each me us my your these some two exactly at only just any")
+_GOES_ON = _words(", : i we you please let could can would there")

@@ -37,6 +37,15 @@ from tests.language.frames.told import told
         ),
         ("With 1, 5, 6, + and = show a right sum.", "Make a true equation from 1, 5, 6, + and =."),
         ("The equation 4 + 4 = 8, written from top to bottom.", "Make the equation 4+4=8 from top to bottom."),
+        (
+            "use the numbers one four and five to make a correct addition equation",
+            "Make an addition from the digits 1, 4, 5.",
+        ),
+        (
+            "Produce a correct multiplication using the digit cubes 2, 3 and 6 together with the operator cubes * "
+            "and =.",
+            "Make a true equation from 2, 3, 6, * and =.",
+        ),
     ],
 )
 def test_parts_are_put_together(text: str, plain: str) -> None:
@@ -58,6 +67,7 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "Is 2+3=5?",
         "Make an equation from 1, 2 and 3.",
         "Make 2+3=5 from 1, 2, 3, + and =.",
+        "make an equation that is false with 1, 2, 4, + and =",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

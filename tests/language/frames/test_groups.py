@@ -81,6 +81,40 @@ from tests.language.frames.told import told
             "pink ones over here, gray ones over there, 3 pink and 3 gray, so two heaps",
             "Make 2 groups, one of 3 pink blocks and one of 3 gray blocks.",
         ),
+        (
+            "make two pile, red cube in first, black cube in second, 3 cube each",
+            "Make 2 groups, one of 3 red blocks and one of 3 black blocks.",
+        ),
+        (
+            "make red group and green group, in every group 4 cube",
+            "Make 2 groups, one of 4 red blocks and one of 4 green blocks.",
+        ),
+        (
+            "i have six blocks three of them are red and three are blue and i want them sorted into two piles by color",
+            "Group 3 red blocks and 3 blue blocks by color.",
+        ),
+        (
+            "Partition nine blocks, three red, three green and three blue, into colour-homogeneous clusters.",
+            "Group 3 red blocks, 3 green blocks and 3 blue blocks by color.",
+        ),
+        (
+            "Blocks 1 through 6 are to be split by parity, with the odd numbers forming a group on the left and "
+            "the even numbers a group on the right.",
+            "Make 2 groups, one of the blocks 1, 3 and 5 and one of the blocks 2, 4 and 6. The group of the 1 is "
+            "left of the group of the 2.",
+        ),
+        (
+            "two piles, the big blocks in one, the small blocks in the other; 3 big blue ones, 3 small blue ones",
+            "Group 3 big blue blocks and 3 small blue blocks by size.",
+        ),
+        (
+            "could you make two little piles for me? One with the letters M, N, O and one with the numbers 4, 5, 6.",
+            "Make 2 groups, one of the blocks M, N and O and one of the blocks 4, 5 and 6.",
+        ),
+        (
+            "three piles, one red, one yellow, one blue, with three blocks in each pile",
+            "Group 3 red blocks, 3 yellow blocks and 3 blue blocks by color.",
+        ),
     ],
 )
 def test_parts_are_put_together(text: str, plain: str) -> None:
@@ -107,6 +141,11 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "Reds in one pile, blues in another, 3 red and 3 blue and 3 green.",
         "Put the odd numbers 1, 3 in a group without the 5.",
         "First group the reds, 3 of them, then group the 3 blues.",
+        "three red and three blue blocks in two piles, but not by colour",
+        "everything but the red ones in one pile: 2 red, 2 blue",
+        "odd digits 1, 2 and 3 in one pile, even digits 4 and 6 in another",
+        "four letters A, B and C in one pile, the digits 1 and 2 in another",
+        "red blocks in one pile and a blue block in the other, three blocks each, one red",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

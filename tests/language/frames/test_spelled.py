@@ -37,6 +37,26 @@ from tests.language.frames.told import told
             "Spell CAKE. The C is red. The A is white. The K is white. The E is white.",
         ),
         ("In a vertical stack, spell the word TOP, T being the topmost.", "Spell TOP in a tower."),
+        (
+            "Spell S-U-N",
+            "Spell SUN.",
+        ),
+        (
+            "Lay out the word C A T",
+            "Spell CAT.",
+        ),
+        (
+            "Spell TREE with green Es",
+            "Spell TREE. The E blocks are green.",
+        ),
+        (
+            "Would be nice if you wrote HELLO on the table with the letter cubes.",
+            "Spell HELLO.",
+        ),
+        (
+            "Could you spell my cat's name, MOLLY?",
+            "Spell MOLLY.",
+        ),
     ],
 )
 def test_parts_are_put_together(text: str, plain: str) -> None:
@@ -61,6 +81,9 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "It should say DOG.",
         "Spell TOT with a red T.",
         "Spell ONE with 2 letters.",
+        "Spell THANK YOU",
+        "Spell NOON with both Ns red but one O blue",
+        "Spell TREE with a green E",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

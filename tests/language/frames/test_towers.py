@@ -73,6 +73,36 @@ from tests.language.frames.told import told
             "From the six blocks (three orange, three cyan) build two single-colour towers.",
             "Build 2 towers from 3 orange blocks and 3 cyan blocks, one tower per color.",
         ),
+        (
+            "can you make three stacks with two blocks each a red stack a green stack and a blue stack",
+            "Build 3 towers, one of 2 red blocks, one of 2 green blocks and one of 2 blue blocks.",
+        ),
+        (
+            "red tower (4), blue tower (3)",
+            "Build 2 towers, one of 4 red blocks and one of 3 blue blocks.",
+        ),
+        (
+            "3 stacks: red x3, green x3, blue x3",
+            "Build 3 towers, one of 3 red blocks, one of 3 green blocks and one of 3 blue blocks.",
+        ),
+        (
+            "Each tower consists of one red block and one gray block on it. Please make three towers",
+            "Build 3 towers, each with 1 red block at the bottom and 1 gray block at the top.",
+        ),
+        (
+            "Two towers: 3 red on the red patch, 3 blue on the blue patch",
+            "Build 2 towers, one of 3 red blocks and one of 3 blue blocks. The red tower is on the red patch. The "
+            "blue tower is on the blue patch.",
+        ),
+        (
+            "Three towers should be built such that each of them contains exactly two cubes, one orange and one "
+            "green, with the orange cube below.",
+            "Build 3 towers, each with 1 orange block at the bottom and 1 green block at the top.",
+        ),
+        (
+            "build one tower with all the red blocks and another one with all the blue blocks, 3 red, 3 blue",
+            "Build 2 towers, one of 3 red blocks and one of 3 blue blocks.",
+        ),
     ],
 )
 def test_parts_are_put_together(text: str, plain: str) -> None:
@@ -102,6 +132,8 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "Two towers of two, one red and one blue block.",
         "Two towers two high, one red",
         "Line up a tower of two red blocks and a tower of two blue blocks.",
+        "Put the two green blocks in the right half of the table and stack the two red blocks in the left half.",
+        "3 stacks: 2 red, 2 green, 2 blue, mixed colours",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from rpg.language.frames.lots import Lot, counted
+from rpg.language.frames.lots import Lot, counted, lot_of
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import Gathered, listed, said_of
 
@@ -62,6 +62,8 @@ def together(pieces: Sequence[Piece], found: Gathered, told_of: Told) -> tuple[s
         ):
             raise Unclear
         return f"Build {count} towers of the same height from {said_of(lots) if lots else f'{number_of} blocks'}.", []
+    if len(lots) > 1 and _one_for_each(pieces, lots, told_of):
+        return f"Build {count} towers, {listed([f'one of {lot.blocks}' for lot in lots])}.", [lot.look for lot in lots]
     if len(lots) > 1:
         if "each" not in kinds or kinds.index("each") > kinds.index("lot") or any(lot.count is None for lot in lots):
             raise Unclear
@@ -93,6 +95,20 @@ def _of_towers(pieces: Sequence[Piece]) -> bool:
     return any(
         a.kind == "figure" and [b.kind, c.kind] == ["glue", "lot"] and b.words == "of"
         for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False)
+    )
+
+
+def _one_for_each(pieces: Sequence[Piece], lots: Sequence[Lot], told_of: Told) -> bool:
+    """Whether a tower is told by each lot of a list: "three towers: 2 red, 2 green, 2 blue"."""
+    kinds = [piece.kind for piece in pieces]
+    behind = pieces[kinds.index("figure") + 1].words if "figure" in kinds[:-1] else ""
+    return (
+        behind in (":", "-")
+        and told_of.count == len(lots)
+        and told_of.size is None
+        and not {"each", "even", "place"} & set(kinds)
+        and min(lot.count or 0 for lot in lots) > 1
+        and told_of.total in (None, sum(lot.count or 0 for lot in lots))
     )
 
 
@@ -135,19 +151,29 @@ def _layered(pieces: Sequence[Piece], lots: list[Lot], told_of: Told) -> str:
         or count < 2
         or len(lots) != 2
         or told_of.heights
-        or not ("each" in [p.kind for p in said] or _of_towers(pieces))
+        or not (
+            "each" in [p.kind for p in said]
+            or _of_towers(pieces)
+            or any(p.kind == "size" and re.match("(?:in )?each|every", p.words) for p in pieces)
+        )
     ):
         raise Unclear
     names = [lot.look for lot in lots]
+    said, kinds = _placed_only(said, kinds)
     if kinds in (["lot", "over", "lot"], ["lot", "under", "lot"]):
-        top, bottom = lots if kinds[1] == "over" else lots[::-1]
+        order = [next(lot for lot in lots if lot.look == lot_of(p).look) for p in said if p.kind == "lot"]
+        top, bottom = order if kinds[1] == "over" else order[::-1]
         if max(lot.count or 1 for lot in lots) > 1 and "each" not in [p.kind for p in said]:
             raise Unclear  # "two towers of two red blocks on a blue block"
+    elif kinds == ["lot", "lot", "place"]:  # "one red block and one gray block on it"
+        at_top = next(p.value for p in said if p.kind == "place") == "at the top"
+        bottom, top = lots if at_top else lots[::-1]
     elif kinds in (["lot", "place", "lot", "place"], ["place", "lot", "place", "lot"]):
-        at = [p.value for p in pieces if p.kind == "place"]
+        at = [p.value for p in said if p.kind == "place"]
         if sorted(at) != ["at the bottom", "at the top"]:
             raise Unclear
-        bottom, top = lots if at[0] == "at the bottom" else lots[::-1]
+        order = [next(lot for lot in lots if lot.look == lot_of(p).look) for p in said if p.kind == "lot"]
+        bottom, top = order if at[0] == "at the bottom" else order[::-1]
     else:
         raise Unclear
     numbers_of = [lot.count or 1 for lot in lots]
@@ -159,6 +185,24 @@ def _layered(pieces: Sequence[Piece], lots: list[Lot], told_of: Told) -> str:
         raise Unclear
     low, high = Lot(bottom.look, bottom.count or 1), Lot(top.look, top.count or 1)
     return f"Build {count} towers, each with {low.blocks} at the bottom and {high.blocks} at the top."
+
+
+def _placed_only(said: list[Piece], kinds: list[str]) -> tuple[list[Piece], list[str]]:
+    """What is told of places behind two lots that are told ahead of them: "one red and one blue, the red one below"."""
+    told_of = [piece for piece in said if piece.kind not in ("stop", "each")]
+    if kinds[:2] != ["lot", "lot"] or len(kinds) < 4:
+        return said, kinds
+    ahead, behind = told_of[:2], told_of[2:]
+    again = [lot_of(piece) for piece in behind if piece.kind == "lot"]
+    looks = [lot_of(piece).look for piece in ahead]
+    if any(lot.look not in looks or lot.count not in (None, 1) for lot in again):
+        raise Unclear
+    if len(again) == 1 and kinds[2:] in (["lot", "place"], ["place", "lot"]):
+        other = ahead[1 - looks.index(again[0].look)]
+        at = next(piece for piece in behind if piece.kind == "place")
+        opposite = "at the top" if at.value == "at the bottom" else "at the bottom"
+        behind = [*behind, *[other, replace(at, value=opposite)][:: 1 if kinds[2] == "lot" else -1]]
+    return behind, [piece.kind for piece in behind]
 
 
 def _of_heights(pieces: Sequence[Piece], lots: list[Lot], told_of: Told) -> str:

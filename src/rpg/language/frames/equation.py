@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear, number, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
+from rpg.language.frames.wishes import WISHES
 
 _SIGNS = {
     "+": "<\\+>|plus(?: signs?| symbols?)?",
@@ -45,15 +46,17 @@ PATTERNS = [
     *patterns(
         "symbols", lambda match: _symbols(match["list"]),
         "(?:(?:the |these |only |just |exactly |following |given |your |my |i have |we have |you have |there are |"
-        "namely )*(?:number |digit |symbol |numbered )?(?:BLOCK|signs|operators|digits|numbers|symbols|numerals|"
+        "namely )*(?:number |digit |symbol |numbered |operator |sign |operation )?(?:BLOCK|signs|operators|digits|"
+        "numbers|symbols|numerals|"
         "tiles|cards) ?(?:: |with |showing |labell?ed |marked |are |is |and signs |and symbols |and operators "
         f")*)?(?P<list>{_ITEM}(?:(?: ,| and| with| ;| together with| as well as| along with| plus(?= an? ))* "
         f"{_ITEM})+)",
     ),
     *patterns(
-        "figure", lambda match: _KIND.get(match["kind"].rstrip("s"), "equation"),
+        "figure", lambda match: _kind(match[0].split()),
         f"(?:(?:a|an|the|one|some|this) )?(?:(?:math|maths|arithmetic|simple|little|single|{_TRUE}|complete|"
-        "addition|horizontal) )*(?P<kind>equation|sum|addition|subtraction|multiplication|division|product|"
+        "addition|subtraction|multiplication|division|horizontal) )*(?P<kind>equation|sum|addition|subtraction|"
+        "multiplication|division|product|"
         "calculation|formula|difference|quotient)(?: (?:equation|sum|problem|task|exercise))?(?: in one row| in "
         "a row)?",
     ),
@@ -97,6 +100,7 @@ PATTERNS = [
         "(?:from |in |with |of |out of |using )?(?:all )?(?P<color>COLOR)s?(?: (?:number|digit|symbol))?(?: "
         "BLOCK)?",
     ),
+    *WISHES,
     *WHERE,
     *BREAKS,
     *GLUE,
@@ -115,6 +119,11 @@ PATTERNS = [
 ]  # fmt: skip
 
 
+def _kind(words: Sequence[str]) -> str:
+    """What kind of equation is told: "an addition equation"."""
+    return next((_KIND[word.rstrip("s")] for word in words if word.rstrip("s") in _KIND), "equation")
+
+
 def _sign(said: str) -> str:
     """The sign that a word tells."""
     return next(sign for sign, words in _SIGNS.items() if re.fullmatch(words, said))
@@ -129,6 +138,8 @@ def _written(words: str) -> str:
 def _symbols(words: str) -> tuple[str, ...]:
     """The symbols of a list: "2 , 3 , plus and equals", "2 plus signs"."""
     words = re.sub(r"\bsigns?(?: of)? (plus|minus|equality)\b", r"\1", words)
+    if len(re.findall(r"\bone\b", words)) == 1:
+        words = re.sub(r"\bone\b", "1", words)  # "one four and five", and not "one 4 and one 5"
     words = re.sub(r"\b(?:the|an?|one)\b ?", "", words)
     found: list[str] = []
     for count, sign, digit in re.findall(rf"(?:(2) (?=(?:plus|minus|times) signs))?(?:({_SIGN})(?= |$)|(\d))", words):

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from rpg.language.frames.lots import Lot, counted, one
+from rpg.language.frames.lots import Lot, counted, lot_of, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import (
-    START,
     Gathered,
+    belongs,
     check_clauses,
     gathered,
     listed,
@@ -19,6 +19,7 @@ from rpg.language.frames.several import (
     settled,
 )
 from rpg.language.frames.words_of_groups import GS, KINDS, ORD, PATTERNS, G
+from rpg.language.frames.words_of_several import START
 from rpg.language.lexicon import COLORS
 
 __all__ = ["PATTERNS", "told"]
@@ -29,26 +30,8 @@ _COMMAND = re.compile(
     "should|shall|want|need)\\b"
 )
 _EQUAL = re.compile(r"\b(?:equal|equally|identical|same)\b")
-_INTO = re.compile(r"into\b|.*\b(?:together|grouped|apart)\b")
-_UNIQUE = frozenset({*ORD.split("|"), "here", "there", "other", "1", "2", "3"})
-
-
-def _belongs(name: str, look: str) -> bool:
-    """Whether a symbol is of a class."""
-    match name:
-        case "<vowels>":
-            return look in tuple("AEIOU")
-        case "<consonants>":
-            return look in tuple("BCDFGHJKLMNPQRSTVWXYZ")
-        case "<odd>":
-            return look in tuple("13579")
-        case "<even>":
-            return look in tuple("02468")
-        case "<letters>":
-            return len(look) == 1 and look.isalpha()
-        case "<digits>":
-            return len(look) == 1 and look.isdigit()
-    return False
+_INTO = re.compile(r"into\b|.*\b(?:together|grouped|apart|with)\b")
+_UNIQUE = frozenset({*ORD.split("|"), "here", "there", "other", *"123ABC"})
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -58,15 +41,19 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told what belongs together, or how many blocks there are.
     """
     check_clauses(pieces)
-    pieces = _parted(_put_together(pieces))
+    pieces = _one_each(_parted(_put_together(_with_colors(pieces))))
     named = {piece.kind for piece in pieces if piece.kind in ("figure", "parted")}
     kinds = [piece.kind for piece in pieces]
     sorts = "basis" in kinds and ("sorted" in kinds or any(_INTO.match(p.words) for p in pieces if p.kind == "basis"))
+    sorts = sorts or ("sorted" in kinds and {"here", "there"} <= {piece.value for piece in pieces})
     if not (named or sorts or any(_NAMED.search(piece.words) for piece in pieces if piece.kind in ("slot", "basis"))):
         raise Unclear
     found = gathered(pieces)
     figures = {piece.value for piece in pieces if piece.kind == "figure" and piece.value is not None}
     bases = {piece.value for piece in pieces if piece.kind == "basis"}
+    sorts_of = {piece.named.get("sort") for piece in pieces if piece.kind == "glyphs"}
+    if sorts_of in ({"odd", "even"}, {"vowel", "consonant"}) and not found.places:
+        bases.add("odd and even" if "odd" in sorts_of else "vowels and consonants")
     _without_nouns(found, bases)
     for piece in pieces:
         if piece.kind == "basis" and piece.value == "color":  # "red with red and blue with blue, three of each"
@@ -110,13 +97,42 @@ def _without_nouns(found: Gathered, bases: set[str]) -> None:
         if name not in found.lots or not shown or {"<letters>", "<digits>"} <= set(classes):
             continue
         if len(classes) > 1 or bases - {"letters and digits"}:
-            if not all(_belongs(name, look) for look in shown):
+            if not all(belongs(name, look) for look in shown):
                 raise Unclear
             del found.lots[name]
 
 
+def _with_colors(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "A red pile" as a pile and its blocks.
+
+    Raises:
+        Unclear: other blocks are to be in it.
+    """
+    found: list[Piece] = []
+    for piece in pieces:
+        if piece.kind == "own":
+            before = next((p for p in reversed(found) if p.kind != "glue"), piece)
+            if before.kind != "lot" or lot_of(before).look != piece.value:
+                raise Unclear
+            found.append(Piece("slot", piece.words, "one"))  # "every red block in the red pile"
+        elif piece.kind == "alone":
+            named = {"color": piece.value, "many": "s"}
+            found += [Piece("slot", f"one {piece.words}", "one"), Piece("lot", piece.words, None, named)]
+        else:
+            found.append(piece)
+    return found
+
+
 def _put_together(pieces: Sequence[Piece]) -> list[Piece]:
     """ "The reds together, the blues together" tells of groups; "together" by itself says nothing."""
+    pieces = [
+        replace(p, kind="figure", value=None)
+        if p.kind == "slot"
+        and p.value in ("a", "one")
+        and [q.kind for q in pieces[:n] if q.kind != "glue"][-1:] == ["basis"]
+        else p
+        for n, p in enumerate(pieces)
+    ]  # "blocks of the same colour in one pile": one for each of them
     pieces = [replace(p, value="one") if p.value == "together" and " in " in p.words else p for p in pieces]
     found = [piece for piece in pieces if piece.value == "together" and piece.kind == "slot"]
     as_one = [replace(piece, kind="slot" if len(found) > 1 else "glue", value="one") for piece in found]
@@ -146,6 +162,24 @@ def _parted(pieces: Sequence[Piece]) -> list[Piece]:
         found.insert(end + 1, Piece("stop", "."))
         return found
     return found
+
+
+def _one_each(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "Three piles, one red, one blue, one white, with four blocks each": the ones are piles, and no blocks."""
+    lots = [piece for piece in pieces if piece.kind == "lot"]
+    ones = all(p.words.startswith("one ") and p.named.get("noun") in (None, "one") for p in lots)
+    kinds = {piece.kind for piece in pieces}
+    count = [piece.value for piece in pieces if piece.kind == "figure" and piece.value]
+    if not ones or count != [len(lots)] or not kinds & {"size", "each"} or kinds & {"slot", "basis", "glyphs", "every"}:
+        return list(pieces)
+    told_of = {"color", "size"}
+    found = [
+        replace(piece, named={name: said for name, said in piece.named.items() if name in told_of} | {"many": "s"})
+        if piece.kind == "lot"
+        else piece
+        for piece in pieces
+    ]
+    return [*found, Piece("basis", "one each", "color")]
 
 
 def _strangers(pieces: Sequence[Piece]) -> str:
@@ -201,7 +235,7 @@ def _of_basis(look: str, basis: str) -> str | None:
     if basis == "kind" and len(look) > 1:
         return "plain"
     names = ["letters", "digits"] if basis == "kind" else basis.split(" and ")
-    return next((name for name in names if _belongs(f"<{name}>", look)), None)
+    return next((name for name in names if belongs(f"<{name}>", look)), None)
 
 
 def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count: int | None) -> str:
@@ -210,7 +244,7 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
     Raises:
         Unclear: there are not so many groups, or they are not those of the property.
     """
-    places, size, total = settled(found, _belongs), one(pieces, "size"), one(pieces, "total")
+    places, size, total = settled(found, belongs), one(pieces, "size"), one(pieces, "total")
     if len(places) == 1 and total and not found.lots:
         places = [(places[0][0], counted(places[0][1], total.value))]
     if total and total.value != sum(lot.count or 0 for _, lots in places for lot in lots) and not size:
@@ -237,6 +271,18 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
         if slots[0] not in ("one", "a") or not _asked(pieces):
             raise Unclear
         return f"Make one group of {said_of(places[0][1])}."
+    if (
+        all(" " in lots[0].look for _, lots in places)
+        and len({lots[0].look for _, lots in places}) > 1
+        and basis
+        in (
+            None,
+            "size",
+        )
+        and all(len(lots) == 1 for _, lots in places)
+        and len({lots[0].look.split()[-1] for _, lots in places}) == 1
+    ):
+        return f"Group {said_of(lots[0] for _, lots in places)} by size."
     groups = listed([f"one of {said_of(lots)}" for _, lots in places])
     return f"Make {len(places)} groups, {groups}.{_sides(places)}"
 
@@ -253,7 +299,7 @@ def _related(relation: Piece, found: Gathered, basis: str | None) -> str:
         raise Unclear
     if basis == "color":
         return str(relation.value)
-    members = {name: [look for look in found.lots if _belongs(f"<{name}>", look)] for name in names}
+    members = {name: [look for look in found.lots if belongs(f"<{name}>", look)] for name in names}
     if not all(members.values()):
         raise Unclear
     one_of, other_of = (members[relation.named[name]][0] for name in ("one", "other"))

@@ -88,7 +88,31 @@ _BEHIND_SYMBOL = frozenset(
     {",", "x", "and", "on", "over", "under", "above", "below", "beside", "goes", "must", "should", "with"}
 )
 """Before these an A is no article."""
-_SPELLING = frozenset({"say", "says", "spell", "spells", "read", "reads", "write", "word", "name", "saying", "reading"})
+_SEVERAL = re.compile("[A-Z]s")
+_AHEAD = frozenset({"both", "all", "the", *lexicon.COLORS})
+"""Behind these and numbers "As" and "Is" are letters."""
+_SPELLING = frozenset(
+    {
+        "say",
+        "says",
+        "spell",
+        "spells",
+        "spelled",
+        "spelt",
+        "spelling",
+        "wrote",
+        "written",
+        "writing",
+        "string",
+        "read",
+        "reads",
+        "write",
+        "word",
+        "name",
+        "saying",
+        "reading",
+    }
+)
 """Behind these, words in capitals are to be spelt, whatever they mean."""
 
 
@@ -116,11 +140,16 @@ def _code(tokens: Sequence[Token], n: int) -> str:
         return "<other>"
     if len(token.raw) > 1 and token.raw.isupper() and token.raw.isalpha() and n and tokens[n - 1].word in _SPELLING:
         return f"'{token.raw}'"
+    if len(token.raw) > 1 and token.raw.isupper() and n and tokens[n - 1].kind in ("literal", "quote"):
+        return f"'{token.raw}'"  # "spell THANK YOU"
     begins = n == 0 or tokens[n - 1].word in (".", "!", "?", ";", ":")
+    before = _code(tokens, n - 1) if _SEVERAL.fullmatch(token.raw) and n else ""
     behind = tokens[n + 1].word if n + 1 < len(tokens) else ""
     begins = begins and not (token.raw == "A" and behind in _BEHIND_SYMBOL)
     if len(token.raw) == 1 and token.raw.isupper() and not (begins and token.raw in "AI"):
         return token.raw
+    if _SEVERAL.fullmatch(token.raw) and (token.raw[0] not in "AIU" or before.isdigit() or before in _AHEAD):
+        return token.raw  # "two Es"
     if word != "one" and word in lexicon.NUMBER:
         return str(lexicon.NUMBER[word])
     many = lexicon.COLOR_PLURAL.get(word)

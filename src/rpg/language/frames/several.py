@@ -6,126 +6,10 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby
-from re import Match
 
+from rpg.language import lexicon
 from rpg.language.frames.lots import Lot, lot_of
-from rpg.language.frames.pieces import Pattern, Piece, Unclear, number, patterns
-
-_LETTERS = (
-    "the |these |those |my |our |your |all |all the |following |given |just |only |with |showing |labell?ed |named "
-    "|called "
-)
-_NOUN = "(?:letter|digit|number|symbol|character|numeral|sign)s?(?: (?:BLOCK))?|BLOCK|tiles?"
-_SAID = (
-    "(?:numbered |labell?ed |with |showing |marked |in play |to use |we have |are |is |here |given |: |called |"
-    "named |namely |from |\\( )*"
-)
-_EDGE = (
-    "(?! (?:(?:SIZE|more|of|to|by|x|high|tall|each) )?(?:COLOR|BLOCK|groups?|piles?|towers?|stacks?|cm|mm|each|"
-    r"high|tall|of|or)\b)"
-)
-_LIST = (
-    r"(?:[A-Z]|[b-z]|a(?= (?:[,a]|[B-Z] (?!BLOCK)))|\d|one(?= ,? ?[2-9])|'[A-Z]')(?:(?: ,)?(?: and)?(?: the)? (?:[A-Z]|"
-    rf"(?<=[,d] )a|[b-z]|\d|one|'[A-Z]')(?! [A-Za-z]?BLOCK\b))+{_EDGE}"
-)
-_RANGE = r"(?:from )?(?:[A-Z]|\d|one) (?:to|through|up to|till|until) (?:[A-Z]|\d)" + _EDGE
-_ONE = r"(?:[A-Z]|\d|'[A-Z]')" + _EDGE
-
-
-def glyphs(said: str) -> tuple[str, ...]:
-    """The symbols of a list such as "A , B and C", or from the first to the last: "1 to 6"."""
-    words = [word.strip("'") for word in said.split()]
-    found = [
-        "1" if word == "one" else word.upper() for word in words if (len(word) == 1 and word != ",") or word == "one"
-    ]
-    if {"to", "through", "till", "until"} & set(words):
-        return tuple(map(chr, range(ord(found[0]), ord(found[1]) + 1)))
-    return tuple(found)
-
-
-def _listed(match: Match[str]) -> tuple[str, ...]:
-    return glyphs(match["list"])
-
-
-GLYPHS: list[Pattern] = [
-    *patterns(
-        "glyphs", _listed,
-        f"(?:{_LETTERS})*(?:(?:{_NOUN}) )(?:{_SAID})(?P<list>{_LIST}|{_RANGE}|{_ONE})(?: BLOCK)?(?: \\))?",
-        f"(?:the )?(?P<list>{_LIST}|{_RANGE})", "(?:the |a |an )?(?P<list>[A-HJ-Z])(?: BLOCK)?",
-        "(?:the )?(?P<list>I)(?: BLOCK)?(?! [a-z])",
-    ),
-    *patterns(
-        "glyphs", lambda match: (match["list"],) * number(match["count"]),
-        r"(?:the )?(?P<count>\d) (?P<list>[A-Z])(?: BLOCK)?",
-        r"(?:the )?(?P<count>\d) (?:BLOCK|letters|tiles) (?:with|showing|labell?ed|marked) (?:an? |the letter "
-        r")?(?P<list>[A-Z])(?! ,? ?(?:and )?[A-Z]\b)",
-    ),
-]  # fmt: skip
-"""Lists of symbols."""
-LOTS: list[Pattern] = [
-    *patterns("lot", None,
-        r"(?:(?P<det>the|these|those|my|our|your|all|all the|both|both the|a|an|exactly|just|only|every|with) )?"
-        r"(?:(?P<count>NUM) )?(?:of the |of )?(?:(?P<size>SIZE) )?(?:plain )?(?P<color>COLOR)(?P<many>s)?"
-        r"(?: (?P<behind>SIZE))?(?: (?P<noun>BLOCK|ones|one(?! (?:COLOR|of|pile|group|heap|tower|stack))))?"
-        r"(?: \( (?P<paren>NUM)(?: BLOCK| of them)? \)| , (?P<among>NUM) of them(?: ,)?)?"),
-    *patterns(
-        "total", lambda match: number(match["count"]),
-        "(?:of |from |with |using )?(?:the |all |exactly |all the |these |those )?(?P<count>NUM) (?:identical |"
-        "plain )?BLOCK(?: in total| in all| altogether| overall)?",
-        "(?P<count>NUM) (?:in total|in all|altogether|overall)",
-        "there (?:are|is) (?P<count>NUM) of them(?: in total| in all)?",
-    ),
-    *patterns(
-        "each", lambda match: number(match["count"]),
-        "(?:(?:exactly|there are|with|always) )?(?P<count>NUM) (?:BLOCK )?(?:each(?: of| in)?|apiece|(?:of|in|per|"
-        "for) (?:each|every) color|of (?:each|every|both)(?: one| kind| color)?)",
-        "(?:exactly )?(?P<count>NUM) (?:BLOCK )?each",
-    ),
-    *GLYPHS,
-]  # fmt: skip
-"""Lots as in `lots`, but "the other red" is not one; and lists of symbols."""
-_HEAP = (
-    "(?:(?:all|mixed up|jumbled|mixed|together|out|lying|thrown|tossed) )*(?:in|as|on) (?:a|one) (?:(?:big|single|"
-    "messy|random|large|mixed) )*(?:heap|pile|jumble)(?: on the TABLE)?"
-)
-_BEGIN = (
-    "starts?|begins?|starts? out|begins? out|starts? off|are now|are at present|are at the moment|are currently|"
-    "now lie|currently lie"
-)
-START = "At the start, the blocks are in a heap."
-STARTS: list[Pattern] = patterns(
-    "start", None, f"(?:(?:which|that|they|all|the BLOCK|now) )*(?:{_BEGIN}) {_HEAP}(?: now| at first)?",
-    f"(?:(?:which|that|they|all|the BLOCK) )*(?:are|lie|is) {_HEAP} (?:now|at first|at the start|at the beginning|"
-    "initially|to begin with|at the moment|right now)",
-    "(?:at first|at the start|at the beginning|initially|to begin with|right now|now)(?: ,)? (?:(?:they|all|the "
-    f"BLOCK|everything) )*(?:are|lie|is) {_HEAP}",
-)  # fmt: skip
-"""Kind "start": what is said of the blocks before they are moved."""
-OF = (
-    "(?:of|in|with|from|for|is for|has|have|having|contains|contain|containing|comprises|comprise|comprising|holds|"
-    "hold|holding|includes|include|including|takes|gets|uses|using|BE|shall|should|must|has to|ought to|to|be|"
-    "consists of|consist of|consisting of|composed of|made of|made out of|made from|made up of|made only of|made|"
-    "built|built of|built from|formed by|formed of|formed from|out of|all|entirely|only|purely|completely)"
-)
-"""What stands between a group or a tower and its blocks."""
-ALSO: list[Pattern] = patterns(
-    "glue",
-    None,
-    "ought to|is to|supposed to|desired|wanted|required|needed|expected|result|results|resulting|emerge|erected|"
-    "raised|erect|raise|take|become|becomes|turn into|turned into|end up|ends up|them|these|those|they|that have|"
-    "hold|holds|comprise|available|given|that is to say|following|the following|in other words|namely|make up|"
-    "makes up|its|let there be|is what (?:I|i|we) (?:want|need)|what (?:I|i|we) (?:want|need) (?:is|are)",
-)
-"""More words that say nothing beside what several things are made of."""
-STOPS: list[Pattern] = [
-    *patterns(
-        "stop", None, "[.;!?:]",
-        "(?:by |when )?(?:using|use|there (?:are|is)|we have|i have|you have|given)(?: got)?",
-    ),
-    *patterns("from", None, "from|out of|apart from|away from|separate from|separated from"),
-    *patterns("break", None, "[,()&]", "and|with|while|where|but|whereas|plus|n"),
-]  # fmt: skip
-"""Behind a stop the blocks of one thing are not those of the thing before."""
+from rpg.language.frames.pieces import Piece, Unclear, number
 
 
 @dataclass
@@ -153,10 +37,35 @@ def listed(words: Sequence[str]) -> str:
     return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
+def belongs(name: str, look: str) -> bool:
+    """Whether a symbol is of a class."""
+    match name:
+        case "<vowels>":
+            return look in tuple("AEIOU")
+        case "<consonants>":
+            return look in tuple("BCDFGHJKLMNPQRSTVWXYZ")
+        case "<odd>":
+            return look in tuple("13579")
+        case "<even>":
+            return look in tuple("02468")
+        case "<letters>":
+            return len(look) == 1 and look.isalpha()
+        case "<digits>":
+            return len(look) == 1 and look.isdigit()
+        case "<big>" | "<small>":
+            return lexicon.SIZE.get(look.split()[0]) == name.strip("<>")
+    return False
+
+
+_SORT = {"odd": "odd", "even": "even", "vowel": "vowels", "consonant": "consonants"}
+
+
 def lots_in(piece: Piece) -> list[Lot]:
     """The lots that a piece of the kind "lot" or "glyphs" names; a class of symbols is one: "<vowels>"."""
     if piece.kind == "lot":
         lot, said = lot_of(piece), piece.named
+        if said.get("det") in ("every", "each"):
+            lot = replace(lot, count=None)
         if "paren" in said or "among" in said:
             count = number(said.get("paren") or said["among"])
             if lot.count not in (None, count):
@@ -166,6 +75,12 @@ def lots_in(piece: Piece) -> list[Lot]:
         return [replace(lot, count=None) if left_open else lot]
     if piece.kind == "class":
         return [Lot(piece.value)]
+    if int(piece.named.get("number", len(piece.value))) != len(piece.value):
+        raise Unclear
+    if not all(
+        belongs(f"<{_SORT.get(piece.named.get('sort', ''))}>", look) for look in piece.value if "sort" in piece.named
+    ):
+        raise Unclear
     return [Lot(glyph, count) for glyph, count in Counter(piece.value).items()]
 
 
@@ -217,6 +132,16 @@ def _without_stock(part: list[Piece], kinds: list[bool], free: list[Piece]) -> l
     return part[:last] if placed_first else part[first:]
 
 
+def _without_stock_behind(part: list[Piece], free: list[Piece]) -> list[Piece]:
+    """ "One pile of reds and one of blues, 3 red, 3 blue": the last lots are those of all the places, told again."""
+    last = max(n for n, piece in enumerate(part) if piece.kind == "slot")
+    for n in range(last + 2, len(part)):
+        if _are_of(part[:n], part[n:]) and len(part) - n == sum(p.kind != "slot" for p in part[:n]) > 1:
+            free += part[n:]
+            return part[:n]
+    return part
+
+
 def _are_of(placed: Sequence[Piece], stock: Sequence[Piece]) -> bool:
     """Whether the looks of the blocks at the places are those of the stock."""
     return {_look(p) for p in placed if p.kind != "slot"} == {_look(p) for p in stock}
@@ -242,13 +167,18 @@ def _place(part: list[Piece], free: list[Piece], placed: list[tuple[str, list[Pi
     if not kinds[0] and not kinds[-1]:
         part = _without_stock(part, kinds, free)
         kinds = [piece.kind == "slot" for piece in part]
+    if kinds[0]:
+        part = _without_stock_behind(part, free)
     runs = [list(run) for _, run in groupby(part, lambda piece: piece.kind == "slot")]
     for n in range(0, len(runs), 2):
         slots, blocks = (runs[n], runs[n + 1]) if kinds[0] else (runs[n + 1], runs[n])
         if len(slots) > 1:
             raise Unclear
         if not kinds[0] and not placed:
-            again = [k for k, p in enumerate(blocks) if any(_same(p, q) for q in blocks[:k])]
+            again = [
+                k for k, p in enumerate(blocks) if p.kind == "class" and {q.kind for q in blocks[:k]} == {"glyphs"}
+            ]
+            again = again or [k for k, p in enumerate(blocks) if any(_same(p, q) for q in blocks[:k])]
             free += blocks[: again[0]] if again else []
             blocks = blocks[again[0] :] if again else blocks
         placed.append(("one" if slots[0].value in _BARE else slots[0].value, blocks))
@@ -264,7 +194,7 @@ def gathered(pieces: Sequence[Piece]) -> Gathered:
     Raises:
         Unclear: a lot is told with two numbers, or a place has no blocks.
     """
-    free, placed = _stretches(pieces)
+    free, placed = _stretches(_in_numbers(pieces))
     found = Gathered()
     each = {piece.value for piece in pieces if piece.kind == "each"}
     for lot in (lot for piece in free for lot in lots_in(piece)):
@@ -279,6 +209,20 @@ def gathered(pieces: Sequence[Piece]) -> Gathered:
     for look, lot in found.lots.items():
         found.lots[look] = replace(lot, count=lot.count or max(each, default=None))
     return found
+
+
+def _in_numbers(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "Red cube left, blue cube right, three each": without an article the noun does not say that it is one."""
+    of_all = any(piece.kind in ("each", "size", "total") for piece in pieces)
+    counted = {piece.named["color"] for piece in pieces if piece.kind == "lot" and "count" in piece.named}
+    return [
+        replace(piece, named={**piece.named, "noun": "blocks", "many": "s"})
+        if piece.kind == "lot"
+        and not {"det", "count", "many", "paren", "among"} & piece.named.keys()
+        and (of_all or piece.named["color"] in counted)
+        else piece
+        for piece in pieces
+    ]
 
 
 def _together(said: Sequence[Piece]) -> dict[str, Lot]:
@@ -352,6 +296,10 @@ def _members(here: dict[str, Lot], found: Gathered, belongs: Callable[[str, str]
     return members
 
 
+_EXCEPTED = frozenset({"lot", "glyphs", "class", "everything", "every", "each", "total", "glue", "even"})
+"""Behind these "but" tells what is not meant."""
+
+
 def check_clauses(pieces: Sequence[Piece]) -> None:
     """No letter A was taken for an article, and a place on the table is that of all the blocks.
 
@@ -362,6 +310,8 @@ def check_clauses(pieces: Sequence[Piece]) -> None:
         behind = pieces[n + 1] if n + 1 < len(pieces) else Piece("stop", ".")
         if piece.kind == "glue" and piece.words == "a" and behind.kind in ("glyphs", "stop", "break"):
             raise Unclear
+        if piece.words == "but" and n and pieces[n - 1].kind in _EXCEPTED:
+            raise Unclear  # "everything but the green ones"
         if piece.kind != "where":
             continue
         ends = [k for k in range(n) if pieces[k].kind in ("stop", "break")]

@@ -8,10 +8,11 @@ from itertools import pairwise
 
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear, number, patterns
-from rpg.language.frames.several import GLYPHS, glyphs
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
+from rpg.language.frames.wishes import WHOSE, WISHES
+from rpg.language.frames.words_of_several import GLYPHS, glyphs
 
-_X = "(?:(?:the |letter |an |a |both |all |every |each |only |its )*(?:[A-Z]|'[A-Z]')(?: blocks?| cubes?)?)"
+_X = "(?:(?:the |letter |an |a |one |both |all |every |each |only |its )*(?:[A-Z]s?|'[A-Z]')(?: blocks?| cubes?)?)"
 _XS = f"{_X}(?:(?: ,)?(?: and)? {_X})*"
 _PART = "first|second|third|fourth|fifth|last|middle|final|initial"
 _LETTER = "(?:letters?|characters?|symbols?|(?:letter )?BLOCK)"
@@ -33,7 +34,9 @@ PATTERNS = [
     *patterns("glue", None, "'(?:ME|US)'(?= '[A-Z]+')"),
     *patterns(
         "word", lambda match: match["word"],
-        "(?:the |my |our |a )?(?:(?:english |short |little |single )*(?:word|name|text|sign|message|letters) (?:, "
+        f"(?:{WHOSE} 's name(?: ,| is)?(?: :)? )'(?P<word>[A-Z]{{2,}})'",
+        "(?:the |my |our |a )?(?:(?:english |short |little |single )*(?:word|name|text|sign|message|letters|string|"
+        "sequence|term|inscription|title|phrase|label|letter sequence) (?:, "
         ")?)?(?:: )?'(?P<word>[A-Z0-9]{2,})'(?: 's name)?",
     ),
     *patterns(
@@ -84,13 +87,13 @@ PATTERNS = [
     ),
     *patterns(
         "tint", lambda match: (f"a {match['who']}" if match["article"] else match["who"], match["color"]),
-        "(?:with |from )*(?:the |(?P<article>an? ))?(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]|'[A-Z]')|vowels?|"
+        "(?:with |from )*(?:the |(?P<article>an? ))?(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]s?|'[A-Z]')|vowels?|"
         "consonants?)(?: BLOCK)?", f"(?:with )?(?:the |(?P<article>a ))?(?P<color>COLOR) (?P<who>(?:{_PART}) letter)",
     ),
     *patterns("tint", lambda match: (match["who"], match["color"], number(match["count"])),
-        r"(?:the |with |from )*(?P<count>[2-9]) (?P<color>COLOR) (?P<who>[A-Z])(?: BLOCK)?"),
+        r"(?:the |with |from )*(?P<count>[2-9]) (?P<color>COLOR) (?P<who>[A-Z])s?(?: BLOCK)?"),
     *patterns("tint", lambda match: (match["who"], match["color"], number(match["count"])),
-        rf"(?:the |with )*(?P<count>[2-9]) (?P<who>[A-Z])(?: blocks)? {_IS}(?P<color>COLOR)"),
+        rf"(?:the |with )*(?P<count>[2-9]) (?P<who>[A-Z])s?(?: blocks)? {_IS}(?P<color>COLOR)"),
     *patterns(
         "tint", lambda match: ("all", match["color"]),
         "(?:with|from|in|of|using|use|out of|by means of|by)?(?: the| only| all| just)* ?(?P<color>COLOR) "
@@ -113,6 +116,7 @@ PATTERNS = [
         "(?P<unit>cm|mm) (?:(?:gaps?|of space|spaces?|apart|between|in between|of air|each|the|neighbo(?:u)?rs|"
         f"them|neighboring|adjacent|{_LETTER}) ?)+(?<! )(?= )",
     ),
+    *WISHES,
     *GLYPHS,
     *WHERE,
     *BREAKS,
@@ -126,13 +130,16 @@ PATTERNS = [
     *patterns("tint", lambda match: ("all", match["color"]), "(?:the )?color(?: BE| :) (?P<color>COLOR)",
         f"(?:the )?color of (?:every|each|all|all the|the|its|all its) {_LETTER} BE (?P<color>COLOR)"),
     *patterns(
-        "spell", None, "letter|letters|letter BLOCK|BLOCK with letters|word|name|text|tiles|lettered BLOCK",
-        "spell|spells|spelled|spelt|spelling|write|writes|written|writing|read|reads|reading|say|says|saying|"
-        "display|displays|displayed|legible|readable|spell out|spelled out|(?:can|could|may|should) be read|can "
+        "spell", None, "<=>|string|sequence|term|inscription|title|phrase|letter|letters|letter BLOCK|BLOCK with "
+        "letters|word|name|text|tiles|lettered BLOCK",
+        "spell|spells|spelled|spelt|spelling|write|writes|written|wrote|writing|read|reads|reading|say|says|saying|"
+        "display|displays|displayed|print|prints|printed|type|typed|legible|readable|spell out|spelled out|(?:can|"
+        "could|may|should) be read|can "
         "read",
     ),
     *patterns(
-        "glue", None, "on|onto|one",
+        "glue", None, "on|onto|one|rearrange|rearranged|reorder|order|ordered|using", "(?:with|from|of|by) "
+        "(?:letter )?(?:cube|block)",
         "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|"
         "correctly|properly|in order|in (?:this|that|the right) order|upright|in capital letters|in capitals|"
         "single|vertical|horizontal",
@@ -140,7 +147,8 @@ PATTERNS = [
 ]  # fmt: skip
 _VERB = re.compile("spel|read|say|writ")
 _NOUNS = frozenset({"word", "name", "text", "letters", "letter"})
-_LETTERS_ALONE = re.compile("[A-Z]( ,)?( [A-Z]( ,)?)* [A-Z]")
+_WORDS = frozenset({"word", "name", "text"})
+_LETTERS_ALONE = re.compile("'?[A-Z]'?( ,)?( [A-Z]( ,)?)* [A-Z]")
 _INITIALS = frozenset("ROYGCBPKWV")
 """First letters of colours."""
 _FIRST = frozenset({"top", "highest", "uppermost", "topmost", "left", "leftmost", "first"})
@@ -211,8 +219,15 @@ def _by_letters(pieces: Sequence[Piece]) -> list[Piece]:
     """A word that is told letter by letter: "spell D, O, G"."""
     listed = [n for n, piece in enumerate(pieces) if piece.kind == "glyphs" and len(piece.value) > 1]
     spelt = any(_VERB.match(piece.words) for piece in pieces if piece.kind == "spell")
-    named = any(piece.kind == "word" or piece.words in _NOUNS for piece in pieces)
-    if len(listed) != 1 or not spelt or named or not _LETTERS_ALONE.fullmatch(pieces[listed[0]].words):
+    before = pieces[listed[0] - 1].words if len(listed) == 1 else ""
+    ahead = [piece for n, piece in enumerate(pieces) if not (before in _WORDS and n == listed[0] - 1)]
+    named = any(piece.kind == "word" or piece.words in _NOUNS for piece in ahead)
+    if (
+        len(listed) != 1
+        or not (spelt or before in _WORDS)
+        or named
+        or not _LETTERS_ALONE.fullmatch(pieces[listed[0]].words)
+    ):
         return list(pieces)
     word = "".join(pieces[listed[0]].value)
     return [Piece("word", piece.words, word) if n == listed[0] else piece for n, piece in enumerate(pieces)]
@@ -230,7 +245,7 @@ def _tints(pieces: Sequence[Piece], word: str) -> str:
         places = _places(who, word, set(at))
         if not places or any(n in at for n in places) or (count and count[0] != len(places)):
             raise Unclear
-        if not count and len(places) > 1 and who.split()[0] in ("a", "an"):
+        if not count and len(places) > 1 and who.split()[0] in ("a", "an", "one"):
             raise Unclear
         at |= dict.fromkeys(places, color)
     if len(at) == len(word) and len(set(at.values())) == 1:
@@ -275,6 +290,7 @@ def _places(who: str, word: str, told_of: set[int]) -> set[int]:
         }
         middle = {len(word) // 2} if len(word) % 2 else set()
         return set.union(*(middle if part == "middle" else {numbers[part]} for part in parts)) & every
+    words = [said[:1] if re.fullmatch("[A-Z]s", said) else said for said in words]
     named = [said for said in words if len(said) == 1 and said.isupper()]
     if not named:
         return every

@@ -11,7 +11,6 @@ from rpg.language.frames.alike import Told, together, told_in_line
 from rpg.language.frames.lots import Lot, lot_of, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.several import (
-    START,
     Gathered,
     check_clauses,
     gathered,
@@ -19,13 +18,15 @@ from rpg.language.frames.several import (
     lots_in,
     settled,
 )
+from rpg.language.frames.words_of_several import START
 from rpg.language.frames.words_of_towers import ORD, PATTERNS, TS, T
 
 __all__ = ["PATTERNS", "told"]
 
 _SINGLE = re.compile("(?:single|one) color")
 _STACKED = re.compile("(?:is|are) stack(?:ed)?\\b")
-_UNIQUE = frozenset({*ORD.split("|"), "other", *"12345"})
+_THING = re.compile(f"{T}|{TS}")
+_UNIQUE = frozenset({*ORD.split("|"), "other", *"12345ABCDE"})
 _NAMED = re.compile(rf"\b(?:{T}|{TS})\b")
 _WAYS = (["left", "right"], ["left", "middle", "right"])
 
@@ -36,16 +37,21 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told what they are made of, or how high they are.
     """
-    check_clauses(pieces)
     named = [
-        piece for piece in pieces if piece.kind in ("figure", "figures", "tinted", "each", "slot", "basis", "whole")
+        piece
+        for piece in pieces
+        if piece.kind in ("figure", "figures", "tinted", "each", "slot", "basis", "whole", "alone")
     ]
     if pieces[0].words in ("is", "are", "there are", "there is") or not any(
         _NAMED.search(piece.words) for piece in named
     ):
         raise Unclear
+    pieces, mats = _on_mats(pieces)
+    check_clauses(pieces)
     if any(a.kind == "lot" and lot_of(a).known and b.kind == "line" for a, b in pairwise(pieces)):
         raise Unclear  # "the yellow ones in a tower and the purple ones lined up"
+    if any(a.kind == "lot" and _THING.fullmatch(b.words) for a, b in pairwise(pieces)):
+        raise Unclear  # "a red stack"
     if any(_STACKED.search(f"{a.words} {b.words}") for a, b in pairwise(pieces)):
         raise Unclear  # "four cubes are stacked up; ...": so they are at the start
     pieces, heights = _heights(_one_each(_apart(pieces)))
@@ -67,12 +73,17 @@ def told(pieces: Sequence[Piece]) -> str:
     else:
         found = gathered(pieces)
         text, looks = together(pieces, found, told_of)
+    text += _mats_told(mats, looks, where)
     if near and near.value == "next to it":
         if kinds.count("slot") != 2:
             raise Unclear
         text += " The towers are next to each other."
     elif near:
-        text += f" The towers are {near.value}." if near.value.startswith("next") else f" The towers {near.value}."
+        text += (
+            f" The towers are {near.value}."
+            if near.value.startswith(("next", "near"))
+            else f" The towers {near.value}."
+        )
     if relation:
         if (
             not {relation.named["one"], relation.named["other"]} <= set(looks)
@@ -87,13 +98,55 @@ def told(pieces: Sequence[Piece]) -> str:
     return text + (f" The towers are {where.value}." if where else "")
 
 
+def _on_mats(pieces: Sequence[Piece]) -> tuple[list[Piece], list[tuple[str, str]]]:
+    """The pieces without the patches of which each is told of one tower, and the look of the tower of each."""
+    said = [piece for piece in pieces if piece.kind in ("lot", "where", "slot", "whole", "alone")]
+    blocks = [piece for piece in said if piece.kind in ("lot", "whole", "alone")]
+    kinds = ["lot" if piece.kind in ("lot", "whole", "alone") else piece.kind for piece in said]
+    places = [piece for piece in said if piece.kind == "where"]
+    ways = (
+        ["lot", "where"],
+        ["where", "lot"],
+        ["slot", "lot", "where"],
+        ["slot", "where", "lot"],
+        ["where", "slot", "lot"],
+    )
+    if len(places) < 2 or not any(kinds == way * len(places) for way in ways):
+        return list(pieces), []
+    looks = [lot_of(piece).look if piece.kind == "lot" else _color(piece) for piece in blocks]
+    left: list[Piece] = []
+    for piece in pieces:
+        if piece.kind == "lot" and "slot" not in kinds:
+            left.append(Piece("slot", "one tower", "one"))
+        left += [piece] if piece.kind != "where" else []
+    return left, [(look, place.value) for look, place in zip(looks, places, strict=True)]
+
+
+def _mats_told(mats: Sequence[tuple[str, str]], looks: Sequence[str], where: Piece | None) -> str:
+    """On which patch each tower is.
+
+    Raises:
+        Unclear: towers that are not told, or two of one colour.
+    """
+    if mats and (where or len(set(looks)) < len(looks) or set(looks) != {look for look, _ in mats}):
+        raise Unclear
+    return "".join(f" The {look} tower is {place}." for look, place in mats)
+
+
+def _color(piece: Piece) -> str:
+    """The colour of a tower that is told with it."""
+    return str(piece.value[0] if piece.kind == "whole" else piece.value)
+
+
 def _apart(pieces: Sequence[Piece]) -> list[Piece]:
     """A tower that is told with its colour and its height at once, as a tower and its blocks."""
     found: list[Piece] = []
     alone = [p.kind for p in pieces].count("slot") == 1 and "basis" in [p.kind for p in pieces]
     layered = {"place", "over", "under"} & {piece.kind for piece in pieces}
-    for piece in pieces:
-        if piece.kind == "each" and piece.value and layered:
+    for n, piece in enumerate(pieces):
+        if piece.kind == "total" and n and pieces[n - 1].kind == "each" and not pieces[n - 1].value:
+            found.append(replace(piece, kind="size"))  # "each tower from two cubes"
+        elif piece.kind == "each" and piece.value and layered:
             found.append(replace(piece, kind="size"))  # "two blocks each, both red below and white above"
         elif piece.kind == "each" and piece.value == 1 and re.search("(?:for|per) (?:each|every) color", piece.words):
             found.append(replace(piece, kind="basis", value="color"))  # "three red, three green, one for each color"
@@ -106,6 +159,13 @@ def _apart(pieces: Sequence[Piece]) -> list[Piece]:
             found += [replace(piece, kind="figure", value=count), lot]
         elif piece.kind == "slot" and alone:
             found.append(replace(piece, kind="figure", value=None))  # "for each color build a stack of ..."
+        elif piece.kind == "lot" and set(piece.named) == {"det", "color"} and _before_alone(pieces[n + 1 :]):
+            found += [Piece("slot", "one tower", "one"), replace(piece, named={**piece.named, "det": "", "many": "s"})]
+        elif piece.kind == "alone":
+            found += [
+                Piece("slot", "one tower", "one"),
+                Piece("lot", piece.words, None, {"color": piece.value, "many": "s"}),
+            ]
         elif piece.kind == "whole":
             color, size = piece.value
             named = {"color": color, "count": str(size), "noun": "blocks"}
@@ -116,6 +176,12 @@ def _apart(pieces: Sequence[Piece]) -> list[Piece]:
             if piece.kind == "figure" and _SINGLE.search(piece.words):
                 found.append(Piece("basis", "single color", "single"))
     return found
+
+
+def _before_alone(pieces: Sequence[Piece]) -> bool:
+    """Whether only a break parts a lot from a tower told with its colour: "a red and a blue tower"."""
+    kinds = [piece.kind for piece in pieces[:2]]
+    return kinds == ["break", "alone"]
 
 
 def _one_each(pieces: list[Piece]) -> list[Piece]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from rpg.language.frames.pieces import number, patterns
-from rpg.language.frames.several import ALSO, LOTS, OF, STARTS, STOPS
 from rpg.language.frames.shared import GLUE, WHERE
+from rpg.language.frames.words_of_several import ALSO, LOTS, OF, STARTS, STOPS
 
 _SIDES = {
     "left": "left of",
@@ -21,7 +21,7 @@ T = "(?:tower|stack|pillar)"
 TS = "(?:towers|stacks|pillars)"
 _ADJ = (
     "(?:(?:little|small|neat|separate|identical|equal|single|own|different|similar|individual|short|matching|twin|"
-    "single color|one color|distinct) )"
+    "single color|one color|distinct|such) )"
 )
 ORD = "first|second|third|fourth|fifth|last|left|right|middle|center|leftmost|rightmost"
 _IN = "(?:(?:in|into|as|to|on|forms?|makes?) )?"
@@ -40,13 +40,21 @@ PATTERNS = [
         "whole", lambda match: (match["color"], int(match["size"])),
         f"(?:a|an|one|another|the other)(?: {T})? (?P<color>COLOR)(?: {T}| one)?(?: ,)? (?:of |which |that |BE |"
         f"with |has |height |having )*(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
-        f"(?P<color>COLOR) (?:{T}|one) (?:of |which |that |BE |with |has |height |having |: )*(?P<size>[2-9])(?: "
-        f"BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm)\\b)",
+        f"(?:the )?(?P<color>COLOR) (?:{T}|one)(?: \\()? (?:of |which |that |BE |with |has |height |having |: |, "
+        f")*(?P<size>[2-9])"
+        f"(?: BLOCK)?(?: {_HIGH})?(?: \\))?(?! (?:COLOR|SIZE|x|cm)\\b)", f"{T} (?P<color>COLOR)(?: ,| :)? "
+        f"(?P<size>[2-9])"
+        f"(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x|cm|each)\\b)",
         f"(?:a|an|one|another|the other) (?P<color>COLOR)(?: {T}| one)? \\( (?P<size>[2-9])(?: BLOCK)?(?: "
         f"{_HIGH})? \\)", f"(?:a|one|another|the other) (?P<size>[2-9]) (?:BLOCK )?(?:{_HIGH} )?(?P<color>COLOR) {T}",
+        f"(?:(?:a|an|one|another|the other|other)(?: {T})?|{T})(?: of| with)? (?P<size>[2-9])(?: BLOCK)?(?: "
+        f"{_HIGH})? (?:(?:in|of|"
+        f"all|with|only|colored) )*color (?P<color>COLOR)",
         f"(?:a|an|one|another|the other)(?: {T})? (?P<size>[2-9])(?: BLOCK)? {_HIGH}(?: {T})?(?: ,)? (?:BE |in |of "
         "|from |all |only |made of |made from )*(?P<color>COLOR)(?: BLOCK)?",
     ),
+    *patterns("alone", lambda match: match["color"],
+        f"(?:a|an|one|another) (?P<color>COLOR) {T}", f"(?P<color>COLOR) {T}(?= (?:,|and|\\.|;))"),
     *patterns(
         "line", None,
         "(?:BE )?(?:lined up |standing |arranged )?(?:in|into|along|forming) (?:a|one) (?:straight |single "
@@ -78,17 +86,19 @@ PATTERNS = [
         "(?:(?:in|into|to|as|of) )?(?:the |exactly |a set of |a group of )*(?:(?P<count>NUM|both|pair of|twin) "
         f")?{_ADJ}*{TS}",
     ),
+    *patterns("figure", lambda match: int(match["count"]), f"(?:into |in )?(?P<count>[2-9]) {_ADJ}*{T}",
+    f"{TS} x (?P<count>[2-9])"),
     *patterns("figures", lambda match: (number(match["count"]), int(match["size"])),
         f"(?:in |into |as |of )?(?:the )?(?P<count>NUM) {_ADJ}*(?P<size>[2-9]) (?:BLOCK (?:{_HIGH} )?|{_HIGH} ){TS}"),
     *patterns(
         "size", lambda match: number(match["size"]),
         r"(?P<size>[2-9])(?= (?:[,.;]|$))",
         f"(?:BE )?(?:of |each of |with )?(?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?: (?:{_HIGH}|each|apiece|in "
-        f"each|per {T}))+", r"of (?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?! (?:COLOR|SIZE)\b)",
+        f"each(?: {T})?|per {T}))+", r"of (?:exactly )?(?P<size>[2-9])(?: BLOCK)?(?! (?:COLOR|SIZE)\b)",
         rf"(?:(?:with|where) )?{_EACH} {_HAS}(?P<size>[2-9])(?: BLOCK)?(?: {_HIGH})?(?! (?:COLOR|SIZE|x)\b)",
         "(?:BE )?(?:each |both |all )?(?:of |with |at )?(?:a |the )?height (?:of |BE )?(?P<size>[2-9])(?: "
         "BLOCK)?(?: each)?", f"(?P<size>[2-9]) (?:BLOCK )?(?:per|in each|in every|to a|for each|in) {T}",
-        f"(?:BE )?(?P<size>[2-9]) BLOCK {_HIGH}",
+        f"(?:BE )?(?P<size>[2-9]) BLOCK {_HIGH}", "(?:high|tall) (?P<size>[2-9])",
     ),
     *patterns(
         "heights", lambda match: [int(said) for said in re.findall(r"\d", match["list"])],
@@ -99,7 +109,7 @@ PATTERNS = [
     ),
     *patterns(
         "even", None,
-        "(?:BE |of |with )*(?:the )?(?:same|equal|equally tall|equally high|even|as tall as each other)(?: "
+        "(?:BE |of |with )*(?:the )?(?:same|equal|identical|equally tall|equally high|even|as tall as each other)(?: "
         "(?:height|size|high|tall|number of BLOCK))?|equally(?: high| tall)?|alike",
     ),
     *patterns(
@@ -110,7 +120,8 @@ PATTERNS = [
         "(?:each|every one|all)(?: one)? (?:in |of |with |has |having )?(?:a |its )?(?:color of its own|own color|"
         "color for itself)",
         "(?:each|every) color (?:BE |has |have |gets |forms |makes |becomes |goes |should have |must have |must "
-        f"form |must be |should form |into |to |in |on )*(?:a |an |its |one |in )*{_ADJ}*{T}(?: of its own| for "
+        f"form |must be |should form |be |stacked |put |placed |built |made |into |to |in |on )*(?:a |an |its |one "
+        f"|in )*{_ADJ}*{T}(?: of its own| for "
         "itself| by itself)?",
         f"{_EACH} (?:tower |stack )?(?:BE )?(?:in |of |with |has |have |having )*a different color",
         "sorted by color",
@@ -120,27 +131,32 @@ PATTERNS = [
         f"{_EACH} {_HAS}(?:only |just |in )*(?:of |blocks of |BLOCK of )*(?:a |one |the )?(?:single|one|same|just "
         "one|only one) (?:single )?color(?: only| alone)?", f"{_EACH} BLOCK (?:have|has|BE|of) (?:the )?same color",
         f"(?:each |all )?(?:of|in|with) (?:one|a single|the same|only one) color(?: each| per {T})?",
-        f"(?:single|one|same) color(?= {TS})",
-        "(?:BE )?(?:monochrome|monochromatic|unicolored|single colored|one colored)",
+        "(?:(?:in|with|of|using) )?(?:the )?colors(?: :)?(?= COLOR)", f"(?:single|one|same) color(?= {TS})",
+        "(?:of |in |with )?(?:the |a )?same color(?:ed)?",
+        f"(?:(?:so that|such that) )?(?:{_EACH} )?(?:BE )?(?:monochrome|monochromatic|unicolored|single colored|"
+        f"one colored)",
         "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors)", "(?:do not|never) mix (?:the )?colors",
     ),
     *patterns("basis", "different", f"{TS} (?:have|of|in|with|BE|are of|are in|have all) different colors"),
     *patterns(
         "each", None,
         f"(?:(?:in|with|where|of|for|on) )*{_EACH}(?: (?:with|has|have|of|contains?|is|are|must|should|be|"
-        "consists? of|made of|made from|:))*",
+        "consists? of|made of|made from|to|shall|will|needs?|built (?:from|of)|composed of|includes?|gets?|exactly|"
+        "made up "
+        "of|:))*",
         "of which each (?:has|is)|each of which (?:has|is|consists of|contains)|apiece",
     ),
     *patterns(
         "place", "at the bottom",
         "(?:BE )?(?:(?:at|on|in|as|forming) )?(?:the |its )?(?:very )?(?:bottom|base|lower part|foot)(?: (?:one|"
         "block|of it))?(?: BE)?(?: :)?", "(?:BE )?(?:the )?lower(?: one| BLOCK)?(?: BE)?",
-        "(?:BE )?(?:below|underneath|under it)",
+        "(?:BE )?(?:below|underneath|under it|down|downstairs)",
     ),
     *patterns(
         "place", "at the top",
         "(?:BE )?(?:(?:at|on|in|as) )?(?:the |its )?(?:very )?top(?: (?:one|block|of it))?(?: BE)?(?: :)?",
         "(?:BE )?(?:the )?upper(?: one| BLOCK)?(?: BE)?", "(?:BE )?(?:above|above it|over it|on it)",
+        "(?:(?<=cube )|(?<=block )|(?<=one )|(?<=cubes )|(?<=blocks ))(?:BE )?up(?= (?:(?:,|and|\\.|;) |$))",
     ),
     *patterns(
         "over", None, "(?:BE )?(?:directly )?(?:on|upon|over|on top of|above|atop|sitting on|standing on|stacked on)",
@@ -152,7 +168,7 @@ PATTERNS = [
         f"{_IN}(?:the )?(?P<slot>other|another|{ORD})(?! BLOCK)(?: one| hand one)?{_OF}",
         "in (?P<slot>one)(?: of them)?(?: of)?", f"(?P<slot>{T}) (?:of|with|from|made of|made from|:)",
 f"(?P<slot>one)(?: of them)? (?:{OF}|:)(?: {OF})*", f"(?:the )?(?P<slot>one|other|first|second) of which{_OF}",
-        f"{T} (?P<slot>[1-5])(?: {OF}| =| :)+",
+        f"{T} (?P<slot>[1-5A-E])(?: {OF}| =| :)+",
         f"(?P<slot>a) {_ADJ}*{T}{_OF}",
     ),
     *patterns(
@@ -165,6 +181,11 @@ f"(?P<slot>one)(?: of them)? (?:{OF}|:)(?: {OF})*", f"(?:the )?(?P<slot>one|othe
         "near", "next to each other",
         f"(?:(?:{TS} )?BE )?(?:right |standing |closely )*(?:next to|beside) (?:each other|one another)|side by "
         "side|adjacent(?: to each other)?|neighboring",
+    ),
+    *patterns(
+        "near", "near each other", f"(?:(?:{TS}|{T}) )?(?:BE |standing )*(?:near|close to|close by) (?:each other|"
+            f"one another)|close "
+        "together",
     ),
     *patterns(
         "near", "touch",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.related_things import Known, Things
@@ -49,6 +49,8 @@ def told(pieces: Sequence[Piece]) -> str:
     start, stages = stages_of(plainer([piece for piece in pieces if piece.kind != "glue"]))
     if {"never", "while"} <= {piece.words for piece in pieces}:
         raise Unclear  # only as long as something else is so
+    if any(piece.kind == "there" and "only" in behind.named for piece, behind in pairwise(pieces)):
+        raise Unclear  # "there are only a red and a blue block": then no other may be spoken of
     readings: list[Reading] = [(Things(), [])]
     for n, stage in enumerate([start, *stages]):
         readings = [(things, [*said, []]) for things, said in readings]

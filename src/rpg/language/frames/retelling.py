@@ -34,6 +34,8 @@ _REFERRING = frozenset({"it", "they", "this", "these", "them", "those", "all", "
 _ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) |The blocks do not touch")
 """Blocks of no told look may be those that another sentence names, what there is may be there already, and "the blocks"
 that are not to touch would be all."""
+_ONE_OF = re.compile(r"\bone (?:of|is|has) ")
+"""What one of the blocks of another sentence is like, or where it is."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
 """So many blocks may be all that the other sentence names."""
 _ASKS = frozenset({"is", "are", "was", "were", "does", "did", "has", "why", "how", "what", "which", "where", "who"})
@@ -65,11 +67,17 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
         if (commands(ahead) or not commands(behind)) and behind[0].word not in _REFERRING
     ]
     for ahead, behind in reversed(parts):
-        if (first := plainly(ahead)) is not None and not _ANY.search(first) and not _ALL.search(_text(behind)):
+        if (first := plainly(ahead)) is not None and not _ANY.search(first) and _by_itself(behind):
             yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"
     for ahead, behind in parts:
-        if (last := plainly(behind)) is not None and not _ANY.search(last) and not _ALL.search(_text(ahead)):
+        if (last := plainly(behind)) is not None and not _ANY.search(last) and _by_itself(ahead):
             yield [*ahead, *_standing(last, behind)], f"{_text(ahead)} {last}"
+
+
+def _by_itself(tokens: Sequence[Token]) -> bool:
+    """Whether what a sentence says does not hang on what is told again beside it."""
+    text = _text(tokens)
+    return not _ALL.search(text) and not _ONE_OF.search(text)
 
 
 _LEADS_TO = {"start": ("At the start,", "At the start:"), "end": ("", "At the end,", "At the end:"), "": ("",)}

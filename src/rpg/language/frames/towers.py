@@ -74,16 +74,7 @@ def told(pieces: Sequence[Piece]) -> str:
         found = gathered(pieces)
         text, looks = together(pieces, found, told_of)
     text += _mats_told(mats, looks, where)
-    if near and near.value == "next to it":
-        if kinds.count("slot") != 2:
-            raise Unclear
-        text += " The towers are next to each other."
-    elif near:
-        text += (
-            f" The towers are {near.value}."
-            if near.value.startswith(("next", "near"))
-            else f" The towers {near.value}."
-        )
+    text += _near_told(near, kinds)
     if relation:
         if (
             not {relation.named["one"], relation.named["other"]} <= set(looks)
@@ -120,6 +111,21 @@ def _on_mats(pieces: Sequence[Piece]) -> tuple[list[Piece], list[tuple[str, str]
             left.append(Piece("slot", "one tower", "one"))
         left += [piece] if piece.kind != "where" else []
     return left, [(look, place.value) for look, place in zip(looks, places, strict=True)]
+
+
+def _near_told(near: Piece | None, kinds: Sequence[str]) -> str:
+    """How near the towers are to each other.
+
+    Raises:
+        Unclear: "next to it", where there are more than two.
+    """
+    if near is None:
+        return ""
+    if near.value == "next to it":
+        if kinds.count("slot") != 2:
+            raise Unclear
+        return " The towers are next to each other."
+    return f" The towers are {near.value}." if near.value.startswith(("next", "near")) else f" The towers {near.value}."
 
 
 def _mats_told(mats: Sequence[tuple[str, str]], looks: Sequence[str], where: Piece | None) -> str:

@@ -8,10 +8,7 @@ _NOUN = "blocks?|cubes?|bricks?|box(?:es)?|pieces?|ones?"
 _ONE = "block|cube|brick|box|piece|one"
 _PATCH = "patch|mat|zone|pad|spot|target|goal|area|rug|carpet|coaster|marker|field|sheet"
 _PLAIN_PATCH = "patch|mat|zone|pad|rug|carpet|coaster|target patch|target zone|goal patch|goal zone|target"
-_DET = (
-    "the|this|these|those|that|my|our|your|a|an|both|both the|"
-    "all|all the|all of the|both of the|another"
-)
+_DET = "the|this|these|those|that|my|our|your|a|an|both|both the|all|all the|all of the|both of the|another"
 _THE = "the|this|that|a|an|my|our|your|one"
 _HOW_MANY = "exactly|precisely|at least|at most|no more than|not more than|no fewer than|no less than|not fewer than"
 _BUT = (

@@ -55,10 +55,13 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     yield from ((_standing(told, tokens), told) for told in pairs(tokens, plainly))
     yield from _with_given(tokens)
     asides = (without_distractors, without_turns, without_measures, without_attached)
-    for rest, stretch, aside in (found for without in asides for found in without(tokens)):
+    for without, (rest, stretch, aside) in ((way, found) for way in asides for found in way(tokens)):
         rest = beside.stopped(rest, stretch[0])
-        for told, said in ((rest, _text(rest)), *_as_a_whole(rest)) if rest else (([], ""),):
-            yield [*told, *_standing(aside, stretch)], f"{said} {aside}".strip()
+        told = [*_as_a_whole(rest)]
+        if without is not without_attached:  # "it" may be another thing where the rest is no figure by itself
+            told = [(rest, _text(rest)), *told]
+        for plain, said in told if rest else [([], "")]:
+            yield [*plain, *_standing(aside, stretch)], f"{said} {aside}".strip()
     if not _BINDING.isdisjoint(token.word for token in tokens):
         return
     parts = [

@@ -37,6 +37,9 @@ def told(pieces: Sequence[Piece]) -> str:
     pieces = _named(_matched(pieces))
     kinds = [piece.kind for piece in pieces]
     found, total = gathered(pieces), one(pieces, "total")
+    each = {piece.value for piece in pieces if piece.kind == "each"}
+    if each and any({lot.count} != each for lot in found.lots.values()):
+        raise Unclear  # "from two red and two blue ones, one of each colour": so many of those
     plain = not {"basis", "class", "each", "total", "everything"} & set(kinds)
     plain = plain and all(len(piece.value) == 1 for piece in pieces if piece.kind == "glyphs")
     if "matched" in kinds or (plain and not found.lots):

@@ -201,9 +201,8 @@ def gathered(pieces: Sequence[Piece]) -> Gathered:
         _added(found.lots, lot)
     for slot, said in placed:
         found.places.append((slot, _together(said)))
-    told = [lot.count for here in (found.lots, *(here for _, here in found.places)) for lot in here.values()]
-    if len(each) > 1 or any(count is not None and {count} != each for count in told if each):
-        raise Unclear  # "two red and two blue ones, one of each colour": so many of those
+    if len(each) > 1:
+        raise Unclear
     if not found.lots and not {"left", "right"} & {slot for slot, _ in found.places}:
         for _, here in found.places:
             here |= {look: replace(lot, count=lot.count or max(each, default=None)) for look, lot in here.items()}

@@ -38,7 +38,8 @@ def told(pieces: Sequence[Piece]) -> str:
     kinds = [piece.kind for piece in pieces]
     found, total = gathered(pieces), one(pieces, "total")
     each = {piece.value for piece in pieces if piece.kind == "each"}
-    if each and any({lot.count} != each for lot in found.lots.values()):
+    lots = [lot for here in (found.lots, *(here for _, here in found.places)) for lot in here.values()]
+    if each and any({lot.count} != each for lot in lots):
         raise Unclear  # "from two red and two blue ones, one of each colour": so many of those
     plain = not {"basis", "class", "each", "total", "everything"} & set(kinds)
     plain = plain and all(len(piece.value) == 1 for piece in pieces if piece.kind == "glyphs")

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from rpg.language.frames import retold
-from rpg.language.frames.attached import without_attached
-from rpg.language.frames.changed import changes
-from rpg.language.frames.given import with_given
-from rpg.language.frames.measured import without_measures
-from rpg.language.frames.paired import pairs
+from rpg.language.frames.around.attached import without_attached
+from rpg.language.frames.around.changed import changes
+from rpg.language.frames.around.given import with_given
+from rpg.language.frames.around.measured import without_measures
+from rpg.language.frames.around.paired import pairs
 from rpg.language.frames.retelling import plainly
 from tests.language.frames.told import words
 

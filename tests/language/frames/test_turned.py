@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.language.frames.beside import stopped
-from rpg.language.frames.turned import without_turns
+from rpg.language.frames.around.beside import stopped
+from rpg.language.frames.around.turned import without_turns
 from tests.language.frames.told import words
 
 

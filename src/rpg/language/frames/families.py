@@ -4,21 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from rpg.language.frames import (
-    equation,
-    grids,
-    group,
-    mats,
-    relations,
-    row,
-    rowlabels,
-    shape,
-    spelled,
-    stairs,
-    tower,
-    towers,
-)
+from rpg.language.frames.grids import grid as grids
+from rpg.language.frames.groups import group, mats
+from rpg.language.frames.lines import labels as rowlabels
+from rpg.language.frames.lines import row
 from rpg.language.frames.pieces import Pattern, Piece
+from rpg.language.frames.relations import relations
+from rpg.language.frames.shapes import shape, stairs
+from rpg.language.frames.symbols import equation, spelled
+from rpg.language.frames.towers import several as towers
+from rpg.language.frames.towers import tower
 
 FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
     (tower.PATTERNS, tower.told),

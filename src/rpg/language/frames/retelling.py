@@ -8,16 +8,17 @@ from dataclasses import replace
 from itertools import groupby, product
 
 from rpg.language import lexicon
-from rpg.language.frames import attached, beside, changed, measured, moments, relations, turned
-from rpg.language.frames.attached import without_attached
-from rpg.language.frames.beside import without_distractors
-from rpg.language.frames.changed import changes
+from rpg.language.frames.around import attached, beside, changed, measured, moments, turned
+from rpg.language.frames.around.attached import without_attached
+from rpg.language.frames.around.beside import without_distractors
+from rpg.language.frames.around.changed import changes
+from rpg.language.frames.around.given import existing, with_given
+from rpg.language.frames.around.measured import without_measures
+from rpg.language.frames.around.paired import pairs
+from rpg.language.frames.around.turned import without_turns
 from rpg.language.frames.families import FAMILIES
-from rpg.language.frames.given import existing, with_given
-from rpg.language.frames.measured import without_measures
-from rpg.language.frames.paired import pairs
 from rpg.language.frames.pieces import CLASSES, Unclear, cut
-from rpg.language.frames.turned import without_turns
+from rpg.language.frames.relations import relations
 from rpg.language.tokens import Token, tokenize
 
 _ENDS = frozenset({".", "!", "?", ";"})

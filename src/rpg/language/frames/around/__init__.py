@@ -1,0 +1,1 @@
+"""What is told around a figure: distractors, turns, sizes, what stands beside it, the start, the end."""

@@ -1,0 +1,1 @@
+"""Grids, walls, pyramids and cubes of cubes told part by part."""

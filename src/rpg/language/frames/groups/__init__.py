@@ -1,0 +1,1 @@
+"""Groups told part by part."""

@@ -1,0 +1,1 @@
+"""Rows, lines and columns told part by part."""

@@ -1,0 +1,1 @@
+"""Relations between blocks, told statement by statement."""

@@ -1,0 +1,1 @@
+"""Flat figures and staircases told part by part."""

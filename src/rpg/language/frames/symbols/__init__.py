@@ -1,0 +1,1 @@
+"""Words and equations told part by part."""

@@ -1,0 +1,1 @@
+"""Towers told part by part."""

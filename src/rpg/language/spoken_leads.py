@@ -70,6 +70,7 @@ _POINTING = _words(
     "so please in on at to of with by from"
 )
 _HAS = (("has",), ("must", "have"), ("should", "have"), ("has", "to", "have"), ("needs",), ("needs", "to", "have"))
+_PLACES = _words("scene setup world table workspace inventory stock box set kit")
 _MERELY = _words("simply just basically actually simple really : following")
 BEGINS = _words("a an the any") | frozenset(lexicon.NUMBER)
 TESTS = _words(
@@ -127,6 +128,8 @@ def subject(tokens: Sequence[Token]) -> int:
                 word in _MADE or tells_nothing(word) or (word == "target" and words[n + 2] in _MADE)
                 for n, word in enumerate(words[1:at])
             )
+            if words[at - 1] in _PLACES and words[at] in ("contains", "features", "has", "shows"):
+                return 0  # that is what there is
             end = at + said
             while end < len(words) and words[end] in _MERELY:
                 end += 1

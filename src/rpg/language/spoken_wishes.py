@@ -60,7 +60,7 @@ def announcement(tokens: Sequence[Token]) -> int:
     }  # fmt: skip
     spoken = _THEM | {",", "how", "what", "here", "also", "another", "next", "word", "number", "letter"}
     known = all(n in light or word in spoken or tells_nothing(word) for n, word in enumerate(words[:end]))
-    return end + 1 if known and all(t.word == "," or of_words([t]) for t in tokens[:end]) else 0
+    return end + 1 if known and of_words([t for t in tokens[:end] if t.word != ","]) else 0
 
 
 def ability(tokens: Sequence[Token]) -> int:

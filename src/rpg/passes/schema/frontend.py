@@ -137,7 +137,7 @@ class BuiltinFrontEnd:
             check_told(told or told_behind(words), found.task)
             check_numbers(spoken, words, found)
             check_behind(typed, found.task)
-        except Refusal:
+        except Refusal as refusal:
             for ahead, wanted in ((shape_ahead(words), ""), *stocks_ahead(words)):
                 if ahead is None:
                     continue
@@ -149,6 +149,7 @@ class BuiltinFrontEnd:
                     check_wanted(words if wanted else [], found.task, each_block=wanted == "block")
                     check_behind(typed, found.task)
                     return found.task, found.notes
+            again = again and not isinstance(refusal, TwoReadings)  # people are asked which one they mean
             found_again = self._retold(typed, text, name, seed, author, notes) if again else None
             if found_again is not None:
                 return found_again

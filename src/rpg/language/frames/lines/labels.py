@@ -388,11 +388,7 @@ def _unnamed(row: Row, pieces: Sequence[Piece]) -> str:
 
 
 def _relations(row: Row, pieces: Sequence[Piece], labels: Sequence[str]) -> list[str]:
-    """What is told of two of the blocks.
-
-    Raises:
-        Unclear: they are not among the blocks of the row.
-    """
+    """What is told of two of the blocks, which are among those of the row."""
     found = []
     for x, relation, y in (piece.value for piece in pieces if piece.kind == "relation"):
         if x == y or labels.count(x) != 1 or labels.count(y) != 1:

@@ -40,6 +40,20 @@ class Said:
 Reading = tuple[Things, list[list[Said]]]
 
 
+def _check_listed(pieces: Sequence[Piece]) -> None:
+    """What is listed first is all there is.
+
+    Raises:
+        Unclear: "there are three green blocks. The red block must be on a green one".
+    """
+    end = next((n for n, piece in enumerate(pieces) if piece.kind == "stop"), len(pieces))
+    things = [(n, piece) for n, piece in enumerate(pieces) if piece.kind == "thing" and "color" in piece.named]
+    listed = {piece.named["color"] for n, piece in things if n < end}
+    for n, piece in things:
+        if n > end and piece.named.get("det") == "the" and piece.named["color"] not in listed:
+            raise Unclear
+
+
 def told(pieces: Sequence[Piece]) -> str:
     """The statements in plain sentences.
 
@@ -51,6 +65,8 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # only as long as something else is so
     if any(piece.kind == "there" and "only" in behind.named for piece, behind in pairwise(pieces)):
         raise Unclear  # "there are only a red and a blue block": then no other may be spoken of
+    if pieces[0].kind == "there":
+        _check_listed(pieces)
     readings: list[Reading] = [(Things(), [])]
     for n, stage in enumerate([start, *stages]):
         readings = [(things, [*said, []]) for things, said in readings]

@@ -138,7 +138,7 @@ def _square(pieces: Sequence[Piece], name: str, filled: str, total: int | None) 
     if sides or n < (3 if filled == "hollow" and dims else 2):
         raise Unclear
     if not filled:
-        filled = "filled" if (dims if total is None else total == n * n) else "hollow"
+        filled = "filled" if dims or total == n * n else "hollow"
     found = _agreed(total, n * n if filled == "filled" else 4 * n - 4)
     return Sized(f"a {filled} {n}x{n} square", "", found)
 

@@ -92,8 +92,8 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         if words[at] in VIEW.firsts:
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
         if words[at] in ("left", "right") and at and words[at - 1] in _ENDED and words[at] in _before(words, at - 1):
-            seen = (j for j in VIEW.matches(p, at + 1) if j == len(words) or words[j] in _ENDED)
-            end = max(seen, default=end)  # "Left as I see it.", where something was said to be left
+            views = (j for j in VIEW.matches(p, at + 1) if j == len(words) or words[j] in _ENDED)
+            end = max(views, default=end)  # "Left as I see it.", where something was said to be left
         if end == at:
             if waiting and words[at] in _STOPS:
                 out, waiting = out + waiting, []

@@ -45,7 +45,6 @@ from rpg.passes.schema.resolve.clauses.started import laid_down, partly, was_so
 from rpg.passes.schema.resolve.clauses.swapped import mere_result, swap
 from rpg.passes.schema.resolve.clauses.the_same_ones import of_the_same
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
-from rpg.passes.schema.resolve.clauses.turned_as_well import TURNS
 from rpg.passes.schema.resolve.goals.logic import forbids
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
@@ -208,7 +207,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return shaped(replace(clause, theme=None), spec, scene, scope)
     if clause.theme is None or ahead(clause.theme, clause.verb, spec, scene):
         return _themeless(clause, spec, scene, scope)
-    if any(m.kind in TURNS for m in spec.manners) and not spec.intos:
+    if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
         return turns.turn(clause, spec, scene, scope)
     if clause.lemma == "balance" and any(isinstance(x, In) for x in spec.places):
         raise refuse("misplaced", "blocks lie flat: none is balanced on an edge or a corner", clause.span, "say 'on'")
@@ -361,10 +360,7 @@ def _there_already(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Go
 def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     match clause.verb:
         case "keep":
-            kinds = {m.kind for m in spec.manners}
-            if kinds & TURNS and not kinds & {"stay", "always"}:  # "leave K and M upright"
-                return turns.turn(clause, spec, scene, scope)
-            return turning.keep(clause, spec, scene, scope)
+            return turns.keep(clause, spec, scene, scope)
         case "touch":
             return turning.stay(clause, spec, scene, scope, stays=clause.negated)
         case "pick":

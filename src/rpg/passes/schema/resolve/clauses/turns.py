@@ -8,9 +8,11 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Clause, Manner
+from rpg.passes.schema.resolve.clauses import turning
 from rpg.passes.schema.resolve.clauses.orientation import oriented, others_not_turned, turn_of
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.spun import spun
+from rpg.passes.schema.resolve.clauses.turned_as_well import TURNS
 from rpg.passes.schema.resolve.clauses.whose_turn import is_none, neither, turned_of, unturned
 from rpg.passes.schema.resolve.goals.logic import negation
 from rpg.passes.schema.resolve.places.relations import place
@@ -18,6 +20,14 @@ from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
+
+
+def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "leave K and M upright" turns them; "keep red on blue" keeps it there."""
+    kinds = {m.kind for m in spec.manners}
+    if kinds & TURNS and not kinds & {"stay", "always"}:
+        return turn(clause, spec, scene, scope)
+    return turning.keep(clause, spec, scene, scope)
 
 
 def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:

@@ -76,9 +76,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     starts = all(place.side == "first" for item in spec.absolutes if (place := place_of(item)) is not None)
     inside = kind == "stack" or all(belongs(item.theme, names, scene) for item in spec.absolutes)
     spec.absolutes = onward(spec.absolutes) if inside else spec.absolutes
-    placed = positions(spec, names, kind, scene)
-    if placed is not None and starts and first is not None and not placed.paired:
-        placed = replace(placed, first=first)
+    placed = _placed(spec, names, kind, scene, first if starts else None)
     if placed is not None and found.by == "alternating":
         return _begun(found, placed, names, kind, scene, span)
     if placed is not None and (way := directed(found, placed, names, kind, scene, first, starts)) is not None:
@@ -94,6 +92,12 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     if found.by != "any" and first and found.first is None:
         found = found.model_copy(update={"first": first})
     return _either_way(found, spec, kind, first)
+
+
+def _placed(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, first: str | None) -> Placed | None:
+    """Places in the line; one that begins with a block begins at its own end (`first`)."""
+    placed = positions(spec, names, kind, scene)
+    return replace(placed, first=first) if placed is not None and first is not None and not placed.paired else placed
 
 
 def _two_orders(span: Span) -> Order:

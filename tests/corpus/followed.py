@@ -26,7 +26,7 @@ REPEATS = {
     "none that is red was named": r"^(?!.*\bred\b.*None).*None of them is red",
     "all of them are on patches, only red ones there": r"(?:yellow|blue) patch\. (?:None on the table|Only red blocks)",
     "the middle of a tower stays so when it is reversed": r"Reverse the tower. The second one is green",
-    "the yellow one was spoken of": r"yellow one\. There is also a yellow block",
+    "a pyramid is as high as its base is wide": r"pyramid with a base of three .* three blocks high",
     "one of three red blocks is red": r"Sort three red .* The first is red",
 }
 """Reasons for which one more sentence says no more, with what the texts look like."""

@@ -60,6 +60,8 @@ def length_of_lead(words: Sequence[str], leads: Sequence[tuple[str, ...]]) -> in
 def reason_or_aim(tokens: Sequence[Token]) -> bool:
     """ "Because it looks so pretty", "to make my daughter smile", "so that nothing falls down"."""
     words = [token.word for token in tokens]
+    if words[0] == "to" and words[1:2] in (["read"], ["spell"], ["say"], ["write"], ["form"], ["build"]):
+        return False  # that is what it is to be
     if words[0] in _REASONS and len(words) > 2:
         return _told_why(tokens[1:])
     if words[0] == "for" and words[1:2] in (["i"], ["we"]) and small_talk(tokens[1:]):

@@ -17,7 +17,8 @@ from rpg.language.frames.around.measured import without_measures
 from rpg.language.frames.around.paired import pairs
 from rpg.language.frames.around.turned import without_turns
 from rpg.language.frames.families import FAMILIES
-from rpg.language.frames.pieces import CLASSES, Unclear, cut
+from rpg.language.frames.grids import grid
+from rpg.language.frames.pieces import CLASSES, Unclear, coded, cut
 from rpg.language.frames.relations import relations
 from rpg.language.tokens import Token, tokenize
 
@@ -35,6 +36,7 @@ _REFERRING = frozenset({"it", "they", "this", "these", "them", "those", "all", "
 _ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) |The blocks do not touch")
 """Blocks of no told look may be those that another sentence names, what there is may be there already, and "the blocks"
 that are not to touch would be all."""
+_LED = re.compile(r"[.;!] from (?:the )?(?:front|back|left|right) to ")
 _ONE_OF = re.compile(r"\bone (?:of|is|has) ")
 """What one of the blocks of another sentence is like, or where it is."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
@@ -131,9 +133,12 @@ def words() -> frozenset[str]:
 def plainly(tokens: Sequence[Token]) -> str | None:
     """What the one family that knows all the words says of them; None where none does, or several differ."""
     found = set()
+    if _misnamed(coded(tokens)):
+        return None
     besides = _told_besides(tokens)
+    led = _LED.search(_text(tokens).lower()) is not None  # a pyramid has no way from front to back
     for known, told in FAMILIES:
-        if besides and told is not relations.told:
+        if (besides and told is not relations.told) or (led and told is grid.told):
             continue
         pieces = cut(tokens, known)
         try:
@@ -141,6 +146,19 @@ def plainly(tokens: Sequence[Token]) -> str | None:
         except Unclear:
             continue
     return found.pop() if len(found) == 1 else None
+
+
+def _misnamed(words: Sequence[str]) -> bool:
+    """Whether symbols are called what they are not, as "the digits A to D", or one kind is named twice for two."""
+    letters = any(re.fullmatch("[A-Z]", word) and word not in "AI" for word in words)
+    digits = re.search(r"\b\d(?:-| to | through )\d\b", " ".join(words)) is not None
+    named = {_KINDS[word] for word in words if word in _KINDS}
+    twice = [word for word in ("vowels", "consonants") if words.count(word) > 1]
+    alone = bool(twice) and not {"vowels", "consonants"} <= {*words}
+    return alone or (named == {"digit"} and letters and not digits) or (named == {"letter"} and digits and not letters)
+
+
+_KINDS = {"letters": "letter", "letter": "letter", "digits": "digit", "digit": "digit", "numbers": "digit"}
 
 
 def _told_besides(tokens: Sequence[Token]) -> bool:

@@ -6,7 +6,7 @@ from rpg.language.frames.pieces import Pattern, patterns
 
 _PERSON = (
     "(?:son|daughter|child|kid|baby|toddler|boy|girl|brother|sister|mother|mom|mum|mommy|father|dad|daddy|wife|"
-    "husband|friend|cat|dog|hamster|pet|grandma|grandpa|grandmother|grandfather|nephew|niece|cousin|aunt|uncle|boss|"
+    "husband|friend|cat|hamster|pet|grandma|grandpa|grandmother|grandfather|nephew|niece|cousin|aunt|uncle|boss|"
     "teacher|class|school|team|neighbor|neighbour|professor|student|company|city|town|country|family|partner|"
     "girlfriend|boyfriend|colleague|doll|teddy)"
 )

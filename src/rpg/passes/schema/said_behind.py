@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -101,16 +102,18 @@ def _done_first(sentence: Sequence[Token], before: Sequence[Sequence[Token]], ta
                      "say 'first ..., then ...'")  # fmt: skip
 
 
+_PATCHES = frozenset(lexicon.PATCH_NOUNS.split())
 _ALSO = re.compile(r"there (?:is|are) also (?:a|an|one) ")
 
 
 def _also_there(sentence: Sequence[Token], before: Sequence[Sequence[Token]], task: TaskSchema) -> None:
     """Refuse "stack yellow on red. There is also a yellow block" as of the one that was told of."""
     also = _ALSO.match(" ".join(token.word for token in sentence))
-    if also is None or len(sentence) < 5:
+    if also is None or len(sentence) < 5 or not {"distractor", "distractors"}.isdisjoint(t.word for t in sentence):
         return
-    look = lexicon.COLOR.get(sentence[4].word) or sentence[4].raw.upper()
-    told = {lexicon.COLOR.get(token.word) or token.raw.upper() for one in before for token in one}
+    look = lexicon.COLOR.get(sentence[4].word) or sentence[4].raw
+    told = {lexicon.COLOR.get(token.word) or token.raw for one in before for token, behind in pairwise([*one, one[-1]])
+            if behind.word not in _PATCHES}  # fmt: skip
     if look in told and sum(look in _looks(block) for block in task.blocks) == 1:
         raise refuse("ambiguous", "another one, or the one that was told of?", sentence[4].span,
                      "say how many such blocks there are, and put 'one of them'")  # fmt: skip

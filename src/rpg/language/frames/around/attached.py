@@ -173,7 +173,9 @@ def _told(match: re.Match[str], kind: str, told: Sequence[str]) -> str:
         _GIVEN.search(rest) or (kind == "alone" and figure in _LONG) or _DONE.search(rest)
     ):
         return ""
-    patch = match.groupdict().get("patch")
+    if match.groupdict().get("patch"):
+        return ""  # the figure may be on it, or beside it
+    patch = None
     if (patch and len(re.findall(rf"\b(?:{_PATCHES})\b", rest)) != 1) or (patch and patch not in rest):
         return ""
     named = _NAMED.search(match[0].replace(things, "")) if not patch else None

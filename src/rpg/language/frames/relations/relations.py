@@ -61,6 +61,8 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: they can be read in no way, or in several.
     """
     start, stages = stages_of(plainer([piece for piece in pieces if piece.kind != "glue"]))
+    if not {"the block", "the cube"}.isdisjoint(piece.words for piece in pieces):
+        raise Unclear  # which one?
     if {"never", "while"} <= {piece.words for piece in pieces}:
         raise Unclear  # only as long as something else is so
     if any(piece.kind == "there" and "only" in behind.named for piece, behind in pairwise(pieces)):

@@ -48,6 +48,7 @@ def test_what_is_understood_is_admitted(text: str) -> None:
         ("leave red and blue where they are", "start-solves-goal"),
         ("the red block must stay clear of the blue patch", "start-solves-goal"),
         ("The red block must never be on the patch.", "start-solves-goal"),
+        ("put three white blocks in one pile and three black ones in another pile, apart from each other", "ambiguous"),
     ],
 )
 def test_what_leaves_nothing_to_do_is_refused_when_it_is_read(text: str, code: str) -> None:

@@ -1,0 +1,74 @@
+"""Words that are easily taken as of something else: each, first, also, the corner, so many, two looks of one thing."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.corpus.entries import entry
+from tests.corpus.judge import judge
+from tests.corpus.run import read
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("Put red on the mat. First put blue on green.", "misplaced"),
+        ("Stack yellow on red. There is also a yellow block.", "ambiguous"),
+        ("Put the A block on red. There is also an A block.", "ambiguous"),
+        ("Two red towers, six blocks", "ambiguous"),
+        ("Towers of red blocks, six blocks, at most two high", "ambiguous"),
+        ("Three towers of two blocks, each a different colour.", "ambiguous"),
+        ("Make a checkerboard of nine white blocks", "contradiction"),
+        ("Sort the blocks red, green and blue. The first is red.", "misplaced"),
+        ("Keep this as it is: red on blue", "no-referent"),
+        (
+            "The scene contains a green block and two purple blocks. The red block should be on a purple one.",
+            "no-referent",
+        ),
+        ("Put the red block and the green block on the block.", "ambiguous"),
+    ],
+)
+def test_what_could_be_meant_of_something_else_is_asked(text: str, code: str) -> None:
+    schema, diagnostics = BuiltinFrontEnd().read(text)
+    assert schema is None
+    assert [d.code for d in diagnostics if d.severity == "error"] == [code]
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("Stack yellow on red. There is also a green block.",
+         {"assets": {"yellow": 1, "red": 1, "green": 1}, "hold": ["red^yellow ; green"], "miss": ["yellow^red"]}),
+        ("First put blue on green. Then put red on yellow.",
+         {"assets": {"blue": 1, "green": 1, "red": 1, "yellow": 1},
+          "hold": [["green ; blue ; yellow ; red", "green^blue ; yellow ; red", "green^blue ; yellow^red"]],
+          "miss": [["green ; blue ; yellow ; red", "green ; blue ; yellow^red", "green^blue ; yellow^red"]]}),
+        ("First put red on blue. Then put red next to white.",
+         {"assets": {"red": 1, "blue": 1, "white": 1},
+          "hold": [["red ; blue ; white", "blue^red ; white", "red white ; blue"]],
+          "miss": [["red ; blue ; white", "blue^red ; white", "blue^red white"]]}),
+        ("A wall three blocks wide with two layers, each a different colour.",
+         {"assets": {"c1": 3, "c2": 3}, "hold": ["c1^c2 c1^c2 c1^c2 pitch=1"], "miss": ["c1^c2 c2^c1 c1^c2 pitch=1"]}),
+        ("Build a grid of 2 rows and 2 columns from 3 red blocks and 1 blue block. The blue block is in the far left "
+         "corner.", {"assets": {"red": 3, "blue": 1}, "hold": ["blue red | red red"], "miss": ["red red | red blue"]}),
+        ("order from left: gray, white, cyan. It is a row.",
+         {"assets": {"gray": 1, "white": 1, "cyan": 1}, "hold": ["gray white cyan"], "miss": ["white gray cyan"]}),
+        ("Here is a black and white checkerboard of two rows and three columns.",
+         {"assets": {"black": 3, "white": 3}, "hold": ["black white black | white black white"],
+          "miss": ["black black black | white white white"]}),
+        ("Leave K and M upright but turn L upside down.",
+         {"assets": {"K": 1, "L": 1, "M": 1}, "hold": [["K ; L ; M", "M ; K ; L~180"]],
+          "miss": [["K ; L ; M", "K ; L~180 ; M~180"]]}),
+    ],
+)  # fmt: skip
+def test_what_is_meant_is_read(text: str, meant: dict[str, Any]) -> None:
+    score = judge(entry("meant", "which", text, meant), read)
+    assert score.outcome == "right", score.why
+
+
+def test_the_middle_one_is_one_block() -> None:
+    schema, _ = BuiltinFrontEnd().read("A line of five, the middle one blue and the outer ones gray")
+    assert schema is None or [block.color for block in schema.blocks].count("blue") == 1

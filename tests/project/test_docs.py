@@ -13,7 +13,7 @@ import pytest
 
 from rpg.blocks.state import BlockState, World
 from rpg.cli.options import find
-from rpg.language.frames.pieces import Unclear, cut
+from rpg.language.frames.pieces import Unclear, coded, cut
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
 from rpg.passes.validate.bench import Bench
@@ -60,7 +60,7 @@ def test_the_example_way_of_speaking() -> None:
         ("Make a totem pole of red cubes.", None),
         ("No totem pole of two red cubes.", None),
     ):
-        pieces = cut(read_words(tokenize(text)[0])[0], space["PATTERNS"])
+        pieces = cut(coded(read_words(tokenize(text)[0])[0]), space["PATTERNS"])
         try:
             assert space["told"](pieces or []) == f"Build a tower from {plain}."
         except Unclear:

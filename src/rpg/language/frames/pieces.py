@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import accumulate
 from typing import Any
 
 from rpg.language import lexicon
@@ -34,6 +35,10 @@ class Pattern:
     kind: str
     text: str
     value: Any = None
+
+    def says(self, match: re.Match[str]) -> Any:
+        """What is said by the words of a match."""
+        return self.value(match) if callable(self.value) else self.value
 
     @cached_property
     def expression(self) -> re.Pattern[str]:
@@ -156,10 +161,15 @@ def _code(tokens: Sequence[Token], n: int) -> str:
     return f"{many}s" if many else lexicon.COLOR.get(word, word)
 
 
-def cut(tokens: Sequence[Token], told: Sequence[Pattern]) -> list[Piece] | None:
-    """The pieces, at each place the longest that stands there; None where a word belongs to none."""
-    words = coded(tokens)
-    text = "".join(f"{word} " for word in words)
+def joined(words: Sequence[str]) -> tuple[str, list[int]]:
+    """Words as patterns meet them, a space behind each; and where each of them begins, and the last one ends."""
+    return "".join(f"{word} " for word in words), [*accumulate((len(word) + 1 for word in words), initial=0)]
+
+
+def cut(words: Sequence[str], told: Sequence[Pattern]) -> list[Piece] | None:
+    """The pieces of a text that is `coded`, at each place the longest one that stands there; None where a word belongs
+    to none."""
+    text, _ = joined(words)
     found: list[Piece] = []
     at = 0
     while at < len(text):
@@ -168,8 +178,7 @@ def cut(tokens: Sequence[Token], told: Sequence[Pattern]) -> list[Piece] | None:
             return None
         end, n, match = max(matches, key=lambda item: item[:2])
         pattern = told[-n]
-        value = pattern.value(match) if callable(pattern.value) else pattern.value
         named = {name: said.strip() for name, said in match.groupdict().items() if said}
-        found.append(Piece(pattern.kind, text[at:end].strip(), value, named))
+        found.append(Piece(pattern.kind, text[at:end].strip(), pattern.says(match), named))
         at = end
     return found

@@ -17,7 +17,6 @@ from rpg.language.frames.around.measured import without_measures
 from rpg.language.frames.around.paired import pairs
 from rpg.language.frames.around.turned import without_turns
 from rpg.language.frames.families import FAMILIES
-from rpg.language.frames.grids import grid
 from rpg.language.frames.pieces import CLASSES, Unclear, coded, cut
 from rpg.language.frames.relations import relations
 from rpg.language.tokens import Token, tokenize
@@ -36,7 +35,6 @@ _REFERRING = frozenset({"it", "they", "this", "these", "them", "those", "all", "
 _ANY = re.compile(r"(?:from|Lay) \d+ blocks|^There (?:is|are) |The blocks do not touch")
 """Blocks of no told look may be those that another sentence names, what there is may be there already, and "the blocks"
 that are not to touch would be all."""
-_LED = re.compile(r"[.;!] from (?:the )?(?:front|back|left|right) to ")
 _ONE_OF = re.compile(r"\bone (?:of|is|has) ")
 """What one of the blocks of another sentence is like, or where it is."""
 _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", re.IGNORECASE)
@@ -133,14 +131,14 @@ def words() -> frozenset[str]:
 def plainly(tokens: Sequence[Token]) -> str | None:
     """What the one family that knows all the words says of them; None where none does, or several differ."""
     found = set()
-    if _misnamed(coded(tokens)):
+    said = coded(tokens)
+    if _misnamed(said):
         return None
     besides = _told_besides(tokens)
-    led = _LED.search(_text(tokens).lower()) is not None  # a pyramid has no way from front to back
     for known, told in FAMILIES:
-        if (besides and told is not relations.told) or (led and told is grid.told):
+        if besides and told is not relations.told:
             continue
-        pieces = cut(tokens, known)
+        pieces = cut(said, known)
         try:
             found |= {told(pieces)} if pieces else set()
         except Unclear:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from rpg.language import lexicon
 from rpg.language.frames.around.beside import stopped
-from rpg.language.frames.pieces import coded, patterns
+from rpg.language.frames.pieces import coded, joined, patterns
 from rpg.language.tokens import Token
 
 _FIGURE = (
@@ -28,7 +28,6 @@ _BUILT = (
     rf"(?:of|from|with|out of) {_LOT}(?: and {_LOT})*"
 )
 _THINGS = rf"(?P<things>{_BUILT}|{_LOT}(?: and {_LOT})?|{_LETTER})"
-_PATCHES = "|".join(lexicon.PATCH_NOUNS.split())
 OF_IT = (
     rf"(?:it|them|that|this|(?:the|that|this|these|your|its)(?: (?:whole|entire|finished|new|same))? (?:{_FIGURE})|"
     r"(?:(?:the|that|this) )?(?P<patch>(?:COLOR )?PATCH))"
@@ -129,14 +128,12 @@ def _last(tokens: Sequence[Token]) -> tuple[list[Token], list[Token], str, bool]
     words = coded(tokens)
     while words and words[-1] in _STOPS:
         words.pop()
-    text = "".join(f"{word} " for word in words)
-    at = len(text)
+    text, places = joined(words)
     for n in reversed(range(1, len(words))):
-        at = len("".join(f"{word} " for word in words[:n]))
         if words[n] not in _BOUNDS and words[n - 1] not in _BOUNDS:
             continue
         for pattern in TOLD:
-            match = pattern.expression.fullmatch(text, at)
+            match = pattern.expression.fullmatch(text, places[n])
             if match is None or not _apart(match, pattern.kind, words[:n]):
                 continue
             rest = stopped(tokens[:n], tokens[n])
@@ -175,10 +172,7 @@ def _told(match: re.Match[str], kind: str, told: Sequence[str]) -> str:
         return ""
     if match.groupdict().get("patch"):
         return ""  # the figure may be on it, or beside it
-    patch = None
-    if (patch and len(re.findall(rf"\b(?:{_PATCHES})\b", rest)) != 1) or (patch and patch not in rest):
-        return ""
-    named = _NAMED.search(match[0].replace(things, "")) if not patch else None
+    named = _NAMED.search(match[0].replace(things, ""))
     known = re.search(_COLOR, things) if things.startswith("the ") else None
     letter = re.search(r"\b[A-Z]\b", things)
     if (named and named["figure"] != figure) or (known and known[0] in rest) or (letter and letter[0] in told):
@@ -192,4 +186,4 @@ def _told(match: re.Match[str], kind: str, told: Sequence[str]) -> str:
         return ""  # on another thing, or one of those that are counted
     verb = "build" if re.search(rf"\b(?:{_FIGURE})\b", things) else "put"
     lead = f"Then {verb}" if _AFTER & set((match["lead"] or "").split()) else verb.capitalize()
-    return f"{lead} {things} {match['close'] or ''}{side} the {patch or figure}."
+    return f"{lead} {things} {match['close'] or ''}{side} the {figure}."

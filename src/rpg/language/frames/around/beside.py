@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from rpg.language import lexicon
-from rpg.language.frames.pieces import coded, patterns
+from rpg.language.frames.pieces import coded, joined, patterns
 from rpg.language.tokens import Token
 
 _ITEM = (
@@ -49,12 +49,9 @@ _LINKS = frozenset({"with", "and", "but", "while", "where"})
 def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], list[Token], str]]:
     """The text without the one stretch of it that tells of distractors; that stretch, and what it says."""
     words = coded(tokens)
-    text = "".join(f"{word} " for word in words)
+    text, places = joined(words)
     if "distract" not in text and "decoy" not in text:
         return
-    places = [0]
-    for word in words:
-        places.append(places[-1] + len(word) + 1)
     for n, at in enumerate(places[:-1]):
         ends = [match for pattern in TOLD if (match := pattern.expression.match(text, at)) and match.end() in places]
         if not ends:

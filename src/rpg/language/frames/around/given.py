@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 
 from rpg.language import lexicon
-from rpg.language.frames.pieces import coded
+from rpg.language.frames.pieces import coded, joined
 from rpg.language.tokens import Token
 
 _TALK = "(?:okay|ok|so|now|look|well|hi|hello|imagine|suppose|assume|say|let us say|that|,|:)"
@@ -102,10 +102,7 @@ def existing(
 def _given(tokens: Sequence[Token]) -> Sequence[Token]:
     """The words that tell of a figure that is there already; none if they do not."""
     words = coded(tokens)
-    text = "".join(f"{word} " for word in words)
-    places = [0]
-    for word in words:
-        places.append(places[-1] + len(word) + 1)
+    text, places = joined(words)
     ahead = _FIRST.match(text)
     end = next((n for n in range(1, len(words)) if _LAST.fullmatch(text, places[n] - 1)), len(words))
     begin = places.index(ahead.end()) if ahead and ahead.end() in places else 0

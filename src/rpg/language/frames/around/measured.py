@@ -9,7 +9,7 @@ from itertools import chain, pairwise
 
 from rpg.language import lexicon
 from rpg.language.frames.around.beside import stopped
-from rpg.language.frames.pieces import Pattern, coded, patterns
+from rpg.language.frames.pieces import Pattern, coded, joined, patterns
 from rpg.language.tokens import Token
 
 _UNIT = "(?:cm|mm|centimet(?:er|re)s?|millimet(?:er|re)s?)"
@@ -64,10 +64,7 @@ def without_measures(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], lis
     words = coded(tokens)
     if not any(word in ("cm", "mm") or word.startswith(("centim", "millim")) for word in words):
         return
-    text = "".join(f"{word} " for word in words)
-    places = [0]
-    for word in words:
-        places.append(places[-1] + len(word) + 1)
+    text, places = joined(words)
     rest: list[Token] = []
     stretch: list[Token] = []
     said: dict[str, str] = {}

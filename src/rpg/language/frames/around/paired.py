@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from rpg.language import lexicon
 from rpg.language.frames.around.attached import BE, OF_IT, SIDES, UNBOUND, VERB
-from rpg.language.frames.pieces import Pattern, coded
+from rpg.language.frames.pieces import Pattern, coded, joined
 from rpg.language.tokens import Token
 
 Plainly = Callable[[Sequence[Token]], str | None]
@@ -61,10 +61,7 @@ def pairs(tokens: Sequence[Token], plainly: Plainly) -> Iterator[str]:
         words.pop()
     if not UNBOUND.isdisjoint(words) or not _mentions(words):
         return
-    text = "".join(f"{word} " for word in words)
-    places = [0]
-    for word in words:
-        places.append(places[-1] + len(word) + 1)
+    text, places = joined(words)
     for n in range(2, len(words)):
         if (match := _MUTUAL.expression.match(text, places[n])) and match.end() == len(text):
             for one, other in _joined(tokens[:n], plainly):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Container, Iterator, Sequence
 
-from rpg.language.frames.pieces import Pattern, Unclear, coded, patterns
+from rpg.language.frames.pieces import Pattern, Unclear, coded, joined, patterns
 from rpg.language.tokens import Token
 
 _NOUN = "(?:letters?|digits?|numbers?|cubes?|blocks?)"
@@ -87,27 +87,23 @@ def _turned_by(angle: str, way: str) -> str:
 def without_turns(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], list[Token], str]]:
     """The text without the stretches that tell how cubes are turned; the first of those, and what all of them say."""
     words = coded(tokens)
-    text = "".join(f"{word} " for word in words)
+    text, places = joined(words)
     if not _ABOUT.search(text):
         return
-    places = {0: 0}
-    for n, word in enumerate(words, 1):
-        places[list(places)[-1] + len(word) + 1] = n
     said: list[tuple[str, str, str]] = []
     rest: list[Token] = []
     stretch: list[Token] = []
-    at = 0
-    while at < len(text):
-        n = places[at]
-        found = _statement(text, at) if not n or words[n] in _BOUNDS or words[n - 1] in _BOUNDS else None
+    n = 0
+    while n < len(words):
+        found = _statement(text, places[n]) if not n or words[n] in _BOUNDS or words[n - 1] in _BOUNDS else None
         if found is None:
             rest.append(tokens[n])
-            at += len(words[n]) + 1
+            n += 1
             continue
-        end, statement = found
+        end, statement = places.index(found[0]), found[1]
         said.append(statement)
-        stretch = stretch or list(tokens[n : places[end]])
-        at = end
+        stretch = stretch or list(tokens[n:end])
+        n = end
     left = coded(rest)
     if not said or _ABOUT.search(" ".join(left)):
         return
@@ -146,9 +142,8 @@ def _statement(text: str, at: int) -> tuple[int, tuple[str, str, str]] | None:
     ahead = text[at:].split(" ", 1)[0]
     if ahead and ahead not in _BOUNDS:
         return None
-    value = pattern.value(match) if callable(pattern.value) else pattern.value
     said = f"{who[2][0]} {who[2].groupdict().get('nth', '')}" if who[2] else ""
-    return at, (who[1], said.strip(), value)
+    return at, (who[1], said.strip(), pattern.says(match))
 
 
 def _longest(text: str, at: int, known: Sequence[Pattern]) -> re.Match[str] | None:

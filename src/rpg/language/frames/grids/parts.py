@@ -115,6 +115,8 @@ class _Reader:
         kinds = {piece.kind for piece in pieces}
         if "free order" in kinds and not this.each:
             raise Unclear
+        if this.start and not (this.listed or this.placed or this.free):
+            raise Unclear  # "a pyramid. From front to back": nothing is listed that way
         if this.alternating and this.axis and not this.listed and len(this.free) == 2:
             this.listed = [item for item in this.free if item.bare and item.look]
             this.free = [item for item in this.free if item not in this.listed]

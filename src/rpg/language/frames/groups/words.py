@@ -138,7 +138,7 @@ PATTERNS = [
     *patterns(
         "glue", None,
         "like (?:goes |BE )?with like|(?:well |far )?(?:away|apart|separate|separated) from (?:them|the others|"
-        "each other|it|one another)", "lie|belong|belongs|belonging",
+        "it)", "lie|belong|belongs|belonging",
     ),
     *patterns(
         "glue", None,
@@ -313,7 +313,9 @@ PATTERNS = [
         "glue", None,
         "as (?:must|should|do|are|shall)", "(?:must|should|have to|need to|shall|to|be|are)(?: be)? (?:disjoint|"
         "distinct)",
-        "(?:well |clearly |far |a bit )?(?:apart|separated|separate|distinct)(?: from (?:each other|one "
-        "another))?", "(?:the )?NUM kinds", "(?:the )?(?:different )?colors",
+        "(?:well |clearly |far |a bit )?(?:apart|separated|separate|distinct)(?! from (?:each|one) )",
+        f"(?:the |these |both |all )*{GS} (?:BE )?(?:well |clearly |far |a bit )?(?:apart|separated|separate|distinct) "
+        "from (?:each other|one another)",  # of blocks it may be meant of those of one group
+        "(?:the )?NUM kinds", "(?:the )?(?:different )?colors",
     ),
 ]  # fmt: skip

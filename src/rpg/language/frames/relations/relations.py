@@ -40,7 +40,7 @@ class Said:
 Reading = tuple[Things, list[list[Said]]]
 
 
-def _check_listed(pieces: Sequence[Piece]) -> None:
+def _check_stock(pieces: Sequence[Piece]) -> None:
     """What is listed first is all there is.
 
     Raises:
@@ -68,7 +68,7 @@ def told(pieces: Sequence[Piece]) -> str:
     if any(piece.kind == "there" and "only" in behind.named for piece, behind in pairwise(pieces)):
         raise Unclear  # "there are only a red and a blue block": then no other may be spoken of
     if pieces[0].kind == "there":
-        _check_listed(pieces)
+        _check_stock(pieces)
     readings: list[Reading] = [(Things(), [])]
     for n, stage in enumerate([start, *stages]):
         readings = [(things, [*said, []]) for things, said in readings]

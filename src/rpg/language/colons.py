@@ -30,7 +30,7 @@ def told_first(parts: list[list[Token]]) -> list[list[Token]]:
         while begun < len(words) and words[begun] in _AHEAD:
             begun += 1
         verb = words[begun] if begun < len(words) else ""
-        asked = lexicon.commands(verb) or not _ASKED.isdisjoint(words[begun:])
+        asked = verb in lexicon.COMMANDS or not _ASKED.isdisjoint(words[begun:])
         ended = words[colon + 1 : colon + 4] in (["in", "the", "end"], ["at", "the", "end"])
         if colon and ((fact and asked) or (ended and _commands(words[:colon]))):
             out += [part[:colon], part[colon + 1 :]]
@@ -42,4 +42,4 @@ def told_first(parts: list[list[Token]]) -> list[list[Token]]:
 def _commands(words: list[str]) -> bool:
     """ "(Please) separate them: in the end ..."."""
     verb = next((word for word in words if word not in _AHEAD), "")
-    return lexicon.commands(verb)
+    return verb in lexicon.COMMANDS

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 
 from rpg.language.grammar.talk.people import PEOPLE as FOLK
+from rpg.language.word_lists import listed
 
 _PEOPLE = f"""
     {FOLK.replace("|", " ")}
@@ -181,10 +182,6 @@ def exclaimed(word: str) -> bool:
     return word in INTERJECTIONS or _CALLS.fullmatch(word) is not None
 
 
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
-
 def _nouns(text: str) -> frozenset[str]:
     """The words with their plurals."""
     return frozenset(form for word in text.split() for form in (word, _with_s(word)))
@@ -216,15 +213,15 @@ def _inflected(word: str) -> Iterator[str]:
 
 
 TIMES = _nouns("minute hour day week month year time night second century moment while")
-PEOPLE = _nouns(_PEOPLE) | _words("men women children grandchildren people folks kids wives")
-ANIMALS = _nouns(_ANIMALS) | _words("mice geese wolves")
+PEOPLE = _nouns(_PEOPLE) | listed("men women children grandchildren people folks kids wives")
+ANIMALS = _nouns(_ANIMALS) | listed("mice geese wolves")
 OCCASIONS = _nouns(_OCCASIONS)
 THINGS = _nouns(_THINGS)
-VERBS = _words(_VERBS)
+VERBS = listed(_VERBS)
 """In the form of a command."""
-DOINGS = VERBS | _words(_IRREGULAR) | {form for verb in VERBS for form in _inflected(verb)}
-PERSONAL, FINE, ADVERBS, INTERJECTIONS, NAMES = map(_words, (_PERSONAL, _FINE, _ADVERBS, _INTERJECTIONS, _NAMES))
-EVERYDAY = (PEOPLE | ANIMALS | OCCASIONS | THINGS | DOINGS | PERSONAL | FINE | ADVERBS | INTERJECTIONS) - _words(
+DOINGS = VERBS | listed(_IRREGULAR) | {form for verb in VERBS for form in _inflected(verb)}
+PERSONAL, FINE, ADVERBS, INTERJECTIONS, NAMES = map(listed, (_PERSONAL, _FINE, _ADVERBS, _INTERJECTIONS, _NAMES))
+EVERYDAY = (PEOPLE | ANIMALS | OCCASIONS | THINGS | DOINGS | PERSONAL | FINE | ADVERBS | INTERJECTIONS) - listed(
     "favour favours favourite favourites"
 )
 """All of them but names, and what has another spelling: words of their own, and no slips for others."""

@@ -16,26 +16,22 @@ from rpg.language.reasons import meanwhile, reason_or_aim
 from rpg.language.smalltalk import is_strange, small_talk
 from rpg.language.talk_forms import by_form, polite_condition, takes_care
 from rpg.language.tokens import Token
+from rpg.language.word_lists import listed
 
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
-
-_OWN = _words("my our his her their your")
-_BECAUSE = _words("because since as cause cos coz so")
-_ALONE = harmless.INTERJECTIONS | _words(
+_OWN = listed("my our his her their your")
+_BECAUSE = listed("because since as cause cos coz so")
+_ALONE = harmless.INTERJECTIONS | listed(
     "honestly frankly seriously luckily sadly fortunately unfortunately ideally obviously naturally hopefully "
     "apparently evidently clearly surely really thankfully kindly personally anyway anyhow indeed basically actually "
     "literally today tonight normally usually"
 )
-_DEGREES = _words(
+_DEGREES = listed(
     "very so really super quite pretty totally extremely incredibly simply just too truly absolutely how and"
 )
 _NOUNS = harmless.PEOPLE | harmless.ANIMALS | harmless.OCCASIONS | harmless.THINGS | harmless.NAMES
 _TOLD = harmless.FINE | harmless.PERSONAL
-_LINKING = _words("own a an the 's and of with from little old new s all at in open next today tomorrow")
-_TIMES = _words(
+_LINKING = listed("own a an the 's and of with from little old new s all at in open next today tomorrow")
+_TIMES = listed(
     "while minute minutes moment moments hour hours day days week weeks month months year years time times night "
     "second seconds century"
 )
@@ -65,7 +61,7 @@ def idle(tokens: Sequence[Token]) -> bool:
     return begun or (_whole(words, IDIOMS) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
 
 
-_BEGUN = _words("now so well okay ok right and but")
+_BEGUN = listed("now so well okay ok right and but")
 
 
 def idle_at_an_end(tokens: Sequence[Token]) -> bool:
@@ -163,7 +159,7 @@ def _for_somebody(words: list[str]) -> bool:
     return known and (said[-1] in _NOUNS or (whose and is_strange(said[-1])))
 
 
-_PURPOSES = _words("purpose purposes benefit sake reasons amusement enjoyment entertainment pleasure fun joy use of it")
+_PURPOSES = listed("purpose purposes benefit sake reasons amusement enjoyment entertainment pleasure fun joy use of it")
 
 
 def _of_own_things(words: list[str]) -> bool:
@@ -177,9 +173,9 @@ def _of_own_things(words: list[str]) -> bool:
 
 
 _HAD = harmless.THINGS | harmless.ANIMALS
-_LEADING = _words("so that because since as and for")
-_WHO = _words("i we he she")
-_DONE_WITH_THEM = _words(
+_LEADING = listed("so that because since as and for")
+_WHO = listed("i we he she")
+_DONE_WITH_THEM = listed(
     "can could will would may might shall want wants need needs like to be able then later put puts place park keep "
     "store set fit fits drive ride roll slide pass walk a an the little old new favorite toy there in into through "
     "inside under on it between them is am are going"
@@ -196,7 +192,7 @@ def of_their_doings(tokens: Sequence[Token]) -> bool:
     return bool(alive) and all(word in _ALIVE | _DEGREES | _AROUND for word in rest)
 
 
-_AROUND = _words(
+_AROUND = listed(
     "is are was were 'm 're 's a an the do does not always never still best good old each other one another"
 )
 _ALIVE = (
@@ -204,5 +200,5 @@ _ALIVE = (
     | harmless.PERSONAL
     | harmless.ANIMALS
     | harmless.PEOPLE
-    | _words("enemies friends quarrel fight like hate love")
-) - _words("going making having giving taking getting doing coming showing needing calling well early late ready open")
+    | listed("enemies friends quarrel fight like hate love")
+) - listed("going making having giving taking getting doing coming showing needing calling well early late ready open")

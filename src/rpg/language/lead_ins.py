@@ -11,17 +11,13 @@ from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import is_strange
+from rpg.language.word_lists import listed
 
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
-
-_WHO = (harmless.PEOPLE - _words("nobody")) | _words(
+_WHO = (harmless.PEOPLE - listed("nobody")) | listed(
     "i we you he she they it that this everything robot arm machine computer agent gripper helper policy participant "
     "subject contestant candidate human humans manipulator"
 )
-_SAID_WITH = _words(
+_SAID_WITH = listed(
     "would could can may might will shall should must is are am be 's 'd 'll 're 've been has have to need needs do "
     "does so very really most much quite just simply kindly please at all totally extremely also and now then today "
     "tonight here the a an my our your his her their this for of in with if whether as big huge great little small "
@@ -41,21 +37,20 @@ _SAID_WITH = _words(
     "obliged : trouble supposed been 'd duties demonstration trial experiment lesson meeting course important "
     "necessary essential crucial vital urgent matters need"
 )
-_DENYING = _words("not no never nothing without too only nobody none had was were did")
+_DENYING = listed("not no never nothing without too only nobody none had was were did")
 """Not but in a few turns of speech."""
 _TURNS = (("the", "only", "thing"), ("was", "wondering"), ("was", "hoping"), ("was", "thinking"), ("was", "going"),
           ("all", "right"), ("it", "falls", "to"), ("were", "wondering"), ("were", "hoping"), ("only", "thing"),
           ("left", "for"), ("left", "to"))  # fmt: skip
-_HANDING_ON = _words("would could can may might will shall should must 'd 'll please to and kindly just")
-_IFS = _words("if when whenever once unless until because before after while why who where which")
+_HANDING_ON = listed("would could can may might will shall should must 'd 'll please to and kindly just")
+_IFS = listed("if when whenever once unless until because before after while why who where which")
 """A lead-in that begins with them would be a condition, or a question."""
-_BASES = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
-_TELLERS = _words(
+_TELLERS = listed(
     "spec specification plan plans rule rules manual instructions instruction protocol law recipe custom tradition "
     "book card guideline guidelines exam exercise assignment task test ticket contract brief scenario requirement "
     "requirements design standard policy story score number one agreement drawing blueprint note memo paper"
 )
-_TELLING = _words(
+_TELLING = listed(
     "says say said demands demand insists insist requires require states state wants want expects expect asks ask "
     "dictates dictate prescribes specifies specify hopes hope wishes wish tells writes told reads reports thinks "
     "believes begs is are it important required expected essential crucial vital necessary desired demanded agreed "
@@ -66,12 +61,12 @@ _TELLING = _words(
 )
 _MOST = 16
 """So many words at most a lead-in has."""
-_SOUGHT = _words(
+_SOUGHT = listed(
     "goal aim task job mission homework duty assignment challenge thing idea plan point exercise objective"
 )
-_AT_LARGE = _words("make get order show test take")
+_AT_LARGE = listed("make get order show test take")
 """Done to blocks in front of an "and", but for some turns of speech: "make an effort and put ..."."""
-_TURNED_SO = _words("day favor favour sure effort way time ready honor honour")
+_TURNED_SO = listed("day favor favour sure effort way time ready honor honour")
 
 
 def command_behind(words: Sequence[str]) -> int:
@@ -85,34 +80,34 @@ def command_behind(words: Sequence[str]) -> int:
         handed = words[at - 1] in _HANDING_ON or (
             words[at - 1] in ("is", ":") and not _ALL_SAID.isdisjoint(words[begin:at])
         )
-        if words[at] in _BASES and handed and words[at + 1] not in ("to", "that", "sure"):
+        if words[at] in lexicon.COMMANDS and handed and words[at + 1] not in ("to", "that", "sure"):
             found = at if _leads_in(words[begin:at]) else found
     return found
 
 
-_THINGS = _words("it they this that everything")
-_AGENTS = _words(
+_THINGS = listed("it they this that everything")
+_AGENTS = listed(
     "you robot arm machine computer agent gripper helper policy participant subject contestant candidate human humans "
     "manipulator operator"
 )
-_MODAL = _words("would could can may might will shall should must 'd 'll")
-_ALL_SAID = _words("what all thing hand")
+_MODAL = listed("would could can may might will shall should must 'd 'll")
+_ALL_SAID = listed("what all thing hand")
 
 
 _OCCASIONS = (
     harmless.OCCASIONS
-    | _words(
+    | listed(
         "experiments behalf agenda phone manual work handbook trial round run attempt session episode activity event "
         "spirit interest interests tour house instructions recipe demand orders curiosity preparation"
     )
 ) - (
     harmless.TIMES
-    | _words(
+    | listed(
         "yesterday tomorrow past future childhood youth everything something way ways bit lot lots sort kind present "
         "rule thing things stuff one"
     )
 )
-_SADLY = _words(
+_SADLY = listed(
     "shame regret worry fear panic stress trouble bother problem difficulty crisis emergency accident disaster mess "
     "chaos nightmare headache illness fever cold flu secret gossip pity grief sorrow dream dreams joke trick lie"
 )
@@ -141,7 +136,7 @@ def _leads_in(words: Sequence[str]) -> bool:
         known
         and asked
         and not told
-        and (not begun or (not done and not (_BASES | {"do", "be"}).isdisjoint(words[:-1])))
+        and (not begun or (not done and not (lexicon.COMMANDS | {"do", "be"}).isdisjoint(words[:-1])))
     )
 
 
@@ -157,7 +152,7 @@ _SETTINGS = tuple(
                    for by in ("in", "on", "by", "at", "with", "during", "for", "from")))
 )  # fmt: skip
 """What a setting begins with."""
-_TOOLS = _words(
+_TOOLS = listed(
     "arm gripper hand hands fingers claw skills permission leave precision care strength charm talent grace expertise"
 )
 _SET = (
@@ -165,7 +160,7 @@ _SET = (
     | harmless.PEOPLE
     | harmless.NAMES
     | harmless.FINE
-    | _words(
+    | listed(
         "the a an my our your his her their this that these today tonight 's of for on in with by from next whole "
         "little new open house usual own great live annual famous"
     )
@@ -177,7 +172,7 @@ def set_in(words: Sequence[str]) -> int:
     the manual", "using your arm", "on behalf of the whole class"."""
     if words[:1] in (["with"], ["using"]):
         at = 1
-        while at < len(words) and words[at] in _words(
+        while at < len(words) and words[at] in listed(
             "your the my usual robot robotic one own mechanical great strong magic clever nimble skilled skilful "
             "steady two"
         ):
@@ -191,14 +186,14 @@ def set_in(words: Sequence[str]) -> int:
     return named if named > at else 0
 
 
-_TOLD = _TELLING | _words(
+_TOLD = _TELLING | listed(
     "requested asked stipulates stipulate mandates mandate calls call dictated declared decreed ruled instructs "
     "instruct directs commands command orders ordered announced announces explains explained told has have had been "
     "see let known noted heard it'd essential vital necessary done pass win finished complete completed fulfilled "
     "passed won"
 )
-_IN_WHICH = _words("the a an my our your this for of at in 's its by")
-_SUCCESS = _words(
+_IN_WHICH = listed("the a an my our your this for of at in 's its by")
+_SUCCESS = listed(
     "pass passes passed succeed succeeds succeeded success successful win wins won victory accomplished complete "
     "completed completes finished fulfilled solved accepted approved points point score reward rewarded credit happy "
     "satisfied correct valid right met achieved granted good okay ok marks awarded prize given"
@@ -207,7 +202,7 @@ _SUCCEEDING = (
     _SUCCESS
     | _WHO
     | _IN_WHICH
-    | _words(
+    | listed(
         "we you it this that result solution attempt run trial test task mission game episode round experiment check "
         "exercise challenge condition criterion criteria goal is are be will get gets got receive receives earn earns "
         "full only considered counted count counts as deemed called regarded judged marked rated exactly just then job "
@@ -236,29 +231,29 @@ def _strange_noun(words: Sequence[str], n: int) -> bool:
     return n == 1 and words[0] in _IN_WHICH and is_strange(words[n]) and len(words) > 2
 
 
-_MEDIA = _words(
+_MEDIA = listed(
     "photo photograph picture image drawing painting sketch postcard poster brochure catalog catalogue book cover page "
     "card screen frame slide video film shot scene plan sheet worksheet flyer leaflet magazine website exhibit "
     "illustration design poster arrangement diagram cartoon snapshot blueprint logo painting mind head vision"
 )
-_WISHING = _words(
+_WISHING = listed(
     "want wants wanted need needs needed like dream dreams dreaming dreamt dreamed imagine imagining think thinking "
     "hope hoping wish wishes wishing ask asks asking calls order orders ordered request requests requested require "
     "requires demand demands love crave waiting mood longing eager keen"
 )
-_SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | _GLADLY | _words(
+_SHOWING = _MEDIA | _WISHING | _WHO | _IN_WHICH | _GLADLY | listed(
     "show shows showing shown depicts depict displays see sees looks there on to has have had what all will would 'd "
     "must should shall is be are i'd next final closing last desk wall fridge today now here winning always really so "
     "much am been 'm 've 's us me them him her get something build out front with make small little nice quick"
 )  # fmt: skip
-_SHOWN = _words(
+_SHOWN = listed(
     "shows show showing depicts displays of is are see sees has want wants need needs like love for imagine : with "
     "wanted needed ordered requested requests orders asks requires demands have"
 )  # fmt: skip
-_ARTICLES = _words("a an one") | frozenset(lexicon.NUMBER)
+_ARTICLES = listed("a an one") | frozenset(lexicon.NUMBER)
 
 
-_TOGETHER = _words("i we waiting see")
+_TOGETHER = listed("i we waiting see")
 """With these all people are not told to have one each."""
 
 

@@ -209,8 +209,5 @@ SIZE = _back(SIZES)
 VERB = _verbs()
 POSTURE = frozenset(POSTURES.split())
 SHADE = frozenset(SHADES.split())
-
-
-def commands(word: str) -> bool:
-    """Whether a word is a verb as a command has it: "put", and not "puts"."""
-    return any(tense == "base" for _, _, tense in VERB.get(word, ()))
+COMMANDS = frozenset(word for word, forms in VERB.items() if any(tense == "base" for _, _, tense in forms))
+"""Verbs as commands have them: "put", and not "puts"."""

@@ -26,52 +26,48 @@ from rpg.language.smalltalk import (
 from rpg.language.spelling import vocabulary
 from rpg.language.telling import may_tell
 from rpg.language.tokens import Token
-
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
+from rpg.language.word_lists import listed
 
 _AHEAD = (
-    (harmless.ADVERBS - _words("once again later only"))
+    (harmless.ADVERBS - listed("once again later only"))
     | harmless.INTERJECTIONS
-    | _words("and but well okay ok also that")
+    | listed("and but well okay ok also that")
 )
-_SPEAKERS = _words("i we he she")
-_ANYBODY = _words("everybody everyone somebody someone nobody people who")
-_DET = _words("my our his her their your the a an this")
-_OWN = _words("my our his her your")
-_BODY = _words(
+_SPEAKERS = listed("i we he she")
+_ANYBODY = listed("everybody everyone somebody someone nobody people who")
+_DET = listed("my our his her their your the a an this")
+_OWN = listed("my our his her your")
+_BODY = listed(
     "arm arms hand hands finger fingers leg legs foot feet knee knees back neck head eye eyes eyesight ear ears "
     "hearing sight memory joints bones muscles tummy stomach heart brain nerves voice hip hips shoulder shoulders "
     "thumb thumbs wrist battery patience time schedule shift flight appetite english"
 )
-_FOLK = PERSONS - _words("robot robots machine computer")
+_FOLK = PERSONS - listed("robot robots machine computer")
 _ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS | harmless.TIMES) - SAID_OF_SCENES - {"second"}
-_TO_YOU = _words(
+_TO_YOU = listed(
     "are 're look looked looks seem seemed sound did were deserve rock know knew deserved do amaze rule make"
 )
 """What is said of whom a command is for that is none."""
-_PHRASAL = _words(
+_PHRASAL = listed(
     "down up over away around through across short long low high tall all any some few many more than enough only far "
     "back alone both together inside outside free once deep wide touch rest steady neatly tidy firm"
 )
 """They could be meant of blocks, but not where somebody is told of."""
-_MEASURED = _words("year years old o'clock sharp today now tomorrow already")
-_OF_AGE = _words("is am are turns turned at just almost nearly only")
-_LOOKED_ON = _words(
+_MEASURED = listed("year years old o'clock sharp today now tomorrow already")
+_OF_AGE = listed("is am are turns turned at just almost nearly only")
+_LOOKED_ON = listed(
     "film films filming record records recording photograph photographing watch watches watching admire admires "
     "admiring broadcast tape taping study studies studying discuss show showing shows love loves enjoy enjoys about "
     "promised bought inherited received got"
 )
 """What is looked at and shown may be what is asked for."""
-_ANOTHER = _words("other another every each same different")
-_LEFT_OUT = _words("allowed supposed permitted serious mean meant care")
-_DENYING = _words("not never no nothing none without neither nor")
-_BEFORE_NOT = _words("can could do does did is am are was were will would 'm 're has have")
+_ANOTHER = listed("other another every each same different")
+_LEFT_OUT = listed("allowed supposed permitted serious mean meant care")
+_DENYING = listed("not never no nothing none without neither nor")
+_BEFORE_NOT = listed("can could do does did is am are was were will would 'm 're has have")
 _DOING = harmless.DOINGS | BEING | _TO_YOU
 _BEFORE_VERBS = harmless.ADVERBS | {"all", "both"}
-_ASKING = DEMANDED | _words("must should may might")
+_ASKING = DEMANDED | listed("must should may might")
 
 
 def of_people(tokens: Sequence[Token], *, denied: bool = False, anything: bool = False) -> bool:
@@ -163,6 +159,6 @@ def fits(tokens: Sequence[Token], n: int, denied: bool = False) -> bool:
     if word in _ANOTHER:
         return False
     if word == "back":
-        return before in BEING | _OWN | _words("come comes came coming go went goes got get gets")
+        return before in BEING | _OWN | listed("come comes came coming go went goes got get gets")
     plain = word in _PHRASAL or harmless_word(tokens, n) or is_strange(word)
     return plain or word in harmless.EVERYDAY or (word in vocabulary() and not may_tell(word))

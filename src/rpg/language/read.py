@@ -274,7 +274,7 @@ def _whole(tokens: list[Token]) -> Parts | Refusal:
 
 def _commands(tokens: list[Token], n: int) -> bool:
     """Could a command begin here, nothing before it leading to it?"""
-    plain = tokens[n].kind == "word" and lexicon.commands(tokens[n].word)
+    plain = tokens[n].kind == "word" and tokens[n].word in lexicon.COMMANDS
     denied = tokens[n].word == "do" and tokens[n + 1].word == "not"
     denied = denied or (tokens[n].word == "goal" and tokens[n + 1].word == "is")
     return (plain or denied) and tokens[n - 1].word not in _LEADING and tokens[n - 1].kind in ("word", "literal")

@@ -13,28 +13,24 @@ from rpg.language.of_people import of_people
 from rpg.language.smalltalk import LOOKS_OF_PEOPLE, THING, asks, harmless_word, is_strange, small_talk
 from rpg.language.telling import may_tell
 from rpg.language.tokens import Token
+from rpg.language.word_lists import listed
 
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
-
-_REASONS = _words("because since cause cos coz")
-_HELD = _words("must should shall ought needs need unless if only without not no never nobody")
-_WANTED = _words("want wants need needs")
-_OWN_WAY = _words(
+_REASONS = listed("because since cause cos coz")
+_HELD = listed("must should shall ought needs need unless if only without not no never nobody")
+_WANTED = listed("want wants need needs")
+_OWN_WAY = listed(
     "stands standing sits sitting lies lying looks looking stays where so nicely well prettily there otherwise"
 )  # fmt: skip
 """How something is where it is anyway."""
 _AIMS = (("to",), ("in", "order", "to"), ("so", "as", "to"), ("just", "to"))
-_SOCIAL = _words(
+_SOCIAL = listed(
     "please impress cheer surprise amuse entertain help teach celebrate test practise practice pass win save keep make "
     "thank comfort welcome honor congratulate tease annoy delight inspire calm show demonstrate convince persuade "
     "prove"
 )
 _RESULTS = (("so", "that"), ("so",), ("such", "that"), ("in", "order", "that"))
-_WHAT_STANDS = _words("it they nothing none everything this that all of them the whole thing")
-_HOLDS = _words(
+_WHAT_STANDS = listed("it they nothing none everything this that all of them the whole thing")
+_HOLDS = listed(
     "fall falls falling fell tip tips topple topples wobble wobbles collapse collapses crash crashes break breaks "
     "tumble tumbles slip slips drop drops over down off apart stable steady safe secure safely does do not can could "
     "will would is are be stays stay remain remains to get gets in my our your their its his her way bother bothers "
@@ -44,7 +40,7 @@ _HOLDS = _words(
 )
 
 
-_HARMED = _words(
+_HARMED = listed(
     "fall falls falling fell tip tips topple topples wobble wobbles collapse collapses crash crashes break breaks "
     "tumble tumbles slip slips drop drops bother bothers disturb disturbs way bad wrong lost damaged hurt scratched "
     "happens"
@@ -99,11 +95,11 @@ def reason_or_aim(tokens: Sequence[Token]) -> bool:
     return False
 
 
-_WISHED = _words(
+_WISHED = listed(
     "ordered wished asked wanted said told requested expects expected promised demanded instructed suggested"
 )
 _BY_WHOM = (
-    harmless.PEOPLE | harmless.NAMES | LOOKS_OF_PEOPLE | _words("the my our his her your i we he she has have us me")
+    harmless.PEOPLE | harmless.NAMES | LOOKS_OF_PEOPLE | listed("the my our his her your i we he she has have us me")
 )
 
 
@@ -121,24 +117,24 @@ def _done_to_ours(tokens: Sequence[Token]) -> bool:
     if not (verb and THING.isdisjoint(words)) or asks(words[1:]):
         return False
     ours = (
-        harmless.PEOPLE | harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS | _words("camera cameras arm robot")
+        harmless.PEOPLE | harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS | listed("camera cameras arm robot")
     )
     known = all(
-        word in ours | _OF_SOME | _words("up out for at in with and")
+        word in ours | _OF_SOME | listed("up out for at in with and")
         or harmless_word(tokens, n) or is_strange(word) or word in harmless.EVERYDAY
         for n, word in enumerate(words)
     )  # fmt: skip
     return known and (not ours.isdisjoint(words[det + 1 :]) or (words[0] in _SOCIAL and is_strange(words[-1])))
 
 
-_BEGUN_AND_ENDED = _words("finish end open close begin start win pass save celebrate mark conclude complete continue")
-_TRIED_OUT = _words("warm test check train try exercise practice practise calibrate improve prove show demonstrate use")
-_TOOLS = _words(
+_BEGUN_AND_ENDED = listed("finish end open close begin start win pass save celebrate mark conclude complete continue")
+_TRIED_OUT = listed("warm test check train try exercise practice practise calibrate improve prove show demonstrate use")
+_TOOLS = listed(
     "gripper arm arms hand hands fingers skill skills camera cameras precision patience robot software system "
     "controller sensors sensor abilities ability talent talents brain eyes vision motors motor engine engines joints "
     "muscles circuits"
 )  # fmt: skip
-_OF_SOME = _words("the my our his her their your")
+_OF_SOME = listed("the my our his her their your")
 _LIKENESS = ("match", "resembl", "mimic", "imitat", "copy", "mirror", "reflect", "represent", "depict", "replicat",
              "reproduc", "follow", "obey", "fit", "hide", "cover", "block", "obstruct", "protect", "surround",
              "support")  # fmt: skip
@@ -150,7 +146,7 @@ def meanwhile(tokens: Sequence[Token]) -> bool:
     words = [token.word for token in tokens]
     if words[0] in ("while", "whilst", "until", "till", "before") and len(words) > 2:
         return words[1] != "you" and of_people(tokens[1:], anything=True)
-    known = harmless.OCCASIONS | harmless.PEOPLE | harmless.FINE | _words("the our my your a this 's little whole next")
+    known = harmless.OCCASIONS | harmless.PEOPLE | harmless.FINE | listed("the our my your a this 's little whole next")
     return words[0] == "during" and words[-1] in harmless.OCCASIONS and all(word in known for word in words[1:])
 
 
@@ -180,7 +176,7 @@ def _of_what_people_can(tokens: Sequence[Token]) -> bool:
     """ "(So that) the visitors can take photos of it", "(because) I can't do it myself"."""
     words = " ".join(token.word for token in tokens).replace("can not ", "can ").split()
     could = next((n for n, word in enumerate(words[:6]) if word in _COULD), 0)
-    whose = {*words[:could]} & (harmless.PEOPLE | _words("i we he she you everybody everyone"))
+    whose = {*words[:could]} & (harmless.PEOPLE | listed("i we he she you everybody everyone"))
     plain = (
         _LEGIBLE.isdisjoint(words) and could > 0 and bool(whose) and could + 1 < len(words) and _HELD.isdisjoint(words)
     )
@@ -191,9 +187,9 @@ def _of_what_people_can(tokens: Sequence[Token]) -> bool:
     return plain and known and not any(len(t.raw) > 1 and t.raw.isupper() for t in tokens)
 
 
-_LEGIBLE = _words("read reads reading legible readable")
+_LEGIBLE = listed("read reads reading legible readable")
 """Letters have to be turned for that."""
-_COULD = _words("can could may might will would have has is are am was were 'll 'd 're 's 'm")
+_COULD = listed("can could may might will would have has is are am was were 'll 'd 're 's 'm")
 
 
 def _told_why(tokens: Sequence[Token]) -> bool:

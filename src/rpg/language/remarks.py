@@ -35,7 +35,6 @@ _LIKE = (("like",), ("just", "like"), ("a", "bit", "like"), ("sort", "of", "like
          *(("so", *that, who, *look, "like") for that in (("that",), ()) for who in ("it", "they", "this")
            for look in (("looks",), ("look",), ("looks", "a", "bit"), ("will", "look"))))  # fmt: skip
 """What leads to something that it is compared with."""
-_ASKING = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
 _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", "for", "before", "after", "when",
                          "whenever", "if", "by", "today", "tonight", "now", "right", "immediately", "at", "this",
                          "soon", "asap", "real", "quickly", "in", "just", "straight", "pretty", "please",
@@ -75,7 +74,7 @@ def without_remarks(tokens: list[Token]) -> tuple[list[Token], list[str]] | None
     rest = _closed([token for n, token in enumerate(tokens) if n not in gone])
     while rest and rest[-1].word == "…":
         rest.pop()
-    return (rest, notes) if gone and any(tells(t) or t.word in _ASKING for t in rest) else None
+    return (rest, notes) if gone and any(tells(t) or t.word in lexicon.COMMANDS for t in rest) else None
 
 
 def _said_around(tokens: list[Token]) -> Iterator[tuple[int, int]]:
@@ -168,7 +167,7 @@ def _ahead(tokens: list[Token], begin: int, end: int, sentence: int) -> tuple[in
     words = [token.word for token in tokens[begin:end]]
     called = addressed_at(words)
     called = called or (exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary())
-    if called and begin + called < end - 2 and (tokens[begin + called].word in _ASKING | _PLEASE | _TURNED):
+    if called and begin + called < end - 2 and (tokens[begin + called].word in lexicon.COMMANDS | _PLEASE | _TURNED):
         return begin, begin + called
     if (
         not any(map(tells, tokens[:sentence]))
@@ -180,18 +179,18 @@ def _ahead(tokens: list[Token], begin: int, end: int, sentence: int) -> tuple[in
     state = 0 if ahead else state_behind(words)
     if led := command_behind(words) or state or (0 if ahead or behind else thing_behind(words)):
         return begin, begin + led
-    commanded = any(t.word in _ASKING and t1.word in _ENDS | _LEADING for t1, t in pairwise(tokens[end - 1 :]))
+    commanded = any(t.word in lexicon.COMMANDS and t1.word in _ENDS | _LEADING for t1, t in pairwise(tokens[end - 1 :]))
     if led := 0 if ahead else led_by_form(tokens[begin:end], commanded):
         return begin, begin + led
     for at in range(begin + 1, end - 2):
         if tokens[at].word in _MARKS:
             return None
         wished = tokens[at + 1].word in _WISHED and tokens[begin].word in ("i", "we")
-        joined = tokens[at].word in ("and", "but") and (wished or tokens[at + 1].word in _ASKING | _PLEASE)
+        joined = tokens[at].word in ("and", "but") and (wished or tokens[at + 1].word in lexicon.COMMANDS | _PLEASE)
         if (joined or tokens[at].word == "so") and idle_at_an_end(tokens[begin:at]):
             return begin + (joined and wished), at + 1
         told = tokens[at - 1].word in ("has", "have", "had") or tokens[at - 1].word in PEOPLE  # "someone has put ..."
-        if tokens[at].word in _ASKING and at < begin + 3 and not told and idle_at_an_end(tokens[begin:at]):
+        if tokens[at].word in lexicon.COMMANDS and at < begin + 3 and not told and idle_at_an_end(tokens[begin:at]):
             return begin, at
     return None
 

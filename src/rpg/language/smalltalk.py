@@ -14,26 +14,22 @@ from rpg.language.grammar.talk.people import WORKERS
 from rpg.language.spelling import vocabulary
 from rpg.language.telling import may_tell
 from rpg.language.tokens import Token
+from rpg.language.word_lists import listed
 
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
-
-_ERRANDS = harmless.OCCASIONS - _words(
+_ERRANDS = harmless.OCCASIONS - listed(
     "everything something way ways while time times bit lot lots stuff sort kind present"
-) | _words(
+) | listed(
     "assembly catalog chance classroom description geometry goal help instruction instructions picture pictures "
     "procedure robotics session stage trick tricks work"
 )
-_FELT = _words(
+_FELT = listed(
     "thanks thank sorry hello hi hey welcome greetings appreciate appreciates careful complicated enjoy enjoys enjoyed "
     "fancy gentle impressive mind precise accurate quick warm thrill love loves hope hopes hurry rush bother trouble"
 )
 _FEELINGS = _FELT | harmless.FINE | harmless.PERSONAL
-PERSONS = harmless.PEOPLE | _words("computer examiner gentlemen human humans machine mentor robot robots")
+PERSONS = harmless.PEOPLE | listed("computer examiner gentlemen human humans machine mentor robot robots")
 _STRONG = PERSONS | _ERRANDS | _FEELINGS | {"sure"}
-_GLUE = _words(
+_GLUE = listed(
     "i we you he she they it this that these me us them him her my our your his their its mine yours "
     "am is are was were be been being do does did have has had having will would can could may might shall should must "
     "a an the of for to with about and but because since so as too also just now then today tonight here again really "
@@ -54,72 +50,72 @@ _GLUE = _words(
     "operate operating programmed program understand out myself yourself ourselves himself herself such sound nicer "
     "perfectly",
 )
-_SUBJECTS = _words("colors letters numbers digits shapes blocks cubes towers patterns words equations figures order")
-_LIKED = _words("about love loves like likes learn learning study studying teach teaching practise practising "
+_SUBJECTS = listed("colors letters numbers digits shapes blocks cubes towers patterns words equations figures order")
+_LIKED = listed("about love loves like likes learn learning study studying teach teaching practise practising "
                 "practicing practice enjoy enjoys favorite with")  # fmt: skip
 """What letters, colours and the like as such may come after: "we are learning about colours"."""
-_PLACED = _words("in on at from by during after before under through")
-_TURN = _words("first second third next last final main only same open")
-_NEGATED = _words("not no never nothing")
-_ABLE = _words("can could")
-_CALM = _words("sure much long fair far any worry worried scared nervous") | _FEELINGS
-_POLITELY = _words("can could may please would do ok okay fine possible alright")
-_UNSURE = _words("curious wonder wondering know see sure ask doubt excuse forgive sorry pardon me")
-_VAGUE = _words("you we i it this that he she they everyone")
+_PLACED = listed("in on at from by during after before under through")
+_TURN = listed("first second third next last final main only same open")
+_NEGATED = listed("not no never nothing")
+_ABLE = listed("can could")
+_CALM = listed("sure much long fair far any worry worried scared nervous") | _FEELINGS
+_POLITELY = listed("can could may please would do ok okay fine possible alright")
+_UNSURE = listed("curious wonder wondering know see sure ask doubt excuse forgive sorry pardon me")
+_VAGUE = listed("you we i it this that he she they everyone")
 
 
-_LEADS = _words("and but so please then also now just , well okay ok")
-_ADDRESSED = _words(
+_LEADS = listed("and but so please then also now just , well okay ok")
+_ADDRESSED = listed(
     "thank hope guess imagine wish love enjoy trust forgive remember think suppose believe excuse wonder listen wait "
     "care worry mind hurry understand apologize apologise like need want appreciate expect pity please know"
 )
-_MORE_TO_DO = _words("bring write read use open let present watch look control operate start stop sit stand")
+_MORE_TO_DO = listed("bring write read use open let present watch look control operate start stop sit stand")
 _DOABLE = (harmless.VERBS | _MORE_TO_DO) - _ADDRESSED
 """Commands that would be something else to do."""
 _YIELDING = {("let", "me"), ("let", "us"), ("do", "you"), ("do", "not"), ("help", "me"), ("help", "us"),
              ("thank", "you"), ("pardon", "me"), ("watch", "out"), ("look", "here"), ("come", "on")}  # fmt: skip
 """Begun so they ask for nothing of their own."""
-_HEADINGS = _words("exercise test practice request quiz challenge")
-_SPEAKERS = _words("i we he she my our his her")
-_HANDLING = _words(
+_HEADINGS = listed("exercise test practice request quiz challenge")
+_SPEAKERS = listed("i we he she my our his her")
+_HANDLING = listed(
     "make makes making made take takes taking took give gives giving gave given get gets getting got do does doing did "
     "done show shows buy buys sell sells"
 )
 _DAILY = (harmless.TIMES - {"second"}) | harmless.THINGS | harmless.ANIMALS | (harmless.DOINGS - _HANDLING)
 """What people have about them, and do, of whom it is told."""
-_SOMEWHERE = _PLACED | _words("behind beside around near over next along since until till within")
-_WHERE_PEOPLE_ARE = PERSONS | _ERRANDS | harmless.NAMES | harmless.THINGS | _words("me us you him her them work home")
+_SOMEWHERE = _PLACED | listed("behind beside around near over next along since until till within")
+_WHERE_PEOPLE_ARE = PERSONS | _ERRANDS | harmless.NAMES | harmless.THINGS | listed("me us you him her them work home")
 """What places of people are told by: "in the kitchen", "right next to me"."""
-_POSTURES = _words(
+_POSTURES = listed(
     "stand stands standing sit sits sitting lie lies lying stood sat lay rest resting stay stays staying"
 )
-SAID_OF_SCENES = _words("picture pictures photo photos photograph scene image goal task tasks plan description "
+SAID_OF_SCENES = listed("picture pictures photo photos photograph scene image goal task tasks plan description "
                         "geometry session result assembly way everything something thing things rule")  # fmt: skip
 """Whatever is told of these may be told of blocks."""
 _ABOUT = (harmless.THINGS | harmless.ANIMALS | harmless.OCCASIONS) - SAID_OF_SCENES
-_ONES_OWN = _words("my our his her their me us mine yours")
-_OF_OURS = _words("is 's was reminds reminded helps helped would will makes made means meant comes came belongs")
-_WORKS = _words("works worked went goes sounds sounded looks looked seems seemed")
-_WELL = _words("well perfectly badly nicely fine before already too brilliantly smoothly")
-_SCENES = _words("arrangement combination design pattern picture logo")
+_ONES_OWN = listed("my our his her their me us mine yours")
+_OF_OURS = listed("is 's was reminds reminded helps helped would will makes made means meant comes came belongs")
+_WORKS = listed("works worked went goes sounds sounded looks looked seems seemed")
+_WELL = listed("well perfectly badly nicely fine before already too brilliantly smoothly")
+_SCENES = listed("arrangement combination design pattern picture logo")
 _AHEAD = (
     _LEADS
     | harmless.ADVERBS
     | harmless.INTERJECTIONS
-    | _words("when while that because since after before how afterwards")
+    | listed("when while that because since after before how afterwards")
 )
 """What may stand in front of whom it is told of."""
-_WORKING = _words("you robot robots machine arm gripper")
+_WORKING = listed("you robot robots machine arm gripper")
 """Of these it is told what they have to do."""
-ACTING = WORKERS | _words("children kids students pupils players somebody someone people they user users")
-BEING = _words("is am are was were will would can could has have had 's 'm 're 'll")
+ACTING = WORKERS | listed("children kids students pupils players somebody someone people they user users")
+BEING = listed("is am are was were will would can could has have had 's 'm 're 'll")
 _DOES = harmless.DOINGS | BEING
-_DET = _words("the a an my our your his her their this")
-LOOKS_OF_PEOPLE = harmless.FINE | harmless.PERSONAL | _words("little old young big small whole new good next other")
-THING = _words("it this that they them these those everything")
-_BINDING = _words("should must shall may might ought was were has have had")
-_WANTED = _words("want wants wanted need needs needed like likes wish wishes hope hopes")
-DEMANDED = _WANTED | _words(
+_DET = listed("the a an my our your his her their this")
+LOOKS_OF_PEOPLE = harmless.FINE | harmless.PERSONAL | listed("little old young big small whole new good next other")
+THING = listed("it this that they them these those everything")
+_BINDING = listed("should must shall may might ought was were has have had")
+_WANTED = listed("want wants wanted need needs needed like likes wish wishes hope hopes")
+DEMANDED = _WANTED | listed(
     "would 'd should must shall ought wished hoped prefer prefers preferred insist insists insisted demand demands "
     "demanded "
     "require requires required expect expects expected ask asks asked order orders ordered request requests requested "
@@ -134,11 +130,11 @@ _TAKEN_BACK = (
     "mirror", "lied", "fool", "trick", "pretend",
 )  # fmt: skip
 """How words begin that take back what was asked for."""
-_CHANGED = _words("plan plans idea ideas wish goal task tasks instruction instructions")
-_OTHER = _words("old new other another bad real better best different more")
-_HATED = _words("hate hates hated dread dreads fear fears mind minds forget")
-_TWICE = _words("again more twice")
-_POLITE = _words("thanks thank sorry hello hi welcome once")
+_CHANGED = listed("plan plans idea ideas wish goal task tasks instruction instructions")
+_OTHER = listed("old new other another bad real better best different more")
+_HATED = listed("hate hates hated dread dreads fear fears mind minds forget")
+_TWICE = listed("again more twice")
+_POLITE = listed("thanks thank sorry hello hi welcome once")
 
 
 def small_talk(tokens: Sequence[Token]) -> bool:

@@ -13,13 +13,9 @@ from rpg.language import lexicon
 from rpg.language.smalltalk import takes_back
 from rpg.language.telling import may_tell
 from rpg.language.tokens import Token
+from rpg.language.word_lists import listed
 
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
-
-_BINDING = _words(
+_BINDING = listed(
     "rest remainder if unless until till before after while when whenever once or either whether except but than "
     "then again same only always never ever constantly permanently throughout meanwhile during least most worst "
     "worse too start starts started starting begin begins beginning initial initially current currently now "
@@ -45,13 +41,13 @@ _AGAINST = (
     "sabotag", "trap", "doubt", "instead", "rather", "suppos", "assum", "hypothe", "imagin", "pretend",
 )  # fmt: skip
 """How words of a lead begin that turn against what stands behind, or make no goal of it."""
-_HARMLESS_HERE = _words(
+_HARMLESS_HERE = listed(
     "mini big small little huge tiny short great up complete completed finished display sign setting returns "
     "final clean"
 )
 """Of an occasion, and of no block, where no block is spoken of."""
-DET = _words("the my our his her their your this a an today tonight tomorrow")
-_MADE = _words(
+DET = listed("the my our his her their your this a an today tonight tomorrow")
+_MADE = listed(
     "state configuration solution answer outcome result picture scene image arrangement structure figure "
     "formation composition layout construction design pattern display sign"
 )
@@ -65,15 +61,15 @@ _IS = tuple(
         "specifies", "demands", "prescribes", "describes", "wants", "is that", "accepts", "will look for", "looks for",
     )
 )  # fmt: skip
-_POINTING = _words(
+_POINTING = listed(
     "there here i we you somebody someone everybody everyone nobody nothing something anything everything and but "
     "so please in on at to of with by from"
 )
 _HAS = (("has",), ("must", "have"), ("should", "have"), ("has", "to", "have"), ("needs",), ("needs", "to", "have"))
-_PLACES = _words("scene setup world table workspace inventory stock box set kit")
-_MERELY = _words("simply just basically actually simple really : following")
-BEGINS = _words("a an the any") | frozenset(lexicon.NUMBER)
-TESTS = _words(
+_PLACES = listed("scene setup world table workspace inventory stock box set kit")
+_MERELY = listed("simply just basically actually simple really : following")
+BEGINS = listed("a an the any") | frozenset(lexicon.NUMBER)
+TESTS = listed(
     "benchmark test challenge task exercise puzzle quiz classification problem drill lesson game demo experiment "
     "evaluation check skill scenario episode mission assignment activity training practice trial stacking "
     "building sorting spelling instructions instruction guide recipe counting arranging ordering grouping placing "
@@ -82,7 +78,7 @@ TESTS = _words(
 """Heads of titles that may have in front of them what is tried, in words that tell of blocks elsewhere."""
 _SHAPES = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER, lexicon.ORDINAL,
            lexicon.SIZE)  # fmt: skip
-_NOT = _words("not no never without none non un upside left right front back top bottom all each every any both")
+_NOT = listed("not no never without none non un upside left right front back top bottom all each every any both")
 LONGEST = 8
 
 
@@ -152,7 +148,7 @@ def of_words(tokens: Sequence[Token]) -> bool:
     )
 
 
-_CLIPPED = _words("'s 'd 'm 're 've 'll -")
+_CLIPPED = listed("'s 'd 'm 're 've 'll -")
 
 
 def tells_nothing(word: str) -> bool:
@@ -165,7 +161,7 @@ def bends(word: str) -> bool:
     return word in _BINDING or word.startswith(_AGAINST)
 
 
-_GIVEN = _words(
+_GIVEN = listed(
     "reward score return give award get grant assign output pay earn receive pass accept success succeed succeeds "
     "win terminate done solved point points the a an one 1 1.0 + full marks true yes agent robot policy you "
     "episode of is are will be it this task only as with and ends end finish finishes finished complete completed "
@@ -174,7 +170,7 @@ _GIVEN = _words(
     "light candidate solution sparse binary : ="
 )
 """What is said in front of the condition under which it is well done."""
-_VERDICTS = _words(
+_VERDICTS = listed(
     "reward score return award grant pass accept success succeed succeeds win terminate done solved credit yield "
     "yields successful correct valid point points marks true accepted complete completed finished passes passed "
     "succeeded rewarded wins won receives earns gains scores +1"
@@ -184,11 +180,11 @@ _WHEN = (("is", "defined", "as"), ("is", "defined", "by"), ("means", "that"), ("
          ("exactly", "if"),
          ("as", "soon", "as"), ("if",), ("when",), ("iff",), ("once",), ("whenever",), ("as", "long", "as"),
          ("provided", "that"), ("provided",))  # fmt: skip
-_ELSE = _words(
+_ELSE = listed(
     "otherwise else or and 0 0.0 zero false failure fail nothing no not none reward it is return , give get you "
     "the agent gets point points mark marks score credit"
 )
-_ZERO = _words("0 0.0 zero false failure fail nothing no not none")
+_ZERO = listed("0 0.0 zero false failure fail nothing no not none")
 
 
 def judged(tokens: Sequence[Token]) -> tuple[int, int]:

@@ -11,10 +11,7 @@ from collections.abc import Sequence
 from rpg.language import harmless, lexicon
 from rpg.language.spoken_leads import BEGINS, DET, LONGEST, TESTS, heading, of_words, sets_off, subject, tells_nothing
 from rpg.language.tokens import Token
-
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
+from rpg.language.word_lists import listed
 
 
 def led_by_form(tokens: Sequence[Token], commanded: bool) -> int:
@@ -34,9 +31,9 @@ _LIGHTLY = (
     "pay attention",
 )  # fmt: skip
 """In an announcement these do not mean blocks, and do not deny it."""
-_ASKING = _words("is are does do did was were has have had can could will would should may might whose whom")
-_STAYING = _words("keep keeps leave leaves stay stays remain remains kept left")
-_PAST = _words("was were had used did been failed")
+_ASKING = listed("is are does do did was were has have had can could will would should may might whose whom")
+_STAYING = listed("keep keeps leave leaves stay stays remain remains kept left")
+_PAST = listed("was were had used did been failed")
 
 
 def announcement(tokens: Sequence[Token]) -> int:
@@ -73,7 +70,7 @@ def ability(tokens: Sequence[Token]) -> int:
         if words[at] in ("if", "whether", "that", "how") and who and can:
             end = at + 1 + who + can
             tried = not _TRIED.isdisjoint(words[:at]) and all(map(tells_nothing, words[:at]))
-            return end if tried and of_words(tokens[:at]) and words[end] in _BASES else 0
+            return end if tried and of_words(tokens[:at]) and words[end] in lexicon.COMMANDS else 0
     return 0
 
 
@@ -84,7 +81,7 @@ _AGENTS = (
 )  # fmt: skip
 _CAN = (("can",), ("could",), ("is", "able", "to"), ("are", "able", "to"), ("manages", "to"), ("manage", "to"),
         ("knows", "how", "to"), ("know", "how", "to"))  # fmt: skip
-_TRIED = _words("check test tests see find show verify evaluate examine demonstrate prove probe probes checks assess")
+_TRIED = listed("check test tests see find show verify evaluate examine demonstrate prove probe probes checks assess")
 _EAGER = (
     "i bet you can not", "i bet you can 't", "i bet you could not", "bet you can not", "i dare you to",
     "we dare you to",
@@ -113,7 +110,7 @@ _EAGER = (
       for easy in ("easy ", "simple ", "nice ", "fun ", "quick ", "") for like in ("like", "such as")),
 )  # fmt: skip
 _DARES = tuple(tuple(said.split()) for said in _EAGER)
-_SORTED = _words(
+_SORTED = listed(
     "i we you just want need would like love wish can could please let us get have 'd the this that all it "
     "everything things stuff mess chaos sorted tidied organized organised arranged tidy cleaned neat up out done "
     "fixed set laid properly nicely neatly honestly really now today so to be a bit little here well ok okay "
@@ -134,13 +131,13 @@ def dared(tokens: Sequence[Token]) -> int:
     return colon + 1 if wished and len(words) > colon + 3 else bet
 
 
-_GLAD = _words(
+_GLAD = listed(
     "great nice good lovely wonderful perfect cool awesome amazing fantastic brilliant super neat fun happy glad "
     "delighted grateful thankful thrilled pleased proud cookies cakes chocolate love appreciate appreciated world "
     "moon day hug hugs kiss kisses excited helpful kind sweet ideal best dream ecstatic charmed impressed honored "
     "honoured cookie beer thanks"
 )
-_SAD = _words(
+_SAD = listed(
     "sad angry upset cry cries annoyed annoying furious disappointed mad hurt weep scream ashamed die mind kill "
     "quit scold bad terrible awful horrible silly stupid strange odd boring funny weird dangerous unhappy "
     "surprised shame pity"
@@ -160,7 +157,7 @@ def glad_if(tokens: Sequence[Token]) -> int:
     return at + 1 if glad and all(w in _GLAD | _THEM or tells_nothing(w) for w in ahead) else 0
 
 
-_THEM = _words("it he she so much over only you me")
+_THEM = listed("it he she so much over only you me")
 
 
 def favour(tokens: Sequence[Token]) -> int:
@@ -177,7 +174,7 @@ def favour(tokens: Sequence[Token]) -> int:
         or kind[:2] in (["be", "a"], ["be", "an"], ["be", "my"])
     )  # fmt: skip
     plain = at and asked and all(w in _THEM or tells_nothing(w) for w in words[begin + 1 : at])
-    return at + 1 if plain and words[at + 1] in _BASES else _with_it(words, begin)
+    return at + 1 if plain and words[at + 1] in lexicon.COMMANDS else _with_it(words, begin)
 
 
 def _with_it(words: Sequence[str], begin: int) -> int:
@@ -194,30 +191,29 @@ def _with_it(words: Sequence[str], begin: int) -> int:
     return at + 1 if plain and words[at + 1] in BEGINS else 0
 
 
-_PLEASING = _words("surprise impress delight wow dazzle amaze treat spoil cheer entertain honor honour astonish reward")
+_PLEASING = listed("surprise impress delight wow dazzle amaze treat spoil cheer entertain honor honour astonish reward")
 _TRIES = tuple(
     (*lead, *said)
     for lead in ((), ("maybe",), ("let", "us"), ("please",), ("just",), ("perhaps",), ("so", "let", "us"))
     for said in (("try",), ("go", "with"), ("go", "for"), ("do",), ("attempt",))
 )
 
-_BASES = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
-_SPEAKERS = _words("i we he she my our his her the")
-_ASKED = _words(
+_SPEAKERS = listed("i we he she my our his her the")
+_ASKED = listed(
     "want wants wanted need needs needed like likes wish wishes wished prefer prefers require requires order "
     "orders ordered request requests requested demand demands build builds make makes must should shall have has "
     "you ask asks would will love loves get gets expect expects put place"
 )
 """With these more is asked for in front than what stands behind."""
-_ABOUT_PEOPLE = _words(
+_ABOUT_PEOPLE = listed(
     "it he she so much over me table desk order neat tidy untidy messy mess cluttered clutter chaos all together "
     "away once blind color reach room shop place too not can yet still also then patterns colors letters shapes "
     "numbers rainbows puzzles stairs patience bad problem problems trouble worried fear fears joke jokes hate "
     "hates kitchen hands back"
 ) - {"not"}
 """Of these nothing hangs on for blocks where people are told of in front of a command."""
-_AROUND_VERBS = _words("up out over down through off")
-_GOING = _words("please can could would will let i we you need want kindly now just lets")
+_AROUND_VERBS = listed("up out over down through off")
+_GOING = listed("please can could would will let i we you need want kindly now just lets")
 
 
 def clause(tokens: Sequence[Token]) -> int:
@@ -227,7 +223,7 @@ def clause(tokens: Sequence[Token]) -> int:
     if words[:1] == [] or words[0] not in _SPEAKERS:
         return 0
     for at in range(3, min(2 * LONGEST, len(words) - 3)):
-        joined = words[at] in ("and", "so", "but") and words[at + 1] in _GOING | _BASES
+        joined = words[at] in ("and", "so", "but") and words[at + 1] in _GOING | lexicon.COMMANDS
         if words[at] in (",", ":") or joined:
             break
     else:
@@ -258,9 +254,9 @@ def purpose(tokens: Sequence[Token]) -> int:
 
 
 def _goes_on(words: Sequence[str], n: int) -> bool:
-    commanded = words[n] in _BASES and words[n + 1] in _DONE_TO
+    commanded = words[n] in lexicon.COMMANDS and words[n + 1] in _DONE_TO
     return words[n] in _GOES_ON or commanded
 
 
-_DONE_TO = BEGINS | _words("all both every each me us my your these some two exactly at only just any")
-_GOES_ON = _words(", : i we you please let could can would there")
+_DONE_TO = BEGINS | listed("all both every each me us my your these some two exactly at only just any")
+_GOES_ON = listed(", : i we you please let could can would there")

@@ -14,22 +14,18 @@ from rpg.language.of_people import fits, of_people, subject_of
 from rpg.language.reasons import length_of_lead, meanwhile, reason_or_aim, rewards
 from rpg.language.smalltalk import SAID_OF_SCENES, THING, harmless_word, is_strange
 from rpg.language.tokens import Token
+from rpg.language.word_lists import listed
 
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
-
-_GREETINGS = _words("good morning evening afternoon day greetings now so right")
-_CALLED = _words("my our dear little old good sweet mister mr mrs ms miss big young clever smart brave lovely") | (
-    harmless.FINE - _words("real ideal fine true best better")
+_GREETINGS = listed("good morning evening afternoon day greetings now so right")
+_CALLED = listed("my our dear little old good sweet mister mr mrs ms miss big young clever smart brave lovely") | (
+    harmless.FINE - listed("real ideal fine true best better")
 )
-_LISTENERS = harmless.PEOPLE | _words(
+_LISTENERS = harmless.PEOPLE | listed(
     "fellow fellows creature sir madam guys ladies robot arm machine computer agent gripper helper gentlemen human "
     "humans you one"
 )
-_AFTER_NAMES = _words("over there up here all again of mine and out arm friend my")
-_HELPERS = _words(
+_AFTER_NAMES = listed("over there up here all again of mine and out arm friend my")
+_HELPERS = listed(
     "robot robots arm machine computer agent helper assistant friend friends buddy mate pal dear darling sweetheart "
     "sweetie honey love chap fella lad dude bro genius angel sir madam kids children everyone everybody folks team "
     "class"
@@ -42,12 +38,12 @@ _COMING = tuple(
     for comes in ("", "comes", "is", "'s", "goes", "will be", "is going to be", "follows", "got", "'s got")
 )  # fmt: skip
 _BEGINNINGS = ("to begin with", "to start with", "for a start", "for starters", "to warm up")
-_SORTS_OF_ERRANDS = (harmless.FINE - _words("true real")) | _words(
+_SORTS_OF_ERRANDS = (harmless.FINE - listed("true real")) | listed(
     "practice practise bonus a an the my our your one little small big quick short next new last final first second "
     "third another today 's easier harder easiest hardest main actual important tiny just only more very really so "
     "super pretty quite rather bit fresh"
 )
-_ERRANDS = _words(
+_ERRANDS = listed(
     "request question task favor job challenge puzzle exercise game assignment mission errand problem riddle quiz one "
     "part bit round thing order wish idea experiment test demo trick turn lesson warm-up warmup attempt try "
     "brainteaser"
@@ -56,7 +52,7 @@ _ERRANDS = _words(
 _CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"), ("provided",),
                ("provided", "that"),
                ("as", "long", "as"))  # fmt: skip
-_OBLIGING = _words(
+_OBLIGING = listed(
     "you it that this i we is are would could can will may might do does not no too so very much really at all any a "
     "an the bit little free spare to for of with me us please mind minding ask asking request be being okay ok fine "
     "alright all right possible convenient happen have has find get got time minute moment second minutes seconds "
@@ -65,11 +61,11 @@ _OBLIGING = _words(
     "schedule suits other things else course make wish request suggestion chance my asking"
 )
 """Of what somebody asks who is polite."""
-_RESTED = _words(
+_RESTED = listed(
     "are 're done with taking have 've had finished eaten drunk taken your a the some morning little nice well"
 )
-_ASKED_OF = _words("you it that this i your time")
-_OBLIGED = _words(
+_ASKED_OF = listed("you it that this i your time")
+_OBLIGED = listed(
     "mind okay ok fine alright right possible convenient time minute moment second minutes seconds trouble bother work "
     "effort hassle problem burden inconvenience kind good nice able ready manage free much busy willing ask permit "
     "permits allow allows suits would wish request suggestion chance could can"
@@ -81,28 +77,28 @@ _EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("s
               ("how", "about"), ("what", "about"), ("we", "want", "to"), ("we", "are", "going", "to"),
               ("are", "you", "ready", "to"), ("are", "you", "ready", "for"), ("i", "am", "going", "to"),
               ("we", "will"), ("we", "are"), ("i", "am"))  # fmt: skip
-_BEFORE_THEM = _words("it is 's now okay ok and so well right alright high come on then hey today here")
-_OTHERWISE = _words("not never again twice more instead another different else other over stop")
+_BEFORE_THEM = listed("it is 's now okay ok and so well right alright high come on then hey today here")
+_OTHERWISE = listed("not never again twice more instead another different else other over stop")
 _GOING = ("give it a go", "give it a try", "give it a shot", "give it a whirl", "have a go", "have a try",
           "get this show on the road", "get down to business", "get to work", "get this party started", "roll",
           "get it done", "get this done", "get on with it", "get the ball rolling")  # fmt: skip
 """Beginnings in set phrases."""
-_WORK = _words(
+_WORK = listed(
     "build building play playing count counting learn learning work working tidy tidying clean cleaning begin start "
     "starting stack stacking spell spelling write writing read reading make making do doing try see go going get "
     "practise practice some something things stuff together again up with our blocks towers shapes letters numbers "
     "words colors patterns figures rows stairs pyramids steps cubes fun a bit little while the next one"
 )
 """What is done with blocks at large, none of which is told."""
-_AT_LARGE = _words("blocks towers shapes letters numbers words colors patterns figures rows stairs pyramids cubes")
-_TRIED = _words("do try see start begin play practise practice hear")
-_CARE = _words(
+_AT_LARGE = listed("blocks towers shapes letters numbers words colors patterns figures rows stairs pyramids cubes")
+_TRIED = listed("do try see start begin play practise practice hear")
+_CARE = listed(
     "slowly slow gently gentle carefully careful softly quietly calmly patiently precisely steady steadily cautiously "
     "manner calm fashion kindly easy with great much lots a lot of all some little extra special care caution patience "
     "love attention precision very really nice and as you can so ever please be your the best most utmost bit way in "
     "gentlest hurry no due usual possible without any own time smoothly tenderly delicately attentively"
 )
-_CARED = _words(
+_CARED = listed(
     "slowly slow gently gentle carefully careful softly quietly calmly calm patiently cautiously care caution patience "
     "love precision steady easy gentlest hurry smoothly tenderly delicately"
 )  # fmt: skip
@@ -122,7 +118,7 @@ def by_form(tokens: Sequence[Token]) -> bool:
 def _of_the_day(words: Sequence[str]) -> bool:
     """ "It is raining outside", "it's Friday already"."""
     said = words[3:] if words[:3] == ["and", "it", "is"] else words[2:]
-    known = harmless.OCCASIONS | harmless.ADVERBS | _words(
+    known = harmless.OCCASIONS | harmless.ADVERBS | listed(
         "raining snowing sunny rainy stormy foggy freezing late early outside inside already getting still almost "
         "nearly time for again here the in pouring"
     )  # fmt: skip
@@ -130,7 +126,7 @@ def _of_the_day(words: Sequence[str]) -> bool:
     return led and bool(said) and all(word in known - _SAID_OF_WORK for word in said)
 
 
-_SAID_OF_WORK = SAID_OF_SCENES | _words("mess chaos once later only")
+_SAID_OF_WORK = SAID_OF_SCENES | listed("mess chaos once later only")
 
 
 def _regards(tokens: Sequence[Token]) -> bool:
@@ -141,10 +137,10 @@ def _regards(tokens: Sequence[Token]) -> bool:
     return begun and THING.isdisjoint(words[at + 1 :]) and all(fits(tokens, n) for n in range(at + 1, len(words)))
 
 
-_REGARDS = _words(
+_REGARDS = listed(
     "sorry thanks thank apologies excuse love greetings regards wishes cheers hugs kisses congratulations"
 )
-_KINDLY = _REGARDS | _words(
+_KINDLY = _REGARDS | listed(
     "i am we are 'm 're so very many best kind warm warmest again and you me please my our much all"
 )
 
@@ -156,7 +152,7 @@ def _asks_of_people(tokens: Sequence[Token]) -> bool:
     return bool(behind) and behind[0].word != "you" and of_people([*behind, tokens[0], *tokens[1 + len(behind) :]])
 
 
-_ASKED_WITH = _words("are is am was were has have did")
+_ASKED_WITH = listed("are is am was were has have did")
 
 
 def addresses(words: Sequence[str]) -> bool:

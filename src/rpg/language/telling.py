@@ -6,21 +6,17 @@ from collections.abc import Collection
 
 from rpg.language import lexicon
 from rpg.language.tokens import Token
-
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
+from rpg.language.word_lists import listed
 
 _ALWAYS: tuple[Collection[str], ...] = (
     lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER,
     lexicon.ORDINAL, lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL, lexicon.SIZE,
-    _words(
+    listed(
         "left right top bottom middle center front back behind order first last not no never without none upside "
         "reversed reverse touching apart each every"
     ),
 )  # fmt: skip
-_LIGHT = _words(
+_LIGHT = listed(
     "get gets got getting take takes took taken taking make makes made making give show shows showed find finds found "
     "send sends sent sending sit sits sat stand stands stood keep keeps kept serve serves served ordered write writes "
     "wrote written writing drop dropped order leave leaves left pack packed load loaded shift land landed turn turns "
@@ -28,7 +24,7 @@ _LIGHT = _words(
     "guide collect stuck painted rest assemble deliver cut learn park craft"
 )
 """What is done to blocks, and as often something else."""
-_OF_BLOCKS = _words(
+_OF_BLOCKS = listed(
     "side sides corner corners edge edges face faces surface table tables tabletop workspace half halves quarter gap "
     "gaps space spaces room spacing distance distances layer layers level levels base above below under underneath "
     "beneath over between beside beneath around across through inside outside within near nearer close closer closest "

@@ -14,29 +14,25 @@ from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.spelling import LONG_WORD, nearest, slip, vocabulary
 from rpg.language.spoken_leads import bends
 from rpg.language.tokens import Token
+from rpg.language.word_lists import listed
 
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(text.split())
-
-
-_NUMBERED = _words(
+_NUMBERED = listed(
     "level task exercise problem example question puzzle challenge scene scenario instruction job mission number round "
     "riddle benchmark item test case sample episode trial prompt entry experiment demo eval evaluation id no request "
     "assignment quiz ticket query run warmup subtask testcase drill check"
 )
 """Words of a title with a number behind, or alone."""
-_TEXTS = _words(
+_TEXTS = listed(
     "task job note notes memo benchmark exercise lesson game puzzle test drill challenge mission demo experiment "
     "assignment homework quiz reminder request ticket prompt problem question activity scenario episode round level "
     "log message brief riddle story report worksheet project trial announcement command skill errand description "
     "caption summary check checks statement"
 ) | (_NUMBERED - {"scene", "number", "instruction", "no", "id", "run"})
 """What a title calls its text."""
-_NOTES = _words("note notes memo message caption description summary story")
+_NOTES = listed("note notes memo message caption description summary story")
 _ORDERS = frozenset({"order", "instruction", "instructions"})
 """These are titles behind a word that means nothing here, or tells whose they are."""
-_SORTS = _words(
+_SORTS = listed(
     "a an the my our your this today tonight of for and in on 's to next first second third last new quick short easy "
     "simple hard tricky little small daily morning evening two three step steps multi stacking building construction "
     "rearrangement rearranging pick place picking placing tidying cleaning clean up tidy robot robotics arm lab desk "
@@ -45,26 +41,26 @@ _SORTS = _words(
     "warm scene goal proposed contributed suggested another final last color colour"
 )
 """What may tell what sort of text it is."""
-_ACTIVITIES = _words(
+_ACTIVITIES = listed(
     "stacking building construction rearrangement rearranging pick place and picking placing tidying cleaning up "
     "manipulation spelling tabletop blocks the a"
 )
 """What a text may be about, where it says more behind that."""
 _ERRANDS = (["pick", "and", "place"], ["pick", "place"], ["pick", "and", "stack"])
 """Such a title alone."""
-_ASPECTS = _words(
+_ASPECTS = listed(
     "constraint constraints completion relation relations relationship condition conditions requirement requirements "
     "placement alignment rule rules specification spec evaluation reasoning understanding"
 )
 """What a title ends with that tells what is tried in a text."""
-_TOPICS = _words(
+_TOPICS = listed(
     "sequence distance equation spatial relative support stack stacking tower row grid pattern color colour count "
     "counting quantifier negation grouping sorting spelling ordering rotation orientation symmetry swap region patch "
     "placement tolerance structure size number logic disjunction conjunction temporal multi step goal object"
 )
 """What such a title speaks of. Alone it is one only in front of a command, for a list may stand behind it as well."""
-_CALLS = _words("urgent important attention fyi hint tip ps nb todo update reminder warning announcement")
-_SPEAKERS = frozenset(PEOPLE.split("|")) | _words("me operator human speaker commander instructor")
+_CALLS = listed("urgent important attention fyi hint tip ps nb todo update reminder warning announcement")
+_SPEAKERS = frozenset(PEOPLE.split("|")) | listed("me operator human speaker commander instructor")
 _MARKS = frozenset({":", "-", "–", "—"})
 _ENDS = frozenset({".", "!", "?", ";"})
 _LONGEST = 5
@@ -87,15 +83,15 @@ def untitled(tokens: list[Token]) -> list[Token]:
     return out
 
 
-_BEGUN = _words(
+_BEGUN = listed(
     "setup setting scene scenario situation state layout configuration arrangement context world environment premise "
     "background initialisation initialization init reset"
 )
 """Headings of how it begins, where another one is of what should be done."""
-_AIMED = _words(
+_AIMED = listed(
     "goal goals task objective aim target wanted want job mission result end finish success todo instruction command"
 )
-_WHICH = _words("reset scene initial starting start episode world")
+_WHICH = listed("reset scene initial starting start episode world")
 """What stands before a heading of how it begins."""
 _SAYS = frozenset({":", "="})
 _ARTICLES = frozenset({"the", "my", "our", "your"})
@@ -228,10 +224,8 @@ def _about(tokens: list[Token], colon: int) -> int:
 def _commands(tokens: list[Token]) -> bool:
     """Whether a command begins here, and no list."""
     begin = 1 if tokens[0].word in ("first", "please") else 0
-    return len(tokens) > begin + 2 and tokens[begin].word in _BASES and tokens[begin + 1].word not in (",", "and")
-
-
-_BASES = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
+    commands = len(tokens) > begin + 2 and tokens[begin].word in lexicon.COMMANDS
+    return commands and tokens[begin + 1].word not in (",", "and")
 
 
 def _tells_the_sort(token: Token) -> bool:

@@ -175,7 +175,7 @@ def _told_besides(tokens: Sequence[Token]) -> bool:
 def commands(tokens: Sequence[Token]) -> bool:
     """Whether a sentence asks for something to be done; one that only describes may tell of the start."""
     begins = [0, *(n + 1 for n, token in enumerate(tokens) if token.word in _ENDS or token.word in _LEADS)]
-    return any(lexicon.commands(tokens[n].word) for n in begins if n < len(tokens))
+    return any(tokens[n].word in lexicon.COMMANDS for n in begins if n < len(tokens))
 
 
 def _parted(tokens: list[Token]) -> Iterator[tuple[list[Token], list[Token]]]:

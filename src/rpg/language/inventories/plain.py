@@ -131,7 +131,7 @@ def _asks(parts: Sequence[list[Token]]) -> bool:
     """Whether something is asked for in one of the sentences."""
     if any(token.word in _ASKING for part in parts for token in part):
         return True
-    return any(lexicon.commands(part[0].word) for part in parts)
+    return any(part[0].word in lexicon.COMMANDS for part in parts)
 
 
 def _looks(lots: Lots) -> dict[str, int]:

@@ -95,9 +95,9 @@ def _begun_with(sentence: Sequence[Token], task: TaskSchema) -> None:
 def _done_first(sentence: Sequence[Token], before: Sequence[Sequence[Token]], task: TaskSchema) -> None:
     """Refuse "put red on the mat. First put blue on green" as in any order."""
     said = [token for token in sentence if token.word not in _POLITE | STOPS]
-    if len(said) < 3 or said[0].word != "first" or not lexicon.commands(said[1].word) or _stages(task.goal):
+    if len(said) < 3 or said[0].word != "first" or said[1].word not in lexicon.COMMANDS or _stages(task.goal):
         return
-    if any(lexicon.commands(token.word) for one in before for token in one[:1]):
+    if any(token.word in lexicon.COMMANDS for one in before for token in one[:1]):
         raise refuse("misplaced", "it is not clear what is done first, and what then", said[0].span,
                      "say 'first ..., then ...'")  # fmt: skip
 

@@ -118,7 +118,7 @@ def _asks(words: Sequence[str]) -> bool:
     behind = words[lead[0].count(" ") :] if lead else words
     return bool(behind) and (
         behind[0] in ("do", "leave", "keep", "without")
-        or lexicon.commands(behind[0])
+        or behind[0] in lexicon.COMMANDS
         or bool(lead and lead[0].strip(" ,;:."))
     )
 

@@ -112,7 +112,7 @@ def _joined(tokens: Sequence[Token], plainly: Plainly) -> Iterator[tuple[_Figure
 def _both(ahead: Sequence[Token], behind: Sequence[Token], plainly: Plainly) -> Iterator[tuple[_Figure, _Figure]]:
     one, other = _figure(_trimmed(ahead), plainly), _figure(_trimmed(behind), plainly)
     given = _GIVEN.search(" ".join(coded(ahead)))
-    asked = any(lexicon.commands(token.word) for token in behind)
+    asked = any(token.word in lexicon.COMMANDS for token in behind)
     if one and other and not (given and asked):
         yield one, other
 

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from rpg.language.frames.lines.places import Said
-from rpg.language.frames.lines.sentences import Row, in_words
+from rpg.language.frames.lines.sentences import Colored, Row, in_words
 from rpg.language.frames.lots import Lot, one
 from rpg.language.frames.pieces import Piece, Unclear
 
@@ -156,7 +156,7 @@ def in_sort_words(sort: str, kind: str) -> str:
     return f" in {'de' if sort == 'down' else 'a'}scending order"
 
 
-class Labelled:
+class Labelled(Colored):
     """How blocks with labels, and coloured ones among them, are told."""
 
     @staticmethod
@@ -167,13 +167,3 @@ class Labelled:
         listed = [", ".join(labels[:-1]), labels[-1]] if len(labels) > 1 else labels
         told = [f"the block{'s' * (len(labels) > 1)} {' and '.join(listed)}"] if labels else []
         return " and ".join([*told, *colored])
-
-    @staticmethod
-    def the(look: str) -> str:
-        """The only one of a look."""
-        return f"the {look} block"
-
-    @staticmethod
-    def an(look: str) -> str:
-        """One of several."""
-        return f"{'an' if look[0] in 'aeiouAEFHILMNORSX8' else 'a'} {look} block"

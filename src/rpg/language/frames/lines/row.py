@@ -15,7 +15,7 @@ from rpg.language.frames.lines import sizes as rowsizes
 from rpg.language.frames.lines import words as rowwords
 from rpg.language.frames.lines.counts import facts_of, facts_of_listed, numbered
 from rpg.language.frames.lines.places import STOPS, Said, said_of
-from rpg.language.frames.lines.sentences import Row, in_words
+from rpg.language.frames.lines.sentences import Colored, Row, in_words
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
 from rpg.language.lexicon import RAINBOW
@@ -91,7 +91,7 @@ def told(pieces: Sequence[Piece]) -> str:
     check_rest(pieces, row.counts)
     if any(piece.kind == "hues" and piece.value != len(row.counts) for piece in pieces):
         raise Unclear
-    return in_words(row, pieces, _Colored())
+    return in_words(row, pieces, Colored())
 
 
 def check_rest(pieces: Sequence[Piece], counts: Counter[str]) -> None:
@@ -378,23 +378,3 @@ def set_off(pieces: Sequence[Piece], at: int) -> bool:
     """Whether the list that begins there stands behind a colon or comma which the row is named ahead of."""
     ahead = [piece for piece in pieces[:at] if piece.kind not in ("glue", "place")]
     return bool(ahead) and ahead[-1].words in (":", ",") and any(piece.kind in ("figure", "mention") for piece in ahead)
-
-
-class _Colored:
-    """How coloured blocks are told."""
-
-    @staticmethod
-    def blocks(counts: Counter[str]) -> str:
-        """All of them."""
-        told = [Lot(look, many).blocks for look, many in counts.items()]
-        return " and ".join([", ".join(told[:-1]), told[-1]] if len(told) > 1 else told)
-
-    @staticmethod
-    def the(look: str) -> str:
-        """The only one of a look."""
-        return f"the {look} block"
-
-    @staticmethod
-    def an(look: str) -> str:
-        """One of several."""
-        return f"{'an' if look[0] in 'aeiou' else 'a'} {look} block"

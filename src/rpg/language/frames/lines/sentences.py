@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
 
 from rpg.language.frames.lines.arranged import OPPOSITE, Fact, completed, filled
 from rpg.language.frames.lines.plainer import check_about_middle
-from rpg.language.frames.lots import one
+from rpg.language.frames.lots import Lot, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.lexicon import SIZE
 
@@ -28,17 +27,24 @@ _SIZES = frozenset({*SIZE, "medium", "normal"})
 _ENDS = frozenset({"left", "right", "front", "back"})
 
 
-class Names(Protocol):
-    """How blocks are named."""
+class Colored:
+    """How blocks are named: coloured ones, if nothing else is said."""
 
-    def blocks(self, counts: Counter[str]) -> str:
+    @staticmethod
+    def blocks(counts: Counter[str]) -> str:
         """All of them."""
+        told = [Lot(look, many).blocks for look, many in counts.items()]
+        return " and ".join([", ".join(told[:-1]), told[-1]] if len(told) > 1 else told)
 
-    def the(self, look: str) -> str:
+    @staticmethod
+    def the(look: str) -> str:
         """The only one of a look."""
+        return f"the {look} block"
 
-    def an(self, look: str) -> str:
+    @staticmethod
+    def an(look: str) -> str:
         """One of several."""
+        return f"{'an' if look[0] in 'aeiouAEFHILMNORSX8' else 'a'} {look} block"
 
 
 @dataclass
@@ -71,7 +77,7 @@ class Row:
         return self.direction.split()[1] if self.direction else self.near
 
 
-def in_words(row: Row, pieces: Sequence[Piece], names: Names, lay: str = "") -> str:
+def in_words(row: Row, pieces: Sequence[Piece], names: Colored, lay: str = "") -> str:
     """The row in plain sentences. `lay`: the first of them, where it is told already.
 
     Raises:
@@ -84,7 +90,7 @@ def in_words(row: Row, pieces: Sequence[Piece], names: Names, lay: str = "") -> 
     return " ".join([lay or _arranged(row, noun, names), *_spacing(pieces), *_where(pieces, noun)])
 
 
-def _arranged(row: Row, noun: str, names: Names) -> str:
+def _arranged(row: Row, noun: str, names: Colored) -> str:
     if not row.counts:
         return _uncolored(row, noun)
     if row.pattern in ("different", "same") and (
@@ -183,7 +189,7 @@ def _in_order(row: Row, lay: str, noun: str, direction: str, order: Sequence[str
     return f"{lay} {direction}: {', '.join(told)}."
 
 
-def _partly(row: Row, lay: str, noun: str, names: Names) -> str:
+def _partly(row: Row, lay: str, noun: str, names: Colored) -> str:
     """A row with some blocks at their places in it."""
     within, behind = [], []
     both = [look for name, _, look, many in row.facts if name in ("end", "other") and many == row.counts[look] == 1]

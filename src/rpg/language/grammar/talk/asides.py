@@ -308,7 +308,6 @@ _DO_THIS = tuple(
     for this in ("this", "the following")
 )
 """What carries nothing in front of a command."""
-_COMMANDS = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
 _AT_ALL = ("at all", "whatsoever", "though")
 _FILLERS = ("like", "sort of", "kind of", "i think", "i believe")
 _COUNTING = frozenset({"with", "of", "and", "then", "have", "make", "use", "be", "is", "are"})
@@ -381,7 +380,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_ANY_CASE, _in_any_case),
     (_ALL_OVER, _all_over),
     (_AT_ONCE, lambda words, first, last: _DENYING.isdisjoint(words) and words[last : last + 1] != ["as"]),
-    (_DO_THIS, lambda words, first, last: last < len(words) and words[last] in _COMMANDS),
+    (_DO_THIS, lambda words, first, last: last < len(words) and words[last] in lexicon.COMMANDS),
     (_ALTOGETHER, lambda words, first, last: last < len(words) and words[last] in lexicon.COLOR),
     (_BUILT, lambda words, first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
     (("only", "single", "sole"), _the_only),

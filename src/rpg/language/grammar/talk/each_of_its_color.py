@@ -62,11 +62,7 @@ def for_each_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "For each colour, put the blocks of that colour on the mat of that colour": the blocks of each colour."""
     for at in range(len(words)):
         verb = behind(words, at, _LEADS)
-        if (
-            not verb
-            or verb >= len(words)
-            or not any(form == "base" for _, _, form in lexicon.VERB.get(words[verb], ()))
-        ):
+        if not verb or verb >= len(words) or words[verb] not in lexicon.COMMANDS:
             continue
         the = verb + 1
         the += words[the : the + 1] == ["up"]

@@ -297,7 +297,7 @@ def _goes_on(tokens: list[Token], at: int) -> bool:
     after = tokens[at + 1 : at + 3]
     if after and after[0].word in ("please", "also", "then"):
         after = after[1:]
-    command = bool(after) and any(form == "base" for _, _, form in lexicon.VERB.get(after[0].word, ()))
+    command = bool(after) and after[0].word in lexicon.COMMANDS
     command = command or (bool(after) and after[0].word in _FURTHER_VERBS)
     return command and at > 0 and tokens[at - 1].word not in _DETERMINERS
 

@@ -94,7 +94,7 @@ def _said(before: list[Token], sentence: list[Token]) -> list[Token] | None:
 
 def _verb(lead: str) -> bool:
     words = [word for word in lead.split() if word not in ("then", "now", "please", "first")]
-    return bool(words) and lexicon.commands(words[0])
+    return bool(words) and words[0] in lexicon.COMMANDS
 
 
 def _on_patch(rest: list[Token]) -> bool:

@@ -11,7 +11,6 @@ OUT_OF = frozenset({"with", "from", "out", "using"})
 _WHO = (("the", "robot"), ("the", "arm"), ("the", "agent"), ("the", "gripper"), ("a", "robot"), ("you",),
         (",", "the", "robot"), (",", "you"), (",", "the", "arm"))  # fmt: skip
 _SHALL = frozenset({"should", "must", "shall", "will", "can", "could"})
-_BASES = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
 _WHAT = frozenset({"the", "that", "this", "all", "both", "those", "these", "my", "every", "everything"})
 _SHORT = 6
 _MADE = frozenset({"make", "build", "create", "construct", "form"})
@@ -25,7 +24,7 @@ def who_builds(tokens: list[Token], words: list[str]) -> list[Token] | None:
         for at in range(begin + 3, end - 1) if words[begin] in OUT_OF else ():
             who = length_at(words, at, _WHO)
             modal = at + who
-            if who and modal + 1 < end and words[modal] in _SHALL and words[modal + 1] in _BASES:
+            if who and modal + 1 < end and words[modal] in _SHALL and words[modal + 1] in lexicon.COMMANDS:
                 return [*tokens[:at], *tokens[modal + 1 :]]
     return None
 

@@ -68,3 +68,9 @@ def test_how_it_was_understood_is_noted() -> None:
 def test_what_there_is_besides_is_no_part_of_the_figure(text: str) -> None:
     for _, said in retold(words(text)):
         assert said.endswith(text.rpartition("There")[2]), said
+
+
+def test_a_place_is_asked_for_ahead_of_a_command() -> None:
+    assert first("A tower of two red blocks on the blue patch, and behind the tower a green block.") == (
+        "Build a tower from 2 red blocks. The tower must be on the blue patch. Put a green block behind the tower."
+    )

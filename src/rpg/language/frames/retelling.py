@@ -19,6 +19,7 @@ from rpg.language.frames.around.turned import without_turns
 from rpg.language.frames.families import FAMILIES
 from rpg.language.frames.pieces import CLASSES, Unclear, coded, cut
 from rpg.language.frames.relations import relations
+from rpg.language.frames.shared import asked
 from rpg.language.tokens import Token, tokenize
 
 _ENDS = frozenset({".", "!", "?", ";"})
@@ -58,9 +59,11 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     asides = (without_distractors, without_turns, without_measures, without_attached)
     for without, (rest, stretch, aside) in ((way, found) for way in asides for found in way(tokens)):
         rest = beside.stopped(rest, stretch[0])
-        told = [*_as_a_whole(rest)]
-        if without is not without_attached:  # "it" may be another thing where the rest is no figure by itself
-            told = [(rest, _text(rest)), *told]
+        if without is without_attached:  # "it" may be another thing where the rest is no figure by itself
+            whole = asked(plainly(rest) or "")
+            told = [(_standing(whole, rest), whole)] if whole else []
+        else:
+            told = [(rest, _text(rest)), *_as_a_whole(rest)]
         for plain, said in told if rest else [([], "")]:
             yield [*plain, *_standing(aside, stretch)], f"{said} {aside}".strip()
     if not _BINDING.isdisjoint(token.word for token in tokens):
@@ -72,6 +75,7 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     ]
     for ahead, behind in reversed(parts):
         if (first := plainly(ahead)) is not None and not _ANY.search(first) and _by_itself(behind):
+            first = asked(first)
             yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"
     for ahead, behind in parts:
         if (last := plainly(behind)) is not None and not _ANY.search(last) and _by_itself(ahead):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from rpg.language.frames.pieces import Pattern, patterns
 
 _PLACED = r"(?:(?!that |which )BE )?(?:put |placed |set |built )?"
@@ -65,3 +67,10 @@ GLUE: list[Pattern] = [
         ")?(?:picture|image|scene|shot|view|photo|frame|state|result|goal|task)(?: is| shows| :)"),
 ]  # fmt: skip
 """Words that say nothing of their own beside parts. No word that denies, compares, or binds parts in another way."""
+
+_IS_THERE = re.compile(r"\b(The \w+) (?:is|are) (?=(?:on|in|at) )")
+
+
+def asked(told: str) -> str:
+    """Plain sentences ahead of others, "the tower must be on the mat": ahead of a command, "is" tells of the start."""
+    return _IS_THERE.sub(r"\1 must be ", told)

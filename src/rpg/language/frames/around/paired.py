@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from rpg.language import lexicon
 from rpg.language.frames.around.attached import BE, OF_IT, SIDES, UNBOUND, VERB
 from rpg.language.frames.pieces import Pattern, coded, joined
+from rpg.language.frames.shared import asked
 from rpg.language.tokens import Token
 
 Plainly = Callable[[Sequence[Token]], str | None]
@@ -146,4 +147,4 @@ def _told(one: _Figure, other: _Figure, side: str) -> Iterator[str]:
     if not all(figure.looks or figure.noun == "word" or "blocks " in figure.told for figure in (one, other)):
         return
     names = (one.named, other.named) if one.noun == other.noun else (f"the {one.noun}", f"the {other.noun}")
-    yield f"{one.told} {other.told} {names[0].capitalize()} must be {side} {names[1]}."
+    yield f"{asked(one.told)} {asked(other.told)} {names[0].capitalize()} must be {side} {names[1]}."

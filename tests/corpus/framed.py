@@ -9,7 +9,6 @@ from concurrent.futures import ProcessPoolExecutor
 from rpg.core.diagnostics import Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.formulas import formulas_told
-from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
 from rpg.passes.schema.frontend import _PLAINER, BuiltinFrontEnd
@@ -29,7 +28,7 @@ class _Second(BuiltinFrontEnd):
             words, _, wrong = read_words(tokens)
             if wrong or strays:
                 return None
-            found = self._retold(without_asides(words), text, None, 0, None, [])
+            found = self._retold(words, text, None, 0, None, [])
         except Refusal:
             return None
         return found[0] if found else None
@@ -45,9 +44,15 @@ def read(entry: Entry) -> Read:
 
 
 def scored(entry: Entry) -> tuple[Score, str]:
-    """An entry's score, and what it was retold as where that is wrong."""
-    score = judge(entry, read)
-    schema = read(entry)[0] if score.outcome in ("wrong", "crash") else None
+    """An entry's score, and what it was retold as, if it was."""
+    found: list[Read] = []
+
+    def once(entry: Entry) -> Read:
+        found.append(read(entry))
+        return found[-1]
+
+    score = judge(entry, once)
+    schema = found[-1][0] if found else None
     return score, schema.assumptions[0] if schema is not None else ""
 
 
@@ -57,7 +62,8 @@ def main() -> None:
     counts: Counter[str] = Counter()
     with ProcessPoolExecutor(2) as pool:
         for score, text in pool.map(scored, entries, chunksize=50):
-            counts["right refusal" if score.entry.refuse and score.outcome == "right" else score.outcome] += 1
+            right = "right" if text else "right refusal" if score.entry.refuse else "refused, as it may be"
+            counts[right if score.outcome == "right" else score.outcome] += 1
             if score.outcome in ("wrong", "crash"):
                 print(f"{score.outcome}: {score.entry.text}\n    {text}\n    {score.why}")
     print(counts)

@@ -9,7 +9,7 @@ from tests.corpus.framed import scored
 
 EVERY = 9
 """Each ninth sentence is read here, and all of them by `python -m tests.corpus.framed`."""
-READ = 0.08
+READ = 0.33
 """The share of them that it reads."""
 
 
@@ -22,5 +22,5 @@ def test_the_second_reader_never_misreads(sentences: list[Entry]) -> None:
     found = [scored(entry) for entry in sentences]
     wrong = [(score.entry.text, told) for score, told in found if score.outcome in ("wrong", "crash")]
     assert not wrong
-    read = [score for score, _ in found if score.outcome == "right" and not score.entry.refuse]
+    read = [score for score, told in found if told and score.outcome == "right"]
     assert len(read) >= READ * len(found)

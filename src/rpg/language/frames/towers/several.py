@@ -23,7 +23,7 @@ from rpg.language.frames.towers.words import ORD, PATTERNS, TS, T
 
 __all__ = ["PATTERNS", "told"]
 
-_SINGLE = re.compile("(?:single|one) color")
+_SINGLE = re.compile("(?:single|one) color|monochrome")
 _STACKED = re.compile("(?:is|are) stack(?:ed)?\\b")
 _THING = re.compile(f"{T}|{TS}")
 _UNIQUE = frozenset({*ORD.split("|"), "other", *"12345ABCDE"})

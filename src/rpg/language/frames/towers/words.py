@@ -21,7 +21,7 @@ T = "(?:tower|stack|pillar)"
 TS = "(?:towers|stacks|pillars)"
 _ADJ = (
     "(?:(?:little|small|neat|separate|identical|equal|single|own|different|similar|individual|short|matching|twin|"
-    "single color|one color|distinct|such) )"
+    "single color|one color|monochrome|distinct|such) )"
 )
 ORD = "first|second|third|fourth|fifth|last|left|right|middle|center|leftmost|rightmost"
 _IN = "(?:(?:in|into|as|to|on|forms?|makes?) )?"

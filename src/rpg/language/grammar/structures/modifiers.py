@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.meaning import Manner, OrderBy, Spacing
+from rpg.language.meaning import Manner, OrderBy, Pattern, Spacing
 
 MODIFIERS = {
     "straight": {}, "parallel": {"upright": False}, "layered": {}, "stepped": {}, "outline": {"filled": False},
@@ -32,7 +32,8 @@ OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "divisi
 NOWHERE = (0, 0)
 
 
-DETAILS: dict[str, OrderBy | Spacing | Manner] = {
+DETAILS: dict[str, OrderBy | Spacing | Manner | Pattern] = {
+    "monochrome": Pattern(unit="stack", span=NOWHERE),
     "equally tall": Manner(kind="equal", span=NOWHERE), "equal": Manner(kind="equal", span=NOWHERE),
     "equally high": Manner(kind="equal", span=NOWHERE),
     **{word: Manner(kind="unequal", span=NOWHERE) for word in ("unequal", "differently tall", "differently high")},
@@ -53,7 +54,10 @@ DETAILS: dict[str, OrderBy | Spacing | Manner] = {
     "touching": Spacing(kind="touching", span=NOWHERE),
     "tight": Spacing(kind="touching", span=NOWHERE),
     "evenly spaced": Spacing(kind="even", span=NOWHERE), "equally spaced": Spacing(kind="even", span=NOWHERE),
-    "gapless": Spacing(kind="touching", span=NOWHERE),
+    **{
+        word: Spacing(kind="touching", span=NOWHERE)
+        for word in ("gapless", "contiguous", "continuous", "unbroken", "uninterrupted", "seamless", "gap free")
+    },
     "sorted": OrderBy(by="in_order", span=NOWHERE), "ordered": OrderBy(by="in_order", span=NOWHERE),
     "numerical": OrderBy(by="number", span=NOWHERE),
     **{

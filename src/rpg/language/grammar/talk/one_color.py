@@ -1,0 +1,51 @@
+"""Figures of one colour: "a single-colour tower of three blocks" is one of three blocks of the same colour."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.phrases import length_at
+from rpg.language.tokens import Token
+
+_STOPS = frozenset({".", ";", "!", "?"})
+_OF_ONE = (
+    *((one, color) for one in ("single", "one", "same", "solid") for color in ("color", "colored")),
+    ("monochrome",), ("monochromatic",), ("unicolored",), ("uniformly", "colored"), ("uniform", "color"),
+)  # fmt: skip
+ONE_COLOR = frozenset(words[0] for words in _OF_ONE)
+_OUT_OF = frozenset({"of", "from", "with", "using"})
+
+
+def one_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """Several such figures are "monochrome" ones; of a single one it is said of its blocks, unless they are told to be
+    of one colour anyway. What is left is refused."""
+    at = next((n for n in range(len(words)) if _figure(words, n)), None)
+    if at is None:
+        return None
+    figure = at + _figure(words, at)
+    said, rest = tokens[at].saying("monochrome"), tokens[figure:]
+    if lexicon.STRUCTURE[words[figure]][1]:
+        return [*tokens[:at], said, *rest]
+    end = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
+    colors = {lexicon.COLOR[word] for word in words[at:end] if word in lexicon.COLOR}
+    if len(colors) == 1 and "not" not in words[at:end]:
+        return [*tokens[:at], *rest]
+    blocks = _blocks(tokens, figure + 1)
+    if colors or not blocks:
+        return [*tokens[:at], said, *rest] if words[at] != "monochrome" else None
+    same = [tokens[at].saying(word) for word in ("of", "the", "same", "color")]
+    return [*tokens[:at], *tokens[figure : blocks + 1], *same, *tokens[blocks + 1 :]]
+
+
+def _figure(words: list[str], at: int) -> int:
+    """How many words say that it has one colour, where the name of a figure follows; else 0."""
+    long = length_at(words, at, _OF_ONE)
+    end = at + long
+    told = long and end < len(words) and words[end] in lexicon.STRUCTURE
+    return long if told else 0
+
+
+def _blocks(tokens: list[Token], at: int) -> int:
+    """Where the blocks are named that it is made of; 0 where they are not."""
+    if at + 2 >= len(tokens) or tokens[at].word not in _OUT_OF or tokens[at + 1].many < 1:
+        return 0
+    return at + 2 if tokens[at + 2].word in lexicon.BLOCK else 0

@@ -90,9 +90,10 @@ VERBS = {
     "pick": "pick grab grasp lift take find choose select fish dig",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape craft fabricate "
-    "complete",
+    "complete generate design fashion raise realize realise manufacture sculpt implement provide reproduce recreate "
+    "render engineer establish simulate",
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
-    "configure set rearrange straighten",
+    "configure set rearrange straighten display present exhibit",
     "sort": "sort group gather herd cluster separate collect split divide partition categorize classify bunch merge "
     "combine unite segregate",
     "spell": "spell write",

@@ -23,6 +23,7 @@ from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
 from rpg.language.materials import without_materials
 from rpg.language.nicknames import without_nicknames
 from rpg.language.open_colors import with_colors
+from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
 from rpg.language.spliced import in_sentences
@@ -203,7 +204,7 @@ def _undisturbed() -> Iterator[None]:
 
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
     without_names, without_glosses, without_nicknames, without_feelings, in_centimetres, with_colors,
-    without_materials,
+    without_materials, without_praise,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _STRAY_HINTS = {

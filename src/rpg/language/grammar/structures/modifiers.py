@@ -62,6 +62,6 @@ DETAILS: dict[str, OrderBy | Spacing | Manner | Pattern] = {
     "numerical": OrderBy(by="number", span=NOWHERE),
     **{
         word: Manner(kind="idle", value=f"size {word}", span=NOWHERE)
-        for word in ("tall", "long", "short", *lexicon.SIZE)
+        for word in ("tall", "high", "long", "short", *lexicon.SIZE)
     },
 }  # fmt: skip

@@ -44,7 +44,10 @@ DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
 LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen"
-PATCH_NOUNS = "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster"
+PATCH_NOUNS = (
+    "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster "
+    "placemat napkin cloth towel sticker dropzone dot destination paper"
+)
 TABLE_NOUNS = "table tabletop workspace desk surface"
 LETTER_NOUNS = "letter character"
 DIGIT_NOUNS = "number digit numeral"

@@ -68,10 +68,11 @@ WISHING = Classes(
             "prefer",
             "prefers|wish|wishes|hope|hopes|ask|asks|require|requires|expect|expects|imagine|imagines|request|requests",
             "have_in_mind|picture|propose|suggest|envision|look|looking|hoping|asking|wondering|wanting|dreaming",
+            "appreciate|welcome|vote|settle|opt|demand|demands|desire|desires|be_satisfied|be_content",
             "thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing",
         ),
         "see": (
-            "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be",
+            "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|with|that|it_if|if|of|there_to_be",
             "it_that|me_for|us_for|you_for|:",
         ),
         "do": (

@@ -36,7 +36,7 @@ from rpg.language.grammar.talk.numbers_told import NUMBER, TIPS, both_of_so_many
 from rpg.language.grammar.talk.one_another import ANOTHER, CORNER, one_another, one_in_each_corner, other_half
 from rpg.language.grammar.talk.one_color import ONE_COLOR, one_color
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
-from rpg.language.grammar.talk.respelling import RESPELT, respelling
+from rpg.language.grammar.talk.respelling import MADE, RESPELT, respelling, word_made
 from rpg.language.grammar.talk.said_between import (
     ANYWHERE,
     BETWEEN,
@@ -286,6 +286,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (all_as_before, frozenset({"everything", "all"})),
     (answers_wanted, frozenset({"?", "=", "answer", "result", "solution", "missing"})),
     (respelling, RESPELT),
+    (word_made, MADE),
     (bare_sides, frozenset({"right"})),
     (one_side_each, frozenset({"side"})),
     (own_color, frozenset({"match", "each", "every"})),

@@ -119,6 +119,18 @@ _PHRASES = {
        for n in lexicon.NUMBER for what in ("", " blocks", " cubes")},
     **{f"{has}{crept} into": f"{be} in" for has, be in (("has ", "is"), ("have ", "are"))
        for crept in ("crept", "slipped", "sneaked", "strayed", "wandered")},
+    **{f"{piece} of {paper}": "patch" for piece in ("piece", "sheet", "bit", "scrap", "square")
+       for paper in ("paper", "cloth", "felt", "carpet", "cardboard")},
+    **{f"at the {table} 's {middle}": f"in the middle of the {table}" for table in ("table", "desk", "workspace")
+       for middle in ("middle", "center")},
+    **{f"{to}{side} of the {middle} of the {table}": f"in the {side} half of the table"
+       for to in ("", "to the ", "on the ") for side in ("left", "right") for middle in ("middle", "center")
+       for table in ("table", "desk", "workspace", "tabletop")},
+    **{f"over {to} the {side} side": f"to the {side} side" for to in ("to", "on") for side in ("left", "right")},
+    "the wrong way up": "upside down", "be inverted": "be upside down", "is inverted": "is upside down",
+    "around the middle of": "near the middle of", "into the middle of": "to the middle of",
+    **{f"portion of the {table}": f"part of the {table}" for table in ("table", "desk", "workspace", "tabletop")},
+    "centrally on": "in the middle of", "midpoint of the": "middle of the", "heart of the": "middle of the",
     "square frame": "square outline", "rectangular frame": "rectangle outline",
     "but not both of them": "but not both", "not both of them": "not both", "and not both of them": "but not both",
 }  # fmt: skip

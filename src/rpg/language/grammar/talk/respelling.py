@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.tokens import Token
 
 _TURN = frozenset({"turn", "change", "transform", "convert", "rearrange", "reorder", "unscramble", "correct", "fix"})
@@ -15,6 +16,13 @@ _TO_BE = frozenset({"make", "becomes", "should", "must", "into", "to", "become",
 _BETWEEN = _BEFORE | _TO_BE | {"but", "and", "be", "that", "has", "have", "instead", "really", "actually"}
 RESPELT = frozenset({"unscramble", "become", "becomes", *_TURN, *_SHOWN})
 """Words without one of which no word is made of another."""
+MADE = frozenset(
+    form
+    for form, senses in lexicon.VERB.items()
+    for sense, _, tense in senses
+    if sense == "build" and tense in ("base", "ing")
+)
+"""What is done with a word that is built."""
 _BEHIND = frozenset({"instead", ".", "!", "please", "now"})
 
 
@@ -46,6 +54,17 @@ def _rearranged(tokens: list[Token], words: list[str]) -> list[Token] | None:
         return None
     at = words.index("unscramble")
     return [*tokens[:at], tokens[at].saying("rearrange"), *tokens[at + 1 :]]
+
+
+def word_made(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Build CAT from letter blocks": the word CAT. A text all in capitals names no word that way."""
+    if any(len(token.raw) > 1 and token.raw.isupper() for token in tokens if token.word in MADE):
+        return None
+    for at in range(len(words) - 1):
+        if words[at] in MADE and _word(tokens[at + 1]):
+            named = [tokens[at].saying("the"), tokens[at].saying("word")]
+            return [*tokens[: at + 1], *named, *tokens[at + 1 :]]
+    return None
 
 
 def _word(token: Token) -> bool:

@@ -92,7 +92,7 @@ STATES = Patterns(
     "could_you? make it so that?",
     "let it be that",
     "let there be",
-    "make|show|give me?",
+    "make|show|give|hand|fetch|bring|get me|us?",
     "show|demonstrate|prove|explain|teach to? <who>|everybody|everyone|people|us|me that?",
     "show|demonstrate|prove|explain to|for my|our|the|your folks|audience|class|school|room that?",
     "let|have|get|see|picture|imagine|finally",

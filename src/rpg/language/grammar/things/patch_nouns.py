@@ -11,7 +11,8 @@ _PLACES = {
     for place in ("region", "position", "location", "place", "site")
     for word in (place, f"{place}s")
 }
-_FOR_WHAT = ("drop off", "dropoff", "delivery", "landing", "docking")
+_FOR_WHAT = ("drop off", "dropoff", "drop", "delivery", "landing", "docking", "parking", "storage", "loading",
+             "unloading", "charging", "assembly", "marked", "painted", "floor")  # fmt: skip
 _REGION = frozenset({"region"})
 
 

@@ -11,9 +11,35 @@ from rpg.language.phrases import Classes, Rows
 _CLASSES = Classes({
     "who": ("i|we|he|she|they|you|everybody|everyone|people", f"the|my|our|your little|dear? {PEOPLE}", RELATIONS,
             "my|our|the guests|boss|dog|cat|bus|train|taxi|inspector|show|others"),
+    "skill": ("pick_and_place|pick_place|picking_and_placing|stacking|sorting|spelling|building|grasping|placing|"
+              "manipulation|rearrangement|rearranging|tidying|reading|counting|arithmetic|math|maths|logic|geometry|"
+              "precision|dexterity|balance|stability|memory|planning|patience|accuracy|coordination|teamwork|robotics",),
+    "errand": ("task|test|exercise|job|challenge|puzzle|game|problem|benchmark|trial|drill|experiment|demo|scenario|"
+               "round|question|level|lesson|one|case|example|episode|instruction|request|command|assignment",),
+    "sort": ("simple|easy|quick|small|little|short|basic|standard|classic|hard|tricky|tabletop|robot|practice|warm_up|"
+             "first|second|third|next|last|final|new|typical|usual|very|really|another|only|test", "<skill>"),
     "is": ("is|are|am|was|were|be|will_be|'s|have|has|had|get|gets",),
 })  # fmt: skip
 _WHOLE = (
+    "this|it|here|that is|'s just|only|again? a|an|another|our|my|the? <sort>* <errand> for_you|for_today|today|"
+    "of_mine?",
+    "this|our|the|my|each|every? <sort>* <errand> tests|checks|measures|evaluates|trains|covers|involves|requires|"
+    "demands|needs|is_about|is_for|is_a_test_of|is_to_test|is_meant_to_test|is_testing|focuses_on|deals_with "
+    "your|our|the|basic|fine|only|mainly|just? <skill> and|or? <skill>? skills|abilities|ability|only|here?",
+    "this|it|that one|round? is|'s for|from|part_of a|an|the|our|my <sort>* <errand>|class|course|exam|competition|"
+    "thesis|paper|study|data_set|dataset|curriculum|training",
+    "today|now|this_week|next|first? ,? we|i|you|they practice|practise|train|test|study|learn|are_practising|"
+    "are_practicing|are_learning|are_training|are_testing|are_studying|will_practice|will_practise|talk_about|"
+    "talked_about|learned_about|learnt_about|are_learning_about|work_on|are_working_on|'re_testing|'re_practising|"
+    "'re_learning|'re_learning_about|'re_working_on|focus_on|are_doing|do your|our|the|basic? <skill> and? <skill>? "
+    "skills|again|today|here|at_the_moment|in_class|in_school?",
+    "in class|school|the_lab|the_lesson|today_'s_lesson|kindergarten ,? we|i are_doing|do|did|learn|learned|"
+    "learned_about|are_learning|are_learning_about|talked_about|talk_about|are_practising|practise|practice <skill>",
+    "<errand> one|two|three|four|five|six|seven|eight|nine|ten|a|b|c",
+    "nothing more|else and|or|,? nothing less|else",
+    "it|this|that does|need not need_to|have_to? be perfect|pretty|precise|exact|fancy|beautiful|so_precise|"
+    "a_work_of_art|nice exactly|though|at_all?",
+    "or|otherwise|else i|we will|'ll cry|be_sad|be_angry|be_mad|be_late|fail|tell_mom|get_angry",
     "and|okay|ok|but? i|we can|will|'ll|could just|happily? wait|not_wait",
     "thank you|god|goodness|heavens so|very? much? in_advance|again|indeed?",
     "and|but|so? that|this is all|it|that|everything for_now|for_today|folks|i_ask|we_ask|really|today|then|there_is?",
@@ -38,6 +64,7 @@ _WHOLE = (
     "watch|look|listen|observe|behold",
     "time is short|tight|money|precious|running_out",
     "do not overthink|overcomplicate|overdo it|this|that",
+    "do not worry|fret|stress|bother about the|any? time|mess|speed|details|detail|dust|noise|cost|clock",
     "do not worry|panic|laugh|ask|cry|hurry|rush|stress|despair|sweat|giggle|be_afraid|be_shy|be_angry|be_mad|"
     "be_scared|"
     "be_sad|be_cross|be_nervous|you_worry|mind_me|mind_the_mess|mind_the_noise|get_nervous|get_angry|thank_me|"

@@ -11,11 +11,11 @@ from collections.abc import Collection, Sequence
 from rpg.language import harmless
 from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.lead_ins import set_in
-from rpg.language.phrases import Rows
 from rpg.language.reasons import meanwhile, reason_or_aim
 from rpg.language.smalltalk import is_strange, small_talk
 from rpg.language.talk_forms import by_form, polite_condition, takes_care
 from rpg.language.tokens import Token
+from rpg.language.ways_of_working import way_of_working
 from rpg.language.word_lists import listed
 
 _OWN = listed("my our his her their your")
@@ -54,11 +54,13 @@ _LATER = (
 
 def idle(tokens: Sequence[Token]) -> bool:
     """Whether these words ask for nothing, wherever they stand between marks."""
+    if way_of_working(tokens):
+        return True
     words = _plain(tokens)
     if words is None:
         return False
-    begun = len(words) > 1 and words[0] in _BEGUN and _whole(words[1:], IDIOMS)
-    return begun or (_whole(words, IDIOMS) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
+    begun = len(words) > 1 and words[0] in _BEGUN and IDIOMS.whole(words[1:])
+    return begun or (IDIOMS.whole(words) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
 
 
 _BEGUN = listed("now so well okay ok right and but")
@@ -76,11 +78,12 @@ def idle_at_an_end(tokens: Sequence[Token]) -> bool:
 
 
 def _whole_at_an_end(tokens: Sequence[Token]) -> bool:
+    if idle(tokens):
+        return True
     words = _plain(tokens)
     return words is not None and (
-        idle(tokens) or by_form(tokens) or _whole(words, TIMELY) or _thought(words) or _for_somebody(words)
-        or _of_own_things(words)
-    )  # fmt: skip
+        by_form(tokens) or TIMELY.whole(words) or _thought(words) or _for_somebody(words) or _of_own_things(words)
+    )
 
 
 def reason_at(tokens: Sequence[Token], at: int) -> bool:
@@ -88,8 +91,8 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     words = _plain(tokens[at:])
     if words is None or at == 0:
         return False
-    said = words[0] in ("if", "with", "without", "for", "in", "just", "to", "as") and _whole(words, IDIOMS)
-    timely = words[0] not in ("when", "once", "by") and _whole(words, TIMELY)
+    said = words[0] in ("if", "with", "without", "for", "in", "just", "to", "as") and IDIOMS.whole(words)
+    timely = words[0] not in ("when", "once", "by") and TIMELY.whole(words)
     wanted = words[0] in ("for", "as", "according", "per", "with", "using") and set_in(words) == len(words)
     careful = words[0] in ("with", "without", "in") and takes_care(words)
     formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful or wanted
@@ -109,14 +112,6 @@ def _could_be(token: Token, first: bool) -> bool:
     shouted = token.raw.isupper() and len(token.raw) > 1 and token.word not in harmless.INTERJECTIONS
     letter = len(token.raw) == 1 and token.raw.isupper() and token.word != "i" and not (token.word == "a" and first)
     return token.kind == "word" and not shouted and not letter
-
-
-def _whole(words: list[str], rows: Rows) -> bool:
-    """Whether they are a set phrase."""
-    step, n = rows.begin.after(words[0]), 1
-    while step is not None and n < len(words):
-        step, n = step.after(words[n]), n + 1
-    return step is not None and step.whole
 
 
 def _aimed(tokens: Sequence[Token], leads: Collection[str]) -> bool:

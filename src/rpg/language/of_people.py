@@ -31,7 +31,7 @@ from rpg.language.word_lists import listed
 _AHEAD = (
     (harmless.ADVERBS - listed("once again later only"))
     | harmless.INTERJECTIONS
-    | listed("and but well okay ok also that")
+    | listed("and but well okay ok also that otherwise")
 )
 _SPEAKERS = listed("i we he she")
 _ANYBODY = listed("everybody everyone somebody someone nobody people who")
@@ -65,7 +65,15 @@ _ANOTHER = listed("other another every each same different")
 _LEFT_OUT = listed("allowed supposed permitted serious mean meant care")
 _DENYING = listed("not never no nothing none without neither nor")
 _BEFORE_NOT = listed("can could do does did is am are was were will would 'm 're has have")
-_DOING = harmless.DOINGS | BEING | _TO_YOU
+_DOING = (
+    harmless.DOINGS
+    | BEING
+    | _TO_YOU
+    | listed(
+        "start starts started begin begins began ends ended closes closed opens opened broke breaks lost ate failed "
+        "fails"
+    )
+)
 _BEFORE_VERBS = harmless.ADVERBS | {"all", "both"}
 _ASKING = DEMANDED | listed("must should may might")
 

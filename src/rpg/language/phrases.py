@@ -177,6 +177,13 @@ class Rows:
         self.steps: dict[frozenset[Place], Step] = {}
         self.begin = Step(self, frozenset(Place(row, 0, (), None) for row in self.rows))
 
+    def whole(self, words: Sequence[str]) -> bool:
+        """Whether all of the words, and no more, are one of these rows."""
+        step, n = self.begin.after(words[0]), 1
+        while step is not None and n < len(words):
+            step, n = step.after(words[n]), n + 1
+        return step is not None and step.whole
+
 
 class Step:
     """Where a sentence may be in rows, and whether one of them is complete there."""

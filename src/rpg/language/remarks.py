@@ -20,6 +20,7 @@ from rpg.language.spoken_wishes import led_by_form
 from rpg.language.talk_forms import addressed_at
 from rpg.language.telling import tells
 from rpg.language.tokens import Token
+from rpg.language.ways_of_working import way_of_working
 
 _ENDS = frozenset({".", "!", "?", ";", "…"})
 _MARKS = frozenset({",", ":", "-"})
@@ -69,7 +70,8 @@ def without_remarks(tokens: list[Token]) -> tuple[list[Token], list[str]] | None
         if gone.isdisjoint(range(begin, end)):
             told = [t for t in tokens[begin:end] if t.word not in _BREAKS]
             raws = " ".join({t.span: t.raw for t in told}.values())
-            notes.append(f"left out, for it asks for nothing: '{raws}'")
+            why = "it is how the work is done" if way_of_working(told) else "it asks for nothing"
+            notes.append(f"left out, for {why}: '{raws}'")
             gone.update(range(begin, end))
     rest = _closed([token for n, token in enumerate(tokens) if n not in gone])
     while rest and rest[-1].word == "…":

@@ -10,7 +10,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.so_many_of import so_many_of
 from rpg.passes.schema.resolve.things.operands import crown
 from rpg.passes.schema.resolve.things.refer import refer
-from rpg.passes.schema.resolve.things.things import give
+from rpg.passes.schema.resolve.things.things import check_cubes, give
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse, said
 
 
@@ -134,6 +134,8 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
             "misplaced", "this is understood, but is no look that can be given", quality.span, "say it as a place"
         )
     things = [scene.things[n] for n in theme.names]
+    if any(not thing.patch for thing in things):
+        check_cubes(traits, quality.span)
     if traits == Traits(scheme="some"):
         raise refuse("misplaced", "it is not said what colour these have", quality.span, "name the colour")
     if traits.extra:

@@ -21,7 +21,7 @@ from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
 from rpg.passes.schema.resolve.things.theirs import THEIRS, begun_on, in_their_colors, its_own
 from rpg.passes.schema.resolve.things.them import of_whom, sorted_out
-from rpg.passes.schema.resolve.things.things import alike, compared, looks_said, matching, note_premises
+from rpg.passes.schema.resolve.things.things import alike, check_cubes, compared, looks_said, matching, note_premises
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 if TYPE_CHECKING:
@@ -209,8 +209,8 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if bare and not noun.conditions:
         return pronoun(Pronoun(word="one", span=noun.span), scene, scope)
     patch = _is_patch(noun, scene, scope)
-    if not patch and (noun.traits.long or noun.traits.shape not in (None, "square")):
-        raise refuse("misplaced", "blocks are cubes, all of one shape", noun.span, "leave the shape out")
+    if not patch:
+        check_cubes(noun.traits, noun.span)
     if not patch and compared(noun):
         raise refuse("ambiguous", "it is not said of what colour", noun.span, "name the colour")
     if patch and (noun.traits.scheme == THEIRS or (noun.traits.matching and scope.given)):

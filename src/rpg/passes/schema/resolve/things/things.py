@@ -5,6 +5,7 @@ from __future__ import annotations
 import string
 
 from rpg.blocks.traits import symbols_of
+from rpg.core.diagnostics import Span
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Amount, Coord, Loc, Manner, Meaning, Noun, Traits, parts_of, record, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
@@ -109,6 +110,16 @@ def open_to(thing: Thing, traits: Traits) -> bool:
 def _shows_such(labels: tuple[str, ...], quality: str) -> bool:
     """Whether a vowel may turn out to be one of these symbols."""
     return all(quality_fits(Thing(name="", label=label), quality) for label in labels)
+
+
+def check_cubes(traits: Traits, span: Span) -> None:
+    """Refuse a shape that no block has.
+
+    Raises:
+        Refusal: "misplaced", for long, round and other blocks that are no cubes.
+    """
+    if traits.long or traits.shape not in (None, "square"):
+        raise refuse("misplaced", "blocks are cubes, all of one shape", span, "leave the shape out")
 
 
 def give(thing: Thing, traits: Traits) -> None:

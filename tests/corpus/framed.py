@@ -28,10 +28,9 @@ class _Second(BuiltinFrontEnd):
             words, _, wrong = read_words(tokens)
             if wrong or strays:
                 return None
-            found = self._retold(words, text, None, 0, None, [])
+            return self._retold(words, text, None, 0, None, [])[0]
         except Refusal:
             return None
-        return found[0] if found else None
 
 
 def read(entry: Entry) -> Read:

@@ -29,6 +29,12 @@ from tests.corpus.run import read
             "no-referent",
         ),
         ("Put the red block and the green block on the block.", "ambiguous"),
+        ("Put the red block on the blue block. The blocks are round.", "misplaced"),
+        (
+            "Let's make a rainbow! One red, one orange, one yellow, one green, one blue and one purple block in a row "
+            "from left to right, in that order.",
+            "ambiguous",
+        ),
     ],
 )
 def test_what_could_be_meant_of_something_else_is_asked(text: str, code: str) -> None:
@@ -59,6 +65,12 @@ def test_what_could_be_meant_of_something_else_is_asked(text: str, code: str) ->
         ("Here is a black and white checkerboard of two rows and three columns.",
          {"assets": {"black": 3, "white": 3}, "hold": ["black white black | white black white"],
           "miss": ["black black black | white white white"]}),
+        ("Pick out the blue block and put it on the white patch, the reds stay off it. There are two reds.",
+         {"assets": {"blue": 1, "red": 2, "white_patch": 1}, "hold": ["blue at=white_patch"],
+          "miss": ["blue red pitch=1 at=white_patch", "red"]}),
+        ("Build three single-colour towers of two blocks.",
+         {"assets": {"c1": 2, "c2": 2, "c3": 2}, "hold": ["c1^c1 ; c2^c2 ; c3^c3"], "miss": ["c1^c2 ; c2^c1 ; c3^c3"]}),
+        ("A single-colour tower of three blocks.", {"assets": {"c1": 3}, "hold": ["c1^c1^c1"], "miss": ["c1^c1 ; c1"]}),
         ("Leave K and M upright but turn L upside down.",
          {"assets": {"K": 1, "L": 1, "M": 1}, "hold": [["K ; L ; M", "M ; K ; L~180"]],
           "miss": [["K ; L ; M", "K ; L~180 ; M~180"]]}),

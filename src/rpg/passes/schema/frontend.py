@@ -37,6 +37,7 @@ from rpg.passes.schema.hints import explained
 from rpg.passes.schema.order_told import check_order
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.said_behind import check_behind
+from rpg.passes.schema.second_opinion import check_guess
 from rpg.passes.schema.told_there import check_numbers, check_told, check_wanted
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
@@ -152,16 +153,19 @@ class BuiltinFrontEnd:
                     check_behind(typed, found.task)
                     return found.task, found.notes
             again = again and not isinstance(refusal, TwoReadings)  # people are asked which one they mean
-            found_again = self._retold(typed, text, name, seed, author, notes) if again else None
-            if found_again is not None:
+            found_again = self._retold(typed, text, name, seed, author, notes) if again else (None, ())
+            if found_again[0] is not None:
                 return found_again
             raise
+        if again:
+            check_guess(found.task, typed, lambda: self._retold(typed, text, name, seed, author, notes)[0], text)
         return found.task, found.notes
 
     def _retold(
         self, words: list[Token], text: str, name: str | None, seed: int, author: str | None, notes: list[str]
-    ) -> Reading | None:
-        """The reading of a text that tells of a figure part by part, with a note of how it was understood."""
+    ) -> Reading:
+        """The reading of a text that tells of a figure part by part, with a note of how it was understood; no task and
+        no diagnostics if there is none."""
         for tokens, said in retold(without_asides(with_beginnings(words))):
             with suppress(Refusal):
                 task, found = self._read_tokens(
@@ -170,7 +174,7 @@ class BuiltinFrontEnd:
                 if task is not None:
                     check_behind(words, task)
                     return task, found
-        return None
+        return None, ()
 
     def _as_meant(self, respelt: Respelt, name: str | None, seed: int, author: str | None, notes: list[str]) -> Reading:
         """The reading of a text with misspelt words: that of the text without them."""

@@ -46,7 +46,7 @@ BLOCK_NOUNS = "block cube brick box"
 LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen"
 PATCH_NOUNS = (
     "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster "
-    "placemat napkin cloth towel sticker dropzone dot destination paper"
+    "placemat napkin cloth towel sticker dropzone dot destination paper strip"
 )
 TABLE_NOUNS = "table tabletop workspace desk surface"
 LETTER_NOUNS = "letter character"
@@ -54,7 +54,7 @@ DIGIT_NOUNS = "number digit numeral"
 SYMBOL_NOUNS = "symbol sign"
 
 STRUCTURES = {
-    "stack": "stack tower skyscraper",
+    "stack": "stack tower skyscraper pillar",
     "row": "row",
     "line": "line queue lineup sequence countdown",
     "column": "column file",

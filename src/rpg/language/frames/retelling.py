@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby, product
 
@@ -17,7 +17,7 @@ from rpg.language.frames.around.measured import without_measures
 from rpg.language.frames.around.paired import pairs
 from rpg.language.frames.around.turned import without_turns
 from rpg.language.frames.families import FAMILIES
-from rpg.language.frames.pieces import CLASSES, Unclear, coded, cut
+from rpg.language.frames.pieces import CLASSES, Piece, Unclear, coded, cut
 from rpg.language.frames.relations import relations
 from rpg.language.frames.shared import asked
 from rpg.language.tokens import Token, tokenize
@@ -144,7 +144,7 @@ def plainly(tokens: Sequence[Token]) -> str | None:
             continue
         pieces = cut(said, known)
         try:
-            found |= {told(pieces)} if pieces else set()
+            found |= {told(pieces)} if pieces and not _placed_apart(pieces) else set()
         except Unclear:
             continue
     return found.pop() if len(found) == 1 else None
@@ -174,6 +174,28 @@ def _told_besides(tokens: Sequence[Token]) -> bool:
             return True
         known = known or token.word in lexicon.COLOR or (n > 0 and len(token.raw) == 1 and token.raw.isupper())
     return False
+
+
+def _placed_apart(pieces: Sequence[Piece]) -> bool:
+    """Whether blocks of their own have a place beside a figure of others: "a tower of two red blocks; the blue block on
+    the mat". Behind an "and" or a comma they may belong to the figure, unless they are "the" ones."""
+    return _apart(pieces, frozenset(".;!?"), "") or _apart(pieces, frozenset([*".;!?,", "and"]), "the ")
+
+
+def _apart(pieces: Sequence[Piece], stops: Collection[str], lead: str) -> bool:
+    placed = built = False
+    for stop, part in groupby(pieces, lambda piece: piece.kind in ("break", "stop") and piece.words in stops):
+        said = list(part)
+        kinds = {piece.kind for piece in said}
+        lots = [piece for piece in said if piece.kind == "lot"]
+        where = "where" in kinds or any(piece.words.endswith("on the table") for piece in said)
+        figure = not _FIGURES.isdisjoint(kinds)
+        placed = placed or (not stop and where and not figure and any(lot.words.startswith(lead) for lot in lots))
+        built = built or (not stop and figure and bool(lots))
+    return placed and built
+
+
+_FIGURES = frozenset({"figure", "slot"})
 
 
 def commands(tokens: Sequence[Token]) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.formal import formal
+from rpg.language.grammar.talk.everyday import EVERYDAY
 from rpg.language.grammar.talk.in_other_words import IN_OTHER_WORDS
 from rpg.language.grammar.talk.in_the_end import IN_THE_END
 from rpg.language.grammar.talk.quantities import QUANTITIES
@@ -47,7 +48,7 @@ _PHRASES = {
        for top in ("floor", "top", "surface")},
     "seen from left to right": "from left to right", "capped by": "topped by", "capped with": "topped with",
     **{f"{heap} made of": f"{heap} of" for heap in ("heap", "pile")}, "in such a way that": "so that",
-    **QUANTITIES, **IN_THE_END, **VERBS_IN_OTHER_WORDS,
+    **QUANTITIES, **IN_THE_END, **VERBS_IN_OTHER_WORDS, **EVERYDAY,
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
     **{f"upright {to} {who}": "upright" for to in ("for", "to") for who in ("the viewer", "the camera", "me")},

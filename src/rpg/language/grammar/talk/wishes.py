@@ -144,7 +144,9 @@ STATES = Patterns(
     f"the|our|my final|finished|end|desired|expected|target|goal? deliverable|product|end_product|{_RESULT} "
     "should|must|shall|will|has_to? be|consist_of|consists_of|contain|contains|include|includes|comprise|comprises|is|"
     "feature|features|have|has that|:?",
-    "<who> should|must|shall|will|have_to|need_to show|see|demonstrate|deliver|present|have|get",
+    "<who> should|must|shall|will|have_to|need_to show|see|find|observe|notice|spot|admire|discover|demonstrate|"
+    "deliver|present|have|get",
+    "on|at display|show|view|offer|stage|exhibit today|here|now? is|are|there_is|there_are|will_be|should_be",
     "<who> <would>? <also>? <want> <also>? for|forward_to? <see>?",
     "<who> <would> <also>? after",
     "what|all <who> <would>? <also>? <want>|after|asking|going|looking|aiming after|for|of? to_see|to_have|"

@@ -1,0 +1,33 @@
+"""Everyday turns in plainer ones: "the red team" is the red blocks, "this lot" these blocks."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+
+_NOT_TOUCHING = tuple(
+    f"any{two} touching{other}"
+    for two in ("", " two", " two of them", " of them", " two blocks", " blocks")
+    for other in ("", " each other", " one another", " another", " the others")
+)
+
+EVERYDAY = {
+    **{f"without {touching}": "without touching each other" for touching in _NOT_TOUCHING},
+    **{f"{away}one from the other": f"{away}from each other" for away in ("away ", "apart ", "")},
+    **{f"this {lot}": "these blocks" for lot in ("lot", "bunch", "stuff", "collection", "assortment")},
+    **{f"{color} {team}": f"{color} blocks" for color in lexicon.COLOR for team in ("team", "gang", "squad", "crew")},
+    **{f"alphabet {what}": f"letter {what}" for what in lexicon.BLOCK},
+    **{f"a sandwich {where}": f"a tower {where}" for where in ("where", "with", "of", "in which", "made of")},
+    "no stacking higher than": "no stack higher than", "no piling higher than": "no stack higher than",
+    **{f"{up} when {we} {come}": f"{up} at the start"
+       for up in ("stacked", "up", "there", "table", "other", "patch", "mat", "heap", "pile", "row", "one")
+       for we, comes in (("we", ("arrive", "come in", "start", "begin", "get there")),
+                         ("i", ("arrive", "come in", "start", "begin", "get there")),
+                         ("you", ("arrive", "come in", "start", "begin", "get there")),
+                         ("the robot", ("arrives", "comes in", "starts", "begins", "gets there")))
+       for come in comes},
+    **{f"{reach} the {side}": f"is in the {side}" for reach in ("reaches", "ends up at", "gets to", "arrives at")
+       for side in ("far left corner", "far right corner", "near left corner", "near right corner", "left half",
+                    "right half", "middle of the table", "back left corner", "back right corner", "front left corner",
+                    "front right corner")},
+}  # fmt: skip
+"""What people write, and what it is read as."""

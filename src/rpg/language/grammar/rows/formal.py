@@ -17,6 +17,7 @@ from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SP
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
+from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
@@ -68,6 +69,7 @@ _OF_ALL = (
     *GAPPED_AT_ONCE,
     *SHORT_AT_ONCE,
     *SPECIFIED_AT_ONCE,
+    *FIGURES_ASKED_AT_ONCE,
     *ROUNDABOUT_AT_ONCE,
     *FIGURES,
     *BOARDS,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.ahead_of_others import AHEAD, ahead_of_others
 from rpg.language.grammar.talk.all_as_before import all_as_before
 from rpg.language.grammar.talk.answers_wanted import answers_wanted
 from rpg.language.grammar.talk.bare_sides import bare_sides, one_side_each
@@ -360,5 +361,6 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (one_of_each, frozenset({"each", "every"})),
     (center_of_patch, frozenset({"'s"})),
     (said_loosely, LOOSE),
+    (ahead_of_others, AHEAD),
 )
 """The changes, in their order, and words without one of which there is nothing for each to change."""

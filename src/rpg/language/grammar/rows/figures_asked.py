@@ -1,0 +1,52 @@
+"""Figures that are asked for in other words than commands and wishes: "let us raise a pyramid", "a grid is specified",
+"today's sum is ..., please lay it out", "help the letters stand in a row", as rows that ask for them plainly."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import MANY
+
+FIGURE = (
+    "(?:tower|stack|pillar|row|line|column|grid|wall|pyramid|staircase|stairway|square|rectangle|triangle|circle|ring|"
+    "plus|cross|checkerboard|chessboard|rainbow|cuboid|letter|word|equation|sum|t|l|u|v|x)s?"
+)
+"""What is built, written or laid."""
+_A_FIGURE = f"(?:an?|one|{MANY}) (?:(?!of |that |which |block |blocks )[\\w']+ ){{0,4}}{FIGURE}(?= |$)"
+_DOER = "(?:us|to|we|i|you|should|must|shall|will|can|could|would|and|then|now|please|robot|kindly|just)"
+_MAKING = "(?:generate|raise|establish|realize|realise|render|specify|define|devise|present|display)"
+_SET = "(?:specified|defined|stipulated|described|prescribed|requested|demanded)"
+_THE_GOAL = "(?:is|shall be|has been) (?:given|set|defined|specified|stated) as (?:the|our|my|your) (?:goal|target|aim)"
+_DAYS = "(?:(?:today|tomorrow|tonight|this week|this lesson) 's|the|our|my|your|this)"
+_NOTED = f"(?:{_DAYS} (?:new |first |next )?"
+_OF_DAY = "(?: (?:of|for) (?:the day|today|the week|this lesson|this week))?"
+_EQUATION = "(\\S*\\d\\S*=\\S+|\\S+=\\S*\\d\\S*)"
+_WORD = "([a-z]{2,})"
+_ALSO = "(?:(?: ,| :|;| and| so| then| now| please| kindly)* "
+_WRITE = "(?:lay|write|spell|build|show|put|make|set|form)"
+_IT = "(?:it|this|that|this word|that word|the word|this name|that name|his name|her name|the name|the sum)"
+_LAID = f"{_WRITE}(?: (?:out|down|up))?(?: {_IT})?(?: (?:out|down|up))?"
+_CUBES = "(?: (?:with|in|from|using|out of) (?:the |our |my |your )?(?:(?:number|letter|digit|symbol) )?(?:cubes|blocks))?"
+_THEM = "(?:letters|digits|numbers|vowels|consonants|blocks|cubes|bricks|ones)"
+
+FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
+    (f"(?:^|(?<=\\b))({_DOER} )?{_MAKING} (?={_A_FIGURE})", "{1} build"),
+    (f"^({_A_FIGURE}[^:]*?) (?:is|was|has been|shall be|is to be) {_SET}(?: as follows)?(?= :|$)", "{1}"),
+    (f"^({_A_FIGURE}.*?) {_THE_GOAL}$", "{1}"),
+    # words and sums that are told first
+    (f"^{_NOTED}(?:sum|equation|calculation|problem|task|exercise|solution){_OF_DAY}) (?:is|:|reads) {_EQUATION}"
+     f"{_ALSO}{_LAID}{_CUBES})?$", "write {1}"),
+    (f"^{_NOTED}word{_OF_DAY}) (?:is|:|reads) {_WORD}{_ALSO}{_LAID}{_CUBES})?$", "write {1}"),
+    (f"^{_NOTED}name{_OF_DAY}) (?:is|:|reads) {_WORD}{_ALSO}{_LAID}{_CUBES})$", "write {1}"),
+    (f"^(?:\\w+ ){{1,4}}(?:'s )?(?:name|word|nickname) (?:is|:) {_WORD}(?: ,| and| so| then| now)+ ({_WRITE}(?: out)?) "
+     f"(?:the (?:word|name) )?\\1{_CUBES}$", "{2} {1}"),
+    (f"^(?:\\w+ ){{1,4}}(?:'s )?(?:name|word|nickname) (?:is|:) {_WORD}(?: ,| and| so| then| now)+ {_WRITE}(?: out| "
+     f"down)? {_IT}{_CUBES}$", "write {1}"),
+    # blocks that do it
+    (f"^help ((?:the |these |those |all |our |my |both )*(?:[^:]*? )?{_THEM}(?: (?:\\w|,|and|to))*?)(?: to)? (stand|"
+     "form|line up|make|be|sit|lie|spell|sort themselves)\\b", "let {1} {2}"),
+    ("\\b(?:hold|holding|holds|join|joining) hands(?= (?:and form |to form |in |around |all around ))", "stand"),
+    ("\\b(?:queue|queues|queuing) up(?= (?:in|behind) )", "stand"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+WORDS = ("render specify define devise defined stipulated tonight nickname",)
+"""Words that these take besides those that are read anyway."""

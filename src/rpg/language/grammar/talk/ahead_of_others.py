@@ -1,0 +1,56 @@
+"""Some labels ahead of others: "in a row, the vowels A, E and I come before the consonants R, S and T" is a row of all of
+them, and these to the left of those; of the order among the vowels nothing is said."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rpg.language.grammar.rows.parting import STOPS
+from rpg.language.grammar.rows.vocabulary import MUST
+from rpg.language.tokens import Token
+
+AHEAD = frozenset({"before", "ahead", "precede", "precedes"})
+_LIST = "(?:\\w (?:, and|,|and) )*\\w"
+_ALL = "(?:(?:all|both|the|all the|all of the|these|those) )*"
+_KINDS = "(?:(?:letters?|vowels?|consonants?|digits?|numbers?|even|odd|blocks?|cubes?|ones) )*"
+_COME = f"(?:{MUST} )?(?:all )?(?:(?:be|come|comes|stand|stands|go|goes|are|is|lie) )?"
+_SOME = f"{_ALL}{_KINDS}\\(? ?{_LIST}(?: \\))?"
+_AHEAD = f"(?P<one>{_SOME}) {_COME}(?:before|ahead of|precedes?) (?P<other>{_SOME})"
+_ROW = "(?:single |straight |left to right )*(?:row|line)(?: from left to right)?"
+_SUCCESS = "(?:success (?:iff|if and only if|only if|when|if|means(?: that)?) (?:, )?)?"
+_TOLD = tuple(map(re.compile, (
+    f"{_SUCCESS}(?:in (?:an?|one) {_ROW}(?: ,)?|an? {_ROW}(?: ,)? (?:in which|where|so that|with)) {_AHEAD}$",
+    f"{_SUCCESS}(?:put |place |line up |arrange )?{_AHEAD}(?: ,)? in (?:an?|one|the same) {_ROW}$",
+)))  # fmt: skip
+
+
+def ahead_of_others(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """The tokens with the row of all these labels, and with those that are to the left of the others."""
+    begin = 0
+    for end in [*(n for n, word in enumerate(words) if word in STOPS), len(words)]:
+        text = " ".join(words[begin:end])
+        if match := next((found for row in _TOLD if (found := row.match(text))), None):
+            one, other = (_labels(tokens[begin:end], text, match.span(part)) for part in ("one", "other"))
+            said = "put {all} in a row . {one} must be to the left of {other}"
+            return [*tokens[:begin], *_filled(said, tokens[begin], one, other), *tokens[end:]]
+        begin = end + 1
+    return None
+
+
+def _labels(tokens: Sequence[Token], text: str, span: tuple[int, int]) -> list[Token]:
+    """The labels in a stretch of a sentence."""
+    first, last = (text[:at].count(" ") for at in span)
+    return [token for token in tokens[first : last + 1] if len(token.word) == 1 and token.word.isalnum()]
+
+
+def _filled(said: str, near: Token, one: list[Token], other: list[Token]) -> list[Token]:
+    lists = {"{all}": [*one, *other], "{one}": one, "{other}": other}
+    return [token for word in said.split() for token in (_listed(lists[word]) if word in lists else [near.saying(word)])]
+
+
+def _listed(labels: list[Token]) -> list[Token]:
+    """ "A, B and C"."""
+    joints = ["", *[","] * (len(labels) - 2), "and"]
+    told = zip(joints, labels, strict=False)
+    return [token for joint, label in told for token in ((label.saying(joint), label) if joint else (label,))]

@@ -43,6 +43,11 @@ _NEAR = "(?:nearer|nearest|closer|closest) to (?:me|you|us|the viewer|the robot)
 _ONE_AND_OTHER = f"\\b(grid\\b.*?) one (column|row) (?:{_ARE} )?(\\w+)(?: ,)? and the other(?: one)? (?:{_ARE} )?(\\w+)"
 _ROW_AND_OTHER = f"({_ARE} )?(?:all )?(\\w+)(?: ,)? and the other(?: one| row)? ({_ARE} )?(?:all )?(\\w+)$"
 _THE_FIRST = "(?: ,| with|;)+ the \\3 (?:column|row|one)"
+_EACH_OF_ONE = (
+    "(?:in which|where|such that|so that|whose|with)? ?(?:each|every) {axis} (?:is|being|must be|should be|has|having|of) "
+    "(?:monochrome|monochromatic|unicolored|(?:of )?(?:one|a single|the same) color|single colored)"
+)
+_WHICH = "(?:far|back|rear|near|front|middle|center|left|right|top|bottom|upper|lower|first|second|third|fourth|last)"
 
 FIGURES: tuple[Turn, ...] = (
     # rings around something
@@ -149,6 +154,10 @@ BOARDS: tuple[Turn, ...] = (
      f"the (?:outside|edge|edges|rim)(?:(?: ,| and| with)+ nothing (?:in the {MID}|inside))?$", "a hollow {1} of {2}"),
     (f"\\ban? (square) (?:thats|that is|which is) hollow in the {MID}$", "a hollow {1}"),
     (f"^(?:with|from|out of) ({MANY} [^,:]*?{_BLOCKS}) {BUILD} (an? hollow \\w+)$", "{2} of {1}"),
+    # each line of one colour, where it is told which
+    *((f"\\b((?:{many}) ({axis})s\\b.*?)(?: ,)? {_EACH_OF_ONE.format(axis=axis)}(?: ,| and| ,? with)* "
+       f"((?:[^;:]*?\\b(?!each|every){_WHICH} {axis}\\b){{{{{n}}}}}[^;:]*)$".replace("{{", "{").replace("}}", "}"), "{1} , {3}")
+      for n, many in ((2, "two|2"), (3, "three|3"), (4, "four|4")) for axis in ("row", "column", "layer")),
     # letters
     *((f"{_LETTER}{_OPEN} {toward}$", f"{{1}} with its opening to the {side}") for side, toward in _TOWARD.items()),
     (f"\\b([tT]\\b.*?)(?: ,| with)+ the (bar|crossbar) (at the (?:far|near) side) and ({MANY}) {_BLOCKS} long$",

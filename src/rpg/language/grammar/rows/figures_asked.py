@@ -26,21 +26,33 @@ _WRITE = "(?:lay|write|spell|build|show|put|make|set|form)"
 _IT = "(?:it|this|that|this word|that word|the word|this name|that name|his name|her name|the name|the sum)"
 _LAID = f"{_WRITE}(?: (?:out|down|up))?(?: {_IT})?(?: (?:out|down|up))?"
 _CUBES = "(?: (?:with|in|from|using|out of) (?:the |our |my |your )?(?:(?:number|letter|digit|symbol) )?(?:cubes|blocks))?"
+_WANTS = "(?:wants?|needs?|would like|would love|likes?|is waiting for|are waiting for|am waiting for)"
+_THAT_IS = "(?:(?: ,| :|;)* (?:that is|namely|which is|this means|that means|i mean)(?: ,| :)?| :)"
+_SHOWN = "(?:display|exhibit|showcase|stage|counter|shelf|stand)"
+_WAY = "(?:from )?(?:the )?(?:left|right|top|bottom|front|back)(?: side| end)? to (?:the )?(?:left|right|top|bottom|front|back)"
 _THEM = "(?:letters|digits|numbers|vowels|consonants|blocks|cubes|bricks|ones)"
 
 FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
     (f"(?:^|(?<=\\b))({_DOER} )?{_MAKING} (?={_A_FIGURE})", "{1} build"),
     (f"^({_A_FIGURE}[^:]*?) (?:is|was|has been|shall be|is to be) {_SET}(?: as follows)?(?= :|$)", "{1}"),
     (f"^({_A_FIGURE}.*?) {_THE_GOAL}$", "{1}"),
-    # words and sums that are told first
+    # sums and words
     (f"^{_NOTED}(?:sum|equation|calculation|problem|task|exercise|solution){_OF_DAY}) (?:is|:|reads) {_EQUATION}"
      f"{_ALSO}{_LAID}{_CUBES})?$", "write {1}"),
-    (f"^{_NOTED}word{_OF_DAY}) (?:is|:|reads) {_WORD}{_ALSO}{_LAID}{_CUBES})?$", "write {1}"),
-    (f"^{_NOTED}name{_OF_DAY}) (?:is|:|reads) {_WORD}{_ALSO}{_LAID}{_CUBES})$", "write {1}"),
-    (f"^(?:\\w+ ){{1,4}}(?:'s )?(?:name|word|nickname) (?:is|:) {_WORD}(?: ,| and| so| then| now)+ ({_WRITE}(?: out)?) "
-     f"(?:the (?:word|name) )?\\1{_CUBES}$", "{2} {1}"),
-    (f"^(?:\\w+ ){{1,4}}(?:'s )?(?:name|word|nickname) (?:is|:) {_WORD}(?: ,| and| so| then| now)+ {_WRITE}(?: out| "
-     f"down)? {_IT}{_CUBES}$", "write {1}"),
+    (f"\\b(spells?|spelling|reads?|reading|says?|saying) {_WORD} (?:when|if)(?: it is| it's| you| one| i| we)? "
+     f"read(?:ing)?(?: it)?(?: ,)? ({_WAY}|downwards?|upwards?)$", "{1} {2} {3}"),
+    (f"^({_WRITE}(?: out)?) {_WORD} (?:in (?:block|capital) letters )?across the (?:table|desk)$", "{1} {2}"),
+    (f"^((?:write|spell)(?: out)?) {_WORD} in (?:block|capital) letters$", "{1} {2}"),
+    # whose they are, who sees or reads them, and where
+    (f"\\b({_WANTS}) (?:her|his|their|my|our|its) ({FIGURE})(?: now| today| please| again)*{_THAT_IS}", "{1} a {2} :"),
+    (f"\\b({_WANTS}) (?:her|his|their|my|our|its) ((?:\\w+ ){{0,2}}{FIGURE}) (?=of |made of |from |with )", "{1} a {2}"),
+    (f"^(?:on|in) (?:this|our|my) (?:\\w+ )?{_SHOWN}(?: ,)? (?=(?:the|an?|{MANY}|all|there) )", ""),
+    ("(?: ,)? so(?: that)? (?:\\w+ ){1,3}can (?:count|read|recite|follow|learn|sing) (?:them|it|these|those) in "
+     "(?:(?:the|their) )?(reading|alphabetical|numerical|counting|ascending) order$", " in {1} order"),
+    (f"\\b({FIGURE}) (?:numbered|lettered|labelled|labeled) (?:from )?(\\w) (?:to|through|till|up to) (\\w)\\b",
+     "{1} of the blocks {2} to {3}"),
+    ("(?: ,)? (?:from )?left to right(?: ,| and|, and|, then| then)+ (?:from )?(?:top to bottom|back to front)$",
+     " in reading order"),
     # blocks that do it
     (f"^help ((?:the |these |those |all |our |my |both )*(?:[^:]*? )?{_THEM}(?: (?:\\w|,|and|to))*?)(?: to)? (stand|"
      "form|line up|make|be|sit|lie|spell|sort themselves)\\b", "let {1} {2}"),
@@ -48,5 +60,5 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:queue|queues|queuing) up(?= (?:in|behind) )", "stand"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("render specify define devise defined stipulated tonight nickname",)
+WORDS = ("render specify define devise defined stipulated tonight nickname shelf",)
 """Words that these take besides those that are read anyway."""

@@ -10,6 +10,7 @@ from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
+from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
@@ -70,6 +71,7 @@ _OF_ALL = (
     *SHORT_AT_ONCE,
     *SPECIFIED_AT_ONCE,
     *FIGURES_ASKED_AT_ONCE,
+    *BY_TURNS_AT_ONCE,
     *ROUNDABOUT_AT_ONCE,
     *FIGURES,
     *BOARDS,

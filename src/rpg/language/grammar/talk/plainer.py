@@ -74,6 +74,7 @@ from rpg.language.grammar.talk.towers_in_short import (
 )
 from rpg.language.grammar.talk.utmost_number import utmost_number
 from rpg.language.grammar.talk.verbs_told import OUT_OF, got_done, laid_flat, steps_built, who_builds
+from rpg.language.grammar.talk.words_told import SPELT, words_told
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -362,5 +363,6 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (center_of_patch, frozenset({"'s"})),
     (said_loosely, LOOSE),
     (ahead_of_others, AHEAD),
+    (words_told, SPELT),
 )
 """The changes, in their order, and words without one of which there is nothing for each to change."""

@@ -1,0 +1,28 @@
+"""Colours by turns, as people put them: "alternating red/blue", "a striped tower, white and red stripes", "checkered black
+and white", "pick two colors and alternate them", as rows that say it plainly."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, LINE, MANY
+
+_FIGURE = f"(?:{LINE}|wall|grid|square|circle|ring)"
+_STRIPED = f"(?:{LINE}|circle|ring)"  # the stripes of a wall may go either way
+_ALTERNATING = "(?:alternating(?: colors)?|alternate(?: colors)?|alternately|alternates|alternation of|by turns)"
+_CHECKERED = "(?:checkered|chequered|checkerboard)"
+_TWO = f"({COLOR}) (?:and|/|-|&) ({COLOR})"
+_CHOOSE = "(?:pick|choose|take|select|use)(?: me| any| yourself)?"
+
+BY_TURNS_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b({_ALTERNATING})(?: between| of| in| from)?(?: :)? ({COLOR}) [/-] ({COLOR})\\b", "alternating {2} and {3}"),
+    (f"\\b({COLOR}) [/-] ({COLOR})(?: ,)? (alternating|alternately|by turns)\\b", "{1} and {2} alternating"),
+    (f"^(?:an? |one )?({_FIGURE}) : ({MANY} {CUBE}s)(?: ,)? ({_ALTERNATING})\\b", "a {1} of {2} , {3}"),
+    (f"\\b(an?|one|the) striped ({_STRIPED})(.*?) (?:,|with|in|of)(?: (?:in|of|with))? {_TWO}(?: stripes| striped)?(?=$| ,)",
+     "{1} {2} {3} , alternating {4} and {5}"),
+    (f"\\b({_STRIPED})(.*?) (?:,|with|in)(?: in| with)? {_TWO} stripes(?=$| ,)", "{1} {2} , alternating {3} and {4}"),
+    (f"\\b(?:with|in|of)? ?{_CHECKERED}(?: (?:in|with))? {_TWO}(?! checker)", "in a checkerboard pattern of {1} and {2}"),
+    (f"^{_CHOOSE} (two|three)(?: different)? colors(?: you like| of your choice)?(?: ,| and| then|;)+ (.+?)(?: that| "
+     "which)? (?:alternates?|alternating)(?: between| with| in)?(?: (?:them|these|those|the two|the three))?$",
+     "{2} alternating between {1} colors"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""

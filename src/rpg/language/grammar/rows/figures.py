@@ -53,6 +53,8 @@ FIGURES: tuple[Turn, ...] = (
     # rings around something
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged "
      f")?(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),
+    (f"^((?:put|place|set|lay) .+? in the {MID})(?: ,)? (?:and |then |and then )?surround (?:it|that|that one) (?:with|by) "
+     f"({MANY} [^,:]+)$", "{1} and {2} around it"),
     (f"^(?:surround|encircle) ((?:the|an?) [^,:]+?) (?:with|by) an? ({_RING}) (?:of|made of|from) ({MANY} [^,:]+)$",
      "a {2} of {3} around {1}"),
     ("\\b(circle|ring|square|plus|cross|grid)\\b((?:(?! and ).)*?) (in|at) the (middle|center) of the \\1$",
@@ -154,6 +156,13 @@ BOARDS: tuple[Turn, ...] = (
      f"the (?:outside|edge|edges|rim)(?:(?: ,| and| with)+ nothing (?:in the {MID}|inside))?$", "a hollow {1} of {2}"),
     (f"\\ban? (square) (?:thats|that is|which is) hollow in the {MID}$", "a hollow {1}"),
     (f"^(?:with|from|out of) ({MANY} [^,:]*?{_BLOCKS}) {BUILD} (an? hollow \\w+)$", "{2} of {1}"),
+    (f"^(.*\\b({COLOR})\\b.*\\b(?:layer|level|row|column|one)(?: {_ARE}| being)?) \\2 again(?=$| ,)", "{1} {2}"),
+    # how many there are of each, and on either side
+    (f"^((?:{COLOR} ?,? ?(?:and )?)+?)(?: ,)? (?::|-|;) (?:just |exactly )?one (?:block |cube |of )*each(?: color)?(?: ,)? "
+     "(.+)$", "one block each of {1} , {2}"),
+    *((f"\\b((?:row|line) of (?:{total}) .*?) (?:the |one )?(?:{side})(?: (?:blocks|ones|cubes))? (?:on|to) (?:each|either) "
+       f"side(?: of (?:it|that|the middle one))?(?: (?:is|are|being|{MUST} be))? ({COLOR})$", "{1} the others {2}")
+      for total, side in (("three|3", "ones?|blocks?"), ("five|5", "two|2"), ("seven|7", "three|3"))),
     # each line of one colour, where it is told which
     *((f"\\b((?:{many}) ({axis})s\\b.*?)(?: ,)? {_EACH_OF_ONE.format(axis=axis)}(?: ,| and| ,? with)* "
        f"((?:[^;:]*?\\b(?!each|every){_WHICH} {axis}\\b){{{{{n}}}}}[^;:]*)$".replace("{{", "{").replace("}}", "}"), "{1} , {3}")

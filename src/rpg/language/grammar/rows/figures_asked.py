@@ -11,7 +11,10 @@ FIGURE = (
     "plus|cross|checkerboard|chessboard|rainbow|cuboid|letter|word|equation|sum|t|l|u|v|x)s?"
 )
 """What is built, written or laid."""
-_A_FIGURE = f"(?:an?|one|{MANY}) (?:(?!of |that |which |block |blocks )[\\w']+ ){{0,4}}{FIGURE}(?= |$)"
+_A_FIGURE = (
+    f"(?:an?|one|{MANY}) (?:(?:(?!of |that |which |block |blocks )[\\w']+ ){{0,4}}{FIGURE}|\\d+x\\d+(?:x\\d+)? (?:block|cube|"
+    "box))(?= |$)"
+)
 _DOER = "(?:us|to|we|i|you|should|must|shall|will|can|could|would|and|then|now|please|robot|kindly|just)"
 _MAKING = "(?:generate|raise|establish|realize|realise|render|specify|define|devise|present|display)"
 _SET = "(?:specified|defined|stipulated|described|prescribed|requested|demanded)"
@@ -43,6 +46,9 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
      f"read(?:ing)?(?: it)?(?: ,)? ({_WAY}|downwards?|upwards?)$", "{1} {2} {3}"),
     (f"^({_WRITE}(?: out)?) {_WORD} (?:in (?:block|capital) letters )?across the (?:table|desk)$", "{1} {2}"),
     (f"^((?:write|spell)(?: out)?) {_WORD} in (?:block|capital) letters$", "{1} {2}"),
+    ("^(?:the|both|all|all the) (?:parties|sides|partners|members|neighbors)(?: \\w+ed)?(?: have)? (?:agree|agreed|stipulate|"
+     "decide|decided|confirm|declare) that ", "it is agreed that "),
+    ("^(it is agreed that .+?) , and that ", "{1} and that"),
     # whose they are, who sees or reads them, and where
     (f"\\b({_WANTS}) (?:her|his|their|my|our|its) ({FIGURE})(?: now| today| please| again)*{_THAT_IS}", "{1} a {2} :"),
     (f"\\b({_WANTS}) (?:her|his|their|my|our|its) ((?:\\w+ ){{0,2}}{FIGURE}) (?=of |made of |from |with )", "{1} a {2}"),
@@ -60,5 +66,5 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:queue|queues|queuing) up(?= (?:in|behind) )", "stand"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("render specify define devise defined stipulated tonight nickname shelf",)
+WORDS = ("render specify define devise defined stipulated tonight nickname shelf parties stipulate",)
 """Words that these take besides those that are read anyway."""

@@ -34,6 +34,7 @@ from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
 from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
+from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
@@ -72,6 +73,7 @@ _OF_ALL = (
     *SPECIFIED_AT_ONCE,
     *FIGURES_ASKED_AT_ONCE,
     *BY_TURNS_AT_ONCE,
+    *SIZES_TOLD_AT_ONCE,
     *ROUNDABOUT_AT_ONCE,
     *FIGURES,
     *BOARDS,

@@ -89,6 +89,9 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     (f"^rainbow order(?: ,)?( (?:from )?{_ALONG})?(?: ,)?( (?:beginning|starting) with (?:the )?{COLOR}(?: (?:at|on|"
      "from) the \\w+(?: end| side)?)?)? : (.+)$", "{3} in rainbow order {1} {2}"),
     # lines that are told as a rainbow
+    (f"\\b(?:rainbow|gradient) ({_LINE}) (?=from {COLOR} )", "{1} in rainbow order"),
+    (f"\\b({_LINE}) (from {COLOR} (?:on|at) the \\w+(?: end| side)? to {COLOR} (?:on|at) the \\w+(?: end| side)?) in "
+     "rainbow order$", "{1} in rainbow order {2}"),
     (f"\\bgradient(?: (?:running|going|that runs|that goes|which runs))? from ({COLOR}) (?:on|at) the (left|right|"
      f"front|back|bottom|top)(?: end| side)?( .+?)?(?: ,)? to ({COLOR}) (?:on|at) the (left|right|front|back|bottom|"
      "top)(?: end| side)?$", "gradient from {1} {3} to {4} from {2} to {5}"),

@@ -24,7 +24,8 @@ _NEAR = "(?:nearest|closest)(?: to)? (?:me|us|you|the viewer|the robot)"
 SUMS_AT_ONCE: tuple[Turn, ...] = (
     # sums
     (f"^(?:show|tell|demonstrate)(?: me)? (?:how much|what) {_SUM} (?:is|are|makes?|gives?|equals)(?:(?: ,)? (?:by|as|"
-     f"in|with)(?: (?:laying|writing|building|spelling|showing)(?: out| down)?)?(?: the| an?)? {_CALL})?$",
+     f"in|with)(?: (?:laying|writing|building|spelling|showing)(?: out| down)?)?(?: the| an?)? {_CALL})?(?: ,)?(?: (?:using|"
+     f"with|by using|in|out of)(?: the| my| our)? {_CUBES})?$",
      "solve {1}"),
     (f"^and {_DO} the {_CALL}$", ""),
     (f"^{_DO} the (?:sum|addition) of ({MANY}) and ({MANY}) {_RESULT}$", "solve {1} + {2}"),

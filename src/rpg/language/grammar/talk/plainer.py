@@ -11,6 +11,7 @@ from rpg.language.grammar.talk.answers_wanted import answers_wanted
 from rpg.language.grammar.talk.bare_sides import bare_sides, one_side_each
 from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.colored_groups import GROUPS, colored_groups
+from rpg.language.grammar.talk.considered import CONSIDERED, considered
 from rpg.language.grammar.talk.cube_of_small_ones import SMALL, cube_of_small_ones, four_below
 from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.grammar.talk.each_and_same import each_once, each_one, one_of_each, same_ones
@@ -364,5 +365,6 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (said_loosely, LOOSE),
     (ahead_of_others, AHEAD),
     (words_told, SPELT),
+    (considered, CONSIDERED),
 )
 """The changes, in their order, and words without one of which there is nothing for each to change."""

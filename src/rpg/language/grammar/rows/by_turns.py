@@ -13,8 +13,16 @@ _CHECKERED = "(?:checkered|chequered|checkerboard)"
 _TWO = f"({COLOR}) (?:and|/|-|&) ({COLOR})"
 _CHOOSE = "(?:pick|choose|take|select|use)(?: me| any| yourself)?"
 
+_EACH = "(?:each|every)(?: (?:one|block|cube|brick))?(?: of (?:them|these|those))?"
+
 BY_TURNS_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b((?:an?|one) (?:{LINE})) (where|in which|so that|such that) ((?:every|each|no two) [^,:]+?) , ({MANY}) "
+     f"{CUBE}s(?: (?:in total|in all|altogether|high|long|tall))?$", "{1} of {4} blocks {2} {3}"),
+    (f"\\b({_FIGURE}) of (blocks|cubes)\\b(.*?) , ({MANY}) of them(?=$| ,)", "{1} of {4} {2} {3}"),
+    (f"(?: ,)? (?:where|in which|so that|such that|with|and) {_EACH} (?:is|has|having|being|must be|must have|should be|"
+     "should have)(?: of| in)? (?:a different|another|a unique|its own) color$", " , each a different color"),
     (f"\\b({_ALTERNATING})(?: between| of| in| from)?(?: :)? ({COLOR}) [/-] ({COLOR})\\b", "alternating {2} and {3}"),
+    (f"\\b(?:with |in |of )?alternating colors(?: of| :| ,)? ({COLOR}) and ({COLOR})\\b", " alternating {1} and {2}"),
     (f"\\b({COLOR}) [/-] ({COLOR})(?: ,)? (alternating|alternately|by turns)\\b", "{1} and {2} alternating"),
     (f"^(?:an? |one )?({_FIGURE}) : ({MANY} {CUBE}s)(?: ,)? ({_ALTERNATING})\\b", "a {1} of {2} , {3}"),
     (f"\\b(an?|one|the) striped ({_STRIPED})(.*?) (?:,|with|in|of)(?: (?:in|of|with))? {_TWO}(?: stripes| striped)?(?=$| ,)",

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import MANY
+from rpg.language.grammar.talk.people import RELATIONS
 
 FIGURE = (
     "(?:tower|stack|pillar|row|line|column|grid|wall|pyramid|staircase|stairway|square|rectangle|triangle|circle|ring|"
@@ -16,7 +17,7 @@ _A_FIGURE = (
     "box))(?= |$)"
 )
 _DOER = "(?:us|to|we|i|you|should|must|shall|will|can|could|would|and|then|now|please|robot|kindly|just)"
-_MAKING = "(?:generate|raise|establish|realize|realise|render|specify|define|devise|present|display)"
+_MAKING = "(?:generate|raise|establish|realize|realise|render|specify|define|devise|present|display|try|attempt)"
 _SET = "(?:specified|defined|stipulated|described|prescribed|requested|demanded)"
 _THE_GOAL = "(?:is|shall be|has been) (?:given|set|defined|specified|stated) as (?:the|our|my|your) (?:goal|target|aim)"
 _DAYS = "(?:(?:today|tomorrow|tonight|this week|this lesson) 's|the|our|my|your|this)"
@@ -33,6 +34,10 @@ _WANTS = "(?:wants?|needs?|would like|would love|likes?|is waiting for|are waiti
 _THAT_IS = "(?:(?: ,| :|;)* (?:that is|namely|which is|this means|that means|i mean)(?: ,| :)?| :)"
 _SHOWN = "(?:display|exhibit|showcase|stage|counter|shelf|stand)"
 _WAY = "(?:from )?(?:the )?(?:left|right|top|bottom|front|back)(?: side| end)? to (?:the )?(?:left|right|top|bottom|front|back)"
+_AGREED = (
+    "(?:(?:the|both|all|all the) (?:parties|sides|partners|members|neighbors)(?: hereby)?(?: have)? |we (?:hereby |have )?)"
+    "(?:agree|agreed|stipulate|decided|confirm|declare) that "
+)
 _THEM = "(?:letters|digits|numbers|vowels|consonants|blocks|cubes|bricks|ones)"
 
 FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
@@ -46,9 +51,9 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
      f"read(?:ing)?(?: it)?(?: ,)? ({_WAY}|downwards?|upwards?)$", "{1} {2} {3}"),
     (f"^({_WRITE}(?: out)?) {_WORD} (?:in (?:block|capital) letters )?across the (?:table|desk)$", "{1} {2}"),
     (f"^((?:write|spell)(?: out)?) {_WORD} in (?:block|capital) letters$", "{1} {2}"),
-    ("^(?:the|both|all|all the) (?:parties|sides|partners|members|neighbors)(?: \\w+ed)?(?: have)? (?:agree|agreed|stipulate|"
-     "decide|decided|confirm|declare) that ", "it is agreed that "),
-    ("^(it is agreed that .+?) , and that ", "{1} and that"),
+    (f"^{_AGREED}(.+?)(?: ,)? and that (.+)$", "{1} . {2}"),
+    (f"^{_AGREED}", ""),
+    (f"^(?:{RELATIONS}) (?=(?:can|could|will|would) (?:you|we|i) |(?:please )?(?:make|build|put|spell|write|lay|stack) )", ""),
     # whose they are, who sees or reads them, and where
     (f"\\b({_WANTS}) (?:her|his|their|my|our|its) ({FIGURE})(?: now| today| please| again)*{_THAT_IS}", "{1} a {2} :"),
     (f"\\b({_WANTS}) (?:her|his|their|my|our|its) ((?:\\w+ ){{0,2}}{FIGURE}) (?=of |made of |from |with )", "{1} a {2}"),

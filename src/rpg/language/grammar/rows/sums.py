@@ -29,6 +29,8 @@ SUMS_AT_ONCE: tuple[Turn, ...] = (
      "solve {1}"),
     (f"^and {_DO} the {_CALL}$", ""),
     (f"^{_DO} the (?:sum|addition) of ({MANY}) and ({MANY}) {_RESULT}$", "solve {1} + {2}"),
+    (f"^(?:do|solve|work out|calculate|compute)(?: the (?:sum|calculation|problem))? {_SUM}(?: ,)? and (?:show|put|lay|give|"
+     "display|include|add)(?: me)? (?:the|its) (?:answer|result|solution)(?: too| as well| also)?$", "solve {1}"),
     # equations
     ("^(?:(?:if|when) i look (?:down|at (?:it|them|the table))(?: ,)? )?i (?:want|would like) to (?:read|see) "
      f"{_EQUATION}(?: on the table)?$", "write {1}"),

@@ -59,8 +59,6 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({TOWER}) (?:made |built |consisting )?(?:out )?(?:of|from|with) {_LOT}(?: ,)? (?:and |and then |then |followed by )"
      f"{_LOT}(?: on)?(?: the)?(?: very)? top(?: of (?:it|them|that|those))?$",
      "{1} , from bottom to top : {2} blocks , then {3} blocks"),
-    (f"\\b((?:an?|one) (?:{LINE})) (where|in which|so that|such that) ((?:every|each|no two) [^,:]+?) , ({MANY}) "
-     f"{_BLOCKS}(?: (?:in total|in all|altogether|high|long|tall))?$", "{1} of {4} blocks {2} {3}"),
     # how high they are
     (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out )?(?:of|"
      f"from) (?={MANY}\\b)", "{1} {2} from"),

@@ -43,7 +43,10 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"
-_FROM_END_TO_END = re.compile(rf"\b(?:row|line|column|tower|stack) from (?:the )?(\w+) {_SIDE} to (?:the )?(\w+) {_SIDE}")
+_FROM_END_TO_END = re.compile(
+    rf"\b(?:row|line|column|tower|stack) from (?:the )?(\w+) {_SIDE} to (?:the )?(\w+) "
+    rf"{_SIDE}"
+)
 
 
 def _from_end_to_end(sentence: Sequence[Token], task: TaskSchema) -> None:

@@ -1,5 +1,5 @@
-"""Colours by turns, as people put them: "alternating red/blue", "a striped tower, white and red stripes", "checkered black
-and white", "pick two colors and alternate them", as rows that say it plainly."""
+"""Colours by turns and all different, as people put them: "alternating red/blue", "a striped tower, white and red
+stripes", "checkered black and white", "pick two colors and alternate them", as rows that say it plainly."""
 
 from __future__ import annotations
 
@@ -19,16 +19,19 @@ BY_TURNS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b((?:an?|one) (?:{LINE})) (where|in which|so that|such that) ((?:every|each|no two) [^,:]+?) , ({MANY}) "
      f"{CUBE}s(?: (?:in total|in all|altogether|high|long|tall))?$", "{1} of {4} blocks {2} {3}"),
     (f"\\b({_FIGURE}) of (blocks|cubes)\\b(.*?) , ({MANY}) of them(?=$| ,)", "{1} of {4} {2} {3}"),
-    (f"(?: ,)? (?:where|in which|so that|such that|with|and) {_EACH} (?:is|has|having|being|must be|must have|should be|"
+    (f"(?: ,)? (?:where|in which|so that|such that|with|and) {_EACH} (?:is|has|having|being|must be|must have|"
+     f"should be|"
      "should have)(?: of| in)? (?:a different|another|a unique|its own) color$", " , each a different color"),
     (f"\\b({_ALTERNATING})(?: between| of| in| from)?(?: :)? ({COLOR}) [/-] ({COLOR})\\b", "alternating {2} and {3}"),
     (f"\\b(?:with |in |of )?alternating colors(?: of| :| ,)? ({COLOR}) and ({COLOR})\\b", " alternating {1} and {2}"),
     (f"\\b({COLOR}) [/-] ({COLOR})(?: ,)? (alternating|alternately|by turns)\\b", "{1} and {2} alternating"),
     (f"^(?:an? |one )?({_FIGURE}) : ({MANY} {CUBE}s)(?: ,)? ({_ALTERNATING})\\b", "a {1} of {2} , {3}"),
-    (f"\\b(an?|one|the) striped ({_STRIPED})(.*?) (?:,|with|in|of)(?: (?:in|of|with))? {_TWO}(?: stripes| striped)?(?=$| ,)",
+    (f"\\b(an?|one|the) striped ({_STRIPED})(.*?) (?:,|with|in|of)(?: (?:in|of|with))? {_TWO}(?: stripes| "
+     f"striped)?(?=$| ,)",
      "{1} {2} {3} , alternating {4} and {5}"),
     (f"\\b({_STRIPED})(.*?) (?:,|with|in)(?: in| with)? {_TWO} stripes(?=$| ,)", "{1} {2} , alternating {3} and {4}"),
-    (f"\\b(?:with|in|of)? ?{_CHECKERED}(?: (?:in|with))? {_TWO}(?! checker)", "in a checkerboard pattern of {1} and {2}"),
+    (f"\\b(?:with|in|of)? ?{_CHECKERED}(?: (?:in|with))? {_TWO}(?! checker)", "in a checkerboard pattern of {1} and "
+     "{2}"),
     (f"^{_CHOOSE} (two|three)(?: different)? colors(?: you like| of your choice)?(?: ,| and| then|;)+ (.+?)(?: that| "
      "which)? (?:alternates?|alternating)(?: between| with| in)?(?: (?:them|these|those|the two|the three))?$",
      "{2} alternating between {1} colors"),

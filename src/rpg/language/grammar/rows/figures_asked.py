@@ -13,11 +13,13 @@ FIGURE = (
 )
 """What is built, written or laid."""
 _A_FIGURE = (
-    f"(?:an?|one|{MANY}) (?:(?:(?!of |that |which |block |blocks )[\\w']+ ){{0,4}}{FIGURE}|\\d+x\\d+(?:x\\d+)? (?:block|cube|"
-    "box))(?= |$)"
+    f"(?:an?|{MANY}) (?:(?:(?!of |that |which |block |blocks )[\\w']+ ){{0,4}}{FIGURE}|"
+    "\\d+x\\d+(?:x\\d+)? (?:block|cube|box))(?= |$)"
 )
 _DOER = "(?:us|to|we|i|you|should|must|shall|will|can|could|would|and|then|now|please|robot|kindly|just)"
-_MAKING = "(?:generate|raise|establish|realize|realise|render|specify|define|devise|present|display|try|attempt)"
+_MAKING = (
+    "(?<!at )(?:generate|raise|establish|realize|realise|render|specify|define|devise|present|display|try|attempt)"
+)
 _SET = "(?:specified|defined|stipulated|described|prescribed|requested|demanded)"
 _THE_GOAL = "(?:is|shall be|has been) (?:given|set|defined|specified|stated) as (?:the|our|my|your) (?:goal|target|aim)"
 _DAYS = "(?:(?:today|tomorrow|tonight|this week|this lesson) 's|the|our|my|your|this)"
@@ -29,19 +31,22 @@ _ALSO = "(?:(?: ,| :|;| and| so| then| now| please| kindly)* "
 _WRITE = "(?:lay|write|spell|build|show|put|make|set|form)"
 _IT = "(?:it|this|that|this word|that word|the word|this name|that name|his name|her name|the name|the sum)"
 _LAID = f"{_WRITE}(?: (?:out|down|up))?(?: {_IT})?(?: (?:out|down|up))?"
-_CUBES = "(?: (?:with|in|from|using|out of) (?:the |our |my |your )?(?:(?:number|letter|digit|symbol) )?(?:cubes|blocks))?"
+_CUBES = (
+    "(?: (?:with|in|from|using|out of) (?:the |our |my |your )?(?:(?:number|letter|digit|symbol) )?(?:cubes|blocks))?"
+)
 _WANTS = "(?:wants?|needs?|would like|would love|likes?|is waiting for|are waiting for|am waiting for)"
 _THAT_IS = "(?:(?: ,| :|;)* (?:that is|namely|which is|this means|that means|i mean)(?: ,| :)?| :)"
 _SHOWN = "(?:display|exhibit|showcase|stage|counter|shelf|stand)"
-_WAY = "(?:from )?(?:the )?(?:left|right|top|bottom|front|back)(?: side| end)? to (?:the )?(?:left|right|top|bottom|front|back)"
+_END = "(?:the )?(?:left|right|top|bottom|front|back)(?: side| end)?"
+_WAY = f"(?:from )?{_END} to {_END}"
 _AGREED = (
-    "(?:(?:the|both|all|all the) (?:parties|sides|partners|members|neighbors)(?: hereby)?(?: have)? |we (?:hereby |have )?)"
-    "(?:agree|agreed|stipulate|decided|confirm|declare) that "
+    "(?:(?:the|both|all|all the) (?:parties|sides|partners|members|neighbors)(?: hereby)?(?: have)? |"
+    "we (?:hereby |have )?)(?:agree|agreed|stipulate|decided|confirm|declare) that "
 )
 _THEM = "(?:letters|digits|numbers|vowels|consonants|blocks|cubes|bricks|ones)"
 
 FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
-    (f"(?:^|(?<=\\b))({_DOER} )?{_MAKING} (?={_A_FIGURE})", "{1} build"),
+    (f"\\b({_DOER} )?{_MAKING} (?={_A_FIGURE})", "{1} build"),
     (f"^({_A_FIGURE}[^:]*?) (?:is|was|has been|shall be|is to be) {_SET}(?: as follows)?(?= :|$)", "{1}"),
     (f"^({_A_FIGURE}.*?) {_THE_GOAL}$", "{1}"),
     # sums and words
@@ -53,10 +58,12 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
     (f"^((?:write|spell)(?: out)?) {_WORD} in (?:block|capital) letters$", "{1} {2}"),
     (f"^{_AGREED}(.+?)(?: ,)? and that (.+)$", "{1} . {2}"),
     (f"^{_AGREED}", ""),
-    (f"^(?:{RELATIONS}) (?=(?:can|could|will|would) (?:you|we|i) |(?:please )?(?:make|build|put|spell|write|lay|stack) )", ""),
+    (f"^(?:{RELATIONS}) (?=(?:can|could|will|would) (?:you|we|i) |(?:please )?(?:make|build|put|spell|write|lay|"
+     f"stack) )", ""),
     # whose they are, who sees or reads them, and where
     (f"\\b({_WANTS}) (?:her|his|their|my|our|its) ({FIGURE})(?: now| today| please| again)*{_THAT_IS}", "{1} a {2} :"),
-    (f"\\b({_WANTS}) (?:her|his|their|my|our|its) ((?:\\w+ ){{0,2}}{FIGURE}) (?=of |made of |from |with )", "{1} a {2}"),
+    (f"\\b({_WANTS}) (?:her|his|their|my|our|its) ((?:\\w+ ){{0,2}}{FIGURE}) (?=of |made of |from |with )",
+     "{1} a {2}"),
     (f"^(?:on|in) (?:this|our|my) (?:\\w+ )?{_SHOWN}(?: ,)? (?=(?:the|an?|{MANY}|all|there) )", ""),
     ("(?: ,)? so(?: that)? (?:\\w+ ){1,3}can (?:count|read|recite|follow|learn|sing) (?:them|it|these|those) in "
      "(?:(?:the|their) )?(reading|alphabetical|numerical|counting|ascending) order$", " in {1} order"),

@@ -1,5 +1,5 @@
-"""How large some blocks are, told behind what is done with them by size: "stack them by size, biggest at the bottom: the
-red block is 6 cm, the blue one 5 cm", as rows that tell the sizes first, each with its verb."""
+"""How large some blocks are, told behind what is done with them by size: "stack them by size, biggest at the bottom:
+the red block is 6 cm, the blue one 5 cm", as rows that tell the sizes first, each with its verb."""
 
 from __future__ import annotations
 

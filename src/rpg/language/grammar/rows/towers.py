@@ -56,7 +56,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
      f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
      "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
-    (f"\\b({TOWER}) (?:made |built |consisting )?(?:out )?(?:of|from|with) {_LOT}(?: ,)? (?:and |and then |then |followed by )"
+    (f"\\b({TOWER}) (?:made |built |consisting )?(?:out )?(?:of|from|with) {_LOT}(?: ,)? (?:and |and then |then |"
+     f"followed by )"
      f"{_LOT}(?: on)?(?: the)?(?: very)? top(?: of (?:it|them|that|those))?$",
      "{1} , from bottom to top : {2} blocks , then {3} blocks"),
     # how high they are

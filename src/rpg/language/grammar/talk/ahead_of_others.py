@@ -1,5 +1,5 @@
-"""Some labels ahead of others: "in a row, the vowels A, E and I come before the consonants R, S and T" is a row of all of
-them, and these to the left of those; of the order among the vowels nothing is said."""
+"""Some labels ahead of others: "in a row, the vowels A, E and I come before the consonants R, S and T" is a row of all
+of them, and these to the left of those; of the order among the vowels nothing is said."""
 
 from __future__ import annotations
 
@@ -32,8 +32,10 @@ def ahead_of_others(tokens: list[Token], words: list[str]) -> list[Token] | None
         text = " ".join(words[begin:end])
         if match := next((found for row in _TOLD if (found := row.match(text))), None):
             one, other = (_labels(tokens[begin:end], text, match.span(part)) for part in ("one", "other"))
-            said = "put {all} in a row . {one} must be to the left of {other}"
-            return [*tokens[:begin], *_filled(said, tokens[begin], one, other), *tokens[end:]]
+            say = tokens[begin].saying
+            lined = [say("put"), *_listed([*one, *other]), *map(say, ("in", "a", "row", "."))]
+            ahead = [*_listed(one), *map(say, ("must", "be", "to", "the", "left", "of")), *_listed(other)]
+            return [*tokens[:begin], *lined, *ahead, *tokens[end:]]
         begin = end + 1
     return None
 
@@ -42,11 +44,6 @@ def _labels(tokens: Sequence[Token], text: str, span: tuple[int, int]) -> list[T
     """The labels in a stretch of a sentence."""
     first, last = (text[:at].count(" ") for at in span)
     return [token for token in tokens[first : last + 1] if len(token.word) == 1 and token.word.isalnum()]
-
-
-def _filled(said: str, near: Token, one: list[Token], other: list[Token]) -> list[Token]:
-    lists = {"{all}": [*one, *other], "{one}": one, "{other}": other}
-    return [token for word in said.split() for token in (_listed(lists[word]) if word in lists else [near.saying(word)])]
 
 
 def _listed(labels: list[Token]) -> list[Token]:

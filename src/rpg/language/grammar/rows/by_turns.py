@@ -24,6 +24,10 @@ BY_TURNS_AT_ONCE: tuple[Turn, ...] = (
      "should have)(?: of| in)? (?:a different|another|a unique|its own) color$", " , each a different color"),
     (f"\\b({_ALTERNATING})(?: between| of| in| from)?(?: :)? ({COLOR}) [/-] ({COLOR})\\b", "alternating {2} and {3}"),
     (f"\\b(?:with |in |of )?alternating colors(?: of| :| ,)? ({COLOR}) and ({COLOR})\\b", " alternating {1} and {2}"),
+    ("\\b(?:the )?colors (?:changing|going|taking turns) (?:alternately|by turns|in turn|each time)\\b",
+     "alternating colors"),
+    (f"\\b(?:with |in |of )?alternating colors(?: :| ,)? ({COLOR}) (?:at the (?:bottom|base|foot)|below) and ({COLOR}) "
+     "(?:above|on|over|on top of) (?:it|that)$", " alternating {1} and {2} , {1} at the bottom"),
     (f"\\b({COLOR}) [/-] ({COLOR})(?: ,)? (alternating|alternately|by turns)\\b", "{1} and {2} alternating"),
     (f"^(?:an? |one )?({_FIGURE}) : ({MANY} {CUBE}s)(?: ,)? ({_ALTERNATING})\\b", "a {1} of {2} , {3}"),
     (f"\\b(an?|one|the) striped ({_STRIPED})(.*?) (?:,|with|in|of)(?: (?:in|of|with))? {_TWO}(?: stripes| "

@@ -161,6 +161,8 @@ BOARDS: tuple[Turn, ...] = (
     (f"\\ban? (square) (?:thats|that is|which is) hollow in the {MID}$", "a hollow {1}"),
     (f"^(?:with|from|out of) ({MANY} [^,:]*?{_BLOCKS}) {BUILD} (an? hollow \\w+)$", "{2} of {1}"),
     (f"^(.*\\b({COLOR})\\b.*\\b(?:layer|level|row|column|one)(?: {_ARE}| being)?) \\2 again(?=$| ,)", "{1} {2}"),
+    (f"(the {_WHICH} (?:row|column)) (?:being |{_ARE} )?(?:occupied|filled|taken|made up|formed) by\\b", "{1}"),
+    (f"(the {_WHICH} (?:row|column) [^;:]+? and the {_WHICH} (?:row|column)) by (?=\\w)", "{1}"),
     # how many there are of each, and on either side
     (f"^((?:{COLOR} ?,? ?(?:and )?)+?)(?: ,)? (?::|-|;) (?:just |exactly )?one (?:block |cube |of )*each(?: "
      "color)?(?: ,)? (.+)$", "one block each of {1} , {2}"),

@@ -61,7 +61,8 @@ _AXES = (("left", "right"), ("front", "back"), ("bottom", "top"))
 _JOIN = "(?: ,)?(?: and)?"
 _BOTH_ENDS: tuple[Turn, ...] = tuple(
     (
-        f"{head}(?: ,)? (?:so that |such that )?{small} {_PLACES[a]}{_JOIN} {large} {_PLACES[b]}(?= ,|$)",
+        f"{head}(?: ,)? (?:(?:so that|such that|in which|where) )?{small} {_PLACES[a]}{_JOIN} {large} "
+        f"{_PLACES[b]}(?= ,|$)",
         f"{{1}} {order} from {a} to {b}",
     )
     for head, order in (

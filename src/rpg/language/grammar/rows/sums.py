@@ -33,6 +33,9 @@ SUMS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:do|solve|work out|calculate|compute)(?: the (?:sum|calculation|problem))? {_SUM}(?: ,)? and (?:show|put|"
      f"lay|give|"
      "display|include|add)(?: me)? (?:the|its) (?:answer|result|solution)(?: too| as well| also)?$", "solve {1}"),
+    ("^use (?:the )?(?:number|digit|symbol|sign)(?: (?:and|or) (?:number|digit|symbol|sign))? (?:cubes|blocks)(?: "
+     ",)?(?: in "
+     "a (?:row|line))?$", ""),
     # equations
     ("^(?:(?:if|when) i look (?:down|at (?:it|them|the table))(?: ,)? )?i (?:want|would like) to (?:read|see) "
      f"{_EQUATION}(?: on the table)?$", "write {1}"),

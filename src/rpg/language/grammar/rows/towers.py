@@ -60,6 +60,13 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      f"followed by )"
      f"{_LOT}(?: on)?(?: the)?(?: very)? top(?: of (?:it|them|that|those))?$",
      "{1} , from bottom to top : {2} blocks , then {3} blocks"),
+    ("\\b(on (?:that|it|this|top of (?:that|it|this))(?: one)? [^,]+?)(?: ,| and|;)+ (?:then |finally )?on (?:the "
+     ")?(?:very )?"
+     "top (?!of\\b)(?=\\w)", "{1} , on that"),
+    ("\\bone (?:straight|directly|exactly|right|neatly) on top of the (?:other|next)\\b", "one on top of the other"),
+    (f"^({MANY} [^,]+?) {MUST} be (?:distributed|divided|split|shared) (?:over|into|among|between) ({MANY} "
+     f"{_TOWERS})\\b",
+     "{1} in {2}"),
     # how high they are
     (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out )?(?:of|"
      f"from) (?={MANY}\\b)", "{1} {2} from"),

@@ -69,6 +69,10 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
      "(?:(?:the|their) )?(reading|alphabetical|numerical|counting|ascending) order$", " in {1} order"),
     (f"\\b({FIGURE}) (?:numbered|lettered|labelled|labeled) (?:from )?(\\w) (?:to|through|till|up to) (\\w)\\b",
      "{1} of the blocks {2} to {3}"),
+    ("\\b(?:the )?(?:letters of the )?alphabet from (\\w) to (\\w)\\b", "the letters {1} to {2}"),
+    ("^(stack|pile)(?: up)?(?: them)? in this order(?: ,)? from (?:below|the bottom)(?: up)? : (.+?)(?: on (?:the "
+     ")?(?:very )?"
+     "top)?$", "{1} from bottom to top : {2}"),
     ("(?: ,)? (?:from )?left to right(?: ,| and|, and|, then| then)+ (?:from )?(?:top to bottom|back to front)$",
      " in reading order"),
     # blocks that do it

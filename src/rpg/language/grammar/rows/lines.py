@@ -81,6 +81,11 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     ("(?: ,)? (?:so|such|so that|such that|whose|where|in which|with)(?: that)? (?:the |its |their )?(?:colors|they|"
      f"it) (?:{MUST} )?(?:follow|follows|following|match|go through|run through) (?:the order of )?{_OF_IT}",
      " in rainbow order"),
+    # lists of them, and of their places
+    (f"\\b((?:middle|center|top|bottom|left|right|first|last|corners|border|edges|inside|outside|ends|others|"
+     f"rest)(?: one| "
+     f"ones| block| blocks)?) = ({COLOR})\\b", "{1} {2}"),
+    (f"\\b(?:pattern|sequence) : ((?:{COLOR}(?: , and| ,| and)? )+)in an? ({_LINE})$", "{2} : {1}"),
     # where it begins
     (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} "
      f")?(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),

@@ -12,7 +12,7 @@ from rpg.language.tokens import Token
 
 AHEAD = frozenset({"before", "ahead", "precede", "precedes"})
 _LIST = "(?:\\w (?:, and|,|and) )*\\w"
-_ALL = "(?:(?:all|both|the|all the|all of the|these|those) )*"
+_ALL = "(?:(?:all|both|the|all the|all of|both of|each of|all of the|these|those) )*"
 _KINDS = "(?:(?:letters?|vowels?|consonants?|digits?|numbers?|even|odd|blocks?|cubes?|ones) )*"
 _COME = f"(?:{MUST} )?(?:all )?(?:(?:be|come|comes|stand|stands|go|goes|are|is|lie) )?"
 _SOME = f"{_ALL}{_KINDS}\\(? ?{_LIST}(?: \\))?"

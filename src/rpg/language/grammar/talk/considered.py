@@ -18,6 +18,7 @@ _PARTS = frozenset({"center", "rest", "order", "point", "space", "form", "face"}
 """Words of commands that may tell of the figure as well."""
 _DOING = (lexicon.COMMANDS - lexicon.STRUCTURE.keys() - _PARTS) | {
     "should", "must", "shall", "will", "can", "it", "them", "they", "then", "start", "starts", "becomes", "where",
+    "apart", "down", "away", "off",
 }  # fmt: skip
 """With these words more than the figure itself is told."""
 _NEAR = 4

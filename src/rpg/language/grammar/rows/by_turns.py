@@ -19,9 +19,10 @@ BY_TURNS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b((?:an?|one) (?:{LINE})) (where|in which|so that|such that) ((?:every|each|no two) [^,:]+?) , ({MANY}) "
      f"{CUBE}s(?: (?:in total|in all|altogether|high|long|tall))?$", "{1} of {4} blocks {2} {3}"),
     (f"\\b({_FIGURE}) of (blocks|cubes)\\b(.*?) , ({MANY}) of them(?=$| ,)", "{1} of {4} {2} {3}"),
+    (f" , {_EACH} (?:a different|its own|another) color$", " , each a different color"),
     (f"(?: ,)? (?:where|in which|so that|such that|with|and) {_EACH} (?:is|has|having|being|must be|must have|"
-     f"should be|"
-     "should have)(?: of| in)? (?:a different|another|a unique|its own) color$", " , each a different color"),
+     f"should be|should have)(?: of| in)? (?:a different|another|a unique|its own) color$", " , each a different "
+     "color"),
     (f"\\b({_ALTERNATING})(?: between| of| in| from)?(?: :)? ({COLOR}) [/-] ({COLOR})\\b", "alternating {2} and {3}"),
     (f"\\b(?:with |in |of )?alternating colors(?: of| :| ,)? ({COLOR}) and ({COLOR})\\b", " alternating {1} and {2}"),
     ("\\b(?:the )?colors (?:changing|going|taking turns) (?:alternately|by turns|in turn|each time)\\b",

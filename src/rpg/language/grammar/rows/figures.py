@@ -163,6 +163,8 @@ BOARDS: tuple[Turn, ...] = (
     (f"^(.*\\b({COLOR})\\b.*\\b(?:layer|level|row|column|one)(?: {_ARE}| being)?) \\2 again(?=$| ,)", "{1} {2}"),
     (f"(the {_WHICH} (?:row|column)) (?:being |{_ARE} )?(?:occupied|filled|taken|made up|formed) by\\b", "{1}"),
     (f"(the {_WHICH} (?:row|column) [^;:]+? and the {_WHICH} (?:row|column)) by (?=\\w)", "{1}"),
+    (f"(?: ,)?(?: and)?(?: then)? fill (?:in )?(the rest|the others|everything else)(?: in| up)? with ({COLOR})(?: "
+     "blocks| cubes| ones)?$", " and {1} in {2}"),
     # how many there are of each, and on either side
     (f"^((?:{COLOR} ?,? ?(?:and )?)+?)(?: ,)? (?::|-|;) (?:just |exactly )?one (?:block |cube |of )*each(?: "
      "color)?(?: ,)? (.+)$", "one block each of {1} , {2}"),

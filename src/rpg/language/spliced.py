@@ -74,7 +74,8 @@ _ASIDE = (("i", "dont"), ("i", "don't"), ("i", "do", "not"), ("it", "doesnt"), (
           ("any", "color", "is"), ("any", "colour", "is"), ("any", "colors", "are"), ("any", "colours", "are"),
           ("colors", "dont"), ("colours", "dont"), ("colors", "do"), ("colours", "do"), ("they", "must"),
           ("they", "should"), ("they", "are"), ("they", "have"), ("there", "are"), ("there", "is"),
-          ("all", "of", "them"))  # fmt: skip
+          ("all", "of", "them"), ("whatever", "color"), ("whatever", "colour"), ("no", "matter", "what"),
+          ("no", "matter", "which"))  # fmt: skip
 _ENDED = frozenset({"high", "tall", "wide", "long", "deep", "total", "them", "it", "please", "table", *_ONE,
                     *lexicon.BLOCK, *lexicon.PATCH, *lexicon.STRUCTURE, *lexicon.COLOR, *lexicon.COLOR_PLURAL,
                     *lexicon.NUMBER}) - {"a"}  # fmt: skip

@@ -50,10 +50,12 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
     (f"^({_A_FIGURE}[^:]*?) (?:is|was|has been|shall be|is to be) {_SET}(?: as follows)?(?= :|$)", "{1}"),
     (f"^({_A_FIGURE}.*?) {_THE_GOAL}$", "{1}"),
     # sums and words
-    (f"^{_NOTED}(?:sum|equation|calculation|problem|task|exercise|solution){_OF_DAY}) (?:is|:|reads) {_EQUATION}"
+    (f"^{_NOTED}(?:sum|equation|calculation|problem|task|exercise|solution){_OF_DAY}(?: today| now)?) (?:is|:|"
+     f"reads) {_EQUATION}"
      f"{_ALSO}{_LAID}{_CUBES})?$", "write {1}"),
     (f"\\b(spells?|spelling|reads?|reading|says?|saying) {_WORD} (?:when|if)(?: it is| it's| you| one| i| we)? "
      f"read(?:ing)?(?: it)?(?: ,)? ({_WAY}|downwards?|upwards?)$", "{1} {2} {3}"),
+    (f"^({_WRITE} (?:it|this|that)) (?:out|down|up)({_CUBES})$", "{1} {2}"),
     (f"^({_WRITE}(?: out)?) {_WORD} (?:in (?:block|capital) letters )?across the (?:table|desk)$", "{1} {2}"),
     (f"^((?:write|spell)(?: out)?) {_WORD} in (?:block|capital) letters$", "{1} {2}"),
     (f"^{_AGREED}(.+?)(?: ,)? and that (.+)$", "{1} . {2}"),
@@ -66,7 +68,7 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
      "{1} a {2}"),
     (f"^(?:on|in) (?:this|our|my) (?:\\w+ )?{_SHOWN}(?: ,)? (?=(?:the|an?|{MANY}|all|there) )", ""),
     ("(?: ,)? so(?: that)? (?:\\w+ ){1,3}can (?:count|read|recite|follow|learn|sing) (?:them|it|these|those) in "
-     "(?:(?:the|their) )?(reading|alphabetical|numerical|counting|ascending) order$", " in {1} order"),
+     "((?:(?:the|their) )?(?:right |reading |alphabetical |numerical |counting |ascending )?order)$", " in {1}"),
     (f"\\b({FIGURE}) (?:numbered|lettered|labelled|labeled) (?:from )?(\\w) (?:to|through|till|up to) (\\w)\\b",
      "{1} of the blocks {2} to {3}"),
     ("\\b(?:the )?(?:letters of the )?alphabet from (\\w) to (\\w)\\b", "the letters {1} to {2}"),

@@ -6,10 +6,10 @@ from __future__ import annotations
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH
 
-_ONE = f"(?:the|an?|one) {COLOR}(?: (?:block|cube|one))?"
+_ONE = f"(?:(?:the|an?|one) {COLOR}(?: (?:block|cube|one))?|the (?:\\w (?:block|cube)|(?:block|cube) \\w))"
 _IS = "(?:is|measures|has)"
 _LONG = f"{LENGTH}(?: (?:wide|big|large|high|tall|long|across))?"
-_DONE = "((?:stack|pile|line up|line|arrange|sort|put|order) (?:them|these|those|the blocks|the cubes)\\b[^:]*)"
+_DONE = "((?:stack|pile|line up|line|arrange|sort|put|order) (?:them|these|those|the blocks|the cubes)(?: up)?\\b[^:]*)"
 
 SIZES_TOLD_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_DONE} :(?: the sizes are(?: :| ,)?)? ({_ONE} {_IS} {_LONG}(?= ,| and|$).*)$", "{2} . {1}"),

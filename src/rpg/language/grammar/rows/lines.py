@@ -86,6 +86,8 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
      f"rest)(?: one| "
      f"ones| block| blocks)?) = ({COLOR})\\b", "{1} {2}"),
     (f"\\b(?:pattern|sequence) : ((?:{COLOR}(?: , and| ,| and)? )+)in an? ({_LINE})$", "{2} : {1}"),
+    ("\\b(?:with|having) (?:the |their )?colors in (?:the )?(?:rainbow order|order of (?:the|a) rainbow)\\b",
+     "in rainbow order"),
     # where it begins
     (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} "
      f")?(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),

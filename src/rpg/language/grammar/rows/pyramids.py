@@ -80,6 +80,9 @@ PYRAMIDS: tuple[Turn, ...] = (
     (f"\\b(pyramid)\\b(.*\\b(?:base|bottom)\\b.*?){_TOTAL}({MANY}(?: {COLOR})? (?:blocks|cubes|bricks))(?: in "
      "(?:total|all)| altogether)?$", "{1} of {3} {2}"),
     # the tip
+    (f"\\b(pyramid\\b.*?) with (?:an?|one|a single) ({COLOR}){N} (?:crowning|topping|capping) (?:it|them|this|"
+     f"everything)$",
+     "{1} topped by a {2} block"),
     (f"\\b(pyramid\\b.*?)(?: ,)? all(?: of it)? ({COLOR}) (?:but|except|apart from|save)(?: for)? the ({COLOR}){N} "
      "(?:at|on) (?:the )?top$", "{1} with a {3} top and the rest {2}"),
     (f"\\b(pyramid of {MANY} {COLOR} (?:blocks|cubes)) and (?:an?|one) ({COLOR}){N} (?:at|on) (?:the )?(?:very )?top$",
@@ -99,3 +102,5 @@ PYRAMIDS: tuple[Turn, ...] = (
      "{1} {6} {2} and one {4} {5}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+WORDS = ("crowning capping narrows",)
+"""Words that these take besides those that are read anyway."""

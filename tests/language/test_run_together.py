@@ -61,6 +61,7 @@ def test_sentences_that_nothing_parts_are_read_as_several(text: str, meant: Mean
         "put the red block on the block the blue one is on",
         "is there a tower of three blocks the top one is red",
         "make a row of three red blocks the top one is blue",
+        "put the A block next to the B block the first one should be left",  # on the left, or alone?
     ],
 )
 def test_what_is_no_sentence_behind_another_is_refused(text: str) -> None:

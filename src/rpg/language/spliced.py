@@ -86,8 +86,10 @@ def run_together(tokens: list[Token]) -> list[Token] | None:
     """The words with a full stop where behind a figure, with nothing between, another sentence begins that tells of a
     part of it, of how many blocks there are, or that something is left open. "It" behind that could be that part."""
     out: list[Token] = []
+    figure = False
     for n, token in enumerate(tokens):
-        ended = n > 0 and (tokens[n - 1].word in _ENDED or tokens[n - 1].kind == "number")
+        figure = figure or token.word in lexicon.STRUCTURE or token.word in ("stack", "spell", "letter")
+        ended = figure and n > 0 and (tokens[n - 1].word in _ENDED or tokens[n - 1].kind == "number")
         if ended and _begins(tokens, n) and all(later.word != "it" for later in tokens[n + 1 :]):
             out.append(replace(token, kind="punct", word=".", raw=".", value=None))
         out.append(token)

@@ -124,9 +124,8 @@ LIMBS: list[Pattern] = [
         "under (?:it|the "
         f"middle|the bar)|underneath(?: it)?)(?: in the middle)?(?: (?:as|for) (?:the|its) {STEM})?",
         f"(?:(?:below|under|underneath)(?: (?:it|that|the {BAR}))? )?(?:the |its |a |whose |with a |with the "
-        f")?{STEM}(?: of "
-        f"it)? {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?(?: (?:below|under|underneath)(?: (?:it|the "
-        f"{BAR}))?)?", f"down(?:wards)?(?: :)? {COUNT}"),
+        f")?{STEM}(?: of it)? {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?(?: (?:below|under|underneath)(?: "
+        f"(?:it|the {BAR}))?)?", f"down(?:wards)?(?: :)? {COUNT}"),
     *patterns("limb", lambda m: ("up", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)? (?:going |standing |straight )?(?:up(?:wards?|right)?|{_FOR}(?:the |its "
         ")?(?:upright|stem|back))"),

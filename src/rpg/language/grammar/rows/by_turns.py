@@ -30,12 +30,10 @@ BY_TURNS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:with |in |of )?alternating colors(?: :| ,)? ({COLOR}) (?:at the (?:bottom|base|foot)|below) and ({COLOR}) "
      "(?:above|on|over|on top of) (?:it|that)$", " alternating {1} and {2} , {1} at the bottom"),
     (f"\\b((?:grid|wall|square|rectangle|array|arrangement|matrix|\\d+x\\d+)\\b[^;]*?)(?: ,| :| with| whose| where| "
-     f"in which| "
-     "the| its| and)* (rows|columns|layers) (?:alternate|alternating|alternates|alternately)(?: between| in)?(?: the)?"
-     f"(?: colors?)?(?: :)? {_TWO}\\b", "{1} with {2} alternating {3} and {4}"),
+     f"in which| the| its| and)* (rows|columns|layers) (?:alternate|alternating|alternates|alternately)(?: between| "
+     f"in)?(?: the)?(?: colors?)?(?: :)? {_TWO}\\b", "{1} with {2} alternating {3} and {4}"),
     (f"\\b(grid\\b[^;]*?)(?: ,| with| where)+ (?:the )?odd (rows|columns)(?: are| being)? ({COLOR})(?: ,| and)+ "
-     f"(?:the )?"
-     f"even \\2(?: are| being)? ({COLOR})$", "{1} with {2} alternating {3} and {4}"),
+     f"(?:the )?even \\2(?: are| being)? ({COLOR})$", "{1} with {2} alternating {3} and {4}"),
     (f"\\b({COLOR}) [/-] ({COLOR})(?: ,)? (alternating|alternately|by turns)\\b", "{1} and {2} alternating"),
     (f"^(?:an? |one )?({_FIGURE}) : ({MANY} {CUBE}s)(?: ,)? ({_ALTERNATING})\\b", "a {1} of {2} , {3}"),
     (f"\\b(an?|one|the) striped ({_STRIPED})(.*?) (?:,|with|in|of)(?: (?:in|of|with))? {_TWO}(?: stripes| "

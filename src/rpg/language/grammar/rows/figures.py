@@ -45,8 +45,7 @@ _ROW_AND_OTHER = f"({_ARE} )?(?:all )?(\\w+)(?: ,)? and the other(?: one| row)? 
 _THE_FIRST = "(?: ,| with|;)+ the \\3 (?:column|row|one)"
 _EACH_OF_ONE = (
     "(?:in which|where|such that|so that|whose|with)? ?(?:each|every) {axis} (?:is|being|must be|should be|has|"
-    "having|of) "
-    "(?:monochrome|monochromatic|unicolored|(?:of )?(?:one|a single|the same) color|single colored)"
+    "having|of) (?:monochrome|monochromatic|unicolored|(?:of )?(?:one|a single|the same) color|single colored)"
 )
 _WHICH = (
     "\\b(?:far|back|rear|near|front|middle|center|left|right|top|bottom|upper|lower|first|second|third|fourth|last)"
@@ -57,8 +56,7 @@ FIGURES: tuple[Turn, ...] = (
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged "
      f")?(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),
     (f"^((?:put|place|set|lay) .+? in the {MID})(?: ,)? (?:and |then |and then )?surround (?:it|that|that one) "
-     f"(?:with|by) "
-     f"({MANY} [^,:]+)$", "{1} and {2} around it"),
+     f"(?:with|by) ({MANY} [^,:]+)$", "{1} and {2} around it"),
     (f"^(?:surround|encircle) ((?:the|an?) [^,:]+?) (?:with|by) an? ({_RING}) (?:of|made of|from) ({MANY} [^,:]+)$",
      "a {2} of {3} around {1}"),
     ("\\b(circle|ring|square|plus|cross|grid)\\b((?:(?! and ).)*?) (in|at) the (middle|center) of the \\1$",

@@ -13,8 +13,8 @@ FIGURE = (
 )
 """What is built, written or laid."""
 _A_FIGURE = (
-    f"(?:an?|{MANY}) (?:(?:(?!of |that |which |block |blocks )[\\w']+ ){{0,4}}{FIGURE}|"
-    "\\d+x\\d+(?:x\\d+)? (?:block|cube|box))(?= |$)"
+    f"(?:an?|{MANY}) (?:(?:(?!of |that |which |block |blocks )[\\w']+ ){{0,4}}{FIGURE}|\\d+x\\d+(?:x\\d+)? "
+    "(?:block|cube|box))(?= |$)"
 )
 _DOER = "(?:us|to|we|i|you|should|must|shall|will|can|could|would|and|then|now|please|robot|kindly|just)"
 _MAKING = (
@@ -23,11 +23,11 @@ _MAKING = (
 _SET = "(?:specified|defined|stipulated|described|prescribed|requested|demanded)"
 _THE_GOAL = "(?:is|shall be|has been) (?:given|set|defined|specified|stated) as (?:the|our|my|your) (?:goal|target|aim)"
 _DAYS = "(?:(?:today|tomorrow|tonight|this week|this lesson) 's|the|our|my|your|this)"
-_NOTED = f"(?:{_DAYS} (?:new |first |next )?"
+_NOTED = f"{_DAYS} (?:new |first |next )?"
 _OF_DAY = "(?: (?:of|for) (?:the day|today|the week|this lesson|this week))?"
 _EQUATION = "(\\S*\\d\\S*=\\S+|\\S+=\\S*\\d\\S*)"
 _WORD = "([a-z]{2,})"
-_ALSO = "(?:(?: ,| :|;| and| so| then| now| please| kindly)* "
+_ALSO = "(?: ,| :| and| so| then| now| please| kindly)*"
 _WRITE = "(?:lay|write|spell|build|show|put|make|set|form)"
 _IT = "(?:it|this|that|this word|that word|the word|this name|that name|his name|her name|the name|the sum)"
 _LAID = f"{_WRITE}(?: (?:out|down|up))?(?: {_IT})?(?: (?:out|down|up))?"
@@ -50,9 +50,8 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
     (f"^({_A_FIGURE}[^:]*?) (?:is|was|has been|shall be|is to be) {_SET}(?: as follows)?(?= :|$)", "{1}"),
     (f"^({_A_FIGURE}.*?) {_THE_GOAL}$", "{1}"),
     # sums and words
-    (f"^{_NOTED}(?:sum|equation|calculation|problem|task|exercise|solution){_OF_DAY}(?: today| now)?) (?:is|:|"
-     f"reads) {_EQUATION}"
-     f"{_ALSO}{_LAID}{_CUBES})?$", "write {1}"),
+    (f"^{_NOTED}(?:sum|equation|calculation|problem|task|exercise|solution){_OF_DAY}(?: today| now)? (?:is|:|reads) "
+     f"{_EQUATION}(?:{_ALSO} {_LAID}{_CUBES})?$", "write {1}"),
     (f"\\b(spells?|spelling|reads?|reading|says?|saying) {_WORD} (?:when|if)(?: it is| it's| you| one| i| we)? "
      f"read(?:ing)?(?: it)?(?: ,)? ({_WAY}|downwards?|upwards?)$", "{1} {2} {3}"),
     (f"^({_WRITE} (?:it|this|that)) (?:out|down|up)({_CUBES})$", "{1} {2}"),
@@ -73,8 +72,7 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
      "{1} of the blocks {2} to {3}"),
     ("\\b(?:the )?(?:letters of the )?alphabet from (\\w) to (\\w)\\b", "the letters {1} to {2}"),
     ("^(stack|pile)(?: up)?(?: them)? in this order(?: ,)? from (?:below|the bottom)(?: up)? : (.+?)(?: on (?:the "
-     ")?(?:very )?"
-     "top)?$", "{1} from bottom to top : {2}"),
+     ")?(?:very )?top)?$", "{1} from bottom to top : {2}"),
     ("(?: ,)? (?:from )?left to right(?: ,| and|, and|, then| then)+ (?:from )?(?:top to bottom|back to front)$",
      " in reading order"),
     # blocks that do it

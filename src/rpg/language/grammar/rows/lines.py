@@ -83,8 +83,7 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
      " in rainbow order"),
     # lists of them, and of their places
     (f"\\b((?:middle|center|top|bottom|left|right|first|last|corners|border|edges|inside|outside|ends|others|"
-     f"rest)(?: one| "
-     f"ones| block| blocks)?) = ({COLOR})\\b", "{1} {2}"),
+     f"rest)(?: one| ones| block| blocks)?) = ({COLOR})\\b", "{1} {2}"),
     (f"\\b(?:pattern|sequence) : ((?:{COLOR}(?: , and| ,| and)? )+)in an? ({_LINE})$", "{2} : {1}"),
     ("\\b(?:with|having) (?:the |their )?colors in (?:the )?(?:rainbow order|order of (?:the|a) rainbow)\\b",
      "in rainbow order"),

@@ -221,8 +221,7 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
      f"({_FROM_END})(?: :| ,) (.+)$", "a {1} , {2} : {3}"),
     # rows that alternate
     (f"(?: ,)?(?: (?:that|which|and))? (?:begins|starts|beginning|starting|begin|start) and (?:ends|finishes|ending|"
-     f"end) with "
-     f"(?:an? )?({COLOR})(?: one| block| cube)?(?= |$)", " with {1} at both ends"),
+     f"end) with (?:an? )?({COLOR})(?: one| block| cube)?(?= |$)", " with {1} at both ends"),
     (f"( with {COLOR} at both ends) and (?:has|with) ({MANY} {COLOR}(?: \\w+)? (?:in )?between)", "{1} and {2}"),
     (f"(?<!the )\\b({COLOR})(?: one| block| cube)? (?:at|on) (?:each|either) end(?= ,|$| and)", "{1} at both ends"),
     (f"\\b(row|line) that alternates(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR} (?:blocks|cubes))", "{1} of {2} that "

@@ -45,9 +45,8 @@ PYRAMIDS: tuple[Turn, ...] = (
      "every)(?: next| following| further)?(?: row| layer| level| course| step)?(?: above(?: it| that| them)?| up| "
      "higher up| on top)?$", "{1} with a base of {2}"),
     ("\\b(pyramid\\b.*?)(?: ,)? (?:and|which|that|so that it)(?: (?:goes|gets|narrows|tapers|rises|runs|becomes|"
-     "is))+(?: up| "
-     f"down| smaller| narrower)* (?:to )?(?:one|1|a single|just one){N}(?: wide)?(?: (?:at|on) (?:the )?(?:top|tip|"
-     f"peak))?$",
+     f"is))+(?: up| down| smaller| narrower)* (?:to )?(?:one|1|a single|just one){N}(?: wide)?(?: (?:at|on) (?:the "
+     f")?(?:top|tip|peak))?$",
      "{1}"),
     (f"\\b(pyramid\\b.*? wide{_BOTTOM}) and (?:one|1|a single|just one){N}(?: wide)?{_TOP}$", "{1}"),
     # one colour, or none

@@ -41,8 +41,7 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
      "{1} a column {2}"),
     ("\\bin (?:a|one) (?:straight )?(?:row|line) ,? ?one behind the other\\b", "one behind the other"),
     *((f"(?: ,)? in which the ({one}) (number|digit) is {at}(?: and the (?:{other})(?: one| number| digit)? is "
-        f"{opposite})?"
-       "(?: ,)?(?: in order)?$", f", the {{1}} {{2}} {at}")
+        f"{opposite})?(?: ,)?(?: in order)?$", f", the {{1}} {{2}} {at}")
       for one, other in ((_HIGHEST, _LOWEST), (_LOWEST, _HIGHEST))
       for at, opposite in (("on top", "at the bottom"), ("at the bottom", "on top"))),
     (f"^(?:{_PUT} )(.+?) in the front row , (.+?) in the middle row(?: ,)? and (.+?) in the back row(?: , each row in "

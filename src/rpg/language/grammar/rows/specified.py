@@ -35,8 +35,7 @@ SPECIFIED_AT_ONCE: tuple[Turn, ...] = (
     (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({MUST} .+)$", "{1} and {2} {3}"),
     (f"^in addition to (the [^,]+?) , (the [^,]+?) ({MUST} .+)$", "{1} and {2} {3}"),
     (f"\\b((?:spell(?:ed)?|write|show|word|equation|sum)\\b[^,]*?)(?: ,)?(?: with)? (?:each|every) (?:letter|symbol|"
-     f"digit|sign) "
-     f"(?:being |is )?on (?:its own|a separate|one) {CUBE}$", "{1}"),
+     f"digit|sign) (?:being |is )?on (?:its own|a separate|one) {CUBE}$", "{1}"),
     (f"\\b((?:spell|write|word|name)\\b[^,]*?)(?: ,)?(?: with)? (?:each|every) letter (?:being |is )?on an? "
      f"({COLOR}) {CUBE}$",
      "{1} with {2} letters"),

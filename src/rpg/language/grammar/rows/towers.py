@@ -59,12 +59,10 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
      "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
     (f"\\b({TOWER}) (?:made |built |consisting )?(?:out )?(?:of|from|with) {_LOT}(?: ,)? (?:and |and then |then |"
-     f"followed by )"
-     f"{_LOT}(?: on)?(?: the)?(?: very)? top(?: of (?:it|them|that|those))?$",
+     f"followed by ){_LOT}(?: on)?(?: the)?(?: very)? top(?: of (?:it|them|that|those))?$",
      "{1} , from bottom to top : {2} blocks , then {3} blocks"),
     ("\\b(on (?:that|it|this|top of (?:that|it|this))(?: one)? [^,]+?)(?: ,| and|;)+ (?:then |finally )?on (?:the "
-     ")?(?:very )?"
-     "top (?!of\\b)(?=\\w)", "{1} , on that"),
+     ")?(?:very )?top (?!of\\b)(?=\\w)", "{1} , on that"),
     ("\\bone (?:straight|directly|exactly|right|neatly) on top of the (?:other|next)\\b", "one on top of the other"),
     (f"^({MANY} [^,]+?) {MUST} be (?:distributed|divided|split|shared) (?:over|into|among|between) ({MANY} "
      f"{_TOWERS})\\b",
@@ -72,8 +70,7 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b((?:an?|one) (?:\\w+ )?{TOWER}) (?:with|of|having|that has|which has) (?:exactly )?({MANY}) {_FLOORS}"
      "(?! of| each of| with| , each (?:of|with|has|having|consisting))", "{1} of {2} blocks"),
     (f"\\b({TOWER} of {MANY} blocks\\b.*?\\b(?:each|every|top|bottom|middle|lowest|highest|uppermost|second|third|"
-     f"other)) "
-     f"{_FLOOR}\\b", "{1} block"),
+     f"other)) {_FLOOR}\\b", "{1} block"),
     (f"\\b({TOWER} of {MANY} blocks\\b.*?) ground {_FLOOR}\\b", "{1} bottom block"),
     # how high they are
     (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out )?(?:of|"

@@ -53,6 +53,7 @@ RAINBOW: Meant = {"assets": {"red": 1, "orange": 1, "yellow": 1, "green": 1, "bl
         ("We consider a tower of three red blocks.", TOWER),
         ("Granny wants her tower of three red blocks now.", TOWER),
         ("Mommy can you make a tower of three red blocks?", TOWER),
+        ("A tower of three cubes, red ones.", TOWER),
         ("Stack me three red cubes, one straight on top of the other.", TOWER),
         ("Visitors should see a row of four red blocks.", ROW),
         ("On this display, four red blocks stand in a row.", ROW),

@@ -36,9 +36,6 @@ SPECIFIED_AT_ONCE: tuple[Turn, ...] = (
     (f"^in addition to (the [^,]+?) , (the [^,]+?) ({MUST} .+)$", "{1} and {2} {3}"),
     (f"\\b((?:spell(?:ed)?|write|show|word|equation|sum)\\b[^,]*?)(?: ,)?(?: with)? (?:each|every) (?:letter|symbol|"
      f"digit|sign) (?:being |is )?on (?:its own|a separate|one) {CUBE}$", "{1}"),
-    (f"\\b((?:spell|write|word|name)\\b[^,]*?)(?: ,)?(?: with)? (?:each|every) letter (?:being |is )?on an? "
-     f"({COLOR}) {CUBE}$",
-     "{1} with {2} letters"),
     (f"^(.+?) ({MUST}) not (be \\w+ .+?) until (.+? (?:has|have) been .+)$", "{1} {2} {3} , but only after {4}"),
     ("^in a first step(?: ,)? (.+?)(?: ,)? (?:and )?(?:then )?in a second step(?: ,)? (.+)$",
      "first , {1} . then , {2}"),

@@ -233,7 +233,7 @@ def _strange_noun(words: Sequence[str], n: int) -> bool:
 
 _MEDIA = listed(
     "photo photograph picture image drawing painting sketch postcard poster brochure catalog catalogue book cover page "
-    "card screen frame slide video film shot scene plan sheet worksheet flyer leaflet magazine website exhibit "
+    "card screen slide video film shot scene plan sheet worksheet flyer leaflet magazine website exhibit "
     "illustration design poster arrangement diagram cartoon snapshot blueprint logo painting mind head vision"
 )
 _WISHING = listed(

@@ -1,4 +1,5 @@
-"""Sentences that only a comma parts: "four cubes in a row, three white and one red, red is second from the left"."""
+"""Sentences that only a comma parts, or nothing: "four cubes in a row, three white and one red, red is second from the
+left", "a tower of five blocks the top one is red and the rest are blue"."""
 
 from __future__ import annotations
 
@@ -58,3 +59,49 @@ def _tells_a_place(tokens: list[Token], n: int) -> bool:
     at += words[at] in _AT
     at += words[at] == "the"
     return words[at - 1] in (*_AT, "the") and words[at] in _ENDS
+
+
+_PARTS = frozenset({"top", "bottom", "middle", "center", "centre", "left", "right", "front", "back", "first", "last",
+                    "second", "third", "upper", "lower", "lowest", "highest", "topmost", "uppermost", "leftmost",
+                    "rightmost", "outer", "inner", "rest", "others", "other", "remaining", "bar", "crossbar", "stem",
+                    "foot", "tip", "arms", "base", "corners", "sides", "border", "colors", "colours", "color",
+                    "colour"})  # fmt: skip
+"""What is told of in a sentence of its own behind that of a figure."""
+_NAMED = frozenset({"row", "rows", "column", "columns", "layer", "layers", "two", "three", "four", *_ONE})
+_TELLS = frozenset({"is", "are", "must", "should", "shall", "has", "have", "goes", "comes", "needs", "dont", "doesnt",
+                    "don't", "doesn't", "do", "does"})  # fmt: skip
+_ASIDE = (("i", "dont"), ("i", "don't"), ("i", "do", "not"), ("it", "doesnt"), ("it", "doesn't"), ("it", "does"),
+          ("any", "color", "is"), ("any", "colour", "is"), ("any", "colors", "are"), ("any", "colours", "are"),
+          ("colors", "dont"), ("colours", "dont"), ("colors", "do"), ("colours", "do"), ("they", "must"),
+          ("they", "should"), ("they", "are"), ("they", "have"), ("there", "are"), ("there", "is"),
+          ("all", "of", "them"), ("whatever", "color"), ("whatever", "colour"), ("no", "matter", "what"),
+          ("no", "matter", "which"))  # fmt: skip
+_ENDED = frozenset({"high", "tall", "wide", "long", "deep", "total", "them", "it", "please", "table", *_ONE,
+                    *lexicon.BLOCK, *lexicon.PATCH, *lexicon.STRUCTURE, *lexicon.COLOR, *lexicon.COLOR_PLURAL,
+                    *lexicon.NUMBER}) - {"a"}  # fmt: skip
+"""What a sentence may end with that nothing parts from the next one."""
+
+
+def run_together(tokens: list[Token]) -> list[Token] | None:
+    """The words with a full stop where behind a figure, with nothing between, another sentence begins that tells of a
+    part of it, of how many blocks there are, or that something is left open. "It" behind that could be that part."""
+    out: list[Token] = []
+    figure = False
+    for n, token in enumerate(tokens):
+        figure = figure or token.word in lexicon.STRUCTURE or token.word in ("stack", "spell", "letter")
+        ended = figure and n > 0 and (tokens[n - 1].word in _ENDED or tokens[n - 1].kind == "number")
+        if ended and _begins(tokens, n) and all(later.word != "it" for later in tokens[n + 1 :]):
+            out.append(replace(token, kind="punct", word=".", raw=".", value=None))
+        out.append(token)
+    return out if len(out) > len(tokens) else None
+
+
+def _begins(tokens: list[Token], n: int) -> bool:
+    """ "The top one has to be red", "i do not care which", "there are four in total"."""
+    words = [token.word for token in tokens[n : n + 6]]
+    if length_at(words, 0, _ASIDE):
+        return True
+    at = 2 if words[0] == "the" and words[1:2] and words[1] in _PARTS else 0
+    while at and words[at : at + 1] and words[at] in _NAMED:
+        at += 1
+    return bool(at) and words[at : at + 1] != [] and words[at] in _TELLS

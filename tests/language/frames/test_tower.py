@@ -37,7 +37,7 @@ THREE = "Build a tower from 1 orange block and 1 brown block and 1 cyan block."
         ),
         (
             "a tower of 5 blocks, each one a different colour",
-            "Build a tower from 5 blocks. Each block has a different color.",
+            "Build a tower from 5 blocks, each a different color.",
         ),
         (
             "From two pink and one white block make tower, white is lowest",

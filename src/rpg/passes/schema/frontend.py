@@ -26,7 +26,7 @@ from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
-from rpg.language.spliced import in_sentences
+from rpg.language.spliced import in_sentences, run_together
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
@@ -98,7 +98,9 @@ class BuiltinFrontEnd:
                 if task is not None:
                     return task, notes
         chosen = isinstance(refusal, Repairable | TwoReadings)
-        if found[0] is None and not chosen and (parted := in_sentences(told[0])) is not None:
+        for parted in (in_sentences(told[0]), run_together(told[0])) if found[0] is None and not chosen else ():
+            if parted is None:
+                continue
             with suppress(Refusal):
                 task, notes = self._read_tokens((parted, told[1]), text, name, seed, author, mended)
                 if task is not None:

@@ -38,7 +38,35 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _too(sentence, task)
         _corner_of(sentence, task)
         _listed_from(sentence, task)
+        _from_end_to_end(sentence, task)
+        _lines_within(sentence, task)
     _one_way(tokens, task)
+
+
+_SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"
+_FROM_END_TO_END = re.compile(
+    rf"\b(?:row|line|column|tower|stack) from (?:the )?(\w+) {_SIDE} to (?:the )?(\w+) "
+    rf"{_SIDE}"
+)
+
+
+def _from_end_to_end(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a row from red on the left to purple on the right" as a row of these two alone."""
+    told = _FROM_END_TO_END.search(" ".join(token.word for token in sentence))
+    if told is not None and told[1] in lexicon.COLOR and len(task.blocks) == len({told[1], told[2]}):
+        raise refuse("ambiguous", "it is not said what stands between the two ends", sentence[0].span,
+                     "name all the blocks, or say 'in rainbow order'")  # fmt: skip
+
+
+_LINES_WITHIN = re.compile(r"(?:\bgrid|\bwall|\d+x\d+)\b.*\b(?:rows|columns|layers) alternat")
+
+
+def _lines_within(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a 4x4 grid, rows alternating" as a grid and some rows besides."""
+    told = _LINES_WITHIN.search(" ".join(token.word for token in sentence))
+    if told is not None and any(isinstance(x, Row) for x in atoms(task.goal)):
+        raise refuse("ambiguous", "are these lines of the figure, or further ones?", sentence[0].span,
+                     "say 'with rows alternating red and blue'")  # fmt: skip
 
 
 _LISTED_FROM = re.compile(r"\bfrom (?:the )?(?:left|right|top|bottom|front|back)(?: to (?:the )?\w+)? :")

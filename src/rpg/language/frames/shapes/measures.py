@@ -123,8 +123,9 @@ LIMBS: list[Pattern] = [
         "the bar|the middle))?(?: in the (?:middle|center))?|vertical|vertically|down from the (?:middle|center)|"
         "under (?:it|the "
         f"middle|the bar)|underneath(?: it)?)(?: in the middle)?(?: (?:as|for) (?:the|its) {STEM})?",
-        f"(?:the |its |a |whose |with a |with the )?{STEM}(?: of it)? {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high|"
-        " tall)?", f"down(?:wards)?(?: :)? {COUNT}"),
+        f"(?:(?:below|under|underneath)(?: (?:it|that|the {BAR}))? )?(?:the |its |a |whose |with a |with the "
+        f")?{STEM}(?: of it)? {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?(?: (?:below|under|underneath)(?: "
+        f"(?:it|the {BAR}))?)?", f"down(?:wards)?(?: :)? {COUNT}"),
     *patterns("limb", lambda m: ("up", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)? (?:going |standing |straight )?(?:up(?:wards?|right)?|{_FOR}(?:the |its "
         ")?(?:upright|stem|back))"),

@@ -11,6 +11,8 @@ from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 _KIND = "(?: (?:sign|symbol|shape|shaped|figure|form|pattern|formation|arrangement|layout|design))*"
 _LETTER = "(?:(?:the |a )?(?:(?:capital|block|upper case|uppercase|big) )?letter )?(?:(?:capital|uppercase) )?"
 
+_BIG = "big|large|huge|giant|small|little|tiny"
+
 FIGURES: list[Pattern] = [
     *patterns("figure", "plus", f"(?:plus|cross){_KIND}", "and (?:shaped?|sign|symbol|figure)"),
     *patterns("figure", "circle", f"(?:circle|ring|loop){_KIND}",
@@ -23,7 +25,7 @@ FIGURES: list[Pattern] = [
     *(found for letter in "TLUVX" for found in patterns("figure", letter,
         f"{_LETTER}'?{letter}'?{_KIND}", f"{_LETTER}'?(?<!')\\b{letter.lower()}(?: shape| shaped| form| figure)+",
         f"(?:an?|the|letter|the letter|a letter) {letter.lower()}(?= (?:of|from|out|made|with|using|on|,|that|"
-        "which|whose|shape))",
+        "which|whose|shape))", f"(?:{_BIG})(?: letter)? {letter.lower()}(?= (?:of|from|out|made|using))",
         *(["(?:^|a )you (?:shape|shaped)(?= (?:with|of|from|out|made|,|:|NUM))"] if letter == "U" else []))),
     *patterns("again", None, "(?:the|this|that) (?:figure|shape|whole figure|whole thing|form|whole shape)",
         "it(?= BE )"),

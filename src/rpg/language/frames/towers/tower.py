@@ -108,8 +108,8 @@ def _placed(pieces: Sequence[Piece], size: int | None, colors: str) -> str:
     ):
         raise Unclear  # the list may tell the order as well
     blocks = " and ".join(lot.blocks for lot in lots) or f"{size} blocks"
-    text = f"Build a tower{' of alternating colors' if alternating else ''} from {blocks}."
-    text += " Each block has a different color." if colors == "different" else ""
+    text = f"Build a tower{' of alternating colors' if alternating else ''} from {blocks}"
+    text += ", each a different color." if colors == "different" else "."
     for (lot, _), place in zip(placed, places, strict=True):
         known = next(other for other in lots if other.look == lot.look)
         if known.count != 1 and (lot.count is None or (lot.known and lot.count == 1)) and not alternating:

@@ -24,6 +24,10 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "{1}"),
     (f"^(?:out of|from|of) the ({MANY} [^,]+? {_BLOCKS})(?: ,)? ({_PUT}) ((?:exactly |at least |at most |only |just "
      f")?{MANY}) (on|in|onto|into) ", "{2} {3} of the {1} {4} "),
+    (f"^(?:(?:in total|in all|altogether|overall) )?there (?:are|is) ({MANY} {COLOR}) ones?(?: (?:in total|in all|"
+     f"altogether|overall))?$", "there are {1} blocks"),
+    (f"\\b({MANY}) (blocks|cubes) , ({COLOR}) ones(?=$| ,)", "{1} {3} {2}"),
+    (f"^(?:in total|in all|altogether|overall)(?: ,)? there are ({MANY} (?:\\w+ )?(?:blocks|cubes))$", "there are {1}"),
     (f"^(.*?)\\b({MANY})( of them .+?) , exactly \\2 , (?:and )?(?:not|no) (?:more|fewer|less)(?: and not (?:more|"
      "fewer|less))?$", "{1} exactly {2} {3}"),
     (f"^(.*?\\b{MANY}) ({COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and one(?: more)? on (the [^,]+? {_MAT})$",

@@ -43,11 +43,20 @@ _NEAR = "(?:nearer|nearest|closer|closest) to (?:me|you|us|the viewer|the robot)
 _ONE_AND_OTHER = f"\\b(grid\\b.*?) one (column|row) (?:{_ARE} )?(\\w+)(?: ,)? and the other(?: one)? (?:{_ARE} )?(\\w+)"
 _ROW_AND_OTHER = f"({_ARE} )?(?:all )?(\\w+)(?: ,)? and the other(?: one| row)? ({_ARE} )?(?:all )?(\\w+)$"
 _THE_FIRST = "(?: ,| with|;)+ the \\3 (?:column|row|one)"
+_EACH_OF_ONE = (
+    "(?:in which|where|such that|so that|whose|with)? ?(?:each|every) {axis} (?:is|being|must be|should be|has|"
+    "having|of) (?:monochrome|monochromatic|unicolored|(?:of )?(?:one|a single|the same) color|single colored)"
+)
+_WHICH = (
+    "\\b(?:far|back|rear|near|front|middle|center|left|right|top|bottom|upper|lower|first|second|third|fourth|last)"
+)
 
 FIGURES: tuple[Turn, ...] = (
     # rings around something
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged "
      f")?(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),
+    (f"^((?:put|place|set|lay) .+? in the {MID})(?: ,)? (?:and |then |and then )?surround (?:it|that|that one) "
+     f"(?:with|by) ({MANY} [^,:]+)$", "{1} and {2} around it"),
     (f"^(?:surround|encircle) ((?:the|an?) [^,:]+?) (?:with|by) an? ({_RING}) (?:of|made of|from) ({MANY} [^,:]+)$",
      "a {2} of {3} around {1}"),
     ("\\b(circle|ring|square|plus|cross|grid)\\b((?:(?! and ).)*?) (in|at) the (middle|center) of the \\1$",
@@ -149,6 +158,24 @@ BOARDS: tuple[Turn, ...] = (
      f"the (?:outside|edge|edges|rim)(?:(?: ,| and| with)+ nothing (?:in the {MID}|inside))?$", "a hollow {1} of {2}"),
     (f"\\ban? (square) (?:thats|that is|which is) hollow in the {MID}$", "a hollow {1}"),
     (f"^(?:with|from|out of) ({MANY} [^,:]*?{_BLOCKS}) {BUILD} (an? hollow \\w+)$", "{2} of {1}"),
+    (f"^(.*\\b({COLOR})\\b.*\\b(?:layer|level|row|column|one)(?: {_ARE}| being)?) \\2 again(?=$| ,)", "{1} {2}"),
+    (f"(the {_WHICH} (?:row|column)) (?:being |{_ARE} )?(?:occupied|filled|taken|made up|formed) by\\b", "{1}"),
+    (f"(the {_WHICH} (?:row|column) [^;:]+? and the {_WHICH} (?:row|column)) by (?=\\w)", "{1}"),
+    (f"(?: ,)?(?: and)?(?: then)? fill (?:in )?(the rest|the others|everything else)(?: in| up)? with ({COLOR})(?: "
+     "blocks| cubes| ones)?$", " and {1} in {2}"),
+    # how many there are of each, and on either side
+    (f"^((?:{COLOR} ?,? ?(?:and )?)+?)(?: ,)? (?::|-|;) (?:just |exactly )?one (?:block |cube |of )*each(?: "
+     "color)?(?: ,)? (.+)$", "one block each of {1} , {2}"),
+    *((f"\\b((?:row|line) of (?:{total}) .*?) (?:the |one )?(?:{side})(?: (?:blocks|ones|cubes))? (?:on|to) "
+       f"(?:each|either) side(?: of (?:it|that|the middle one))?(?: (?:is|are|being|{MUST} be))? ({COLOR})$",
+       "{1} the others {2}")
+      for total, side in (("three|3", "ones?|blocks?"), ("five|5", "two|2"), ("seven|7", "three|3"))),
+    # each line of one colour, where it is told which
+    *((f"\\b((?:{many}) {axis}s\\b.*?)(?: ,)? {_EACH_OF_ONE.format(axis=axis)}(?: ,| and| ,? with)* "
+       f"({f'(?:[^;:]*?{_WHICH} {axis} )' * n}[^;:]*)$", "{1} , {2}")
+      for n, many in ((2, "two|2"), (3, "three|3"), (4, "four|4")) for axis in ("row", "column", "layer")),
+    ("\\b(each|every) (row|column|layer) (?:is|being) (?:monochrome|monochromatic|unicolored|single colored)\\b",
+     "{1} {2} has one color"),
     # letters
     *((f"{_LETTER}{_OPEN} {toward}$", f"{{1}} with its opening to the {side}") for side, toward in _TOWARD.items()),
     (f"\\b([tT]\\b.*?)(?: ,| with)+ the (bar|crossbar) (at the (?:far|near) side) and ({MANY}) {_BLOCKS} long$",

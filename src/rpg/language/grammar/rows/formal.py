@@ -10,6 +10,7 @@ from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
+from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
@@ -17,6 +18,7 @@ from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SP
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
+from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
@@ -32,6 +34,7 @@ from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
 from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
+from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
@@ -68,6 +71,9 @@ _OF_ALL = (
     *GAPPED_AT_ONCE,
     *SHORT_AT_ONCE,
     *SPECIFIED_AT_ONCE,
+    *FIGURES_ASKED_AT_ONCE,
+    *BY_TURNS_AT_ONCE,
+    *SIZES_TOLD_AT_ONCE,
     *ROUNDABOUT_AT_ONCE,
     *FIGURES,
     *BOARDS,

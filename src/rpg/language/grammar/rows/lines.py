@@ -81,6 +81,12 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     ("(?: ,)? (?:so|such|so that|such that|whose|where|in which|with)(?: that)? (?:the |its |their )?(?:colors|they|"
      f"it) (?:{MUST} )?(?:follow|follows|following|match|go through|run through) (?:the order of )?{_OF_IT}",
      " in rainbow order"),
+    # lists of them, and of their places
+    (f"\\b((?:middle|center|top|bottom|left|right|first|last|corners|border|edges|inside|outside|ends|others|"
+     f"rest)(?: one| ones| block| blocks)?) = ({COLOR})\\b", "{1} {2}"),
+    (f"\\b(?:pattern|sequence) : ((?:{COLOR}(?: , and| ,| and)? )+)in an? ({_LINE})$", "{2} : {1}"),
+    ("\\b(?:with|having) (?:the |their )?colors in (?:the )?(?:rainbow order|order of (?:the|a) rainbow)\\b",
+     "in rainbow order"),
     # where it begins
     (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} "
      f")?(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),
@@ -89,6 +95,9 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     (f"^rainbow order(?: ,)?( (?:from )?{_ALONG})?(?: ,)?( (?:beginning|starting) with (?:the )?{COLOR}(?: (?:at|on|"
      "from) the \\w+(?: end| side)?)?)? : (.+)$", "{3} in rainbow order {1} {2}"),
     # lines that are told as a rainbow
+    (f"\\b(?:rainbow|gradient) ({_LINE}) (?=from {COLOR} )", "{1} in rainbow order"),
+    (f"\\b({_LINE}) (from {COLOR} (?:on|at) the \\w+(?: end| side)? to {COLOR} (?:on|at) the \\w+(?: end| side)?) in "
+     "rainbow order$", "{1} in rainbow order {2}"),
     (f"\\bgradient(?: (?:running|going|that runs|that goes|which runs))? from ({COLOR}) (?:on|at) the (left|right|"
      f"front|back|bottom|top)(?: end| side)?( .+?)?(?: ,)? to ({COLOR}) (?:on|at) the (left|right|front|back|bottom|"
      "top)(?: end| side)?$", "gradient from {1} {3} to {4} from {2} to {5}"),

@@ -61,7 +61,8 @@ _AXES = (("left", "right"), ("front", "back"), ("bottom", "top"))
 _JOIN = "(?: ,)?(?: and)?"
 _BOTH_ENDS: tuple[Turn, ...] = tuple(
     (
-        f"{head}(?: ,)? (?:so that |such that )?{small} {_PLACES[a]}{_JOIN} {large} {_PLACES[b]}(?= ,|$)",
+        f"{head}(?: ,)? (?:(?:so that|such that|in which|where) )?{small} {_PLACES[a]}{_JOIN} {large} "
+        f"{_PLACES[b]}(?= ,|$)",
         f"{{1}} {order} from {a} to {b}",
     )
     for head, order in (
@@ -220,8 +221,8 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
      f"({_FROM_END})(?: :| ,) (.+)$", "a {1} , {2} : {3}"),
     # rows that alternate
     (f"(?: ,)?(?: (?:that|which|and))? (?:begins|starts|beginning|starting|begin|start) and (?:ends|finishes|ending|"
-     f"end) with "
-     f"(?:an? )?({COLOR})(?= |$)", " with {1} at both ends"),
+     f"end) with (?:an? )?({COLOR})(?: one| block| cube)?(?= |$)", " with {1} at both ends"),
+    (f"( with {COLOR} at both ends) and (?:has|with) ({MANY} {COLOR}(?: \\w+)? (?:in )?between)", "{1} and {2}"),
     (f"(?<!the )\\b({COLOR})(?: one| block| cube)? (?:at|on) (?:each|either) end(?= ,|$| and)", "{1} at both ends"),
     (f"\\b(row|line) that alternates(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR} (?:blocks|cubes))", "{1} of {2} that "
      "alternates"),

@@ -39,10 +39,16 @@ _SIZED = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
 _ARE = f"(?:is|are|{MUST} be)"
 
 PYRAMIDS: tuple[Turn, ...] = (
+    ("\\bpyramid (?:- )?(?:like|shaped) (?:stack|pile|figure|shape|structure|tower|heap)\\b", "pyramid"),
     ("\\b(pyramid) on (an? base of)\\b", "{1} with {2}"),
     (f"{_HEAD} ({MANY}){N}{_BOTTOM}{_AND}(?: always)? one{N} (?:fewer|less){N}(?: (?:in|on|for|with|at))? (?:each|"
      "every)(?: next| following| further)?(?: row| layer| level| course| step)?(?: above(?: it| that| them)?| up| "
      "higher up| on top)?$", "{1} with a base of {2}"),
+    ("\\b(pyramid\\b.*?)(?: ,)? (?:and|which|that|so that it)(?: (?:goes|gets|narrows|tapers|rises|runs|becomes|"
+     f"is))+(?: up| down| smaller| narrower)* (?:to )?(?:one|1|a single|just one){N}(?: wide)?(?: (?:at|on) (?:the "
+     f")?(?:top|tip|peak))?$",
+     "{1}"),
+    (f"\\b(pyramid\\b.*? wide{_BOTTOM}) and (?:one|1|a single|just one){N}(?: wide)?{_TOP}$", "{1}"),
     # one colour, or none
     *((f"{_HEAD} {layers.replace('LOOK', '')}$", f"{{1}} with a base of {base}") for base, layers in _layers()),
     *((f"\\b(pyramid)(?: ,| :| with| of| that has)+ {layers.replace('LOOK', f' ({COLOR})')}$",
@@ -73,6 +79,9 @@ PYRAMIDS: tuple[Turn, ...] = (
     (f"\\b(pyramid)\\b(.*\\b(?:base|bottom)\\b.*?){_TOTAL}({MANY}(?: {COLOR})? (?:blocks|cubes|bricks))(?: in "
      "(?:total|all)| altogether)?$", "{1} of {3} {2}"),
     # the tip
+    (f"\\b(pyramid\\b.*?) with (?:an?|one|a single) ({COLOR}){N} (?:crowning|topping|capping) (?:it|them|this|"
+     f"everything)$",
+     "{1} topped by a {2} block"),
     (f"\\b(pyramid\\b.*?)(?: ,)? all(?: of it)? ({COLOR}) (?:but|except|apart from|save)(?: for)? the ({COLOR}){N} "
      "(?:at|on) (?:the )?top$", "{1} with a {3} top and the rest {2}"),
     (f"\\b(pyramid of {MANY} {COLOR} (?:blocks|cubes)) and (?:an?|one) ({COLOR}){N} (?:at|on) (?:the )?(?:very )?top$",
@@ -92,3 +101,5 @@ PYRAMIDS: tuple[Turn, ...] = (
      "{1} {6} {2} and one {4} {5}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+WORDS = ("crowning capping narrows",)
+"""Words that these take besides those that are read anyway."""

@@ -14,6 +14,7 @@ _SMALLER = "(?:smaller|narrower|shorter|closer|nearer|lower)"
 _SO_MANY = f"(?:(?:exactly|at least|at most|only|just) )?{MANY}"
 _ON_IT = "(on (?!each|either|every|both|top|(?!a )\\S(?: |$))|in (?=the))"
 _NO_LINE = "(?:(?!\\b(?:row|line|tower|stack)s?\\b).)"
+_HIGHEST, _LOWEST = "biggest|largest|highest", "smallest|lowest"
 
 REWORDED_AT_ONCE: tuple[Turn, ...] = (
     # what is asked
@@ -39,9 +40,10 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
     (f"^({_NO_LINE}*?)\\b(?:a|one) (?:straight )?(?:row|line) (of {_NO_LINE}+?)(?: ,)? one behind the other$",
      "{1} a column {2}"),
     ("\\bin (?:a|one) (?:straight )?(?:row|line) ,? ?one behind the other\\b", "one behind the other"),
-    ("(?: ,)? in which the (biggest|largest|highest|smallest|lowest) (number|digit) is (on top|at the bottom)(?: and "
-     "the (?:biggest|largest|highest|smallest|lowest)(?: one| number| digit)? is (?:on top|at the bottom)(?: ,)? in "
-     "order)?$", ", the {1} {2} {3}"),
+    *((f"(?: ,)? in which the ({one}) (number|digit) is {at}(?: and the (?:{other})(?: one| number| digit)? is "
+        f"{opposite})?(?: ,)?(?: in order)?$", f", the {{1}} {{2}} {at}")
+      for one, other in ((_HIGHEST, _LOWEST), (_LOWEST, _HIGHEST))
+      for at, opposite in (("on top", "at the bottom"), ("at the bottom", "on top"))),
     (f"^(?:{_PUT} )(.+?) in the front row , (.+?) in the middle row(?: ,)? and (.+?) in the back row(?: , each row in "
      "order from left to right)?$", "front row : {1} ; middle row : {2} ; back row : {3}"),
     (f"^(?:{_PUT} )(.+?) in the front row(?: ,)? and (.+?) in the back row(?: , each row in order from left to "

@@ -34,7 +34,8 @@ SPECIFIED_AT_ONCE: tuple[Turn, ...] = (
      "one\\b", "the {2} {1} block {3} the {4} {1} block"),
     (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({MUST} .+)$", "{1} and {2} {3}"),
     (f"^in addition to (the [^,]+?) , (the [^,]+?) ({MUST} .+)$", "{1} and {2} {3}"),
-    (f"\\b(spell(?:ed)?\\b[^,]*?)(?: ,)?(?: with)? each letter (?:being )?on (?:its own|a separate) {CUBE}$", "{1}"),
+    (f"\\b((?:spell(?:ed)?|write|show|word|equation|sum)\\b[^,]*?)(?: ,)?(?: with)? (?:each|every) (?:letter|symbol|"
+     f"digit|sign) (?:being |is )?on (?:its own|a separate|one) {CUBE}$", "{1}"),
     (f"^(.+?) ({MUST}) not (be \\w+ .+?) until (.+? (?:has|have) been .+)$", "{1} {2} {3} , but only after {4}"),
     ("^in a first step(?: ,)? (.+?)(?: ,)? (?:and )?(?:then )?in a second step(?: ,)? (.+)$",
      "first , {1} . then , {2}"),

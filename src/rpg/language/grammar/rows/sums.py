@@ -24,10 +24,16 @@ _NEAR = "(?:nearest|closest)(?: to)? (?:me|us|you|the viewer|the robot)"
 SUMS_AT_ONCE: tuple[Turn, ...] = (
     # sums
     (f"^(?:show|tell|demonstrate)(?: me)? (?:how much|what) {_SUM} (?:is|are|makes?|gives?|equals)(?:(?: ,)? (?:by|as|"
-     f"in|with)(?: (?:laying|writing|building|spelling|showing)(?: out| down)?)?(?: the| an?)? {_CALL})?$",
+     f"in|with)(?: (?:laying|writing|building|spelling|showing)(?: out| down)?)?(?: the| an?)? {_CALL})?(?: ,)?(?: "
+     f"(?:using|with|by using|in|out of)(?: the| my| our)? {_CUBES})?$",
      "solve {1}"),
     (f"^and {_DO} the {_CALL}$", ""),
     (f"^{_DO} the (?:sum|addition) of ({MANY}) and ({MANY}) {_RESULT}$", "solve {1} + {2}"),
+    (f"^(?:do|solve|work out|calculate|compute)(?: the (?:sum|calculation|problem))? {_SUM}(?: ,)? and (?:show|put|"
+     f"lay|give|display|include|add)(?: me)? (?:the|its) (?:answer|result|solution)(?: too| as well| "
+     "also)?$", "solve {1}"),
+    ("^use (?:the )?(?:number|digit|symbol|sign)(?: (?:and|or) (?:number|digit|symbol|sign))? (?:cubes|blocks)(?: "
+     ",)?(?: in a (?:row|line))?$", ""),
     # equations
     ("^(?:(?:if|when) i look (?:down|at (?:it|them|the table))(?: ,)? )?i (?:want|would like) to (?:read|see) "
      f"{_EQUATION}(?: on the table)?$", "write {1}"),

@@ -26,6 +26,8 @@ _THING = f"(?:(?:an?|the|one) )?(?:{COLOR}|[b-z0-9])(?: (?:block|cube|one))?"
 _PILE = f"{_THING}(?: (?:on top of|on|over|above|atop) {_THING})+"
 _STACKED = f"({MANY} {COLOR}s?(?: {_BLOCKS})?)(?: stacked(?: up)?)?"
 _INTO = "(?:go |goes |belong |are |is |form |make |must be |should be |must form |should form |should go |must go )?"
+_FLOOR = "(?:floor|storey|story|level)"
+_FLOORS = "(?:floors|storeys|stories|levels)"
 _GROUND = "(?:in|into|to)"
 _FOOT = ("(?:below|lowest|first|down below|touching the table|on the table|at the (?:very )?bottom|at the base|at the "
          "foot|as the base|as its base)")  # fmt: skip
@@ -56,6 +58,20 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
      f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
      "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
+    (f"\\b({TOWER}) (?:made |built |consisting )?(?:out )?(?:of|from|with) {_LOT}(?: ,)? (?:and |and then |then |"
+     f"followed by ){_LOT}(?: on)?(?: the)?(?: very)? top(?: of (?:it|them|that|those))?$",
+     "{1} , from bottom to top : {2} blocks , then {3} blocks"),
+    ("\\b(on (?:that|it|this|top of (?:that|it|this))(?: one)? [^,]+?)(?: ,| and|;)+ (?:then |finally )?on (?:the "
+     ")?(?:very )?top (?!of\\b)(?=\\w)", "{1} , on that"),
+    ("\\bone (?:straight|directly|exactly|right|neatly) on top of the (?:other|next)\\b", "one on top of the other"),
+    (f"^({MANY} [^,]+?) {MUST} be (?:distributed|divided|split|shared) (?:over|into|among|between) ({MANY} "
+     f"{_TOWERS})\\b",
+     "{1} in {2}"),
+    (f"\\b((?:an?|one) (?:\\w+ )?{TOWER}) (?:with|of|having|that has|which has) (?:exactly )?({MANY}) {_FLOORS}"
+     "(?! of| each of| with| , each (?:of|with|has|having|consisting))", "{1} of {2} blocks"),
+    (f"\\b({TOWER} of {MANY} blocks\\b.*?\\b(?:each|every|top|bottom|middle|lowest|highest|uppermost|second|third|"
+     f"other)) {_FLOOR}\\b", "{1} block"),
+    (f"\\b({TOWER} of {MANY} blocks\\b.*?) ground {_FLOOR}\\b", "{1} bottom block"),
     # how high they are
     (f"\\b(equally (?:high|tall)|equal) ({_TOWERS}) (?:which are |that are )?(?:made|built|formed) (?:out )?(?:of|"
      f"from) (?={MANY}\\b)", "{1} {2} from"),

@@ -59,7 +59,8 @@ def with_a_ring(p: Parser, i: int) -> Results[Structure]:
 
 
 def _is_hub(hub: Noun) -> bool:
-    return hub.head != "patch" and not hub.plural and hub.amount in (None, Amount(1, 1)) and hub.det in ("a", "the")
+    one = hub.amount == Amount(1, 1) or (hub.amount is None and hub.det in ("a", "the"))
+    return one and hub.head != "patch" and not hub.plural and hub.det in ("a", "the", "bare")
 
 
 def _ringed(shape: Structure, hub: Noun, span: Span) -> Structure:

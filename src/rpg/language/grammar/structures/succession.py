@@ -105,22 +105,25 @@ def _whole(
 
 def _items(p: Parser, i: int) -> Iterator[tuple[tuple[Meaning, ...], bool, int]]:
     """At least two things one after the other, and whether a word tells that they follow each other."""
-    yield from _more(p, i, (), False)
+    for found, joints, k in _more(p, i, (), frozenset()):
+        if not {"listed", "before"} <= joints:  # "A and B come before C and D": nothing is said of A and B
+            yield found, bool(joints - {"listed"}), k
 
 
 def _more(
-    p: Parser, i: int, had: tuple[Meaning, ...], marked: bool, taken_up: bool = False
-) -> Iterator[tuple[tuple[Meaning, ...], bool, int]]:
+    p: Parser, i: int, had: tuple[Meaning, ...], joints: frozenset[str], taken_up: bool = False
+) -> Iterator[tuple[tuple[Meaning, ...], frozenset[str], int]]:
+    """`joints`: how they are told: "listed" with no more than a comma or an "and" between them, "before", or "then"."""
     for item, j in simple(p, i):
         if not isinstance(item, Noun) or not _told(item):
             continue
         k = p.any_of(j, _AFTER_ITEM) or j
         if taken_up and isinstance(had[-1], Noun) and had[-1].traits == item.traits:
             if then := p.any_of(k, _NEXT):  # "red before blue and blue before green"
-                yield from _more(p, then, had, True)
+                yield from _more(p, then, had, joints | {_joint(p, then)})
             continue
         place = _PLACES.intersection(p.words[j:k])
-        found, sure = (*had, item), marked or k > j
+        found, sure = (*had, item), joints | ({"then"} if k > j else {"listed"} if taken_up else set())
         if place - {("first", "second", "third")[min(len(had), 2)], "last"} or ("last" in place and not had):
             continue
         if len(found) > 1:
@@ -129,13 +132,18 @@ def _more(
             continue
         then = p.any_of(k, _NEXT)
         if then:
-            yield from _more(p, p.any_of(then, _THERE) or then, found, True)
+            yield from _more(p, p.any_of(then, _THERE) or then, found, sure | {_joint(p, then)})
         elif plain := p.any_of(k, _PLAIN):
             yield from _more(p, plain, found, sure, True)
+
+
+def _joint(p: Parser, end: int) -> str:
+    return "before" if p.words[end - 1] == "before" else "then"
 
 
 def _told(item: Noun) -> bool:
     """Blocks of one look."""
     marks = item.traits
     one = len(marks.colors) + len(marks.labels) == 1 and not marks.either and marks.rank is None and not marks.extra
+    one = one and not (marks.labels and item.plural and item.amount is None)  # "the vowels A (and E)" begins a list
     return one and item.head != "patch" and item.part_of is None and not item.conditions and item.det != "no"

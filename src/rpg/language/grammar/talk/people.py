@@ -18,6 +18,8 @@ RELATIONS = (
     "grandfather|auntie|uncle"
 )
 """Those of them who are named without "my"."""
+SEVERAL = "visitors|guests|customers|clients|users|viewers|children|kids|pupils|students|friends"
+"""Those of them who are named without an article."""
 FINE = (
     "great|nice|good|lovely|wonderful|perfect|cool|awesome|amazing|fantastic|super|brilliant|kind|helpful|appreciated|"
     "very_kind|much_appreciated|the_best|fine|fun|enough|neat|ideal|excellent"
@@ -49,7 +51,7 @@ WHO = {
     ),
     "folk": (f"little|young|younger|older|big|dear? {PEOPLE}",),
     "onlooker": ("<folk>", "little|young? viewer|camera|observer|robot|beholder|onlooker|spectator|spectators"),
-    "who": ("i|we|you|he|she|they", "<which> <folk>", RELATIONS),
+    "who": ("i|we|you|he|she|they", "<which> <folk>", RELATIONS, SEVERAL),
     "person": (
         "i|we|you|one|people|somebody|someone|anybody|anyone|everybody|everyone|they",
         "<which> <onlooker>",

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.ahead_of_others import AHEAD, ahead_of_others
 from rpg.language.grammar.talk.all_as_before import all_as_before
 from rpg.language.grammar.talk.answers_wanted import answers_wanted
 from rpg.language.grammar.talk.bare_sides import bare_sides, one_side_each
 from rpg.language.grammar.talk.by_again import by_again
 from rpg.language.grammar.talk.colored_groups import GROUPS, colored_groups
+from rpg.language.grammar.talk.considered import CONSIDERED, considered
 from rpg.language.grammar.talk.cube_of_small_ones import SMALL, cube_of_small_ones, four_below
 from rpg.language.grammar.talk.dealt_out import dealt_out
 from rpg.language.grammar.talk.each_and_same import each_once, each_one, one_of_each, same_ones
@@ -74,6 +76,7 @@ from rpg.language.grammar.talk.towers_in_short import (
 )
 from rpg.language.grammar.talk.utmost_number import utmost_number
 from rpg.language.grammar.talk.verbs_told import OUT_OF, got_done, laid_flat, steps_built, who_builds
+from rpg.language.grammar.talk.words_told import SPELT, words_told
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -363,5 +366,8 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (one_of_each, frozenset({"each", "every"})),
     (center_of_patch, frozenset({"'s"})),
     (said_loosely, LOOSE),
+    (ahead_of_others, AHEAD),
+    (words_told, SPELT),
+    (considered, CONSIDERED),
 )
 """The changes, in their order, and words without one of which there is nothing for each to change."""

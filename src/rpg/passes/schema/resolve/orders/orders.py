@@ -58,7 +58,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         if merged.by == "given" and not order.items and len(merged.ranks) == len(names) == sum(map(len, spec.in_turn)):
             merged = merged.model_copy(update={"ranks": spec.in_turn})
         if found.by == merged.by != "any" and not scene.lenient:
-            merged = one_way(found, merged, order in pointed, told) or _two_orders(order.span)
+            points = order in pointed or order.by in _FROM_BELOW
+            merged = one_way(found, merged, points, told) or _two_orders(order.span)
         told = told or (order.first if order in pointed else "bottom" if order.by in _FROM_BELOW else None)
         if found.by not in ("any", merged.by) and order.by not in ("in_order", "paged", "reverse", "either", "any"):
             if scene.lenient:

@@ -11,7 +11,7 @@ _NOT_TOUCHING = tuple(
 )
 
 EVERYDAY = {
-    **{f"without {touching}": "without touching each other" for touching in _NOT_TOUCHING},
+    **{f"without {touching}": "so that no two of them touch" for touching in _NOT_TOUCHING},
     **{f"{away}one from the other": f"{away}from each other" for away in ("away ", "apart ", "")},
     **{f"this {lot}": "these blocks" for lot in ("lot", "bunch", "stuff", "collection", "assortment")},
     **{f"{color} {team}": f"{color} blocks" for color in lexicon.COLOR for team in ("team", "gang", "squad", "crew")},

@@ -49,3 +49,25 @@ def _blocks(tokens: list[Token], at: int) -> int:
     if at + 2 >= len(tokens) or tokens[at].word not in _OUT_OF or tokens[at + 1].many < 1:
         return 0
     return at + 2 if tokens[at + 2].word in lexicon.BLOCK else 0
+
+
+def all_of_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "A tower of four blocks behind a tower of two blocks, all of them brown": both are brown."""
+    for end in range(4, len(words) + 1):
+        begin = max((n + 1 for n in range(end - 1) if words[n] in _STOPS), default=0)
+        closed = end == len(words) or words[end] in _STOPS
+        lead = end - 2 if words[end - 2] == "all" else end - 4
+        told = words[lead : end - 1] in (["all"], ["all", "of", "them"]) and words[lead - 1] == ","
+        if not closed or not told or words[end - 1] not in lexicon.COLOR:
+            continue
+        said = tokens[begin : lead - 1]
+        figures = [n for n, token in enumerate(said) if token.word in lexicon.STRUCTURE]
+        if len(figures) < _SEVERAL or any(token.word in lexicon.COLOR for token in said):
+            continue
+        spots = [_blocks(said, n + 1) or n for n in figures]
+        colored = [part for n, token in enumerate(said) for part in ([tokens[end - 1]] if n in spots else []) + [token]]
+        return [*tokens[:begin], *colored, *tokens[end:]]
+    return None
+
+
+_SEVERAL = 2

@@ -36,7 +36,7 @@ from rpg.language.grammar.talk.freely import freely
 from rpg.language.grammar.talk.heights_told import heights_told
 from rpg.language.grammar.talk.numbers_told import NUMBER, TIPS, both_of_so_many, number_is, on_the_tip
 from rpg.language.grammar.talk.one_another import ANOTHER, CORNER, one_another, one_in_each_corner, other_half
-from rpg.language.grammar.talk.one_color import ONE_COLOR, one_color
+from rpg.language.grammar.talk.one_color import ONE_COLOR, all_of_color, one_color
 from rpg.language.grammar.talk.own_color import own_color, told_in_total
 from rpg.language.grammar.talk.respelling import MADE, RESPELT, respelling, word_made
 from rpg.language.grammar.talk.said_between import (
@@ -360,6 +360,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (steps_built, frozenset({"steps"})),
     (laid_flat, frozenset({"flat"})),
     (one_color, ONE_COLOR),
+    (all_of_color, frozenset({"all"})),
     (each_once, frozenset({"once"})),
     (each_one, frozenset({"different"})),
     (same_ones, frozenset({"same"})),

@@ -17,6 +17,9 @@ EVERYDAY = {
     **{f"{color} {team}": f"{color} blocks" for color in lexicon.COLOR for team in ("team", "gang", "squad", "crew")},
     **{f"alphabet {what}": f"letter {what}" for what in lexicon.BLOCK},
     **{f"a sandwich {where}": f"a tower {where}" for where in ("where", "with", "of", "in which", "made of")},
+    **{f"{with_}{two}colors alternating{around}": "alternating" for with_ in ("with ", "")
+       for two in ("the two ", "both ", "the ", "its two ") for around in ("", " all the way around", " all around")},
+    **{f"alternating all the way {around}": "alternating" for around in ("around", "round", "through", "along", "up")},
     "no stacking higher than": "no stack higher than", "no piling higher than": "no stack higher than",
     **{f"{up} when {we} {come}": f"{up} at the start"
        for up in ("stacked", "up", "there", "table", "other", "patch", "mat", "heap", "pile", "row", "one")

@@ -61,7 +61,7 @@ def all_of_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if not closed or not told or words[end - 1] not in lexicon.COLOR:
             continue
         said = tokens[begin : lead - 1]
-        figures = [n for n, token in enumerate(said) if token.word in lexicon.STRUCTURE]
+        figures = [n for n, token in enumerate(said) if token.word in lexicon.STRUCTURE.keys() - _PARTS]
         if len(figures) < _SEVERAL or any(token.word in lexicon.COLOR for token in said):
             continue
         spots = [_blocks(said, n + 1) or n for n in figures]
@@ -71,3 +71,5 @@ def all_of_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
 
 
 _SEVERAL = 2
+_PARTS = frozenset({"step", "steps", "stair", "stairs"})
+"""These may be of a figure that is named besides."""

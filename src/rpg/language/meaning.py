@@ -102,11 +102,13 @@ class Noun(Meaning):
 
 @record
 class Size(Meaning):
-    """Dimensions said after the noun: "three blocks high", "with a base of 3 x 3"."""
+    """Dimensions said after the noun: "three blocks high", "with a base of 3 x 3"; `named`: those that are called rows
+    and columns, rows first."""
 
     what: str
     amount: Amount | None = None
     dims: tuple[int, ...] = ()
+    named: bool = False
 
 
 @record

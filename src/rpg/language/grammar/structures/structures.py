@@ -15,7 +15,7 @@ from rpg.language.grammar.structures.makeup import per_color, sized_members
 from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.structures.ring_around import ring_around, with_a_ring
 from rpg.language.grammar.structures.shapes import noun, upside_down
-from rpg.language.grammar.structures.sizes import dimensions, layers_of, rows_and_columns
+from rpg.language.grammar.structures.sizes import dimensions, in_lines, layers_of, rows_and_columns
 from rpg.language.grammar.structures.superlatives import largest
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import EMPTY, Marks, adjective, merge
@@ -184,8 +184,9 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     yield from _colors_before(p, i)
     yield from _laid_before(p, i)
     for found, j in dimensions(p, i):
+        size = Size(what="dims", dims=found, named=True, span=p.span(i, j)) if in_lines(p, i, j) else None
         for end in dict.fromkeys((j, p.opt(j, "block", "cube", "based"))):
-            yield _Before(dims=found), end
+            yield _Before(sizes=(size,)) if size else _Before(dims=found), end
     for n, j in amounts.count(p, i):
         for unit, k in p.standing(j, _BEFORE_UNITS):
             yield _Before(sizes=(Size(what=_BEFORE_UNITS[unit], amount=Amount(n, n), span=p.span(i, k)),)), k

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.language.meaning import Coord, Meaning, Structure
+from rpg.language.meaning import Coord, Meaning, Size, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import amount_of
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
@@ -44,6 +46,14 @@ def plain(shape: Structure) -> None:
 
 def made(kind: str, node: g.Goal, names: tuple[str, ...], span: Span, scene: Scene) -> Made:
     return [scene.add_built(kind, names, False, span)], [node]
+
+
+def dims_told(shape: Structure, further: Sequence[Size]) -> tuple[int, ...]:
+    """The dimensions said behind the noun; a wall is measured by its width first, and named by its rows."""
+    size = next((z for z in (*shape.sizes, *further) if z.what == "dims"), None)
+    if size is None:
+        return ()
+    return size.dims[::-1] if size.named and shape.kind == "wall" else size.dims
 
 
 def _tally(members: Meaning | None) -> int | None:

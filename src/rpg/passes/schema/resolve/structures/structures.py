@@ -20,6 +20,7 @@ from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.orders.runs import rainbow_of
 from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, stepped, symbols, towers
+from rpg.passes.schema.resolve.structures.extents import dims_told
 from rpg.passes.schema.resolve.structures.heights import as_heights
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
 from rpg.passes.schema.resolve.structures.told_of_each import check_top
@@ -82,7 +83,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     shape = replace(
         shape,
         sizes=(*shape.sizes, *spec.sizes),
-        dims=shape.dims or next((z.dims for z in (*shape.sizes, *spec.sizes) if z.what == "dims"), ()),
+        dims=shape.dims or dims_told(shape, spec.sizes),
     )
     spec.sizes = []
     shape = replace(shape, sizes=_totals(shape))
@@ -96,6 +97,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             [*inner.patterns, *spec.patterns],
         )
         spec.toward, spec.any_way = [*inner.toward, *spec.toward], spec.any_way or inner.any_way
+        spec.viewed = spec.viewed or inner.viewed
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
     one_on_another(shape, spec)

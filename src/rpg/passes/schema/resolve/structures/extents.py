@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -54,6 +54,15 @@ def dims_told(shape: Structure, further: Sequence[Size]) -> tuple[int, ...]:
     if size is None:
         return ()
     return size.dims[::-1] if size.named and shape.kind == "wall" else size.dims
+
+
+def check_total(total: Size | None, names: Collection[str]) -> None:
+    """Refuse "three rows of four, ten blocks in total"."""
+    told = total.amount if total is not None else None
+    if total is None or told is None or told.low <= len(names) <= (told.high or len(names)):
+        return
+    raise refuse("contradiction", f"{told.low} in total are told, but this takes {len(names)} blocks", total.span,
+                 f"say {len(names)}, or another size")  # fmt: skip
 
 
 def _tally(members: Meaning | None) -> int | None:

@@ -20,7 +20,7 @@ from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.orders.runs import rainbow_of
 from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, stepped, symbols, towers
-from rpg.passes.schema.resolve.structures.extents import dims_told
+from rpg.passes.schema.resolve.structures.extents import check_total, dims_told
 from rpg.passes.schema.resolve.structures.heights import as_heights
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
 from rpg.passes.schema.resolve.structures.told_of_each import check_top
@@ -86,6 +86,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         dims=shape.dims or dims_told(shape, spec.sizes),
     )
     spec.sizes = []
+    total = next((z for z in shape.sizes if z.what == "total"), None)
     shape = replace(shape, sizes=_totals(shape))
     if shape.kind == "column" and any(z.what == "high" for z in shape.sizes):  # what has a height stands upright
         shape = replace(shape, kind="stack")
@@ -124,6 +125,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if one_by_one(shape, spec):
         return each_of(shape, spec, theme, maker, scene, scope)
     built, goals = maker(shape, spec, theme, scene, scope)
+    check_total(total, {name for one in built for name in one.members})
     return built, [*goals, *gaps_of(goals, spec)]
 
 

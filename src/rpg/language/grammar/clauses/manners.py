@@ -219,9 +219,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "in the final scene": ("finally", None), "when you are done": ("finally", None),
     "in the target orientation": ("turn", 0.0), "in the right orientation": ("turn", 0.0), "readable": ("turn", 0.0),
     "in the correct orientation": ("turn", 0.0), "the right way around": ("turn", 0.0),
-    "so that i can read it": ("idle", "view"), "so i can read it": ("idle", "view"), "so you can read it": ("idle", "view"),
-    "so that you can read it": ("idle", "view"), "so that it is readable": ("idle", "view"),
-    "so it is readable": ("idle", "view"),
+    **{f"{so}{can_read}": ("idle", "view") for so in ("so ", "so that ")
+       for can_read in ("i can read it", "you can read it", "it is readable")},
     "readable upright": ("turn", 0.0), "readable from above": ("idle", "view"), ", letters on top": ("idle", None),
     "with the letters facing up": ("idle", None), "with letters facing up": ("idle", None),
     ", letters facing up": ("idle", None), ", letters readable from above": ("idle", None),

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.language.meaning import Coord, Meaning, Size, Structure
+from rpg.language.meaning import Coord, Meaning, Size, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import amount_of
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
@@ -54,6 +54,27 @@ def dims_told(shape: Structure, further: Sequence[Size]) -> tuple[int, ...]:
     if size is None:
         return ()
     return size.dims[::-1] if size.named and shape.kind == "wall" else size.dims
+
+
+_BOARDS = frozenset({"grid", "wall", "square", "rectangle", "cube"})
+"""What has rows and columns of its own."""
+
+
+def check_own_lines(lines: Structure, scene: Scene) -> None:
+    """Refuse "a 2x4 grid, with alternating red and white rows", where these would be further rows, beside the grid."""
+    unsaid = lines.amount is None and lines.kind in ("row", "column")
+    if unsaid and any(one.kind in _BOARDS for one in scene.built):
+        raise refuse("ambiguous", f"the {lines.kind}s of what was told before, or others?", lines.span,
+                     f"say 'each {lines.kind}', or how many further {lines.kind}s there are")  # fmt: skip
+
+
+def totals(shape: Structure) -> tuple[Size, ...]:
+    """ "six in total": the size of a single structure; how several share them is not said."""
+    several = shape.plural or (shape.amount is not None and shape.amount.low > 1)
+    for size in shape.sizes:
+        if size.what == "total" and several:
+            raise refuse("ambiguous", "it is not said how many blocks each has", size.span, "say how many each has")
+    return tuple(replace(z, what="size") if z.what == "total" else z for z in shape.sizes)
 
 
 def check_total(total: Size | None, names: Collection[str]) -> None:

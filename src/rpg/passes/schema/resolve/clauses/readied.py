@@ -14,6 +14,7 @@ from rpg.passes.schema.resolve.places.both_of_a_stack import both_of_a_stack
 from rpg.passes.schema.resolve.places.middle_of_ring import middle_of_ring
 from rpg.passes.schema.resolve.places.no_gap import no_gap
 from rpg.passes.schema.resolve.places.patch_in_common import patch_in_common
+from rpg.passes.schema.resolve.places.shared_gaps import shared_gaps
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.structures.checkered_grid import checkered_grid
 from rpg.passes.schema.resolve.structures.either_shape import either_shape
@@ -38,6 +39,6 @@ def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     chains = tuple(told_of_each(chain, text) for chain in chains)
     for each in (checkered_grid, one_in_each, either_shape):
         chains = tuple(map(each, chains))
-    told = (shared_sides(recounted(chain), text) for chain in chains)
+    told = (shared_gaps(shared_sides(recounted(chain), text), text) for chain in chains)
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)
     return told_behind(in_one_tense(tuple(whichever(chain, text) for chain in plain), text), text)

@@ -1,0 +1,89 @@
+""" "Three red blocks on the red mat and two blue ones on the blue mat, each as a tower": every lot that was told."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Refusal
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    replace,
+)
+from rpg.passes.schema.resolve.things.world import refuse
+
+_EACH = frozenset({"each", "each one", "each of them"})
+_BOTH = frozenset({"both", "both of them"})
+_PUT = ("place", "be")
+
+
+def each_lot(chain: Chain) -> Chain:
+    """The sentence with the structure that is told behind several lots told of every one of them.
+
+    Raises:
+        Refusal: a place is told of each, or there are single blocks among them.
+    """
+    clauses: list[Meaning] = []
+    links: list[str] = []
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        if clauses and link == "and" and _lots(clauses[-1]):
+            _check_aside(clause)
+        told = _told(clause)
+        first = _first(clauses, [*links, link]) if told is not None else len(clauses)
+        lots = [lot for before in clauses[first:] for lot in _lots(before)]
+        several = [lot for lot in lots if getattr(lot.theme, "plural", False)]
+        if told is None or len(lots) < 2 or not (several or isinstance(told, Into)):
+            clauses, links = [*clauses, clause], [*links, link]
+            continue
+        if not isinstance(told, Into) or len(several) < len(lots):
+            raise _of_which(told)
+        clauses[first:] = [replace(lot, adjuncts=(*lot.adjuncts, told)) for lot in lots]
+        links[first + 1 :] = ["and"] * (len(lots) - 1)
+    return chain if tuple(clauses) == chain.clauses else replace(chain, clauses=tuple(clauses), links=tuple(links))
+
+
+def _of_which(told: Meaning) -> Refusal:
+    return refuse("ambiguous", "this may be told of the last one, or of all", told.span, "say it of each by itself")
+
+
+def _check_aside(clause: Meaning) -> None:
+    """Refuse "red on blue and green on white, both in the left half", where that would be said of the last two."""
+    for told in clause.adjuncts if isinstance(clause, Clause) and _lots(clause) else ():
+        both = isinstance(told, Absolute) and isinstance(told.theme, Pronoun) and told.theme.word in _EACH | _BOTH
+        if both and not isinstance(clause.theme, Coord):
+            raise _of_which(told)
+
+
+def _told(clause: Meaning) -> Meaning | None:
+    """What is told of "each", where that is all of the clause: a structure of its own, or where it is."""
+    word = clause.theme.word if isinstance(clause, Clause) and isinstance(clause.theme, Pronoun) else ""
+    if not isinstance(clause, Clause) or clause.negated or clause.mode == "start" or len(clause.adjuncts) != 1:
+        return None
+    told = clause.adjuncts[0]
+    shape = told.structure if isinstance(told, Into) else None
+    if isinstance(told, Into) and isinstance(shape, Structure) and shape.members is None and word in _EACH | _BOTH:
+        return replace(told, structure=replace(shape, plural=False, det="a", amount=Amount(1, 1)))
+    return told if word in _EACH and clause.verb in _PUT and shape is None else None
+
+
+def _first(clauses: list[Meaning], links: list[str]) -> int:
+    """Where the lots begin that were told one after the other up to here."""
+    first = len(clauses)
+    while first and links[first] == "and" and _lots(clauses[first - 1]):
+        first -= 1
+    return first
+
+
+def _lots(clause: Meaning) -> list[Clause]:
+    """The lots of which a clause tells where they are, each in a clause of its own."""
+    if not isinstance(clause, Clause) or clause.verb not in _PUT or clause.negated or clause.mode == "start":
+        return []
+    items = clause.theme.items if isinstance(clause.theme, Coord) and clause.theme.op == "and" else (clause.theme,)
+    named = all(isinstance(x, Noun) and x.head != "patch" for x in items)
+    return [replace(clause, theme=x) for x in items] if named else []

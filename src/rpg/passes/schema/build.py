@@ -39,6 +39,7 @@ from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.clauses.readied import readied
 from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
+from rpg.passes.schema.resolve.clauses.tower_or_block import check_tower_or_block
 from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.only_denied import still_ahead
@@ -149,6 +150,7 @@ def resolve(
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     check_lists(chains, text)
     check_each(chains, text)
+    check_tower_or_block(chains)
     chains = from_heaps(readied(chains, text), text)
     links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(*left_out_behind(links, chains), text))))
     told = begun(chains, text)

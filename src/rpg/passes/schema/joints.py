@@ -380,7 +380,7 @@ _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchem
     (frozenset({"one"}), _one_like_it),
     (_DRAWN, _blocks_or_marks),
     (None, _counts_or_cubes),
-    (frozenset({"stacked"}), stacked_at_last),
+    (frozenset({"stacked", "tower", "stack", "pile"}), stacked_at_last),
     (None, _beside_a_chain),
     (frozenset({"all"}), _all_of_them),
     (frozenset({"turn", "turns"}), _in_turn),

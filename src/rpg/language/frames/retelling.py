@@ -17,6 +17,7 @@ from rpg.language.frames.around.measured import without_measures
 from rpg.language.frames.around.paired import pairs
 from rpg.language.frames.around.turned import without_turns
 from rpg.language.frames.families import FAMILIES
+from rpg.language.frames.lots import check_joined
 from rpg.language.frames.pieces import CLASSES, Unclear, coded, cut
 from rpg.language.frames.relations import relations
 from rpg.language.frames.shared import asked
@@ -144,6 +145,7 @@ def plainly(tokens: Sequence[Token]) -> str | None:
             continue
         pieces = cut(said, known)
         try:
+            check_joined(pieces or [])
             found |= {told(pieces)} if pieces else set()
         except Unclear:
             continue

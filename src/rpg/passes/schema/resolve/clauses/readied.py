@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language.meaning import Chain
 from rpg.passes.schema.resolve.clauses.none_told import none_told
 from rpg.passes.schema.resolve.clauses.one_tense import in_one_tense
+from rpg.passes.schema.resolve.clauses.rebuilt_of import rebuilt_of
 from rpg.passes.schema.resolve.clauses.sorted_as_told import sorted_as_told
 from rpg.passes.schema.resolve.clauses.taken_off import taken_off
 from rpg.passes.schema.resolve.clauses.told_behind import told_behind
@@ -32,7 +33,7 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
     for together in (
-        check_last,
+        check_last, rebuilt_of,
         members_later, tally_filled, sorted_as_told, middle_of_ring, no_gap, both_of_a_stack, left_of_two, none_told,
         groups_listed,
     ):  # fmt: skip

@@ -67,10 +67,11 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
     elif claimed := _claim(noun, scene, scope, patch, count):
         chosen = claimed
     else:
-        if free and noun.det in ("bare", "some") and not scope.given and not patch and is_counted(noun):
+        listed = any(t.declared for t in found)  # all of them may be used by now
+        if (free or listed) and noun.det in ("bare", "some") and not scope.given and not patch and is_counted(noun):
             raise refuse(
                 "count-mismatch",
-                f"there are only {len(free)} of these, but {count} are asked for",
+                f"there are only {len(free)} of these that are not used yet, but {count} are asked for",
                 noun.span,
                 f"ask for {len(free)}, or for others ('another {count}')",
                 there=len(free),

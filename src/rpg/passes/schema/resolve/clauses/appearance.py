@@ -160,6 +160,12 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
                 "name one colour",
                 labels=((theme.span, f"{thing.color} here"),),
             )
+        if (traits.edge and thing.edge not in (None, traits.edge)) or (
+            traits.size and thing.size not in (None, traits.size)
+        ):
+            raise refuse(
+                "contradiction", f"another size of {said(thing)} is told before", quality.span, "name one size"
+            )
         give(thing, replace(traits, colors=(color,) if color else ()))
         if traits.scheme:
             thing.scheme = traits.scheme

@@ -32,8 +32,8 @@ def each_lot(chain: Chain) -> Chain:
     clauses: list[Meaning] = []
     links: list[str] = []
     for link, clause in zip(chain.links, chain.clauses, strict=True):
-        if clauses and link == "and" and _lots(clauses[-1]):
-            _check_aside(clause)
+        if clauses and link == "and":
+            _check_aside(_lots(clauses[-1]), clause)
         told = _told(clause)
         first = _first(clauses, [*links, link]) if told is not None else len(clauses)
         lots = [lot for before in clauses[first:] for lot in _lots(before)]
@@ -52,9 +52,14 @@ def _of_which(told: Meaning) -> Refusal:
     return refuse("ambiguous", "this may be told of the last one, or of all", told.span, "say it of each by itself")
 
 
-def _check_aside(clause: Meaning) -> None:
-    """Refuse "red on blue and green on white, both in the left half", where that would be said of the last two."""
-    for told in clause.adjuncts if isinstance(clause, Clause) and _lots(clause) else ():
+def _check_aside(before: list[Clause], clause: Meaning) -> None:
+    """Refuse "red on blue and green on white, both in the left half", "two on the red mat and three on the blue one,
+    as towers", where that would be said of the last two, or three."""
+    several = any(getattr(lot.theme, "plural", False) for lot in before)
+    for told in clause.adjuncts if isinstance(clause, Clause) and before and _lots(clause) else ():
+        shape = told.structure if isinstance(told, Into) and len(clause.adjuncts) > 1 and several else None
+        if isinstance(shape, Structure) and shape.plural and not (shape.amount or shape.members or shape.sizes):
+            raise _of_which(told)
         both = isinstance(told, Absolute) and isinstance(told.theme, Pronoun) and told.theme.word in _EACH | _BOTH
         if both and not isinstance(clause.theme, Coord):
             raise _of_which(told)

@@ -55,8 +55,10 @@ def _of_which(told: Meaning) -> Refusal:
 def _check_aside(before: list[Clause], clause: Meaning) -> None:
     """Refuse "red on blue and green on white, both in the left half", "two on the red mat and three on the blue one,
     as towers", where that would be said of the last two, or three."""
+    if not before or not isinstance(clause, Clause) or not _lots(clause):
+        return
     several = any(getattr(lot.theme, "plural", False) for lot in before)
-    for told in clause.adjuncts if isinstance(clause, Clause) and before and _lots(clause) else ():
+    for told in clause.adjuncts:
         shape = told.structure if isinstance(told, Into) and len(clause.adjuncts) > 1 and several else None
         if isinstance(shape, Structure) and shape.plural and not (shape.amount or shape.members or shape.sizes):
             raise _of_which(told)

@@ -15,7 +15,8 @@ from tests.corpus.run import read
 _TWO_HIGH = {"assets": {"red": 8}, "hold": ["red^red red^red red^red red^red pitch=1"],
              "miss": ["red^red^red^red red^red^red^red pitch=1"]}  # fmt: skip
 _ROWS = {"assets": {"red": 4, "white": 4}, "hold": ["red red red red | white white white white"],
-         "miss": ["red white red white | red white red white", "red white red white | white red white red"]}  # fmt: skip
+         "miss": ["red white red white | red white red white",
+                  "red white red white | white red white red"]}  # fmt: skip
 _COLUMNS = {"assets": {"red": 4, "white": 2}, "hold": ["red white red | red white red"],
             "miss": ["red red red | white white red"]}  # fmt: skip
 _DOWN = {"assets": {"red": 6}, "hold": ["red^red^red red^red red pitch=1"], "miss": ["red red^red red^red^red pitch=1"]}
@@ -42,14 +43,16 @@ _L = {"assets": {"red": 5}, "hold": ["red . . | red . . | red red red"], "miss":
         )),
         ("Build a 2x3 grid, with alternating red and white columns", _COLUMNS),
         *((text, _DOWN) for text in (
-            "Build a descending staircase of red blocks from left to right", "red stairs from left to right: heights 3, "
-            "2, 1", "A staircase of six red blocks, heights 3, 2 and 1, from left to right",
+            "Build a descending staircase of red blocks from left to right",
+            "red stairs from left to right: heights 3, 2, 1",
+            "A staircase of six red blocks, heights 3, 2 and 1, from left to right",
             "Descending staircase of red blocks from left to right, three steps",
             "From left to right, a red staircase with heights 3, 2, 1",
         )),
         *((text, _UP) for text in (
-            "Build an ascending staircase of red blocks from left to right", "red stairs from left to right: heights 1, "
-            "2, 3", "Descending staircase of six red blocks from right to left",
+            "Build an ascending staircase of red blocks from left to right",
+            "red stairs from left to right: heights 1, 2, 3",
+            "Descending staircase of six red blocks from right to left",
         )),
         *((text, _EITHER) for text in (
             "Descending red staircase: heights 3, 2, 1.", "Ascending red staircase: heights 1, 2, 3",
@@ -63,8 +66,10 @@ _L = {"assets": {"red": 5}, "hold": ["red . . | red . . | red red red"], "miss":
             "form an L shape as I see it from five red blocks",
         )),
         ("a T of five red blocks upside down from where I stand",
-         {"assets": {"red": 5}, "hold": [". red . | . red . | red red red"], "miss": ["red red red | . red . | . red ."]}),
-        ("a triangle of six red blocks as I see it", {"assets": {"red": 6}, "hold": [], "miss": ["red red red red red red"]}),
+         {"assets": {"red": 5}, "hold": [". red . | . red . | red red red"],
+          "miss": ["red red red | . red . | . red ."]}),
+        ("a triangle of six red blocks as I see it",
+         {"assets": {"red": 6}, "hold": [], "miss": ["red red red red red red"]}),
         ("a tower of red and white blocks, alternating, six blocks in total",
          {"assets": {"red": 3, "white": 3}, "hold": ["red^white^red^white^red^white", "white^red^white^red^white^red"],
           "miss": ["red^white ; red ; red ; white ; white"]}),

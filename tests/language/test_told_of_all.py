@@ -1,5 +1,5 @@
-"""What is told last, of all that was told or of the last alone: gaps, towers, counts; what "them" is; whose blocks those
-of the start are; and what is no wish at all."""
+"""What is told last, of all that was told or of the last alone: gaps, towers, counts; what "them" is; which blocks the
+start is made of; and what is no wish at all."""
 
 from __future__ import annotations
 
@@ -18,13 +18,16 @@ _TOUCH = {"assets": {"D": 1, "E": 1, "F": 1}, "hold": ["D E F pitch=1"],
           "miss": ["D . E F pitch=1", "D E . F pitch=1", "F E D pitch=1"]}  # fmt: skip
 _EACH = {"assets": {"red": 3, "blue": 2, "red_patch": 1, "blue_patch": 1},
          "hold": ["red^red^red at=red_patch ; blue^blue at=blue_patch"],
-         "miss": ["red red at=red_patch ; red ; blue^blue at=blue_patch", "red^red^red at=red_patch ; blue ; blue"]}  # fmt: skip
+         "miss": ["red red at=red_patch ; red ; blue^blue at=blue_patch",
+                  "red^red^red at=red_patch ; blue ; blue"]}  # fmt: skip
 _MOVED = {"assets": {"red": 1, "yellow": 1}, "start": ["yellow^red"], "start_miss": ["red^yellow", "red ; yellow"],
           "hold": [["yellow^red", "red ; yellow"]], "miss": [["yellow^red", "yellow^red"]]}  # fmt: skip
-_BEHIND = {"assets": {"red": 1, "blue": 1, "green": 2}, "hold": ["green^green . | red blue", ". green^green | red blue"],
+_BEHIND = {"assets": {"red": 1, "blue": 1, "green": 2},
+           "hold": ["green^green . | red blue", ". green^green | red blue"],
            "miss": ["red blue | green^green .", "red . blue green^green"]}  # fmt: skip
 _STOCK = {"assets": {"red": 3, "green": 1}, "start": ["red^red^red ; green"], "start_miss": ["red ; red ; red ; green"],
-          "hold": [["red^red^red ; green", "red^red^green ; red"]], "miss": [["red^red^red ; green", "red^red ; red^green"]]}  # fmt: skip
+          "hold": [["red^red^red ; green", "red^red^green ; red"]],
+          "miss": [["red^red^red ; green", "red^red ; red^green"]]}  # fmt: skip
 _LOTS = {
     "assets": {"red": 3, "blue": 3},
     "hold": ["red^red^red ; blue^blue^blue"],
@@ -81,8 +84,8 @@ _APART = {"assets": {"red": 2, "blue": 2}, "start": ["red^red ; blue^blue"], "st
         )),
         ("There are four blue blocks. At the start, there is a row of three blue blocks. Build a tower of four blue "
          "blocks.", {"assets": {"blue": 4}, "hold": [["blue blue blue ; blue", "blue^blue^blue^blue"]], "miss": []}),
-        ("There are three red blocks. There is another tower of two red blocks at the start. Build a tower of three red "
-         "blocks.", {"assets": {"red": 5}, "hold": [], "miss": []}),
+        ("There are three red blocks. There is another tower of two red blocks at the start. Build a tower of three "
+         "red blocks.", {"assets": {"red": 5}, "hold": [], "miss": []}),
         *((text, _LOTS) for text in (
             "please do tower red, 3 block, and tower blue, 3 block", "tower red, three blocks, and tower blue, three "
             "blocks",
@@ -119,10 +122,10 @@ def test_what_is_meant_is_read(text: str, meant: dict[str, Any]) -> None:
         ("Build two towers of two blocks each. Put the red one on the mat.", "ambiguous"),
         ("tower red, blue, 3 blocks", "ambiguous"),
         ("a tower of red and 3 blocks", "misplaced"),
-        ("Put a tower of two red blocks left of the blue block and a tower of two green blocks behind them", "ambiguous"),
+        ("Put a tower of two red blocks left of the blue block and a tower of two white ones behind them", "ambiguous"),
         ("a tower of three red blocks and a blue block next to it, or a green one", "ambiguous"),
         ("Put a blue block next to the red one, or a green one", "ambiguous"),
-        ("There are two red blocks. At the start there is a tower of three red blocks. Build a tower of two red blocks.",
+        ("There are two red blocks. At the start there is a tower of three red blocks. Build a row of two red blocks.",
          "count-mismatch"),
         ("There are 3 red blocks. Build a tower of 3 red blocks and a tower of 2 red blocks.", "count-mismatch"),
         ("There are 3 red blocks. First build a tower of 3 red blocks, then a row of 3 red blocks", "count-mismatch"),

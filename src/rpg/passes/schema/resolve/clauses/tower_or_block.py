@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Chain, Noun, Structure, parts_of
+from rpg.language.meaning import Chain, Noun, Pattern, Structure, parts_of
 from rpg.passes.schema.resolve.things.world import refuse
 
 
@@ -10,7 +10,10 @@ def check_tower_or_block(chains: tuple[Chain, ...]) -> None:
     """Refuse "the red one" behind several towers of which no colours are told: it would be a block in one of them."""
     towers: Structure | None = None
     named: set[str] = set()
-    for part in (part for chain in chains for clause in chain.clauses for part in parts_of(clause)):
+    parts = [part for chain in chains for clause in chain.clauses for part in parts_of(clause)]
+    if any(isinstance(part, Pattern) and part.unit == "stack" for part in parts):
+        return  # "each of one color"
+    for part in parts:
         if isinstance(part, Structure) and part.kind == "stack" and part.plural:
             towers = part
         if not isinstance(part, Noun | Structure) or getattr(part, "head", "") == "patch":

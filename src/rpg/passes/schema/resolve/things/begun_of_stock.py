@@ -2,7 +2,20 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, Structure, Traits, Using, replace
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Structure,
+    Traits,
+    Using,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 _FURTHER = frozenset({"also", "another", "other", "others", "more", "further", "additional", "besides", "too"})
@@ -36,7 +49,7 @@ def _plain(noun: Noun) -> bool:
     """Whether so many blocks of one look are named, and nothing else is told of them."""
     exact = noun.amount is not None and noun.amount.low == noun.amount.high
     look = noun.traits == Traits(colors=noun.traits.colors) and len(noun.traits.colors) == 1
-    named = noun.head in ("block", "any") and noun.det == "bare"
+    named = noun.head in ("block", "any") and noun.det in ("bare", "a")
     return exact and look and named and not (noun.part_of or noun.conditions)
 
 
@@ -49,11 +62,23 @@ def _of_these(clause: Clause, stock: dict[Traits, int]) -> Clause:
     shape = clause.theme if isinstance(clause.theme, Structure) else None
     if shape is not None and shape.members and clause.mode in ("start", "given") and clause.verb in ("exist", "be"):
         return replace(clause, theme=replace(shape, members=_drawn(shape.members, stock)))
-    if clause.mode != "start":
+    if not _begun(clause):
         return clause
-    usings = (replace(a, members=_drawn(a.members, stock)) if isinstance(a, Using) else a for a in clause.adjuncts)
+    adjuncts = []
+    for part in clause.adjuncts:
+        if isinstance(part, Using):
+            part = replace(part, members=_drawn(part.members, stock))
+        if isinstance(part, Loc) and part.landmark is not None:
+            part = replace(part, landmark=_drawn(part.landmark, stock))
+        adjuncts.append(part)
     theme = _drawn(clause.theme, stock) if clause.theme is not None else None
-    return replace(clause, theme=theme, adjuncts=tuple(usings))
+    return replace(clause, theme=theme, adjuncts=tuple(adjuncts))
+
+
+def _begun(clause: Clause) -> bool:
+    """Whether a clause tells how blocks are at the start, and not only that they are there."""
+    timed = any(isinstance(part, Manner) and part.kind == "start" for part in clause.adjuncts)
+    return clause.mode == "start" or (clause.mode == "given" and (timed or clause.lemma == "begun"))
 
 
 def _drawn(told: Meaning, stock: dict[Traits, int]) -> Meaning:
@@ -69,5 +94,5 @@ def _drawn(told: Meaning, stock: dict[Traits, int]) -> Meaning:
     if _many(told) > there:
         raise refuse("count-mismatch", f"there are only {there} of these, but {_many(told)} are told of", told.span,
                      f"say {there}, or count them all", there=there)  # fmt: skip
-    these = replace(told, det="the", amount=Amount(there, there), plural=there > 1)
+    these = replace(told, det="the", amount=Amount(there, there) if there > 1 else None, plural=there > 1)
     return these if _many(told) == there else replace(told, det="some", traits=Traits(), part_of=these)

@@ -241,7 +241,7 @@ def _no_pairs(word: Pronoun, last: set[str], scene: Scene) -> None:
 
 def _no_rivals(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> None:
     """Refuse "them" behind "a red tower left of a blue tower", "... of a blue block": the one of them, or both?"""
-    fewest = 0 if [b.kind for b in last.ref.built] == ["stack"] else 1
+    fewest = 0 if last.role == "theme" and [b.kind for b in last.ref.built] == ["stack"] else 1
     for other in (m for m in scene.mentions if m.clause == last.clause and m not in own and m is not last):
         if len(other.ref.names) > fewest and not other.ref.patch and not set(other.ref.names) & set(last.ref.names):
             raise refuse("ambiguous", f"{word.word!r} could be several things spoken of before", word.span,

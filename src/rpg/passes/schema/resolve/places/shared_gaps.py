@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
+
+from rpg.core.diagnostics import Refusal
 from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, Spacing, parts_of, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
 _SIDES = frozenset({"left", "right", "front", "behind", "beside"})
 _OF_EACH = frozenset({"each", "every", "all", "gaps", "spaces", "neighbors", "neighbours", "any"})
 """Words that tell a gap of more than one pair."""
+_SET_OFF = re.compile(r",\s*(?:(?:but|and|with|all)\s+)?(?:\w|,)?$")
 
 
 def shared_gaps(chain: Chain, text: str) -> Chain:
@@ -19,6 +23,8 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
     clauses = list(chain.clauses)
     for n, clause in enumerate(clauses):
         gap = _gap(clause)
+        if gap is not None and _told_within(clause):
+            raise _of_which(gap)
         pairs = [n] if gap is not None else []
         while pairs and pairs[0] and chain.links[pairs[0]] == "and" and _pair(clauses[pairs[0] - 1], 1):
             pairs.insert(0, pairs[0] - 1)
@@ -26,16 +32,19 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
             continue
         said = text[slice(*gap.span)].lower().replace("each other", "").split()
         if _OF_EACH.isdisjoint(said):
-            apart = not text[: gap.span[0]].rstrip().endswith(",") and not text[gap.span[0] :].startswith(",")
-            if apart and not _chained([clauses[k] for k in pairs]):
-                continue
-            raise refuse("ambiguous", "of the last two of these, or of all that were told?", gap.span,
-                         "say it of each of them: 'A is 2 cm to the left of B'")  # fmt: skip
+            if _SET_OFF.search(text[: gap.span[0] + 1]) or _chained([clauses[k] for k in pairs]):
+                raise _of_which(gap)
+            continue
         for k in pairs[:-1]:
             one = clauses[k]
             if isinstance(one, Clause):
                 clauses[k] = replace(one, adjuncts=(*one.adjuncts, gap))
     return chain if tuple(clauses) == chain.clauses else replace(chain, clauses=tuple(clauses))
+
+
+def _of_which(gap: Meaning) -> Refusal:
+    return refuse("ambiguous", "of the last two of these, or of all that were told?", gap.span,
+                  "say it of each of them: 'A is 2 cm to the left of B'")  # fmt: skip
 
 
 def _gap(clause: Meaning) -> Loc | Spacing | None:
@@ -54,6 +63,13 @@ def _pair(clause: Meaning, adjuncts: int) -> bool:
     place = clause.adjuncts[0]
     told = isinstance(place, Loc) and place.rel in _SIDES and isinstance(place.landmark, Noun) and not place.negated
     return told and not clause.negated and clause.mode != "start"
+
+
+def _told_within(clause: Meaning) -> bool:
+    """ "A left of B, which is left of C": whether a second pair is told within a clause."""
+    marks = [x.landmark for x in clause.adjuncts[:1] if isinstance(x, Loc)] if isinstance(clause, Clause) else []
+    inner = [x for mark in marks if isinstance(mark, Noun) for x in mark.conditions]
+    return any(isinstance(x, Loc) and x.rel in _SIDES and "aside" in x.mods for x in inner)
 
 
 def _chained(clauses: list[Meaning]) -> bool:

@@ -14,7 +14,7 @@ def check_tower_or_block(chains: tuple[Chain, ...]) -> None:
     if any(isinstance(part, Pattern) and part.unit == "stack" for part in parts):
         return  # "each of one color"
     for part in parts:
-        if isinstance(part, Structure) and part.kind == "stack" and part.plural:
+        if isinstance(part, Structure) and part.kind == "stack" and part.plural and not _colored(part):
             towers = part
         if not isinstance(part, Noun | Structure) or getattr(part, "head", "") == "patch":
             continue
@@ -23,3 +23,8 @@ def check_tower_or_block(chains: tuple[Chain, ...]) -> None:
             raise refuse("ambiguous", "one of the towers, or a block in one of them?", part.span,
                          "say 'the red block', or which colour each tower has")  # fmt: skip
         named |= {*part.traits.colors}
+
+
+def _colored(towers: Structure) -> bool:
+    """Whether it is told of which colours they are, or their blocks."""
+    return any(isinstance(part, Noun | Structure) and part.traits.colors for part in parts_of(towers))

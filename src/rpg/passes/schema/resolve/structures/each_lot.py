@@ -24,10 +24,10 @@ _PUT = ("place", "be")
 
 
 def each_lot(chain: Chain) -> Chain:
-    """The sentence with the structure that is told behind several lots told of every one of them.
+    """The sentence with the tower that is told behind several lots told of every one of them.
 
     Raises:
-        Refusal: a place is told of each, or there are single blocks among them.
+        Refusal: something else is told of each, or there are single blocks among them.
     """
     clauses: list[Meaning] = []
     links: list[str] = []
@@ -38,10 +38,10 @@ def each_lot(chain: Chain) -> Chain:
         first = _first(clauses, [*links, link]) if told is not None else len(clauses)
         lots = [lot for before in clauses[first:] for lot in _lots(before)]
         several = [lot for lot in lots if getattr(lot.theme, "plural", False)]
-        if told is None or len(lots) < 2 or not (several or isinstance(told, Into)):
+        if told is None or len(lots) < 2 or not (several or _piled(told)):
             clauses, links = [*clauses, clause], [*links, link]
             continue
-        if not isinstance(told, Into) or len(several) < len(lots):
+        if not _piled(told) or len(several) < len(lots):
             raise _of_which(told)
         clauses[first:] = [replace(lot, adjuncts=(*lot.adjuncts, told)) for lot in lots]
         links[first + 1 :] = ["and"] * (len(lots) - 1)
@@ -68,15 +68,21 @@ def _check_aside(before: list[Clause], clause: Meaning) -> None:
 
 
 def _told(clause: Meaning) -> Meaning | None:
-    """What is told of "each", where that is all of the clause: a structure of its own, or where it is."""
+    """What is told of "each", where that is all of the clause: a tower of its own, or where it is."""
     word = clause.theme.word if isinstance(clause, Clause) and isinstance(clause.theme, Pronoun) else ""
     if not isinstance(clause, Clause) or clause.negated or clause.mode == "start" or len(clause.adjuncts) != 1:
         return None
     told = clause.adjuncts[0]
     shape = told.structure if isinstance(told, Into) else None
-    if isinstance(told, Into) and isinstance(shape, Structure) and shape.members is None and word in _EACH | _BOTH:
+    if _piled(told) and isinstance(told, Into) and isinstance(shape, Structure) and word in _EACH | _BOTH:
         return replace(told, structure=replace(shape, plural=False, det="a", amount=Amount(1, 1)))
-    return told if word in _EACH and clause.verb in _PUT and shape is None else None
+    return told if word in _EACH and clause.verb in _PUT else None
+
+
+def _piled(told: Meaning) -> bool:
+    """Whether a tower is told, and not of which blocks; "each in a row" may be of all of them, in one."""
+    shape = told.structure if isinstance(told, Into) else None
+    return isinstance(shape, Structure) and shape.kind == "stack" and shape.members is None
 
 
 def _first(clauses: list[Meaning], links: list[str]) -> int:

@@ -40,10 +40,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=patches, patch=True, plural=True)
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     earlier = any(m.clause < scene.clause and m.ref.names for m in scene.mentions)
-    subject = next(({*m.ref.names} for m in reversed(own) if m.role == "theme"), set())
     for mention in reversed(scene.mentions):
-        ahead = mention.ref.span[1] >= word.span[1]  # "to the right of them put green on yellow" is not of these two
-        if mention in own and (before or (earlier and (ahead or subject >= {*mention.ref.names}))):
+        if mention in own and (before or (earlier and _put_there(mention, word, own))):
             continue
         if _left_behind(mention, scene) or (scope.role == "theme" and _beside_blocks(word, mention, scene)):
             continue
@@ -82,6 +80,12 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
+
+
+def _put_there(mention: Mention, word: Pronoun, own: list[Mention]) -> bool:
+    """ "To the right of them put green on yellow", "put two greens behind them": not these two themselves."""
+    subject = next(({*m.ref.names} for m in reversed(own) if m.role == "theme"), set())
+    return mention.ref.span[1] >= word.span[1] or subject >= {*mention.ref.names}
 
 
 def _left_behind(mention: Mention, scene: Scene) -> bool:

@@ -33,7 +33,7 @@ _L = {"assets": {"red": 5}, "hold": ["red . . | red . . | red red red"], "miss":
             "Create a wall of 2 rows by 4 columns from red blocks", "a red wall of 4 columns by 2 rows",
             "a red 2 rows by 4 columns wall", "Put eight red blocks in a wall of two rows x four columns",
             "Build a wall of red blocks, two rows by four columns.", "Build a red wall measuring 2 rows by 4 columns",
-            "a red wall, 2 rows by 4 columns", "Build a red wall with 2 rows and 4 columns", "a red 4 by 2 wall",
+            "a red wall, 2 rows by 4 columns", "Build a red wall with 2 rows and 4 columns", "a red 4 by 2 wall", "a 4x1x2 wall of red blocks",
             "wall of two rows of four, eight blocks in total, red",
         )),
         *((text, _ROWS) for text in (
@@ -90,6 +90,8 @@ def test_what_is_meant_is_read(text: str, meant: dict[str, Any]) -> None:
         ("a wall of 3 rows by 4 columns, ten in total", "contradiction"),
         ("a staircase with three steps, seven blocks in all", "contradiction"),
         ("a red tower of three and a blue tower of two, six blocks in total", "contradiction"),
+        ("a 2 by 3 by 2 wall of red blocks", "misplaced"),
+        ("Stairs of 1, 2 and 3 blocks, red, white, blue", "ambiguous"),
         ("Ascending staircase: heights 3, 2, 1", "contradiction"),
         ("Descending staircase from left to right: heights 1, 2, 3", "contradiction"),
         ("Build a 4x4 grid with alternating rows", "incomplete"),

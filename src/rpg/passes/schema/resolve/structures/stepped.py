@@ -262,6 +262,9 @@ def _falls(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> boo
     shown = any(look.labels or look.kind for look in looks) or (
         theme and any(scene.things[n].label for n in theme.names)
     )
+    if any(look.labels for look in looks) and any(look.colors and not look.labels for look in looks):
+        raise refuse("ambiguous", "numbers that blocks show, or numbers of blocks?", shape.span,
+                     "say 'one red, two white, three blue'")  # fmt: skip
     told = [o for o in spec.orders if o.by == "ascending" and not o.items and o.first in (None, *_ACROSS) and not shown]
     spec.orders = [o for o in spec.orders if o not in told]
     spec.toward += [Toward(first=o.first, span=o.span) for o in told if o.first]

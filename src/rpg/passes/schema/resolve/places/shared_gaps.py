@@ -22,6 +22,7 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
     """
     clauses = list(chain.clauses)
     for n, clause in enumerate(clauses):
+        _check_piled(clause)
         gap = _gap(clause)
         if gap is not None and _told_within(clause):
             raise _of_which(gap)
@@ -54,6 +55,18 @@ def _gap(clause: Meaning) -> Loc | Spacing | None:
         return gap if gap.kind == "touching" else None
     mutual = isinstance(gap, Loc) and isinstance(gap.landmark, Pronoun) and gap.landmark.word == "each other"
     return gap if isinstance(gap, Loc) and mutual and gap.rel in ("distance", "touching") else None
+
+
+def _check_piled(clause: Meaning) -> None:
+    """Refuse "red on blue and green on white with a 5 cm gap between them": the one lies on the other."""
+    places = [x for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
+    if len(places) != 2 or places[0].rel not in ("on", "under") or places[0].negated or places[1].rel != "distance":
+        return
+    named, theme = places[0].landmark, clause.theme if isinstance(clause, Clause) else None
+    single = all(isinstance(x, Noun) and x.head != "patch" and not x.plural for x in (named, theme))
+    if single and isinstance(places[1].landmark, Pronoun) and places[1].landmark.word == "each other":
+        raise refuse("ambiguous", "blocks that lie on each other have no gap: is it between towers?", places[1].span,
+                     "say between which blocks it is")  # fmt: skip
 
 
 def _pair(clause: Meaning, adjuncts: int) -> bool:

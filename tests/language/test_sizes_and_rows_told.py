@@ -33,7 +33,8 @@ _L = {"assets": {"red": 5}, "hold": ["red . . | red . . | red red red"], "miss":
             "Create a wall of 2 rows by 4 columns from red blocks", "a red wall of 4 columns by 2 rows",
             "a red 2 rows by 4 columns wall", "Put eight red blocks in a wall of two rows x four columns",
             "Build a wall of red blocks, two rows by four columns.", "Build a red wall measuring 2 rows by 4 columns",
-            "a red wall, 2 rows by 4 columns", "Build a red wall with 2 rows and 4 columns", "a red 4 by 2 wall", "a 4x1x2 wall of red blocks",
+            "a red wall, 2 rows by 4 columns", "Build a red wall with 2 rows and 4 columns", "a red 4 by 2 wall",
+            "a 4x1x2 wall of red blocks",
             "wall of two rows of four, eight blocks in total, red",
         )),
         *((text, _ROWS) for text in (

@@ -81,6 +81,21 @@ _APART = {"assets": {"red": 2, "blue": 2}, "start": ["red^red ; blue^blue"], "st
         )),
         ("There are four blue blocks. At the start, there is a row of three blue blocks. Build a tower of four blue "
          "blocks.", {"assets": {"blue": 4}, "hold": [["blue blue blue ; blue", "blue^blue^blue^blue"]], "miss": []}),
+        ("There is a red block and a blue block. At the start, there is a tower of a red and a blue block. Take it "
+         "apart.", {"assets": {"red": 1, "blue": 1}, "hold": [["red^blue", "red ; blue"]], "miss": [["red^blue", "red^blue"]]}),
+        ("There are 2 red blocks and a blue block. At the start there is a red block on the blue block. Put the other "
+         "red block on it.", {"assets": {"red": 2, "blue": 1}, "start": ["blue^red ; red"],
+                              "hold": [["blue^red#1 ; red#2", "blue^red#1^red#2"]], "miss": [["blue^red ; red"] * 2]}),
+        ("There are 4 red blocks. Two of them are stacked. Build a tower of four.",
+         {"assets": {"red": 4}, "start": ["red^red ; red ; red"], "start_miss": ["red ; red ; red ; red"],
+          "hold": [["red^red ; red ; red", "red^red^red^red"]],
+          "miss": [["red^red ; red ; red", "red^red^red ; red"]]}),
+        ("Red is next to blue but not touching it, and green is too",
+         {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["red blue green pitch=1.5"],
+          "miss": ["red blue green pitch=1", "red blue . . green pitch=1.5"]}),
+        ("Put red on a mat. Green must not be on a mat.",
+         {"assets": {"red": 1, "green": 1, "patch": 1}, "hold": ["red at=gray_patch ; green"],
+          "miss": ["red green at=gray_patch pitch=1"]}),
         ("There are three red blocks. There is another tower of two red blocks at the start. Build a tower of three "
          "red blocks.", {"assets": {"red": 5}, "hold": [], "miss": []}),
         *((text, _LOTS) for text in (
@@ -111,6 +126,9 @@ def test_what_is_meant_is_read(text: str, meant: dict[str, Any]) -> None:
         ("D is left of E, F is right of E, 6 cm apart", "ambiguous"),
         ("Red left of blue, green left of white, touching", "ambiguous"),
         ("Put red left of blue and green left of white, 5 cm apart", "ambiguous"),
+        ("A next to B, C next to D, but not touching", "ambiguous"),
+        ("A is left of B, which is left of C, with 2 cm between each", "ambiguous"),
+        ("Put red on blue and green on white with a 5 cm gap between them", "ambiguous"),
         ("Put three red blocks on the red mat and three blue ones on the blue mat, as a tower", "ambiguous"),
         ("Put the three red blocks in a tower and the three blue blocks in a row, each on its patch", "ambiguous"),
         ("Put the red block on the blue one and the green block on the white one, both in the left half", "ambiguous"),

@@ -82,7 +82,7 @@ _APART = {"assets": {"red": 2, "blue": 2}, "start": ["red^red ; blue^blue"], "st
         ("There are four blue blocks. At the start, there is a row of three blue blocks. Build a tower of four blue "
          "blocks.", {"assets": {"blue": 4}, "hold": [["blue blue blue ; blue", "blue^blue^blue^blue"]], "miss": []}),
         ("There is a red block and a blue block. At the start, there is a tower of a red and a blue block. Take it "
-         "apart.", {"assets": {"red": 1, "blue": 1}, "hold": [["red^blue", "red ; blue"]], "miss": [["red^blue", "red^blue"]]}),
+         "apart.", {"assets": {"red": 1, "blue": 1}, "hold": [["red^blue", "red ; blue"]], "miss": [["red^blue"] * 2]}),
         ("There are 2 red blocks and a blue block. At the start there is a red block on the blue block. Put the other "
          "red block on it.", {"assets": {"red": 2, "blue": 1}, "start": ["blue^red ; red"],
                               "hold": [["blue^red#1 ; red#2", "blue^red#1^red#2"]], "miss": [["blue^red ; red"] * 2]}),

@@ -10,10 +10,13 @@ from rpg.language.meaning import (
     Clause,
     Coord,
     Into,
+    Loc,
     Meaning,
     Noun,
     Pronoun,
     Structure,
+    That,
+    parts_of,
     replace,
 )
 from rpg.passes.schema.resolve.things.world import refuse
@@ -54,22 +57,43 @@ def _of_which(told: Meaning) -> Refusal:
 
 def _check_aside(before: list[Clause], clause: Meaning) -> None:
     """Refuse "red on blue and green on white, both in the left half", "two on the red mat and three on the blue one,
-    as towers", where that would be said of the last two, or three."""
+    as towers", "..., touching each other", where that would be said of the last two, or three."""
     if not before or not isinstance(clause, Clause) or not _lots(clause):
         return
-    several = any(getattr(lot.theme, "plural", False) for lot in before)
-    for told in clause.adjuncts:
-        shape = told.structure if isinstance(told, Into) and len(clause.adjuncts) > 1 and several else None
-        if isinstance(shape, Structure) and shape.plural and not (shape.amount or shape.members or shape.sizes):
+    lots = [*before, clause]
+    several = all(getattr(lot.theme, "plural", False) for lot in lots)
+    for told in clause.adjuncts if not isinstance(clause.theme, Coord) else ():
+        if _of_each(told) or (several and len(clause.adjuncts) > 1 and _of_several(told)):
             raise _of_which(told)
-        both = isinstance(told, Absolute) and isinstance(told.theme, Pronoun) and told.theme.word in _EACH | _BOTH
-        if both and not isinstance(clause.theme, Coord):
-            raise _of_which(told)
+
+
+def _of_each(told: Meaning) -> bool:
+    """ "Both in the left half", "each with a green block on top"."""
+    if not isinstance(told, Absolute):
+        return False
+    marks = [_word(x.landmark) for x in told.adjuncts if isinstance(x, Loc)]
+    return not (_EACH | _BOTH).isdisjoint((_word(told.theme), *marks))
+
+
+def _of_several(told: Meaning) -> bool:
+    """ "As towers", "touching each other", "without stacking them", where none is told of which."""
+    match told:
+        case Into(structure=Structure(plural=True) as shape):
+            return not (shape.amount or shape.members or shape.sizes)
+        case Loc(landmark=mark):
+            return _word(mark) == "each other"
+        case That():
+            return any(_word(part) in ("them", "they") for part in parts_of(told))
+    return False
+
+
+def _word(meaning: Meaning | None) -> str:
+    return meaning.word if isinstance(meaning, Pronoun) else ""
 
 
 def _told(clause: Meaning) -> Meaning | None:
     """What is told of "each", where that is all of the clause: a tower of its own, or where it is."""
-    word = clause.theme.word if isinstance(clause, Clause) and isinstance(clause.theme, Pronoun) else ""
+    word = _word(clause.theme) if isinstance(clause, Clause) else ""
     if not isinstance(clause, Clause) or clause.negated or clause.mode == "start" or len(clause.adjuncts) != 1:
         return None
     told = clause.adjuncts[0]

@@ -90,6 +90,13 @@ _APART = {"assets": {"red": 2, "blue": 2}, "start": ["red^red ; blue^blue"], "st
          {"assets": {"red": 4}, "start": ["red^red ; red ; red"], "start_miss": ["red ; red ; red ; red"],
           "hold": [["red^red ; red ; red", "red^red^red^red"]],
           "miss": [["red^red ; red ; red", "red^red^red ; red"]]}),
+        *((text, {"assets": {"red": 1, "blue_patch": 1}, "hold": ["red at=blue_patch"], "miss": ["red"]}) for text in (
+            "put the red block on a patch that is 15 cm wide and blue", "put the red block on a mat that is blue and "
+            "round", "put the red block on a patch which is round and blue",
+        )),
+        ("put the red block on a patch that is round and blue on green",
+         {"assets": {"red": 1, "blue": 1, "green": 1, "patch": 1}, "hold": ["red at=gray_patch ; green^blue"],
+          "miss": ["red at=gray_patch ; blue ; green"]}),
         ("Red is next to blue but not touching it, and green is too",
          {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["red blue green pitch=1.5"],
           "miss": ["red blue green pitch=1", "red blue . . green pitch=1.5"]}),

@@ -43,6 +43,7 @@ _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", r
 """So many blocks may be all that the other sentence names."""
 _ASKS = frozenset({"is", "are", "was", "were", "does", "did", "has", "why", "how", "what", "which", "where", "who"})
 """A text that begins with these is a question."""
+_HAVE_ASKED = [["have", who] for who in ("you", "we", "they")]
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -50,7 +51,7 @@ _MOST = 120
 def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text in plain sentences, and the words of that: all of it, or its first or last part, where the other part
     is left as it is. Most of the text comes first. Told words stand where what they tell again stands."""
-    if not 0 < len(tokens) <= _MOST or tokens[0].word in _ASKS:
+    if not 0 < len(tokens) <= _MOST or tokens[0].word in _ASKS or [t.word for t in tokens[:2]] in _HAVE_ASKED:
         return
     given = [(start, behind) for start, _, behind in with_given(tokens, plainly)]
     yield from ((_standing(told, tokens), told) for told in changes(tokens, plainly, given))

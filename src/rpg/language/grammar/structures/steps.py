@@ -88,11 +88,10 @@ def _tail(p: Parser, i: int) -> Results[tuple[str, ...]]:
 
 def rising_steps(p: Parser, i: int) -> Results[Size]:
     """The same behind what else is said of stairs."""
-    if sum(word in lexicon.COLOR for word in p.words[:i]) > 1:
-        return  # "stairs of red, white and blue: 3, 2, 1": which step has which colour?
     for (found, more, named), j in steps_told(p, i) if p.anywhere(_NAMES) else ():
         way_told = len(more) > 1 or (more[0].value == "down" and not _SIDES.keys().isdisjoint(p.words))
-        if not way_told and not named and not _NAMES.isdisjoint(p.words[:i]):
+        colors = sum(word in lexicon.COLOR for word in p.words[:i])  # which step would have which of several?
+        if not way_told and not named and colors < 2 and not _NAMES.isdisjoint(p.words[:i]):
             yield replace(found, cost=1), j
 
 

@@ -12,6 +12,7 @@ _SIDES = frozenset({"left", "right", "front", "behind", "beside"})
 _OF_EACH = frozenset({"each", "every", "all", "gaps", "spaces", "neighbors", "neighbours", "any"})
 """Words that tell a gap of more than one pair."""
 _SET_OFF = re.compile(r",\s*(?:(?:but|and|with|all)\s+)?(?:\w|,)?$")
+"""How the words end up to the first letter of what a comma sets off."""
 
 
 def shared_gaps(chain: Chain, text: str) -> Chain:

@@ -93,6 +93,7 @@ def test_what_is_meant_is_read(text: str, meant: dict[str, Any]) -> None:
         ("a red tower of three and a blue tower of two, six blocks in total", "contradiction"),
         ("a 2 by 3 by 2 wall of red blocks", "misplaced"),
         ("Stairs of 1, 2 and 3 blocks, red, white, blue", "ambiguous"),
+        ("Descending stairs of red, white and blue: 3, 2, 1", "unused-block"),
         ("Ascending staircase: heights 3, 2, 1", "contradiction"),
         ("Descending staircase from left to right: heights 1, 2, 3", "contradiction"),
         ("Build a 4x4 grid with alternating rows", "incomplete"),

@@ -91,7 +91,7 @@ def rising_steps(p: Parser, i: int) -> Results[Size]:
     for (found, more, named), j in steps_told(p, i) if p.anywhere(_NAMES) else ():
         way_told = len(more) > 1 or (more[0].value == "down" and not _SIDES.keys().isdisjoint(p.words))
         colors = sum(word in lexicon.COLOR for word in p.words[:i])
-        one_each = found.amount is not None and found.amount.low == colors  # which step would have which of them?
+        one_each = found.amount is not None and 1 < colors >= found.amount.low  # which step would have which of them?
         if not way_told and not named and not one_each and not _NAMES.isdisjoint(p.words[:i]):
             yield replace(found, cost=1), j
 

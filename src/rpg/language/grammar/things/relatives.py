@@ -107,13 +107,14 @@ def _and_more(p: Parser, i: int, marks: dict[str, Any]) -> Results[Traits]:
     for more, k in adjectives(p, j):
         told = [key for told in (marks, more) for key in told]
         apart = len(told) == 2 and "colors" in told and not _FORM.isdisjoint(told)
-        if apart and not any(p.stands(k, table) for table in (lexicon.BLOCK, lexicon.PATCH, _OTHERS)):
+        other = "size" not in told and p.stands(k, _ON)  # "(a mat that is round) and blue on green"
+        if apart and not other and not any(p.stands(k, table) for table in (lexicon.BLOCK, lexicon.PATCH, _ONES)):
             yield Traits(**marks, **more), k
 
 
 _FORM = frozenset({"size", "edge", "shape"})
-_OTHERS = frozenset({"one", "ones", "on", "onto", "under"})
-"""With one of these behind it a colour is another thing: "... and blue on green"."""
+_ON = frozenset({"on", "onto", "under"})
+_ONES = frozenset({"one", "ones"})
 _AT_FIRST = frozenset({"currently", "already", "initially", "originally", "now", "presently"})
 _BESIDE = _AT_FIRST | {"itself"}
 _STAYING = frozenset({"stay", "stays", "remain", "remains"})

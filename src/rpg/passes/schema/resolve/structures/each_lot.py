@@ -60,10 +60,11 @@ def _check_aside(before: list[Clause], clause: Meaning) -> None:
     as towers", "..., touching each other", where that would be said of the last two, or three."""
     if not before or not isinstance(clause, Clause) or not _lots(clause):
         return
-    lots = [*before, clause]
-    several = all(getattr(lot.theme, "plural", False) for lot in lots)
+    several = all(getattr(lot.theme, "plural", False) for lot in (*before, clause))
+    several = several and not any(_of_several(told) for lot in before for told in lot.adjuncts)
+    placed = any(isinstance(x, Loc) and isinstance(x.landmark, Noun) for x in clause.adjuncts)
     for told in clause.adjuncts if not isinstance(clause.theme, Coord) else ():
-        if _of_each(told) or (several and len(clause.adjuncts) > 1 and _of_several(told)):
+        if _of_each(told) or (several and placed and _of_several(told)):
             raise _of_which(told)
 
 

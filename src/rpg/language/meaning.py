@@ -102,11 +102,12 @@ class Noun(Meaning):
 
 @record
 class Size(Meaning):
-    """Dimensions said after the noun: "three blocks high", "with a base of 3 x 3"."""
+    """Dimensions said after the noun: "three blocks high", "a base of 3 x 3"; `named` as rows, then columns."""
 
     what: str
     amount: Amount | None = None
     dims: tuple[int, ...] = ()
+    named: bool = False
 
 
 @record
@@ -395,6 +396,5 @@ def parts_of(meaning: Any) -> Sequence[Any]:
             held = [getattr(meaning, name) for name in _inner(kind)]
             inside = meaning._inside = tuple([part for one in held if one for part in parts_of(one)])
         return (meaning, *inside)
-    if isinstance(meaning, tuple) and not is_dataclass(meaning):
-        return [part for item in meaning for part in parts_of(item)]
-    return ()
+    listed = meaning if isinstance(meaning, tuple) and not is_dataclass(meaning) else ()
+    return [part for item in listed for part in parts_of(item)]

@@ -147,6 +147,22 @@ def check_listed(pieces: Sequence[Piece]) -> None:
             raise Unclear
 
 
+def check_joined(pieces: Sequence[Piece]) -> None:
+    """A number of blocks without a look is one of all, and no item of a list.
+
+    Raises:
+        Unclear: "a tower of red and three blocks".
+    """
+    for n, piece in enumerate(pieces[1:-1], 1):
+        kinds = {pieces[n - 1].kind, pieces[n + 1].kind}
+        total = " ".join(p.words for p in pieces[n - 1 : n + 2] if p.kind == "total").split()
+        if piece.words == "and" and kinds == {"lot", "total"} and _OF_ALL.isdisjoint(total):
+            raise Unclear
+
+
+_OF_ALL = frozenset({"total", "all", "altogether", "overall", "of", "from", "with", "using"})
+
+
 def check_owned(pieces: Sequence[Piece], parts: Collection[str]) -> None:
     """What "has" so many blocks is the whole figure.
 

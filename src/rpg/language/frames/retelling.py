@@ -17,6 +17,7 @@ from rpg.language.frames.around.measured import without_measures
 from rpg.language.frames.around.paired import pairs
 from rpg.language.frames.around.turned import without_turns
 from rpg.language.frames.families import FAMILIES
+from rpg.language.frames.lots import check_joined
 from rpg.language.frames.pieces import CLASSES, Piece, Unclear, coded, cut
 from rpg.language.frames.relations import relations
 from rpg.language.frames.shared import asked
@@ -42,6 +43,7 @@ _ALL = re.compile(r"\bthere (?:is|are) \w+ (?:blocks?|cubes?)(?= ?[.,;!?]|$)", r
 """So many blocks may be all that the other sentence names."""
 _ASKS = frozenset({"is", "are", "was", "were", "does", "did", "has", "why", "how", "what", "which", "where", "who"})
 """A text that begins with these is a question."""
+_HAVE_ASKED = [["have", who] for who in ("you", "we", "they")]
 _MOST = 120
 """Longer texts are not told again."""
 
@@ -49,7 +51,7 @@ _MOST = 120
 def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text in plain sentences, and the words of that: all of it, or its first or last part, where the other part
     is left as it is. Most of the text comes first. Told words stand where what they tell again stands."""
-    if not 0 < len(tokens) <= _MOST or tokens[0].word in _ASKS:
+    if not 0 < len(tokens) <= _MOST or tokens[0].word in _ASKS or [t.word for t in tokens[:2]] in _HAVE_ASKED:
         return
     given = [(start, behind) for start, _, behind in with_given(tokens, plainly)]
     yield from ((_standing(told, tokens), told) for told in changes(tokens, plainly, given))
@@ -144,6 +146,7 @@ def plainly(tokens: Sequence[Token]) -> str | None:
             continue
         pieces = cut(said, known)
         try:
+            check_joined(pieces or [])
             found |= {told(pieces)} if pieces and not _placed_apart(pieces) else set()
         except Unclear:
             continue

@@ -39,6 +39,7 @@ from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.clauses.readied import readied
 from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
+from rpg.passes.schema.resolve.clauses.tower_or_block import check_tower_or_block
 from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.only_denied import still_ahead
@@ -51,6 +52,7 @@ from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.structures.unbuilt import check_known
 from rpg.passes.schema.resolve.things import finish
 from rpg.passes.schema.resolve.things.bare_numbers import check_bare_numbers
+from rpg.passes.schema.resolve.things.begun_of_stock import begun_of_stock
 from rpg.passes.schema.resolve.things.counted import counted_later
 from rpg.passes.schema.resolve.things.inventory import each_agrees
 from rpg.passes.schema.resolve.things.of_each import each_later
@@ -149,9 +151,10 @@ def resolve(
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     check_lists(chains, text)
     check_each(chains, text)
+    check_tower_or_block(chains)
     chains = from_heaps(readied(chains, text), text)
     links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(*left_out_behind(links, chains), text))))
-    told = begun(chains, text)
+    told = begun_of_stock(begun(chains, text), text)
     links, every = links_left(links, chains, told), links
     facts = cleared_of(told, links)
     if (last := heaps_last(*told_later(links, facts))) is not None:
@@ -166,7 +169,7 @@ def resolve(
         return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)
     except Refusal as refusal:
         unmeant = refusal.diagnostics[0].code in UNMEANT
-        bold = begun(chains, text, bold=True) if unmeant else facts
+        bold = begun_of_stock(begun(chains, text, bold=True), text) if unmeant else facts
         for left, other in ((links_left(every, chains, bold), bold), (links, cleared_of(facts))) if unmeant else ():
             with suppress(Refusal):
                 if other != facts:

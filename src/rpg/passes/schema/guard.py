@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 
+from rpg.language import lexicon
 from rpg.passes.schema.resolve.things.world import refuse
 
 LONGEST = 1000
@@ -21,6 +22,17 @@ _FLOOR = re.compile(r"\b(?:on|onto|to|off|from) the floor\b(?! of)", re.IGNORECA
 """The table, or what lies below it?"""
 _TWO_IN_ONE = re.compile(r"(?<![\w#(\[/.-])(?:[A-Z]\d|\d[A-CE-Z])(?![\w:)\]/-])")
 """What would be two symbols on one cube; "3D" is none, and in a heading, "T1: ...", it counts the tasks."""
+_THIS = r"(?:it|this|that|these|those|they|things|everything|all)"
+_ASKED = re.compile(
+    rf"\W*(?:(?:is|are|was|were|has|have|had|does|did) {_THIS}\b[^:.!?]*:|(?:is|was) (?:it|this) "
+    r"(?:true|so|right|correct|the case|a fact) that\b)",
+    re.IGNORECASE,
+)
+"""What asks whether something is so."""
+_WAS = re.compile(
+    rf"\W*{_THIS} (?:once )?(?:was|were|looked|had been|had looked|used to (?:be|look))\b[^:.!?]*:", re.IGNORECASE
+)
+"""What tells how something was, which is no goal; nor is it told that it is so at the start."""
 
 
 def guard(text: str) -> None:
@@ -70,6 +82,7 @@ def guard(text: str) -> None:
         raise refuse(
             "other-language", "only English is understood here", first.span() if first else None, "say it in English"
         )
+    _wish(text)
     if found := _FLOOR.search(text):
         raise refuse(
             "ambiguous",
@@ -80,3 +93,16 @@ def guard(text: str) -> None:
     if found := _TWO_IN_ONE.search(text):
         raise refuse("ambiguous", f"{found.group()} could be two cubes, or one, which shows one symbol only",
                      found.span(), "name the cubes one by one, as in 'A and 1'")  # fmt: skip
+
+
+def _wish(text: str) -> None:
+    """Refuse "is this so: red on blue", "it was like this: red on blue"; "put ..." behind that is a wish."""
+    asked, was = _ASKED.match(text), _WAS.match(text)
+    found = asked or was
+    told = text[found.end() :].strip() if found else ""
+    first = re.match(r"\w+", told)
+    if not found or (first and first.group().lower() in lexicon.COMMANDS):
+        return
+    says = "this is a question" if asked else "this tells how it was"
+    raise refuse("no-goal", f"{says}: it asks for nothing to be done", found.span(),
+                 "say how it should be, as in 'the red block should be on the blue block'")  # fmt: skip

@@ -18,6 +18,7 @@ from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.numbers_had import symbols_of
 from rpg.passes.schema.resolve.things.world import refuse
+from rpg.passes.schema.stacked_at_last import stacked_at_last
 from rpg.passes.schema.worked_out import asked_for
 
 _ANEW = frozenset({"other", "others", "another", "more", "further", "new", "separate", "second", "too", "also"})
@@ -300,16 +301,6 @@ def _some_of_them(words: Sequence[Token], end: int) -> bool:
 _PLACED = frozenset({"in", "on", "at", "to"})
 
 
-def _stacked_at_last(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "two red on the left and two blue on the right, stacked" as the blue ones alone."""
-    said = [*(t.word for t in words), "."]
-    at = next((n for n, word in enumerate(said) if (said[n - 1], word) == (",", "stacked") and said[n + 1] in _ENDS), 0)
-    stacks = [x for x in atoms(task.goal) if isinstance(x, Stack)] if at else []
-    placed = {*names(task.goal)} & {block.name for block in task.blocks}
-    if len(stacks) == 1 and len(placed) > len(stacks[0].blocks) + 1:
-        raise refuse("ambiguous", "are all of these stacked, or those named last?", words[at].span, "use two sentences")
-
-
 def _counts_or_cubes(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "a tower of 2, 3 and 4 blocks" as one of the cubes 2, 3 and 4: so many blocks, perhaps."""
     if not any(token.kind == "number" for token in words):
@@ -389,7 +380,7 @@ _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchem
     (frozenset({"one"}), _one_like_it),
     (_DRAWN, _blocks_or_marks),
     (None, _counts_or_cubes),
-    (frozenset({"stacked"}), _stacked_at_last),
+    (frozenset({"stacked", "tower", "stack", "pile"}), stacked_at_last),
     (None, _beside_a_chain),
     (frozenset({"all"}), _all_of_them),
     (frozenset({"turn", "turns"}), _in_turn),

@@ -14,7 +14,7 @@ from rpg.language.frames.grids.each import plain
 from rpg.language.frames.grids.fill import Cell, Filling, completed
 from rpg.language.frames.grids.layers import in_order, layered, merged
 from rpg.language.frames.grids.measures import SIZES
-from rpg.language.frames.grids.parts import Blocks, Said, said
+from rpg.language.frames.grids.parts import Blocks, Said, by_turns, said
 from rpg.language.frames.grids.sizes import Figure, Sizes, figures
 from rpg.language.frames.grids.words import FIGURES, JOINTS, PLACES
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one, without_brackets
@@ -165,7 +165,7 @@ def _check(pieces: Sequence[Piece], kind: str, parts: Said) -> None:
     labels = [item for item in [*parts.free, *(one for _, items in parts.placed for one in items)] if item.label]
     if ("taper" in kinds and kind != "pyramid") or ("symbols" in kinds and not labels):
         raise Unclear
-    if ("square" in kinds and kind != "pyramid") or ("alternating" in kinds and parts.axis and len(parts.listed) != 2):
+    if ("square" in kinds and kind != "pyramid") or (by_turns(pieces) and parts.axis and len(parts.listed) != 2):
         raise Unclear
 
 

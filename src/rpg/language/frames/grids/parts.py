@@ -45,6 +45,11 @@ class Said:
     based: bool = False
 
 
+def by_turns(pieces: Sequence[Piece]) -> bool:
+    """Whether colours are told to take turns, by themselves or of rows: "with alternating rows of red and white"."""
+    return any(piece.kind == "alternating" or "alternating" in piece.words.split() for piece in pieces)
+
+
 def blocks_of(piece: Piece) -> list[Blocks]:
     """The blocks that a piece names, in their order."""
     if piece.kind == "labels":
@@ -94,7 +99,7 @@ class _Reader:
     def read(self, pieces: Sequence[Piece]) -> Said:
         part: list[Piece] = []
         cut = "."
-        self._said.alternating = any(piece.kind == "alternating" for piece in pieces)
+        self._said.alternating = by_turns(pieces)
         for piece in [*pieces, Piece("break", ".")]:
             if piece.kind in self._kinds:
                 part.append(piece)

@@ -10,7 +10,7 @@ from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.relations.clauses import sentence_read
 from rpg.language.frames.relations.names import THINGS
 from rpg.language.frames.relations.pieces import plainer
-from rpg.language.frames.relations.reading import Statement
+from rpg.language.frames.relations.reading import NAMES, Statement
 from rpg.language.frames.relations.stages import Sentence, stages_of
 from rpg.language.frames.relations.things import Known, Things
 from rpg.language.frames.relations.verbs import GLUE, MOODS
@@ -54,6 +54,20 @@ def _check_stock(pieces: Sequence[Piece]) -> None:
             raise Unclear
 
 
+def _check_gap(sentence: Sentence) -> None:
+    """What is told of a gap behind one pair is told of that.
+
+    Raises:
+        Unclear: several pairs are told before: "A left of B and C right of B, 2 cm apart".
+    """
+    for n, piece in enumerate(sentence):
+        behind = n + 1 == len(sentence) or sentence[n + 1].kind not in NAMES
+        ahead = [other for other in sentence[:n] if other.kind not in ("have", "comma")]
+        several = sum(other.kind == "rel" for other in ahead) > 1 and ahead[-1].kind in ("thing", "it")
+        if piece.kind in ("mutual", "width", "apart", "gap") and behind and several:
+            raise Unclear
+
+
 def told(pieces: Sequence[Piece]) -> str:
     """The statements in plain sentences.
 
@@ -76,6 +90,7 @@ def told(pieces: Sequence[Piece]) -> str:
             if n and any(piece.kind == "now" for piece in sentence):
                 raise Unclear  # it is told how things stand, and not asked for
             plain = [piece for piece in sentence if piece.kind not in ("end", "sure", "now")]
+            _check_gap(plain)
             if not plain:
                 continue
             readings = [told for reading in readings for told in _told_of(plain, *reading, start=not n)][:_MOST]

@@ -52,6 +52,9 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # "the yellow ones in a tower and the purple ones lined up"
     if any(a.kind == "lot" and _THING.fullmatch(b.words) for a, b in pairwise(pieces)):
         raise Unclear  # "a red stack"
+    kinds = [piece.kind for piece in pieces]
+    if any(kinds[n : n + 3] == ["lot", "near", "lot"] for n in range(len(kinds))):
+        raise Unclear  # "the red one must not touch the blue one"
     if any(_STACKED.search(f"{a.words} {b.words}") for a, b in pairwise(pieces)):
         raise Unclear  # "four cubes are stacked up; ...": so they are at the start
     pieces, heights = _heights(_one_each(_apart(pieces)))

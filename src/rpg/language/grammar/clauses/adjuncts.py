@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
+from rpg.language.grammar.clauses.may_be_so import may_be_so
 from rpg.language.grammar.clauses.nowhere import not_there
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import absolute
@@ -329,12 +330,6 @@ def _beginning_there(p: Parser, i: int) -> Results[That]:
             )
 
 
-def _only_when(clause: Meaning) -> bool:
-    """ "(where) it was at the start": a time, and nothing that was so then."""
-    told = isinstance(clause, Clause) and clause.verb == "be" and clause.mode == "start"
-    return told and all(isinstance(a, Manner) for a in getattr(clause, "adjuncts", ()))
-
-
 def _ever(clause: Meaning) -> Meaning:
     """ "without ever moving it": at no time."""
     always = Manner(kind="always", span=clause.span)
@@ -353,7 +348,7 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
                      "provided that"))  # fmt: skip
     if j and not p.any_of(i, READABLE):
         for clauses, k in chain(p, p.opt(j, ",")):
-            if not all(map(_only_when, clauses.clauses)):
+            if may_be_so(clauses, compared=p.words[j - 1] == "as"):
                 yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
     yield from _beginning_there(p, i)
     if j := p.any_of(i, ("until", "till", "til")):

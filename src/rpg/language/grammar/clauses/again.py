@@ -22,7 +22,10 @@ def said_too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Resul
 
 
 def _affirmed(before: Clause) -> tuple[Meaning, ...]:
-    """The places of "A not on the mat", of which "but B is" says that B is there."""
+    """The places of "A not on the mat", of which "but B is" says that B is there; of "next to it but not touching it"
+    both are said again."""
+    if any(isinstance(a, Loc | In) and not a.negated for a in before.adjuncts):
+        return before.adjuncts
     return tuple(replace(a, negated=False) if isinstance(a, Loc | In) and a.negated else a for a in before.adjuncts)
 
 

@@ -23,7 +23,15 @@ from rpg.language.grammar.structures.heights import with_heights
 from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
 from rpg.language.grammar.structures.outlines import HOLLOW, along_sides
-from rpg.language.grammar.structures.sizes import IN_TOTAL, as_high, each_told, ends_in_lines, lines_of, size_phrase
+from rpg.language.grammar.structures.sizes import (
+    IN_TOTAL,
+    as_high,
+    each_told,
+    ends_in_lines,
+    in_lines,
+    lines_of,
+    size_phrase,
+)
 from rpg.language.grammar.structures.steps import steps_told
 from rpg.language.grammar.structures.told_by_one import left_open, placed_inside, told_by_one
 from rpg.language.grammar.things import amounts
@@ -236,7 +244,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
             continue  # "a red and a blue tower, each three high": said of both
         k = (p.any_of(k, _EACH) or k) if base.plural else k
         lines = size.what == "dims" and base.kind == "rectangle" and base.filled is not False
-        lines = lines and not _LINE_WORDS.isdisjoint(p.words[j:k])
+        lines = lines and in_lines(p, j, k)
         changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k), kind="grid" if lines else base.kind)
         yield from _sized(p, i, k, changed)
 
@@ -248,8 +256,6 @@ _LYING_FLAT = (
 )  # fmt: skip
 _DRAWN_FLAT = ("lying on the table", ", lying on the table", ", flat")
 _COUNTED = ("row", "line", "column", "stack", "circle")
-_LINE_WORDS = frozenset({"row", "rows", "column", "columns"})
-"""What tells how a rectangle lies: it is a grid."""
 _LINED = ("grid", "square", "rectangle", "wall")
 _ONE = frozenset({"one", "other", "another"})
 _FLAT = ("grid", "square", "rectangle", "wall", "pyramid", "circle", "plus", "staircase", "cube")

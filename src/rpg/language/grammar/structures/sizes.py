@@ -78,6 +78,11 @@ def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
 _LINES = {"row": "columns", "rows": "columns", "column": "rows", "columns": "rows"}
 
 
+def in_lines(p: Parser, i: int, j: int) -> bool:
+    """Whether rows or columns are named there: what the rows of a wall are is then told, and not how wide it is."""
+    return not _LINES.keys().isdisjoint(p.words[i:j])
+
+
 def _lines_by_lines(p: Parser, i: int, first: int) -> Results[tuple[int, ...]]:
     """ "four rows by two columns", "2 rows 4 columns": the rows come first in what is yielded."""
     other = _LINES.get(p.words[i + 1]) if i + 3 < p.end else None
@@ -146,11 +151,11 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
         if below := p.any_of(p.opt(k, *_BLOCKS), _BELOW):
             yield Size(what="base", dims=dims, span=p.span(i, below)), below
         yield (
-            Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1),
+            Size(what="dims", dims=dims, named=in_lines(p, j, k), span=p.span(i, k), cost=0 if j > i else 1),
             p.any_of(k, ("in size", "blocks", "cubes", "per layer", "in each layer", "for each layer")) or k,
         )
     for dims, k in dimensions(p, i + 1) if p.one(i, "of") else ():
-        yield Size(what="dims", dims=dims, span=p.span(i, k)), k
+        yield Size(what="dims", dims=dims, named=in_lines(p, i, k), span=p.span(i, k)), k
     yield from _led(p, i, j)
     yield from _begun(p, i)
 
@@ -217,7 +222,7 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
             yield Size(what="side", amount=found, span=p.span(i, end)), end
     lines = p.number(k)
     for dims, e in _lines_by_lines(p, k, lines) if lines is not None else ():
-        yield Size(what="dims", dims=dims, span=p.span(i, e)), e
+        yield Size(what="dims", dims=dims, named=True, span=p.span(i, e)), e
     for dims, e in dimensions(p, k):
         if end := p.any_of(p.opt(e, "block", "blocks", "square"), _BASES):
             yield Size(what="base", dims=dims, span=p.span(i, end)), end

@@ -8,7 +8,7 @@ from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
-from rpg.language.meaning import Amount, Manner, Meaning, Size, Toward, replace
+from rpg.language.meaning import Amount, Manner, Size, Toward, replace
 
 _LEADS = Patterns(
     ",|:|;? with|of|having|whose|the|in? the|its? column|step|tower|stair? heights|height|columns|steps|towers|stairs "
@@ -25,8 +25,9 @@ _NEXT = ("and then", "then", "and finally", "and", *(
     for it in ("it", "that", "them", "those")))  # fmt: skip
 _PARTS = frozenset({"steps", "step", "columns", "column", "stairs", "stair", "towers", "tower"})
 _NAMES = frozenset({"stairs", "staircase", "stairway", "steps"})
-Told = tuple[Size, tuple[Meaning, ...], tuple[str, ...]]
-"""How many steps, which way they rise where that is said with them, and the colour of their blocks."""
+Told = tuple[Size, tuple[Manner, ...], tuple[str, ...]]
+"""How many steps, whether they go up or down as they are listed and which way they rise where that is said with them,
+and the colour of their blocks."""
 
 
 @choice
@@ -38,9 +39,11 @@ def steps_told(p: Parser, j: int) -> Results[Told]:
         return
     for lead in sorted(leads):
         yield from _heights(p, j, lead, None)
+    for lead in sorted({j, *leads}):
         for way, k in toward(p, lead):
             if isinstance(way, Toward) and way.first in _SIDES:
-                yield from _heights(p, j, p.opt(k, ":", ","), way.first)
+                for end in sorted({*_LEADS.matches(p, k), p.opt(k, ":", ",")}):
+                    yield from _heights(p, j, end, way.first)
     for way, k in manner(p, p.opt(j, ",")):
         if isinstance(way, Manner) and way.kind == "rising":
             for end in sorted(_LEADS.matches(p, k)):
@@ -63,11 +66,13 @@ def _heights(p: Parser, i: int, at: int, first: str | None) -> Results[Told]:
             size = Size(what="steps", amount=Amount(len(listed), len(listed)), span=p.span(i, end))
             begin = first
             if begin is None and down:
-                way, end = next(((w.first, e) for w, e in toward(p, end) if isinstance(w, Toward)), (None, end))
+                ways = toward(p, p.opt(end, ","))
+                way, end = next(((w.first, e) for w, e in ways if isinstance(w, Toward)), (None, end))
                 begin = way if way in _SIDES else None
             rising = begin if down else _SIDES.get(begin or "")
-            told = (Manner(kind="rising", value=rising, span=p.span(i, end)),) if rising else ()
-            yield (size, told, named), end
+            told = [Manner(kind="steps", value="down" if down else "up", span=p.span(i, end))]
+            told += [Manner(kind="rising", value=rising, span=p.span(i, end))] if rising else []
+            yield (size, tuple(told), named), end
         at = p.any_of(at + 1, _UNITS) or at + 1
         at = p.any_of(p.opt(at, ","), _NEXT) or p.opt(at, ",")
 
@@ -84,12 +89,15 @@ def _tail(p: Parser, i: int) -> Results[tuple[str, ...]]:
 def rising_steps(p: Parser, i: int) -> Results[Size]:
     """The same behind what else is said of stairs."""
     for (found, more, named), j in steps_told(p, i) if p.anywhere(_NAMES) else ():
-        if not more and not named and not _NAMES.isdisjoint(p.words[:i]):
+        way_told = len(more) > 1 or (more[0].value == "down" and not _SIDES.keys().isdisjoint(p.words))
+        colors = sum(word in lexicon.COLOR for word in p.words[:i])
+        one_each = found.amount is not None and 1 < colors >= found.amount.low  # which step would have which of them?
+        if not way_told and not named and not one_each and not _NAMES.isdisjoint(p.words[:i]):
             yield replace(found, cost=1), j
 
 
 def steps_alone(p: Parser, i: int) -> Results[Size]:
     """In a sentence of its own: "(Build stairs.) One, two, three high." """
     for (found, more, named), j in _heights(p, i, i, None) if i == 0 else ():
-        if not more and not named and j >= p.end and p.words[j - 1] in ("high", "tall"):
+        if len(more) == 1 and not named and j >= p.end and p.words[j - 1] in ("high", "tall"):
             yield found, j

@@ -15,7 +15,7 @@ from rpg.language.grammar.structures.makeup import per_color, sized_members
 from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.structures.ring_around import ring_around, with_a_ring
 from rpg.language.grammar.structures.shapes import noun, upside_down
-from rpg.language.grammar.structures.sizes import dimensions, layers_of, rows_and_columns
+from rpg.language.grammar.structures.sizes import dimensions, in_lines, layers_of, rows_and_columns
 from rpg.language.grammar.structures.superlatives import largest
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import EMPTY, Marks, adjective, merge
@@ -60,6 +60,7 @@ class _Before:
     marks: Marks = EMPTY
     sizes: tuple[Size, ...] = ()
     dims: tuple[int, ...] = ()
+    lines: bool = False
     upright: bool | None = None
     filled: bool | None = None
     operator: str | None = None
@@ -144,7 +145,7 @@ def _join(a: _Before, b: _Before) -> _Before | None:
     if marks is None or (a.sizes and b.sizes and set(whats) != {"rows", "columns"}) or (a.dims and b.dims):
         return None
     return _Before(
-        marks, (*a.sizes, *b.sizes), a.dims or b.dims,
+        marks, (*a.sizes, *b.sizes), a.dims or b.dims, a.lines or b.lines,
         a.upright if a.upright is not None else b.upright,
         a.filled if a.filled is not None else b.filled, a.operator or b.operator,
         a.parallel or b.parallel, (*a.details, *b.details),
@@ -185,7 +186,7 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     yield from _laid_before(p, i)
     for found, j in dimensions(p, i):
         for end in dict.fromkeys((j, p.opt(j, "block", "cube", "based"))):
-            yield _Before(dims=found), end
+            yield _Before(dims=found, lines=in_lines(p, i, j)), end
     for n, j in amounts.count(p, i):
         for unit, k in p.standing(j, _BEFORE_UNITS):
             yield _Before(sizes=(Size(what=_BEFORE_UNITS[unit], amount=Amount(n, n), span=p.span(i, k)),)), k
@@ -322,8 +323,9 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
         if p.words[k - 1] in ("countdown", "countdowns"):
             down = OrderBy(by="number", descending=True, span=p.span(j, k))
             before = replace(before, details=(*before.details, down))
+        dims = before.dims[::-1] if before.lines and kind == "wall" else before.dims  # a wall is measured by its width
         base = Structure(
-            kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=before.dims,
+            kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=dims,
             traits=Traits(**before.marks), filled=filled, upright=before.upright, letter=operator,
             details=before.details,
             span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,

@@ -100,16 +100,20 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
 
 
 def _and_more(p: Parser, i: int, marks: dict[str, Any]) -> Results[Traits]:
-    """ "(that is red) and small": a size behind a colour, or a colour behind a size; no noun of its own follows."""
+    """ "(that is red) and small", "(that is 15 cm wide) and blue": a size or a shape behind a colour, or a colour
+    behind these; no noun of its own follows."""
     if not (j := p.one(i, "and")):
         return
     for more, k in adjectives(p, j):
-        told = (set(marks), set(more))
-        if told in _COLOR_AND_SIZE and not any(p.stands(k, table) for table in (lexicon.BLOCK, lexicon.PATCH, _ONES)):
+        told = [key for told in (marks, more) for key in told]
+        apart = len(told) == 2 and "colors" in told and not _FORM.isdisjoint(told)
+        other = "size" not in told and p.stands(k, _ON)  # "(a mat that is round) and blue on green"
+        if apart and not other and not any(p.stands(k, table) for table in (lexicon.BLOCK, lexicon.PATCH, _ONES)):
             yield Traits(**marks, **more), k
 
 
-_COLOR_AND_SIZE = (({"colors"}, {"size"}), ({"size"}, {"colors"}))
+_FORM = frozenset({"size", "edge", "shape"})
+_ON = frozenset({"on", "onto", "under"})
 _ONES = frozenset({"one", "ones"})
 _AT_FIRST = frozenset({"currently", "already", "initially", "originally", "now", "presently"})
 _BESIDE = _AT_FIRST | {"itself"}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.assets import EDGE
 from rpg.ir.schema import COLORS_BARRED
 from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Quality, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
@@ -162,9 +163,23 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
                 "name one colour",
                 labels=((theme.span, f"{thing.color} here"),),
             )
+        if _of_another_size(thing, traits):
+            raise refuse(
+                "contradiction", f"another size of {said(thing)} is told before", quality.span, "name one size"
+            )
         give(thing, replace(traits, colors=(color,) if color else ()))
         if traits.scheme:
             thing.scheme = traits.scheme
         if traits.kind and thing.kind is None:
             thing.kind = traits.kind
         thing.claims -= 1
+
+
+def _of_another_size(thing: Thing, traits: Traits) -> bool:
+    """Whether a block or patch of which a size was told cannot have this one."""
+    if thing.edge is not None and traits.edge is not None:
+        return thing.edge != traits.edge
+    sizes = {size for size in (thing.size, traits.size) if size is not None}
+    edge = (thing.edge or traits.edge) if not thing.patch else None
+    sizes |= {"big" if edge > EDGE else "small" if edge < EDGE else "medium"} if edge and sizes else set()
+    return len(sizes) > 1

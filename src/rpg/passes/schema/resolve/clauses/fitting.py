@@ -114,7 +114,7 @@ def check_besides(scene: Scene) -> None:
 def _idle(said: str, told: bool, span: Span, scene: Scene) -> None:
     """Words that no goal can use: their sense, then the word itself, such as "pace slowly"."""
     sense, _, word = said.partition(" ")
-    if sense in ("any", "whole"):
+    if sense in ("any", "whole", "view"):
         return
     if sense in _VAGUE:
         scene.assume(_VAGUE[sense].format(word))

@@ -7,7 +7,20 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from rpg.language import lexicon
-from rpg.language.meaning import Absolute, Chain, Clause, Coord, Meaning, Noun, Structure, Traits, parts_of
+from rpg.language.meaning import (
+    Absolute,
+    Chain,
+    Clause,
+    Coord,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Structure,
+    Traits,
+    parts_of,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 
@@ -16,6 +29,10 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
     for chain in chains:
         for one in (part for part in parts_of(chain) if isinstance(part, Coord)):
             _check_looks(one, text)
+        for clause in chain.clauses:
+            _check_either(clause, text)
+        for order in (part for part in parts_of(chain) if isinstance(part, OrderBy)):
+            _check_count(order, text)
         for head, rest in _cuts(chain):
             between = text[head.span[1] : rest.span[0]].strip(" ,")
             finite = text[rest.span[1] :].lower().split()[:1] in _FINITE
@@ -33,6 +50,31 @@ def _check_looks(listed: Coord, text: str) -> None:
         if one.head == "any" and one.det == "a" and text[one.span[1] : other.span[0]].strip() == "and":
             raise refuse("ambiguous", "are these two looks of one thing, or two things?", one.span,
                          "say 'block' behind the first, and 'a' ahead of the second")  # fmt: skip
+
+
+def _check_count(order: OrderBy, text: str) -> None:
+    """Refuse "a tower: red, three blocks" as of a red block and three others: it may be of three in all."""
+    for one, last in pairwise(order.items[-2:]):
+        counted = isinstance(last, Noun) and last.amount is not None and last.head == "block" and last.det == "bare"
+        bare = counted and isinstance(last, Noun) and last.traits == Traits() and not last.conditions
+        if bare and text[one.span[1] : last.span[0]].strip() == ",":
+            raise refuse("ambiguous", "so many in all, or so many more?", last.span, "say which blocks these are")
+
+
+def _check_either(clause: Meaning, text: str) -> None:
+    """Refuse "a blue block next to the red one, or a green one" as of what it is next to: it may be green itself."""
+    theme = clause.theme if isinstance(clause, Clause) else None
+    last = theme.items[-1] if isinstance(theme, Coord) else theme
+    marks = [x.landmark for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
+    for mark in marks if isinstance(last, Noun) and last.det == "a" else ():
+        if not isinstance(mark, Coord) or mark.op != "or" or len(mark.items) != 2:
+            continue
+        known, other = mark.items
+        definite = isinstance(known, Pronoun) or getattr(known, "det", "") == "the"
+        apart = text[known.span[1] : other.span[0]].strip().startswith(",")
+        if definite and apart and isinstance(other, Noun) and other.det == "a":
+            raise refuse("ambiguous", "is this the other one, or what it is next to?", other.span,
+                         "say 'a blue or a green block ...'")  # fmt: skip
 
 
 _FINITE = (["is"], ["are"], ["should"], ["must"], ["has"], ["goes"], ["stands"], ["lies"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language.meaning import Chain
 from rpg.passes.schema.resolve.clauses.none_told import none_told
 from rpg.passes.schema.resolve.clauses.one_tense import in_one_tense
+from rpg.passes.schema.resolve.clauses.rebuilt_of import rebuilt_of
 from rpg.passes.schema.resolve.clauses.sorted_as_told import sorted_as_told
 from rpg.passes.schema.resolve.clauses.taken_off import taken_off
 from rpg.passes.schema.resolve.clauses.told_behind import told_behind
@@ -14,8 +15,10 @@ from rpg.passes.schema.resolve.places.both_of_a_stack import both_of_a_stack
 from rpg.passes.schema.resolve.places.middle_of_ring import middle_of_ring
 from rpg.passes.schema.resolve.places.no_gap import no_gap
 from rpg.passes.schema.resolve.places.patch_in_common import patch_in_common
+from rpg.passes.schema.resolve.places.shared_gaps import shared_gaps
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.structures.checkered_grid import checkered_grid
+from rpg.passes.schema.resolve.structures.each_lot import each_lot
 from rpg.passes.schema.resolve.structures.either_shape import either_shape
 from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
 from rpg.passes.schema.resolve.structures.last_of_list import check_last
@@ -30,14 +33,14 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
     for together in (
-        check_last,
+        check_last, rebuilt_of,
         members_later, tally_filled, sorted_as_told, middle_of_ring, no_gap, both_of_a_stack, left_of_two, none_told,
         groups_listed,
     ):  # fmt: skip
         chains = together(chains)
     chains = tuple(told_of_each(chain, text) for chain in chains)
-    for each in (checkered_grid, one_in_each, either_shape):
+    for each in (each_lot, checkered_grid, one_in_each, either_shape):
         chains = tuple(map(each, chains))
-    told = (shared_sides(recounted(chain), text) for chain in chains)
+    told = (shared_gaps(shared_sides(recounted(chain), text), text) for chain in chains)
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)
     return told_behind(in_one_tense(tuple(whichever(chain, text) for chain in plain), text), text)

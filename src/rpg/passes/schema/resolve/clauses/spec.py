@@ -28,7 +28,8 @@ from rpg.language.meaning import (
 @dataclass
 class Spec:
     """What a clause says besides its verb and theme. `left`: what nobody has used yet; `lined`: towers in a row;
-    `values`: the kinds that groups were said to be of; `in_turn`: the blocks of each of several that come in turn."""
+    `values`: the kinds that groups were said to be of; `in_turn`: the blocks of each of several that come in turn;
+    `viewed`: who looks at it was told."""
 
     orders: list[OrderBy] = field(default_factory=list)
     toward: list[Toward] = field(default_factory=list)
@@ -49,6 +50,7 @@ class Spec:
     listed: bool = False
     lined: bool = False
     any_way: bool = False
+    viewed: bool = False
 
     def first(self, *allowed: str) -> str | None:
         """The side where an order begins, if one of `allowed` was said."""
@@ -80,6 +82,7 @@ def sort_adjuncts(adjuncts: tuple[Meaning, ...]) -> Spec:
             spec.places.append(item)
         elif isinstance(item, Manner) and item.kind == "idle":
             spec.any_way = spec.any_way or item.value == "any way"
+            spec.viewed = spec.viewed or item.value == "view"
         elif isinstance(item, Manner) and any((m.kind, m.value) == (item.kind, item.value) for m in spec.manners):
             pass  # "upright and readable" says one thing twice
         else:

@@ -37,6 +37,7 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.moved import put_there
 from rpg.passes.schema.resolve.places.placing import absolutes
 from rpg.passes.schema.resolve.places.relations import place
+from rpg.passes.schema.resolve.places.stacking import Towers
 from rpg.passes.schema.resolve.things.operands import crown, spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spoken import as_it_stands
@@ -256,9 +257,13 @@ def moved_from(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -
 
 
 def picked_from(theme: Ref, using: Using, scene: Scene, scope: Scope, span: Span) -> None:
-    """ "pick up the red block from the blue patch": where it starts."""
+    """ "pick up the red block from the blue patch": where it starts, and is no longer."""
     loc = Loc(rel="on", landmark=using.members, span=using.span)
+    before = Towers.of(scene)
     scene.start_goals += place(theme, loc, scene, replace(scope, start=True), span)
+    before.after(scene, start=True, denied=True)
+    for name in theme.names:
+        scene.on_clause.pop(name, None)
 
 
 def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | None = None) -> Goals:

@@ -81,7 +81,7 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     if isinstance(a, r.Approached | r.Receded) and isinstance(b, r.Approached | r.Receded) and a.kind != b.kind:
         return {*members(a.a), *members(a.b)} == {*members(b.a), *members(b.b)}
     if isinstance(a, s.Stack | s.Row) and isinstance(b, s.Stack | s.Row) and a.kind == b.kind:
-        return _orders_differ(a, b)
+        return _orders_differ(a, b) or _more_on_it(a, b) or _more_on_it(b, a)
     if isinstance(a, s.Spells) and isinstance(b, s.Spells):
         return set(a.blocks) == set(b.blocks) and a.word != b.word
     if _along_and_across(a, b) or _along_and_across(b, a):
@@ -159,6 +159,13 @@ def _orders_differ(a: s.Stack | s.Row, b: s.Stack | s.Row) -> bool:
     given = a.order.by == b.order.by == "given" and a.order.first == b.order.first
     single = all(len(rank) == 1 for rank in (*a.order.ranks, *b.order.ranks))
     return given and single and set(a.blocks) == set(b.blocks) and a.order.ranks != b.order.ranks
+
+
+def _more_on_it(tower: g.Goal, other: g.Goal) -> bool:
+    """A tower of just these blocks against one that has some of these, and others."""
+    if not isinstance(tower, s.Stack) or not isinstance(other, s.Stack) or not tower.exact or tower.raised:
+        return False
+    return bool({*tower.blocks} & {*other.blocks}) and not {*other.blocks} <= {*tower.blocks}
 
 
 def _covers(whole: g.Goal, part: g.Goal) -> bool:

@@ -9,7 +9,7 @@ from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope
 
 def on_any_patch(loc: Loc, theme: Ref, scene: Scene, scope: Scope, *, denied: bool) -> Loc:
     """The relation with any of these patches for "a mat", where several that look different are told of; what is denied
-    of a mat is denied of each."""
+    of a mat is denied of each that is spoken of."""
     mark = loc.landmark
     one = isinstance(mark, Noun) and mark.head == "patch" and mark.det == "a" and mark.amount == Amount(1, 1)
     if not one or not isinstance(mark, Noun) or loc.rel not in ("on", "in") or scope.start or theme.built:
@@ -19,8 +19,8 @@ def on_any_patch(loc: Loc, theme: Ref, scene: Scene, scope: Scope, *, denied: bo
         return loc  # "both are on a mat": on the same one, or each on one?
     if mark.part_of is not None or mark.conditions or mark.traits != Traits(colors=mark.traits.colors):
         return loc
-    there = [t for t in matching(mark.traits, scene, True) if t.declared]
+    there = [t for t in matching(mark.traits, scene, True) if t.declared or denied]
     looks = {(t.color, t.shape, t.size) for t in there}
-    if len(there) < 2 or (len(looks) < len(there) and not denied):
+    if len(there) < (1 if denied else 2) or (len(looks) < len(there) and not denied):
         return loc
     return replace(loc, landmark=replace(mark, det="any", amount=None))

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Sequence
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.language.meaning import Coord, Meaning, Structure
+from rpg.language.meaning import Coord, Meaning, Size, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import amount_of
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
@@ -44,6 +46,44 @@ def plain(shape: Structure) -> None:
 
 def made(kind: str, node: g.Goal, names: tuple[str, ...], span: Span, scene: Scene) -> Made:
     return [scene.add_built(kind, names, False, span)], [node]
+
+
+def dims_told(shape: Structure, further: Sequence[Size]) -> tuple[int, ...]:
+    """The dimensions said behind the noun; a wall is measured by its width first, and named by its rows."""
+    size = next((z for z in (*shape.sizes, *further) if z.what == "dims"), None)
+    if size is None:
+        return ()
+    return size.dims[::-1] if size.named and shape.kind == "wall" else size.dims
+
+
+_BOARDS = frozenset({"grid", "wall", "square", "rectangle", "cube"})
+"""What has rows and columns of its own."""
+
+
+def check_own_lines(lines: Structure, scene: Scene) -> None:
+    """Refuse "a 2x4 grid, with alternating red and white rows", where these would be further rows, beside the grid."""
+    unsaid = lines.amount is None and lines.kind in ("row", "column")
+    if unsaid and any(one.kind in _BOARDS for one in scene.built):
+        raise refuse("ambiguous", f"the {lines.kind}s of what was told before, or others?", lines.span,
+                     f"say 'each {lines.kind}', or how many further {lines.kind}s there are")  # fmt: skip
+
+
+def totals(shape: Structure) -> tuple[Size, ...]:
+    """ "six in total": the size of a single structure; how several share them is not said."""
+    several = shape.plural or (shape.amount is not None and shape.amount.low > 1)
+    for size in shape.sizes:
+        if size.what == "total" and several:
+            raise refuse("ambiguous", "it is not said how many blocks each has", size.span, "say how many each has")
+    return tuple(replace(z, what="size") if z.what == "total" else z for z in shape.sizes)
+
+
+def check_total(total: Size | None, names: Collection[str]) -> None:
+    """Refuse "three rows of four, ten blocks in total"."""
+    told = total.amount if total is not None else None
+    if total is None or told is None or told.low <= len(names) <= (told.high or len(names)):
+        return
+    raise refuse("contradiction", f"{told.low} in total are told, but this takes {len(names)} blocks", total.span,
+                 f"say {len(names)}, or another size")  # fmt: skip
 
 
 def _tally(members: Meaning | None) -> int | None:

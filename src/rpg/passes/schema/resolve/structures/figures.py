@@ -170,6 +170,8 @@ _POINTERS = {
     "V": {"tip", "point", "apex", "corner", "base"}, "triangle": {"tip", "point", "apex", "top"}, "L": {"foot", "base"},
     "U": {"opening", "mouth", "side", "end", "top"}, "T": {"stem", "tail", "base", "foot", "leg"},
 }  # fmt: skip
+_LETTERS = frozenset({"T", "L", "U", "V"})
+"""What stands upright for who looks at it."""
 _AWAY_FROM_THEM = {"T": {"bar", "top"}, "V": {"opening", "mouth", "ends", "side", "end"}, "U": {"base"}}
 """What lies at the other end of the figure."""
 
@@ -180,6 +182,7 @@ def _pointing(shape: Structure, spec: Spec) -> str | None:
     told = [m for m in spec.manners if m.kind.startswith("pointing:") or m.kind == "facing"]
     upright = kind in _POINTERS and any((m.kind, m.value) == ("turn", 0.0) for m in spec.manners)
     over = kind in _POINTERS and kind != "L" and any((m.kind, m.value) == ("turn", 180.0) for m in spec.manners)
+    upright = upright or (kind in _LETTERS and spec.viewed and not over)
     turns = (*((("turn", 0.0),) if upright else ()), *((("turn", 180.0),) if over else ()))
     used = [*told, *(m for m in spec.manners if (m.kind, m.value) in turns)]
     spec.manners = [m for m in spec.manners if m not in used]

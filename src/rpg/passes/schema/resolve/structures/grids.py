@@ -216,12 +216,25 @@ def _fill(shape: Structure, total: int, scene: Scene) -> tuple[int, int, int]:
     return rows, total // rows, 1
 
 
+def _one_thick(shape: Structure) -> tuple[int, int]:
+    """How wide and how high "a 4x1x3 wall" is.
+
+    Raises:
+        Refusal: it would be thicker than one block.
+    """
+    wide, *others = shape.dims
+    others = [side for side in others if side > 1] if len(others) > 1 else others
+    if len(others) != 1:
+        raise refuse("misplaced", "a wall is one block thick here", shape.span, "say 'a cuboid', or two of its sides")
+    return wide, others[0]
+
+
 def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a wall of six blocks", "a wall three wide and two high": one row, several layers."""
     plain(shape)
     columns, layers = shape.extent("wide", "long", "columns"), shape.extent("high", "layers", "rows")
     if len(shape.dims) >= 2:
-        columns, layers = shape.dims[0], shape.dims[1]
+        columns, layers = _one_thick(shape)
         ends = {getattr(x.adjuncts[0], "side", "") for x in spec.absolutes if len(x.adjuncts) == 1}
         if len(spec.absolutes) == columns == 2 < layers and ends == {"bottom", "top"}:
             raise refuse("ambiguous", f"{columns} layers are told of, but the wall would be {layers} high", shape.span,

@@ -7,7 +7,21 @@ from collections import Counter
 from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
 from rpg.ir.order import Pattern
-from rpg.language.meaning import Absolute, At, Coord, Loc, Noun, OrderBy, Places, Pronoun, Structure, Traits, replace
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Coord,
+    Loc,
+    Noun,
+    OrderBy,
+    Places,
+    Pronoun,
+    Structure,
+    Toward,
+    Traits,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.parts import cells_of, laid, widened
 from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
@@ -240,6 +254,26 @@ def _step_by_step(shape: Structure, spec: Spec) -> tuple[OrderBy, dict[int, str]
     return order, {many: x.traits.colors[0] for many, x in zip(counts, items, strict=True)}
 
 
+def _falls(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> bool:
+    """ "A descending staircase", "heights 3, 2, 1": whether the stairs go down the way they are told. Where blocks show
+    numbers, it is these that descend."""
+    listed = spec.manner("steps")
+    looks = [part.traits for part in parts_of((shape, *spec.usings)) if isinstance(part, Noun | Structure)]
+    shown = any(look.labels or look.kind for look in looks) or (
+        theme and any(scene.things[n].label for n in theme.names)
+    )
+    if any(look.labels for look in looks) and any(look.colors and not look.labels for look in looks):
+        raise refuse("ambiguous", "numbers that blocks show, or numbers of blocks?", shape.span,
+                     "say 'one red, two white, three blue'")  # fmt: skip
+    told = [o for o in spec.orders if o.by == "ascending" and not o.items and o.first in (None, *_ACROSS) and not shown]
+    spec.orders = [o for o in spec.orders if o not in told]
+    spec.toward += [Toward(first=o.first, span=o.span) for o in told if o.first]
+    falls = listed is not None and listed.value == "down"
+    if told and listed is not None and told[0].descending != falls:
+        raise refuse("contradiction", "these heights go the other way", listed.span, "leave one of them out")
+    return falls or any(o.descending for o in told)
+
+
 _ACROSS = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 
@@ -295,9 +329,10 @@ def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sco
     rising = spec.manner("rising")
     if rising is not None:
         up = str(rising.value)
+    falls = _falls(shape, spec, theme, scene)
     side = spec.first("left", "right", "front", "back")
     if side and up is None:
-        up = {"left": "right", "right": "left", "front": "back", "back": "front"}[side]
+        up = side if falls else _ACROSS[side]
         spec.toward = []
     up = _highest(spec, up)
     if told is not None:

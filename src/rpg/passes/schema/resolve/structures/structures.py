@@ -20,6 +20,7 @@ from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.orders.runs import rainbow_of
 from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, stepped, symbols, towers
+from rpg.passes.schema.resolve.structures.extents import check_own_lines, check_total, dims_told, totals
 from rpg.passes.schema.resolve.structures.heights import as_heights
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
 from rpg.passes.schema.resolve.structures.told_of_each import check_top
@@ -82,10 +83,11 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     shape = replace(
         shape,
         sizes=(*shape.sizes, *spec.sizes),
-        dims=shape.dims or next((z.dims for z in (*shape.sizes, *spec.sizes) if z.what == "dims"), ()),
+        dims=shape.dims or dims_told(shape, spec.sizes),
     )
     spec.sizes = []
-    shape = replace(shape, sizes=_totals(shape))
+    total = next((z for z in shape.sizes if z.what == "total"), None)
+    shape = replace(shape, sizes=totals(shape))
     if shape.kind == "column" and any(z.what == "high" for z in shape.sizes):  # what has a height stands upright
         shape = replace(shape, kind="stack")
     if shape.details:
@@ -96,6 +98,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             [*inner.patterns, *spec.patterns],
         )
         spec.toward, spec.any_way = [*inner.toward, *spec.toward], spec.any_way or inner.any_way
+        spec.viewed = spec.viewed or inner.viewed
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
     one_on_another(shape, spec)
@@ -120,8 +123,10 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         return lots.each_made_of(shape, spec, theme, maker, scene, scope)
     shape = as_heights(shape, spec, theme)
     if one_by_one(shape, spec):
+        check_own_lines(shape, scene)
         return each_of(shape, spec, theme, maker, scene, scope)
     built, goals = maker(shape, spec, theme, scene, scope)
+    check_total(total, {name for one in built for name in one.members})
     return built, [*goals, *gaps_of(goals, spec)]
 
 
@@ -142,15 +147,6 @@ def _paged(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
 
 
 _MASSIVE = ("grid", "checkerboard", "cube", "wall", "pyramid", "staircase", "stack", "row", "line", "column", "pile")
-
-
-def _totals(shape: Structure) -> tuple[Size, ...]:
-    """ "six in total": the size of a single structure; how several share them is not said."""
-    several = shape.plural or (shape.amount is not None and shape.amount.low > 1)
-    for size in shape.sizes:
-        if size.what == "total" and several:
-            raise refuse("ambiguous", "it is not said how many blocks each has", size.span, "say how many each has")
-    return tuple(replace(z, what="size") if z.what == "total" else z for z in shape.sizes)
 
 
 _SIZES = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import string
 
+from rpg.core.diagnostics import Refusal
 from rpg.ir import structures as s
 from rpg.ir.walk import names as names_in
 from rpg.language import lexicon
@@ -67,15 +68,9 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
     elif claimed := _claim(noun, scene, scope, patch, count):
         chosen = claimed
     else:
-        if free and noun.det in ("bare", "some") and not scope.given and not patch and is_counted(noun):
-            raise refuse(
-                "count-mismatch",
-                f"there are only {len(free)} of these, but {count} are asked for",
-                noun.span,
-                f"ask for {len(free)}, or for others ('another {count}')",
-                there=len(free),
-                asked=count,
-            )
+        listed = any(t.declared and t.elastic is None for t in found)  # all of them may be used by now
+        if (free or listed) and noun.det in ("bare", "some") and not scope.given and not patch and is_counted(noun):
+            raise _too_few(noun, len(free), count)
         if noun.det == "a" and count == 1 and not scope.given and not patch:
             _one_more(noun, found, scene)
         scene.new_batch()
@@ -85,6 +80,13 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
     if not scope.given:
         scene.used.update(t.name for t in chosen)
     return tuple(t.name for t in chosen)
+
+
+def _too_few(noun: Noun, there: int, asked: int) -> Refusal:
+    """Fewer are left of those that there are said to be, or none: all of them have a place."""
+    left = f"there are only {there} of these" if there else "all of these have a place already"
+    hint = f"ask for {there}, or for others ('another {asked}')" if there else f"say 'another {asked}', or 'the same'"
+    return refuse("count-mismatch", f"{left}, but {asked} are asked for", noun.span, hint, there=there, asked=asked)
 
 
 def _one_more(noun: Noun, found: list[Thing], scene: Scene) -> None:

@@ -41,8 +41,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     earlier = any(m.clause < scene.clause and m.ref.names for m in scene.mentions)
     for mention in reversed(scene.mentions):
-        if mention in own and (before or (earlier and mention.ref.span[1] >= word.span[1])):
-            continue  # "to the right of them put green on yellow" is not of these two
+        if mention in own and (before or (earlier and _put_there(mention, word, own))):
+            continue
         if _left_behind(mention, scene) or (scope.role == "theme" and _beside_blocks(word, mention, scene)):
             continue
         if len(mention.ref.names) > 1 and not _idle(mention, scene):
@@ -80,6 +80,12 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
+
+
+def _put_there(mention: Mention, word: Pronoun, own: list[Mention]) -> bool:
+    """ "To the right of them put green on yellow", "put two greens behind them": not these two themselves."""
+    subject = next(({*m.ref.names} for m in reversed(own) if m.role == "theme"), set())
+    return mention.ref.span[1] >= word.span[1] or subject >= {*mention.ref.names}
 
 
 def _left_behind(mention: Mention, scene: Scene) -> bool:
@@ -238,9 +244,10 @@ def _no_pairs(word: Pronoun, last: set[str], scene: Scene) -> None:
 
 
 def _no_rivals(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> None:
-    """Refuse "them" behind "a red tower left of a blue tower": the one of them, or both?"""
+    """Refuse "them" behind "a red tower left of a blue tower", "... of a blue block": the one of them, or both?"""
+    fewest = 0 if last.role == "theme" and [b.kind for b in last.ref.built] == ["stack"] else 1
     for other in (m for m in scene.mentions if m.clause == last.clause and m not in own and m is not last):
-        if len(other.ref.names) > 1 and not other.ref.patch and not set(other.ref.names) & set(last.ref.names):
+        if len(other.ref.names) > fewest and not other.ref.patch and not set(other.ref.names) & set(last.ref.names):
             raise refuse("ambiguous", f"{word.word!r} could be several things spoken of before", word.span,
                          "name the blocks that you mean")  # fmt: skip
 

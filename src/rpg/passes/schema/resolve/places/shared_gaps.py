@@ -1,0 +1,92 @@
+""" "A left of B and B left of C with 2 cm between each": a gap that is told last, of all the pairs that were told."""
+
+from __future__ import annotations
+
+import re
+
+from rpg.core.diagnostics import Refusal
+from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, Spacing, parts_of, replace
+from rpg.passes.schema.resolve.things.world import refuse
+
+_SIDES = frozenset({"left", "right", "front", "behind", "beside"})
+_OF_EACH = frozenset({"each", "every", "all", "gaps", "spaces", "neighbors", "neighbours", "any"})
+"""Words that tell a gap of more than one pair."""
+_SET_OFF = re.compile(r",\s*(?:(?:but|and|with|all)\s+)?(?:\w|,)?$")
+"""How the words end up to the first letter of what a comma sets off."""
+
+
+def shared_gaps(chain: Chain, text: str) -> Chain:
+    """The sentence with such a gap said of every pair.
+
+    Raises:
+        Refusal: it may be told of the last pair alone, or of all.
+    """
+    clauses = list(chain.clauses)
+    for n, clause in enumerate(clauses):
+        _check_piled(clause)
+        gap = _gap(clause)
+        if gap is not None and _told_within(clause):
+            raise _of_which(gap)
+        pairs = [n] if gap is not None else []
+        while pairs and pairs[0] and chain.links[pairs[0]] == "and" and _pair(clauses[pairs[0] - 1], 1):
+            pairs.insert(0, pairs[0] - 1)
+        if gap is None or len(pairs) < 2:
+            continue
+        said = text[slice(*gap.span)].lower().replace("each other", "").split()
+        if _OF_EACH.isdisjoint(said):
+            if _SET_OFF.search(text[: gap.span[0] + 1]) or _chained([clauses[k] for k in pairs]):
+                raise _of_which(gap)
+            continue
+        for k in pairs[:-1]:
+            one = clauses[k]
+            if isinstance(one, Clause):
+                clauses[k] = replace(one, adjuncts=(*one.adjuncts, gap))
+    return chain if tuple(clauses) == chain.clauses else replace(chain, clauses=tuple(clauses))
+
+
+def _of_which(gap: Meaning) -> Refusal:
+    return refuse("ambiguous", "of the last two of these, or of all that were told?", gap.span,
+                  "say it of each of them: 'A is 2 cm to the left of B'")  # fmt: skip
+
+
+def _gap(clause: Meaning) -> Loc | Spacing | None:
+    """What is told of the gap between the two blocks of a clause, behind how they stand."""
+    gap = clause.adjuncts[-1] if isinstance(clause, Clause) and _pair(clause, 2) else None
+    if isinstance(gap, Spacing):
+        return gap if gap.kind == "touching" else None
+    mutual = isinstance(gap, Loc) and isinstance(gap.landmark, Pronoun) and gap.landmark.word == "each other"
+    return gap if isinstance(gap, Loc) and mutual and gap.rel in ("distance", "touching") else None
+
+
+def _check_piled(clause: Meaning) -> None:
+    """Refuse "red on blue and green on white with a 5 cm gap between them": the one lies on the other."""
+    places = [x for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
+    if len(places) != 2 or places[0].rel not in ("on", "under") or places[0].negated or places[1].rel != "distance":
+        return
+    named, theme = places[0].landmark, clause.theme if isinstance(clause, Clause) else None
+    single = all(isinstance(x, Noun) and x.head != "patch" and not x.plural for x in (named, theme))
+    if single and isinstance(places[1].landmark, Pronoun) and places[1].landmark.word == "each other":
+        raise refuse("ambiguous", "blocks that lie on each other have no gap: is it between towers?", places[1].span,
+                     "say between which blocks it is")  # fmt: skip
+
+
+def _pair(clause: Meaning, adjuncts: int) -> bool:
+    """Whether a clause says of one block on which side of another it is, and has so many adjuncts."""
+    if not isinstance(clause, Clause) or clause.verb not in ("be", "place") or len(clause.adjuncts) != adjuncts:
+        return False
+    place = clause.adjuncts[0]
+    told = isinstance(place, Loc) and place.rel in _SIDES and isinstance(place.landmark, Noun) and not place.negated
+    return told and not clause.negated and clause.mode != "start"
+
+
+def _told_within(clause: Meaning) -> bool:
+    """ "A left of B, which is left of C": whether a second pair is told within a clause."""
+    marks = [x.landmark for x in clause.adjuncts[:1] if isinstance(x, Loc)] if isinstance(clause, Clause) else []
+    inner = [x for mark in marks if isinstance(mark, Noun) for x in mark.conditions]
+    return any(isinstance(x, Loc) and x.rel in _SIDES and "aside" in x.mods for x in inner)
+
+
+def _chained(clauses: list[Meaning]) -> bool:
+    """Whether one block is of two pairs."""
+    looks = [(x.traits.colors, x.traits.labels) for c in clauses for x in parts_of(c) if isinstance(x, Noun)]
+    return len(set(looks)) < len(looks) or any(isinstance(x, Pronoun) for c in clauses[1:-1] for x in parts_of(c))

@@ -181,9 +181,15 @@ def _either_relation(p: Parser, i: int) -> Results[Meaning]:
                 span = p.span(i, end)
                 parts = (
                     Loc(rel=first, landmark=landmark, span=span),
-                    Loc(rel=second, landmark=landmark, mods=mods, negated=denied > 0, span=span),
+                    Loc(rel=second, landmark=_known(landmark), mods=mods, negated=denied > 0, span=span),
                 )
                 yield Coord(op=op, items=parts, span=span), end
+
+
+def _known(landmark: Meaning) -> Meaning:
+    """ "A row of three green blocks", of which a second relation is told: that row, and no other one."""
+    brought_up = isinstance(landmark, Noun | Structure) and landmark.det in ("a", "bare")
+    return replace(landmark, det="the") if brought_up else landmark
 
 
 _BUT = ("but rather", "but instead", "but", ", but rather", ", but instead", ", but", ", rather", ", instead")
@@ -226,6 +232,8 @@ def of_one_kind(first: Meaning, second: Meaning) -> Meaning:
     alike = isinstance(one, Noun) and isinstance(other, Noun) and one.head == "any" and one.det == other.det != "bare"
     if not alike or not isinstance(one, Noun) or not isinstance(other, Noun) or other.head != "patch":
         return first
+    if one.traits.colors and not other.traits.colors:
+        return first  # "on the blue one or on the mat": not on a mat of another color
     return replace(first, landmark=replace(one, head="patch"))
 
 

@@ -13,6 +13,7 @@ _LOTS = f"{MANY} (?:{COLOR} )?{_BLOCKS}(?: and {MANY} (?:{COLOR} )?{_BLOCKS})*"
 _A = f"(?:the |an? )?({COLOR})(?: {BLOCK}| one)?"
 _THREE = f"{_A} , {_A}(?: ,| and| , and) {_A}"
 _TWO = f"{_A} and {_A}"
+_EITHER = f"{THING}(?: , {THING})*(?: ,)?"
 _SO_MANY = f"{MANY}(?: {COLOR})? (?:block|cube)s"
 _THERE = f"(?:{MUST}|is|are|go|goes|on|in|stands?)"
 _OTHERS = f"(?:(?:,|and|, and) {MANY} {_THERE} (?!(?:top )?of them).+)"
@@ -51,6 +52,11 @@ COUNTED: tuple[Turn, ...] = (
     (f"^put ({THING}) and either ({THING}) or ({THING}) (on .+)$", "{1} must be {4} . {2} or {3} must be {4}"),
     (f"(?: ,)? without (?:either|any|one)(?: one)? of (?:them|the two) touching ({THING})$",
      " and they must not touch {1}"),
+    *((f"^(?:either )?({_EITHER}) or ({THING})(?: ,)? but not ({THING})(?: ,)? {be} (.+)$",
+       f"{{1}} or {{2}} {said} {{4}} . {{3}} {said} not {{4}}")
+      for be, said in ((f"(?:{MUST})", "must"), ("is", "is"), ("are", "are"))),
+    (f"^(?:put|place|move|set|bring) (?:either )?({_EITHER}) or ({THING})(?: ,)? but not ({THING})(?: ,)? ({PLACE}.*)$",
+     "{1} or {2} must be {4} . {3} must not be {4}"),
     ("^in any case(?: ,)? (?=\\w)", ""),
     # and not the other way round
     (f"^(?:it (?:{MUST}) be )?not (\\w+) on (\\w+) ,? ?but (?:the other way (?:round|around) [:,] )?\\2 on \\1$",

@@ -114,7 +114,8 @@ def _in_order(text: str, ends: tuple[str, str], size: int | None, mirrored: bool
     bare = len(parts) > 1 and parts[0].place == "" and size is not None and all(p.place == "next" for p in parts[1:])
     parts = [replace(parts[0], place=ends[0]), *parts[1:]] if bare else parts
     parts = _counted(parts, size, stock)
-    laid = _laid(parts, ends) if len(parts) > (1 if bare or stock else 2) else []
+    outwards = {part.place for part in parts} == {"middle", "ends"}
+    laid = _laid(parts, ends) if len(parts) > (1 if bare or stock or outwards else 2) else []
     if not laid or (size is not None and size != len(laid)) or (stock and Counter(laid) != stock):
         return []
     if mirrored and laid != laid[::-1]:
@@ -185,9 +186,15 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
         ):
             told = re.fullmatch(order, said)
             part = _thing(told["thing"], _numbered(told, ends) if place == "nth" else place) if told else None
+            if part is not None and place == "ends" and part.many > 1 and _EACH.search(said):
+                part = replace(part, many=2 * part.many)
             if part is not None and (part.many or place in ("ends", "rest") or part.look):
                 return replace(part, many=before[-1].many) if part.many < 0 and before else part
     return None
+
+
+_EACH = re.compile(r"\b(?:each|either) (?:end|side)")
+"""So many as are told are at either of them."""
 
 
 def _from_the_last(before: list[_Part], ends: tuple[str, str]) -> bool:

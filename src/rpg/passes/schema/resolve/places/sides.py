@@ -347,6 +347,11 @@ def _in_row(loose: list[Loose], scene: Scene) -> g.Goal:
     """Sides and middle of a row that only its parts speak of."""
     rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
     ranked = sorted(loose, key=lambda item: rank.get(item[1].side if isinstance(item[1], At) else "middle", 1))
+    for n, (_, at_, _) in enumerate(ranked):
+        ahead = sum(len(ref.names) for ref, _, _ in ranked[:n])
+        if isinstance(at_, At) and at_.side not in rank and (at_.side, at_.index) != ("first", ahead + 1):
+            raise refuse("ambiguous", "it is not clear which blocks of the row are there", at_.span,
+                         "say how many blocks are at the left end, and how many at the right end")  # fmt: skip
     ranks = tuple(ref.names for ref, _, _ in ranked)
     blocks = tuple(n for names in ranks for n in names)
     along = any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)

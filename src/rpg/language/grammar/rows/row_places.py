@@ -52,7 +52,7 @@ def told_by_places(tokens: list[Token]) -> list[Token]:
 def _told(tokens: list[Token]) -> list[Token]:
     """A sentence, or some that go together, told in order; nothing where they do not tell a line place by place."""
     stop = tokens[-1:] if tokens[-1].word in STOPS else []
-    words = [_word(tokens, n) for n in range(len(tokens) - len(stop))]
+    words = [word_of(tokens, n) for n in range(len(tokens) - len(stop))]
     text = re.sub(w.SAID, "", " ".join(";" if word in STOPS else word for word in words))
     mirrored = re.search(w.MIRRORED, text) is not None
     text = re.sub(w.STOCKED, r"\1 : \2 : ", re.sub(w.MIRRORED, "", text))
@@ -74,7 +74,7 @@ def _joined(parts: list[list[Token]]) -> list[Token]:
     return [token for part in parts for token in part]
 
 
-def _word(tokens: list[Token], n: int) -> str:
+def word_of(tokens: list[Token], n: int) -> str:
     """A word of the text; a capital that stands alone is a label."""
     token = tokens[n]
     after = tokens[n + 1].word if n + 1 < len(tokens) else ""

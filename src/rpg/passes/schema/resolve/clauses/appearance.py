@@ -41,10 +41,23 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     _one_of_several(clause.theme, theme, spec, scene)
     if isinstance(clause.theme, Pronoun) and theme.plural and any(q.traits.colors for q in spec.qualities):
         theme = _all_open(theme, scene)
+    theme = _so_many_alike(theme, scene)
     for quality in spec.qualities:
         _give(theme, quality, clause, scene)
     spec.qualities = []
     return []
+
+
+def _so_many_alike(theme: Ref, scene: Scene) -> Ref:
+    """ "One of the Os is blue": one of two that look alike, whichever it is."""
+    quant, things = theme.quant, [scene.things[n] for n in theme.names]
+    if quant is None or theme.patch or quant.low >= len(things):
+        return theme
+    shown = things[0].label is not None and len({(t.label, t.color, t.size) for t in things}) == 1
+    if not shown or quant.low < 1 or theme.op != "and":
+        raise refuse("ambiguous", "it is not clear which of these look so, and how the others look", theme.span,
+                     "say how many blocks there are of each look")  # fmt: skip
+    return replace(theme, names=theme.names[: quant.low], quant=None)
 
 
 def _barred(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> list[g.Goal]:

@@ -33,6 +33,7 @@ from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
 from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
+from rpg.language.grammar.rows.some_letters import some_of_the_letters
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
@@ -119,7 +120,7 @@ AT_ONCE, UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    told = _one_of_each(_steps_told(told_by_places(rows_by_number(other_end_named(tokens)))))
+    told = _one_of_each(_steps_told(told_by_places(rows_by_number(other_end_named(some_of_the_letters(tokens))))))
     return turned(of_the_figure(not_at_end(corners_again(told))), AT_ONCE)
 
 

@@ -49,15 +49,16 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
 
 
 def _so_many_alike(theme: Ref, scene: Scene) -> Ref:
-    """ "One of the Os is blue": one of two that look alike, whichever it is."""
+    """ "One of the Os is blue": one of those of which no colour was told, whichever it is of several that look alike."""
     quant, things = theme.quant, [scene.things[n] for n in theme.names]
     if quant is None or theme.patch or quant.low >= len(things):
         return theme
-    shown = things[0].label is not None and len({(t.label, t.color, t.size) for t in things}) == 1
-    if not shown or quant.low < 1 or theme.op != "and":
+    open_ = [t for t in things if t.color is None]
+    alike = len({(t.label, t.size) for t in open_}) == 1 and open_[0].label is not None
+    if not alike or not 0 < quant.low <= len(open_) or theme.op != "and":
         raise refuse("ambiguous", "it is not clear which of these look so, and how the others look", theme.span,
                      "say how many blocks there are of each look")  # fmt: skip
-    return replace(theme, names=theme.names[: quant.low], quant=None)
+    return replace(theme, names=tuple(t.name for t in open_[: quant.low]), quant=None)
 
 
 def _barred(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> list[g.Goal]:

@@ -9,8 +9,8 @@ from rpg.language.tokens import Token
 
 _SPELT = frozenset({"spell", "spells", "spelling", "write", "writes", "word", "read", "reads", "says", "say"})
 _A = frozenset({"a", "an", "one"})
-_SAID_OF = frozenset({"is", "are", "must", "should", "shall", "has", "be", "being", *lexicon.COLOR})
-"""What tells how a letter looks."""
+_IS = frozenset({"is", "are", "must", "should", "shall", "be", "being", "to", "has"})
+"""What leads to the colour of a letter."""
 _TOLD = frozenset({"of", "the"})
 """Ahead of a number these tell already of which letters it is."""
 
@@ -35,6 +35,8 @@ def some_of_the_letters(tokens: list[Token]) -> list[Token]:
 
 
 def _looks_so(tokens: list[Token], at: int) -> bool:
-    """Whether what stands there tells how the letter before it looks."""
+    """Whether what stands there tells the colour of the letter before it."""
     at += at < len(tokens) and tokens[at].word in lexicon.BLOCK
-    return at < len(tokens) and tokens[at].word in _SAID_OF
+    while at < len(tokens) and tokens[at].word in _IS:
+        at += 1
+    return at < len(tokens) and tokens[at].word in lexicon.COLOR

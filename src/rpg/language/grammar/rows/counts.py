@@ -3,7 +3,7 @@ one way."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, IS, PLACE, THING
+from rpg.language.grammar.rows.said_short import BLOCK, IS, PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH, PATCHES
 
@@ -26,6 +26,10 @@ COUNTED: tuple[Turn, ...] = (
      "{1} . there are {2}"),
     ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"
      "remaining ones) (?:may|can) (?:be|go|lie|stay|stand) (?:anywhere|wherever(?: you like| they like)?)$", "{1}"),
+    # as many as of others
+    (f"^((?:{PUT} )?)(an?|one|the) ({LINE}) of ({COLOR}) ({_BLOCKS}) (?:that (?:is|{MUST} be) )?(?:exactly |just )?as "
+     f"(?:long|tall|high) as (an?|one|the|another) ({LINE}) of ({MANY}) (?!{LINE})((?:{COLOR} )?{_BLOCKS})$",
+     "{1} {2} {3} of {8} {4} {5} . {6} {7} of {8} {9}"),
     # on each of several
     (f"^on each of ((?:the |my )?{MANY} [^,]+?) there (?:{MUST}|is|are) ?(?:be|stand|lie|sit)? ?(?:exactly )?((?:one|"
      "an?) [^,]+?)$", "put {2} on each of {1}"),

@@ -1,20 +1,18 @@
-"""What a text says of a line must show in the task: all blocks that are to be in it, their order, how many they are, and
-which of them are left out. It is looked for in the words as they were typed."""
+"""What a text says of a line must show in the task: all blocks that are to be in it, their order, how many they are,
+and which of them are left out. It is looked for in the words as they were typed."""
 
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from rpg.core.diagnostics import Span
 from rpg.ir.assets import Block
-from rpg.ir.goal import Goal
-from rpg.ir.node import Node
-from rpg.ir.relations import Between, InRegion
+from rpg.ir.goal import Goal, Not
+from rpg.ir.relations import InRegion
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import GroupBy, Row, Stack
-from rpg.ir.walk import atoms, names
+from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences, text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST
@@ -32,12 +30,13 @@ def check_lines(tokens: list[Token], task: TaskSchema) -> None:
         Refusal: "in one row" of some of its blocks alone, an order that is told and not asked for, other numbers.
     """
     told = sentences(tokens)
-    lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
+    lines = [*_lines(task.goal)]
     for sentence in told:
         text = text_of(sentence)
         _in_total(text, sentence, task, alone=len(told) == 1)
         _numbered(text, sentence, task)
         if lines:
+            _as_long(text, sentence, lines)
             _mirrored(sentence, lines, task)
             _other_end(text, sentence, told, task)
         if lines and not task.init.arranged:
@@ -47,6 +46,14 @@ def check_lines(tokens: list[Token], task: TaskSchema) -> None:
             _in_one(text, sentence, lines[0], task)
             _all_listed(text, sentence, lines[0], task)
             _side_of_it(text, sentence, lines[0], task)
+
+
+def _lines(goal: Goal) -> Iterator[Line]:
+    """The lines that are asked for, and not denied."""
+    if isinstance(goal, Row | Stack):
+        yield goal
+    for part in () if isinstance(goal, Not) else children(goal):
+        yield from _lines(part)
 
 
 def _span(text: str, sentence: Sequence[Token], match: re.Match[str]) -> Span:
@@ -118,6 +125,17 @@ def _in_total(text: str, sentence: Sequence[Token], task: TaskSchema, *, alone: 
                      _span(text, sentence, match), f"say {len(used)}, or tell of them all")  # fmt: skip
 
 
+_AS_LONG = re.compile(f"\\b{LINE} of [^,]*(?: ,)? as (?:long|tall|high) as (?:an?|the|another|one) {LINE}\\b")
+
+
+def _as_long(text: str, sentence: Sequence[Token], lines: list[Line]) -> None:
+    """Refuse "a row of red blocks as long as a row of three blue ones" as of four, and of three."""
+    match = _AS_LONG.search(text)
+    if match is not None and len({len(line.blocks) for line in lines}) > 1:
+        raise refuse("count-mismatch", "these are not of the same length", _span(text, sentence, match),
+                     "say how many blocks each of them has")  # fmt: skip
+
+
 _MAKES = re.compile(f"\\b(?:{'|'.join(sorted(lexicon.STRUCTURE))})\\b")
 
 _NTH = "(?:first|second|third|fourth|fifth|last|middle|leftmost|rightmost|top|bottom|lowest|highest|uppermost)"
@@ -144,11 +162,13 @@ def _all_but(text: str, sentence: Sequence[Token], lines: list[Line], task: Task
 
 
 _SIDE = re.compile(r"\b(?:the|its) (?:other|opposite) end\b")
-_KNOWN = re.compile(f"\\b(?:one|an?|left|right|top|bottom|front|back|near|far|either) end\\b|\\b(?:start|begin)|{LINE}s")
+_KNOWN = re.compile(
+    f"\\b(?:one|an?|left|right|top|bottom|front|back|near|far|either) end\\b|\\b(?:start|begin)|{LINE}s"
+)
 
 
 def _other_end(text: str, sentence: Sequence[Token], told: list[list[Token]], task: TaskSchema) -> None:
-    """Refuse "the blocks are in a row: red, green, blue. Put the green one at the other end." as though it were there."""
+    """Refuse "there is a row: red, green, blue. Put the green one at the other end." as though it were there."""
     match = _SIDE.search(text)
     earlier = " . ".join(text_of(one) for one in told[: told.index([*sentence])])
     known = _KNOWN.search(text) or _KNOWN.search(earlier)
@@ -157,7 +177,15 @@ def _other_end(text: str, sentence: Sequence[Token], told: list[list[Token]], ta
                      "say 'left' or 'right', and of the start 'at the start, there is a row of ...'")  # fmt: skip
 
 
-_MADE_OF = re.compile(f"\\b{LINE} (?:made )?(?:of|from|with) (?P<listed>{COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})(?=$| [,.;])")
+_MADE_OF = re.compile(
+    f"\\b{LINE} (?:made )?(?:of|from|with) (?P<listed>{COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})(?=$| [,.;])"
+)
+
+
+_OF_IT = re.compile(
+    f" , (?:the )?{COLOR}(?: one| block)? (?:on |to |at )?(?:the )?(?:left|right|behind|in front) (?:side )?"
+    "(?:of )?it\\b"
+)
 
 
 def _all_listed(text: str, sentence: Sequence[Token], line: Line, task: TaskSchema) -> None:
@@ -165,7 +193,7 @@ def _all_listed(text: str, sentence: Sequence[Token], line: Line, task: TaskSche
     match = _MADE_OF.search(text)
     listed = {lexicon.COLOR[word] for word in match["listed"].split() if word in lexicon.COLOR} if match else set()
     inside = {block.color for block in task.blocks if block.name in line.blocks}
-    if match is not None and not listed <= inside:
+    if match is not None and (not listed <= inside or _OF_IT.match(text[match.end() :])):
         raise refuse("ambiguous", "are all of these in the line, or is more told of the last one?",
                      _span(text, sentence, match), "tell where it is in a sentence of its own")  # fmt: skip
 
@@ -179,9 +207,9 @@ _NUMBERED = re.compile(
 def _numbered(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "blocks 1 and 3 red, 2 and 4 blue" as three red blocks."""
     for match in _NUMBERED.finditer(text):
-        shown = Counter((label, block.color) for block in task.blocks for label in symbols_of(block))
+        shown = {(label, str(block.color)) for block in task.blocks for label in symbols_of(block)}
         color = lexicon.COLOR[match["color"]]
-        if not all(shown[label, color] for label in match["listed"].split() if label.isdigit()):
+        if not all((label, color) in shown for label in match["listed"].split() if label.isdigit()):
             raise refuse("ambiguous", "do these numbers count blocks, or are they what the blocks show?",
                          _span(text, sentence, match), "say 'the blocks ... are', or '3 red blocks'")  # fmt: skip
 
@@ -198,7 +226,9 @@ def _mirrored(sentence: Sequence[Token], lines: list[Line], task: TaskSchema) ->
                          "say 'from right to left', or list the blocks in their order")  # fmt: skip
 
 
-_SIDED = re.compile(f"\\b{LINE}(?: of {MANY}(?: blocks| cubes)?)? (?:with|having|that has|:) .*\\b(?:side|left|right|center|middle)\\b")
+_SIDED = re.compile(
+    f"\\b{LINE}(?: of {MANY}(?: blocks| cubes)?)? (?:with|having|that has|:) .*\\b(?:side|left|right|center|middle)\\b"
+)
 _TABLE = frozenset({*lexicon.TABLE_NOUNS.split(), "half", "halves", "workspace"})
 
 

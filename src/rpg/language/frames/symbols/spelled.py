@@ -12,7 +12,10 @@ from rpg.language.frames.pieces import Piece, Unclear, number, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 from rpg.language.frames.wishes import WHOSE, WISHES
 
-_X = "(?:(?:(?:one|[2-9]) of )?(?:the |letter |an |a |one |both |all |every |each |only |its )*(?:[A-Z]s?|'[A-Z]')(?: blocks?| cubes?)?)"
+_X = (
+    "(?:(?:(?:one|[2-9]) of )?(?:the |letter |an |a |one |both |all |every |each |only |its )*(?:[A-Z]s?|'[A-Z]')"
+    "(?: blocks?| cubes?)?)"
+)
 _XS = f"{_X}(?:(?: ,)?(?: and)? {_X})*"
 _PART = "first|second|third|fourth|fifth|last|middle|final|initial"
 _LETTER = "(?:letters?|characters?|symbols?|(?:letter )?BLOCK)"
@@ -87,8 +90,9 @@ PATTERNS = [
     ),
     *patterns(
         "tint", lambda match: (f"a {match['who']}" if match["article"] else match["who"], match["color"]),
-        "(?:with |from )*(?:the |(?P<article>an? |one ))?(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]s?|'[A-Z]')|vowels?|"
-        "consonants?)(?: BLOCK)?", f"(?:with )?(?:the |(?P<article>a ))?(?P<color>COLOR) (?P<who>(?:{_PART}) letter)",
+        "(?:with |from )*(?:the |(?P<article>an? |one ))?(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]s?|'[A-Z]')|"
+        "vowels?|consonants?)(?: BLOCK)?",
+        f"(?:with )?(?:the |(?P<article>a ))?(?P<color>COLOR) (?P<who>(?:{_PART}) letter)",
     ),
     *patterns("tint", lambda match: (match["who"], match["color"], number(match["count"])),
         r"(?:the |with |from )*(?P<count>[2-9]) (?P<color>COLOR) (?P<who>[A-Z])s?(?: BLOCK)?"),

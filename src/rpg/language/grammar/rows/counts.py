@@ -27,8 +27,8 @@ COUNTED: tuple[Turn, ...] = (
     ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"
      "remaining ones) (?:may|can) (?:be|go|lie|stay|stand) (?:anywhere|wherever(?: you like| they like)?)$", "{1}"),
     # as many as of others
-    (f"^((?:{PUT} )?)(an?|one|the) ({LINE}) of ({COLOR}) ({_BLOCKS}) (?:that (?:is|{MUST} be) )?(?:exactly |just )?as "
-     f"(?:long|tall|high) as (an?|one|the|another) ({LINE}) of ({MANY}) (?!{LINE})((?:{COLOR} )?{_BLOCKS})$",
+    (f"^((?:{PUT} )?)(an?|one|the) ({LINE}) of ({COLOR}) ({_BLOCKS})(?: ,)? (?:that (?:is|{MUST} be) )?(?:exactly |"
+     f"just )?as (?:long|tall|high) as (an?|one|the|another) ({LINE}) of ({MANY}) (?!{LINE})((?:{COLOR} )?{_BLOCKS})$",
      "{1} {2} {3} of {8} {4} {5} . {6} {7} of {8} {9}"),
     # on each of several
     (f"^on each of ((?:the |my )?{MANY} [^,]+?) there (?:{MUST}|is|are) ?(?:be|stand|lie|sit)? ?(?:exactly )?((?:one|"

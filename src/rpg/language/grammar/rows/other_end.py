@@ -1,4 +1,4 @@
-"""The other end of a line that is there: "the blocks are in a row: red, green, blue. Put the red one at the other end."."""
+"""The other end of a line that is there: "there is a row: red, green, blue. Put the red one at the other end."."""
 
 from __future__ import annotations
 

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import toward
-from rpg.language.grammar.structures.alternation import alternation
-from rpg.language.grammar.structures.alternation import what_alternates
+from rpg.language.grammar.structures.alternation import alternation, what_alternates
 from rpg.language.grammar.structures.ascents import ascent, counted
 from rpg.language.grammar.structures.gradients import from_to
 from rpg.language.grammar.structures.kinds_first import kinds_first

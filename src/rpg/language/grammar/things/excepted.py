@@ -31,11 +31,9 @@ NO_MORE = ("and nothing else", "nothing else", "and nothing more", "nothing more
 """Behind a structure, and at the end of it all: no block is there anyway that is not called for."""
 
 
-def exceptions(
-    p: Parser, i: int, items: tuple[Meaning, ...], comma: int, op: str | None
-) -> Results[Coord | Structure]:
-    """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B"; `op` joins the items:
-    of "red or blue, but not green" nothing is taken."""
+def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int, op: str | None) -> Results[Coord | Structure]:
+    """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B". `op` joins the
+    items: of "red or blue, but not green" nothing is taken."""
     shape = items[0] if len(items) == 1 else None
     alone = p.any_of(comma, NO_MORE) if isinstance(shape, Structure) else 0
     if isinstance(shape, Structure) and alone and (alone >= p.end or p.words[alone] in (",", ";", ":")):

@@ -49,7 +49,7 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
 
 
 def _so_many_alike(theme: Ref, scene: Scene) -> Ref:
-    """ "One of the Os is blue": one of those of which no colour was told, whichever it is of several that look alike."""
+    """ "One of the Os is blue": one of those of no told colour, whichever it is of several that look alike."""
     quant, things = theme.quant, [scene.things[n] for n in theme.names]
     if quant is None or theme.patch or quant.low >= len(things):
         return theme

@@ -9,9 +9,10 @@ from collections.abc import Iterator, Sequence
 from rpg.core.diagnostics import Span
 from rpg.ir.assets import Block
 from rpg.ir.goal import Goal, Not
+from rpg.ir.node import members
 from rpg.ir.relations import InRegion
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import GroupBy, Row, Stack
+from rpg.ir.structures import GroupBy, Row, Spells, Stack
 from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences, text_of
@@ -35,7 +36,10 @@ def check_lines(tokens: list[Token], task: TaskSchema) -> None:
         text = text_of(sentence)
         _in_total(text, sentence, task, alone=len(told) == 1)
         _numbered(text, sentence, task)
+        _counted(text, sentence, task)
+        _apart(text, sentence, task)
         if lines:
+            _all_touching(text, sentence, lines)
             _as_long(text, sentence, lines)
             _mirrored(sentence, lines, task)
             _other_end(text, sentence, told, task)
@@ -86,6 +90,33 @@ def _in_one(text: str, sentence: Sequence[Token], line: Line, task: TaskSchema) 
         if match and spoken & inside and spoken - inside and text[match.end() :].count("from") == 0:
             raise refuse("ambiguous", "are all of these in one line, or only some of them?",
                          _span(text, sentence, match), "say first which blocks are in it, and then where")  # fmt: skip
+
+
+_ONE_LINE = re.compile(f"\\b(?:in|into|to form) (?:one|a single|the same) {LINE}\\b(?!s)")
+_OTHER = frozenset({"another", "other", "second", "next", "each", "every", "one", "two"})
+
+
+def _apart(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "spell CAT and DOG in one row" as of a row for each of them."""
+    match = _ONE_LINE.search(text)
+    lines = [{*line.blocks} for line in _lines(task.goal)]
+    lines += [{*members(atom.blocks)} for atom in atoms(task.goal) if isinstance(atom, Spells)]
+    parted = any(not one & other for n, one in enumerate(lines) for other in lines[:n])
+    if match and parted and _OTHER.isdisjoint((text[: match.start()] + text[match.end() :]).split()):
+        raise refuse("contradiction", "these are told to be in one line, and make several", _span(text, sentence, match),
+                     "say 'in two rows', or list the blocks of the one row")  # fmt: skip
+
+
+_TOUCHING = re.compile(r"\ball (?:of (?:them|these) )?(?:touching|touch)\b")
+
+
+def _all_touching(text: str, sentence: Sequence[Token], lines: list[Line]) -> None:
+    """Refuse "a row of three red and behind it a row of two blue, all touching" as said of the last row alone."""
+    match = _TOUCHING.search(text)
+    closed = {line.touching for line in lines if isinstance(line, Row)}
+    if match is not None and len(closed) > 1:
+        raise refuse("ambiguous", "is this said of all of these, or of the last row?", _span(text, sentence, match),
+                     "say it in a sentence of its own")  # fmt: skip
 
 
 _LISTED = f"{COLOR}(?:(?: ,)?(?: and(?: then)?| then)?(?: an?| one)? {COLOR})+"
@@ -212,6 +243,17 @@ def _numbered(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
         if not all((label, color) in shown for label in match["listed"].split() if label.isdigit()):
             raise refuse("ambiguous", "do these numbers count blocks, or are they what the blocks show?",
                          _span(text, sentence, match), "say 'the blocks ... are', or '3 red blocks'")  # fmt: skip
+
+
+_COUNTED = re.compile(rf"\b{LINE} of (?P<many>\d)(?= ,|$| with\b| where\b| in which\b| :)(?!.*\b\d)")
+
+
+def _counted(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a row of 3, two red" as of a block that shows a 3, and two red ones."""
+    match = _COUNTED.search(text)
+    if match is not None and any(match["many"] in symbols_of(block) for block in task.blocks):
+        raise refuse("ambiguous", "so many blocks, or what a block shows?", _span(text, sentence, match),
+                     f"say '{match['many']} blocks', or 'the block {match['many']}'")  # fmt: skip
 
 
 def _mirrored(sentence: Sequence[Token], lines: list[Line], task: TaskSchema) -> None:

@@ -111,11 +111,11 @@ _TOUCHING = re.compile(r"\ball (?:of (?:them|these) )?(?:touching|touch)\b")
 
 
 def _all_touching(text: str, sentence: Sequence[Token], lines: list[Line]) -> None:
-    """Refuse "a row of three red and behind it a row of two blue, all touching" as said of the last row alone."""
+    """Refuse "a row of three red and behind it a row of two blue, all touching" as said of one of the rows alone."""
     match = _TOUCHING.search(text)
-    closed = {line.touching for line in lines if isinstance(line, Row)}
-    if match is not None and len(closed) > 1:
-        raise refuse("ambiguous", "is this said of all of these, or of the last row?", _span(text, sentence, match),
+    rows = [line for line in lines if isinstance(line, Row)]
+    if match is not None and len(rows) > 1 and not all(row.touching for row in rows):
+        raise refuse("ambiguous", "do the blocks of each row touch, or the rows each other?", _span(text, sentence, match),
                      "say it in a sentence of its own")  # fmt: skip
 
 

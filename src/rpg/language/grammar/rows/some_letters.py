@@ -11,6 +11,7 @@ _SPELT = frozenset({"spell", "spells", "spelling", "write", "writes", "word", "r
 _A = frozenset({"a", "an", "one"})
 _IS = frozenset({"is", "are", "must", "should", "shall", "be", "being", "to", "has"})
 """What leads to the colour of a letter."""
+_SO = frozenset({"upside", "upright", "turned", "rotated", "flipped", "sideways", *lexicon.COLOR})
 _TOLD = frozenset({"of", "the"})
 """Ahead of a number these tell already of which letters it is."""
 
@@ -35,8 +36,8 @@ def some_of_the_letters(tokens: list[Token]) -> list[Token]:
 
 
 def _looks_so(tokens: list[Token], at: int) -> bool:
-    """Whether what stands there tells the colour of the letter before it."""
+    """Whether what stands there tells the colour of the letter before it, or how it is turned."""
     at += at < len(tokens) and tokens[at].word in lexicon.BLOCK
     while at < len(tokens) and tokens[at].word in _IS:
         at += 1
-    return at < len(tokens) and tokens[at].word in lexicon.COLOR
+    return at < len(tokens) and tokens[at].word in _SO

@@ -374,7 +374,13 @@ def order_of(pieces: Sequence[Piece], said: Said, row: Row) -> list[str] | None:
     return order
 
 
+_DEALT = re.compile(r"\bof (?:them|these|those|which)\b")
+
+
 def set_off(pieces: Sequence[Piece], at: int) -> bool:
-    """Whether the list that begins there stands behind a colon or comma which the row is named ahead of."""
+    """Whether the list that begins there stands behind a colon or comma which the row is named ahead of; "one of them
+    red, the others blue" is no list."""
+    if _DEALT.search(pieces[at].words):
+        return False
     ahead = [piece for piece in pieces[:at] if piece.kind not in ("glue", "place")]
     return bool(ahead) and ahead[-1].words in (":", ",") and any(piece.kind in ("figure", "mention") for piece in ahead)

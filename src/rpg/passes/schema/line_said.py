@@ -21,7 +21,7 @@ Line = Row | Stack
 
 @dataclass(frozen=True)
 class Said:
-    """A sentence, with its words as one text; `earlier`: those of the sentences before it; `alone`: there is no other."""
+    """A sentence, with its words as one text; `earlier`: those before it; `alone`: it is the only sentence."""
 
     tokens: Sequence[Token]
     text: str

@@ -9,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
-from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun, Structure, replace
+from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.alls import all_others
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here
@@ -29,6 +29,7 @@ from rpg.passes.schema.resolve.places.mutual import (
     of_the_towers,
     one_for_each,
 )
+from rpg.passes.schema.resolve.places.one_structure import of_one_structure
 from rpg.passes.schema.resolve.places.patches import (
     any_of_the_rest,
     check_same,
@@ -97,8 +98,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:
                 return [x for n in theme.names for x in place(Ref(names=(n,)), meaning, scene, scope, span)]
             if meaning.op == "or":
-                items = _of_one_structure(meaning.items, scene, scope)
-                return [disj([_alternative(theme, x, scene, scope, span) for x in items], span)]
+                places = of_one_structure(meaning.items, scene, scope)
+                return [disj([_alternative(theme, x, scene, scope, span) for x in places], span)]
             return [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
         case Loc(landmark=Coord(op=op, items=marks)) if any(getattr(x, "word", "") == "each other" for x in marks):
             both = tuple(replace(meaning, landmark=x) for x in marks)
@@ -121,18 +122,6 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             return negation(goals, span) if meaning.negated else goals
         case _:
             raise refuse("misplaced", "this does not say where something is", meaning.span)
-
-
-def _of_one_structure(places: tuple[Meaning, ...], scene: Scene, scope: Scope) -> tuple[Meaning, ...]:
-    """ "Behind or in front of a row": the row is there in either case."""
-    first, *others = places
-    if not isinstance(first, Loc) or not isinstance(first.landmark, Structure):
-        return places
-    known = replace(first.landmark, det="the")
-    if any(getattr(other, "landmark", None) != known for other in others):
-        return places
-    refer(first.landmark, scene, replace(scope, role="landmark", pool=(), need=None, rel=first.rel))
-    return replace(first, landmark=known), *others
 
 
 def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> g.Goal:
@@ -176,8 +165,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         ]
     loc = on_any_patch(loc, theme, scene, scope, denied=denied or none)
     rel = f"not {loc.rel}" if none or denied else loc.rel
-    like = like and loc.rel in ("on", "in")
-    there = replace(scope, role="landmark", like_patch=like, pool=(), need=None, rel=rel)
+    there = replace(scope, role="landmark", like_patch=like and loc.rel in ("on", "in"), pool=(), need=None, rel=rel)
     mark = off_what(theme, loc, scene) or refer(loc.landmark, scene, there)  # type: ignore[arg-type]
     return related(theme, mark, loc, scene, span)
 

@@ -27,7 +27,8 @@ from tests.corpus.run import read
         "the consonants B, C and A in a tower",
         "The digits 1, 2 and A in a row",
         # who is in the line
-        "Put the red cubes together and the blue cubes together in one row, 3 red 3 blue",
+        "Put two red blocks together and two blue blocks together in a tower",
+        "Two reds side by side and two blues side by side in one row",
         "Put two green cubes between a red one and a blue one in a tower",
         "Every red block should be between two blue blocks in a row of five",
         "A row of red, white and blue, white to the right of it",
@@ -56,6 +57,11 @@ def test_a_line_that_is_told_otherwise_is_refused(text: str) -> None:
     assert any(d.severity == "error" for d in diagnostics)
 
 
+TOGETHER = {"assets": {"red": 3, "blue": 3}, "hold": ["red red red blue blue blue", "blue blue blue red red red"],
+            "miss": ["red red blue blue blue red", "red red red ; blue blue blue"]}  # fmt: skip
+AT_ENDS = {"assets": {"green": 3, "red": 1, "blue": 1},
+           "hold": ["red green green green blue", "blue green green green red"],
+           "miss": ["green red green green blue", "red blue green green green"]}  # fmt: skip
 ABC_TURNED = {"assets": {"A": 1, "B": 1, "C": 1}, "start": ["A B C"], "hold": ["B C A"], "miss": ["A B C", "B A C"]}
 MIDDLE = {"assets": {"red": 3, "yellow": 2}, "hold": ["yellow red red red yellow"],
           "miss": ["red red red yellow yellow", "red yellow red yellow red"]}  # fmt: skip
@@ -86,6 +92,16 @@ ENDS = {"assets": {"yellow": 2, "green": 2, "white": 1}, "hold": ["yellow yellow
         ("row with white center, 2 yellow left and 2 green right", ENDS),
         ("A is at the left end of the row and B at the other end, C is in the middle.",
          {"assets": {"A": 1, "B": 1, "C": 1}, "hold": ["A C B"], "miss": ["A B C", "B C A"]}),
+        ("Put the red cubes together and the blue cubes together in one row, 3 red 3 blue", TOGETHER),
+        ("Put the reds together and the blues together in a row, 3 of each", TOGETHER),
+        ("3 red and 3 blue cubes in one row, the reds together and the blues together", TOGETHER),
+        ("A row of three green blocks with a red one at one end and a blue one at the other", AT_ENDS),
+        ("put a red block at one end of a row of three green blocks and a blue one at the other", AT_ENDS),
+        ("A row of three green blocks with a red block at one end",
+         {"assets": {"green": 3, "red": 1}, "hold": ["red green green green", "green green green red"],
+          "miss": ["green red green green"]}),
+        ("A, B and C in one row, D behind B",
+         {"assets": {"A": 1, "B": 1, "C": 1, "D": 1}, "hold": [". D . | A B C"], "miss": ["A B C D"]}),
         # in which order
         ("five blocks in a row and they should go red, orange, yellow, green, blue",
          {"assets": {"red": 1, "orange": 1, "yellow": 1, "green": 1, "blue": 1},

@@ -30,11 +30,14 @@ class Said:
     lines: tuple[Line, ...]
     alone: bool
 
+    def at(self, match: re.Match[str]) -> int:
+        """Where the words of a match begin in the instruction."""
+        return self.tokens[self.text[: match.start()].count(" ") + match[0].startswith(" ")].span[0]
+
     def refusal(self, match: re.Match[str], code: str, message: str, hint: str) -> Refusal:
         """A finding about the words of a match."""
-        first = self.text[: match.start()].count(" ") + self.text[match.start() :].startswith(" ")
         last = self.text[: match.end()].rstrip().count(" ")
-        return refuse(code, message, (self.tokens[first].span[0], self.tokens[last].span[1]), hint)
+        return refuse(code, message, (self.at(match), self.tokens[last].span[1]), hint)
 
     @property
     def begun(self) -> bool:

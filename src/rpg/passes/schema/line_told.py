@@ -6,10 +6,21 @@ from __future__ import annotations
 import re
 
 from rpg.ir.node import members
-from rpg.ir.relations import InRegion
+from rpg.ir.relations import (
+    Adjacent,
+    Behind,
+    Beside,
+    Between,
+    InFrontOf,
+    InRegion,
+    LeftOf,
+    Near,
+    RightOf,
+    Touching,
+)
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Equation, GroupBy, Row, Spells
-from rpg.ir.walk import ATOMS, names
+from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences, text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST
@@ -40,24 +51,26 @@ _ALL_IN_ONE = re.compile(
     f"|\\bin {_A_LINE} of {MANY}\\b|\\bbetween .* in {_A_LINE}(?=$| [.;,])"
 )
 """What takes in all that the sentence speaks of."""
+_ONE_LINE = re.compile(f"\\b(?:in|into|to form) (?:one|a single|the same) {LINE}\\b")
 _TOGETHER = re.compile(f"\\bin {_A_LINE}")
+_BESIDE = (Adjacent, Behind, Beside, Between, GroupBy, InFrontOf, LeftOf, Near, RightOf, Touching)
+"""What is told of blocks beside each other, which those of one row are."""
 
 
 def _in_one(said: Said) -> None:
     """Refuse "put two green cubes between a red one and a blue one, all in one row" as a row of green ones."""
-    if len(said.lines) != 1:
-        return
-    inside = {*said.lines[0].blocks}
+    inside = {*said.lines[0].blocks} if len(said.lines) == 1 else set()
     blocks = {block.name for block in said.task.blocks}
-    for atom in (x for x in asked(said.task.goal) if x is not said.lines[0] and isinstance(x, ATOMS)):
+    for atom in (x for x in asked(said.task.goal) if inside and isinstance(x, _BESIDE)):
         spoken = {*names(atom)} & blocks
         match = (_TOGETHER if isinstance(atom, GroupBy) else _ALL_IN_ONE).search(said.text)
-        if match and spoken & inside and spoken - inside and " from " not in said.text[match.end() :]:
+        mixed = spoken & inside or (match and _ONE_LINE.search(match[0]))
+        told = match and atom.span and (match.start() == 0 or atom.span[0] < said.at(match))
+        if match and told and mixed and spoken - inside and " from " not in said.text[match.end() :]:
             raise said.refusal(match, "ambiguous", "are all of these in one line, or only some of them?",
                                "say first which blocks are in it, and then where")  # fmt: skip
 
 
-_ONE_LINE = re.compile(f"\\b(?:in|into|to form) (?:one|a single|the same) {LINE}\\b")
 _OTHER = frozenset({"another", "other", "second", "next", "each", "every", "one", "two"})
 
 
@@ -92,6 +105,19 @@ def _all_listed(said: Said) -> None:
     if not listed <= inside or _OF_IT.match(said.text[match.end() :]):
         raise said.refusal(match, "ambiguous", "are all of these in the line, or is more told of the last one?",
                            "tell where it is in a sentence of its own")  # fmt: skip
+
+
+_TWICE = re.compile(r"\b(?:together|side by side)\b.*\b(?:together|side by side)\b")
+
+
+def _each_together(said: Said) -> None:
+    """Refuse "the reds together and the blues together, all in one row" as of a row in any order."""
+    match = _TWICE.search(said.text)
+    loose = len(said.lines) == 1 and said.lines[0].order.by == "any" and not said.begun
+    mixed = loose and len({block.color for block in said.blocks(said.lines[0])}) > 1
+    if match and mixed and not any(isinstance(part, _BESIDE) for part in asked(said.task.goal)):
+        raise said.refusal(match, "ambiguous", "how these are together in the line is not clear",
+                           "say 'in a row, the same colors together'")  # fmt: skip
 
 
 _TOUCHING = re.compile(r"\ball (?:of (?:them|these) )?(?:touching|touch)\b")
@@ -184,6 +210,6 @@ def _side_of_it(said: Said) -> None:
 
 
 _CHECKS = (
-    in_total, as_long, numbered, counted, all_but, _in_one, _apart, _all_listed, _all_touching, _in_order, _in_order_of,
-    _mirrored, _other_end, _side_of_it,
+    in_total, as_long, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together, _all_touching,
+    _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
 )  # fmt: skip

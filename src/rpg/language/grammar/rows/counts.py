@@ -14,6 +14,10 @@ _A = f"(?:the |an? )?({COLOR})(?: {BLOCK}| one)?"
 _THREE = f"{_A} , {_A}(?: ,| and| , and) {_A}"
 _TWO = f"{_A} and {_A}"
 _EITHER = f"{THING}(?: , {THING})*(?: ,)?"
+_LOT = f"(?:the |(?:the )?{MANY} )?{COLOR}(?:s\\b| {_BLOCKS})?"
+_NONE = f"(?:(?!\\b{COLOR}\\b).)*\\b"
+_EITHER_LOT = f"(?:the )?(?:\\2|\\3)(?:s\\b| {_BLOCKS})?"
+"""What names no color, and blocks of one of the two that were named."""
 _SO_MANY = f"{MANY}(?: {COLOR})? (?:block|cube)s"
 _THERE = f"(?:{MUST}|is|are|go|goes|on|in|stands?)"
 _OTHERS = f"(?:(?:,|and|, and) {MANY} {_THERE} (?!(?:top )?of them).+)"
@@ -26,6 +30,13 @@ COUNTED: tuple[Turn, ...] = (
      "{1} . there are {2}"),
     ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"
      "remaining ones) (?:may|can) (?:be|go|lie|stay|stand) (?:anywhere|wherever(?: you like| they like)?)$", "{1}"),
+    # each lot of a line together
+    (f"^(?:{PUT} )?({_LOT}) together(?: ,| and| , and) ({_LOT}) together(?: ,)? (?:all )?in (?:an?|one|a single) "
+     f"({LINE})((?: , .+)?)$", "put {1} and {2} in a {3} , same colors together {4}"),
+    (f"^(?:{PUT} )?({_LOT}) together(?: ,| and| , and) ({_LOT}) together(?: ,)? (?:all )?in (?:an?|one|a single) "
+     f"({LINE}) , ({MANY}) (?:of )?each$", "put {4} {1} and {4} {2} in a {3} , same colors together"),
+    (f"^(?=.*\\b{LINE}\\b)({_NONE}({COLOR})\\b{_NONE}({COLOR})\\b{_NONE}) , {_EITHER_LOT} together(?: ,| and| , and) "
+     f"{_EITHER_LOT} together$", "{1} , same colors together"),
     # as many as of others
     (f"^((?:{PUT} )?)(an?|one|the) ({LINE}) of ({COLOR}) ({_BLOCKS})(?: ,)? (?:that (?:is|{MUST} be) )?(?:exactly |"
      f"just )?as (?:long|tall|high) as (an?|one|the|another) ({LINE}) of ({MANY}) (?!{LINE})((?:{COLOR} )?{_BLOCKS})$",

@@ -40,7 +40,6 @@ from tests.corpus.run import read
         "A row of four red blocks as long as a row of three blue blocks",
         "A row of 3, two red",
         "Blocks 1 and 3 red, 2 and 3 blue, in a row",
-        "cubes 1, 2 red and 3, 4 green in a tower",
         # which end, and which way
         "The blocks are in a row: red, green, blue. Put the green one at the other end.",
         "put red at the left end of the row and blue in the third place",
@@ -100,6 +99,12 @@ ENDS = {"assets": {"yellow": 2, "green": 2, "white": 1}, "hold": ["yellow yellow
         ("A row of three green blocks with a red block at one end",
          {"assets": {"green": 3, "red": 1}, "hold": ["red green green green", "green green green red"],
           "miss": ["green red green green"]}),
+        ("Blocks 1 and 2 red, 3 and 4 blue, in a row",
+         {"assets": {"red:1": 1, "red:2": 1, "blue:3": 1, "blue:4": 1}, "hold": ["red:1 red:2 blue:3 blue:4"],
+          "miss": ["red:1 red:2 ; blue:3 blue:4"]}),
+        ("cubes A, B red and C, D green in a tower",
+         {"assets": {"red:A": 1, "red:B": 1, "green:C": 1, "green:D": 1}, "hold": ["red:A^red:B^green:C^green:D"],
+          "miss": ["red:A^red:B ; green:C^green:D"]}),
         ("A, B and C in one row, D behind B",
          {"assets": {"A": 1, "B": 1, "C": 1, "D": 1}, "hold": [". D . | A B C"], "miss": ["A B C D"]}),
         # in which order

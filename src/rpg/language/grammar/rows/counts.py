@@ -1,9 +1,9 @@
-"""How many of which there are to be, on each of several, and where some and others of them go, as rows that say it in
-one way."""
+"""How many of which there are to be, on each of several, in each lot of a line, and where some and others of them go,
+as rows that say it in one way."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, IS, PLACE, PUT, THING
+from rpg.language.grammar.rows.said_short import BLOCK, IS, LABEL, PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH, PATCHES
 
@@ -15,6 +15,8 @@ _THREE = f"{_A} , {_A}(?: ,| and| , and) {_A}"
 _TWO = f"{_A} and {_A}"
 _EITHER = f"{THING}(?: , {THING})*(?: ,)?"
 _LOT = f"(?:the |(?:the )?{MANY} )?{COLOR}(?:s\\b| {_BLOCKS})?"
+_SHOWN = "(?:blocks|cubes|letters|digits|numbers)"
+_LABELS = f"{LABEL}(?:(?: ,)?(?: and)? {LABEL})+"
 _NONE = f"(?:(?!\\b{COLOR}\\b).)*\\b"
 _EITHER_LOT = f"(?:the )?(?:\\2|\\3)(?:s\\b| {_BLOCKS})?"
 """What names no color, and blocks of one of the two that were named."""
@@ -30,6 +32,10 @@ COUNTED: tuple[Turn, ...] = (
      "{1} . there are {2}"),
     ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"
      "remaining ones) (?:may|can) (?:be|go|lie|stay|stand) (?:anywhere|wherever(?: you like| they like)?)$", "{1}"),
+    # symbols of two colors
+    (f"^(?:{PUT} )?(?:the )?({_SHOWN}) ({_LABELS}) (?:are )?({COLOR})(?: ,| and| , and) (?:(?:the )?{_SHOWN} )?"
+     f"({_LABELS}) (?:are )?({COLOR})(?: ,)? (?:all )?(in an? {LINE})$",
+     "put {1} {2} and {4} {6} . {1} {2} are {3} . {1} {4} are {5}"),
     # each lot of a line together
     (f"^(?:{PUT} )?({_LOT}) together(?: ,| and| , and) ({_LOT}) together(?: ,)? (?:all )?in (?:an?|one|a single) "
      f"({LINE})((?: , .+)?)$", "put {1} and {2} in a {3} , same colors together {4}"),

@@ -46,6 +46,9 @@ from tests.corpus.run import read
         "put the red block in the middle of the row and the yellow block on one end",
         "the letters of HELP mirrored from right to left",
         # so many of them
+        "A row of A, B, C, D with A and B together",
+        "Spell CAT with one letter red",
+        "Spell CAT, all letters red but one",
         "Stack three blocks. One of the blocks is red.",
         "a row of six cubes, alternating in size",
     ],

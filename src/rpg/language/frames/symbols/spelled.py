@@ -25,7 +25,7 @@ _CLASS = (
     f"{_LETTER})(?: of (?:the letters|the word|them))?)"
 )
 _ALL = (
-    f"(?:(?:all|every|each|the|its|both|everything|all of)(?: of)?(?: the| its)? )*(?:the )?{_LETTER}(?: of the "
+    f"(?:one |[2-9] )?(?:(?:all|every|each|the|its|both|everything|all of)(?: of)?(?: the| its)? )*(?:the )?{_LETTER}(?: of the "
     "word)?|it all|everything|all of it|the (?:whole )?word"
 )
 _IS = (
@@ -142,7 +142,7 @@ PATTERNS = [
         "read",
     ),
     *patterns(
-        "glue", None, "on|onto|one|rearrange|rearranged|reorder|order|ordered|using", "(?:with|from|of|by) "
+        "glue", None, "on|onto|rearrange|rearranged|reorder|order|ordered|using", "(?:with|from|of|by) "
         "(?:letter )?(?:cube|block)",
         "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|"
         "correctly|properly|in order|in (?:this|that|the right) order|upright|in capital letters|in capitals|"

@@ -39,6 +39,7 @@ from tests.corpus.run import read
         "Tower of two red and three blue, six blocks in all",
         "A row of four red blocks as long as a row of three blue blocks",
         "A row of 3, two red",
+        "A row of red and blue, three red",
         "Blocks 1 and 3 red, 2 and 3 blue, in a row",
         # which end, and which way
         "The blocks are in a row: red, green, blue. Put the green one at the other end.",

@@ -16,12 +16,16 @@ _EACH = frozenset({"each", "every", "per", "distractor", "distractors", "both", 
 _MAKES = re.compile(f"\\b(?:{'|'.join(sorted(lexicon.STRUCTURE))})\\b")
 
 
+def _number(word: str) -> int:
+    return int(word) if word.isdigit() else lexicon.NUMBER[word]
+
+
 def in_total(said: Said) -> None:
     """Refuse "a row of two red, three blue, six blocks in total" as of five blocks."""
     match = _TOTAL.search(said.text)
     if match is None or not _EACH.isdisjoint(said.text.split()) or not _MAKES.search(said.text):
         return
-    many = int(match["many"]) if match["many"].isdigit() else lexicon.NUMBER[match["many"]]
+    many = _number(match["many"])
     used = len({*names(said.task.goal)} & {block.name for block in said.task.blocks})
     if used < many or (said.alone and used > many):
         raise said.refusal(match, "count-mismatch", f"there are to be {many} blocks in all, but {used} are told of",
@@ -63,6 +67,23 @@ def counted(said: Said) -> None:
     if match is not None and said.shows(match["many"]):
         raise said.refusal(match, "ambiguous", "so many blocks, or what a block shows?",
                            f"say '{match['many']} blocks', or 'the block {match['many']}'")  # fmt: skip
+
+
+_AND_COUNTED = re.compile(
+    f"\\b(?:of|from|with) (?P<listed>{COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})(?: blocks| cubes)? , "
+    f"(?P<many>{MANY}) (?P<color>{COLOR})\\b"
+)
+
+
+def and_counted(said: Said) -> None:
+    """Refuse "a row of red and blue, three red" as of a red one, a blue one and three red ones."""
+    match = _AND_COUNTED.search(said.text)
+    if match is None or match["color"] not in match["listed"].split() or not said.lines:
+        return
+    color, many = lexicon.COLOR[match["color"]], _number(match["many"])
+    if not any(sum(block.color == color for block in said.blocks(line)) == many for line in said.lines):
+        raise said.refusal(match, "ambiguous", "so many of those that are listed, or so many more?",
+                           "say how many blocks there are of each color")  # fmt: skip
 
 
 _NTH = "(?:first|second|third|fourth|fifth|last|middle|leftmost|rightmost|top|bottom|lowest|highest|uppermost)"

@@ -19,13 +19,13 @@ from rpg.ir.relations import (
     Touching,
 )
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Equation, GroupBy, Row, Spells
+from rpg.ir.structures import Equation, Grid, GroupBy, Row, Spells
 from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences, text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST
 from rpg.language.tokens import Token
-from rpg.passes.schema.line_numbers import all_but, as_long, counted, in_total, numbered
+from rpg.passes.schema.line_numbers import all_but, and_counted, as_long, counted, in_total, numbered
 from rpg.passes.schema.line_said import Said, asked, lines_of
 from rpg.passes.schema.numbers_had import symbols_of
 
@@ -120,6 +120,18 @@ def _each_together(said: Said) -> None:
                            "say 'in a row, the same colors together'")  # fmt: skip
 
 
+_ITS_ROWS = re.compile("(?:,|with|and|whose|where) (?:the |its |all |all the )?(?:rows|columns) (?!of\\b)")
+
+
+def _rows_of_it(said: Said) -> None:
+    """Refuse "a grid of 2x4, rows alternating red and blue" as of a grid, and of rows beside it."""
+    match = _ITS_ROWS.search(said.text)
+    cells = {name for part in asked(said.task.goal) if isinstance(part, Grid) for name in members(part.blocks)}
+    if match and cells and said.lines and not any(cells & {*line.blocks} for line in said.lines):
+        raise said.refusal(match, "ambiguous", "the rows of the grid, or further ones?",
+                           "say 'each row of the grid', or 'and two rows beside it'")  # fmt: skip
+
+
 _TOUCHING = re.compile(r"\ball (?:of (?:them|these) )?(?:touching|touch)\b")
 
 
@@ -210,6 +222,6 @@ def _side_of_it(said: Said) -> None:
 
 
 _CHECKS = (
-    in_total, as_long, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together, _all_touching,
-    _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
+    in_total, as_long, and_counted, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together,
+    _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
 )  # fmt: skip

@@ -25,8 +25,8 @@ _CLASS = (
     f"{_LETTER})(?: of (?:the letters|the word|them))?)"
 )
 _ALL = (
-    f"(?:one |[2-9] )?(?:(?:all|every|each|the|its|both|everything|all of)(?: of)?(?: the| its)? )*(?:the )?{_LETTER}(?: of the "
-    "word)?|it all|everything|all of it|the (?:whole )?word"
+    "(?:one |[2-9] )?(?:(?:all|every|each|the|its|both|everything|all of)(?: of)?(?: the| its)? )*(?:the )?"
+    f"{_LETTER}(?: of the word)?|it all|everything|all of it|the (?:whole )?word"
 )
 _IS = (
     "(?:(?:both|all|being|in|with|colored|painted|printed|shown|made|of|written|have|has|a|an|body|BE|as|must be|"

@@ -32,6 +32,9 @@ from tests.corpus.run import read
         "Put two green cubes between a red one and a blue one in a tower",
         "Every red block should be between two blue blocks in a row of five",
         "A row of red, white and blue, white to the right of it",
+        "A row of two red and two blue with green between them",
+        "A row of red and blue with two green between them",
+        "A row of red blocks with a blue between each two",
         "Spell CAT and DOG in one row",
         "Two rows of three red blocks, all touching",
         # how many there are
@@ -109,6 +112,9 @@ ENDS = {"assets": {"yellow": 2, "green": 2, "white": 1}, "hold": ["yellow yellow
         ("cubes A, B red and C, D green in a tower",
          {"assets": {"red:A": 1, "red:B": 1, "green:C": 1, "green:D": 1}, "hold": ["red:A^red:B^green:C^green:D"],
           "miss": ["red:A^red:B ; green:C^green:D"]}),
+        ("A row of red and blue with green between them",
+         {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["red green blue", "blue green red"],
+          "miss": ["green red blue"]}),
         ("A, B and C in one row, D behind B",
          {"assets": {"A": 1, "B": 1, "C": 1, "D": 1}, "hold": [". D . | A B C"], "miss": ["A B C D"]}),
         # in which order

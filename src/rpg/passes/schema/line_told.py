@@ -4,6 +4,7 @@ many they are. It is looked for in the words as they were typed."""
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 from rpg.ir.node import members
 from rpg.ir.relations import (
@@ -86,8 +87,10 @@ def _apart(said: Said) -> None:
                            "say 'in two rows', or list the blocks of the one row")  # fmt: skip
 
 
+_A_LOT = f"(?:(?:an?|{MANY}) )?{COLOR}(?: blocks?| cubes?)?"
 _MADE_OF = re.compile(
-    f"\\b{LINE} (?:made )?(?:of|from|with) (?P<listed>{COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})(?=$| [,.;])"
+    f"\\b{LINE} (?:made )?(?:of|from|with) (?P<listed>{_A_LOT}(?: , {_A_LOT})*(?: ,)? and {_A_LOT})"
+    "(?=$| [,.;]| with\\b)"
 )
 _OF_IT = re.compile(
     f" , (?:the )?{COLOR}(?: one| block)? (?:on |to |at )?(?:the )?(?:left|right|behind|in front) (?:side )?"
@@ -118,6 +121,35 @@ def _each_together(said: Said) -> None:
     if match and mixed and not any(isinstance(part, _BESIDE) for part in asked(said.task.goal)):
         raise said.refusal(match, "ambiguous", "how these are together in the line is not clear",
                            "say 'in a row, the same colors together'")  # fmt: skip
+
+
+_AMID = re.compile(f"\\b{LINE} of .*\\bbetween (?:them|these|those|each other)\\b")
+
+
+def _amid(said: Said) -> None:
+    """Refuse "a row of red and blue with two green between them" as of a row of two, with blocks in its gap."""
+    match = _AMID.search(said.text)
+    rows = [line for line in said.lines if isinstance(line, Row)]
+    inside = {*rows[0].blocks} if len(rows) == 1 and match else set()
+    for part in (part for part in asked(said.task.goal) if isinstance(part, Between)):
+        if match and {*members(part.b), *members(part.c)} & inside and not {*members(part.a)} & inside:
+            raise said.refusal(match, "ambiguous", "in the row as well, or between its blocks?",
+                               "list the row from one end to the other")  # fmt: skip
+
+
+_EACH_TWO = re.compile(r"\bbetween (?:each|every|any|all)(?: two| pair| 2)\b")
+
+
+def _between_each(said: Said) -> None:
+    """Refuse "a row of red blocks with a blue between each two" as red, blue, blue, red."""
+    match = _EACH_TWO.search(said.text)
+    for line in said.lines if match else ():
+        colors = {block.name: block.color for block in said.blocks(line)}
+        ranks = [{colors[name] for name in rank} for rank in line.order.ranks if len(rank) == 1]
+        alike = len(ranks) < len(line.blocks) or any(one == other for one, other in pairwise(ranks))
+        if match and alike and line.order.by != "alternating":
+            raise said.refusal(match, "ambiguous", "it is not clear how many these are",
+                               "say how many blocks alternate, or list them from one end to the other")  # fmt: skip
 
 
 _ITS_ROWS = re.compile("(?:,|with|and|whose|where) (?:the |its |all |all the )?(?:rows|columns) (?!of\\b)")
@@ -223,5 +255,5 @@ def _side_of_it(said: Said) -> None:
 
 _CHECKS = (
     in_total, as_long, and_counted, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together,
-    _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
+    _amid, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
 )  # fmt: skip

@@ -68,6 +68,9 @@ def _barred(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> list[g.Goal
     told = all(replace(q.traits, either=False) == Traits(colors=q.traits.colors) for q in spec.qualities)
     some = theme.op != "and" or (theme.quant is not None and theme.quant.high != 0)
     some = some or spec.manner("not all") is not None
+    listed = theme.built and any(len(q.traits.colors) > 1 and not q.traits.either for q in spec.qualities)
+    if listed:  # "the row must not be red, blue, green"
+        raise refuse("ambiguous", "none of these colours, or not in this order?", clause.span, "say 'red or blue'")
     known = theme.part is not None or (len(things) == 1 and not _open(things[0]))
     if not told or not things or theme.patch or some or known:
         raise refuse("misplaced", "looks can be given, not excluded", clause.span, "say which colour they have")

@@ -49,6 +49,8 @@ from tests.corpus.run import read
         "put red at the left end of the row and blue in the third place",
         "put the red block in the middle of the row and the yellow block on one end",
         "the letters of HELP mirrored from right to left",
+        "There is a tower of A, B and C. Put the blocks in the order C, A, B.",
+        "The row must not be red, blue, green",
         # so many of them
         "A row of A, B, C, D with A and B together",
         "Spell CAT with one letter red",
@@ -136,6 +138,8 @@ ENDS = {"assets": {"yellow": 2, "green": 2, "white": 1}, "hold": ["yellow yellow
         ("There is a row of A, B and C. Move A to its other end.", ABC_TURNED),
         ("The blocks are in a tower: A, B, C. Put A at the opposite end.",
          {"assets": {"A": 1, "B": 1, "C": 1}, "start": ["A^B^C"], "hold": ["B^C^A"], "miss": ["A^B^C", "C^B^A"]}),
+        ("There is a tower of A, B and C. Put it in the order C, A, B.",
+         {"assets": {"A": 1, "B": 1, "C": 1}, "hold": ["C^A^B"], "miss": ["C A B", "B^A^C"]}),
         # how large
         ("row of 2 small and 2 large cubes, alternating", SIZES),
         ("a row of 2 small and 2 large cubes whose sizes alternate", SIZES),

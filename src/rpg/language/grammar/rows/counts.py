@@ -39,8 +39,6 @@ COUNTED: tuple[Turn, ...] = (
     # each lot of a line together
     (f"^(?:{PUT} )?({_LOT}) together(?: ,| and| , and) ({_LOT}) together(?: ,)? (?:all )?in (?:an?|one|a single) "
      f"({LINE})((?: , .+)?)$", "put {1} and {2} in a {3} , same colors together {4}"),
-    (f"^(?:{PUT} )?({_LOT}) together(?: ,| and| , and) ({_LOT}) together(?: ,)? (?:all )?in (?:an?|one|a single) "
-     f"({LINE}) , ({MANY}) (?:of )?each$", "put {4} {1} and {4} {2} in a {3} , same colors together"),
     (f"^(?=.*\\b{LINE}\\b)({_NONE}({COLOR})\\b{_NONE}({COLOR})\\b{_NONE}) , {_EITHER_LOT} together(?: ,| and| , and) "
      f"{_EITHER_LOT} together$", "{1} , same colors together"),
     # as many as of others

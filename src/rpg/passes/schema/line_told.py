@@ -146,6 +146,8 @@ def _between_each(said: Said) -> None:
     for line in said.lines if match else ():
         colors = {block.name: block.color for block in said.blocks(line)}
         ranks = [{colors[name] for name in rank} for rank in line.order.ranks if len(rank) == 1]
+        if len({*colors.values()}) == 1:
+            continue
         alike = len(ranks) < len(line.blocks) or any(one == other for one, other in pairwise(ranks))
         if match and alike and line.order.by != "alternating":
             raise said.refusal(match, "ambiguous", "it is not clear how many these are",

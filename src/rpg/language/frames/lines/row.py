@@ -286,9 +286,10 @@ def check_lots(pieces: Sequence[Piece]) -> None:
             more ("red, blue and green with red and blue together").
     """
     for n in (n for n, piece in enumerate(pieces) if piece.words == "with"):
-        behind = takewhile(lambda piece: piece.kind in ("lot", "break"), pieces[n + 1 :])
+        behind = [*takewhile(lambda piece: piece.kind in ("lot", "break"), pieces[n + 1 :])]
         again = {piece.words for piece in behind if piece.kind == "lot"}
-        if again and again <= {piece.words for piece in pieces[:n] if piece.kind == "lot"}:
+        placed = any(piece.kind == "place" for piece in pieces[n + 1 + len(behind) :][:1])
+        if again and not placed and again <= {piece.words for piece in pieces[:n] if piece.kind == "lot"}:
             raise Unclear
     if any(
         a.kind == c.kind == "lot" and b.kind == "glue" for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False)

@@ -142,7 +142,8 @@ PATTERNS = [
         "read",
     ),
     *patterns(
-        "glue", None, "on|onto|rearrange|rearranged|reorder|order|ordered|using", "(?:with|from|of|by) "
+        "glue", None, "on|onto|one(?= (?:reads?|can|could|may|sees?) )|rearrange|rearranged|reorder|order|ordered|using",
+        "(?:with|from|of|by) "
         "(?:letter )?(?:cube|block)",
         "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|"
         "correctly|properly|in order|in (?:this|that|the right) order|upright|in capital letters|in capitals|"

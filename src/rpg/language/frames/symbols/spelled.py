@@ -142,7 +142,7 @@ PATTERNS = [
         "read",
     ),
     *patterns(
-        "glue", None, "on|onto|one(?= (?:reads?|can|could|may|sees?) )|rearrange|rearranged|reorder|order|ordered|using",
+        "glue", None, "on|onto|one(?= (?:reads?|can|may|sees?) )|rearrange|rearranged|reorder|order|ordered|using",
         "(?:with|from|of|by) "
         "(?:letter )?(?:cube|block)",
         "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|"

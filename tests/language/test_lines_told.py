@@ -18,6 +18,7 @@ from tests.corpus.run import read
         # what is left out of all others
         "A row of five, all but the last one red",
         "A tower of four, all but the top one blue",
+        "A row of five, all but the first two red",
         "A row of five blocks, all red but the last one",
         "a column of five cubes, all of them except the middle one red",
         # what a block is not
@@ -117,6 +118,8 @@ ENDS = {"assets": {"yellow": 2, "green": 2, "white": 1}, "hold": ["yellow yellow
         ("A row of red and blue with green between them",
          {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["red green blue", "blue green red"],
           "miss": ["green red blue"]}),
+        ("A row of five: all blocks are red except the last two, which are blue",
+         {"assets": {"red": 3, "blue": 2}, "hold": ["red red red blue blue"], "miss": ["blue blue red red red"]}),
         ("A, B and C in one row, D behind B",
          {"assets": {"A": 1, "B": 1, "C": 1, "D": 1}, "hold": [". D . | A B C"], "miss": ["A B C D"]}),
         # in which order

@@ -90,18 +90,20 @@ _NTH = "(?:first|second|third|fourth|fifth|last|middle|leftmost|rightmost|top|bo
 _ALL = "(?:all|every|everything|each)(?: of)?(?: them| the blocks| the cubes| one| block| cube| blocks| cubes)?"
 _BUT = "(?: ,)? (?:but|except|except for|save|save for|apart from|other than|bar)(?: the)?"
 _IS = f"(?:is|are|{MUST} be)"
+_PLACES = f"{_NTH}(?: (?P<many>{MANY}))?"
+_HAVE = f"(?: ones?| blocks?| cubes?)?(?: ,)?(?: {_IS})?"
 _EXCEPT = (
-    re.compile(f"\\b{_ALL}{_BUT} {_NTH}(?: one| block| cube)?(?: ,)?(?: {_IS})? (?P<color>{COLOR})\\b"),
-    re.compile(f"\\b{_ALL}(?: {_IS})? (?P<color>{COLOR})(?: ones| blocks| cubes)?{_BUT} {_NTH}\\b"),
+    re.compile(f"\\b{_ALL}{_BUT} {_PLACES}{_HAVE} (?P<color>{COLOR})\\b"),
+    re.compile(f"\\b{_ALL}(?: {_IS})? (?P<color>{COLOR})(?: ones| blocks| cubes)?{_BUT} {_PLACES}\\b"),
 )
-"""All of a line but one of its places: what colour they have."""
+"""All of a line but some of its places: what colour they have."""
 
 
 def all_but(said: Said) -> None:
     """Refuse "a row of five, all but the last one red" as with the last one red, or with all of them red."""
     for match in (found for pattern in _EXCEPT if (found := pattern.search(said.text)) is not None):
-        color = lexicon.COLOR[match["color"]]
+        color, many = lexicon.COLOR[match["color"]], _number(match["many"] or "one")
         others = [sum(block.color != color for block in said.blocks(line)) for line in said.lines]
-        if others and 1 not in others and not said.begun:
+        if others and many not in others and not said.begun:
             raise said.refusal(match, "ambiguous", "it is not clear what this leaves out, and how that looks",
                                "say how each block looks, as in 'four red blocks and then a blue one'")  # fmt: skip

@@ -130,7 +130,8 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         last = laughed
     for at in range(first + 2, last - 1):
         long = last > at + 3 or tokens[at + 1].word in _KIND
-        if tokens[at].word in ("and", "but") and long and idle_at_an_end(tokens[at + 1 : last]):
+        excepted = tokens[at].word == "but" and _PLACED.issuperset(token.word for token in tokens[at + 1 : last])
+        if tokens[at].word in ("and", "but") and long and not excepted and idle_at_an_end(tokens[at + 1 : last]):
             yield at, last
             last = at
             break
@@ -145,6 +146,9 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
             yield one, other + (tokens[other + 1].word not in ("and", "then", "but"))
 
 
+_PLACED = frozenset({"the", "for", "one", "ones", "first", "second", "third", "fourth", "fifth", "last", "next", "two",
+                     "three", "only", "single", "very"})  # fmt: skip
+"""What is left out of all others: "all red but the last one"."""
 _OF_A_TIME = frozenset({"goal", "end", "result", "target", "start", "task", "outcome", "scene", "finish", "finally"})
 
 

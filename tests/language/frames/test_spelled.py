@@ -45,6 +45,12 @@ from tests.language.frames.told import told
             "Lay out the word C A T",
             "Spell CAT.",
         ),
+        ("Spell TOT with a red T.", "Spell TOT. 1 of the T blocks is red."),
+        (
+            "Spell NOON with both Ns red but one O blue",
+            "Spell NOON. The N blocks are red. 1 of the O blocks is blue.",
+        ),
+        ("Spell TREE with a green E", "Spell TREE. 1 of the E blocks is green."),
         (
             "Spell TREE with green Es",
             "Spell TREE. The E blocks are green.",
@@ -79,11 +85,10 @@ def test_parts_are_put_together(text: str, plain: str) -> None:
         "Write CAT in a tower from bottom to top with C on top.",
         "Spell CAT with the letters C, A and R.",
         "It should say DOG.",
-        "Spell TOT with a red T.",
         "Spell ONE with 2 letters.",
         "Spell THANK YOU",
-        "Spell NOON with both Ns red but one O blue",
-        "Spell TREE with a green E",
+        "Spell TREE with three green Es",
+        "Spell NOON with one O blue and the rest red",
     ],
 )
 def test_what_is_not_clear_is_not_told(text: str) -> None:

@@ -155,7 +155,7 @@ def plainly(tokens: Sequence[Token]) -> str | None:
 
 def _misnamed(words: Sequence[str]) -> bool:
     """Whether symbols are called what they are not, as "the digits A to D", or one kind is named twice for two."""
-    letters = any(re.fullmatch("[A-Z]", word) and word not in "AI" for word in words)
+    letters = any(re.fullmatch("[A-Z]", word) for word in words)
     digits = re.search(r"\b\d(?:-| to | through )\d\b", " ".join(words)) is not None
     named = {_KINDS[word] for word in words if word in _KINDS}
     twice = [word for word in ("vowels", "consonants") if words.count(word) > 1]

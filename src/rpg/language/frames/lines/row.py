@@ -6,7 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from rpg.language.frames import shared
 from rpg.language.frames.lines import parts as rowparts
@@ -282,8 +282,15 @@ def check_lots(pieces: Sequence[Piece]) -> None:
     """Lots are parted from each other, unless three or more bare colours are listed.
 
     Raises:
-        Unclear: they are not, or small words between them tell more ("from red to blue").
+        Unclear: they are not, or small words between them tell more ("from red to blue"), or some of them are told once
+            more ("red, blue and green with red and blue together").
     """
+    for n in (n for n, piece in enumerate(pieces) if piece.words == "with"):
+        behind = [*takewhile(lambda piece: piece.kind in ("lot", "break"), pieces[n + 1 :])]
+        again = {piece.words for piece in behind if piece.kind == "lot"}
+        placed = any(piece.kind == "place" for piece in pieces[n + 1 + len(behind) :][:1])
+        if again and not placed and again <= {piece.words for piece in pieces[:n] if piece.kind == "lot"}:
+            raise Unclear
     if any(
         a.kind == c.kind == "lot" and b.kind == "glue" for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False)
     ):
@@ -374,7 +381,13 @@ def order_of(pieces: Sequence[Piece], said: Said, row: Row) -> list[str] | None:
     return order
 
 
+_DEALT = re.compile(r"\bof (?:them|these|those|which)\b")
+
+
 def set_off(pieces: Sequence[Piece], at: int) -> bool:
-    """Whether the list that begins there stands behind a colon or comma which the row is named ahead of."""
+    """Whether the list that begins there stands behind a colon or comma which the row is named ahead of; "one of them
+    red, the others blue" is no list."""
+    if _DEALT.search(pieces[at].words):
+        return False
     ahead = [piece for piece in pieces[:at] if piece.kind not in ("glue", "place")]
     return bool(ahead) and ahead[-1].words in (":", ",") and any(piece.kind in ("figure", "mention") for piece in ahead)

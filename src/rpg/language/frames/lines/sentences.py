@@ -83,6 +83,8 @@ def in_words(row: Row, pieces: Sequence[Piece], names: Colored, lay: str = "") -
     Raises:
         Unclear: what is told of it cannot be told again.
     """
+    if {*row.counts} <= _SIZES and any(piece.kind == "pattern" and "color" in piece.words for piece in pieces):
+        raise Unclear  # "small and large blocks of alternating colors"
     check_about_middle(pieces, sum(row.counts.values()), sum(many for *_, many in row.facts))
     if row.near != row.first and row.near not in (row.first, {"right": "left", "back": "front"}.get(row.first)):
         raise Unclear
@@ -112,6 +114,8 @@ def _arranged(row: Row, noun: str, names: Colored) -> str:
         ):
             raise Unclear
         toward = f" {row.direction}" if row.direction else ""
+        if pattern == "alternating" and {*row.counts} <= _SIZES:
+            return f"{lay} of alternating sizes."
         return f"{lay}{_PATTERNS[pattern]}{toward}."
     row.facts = _without_rest(row.facts, size)
     slots = filled(size, [fact for fact in row.facts if fact[0] not in ("end", "other")], row.near, row.first)

@@ -12,7 +12,10 @@ from rpg.language.frames.pieces import Piece, Unclear, number, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 from rpg.language.frames.wishes import WHOSE, WISHES
 
-_X = "(?:(?:the |letter |an |a |one |both |all |every |each |only |its )*(?:[A-Z]s?|'[A-Z]')(?: blocks?| cubes?)?)"
+_X = (
+    "(?:(?:(?:one|[2-9]) of )?(?:the |letter |an |a |one |both |all |every |each |only |its )*(?:[A-Z]s?|'[A-Z]')"
+    "(?: blocks?| cubes?)?)"
+)
 _XS = f"{_X}(?:(?: ,)?(?: and)? {_X})*"
 _PART = "first|second|third|fourth|fifth|last|middle|final|initial"
 _LETTER = "(?:letters?|characters?|symbols?|(?:letter )?BLOCK)"
@@ -22,8 +25,8 @@ _CLASS = (
     f"{_LETTER})(?: of (?:the letters|the word|them))?)"
 )
 _ALL = (
-    f"(?:(?:all|every|each|the|its|both|everything|all of)(?: of)?(?: the| its)? )*(?:the )?{_LETTER}(?: of the "
-    "word)?|it all|everything|all of it|the (?:whole )?word"
+    "(?:one |[2-9] )?(?:(?:all|every|each|the|its|both|everything|all of)(?: of)?(?: the| its)? )*(?:the )?"
+    f"{_LETTER}(?: of the word)?|it all|everything|all of it|the (?:whole )?word"
 )
 _IS = (
     "(?:(?:both|all|being|in|with|colored|painted|printed|shown|made|of|written|have|has|a|an|body|BE|as|must be|"
@@ -87,8 +90,9 @@ PATTERNS = [
     ),
     *patterns(
         "tint", lambda match: (f"a {match['who']}" if match["article"] else match["who"], match["color"]),
-        "(?:with |from )*(?:the |(?P<article>an? ))?(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]s?|'[A-Z]')|vowels?|"
-        "consonants?)(?: BLOCK)?", f"(?:with )?(?:the |(?P<article>a ))?(?P<color>COLOR) (?P<who>(?:{_PART}) letter)",
+        "(?:with |from )*(?:the |(?P<article>an? |one ))?(?P<color>COLOR) (?:letter )?(?P<who>(?:[A-Z]s?|'[A-Z]')|"
+        "vowels?|consonants?)(?: BLOCK)?",
+        f"(?:with )?(?:the |(?P<article>a ))?(?P<color>COLOR) (?P<who>(?:{_PART}) letter)",
     ),
     *patterns("tint", lambda match: (match["who"], match["color"], number(match["count"])),
         r"(?:the |with |from )*(?P<count>[2-9]) (?P<color>COLOR) (?P<who>[A-Z])s?(?: BLOCK)?"),
@@ -138,7 +142,8 @@ PATTERNS = [
         "read",
     ),
     *patterns(
-        "glue", None, "on|onto|one|rearrange|rearranged|reorder|order|ordered|using", "(?:with|from|of|by) "
+        "glue", None, "on|onto|one(?= (?:reads?|can|may|sees?) )|rearrange|rearranged|reorder|order|ordered|using",
+        "(?:with|from|of|by) "
         "(?:letter )?(?:cube|block)",
         "for (?:me|us|my|our|the) (?:class|pupils|kids|children|students|son|daughter|lesson)|by means of|out|"
         "correctly|properly|in order|in (?:this|that|the right) order|upright|in capital letters|in capitals|"
@@ -241,13 +246,20 @@ def _tints(pieces: Sequence[Piece], word: str) -> str:
     """
     said = [piece.value for piece in pieces if piece.kind == "tint"]
     at: dict[int, str] = {}
+    some: list[tuple[str, int, str]] = []
     for who, color, *count in sorted(said, key=lambda tint: _is_rest(tint[0])):
         places = _places(who, word, set(at))
-        if not places or any(n in at for n in places) or (count and count[0] != len(places)):
+        shown = {word[n] for n in places}
+        many = count[0] if count else _MANY.get(who.split()[0], len(places))
+        if not places or any(n in at for n in places) or many > len(places) or (some and _is_rest(who)):
             raise Unclear
-        if not count and len(places) > 1 and who.split()[0] in ("a", "an", "one"):
+        if many == len(places) and shown.isdisjoint(glyph for glyph, _, _ in some):
+            at |= dict.fromkeys(places, color)
+            continue
+        glyph = min(shown)
+        some.append((glyph, many, color))
+        if len(shown) > 1 or sum(n for other, n, _ in some if other == glyph) > len(places):
             raise Unclear
-        at |= dict.fromkeys(places, color)
     if len(at) == len(word) and len(set(at.values())) == 1:
         return f" The letters are {at[0]}."
     text = ""
@@ -259,7 +271,13 @@ def _tints(pieces: Sequence[Piece], word: str) -> str:
         color = colors.pop()
         if color:
             text += f" The {glyph} is {color}." if len(of) == 1 else f" The {glyph} blocks are {color}."
+    for glyph, many, color in some:
+        text += f" {many} of the {glyph} blocks {'is' if many == 1 else 'are'} {color}."
     return text
+
+
+_MANY = {"a": 1, "an": 1, "one": 1, **{str(n): n for n in range(2, 10)}}
+"""How many of the letters that look alike are told of."""
 
 
 def _is_rest(who: str) -> bool:

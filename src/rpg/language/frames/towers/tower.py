@@ -8,6 +8,7 @@ from itertools import pairwise
 from rpg.language.frames.lots import LOTS, Lot, check_listed, counted, lot_of, one, placed_lots, with_placed
 from rpg.language.frames.pieces import Piece, Unclear, numbers, patterns
 from rpg.language.frames.shared import BREAKS, GLUE, WHERE
+from rpg.language.lexicon import SIZE
 
 _LISTED = "(?:(?:going|reading|listed|counting|ordered|read|told) )?(?:from )?(?:the )?"
 PATTERNS = [
@@ -107,6 +108,8 @@ def _placed(pieces: Sequence[Piece], size: int | None, colors: str) -> str:
         and placed
     ):
         raise Unclear  # the list may tell the order as well
+    if alternating and any(lot.look in SIZE for lot in lots):
+        raise Unclear  # sizes alternate, or colors that are not told?
     blocks = " and ".join(lot.blocks for lot in lots) or f"{size} blocks"
     text = f"Build a tower{' of alternating colors' if alternating else ''} from {blocks}"
     text += ", each a different color." if colors == "different" else "."

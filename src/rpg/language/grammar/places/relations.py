@@ -23,6 +23,7 @@ from rpg.language.grammar.places.sides import OVER
 from rpg.language.grammar.places.where_was import where_was
 from rpg.language.grammar.places.whose import whose
 from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.grammar.things.retold import brought_up
 from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, replace
 
 _COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"})
@@ -181,7 +182,7 @@ def _either_relation(p: Parser, i: int) -> Results[Meaning]:
                 span = p.span(i, end)
                 parts = (
                     Loc(rel=first, landmark=landmark, span=span),
-                    Loc(rel=second, landmark=landmark, mods=mods, negated=denied > 0, span=span),
+                    Loc(rel=second, landmark=brought_up(landmark), mods=mods, negated=denied > 0, span=span),
                 )
                 yield Coord(op=op, items=parts, span=span), end
 
@@ -226,7 +227,8 @@ def of_one_kind(first: Meaning, second: Meaning) -> Meaning:
     alike = isinstance(one, Noun) and isinstance(other, Noun) and one.head == "any" and one.det == other.det != "bare"
     if not alike or not isinstance(one, Noun) or not isinstance(other, Noun) or other.head != "patch":
         return first
-    return replace(first, landmark=replace(one, head="patch"))
+    like_it = not one.traits.colors or other.traits.colors  # not "on the blue one or on the mat"
+    return replace(first, landmark=replace(one, head="patch")) if like_it else first
 
 
 def on_its_own(place: Meaning) -> bool:

@@ -1,9 +1,9 @@
-"""How many of which there are to be, on each of several, and where some and others of them go, as rows that say it in
-one way."""
+"""How many of which there are to be, on each of several, in each lot of a line, and where some and others of them go,
+as rows that say it in one way."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, IS, PLACE, THING
+from rpg.language.grammar.rows.said_short import BLOCK, IS, LABEL, PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH, PATCHES
 
@@ -13,6 +13,13 @@ _LOTS = f"{MANY} (?:{COLOR} )?{_BLOCKS}(?: and {MANY} (?:{COLOR} )?{_BLOCKS})*"
 _A = f"(?:the |an? )?({COLOR})(?: {BLOCK}| one)?"
 _THREE = f"{_A} , {_A}(?: ,| and| , and) {_A}"
 _TWO = f"{_A} and {_A}"
+_EITHER = f"{THING}(?: , {THING})*(?: ,)?"
+_LOT = f"(?:the |(?:the )?{MANY} )?{COLOR}(?:s\\b| {_BLOCKS})?"
+_SHOWN = "(?:blocks|cubes|letters|digits|numbers)"
+_LABELS = f"{LABEL}(?:(?: ,)?(?: and)? {LABEL})+"
+_NONE = f"(?:(?!\\b{COLOR}\\b).)*\\b"
+_EITHER_LOT = f"(?:the )?(?:\\2|\\3)(?:s\\b| {_BLOCKS})?"
+"""What names no color, and blocks of one of the two that were named."""
 _SO_MANY = f"{MANY}(?: {COLOR})? (?:block|cube)s"
 _THERE = f"(?:{MUST}|is|are|go|goes|on|in|stands?)"
 _OTHERS = f"(?:(?:,|and|, and) {MANY} {_THERE} (?!(?:top )?of them).+)"
@@ -25,6 +32,19 @@ COUNTED: tuple[Turn, ...] = (
      "{1} . there are {2}"),
     ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"
      "remaining ones) (?:may|can) (?:be|go|lie|stay|stand) (?:anywhere|wherever(?: you like| they like)?)$", "{1}"),
+    # symbols of two colors
+    (f"^(?:{PUT} )?(?:the )?({_SHOWN}) ({_LABELS}) (?:are )?({COLOR})(?: ,| and| , and) (?:(?:the )?{_SHOWN} )?"
+     f"({_LABELS}) (?:are )?({COLOR})(?: ,)? (?:all )?(in an? {LINE})$",
+     "put {1} {2} and {4} {6} . {1} {2} are {3} . {1} {4} are {5}"),
+    # each lot of a line together
+    (f"^(?:{PUT} )?({_LOT}) together(?: ,| and| , and) ({_LOT}) together(?: ,)? (?:all )?in (?:an?|one|a single) "
+     f"({LINE})((?: , .+)?)$", "put {1} and {2} in a {3} , same colors together {4}"),
+    (f"^(?=.*\\b{LINE}\\b)({_NONE}({COLOR})\\b{_NONE}({COLOR})\\b{_NONE}) , {_EITHER_LOT} together(?: ,| and| , and) "
+     f"{_EITHER_LOT} together$", "{1} , same colors together"),
+    # as many as of others
+    (f"^((?:{PUT} )?)(an?|one|the) ({LINE}) of ({COLOR}) ({_BLOCKS})(?: ,)? (?:that (?:is|{MUST} be) )?(?:exactly |"
+     f"just )?as (?:long|tall|high) as (an?|one|the|another) ({LINE}) of ({MANY}) (?!{LINE})((?:{COLOR} )?{_BLOCKS})$",
+     "{1} {2} {3} of {8} {4} {5} . {6} {7} of {8} {9}"),
     # on each of several
     (f"^on each of ((?:the |my )?{MANY} [^,]+?) there (?:{MUST}|is|are) ?(?:be|stand|lie|sit)? ?(?:exactly )?((?:one|"
      "an?) [^,]+?)$", "put {2} on each of {1}"),
@@ -51,6 +71,11 @@ COUNTED: tuple[Turn, ...] = (
     (f"^put ({THING}) and either ({THING}) or ({THING}) (on .+)$", "{1} must be {4} . {2} or {3} must be {4}"),
     (f"(?: ,)? without (?:either|any|one)(?: one)? of (?:them|the two) touching ({THING})$",
      " and they must not touch {1}"),
+    *((f"^(?:either )?({_EITHER}) or ({THING})(?: ,)? but not ({THING})(?: ,)? {be} (.+)$",
+       f"{{1}} or {{2}} {said} {{4}} . {{3}} {said} not {{4}}")
+      for be, said in ((f"(?:{MUST})", "must"), ("is", "is"), ("are", "are"))),
+    (f"^(?:put|place|move|set|bring) (?:either )?({_EITHER}) or ({THING})(?: ,)? but not ({THING})(?: ,)? ({PLACE}.*)$",
+     "{1} or {2} must be {4} . {3} must not be {4}"),
     ("^in any case(?: ,)? (?=\\w)", ""),
     # and not the other way round
     (f"^(?:it (?:{MUST}) be )?not (\\w+) on (\\w+) ,? ?but (?:the other way (?:round|around) [:,] )?\\2 on \\1$",

@@ -38,7 +38,7 @@ PLACES = {
     "back": f"(?:in |at |to )?(?:the )?(?:very )?(?:back|rear){_END}|(?:the )?(?:farthest|furthest)(?: one)?{_FROM_ME}"
             "|rearmost|(?:the )?last(?: one)?(?: from the front)?",
     "middle": "(?:(?:right |exactly )?in|at) (?:the|its) (?:very |exact )?(?:middle|center)"
-              f"(?: position| place| of it| between them)?|the middle {_NOUN}|the one in the middle",
+              f"(?: position| place| of it| between them)?|the middle {_NOUN}|the one in the middle|middle|center",
     "ends": "(?:at|on) (?:both|the|the two|either|each) (?:ends?|sides?)(?: of it)?"
             "|the (?:two )?outer(?:most)?(?: ones| blocks)?",
     "rest": "(?:all )?the rest|the others|the other (?:ones|blocks)|(?:those|the ones) (?:in )?between"
@@ -96,7 +96,7 @@ _A_LINE = f"(?:straight |single )?(?P<line>{LINE}){_SIZE}(?: on the table)?"
 _WHERE = "in which|where|so that|such that|with|which has|that has|has|have|and(?= it)|that(?= \\w+s )"
 FRAMES = (
     f"^{_LEAD}(?:in )?(?:an?|the|one|my|this) {_A_LINE}(?: {MUST} be{_MADE})?(?: ,)?(?: :| (?:{_WHERE}))?(?= )",
-    f"^(?P<line>{LINE}) :",
+    f"^(?P<line>{LINE})(?: :| with(?= ))",
     f"{_ALL} (?:in|of) (?:an?|one|the) {_A_LINE}(?=$| ,| ;| \\.| and | is | are | {MUST} | : )",
     f"(?:^|{_ALL} )(?:standing )?(?P<line>one behind the other|behind each other|behind one another)(?: :)?(?=$| )",
 )

@@ -3,7 +3,7 @@ first, as rows that say it plainly: "the blue one serves as a base for the red o
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING
+from rpg.language.grammar.rows.said_short import ASIDE, IS, PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST
 
@@ -11,6 +11,7 @@ _BASE = f"as (?:a|an|the|its) (?:base|support|stand) (?:for|of(?= {THING}))"
 _TO = "(?:(?:on |to )?(?:the |its )?)"
 _SIDES = f"{_TO}left and {_TO}right"
 _SET_DOWN = f"{PUT}(?: it)?(?: down)?"
+_BY = f"(?:{ASIDE}|next to|beside)"
 _YOU = "(?:you|we)"
 _TASK = "(?:the|my|your|our) (?:task|job|goal)"
 _DONE = "(?:done|finished|ready|solved|complete|completed|accomplished|reached|achieved|over)"
@@ -24,6 +25,9 @@ RELATED_AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} "),
     (f"^make ({THING}) the (?:one|{CUBE}) (?={PLACE} )", "put {1} "),
     (f"^use ({THING}) as (?:a|the) base(?: ,)? and ({PUT}|stack) ({THING}) (?:on|on top of) it$", "{2} {3} on {1}"),
+    # on one side of what is told of, or on another
+    (f"^(.+?) (?:either )?({_BY}) ((?:an?|one) (?:(?!\\bor\\b)[^,:])+?)(?: ,)? or (?:else )?(?:(?:it|they) {IS} )?"
+     f"({_BY}) (?:it|that)$", "{1} {2} or {4} {3}"),
     # how it is when all is done
     (f"^(?:when|once|if|as soon as) (.+?) , (?:then )?(?:{_YOU} are {_DONE}|{_TASK} is {_DONE})$", "{1}"),
     (f"^{_YOU} (?:will|should|must) (?:find|see) ({THING}) ({PLACE} .+?)(?: ,)? (?:when {_YOU} are {_DONE}|at the end|"

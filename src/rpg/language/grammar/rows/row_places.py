@@ -52,7 +52,7 @@ def told_by_places(tokens: list[Token]) -> list[Token]:
 def _told(tokens: list[Token]) -> list[Token]:
     """A sentence, or some that go together, told in order; nothing where they do not tell a line place by place."""
     stop = tokens[-1:] if tokens[-1].word in STOPS else []
-    words = [_word(tokens, n) for n in range(len(tokens) - len(stop))]
+    words = [word_of(tokens, n) for n in range(len(tokens) - len(stop))]
     text = re.sub(w.SAID, "", " ".join(";" if word in STOPS else word for word in words))
     mirrored = re.search(w.MIRRORED, text) is not None
     text = re.sub(w.STOCKED, r"\1 : \2 : ", re.sub(w.MIRRORED, "", text))
@@ -74,7 +74,7 @@ def _joined(parts: list[list[Token]]) -> list[Token]:
     return [token for part in parts for token in part]
 
 
-def _word(tokens: list[Token], n: int) -> str:
+def word_of(tokens: list[Token], n: int) -> str:
     """A word of the text; a capital that stands alone is a label."""
     token = tokens[n]
     after = tokens[n + 1].word if n + 1 < len(tokens) else ""
@@ -114,7 +114,8 @@ def _in_order(text: str, ends: tuple[str, str], size: int | None, mirrored: bool
     bare = len(parts) > 1 and parts[0].place == "" and size is not None and all(p.place == "next" for p in parts[1:])
     parts = [replace(parts[0], place=ends[0]), *parts[1:]] if bare else parts
     parts = _counted(parts, size, stock)
-    laid = _laid(parts, ends) if len(parts) > (1 if bare or stock else 2) else []
+    outwards = {part.place for part in parts} == {"middle", "ends"}
+    laid = _laid(parts, ends) if len(parts) > (1 if bare or stock or outwards else 2) else []
     if not laid or (size is not None and size != len(laid)) or (stock and Counter(laid) != stock):
         return []
     if mirrored and laid != laid[::-1]:
@@ -185,9 +186,15 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
         ):
             told = re.fullmatch(order, said)
             part = _thing(told["thing"], _numbered(told, ends) if place == "nth" else place) if told else None
+            if part is not None and place == "ends" and part.many > 1 and _EACH.search(said):
+                part = replace(part, many=2 * part.many)
             if part is not None and (part.many or place in ("ends", "rest") or part.look):
                 return replace(part, many=before[-1].many) if part.many < 0 and before else part
     return None
+
+
+_EACH = re.compile(r"\b(?:each|either) (?:end|side)")
+"""So many as are told are at either of them."""
 
 
 def _from_the_last(before: list[_Part], ends: tuple[str, str]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
@@ -111,9 +112,26 @@ def alternation_alone(p: Parser, i: int) -> Results[OrderBy]:
     """ "The colours alternate.", "No two neighbours have the same colour.": of the line that was built."""
     if p.rarely(_TELLING) and p.stands(i, _TWICE):
         for patterns, by in ((_ALONE, "alternating"), *_KEPT_APART, (_IT_READS, "mirrored")):
-            yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
+            yield from ((_of_colors(p, i, j, by), j) for j in patterns.matches(p, i))
 
 
+def _of_colors(p: Parser, i: int, j: int, by: str) -> OrderBy:
+    return OrderBy(by=by, values=what_alternates(by, p.words[i:j]), span=p.span(i, j))
+
+
+def what_alternates(by: str, words: Sequence[str]) -> tuple[str, ...]:
+    """The colours, where words of an alternation name them; else it is of whatever tells the blocks apart."""
+    return ("color",) if by == "alternating" and not _COLORS.isdisjoint(words) else ()
+
+
+_COLORS = frozenset({"color", "colors"})
+_SIZES = Patterns(
+    ",|and? alternating|alternate|alternates in|by size|sizes",
+    ",? taking|take turns in|by size|sizes",
+    "with|of|in alternating sizes",
+    ",? whose|with|the|their? size|sizes should|must|will? alternate|alternates|alternating",
+)
+"""The sizes of the blocks spoken of alternate."""
 _BETWEEN = (
     ", alternate", ": alternate", ", alternates",
     "alternating between", "with alternating colors", "in alternating colors ,", "alternating", "alternately",
@@ -156,7 +174,7 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
     for j in _TURNS.matches(p, i):
         two = p.opt(j, "between", ":", ",")
         if two == j or p.words[j] != "between":
-            yield OrderBy(by="alternating", span=p.span(i, j)), j
+            yield _of_colors(p, i, j, "alternating"), j
         for found, k in _two(p, i, two):  # ", three red and three white" is what there is
             if p.words[j] != "," or not any(isinstance(x, Noun) and x.amount for x in parts_of(found)):
                 yield found, k
@@ -165,7 +183,8 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
     lined = p.anywhere(_LINES)
     for patterns, by in (*_KEPT_APART[: 1 + lined], (_ANY_TWO, "alternating"), (_MIRRORED, "mirrored")):
         start = p.opt(i, ",") if patterns is _ANY_TWO else i
-        yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, start))
+        yield from ((_of_colors(p, i, j, by), j) for j in patterns.matches(p, start))
+    yield from ((OrderBy(by="alternating", attribute="size", span=p.span(i, j)), j) for j in _SIZES.matches(p, i))
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
         set_off = p.one(j, (",", ":")) if p.follows(j, ("colors",)) else 0

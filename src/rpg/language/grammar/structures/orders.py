@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import toward
-from rpg.language.grammar.structures.alternation import alternation
+from rpg.language.grammar.structures.alternation import alternation, what_alternates
 from rpg.language.grammar.structures.ascents import ascent, counted
 from rpg.language.grammar.structures.gradients import from_to
 from rpg.language.grammar.structures.kinds_first import kinds_first
@@ -108,7 +108,8 @@ def order(p: Parser, i: int) -> Results[Meaning]:
                 yield OrderBy(by=by, values=ends, span=p.span(i, end)), end
             for end in dict.fromkeys((paged or k, k)):
                 sort = _sort(p, by, start, k)
-                yield OrderBy(by=by, span=p.span(i, end), descending=descending, attribute=sort), end
+                told = what_alternates(by, p.words[start:k])
+                yield OrderBy(by=by, values=told, span=p.span(i, end), descending=descending, attribute=sort), end
         if (
             start > i and p.words[i] == "sorted"
         ):  # "sorted from left to right": by what they show, not as they are listed

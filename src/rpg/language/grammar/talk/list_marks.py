@@ -14,7 +14,9 @@ _ON = frozenset({"on", "onto", "behind", "under", "beside", "below", "above", "n
 
 
 def lists_in_one(tokens: list[Token]) -> list[Token]:
-    """The tokens with a comma for each semicolon inside a list, and none before the "and" of two counted colours."""
+    """The tokens with a comma for each semicolon or slash inside a list, and none before the "and" of two counted
+    colours."""
+    tokens = _slashes(tokens)
     out = list(tokens)
     for n, token in enumerate(tokens):
         if token.word == ";" and token.raw.strip() == ";" and (_goes_on(tokens, n) or _of_groups(tokens, n)):
@@ -22,6 +24,24 @@ def lists_in_one(tokens: list[Token]) -> list[Token]:
     return _digits([token for n, token in enumerate(out) if not _before_and(out, n)])
 
 
+def _slashes(tokens: list[Token]) -> list[Token]:
+    """ "In a row: white/black/white/black": a list, where its items are single looks and nothing else parts them."""
+    out = list(tokens)
+    for colon in (n for n, token in enumerate(tokens) if token.word == ":"):
+        if not _FIGURES.isdisjoint(token.word for token in tokens[:colon]):
+            continue
+        slashes, (kind, end) = [], _item(tokens, colon + 1)
+        while end < len(tokens) and tokens[end].word == "/" and _item(tokens, end + 1)[0] == kind:
+            slashes.append(end)
+            end = _item(tokens, end + 1)[1]
+        if kind and len(slashes) > 1 and (end == len(tokens) or tokens[end].word in _STOPS):
+            for n in slashes:
+                out[n] = replace(tokens[n], word=",", raw=",")
+    return out
+
+
+_FIGURES = frozenset({"grid", "rows", "columns", "matrix", "wall", "table", "layers", "towers", "stacks"})
+"""Of these a slash may part the lines."""
 _GROUPS = frozenset({"groups", "clusters", "bunches", "piles", "heaps", "clumps"})
 _LOTS = frozenset({"letters", "digits", "numbers", "the", "and", ",", ";", "plain", "cube", *lexicon.BLOCK})
 

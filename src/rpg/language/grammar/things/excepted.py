@@ -31,20 +31,21 @@ NO_MORE = ("and nothing else", "nothing else", "and nothing more", "nothing more
 """Behind a structure, and at the end of it all: no block is there anyway that is not called for."""
 
 
-def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord | Structure]:
-    """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B"."""
+def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int, op: str | None) -> Results[Coord | Structure]:
+    """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B". `op` joins the
+    items: of "red or blue, but not green" nothing is taken."""
     shape = items[0] if len(items) == 1 else None
     alone = p.any_of(comma, NO_MORE) if isinstance(shape, Structure) else 0
     if isinstance(shape, Structure) and alone and (alone >= p.end or p.words[alone] in (",", ";", ":")):
         yield shape, alone
     yield from _but_none_of(p, i, items, comma)
-    whole = len(items) == 1 and universal(items[0]) and (op := _but(items[0])) is not None
+    whole = len(items) == 1 and universal(items[0]) and (taken := _but(items[0])) is not None
     if whole and p.words[comma : comma + 1] == ["but"] and p.words[comma + 1] not in ("not", "only", "first"):
         for item, j in noun_phrase(p, p.reach(comma + 1)):
-            named = ("the", "all", "bare") if op == "none but" and not _so_many(item) else ("the", "all")
+            named = ("the", "all", "bare") if taken == "none but" and not _so_many(item) else ("the", "all")
             if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in named):
-                yield Coord(op=str(op), items=(*items, item), span=p.span(i, j)), j
-    if k := p.any_of(comma, _EXCEPT):
+                yield Coord(op=str(taken), items=(*items, item), span=p.span(i, j)), j
+    if (k := p.any_of(comma, _EXCEPT)) and op != "or" and not any(map(_any_of, items)):
         for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
             closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
             if p.words[comma] == "apart" and _of_another_kind(items[0], item):
@@ -55,11 +56,11 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
                 continue
             if p.words[comma] == "without" and not _among(item, items):
                 continue
-            if (op := _but(items[0])) is not None and not (universal(items[0]) and _so_many(item)):
-                item = _all_such(item) if universal(items[0]) and op == "except" else item
+            if (taken := _but(items[0])) is not None and not (universal(items[0]) and _so_many(item)):
+                item = _all_such(item) if universal(items[0]) and taken == "except" else item
                 parted = len(items) > 1 and isinstance(items[0], Noun) and items[0].part_of is not None
                 cost = 2 * (parted or any(map(shares_head, items, items[1:])))  # "red, green and blue cubes" are one
-                those = Coord(op=op, items=(*items, item), span=p.span(i, j), cost=cost)
+                those = Coord(op=taken, items=(*items, item), span=p.span(i, j), cost=cost)
                 yield from ((those, end) for end in {j: None, closed: None})
 
 
@@ -81,6 +82,11 @@ def _all_such(item: Meaning) -> Meaning:
     if not bare or not isinstance(item, Noun) or item.traits != Traits(colors=item.traits.colors[:1]):
         return item
     return replace(item, head="block", det="all", plural=True) if item.traits.colors else item
+
+
+def _any_of(item: Meaning) -> bool:
+    """ "red, blue or white": any of these."""
+    return isinstance(item, Noun) and item.traits.either and not universal(item)
 
 
 def _one(whole: Meaning) -> bool:

@@ -238,7 +238,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
     comma = p.opt(at, ",", ";", "/")
     joined, word = _joint(p, comma, op, items[-1])
     summed = word == "and" and p.words[comma] == "+"
-    yield from exceptions(p, i, items, comma)
+    yield from exceptions(p, i, items, comma, op)
     if not joined and (k := p.any_of(comma, ("followed by", "then"))):
         joined, word = k, "then"
     now = {"or": "or", "nor": "or"}.get(word, "and") if joined else op

@@ -42,10 +42,24 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     _one_of_several(clause.theme, theme, spec, scene)
     if isinstance(clause.theme, Pronoun) and theme.plural and any(q.traits.colors for q in spec.qualities):
         theme = _all_open(theme, scene)
+    theme = _so_many_alike(theme, scene)
     for quality in spec.qualities:
         _give(theme, quality, clause, scene)
     spec.qualities = []
     return []
+
+
+def _so_many_alike(theme: Ref, scene: Scene) -> Ref:
+    """ "One of the Os is blue": one of those of no told colour, whichever it is of several that look alike."""
+    quant, things = theme.quant, [scene.things[n] for n in theme.names]
+    if quant is None or theme.patch or quant.low >= len(things):
+        return theme
+    open_ = [t for t in things if t.color is None]
+    alike = len({(t.label, t.size) for t in open_}) == 1 and open_[0].label is not None
+    if not alike or not 0 < quant.low <= len(open_) or theme.op != "and":
+        raise refuse("ambiguous", "it is not clear which of these look so, and how the others look", theme.span,
+                     "say how many blocks there are of each look")  # fmt: skip
+    return replace(theme, names=tuple(t.name for t in open_[: quant.low]), quant=None)
 
 
 def _barred(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> list[g.Goal]:
@@ -55,6 +69,9 @@ def _barred(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> list[g.Goal
     told = all(replace(q.traits, either=False) == Traits(colors=q.traits.colors) for q in spec.qualities)
     some = theme.op != "and" or (theme.quant is not None and theme.quant.high != 0)
     some = some or spec.manner("not all") is not None
+    listed = theme.built and any(len(q.traits.colors) > 1 and not q.traits.either for q in spec.qualities)
+    if listed:  # "the row must not be red, blue, green"
+        raise refuse("ambiguous", "none of these colours, or not in this order?", clause.span, "say 'red or blue'")
     known = theme.part is not None or (len(things) == 1 and not _open(things[0]))
     if not told or not things or theme.patch or some or known:
         raise refuse("misplaced", "looks can be given, not excluded", clause.span, "say which colour they have")

@@ -36,7 +36,7 @@ from rpg.passes.schema.resolve.orders.orders import order_of
 from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
-from rpg.passes.schema.resolve.orders.reordered import within
+from rpg.passes.schema.resolve.orders.reordered import kind_again, within
 from rpg.passes.schema.resolve.places.mutual import of_every_two
 from rpg.passes.schema.resolve.places.patches import like_the_last
 from rpg.passes.schema.resolve.places.placing import Goals, absolutes, loose_ats, places
@@ -136,7 +136,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     elif heaped or verb == "stack":
         ref, goals = _stacked(theme, spec, scene, scope, span, bool(heaped))
     elif _wants_row(verb, spec, theme):
-        built, goals = make(Structure(kind="line", span=span), spec, theme, scene, scope)
+        built, goals = make(Structure(kind=kind_again(theme, spec, scene), span=span), spec, theme, scene, scope)
         spec.orders = []
         ref = replace(theme, names=built[0].members, built=tuple(built))
         scene.mention(ref, "theme")

@@ -27,6 +27,7 @@ from rpg.language.meaning import (
     Spacing,
     Structure,
     Toward,
+    Traits,
     Using,
     parts_of,
     replace,
@@ -61,6 +62,8 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
             match part:
                 case Noun():
                     _noun(part)
+                case Coord(op="and"):
+                    _listed_with(part.items, part.span)
                 case Structure():
                     _structure(part)
                 case Clause():
@@ -132,6 +135,7 @@ def _certain(part: Using | OrderBy | Absolute) -> None:
                 raise _unfit("nothing can be made of no blocks", part.span, "name the blocks to be used")
         case OrderBy():
             items = part.items
+            _listed_with(items, part.span)
         case _:
             items = (part.theme,)
     if any(_open(item) for item in items):
@@ -169,6 +173,17 @@ def _noun(noun: Noun) -> None:
         ):
             what = {"letter": "letter", "digit": "number"}[traits.kind]
             raise _unfit(f"{label} is no {what}", noun.span, f"leave out the word '{what}'")
+
+
+def _listed_with(items: tuple[Meaning, ...], span: Span) -> None:
+    """Refuse "the odd digits 1, 3 and 4" as two odd digits and one more: what is listed with them is such as well."""
+    first, *others = items or (None,)
+    if not isinstance(first, Noun) or not first.plural or not first.traits.labels:
+        return
+    for other in others:
+        if not isinstance(other, Noun) or other.traits != Traits(labels=other.traits.labels) or other.det != "bare":
+            return
+        _noun(replace(first, traits=replace(first.traits, labels=other.traits.labels), span=span))
 
 
 def _all_such(labels: tuple[str, ...], quality: str | None, span: Span) -> None:

@@ -1,4 +1,4 @@
-"""What alternates along a line: colours, kinds, vowels and consonants, odd and even digits."""
+"""What alternates along a line: colours, sizes, kinds, vowels and consonants, odd and even digits."""
 
 from __future__ import annotations
 
@@ -46,6 +46,9 @@ def as_listed(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
 
 def alternating(order: OrderBy, things: list[Thing], scene: Scene) -> Attribute:
     """What an alternation or a mirrored line is told apart by; colours are given to blocks that have none."""
+    if order.by == "alternating" and not order.values and (order.attribute == "size" or _by_size(order, things)):
+        _two_sizes(order, things)
+        return "size"
     if order.items and order.by == "alternating":
         sorts = [x.traits for x in order.items if isinstance(x, Noun) and not x.traits.colors]
         told = _SORTS.get(frozenset(x.quality or x.kind for x in sorts)) if len(sorts) == len(order.items) else None
@@ -59,6 +62,20 @@ def alternating(order: OrderBy, things: list[Thing], scene: Scene) -> Attribute:
     return attribute
 
 
+def _by_size(order: OrderBy, things: list[Thing]) -> bool:
+    """Whether what is told of the blocks is how large they are: "three small and three large cubes, alternating"."""
+    told = [x.traits for x in order.items if isinstance(x, Noun)]
+    if order.items:
+        return len(told) == len(order.items) == len({x.size for x in told}) and not any(x.colors for x in told)
+    return len({t.size for t in things}) > 1 and len({t.color for t in things}) == 1 and not any(t.kind for t in things)
+
+
+def _two_sizes(order: OrderBy, things: list[Thing]) -> None:
+    if len({t.size for t in things}) != _PAIR:
+        raise refuse("contradiction", "these blocks are not of two sizes", order.span, "say 'small and large blocks'")
+
+
+_PAIR = 2
 _HOW = "it is not clear how these alternate: in this order again and again, or just so that no neighbours are alike?"
 
 

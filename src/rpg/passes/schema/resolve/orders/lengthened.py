@@ -11,6 +11,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.mirrored import mirrored
 from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.orders.positions import doubled
+from rpg.passes.schema.resolve.places.either_end import at_an_end
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -176,5 +177,7 @@ def _further(item: Absolute, kind: str, own: Collection[str | None], closed: boo
         return None
     if place.side in ("rest", "next") or (kind == "stack" and isinstance(place, At) and place.side != "middle"):
         return None
-    count = _ENDS if ends else amount_of(theme) or 1
+    count = amount_of(theme) or 1
+    if isinstance(place, Places) and ends and not at_an_end(place):
+        count = _ENDS * count if place.each or count == 1 else count
     return replace(theme, det="bare", amount=Amount(count, count), plural=count > 1)

@@ -161,6 +161,20 @@ def _again(built: Built, names: tuple[str, ...], scene: Scene, span: Span) -> g.
     return s.Row(blocks=names, axis="y" if first in ("left", "right") else "x", order=order, span=span)
 
 
+def kind_again(theme: Ref, spec: Spec, scene: Scene) -> str:
+    """ "(There is a tower of A, B and C.) Put it in the order C, A, B": as what these blocks are lined up."""
+    if spec.toward or spec.absolutes:
+        return "line"
+    if len(theme.built) == 1 and theme.built[0].kind in FIRST:
+        return theme.built[0].kind
+    there = [b for b in scene.built if b.kind in ("stack", "column") and {*b.members} == {*theme.names}]
+    if there and any(order.by == "given" for order in spec.orders):
+        first = FIRST[there[-1].kind]
+        raise refuse("ambiguous", "in a row, or as these blocks are lined up at the start?", theme.span,
+                     f"say 'in a row', or 'from {first} to {LAST[first]}'")  # fmt: skip
+    return "line"
+
+
 def begun_in_order(built: Built, scene: Scene) -> Built | None:
     """A structure of the start whose blocks differ, in the order in which they were named; None for others."""
     looks = {(t.color, t.label) for t in (scene.things[n] for n in built.members)}

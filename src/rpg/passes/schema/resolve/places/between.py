@@ -38,6 +38,8 @@ def between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
             raise refuse("ambiguous", "no other block, or no gap?", loc.span, "say 'touching' if there is to be no gap")
         scene.surveyed.append((Traits(), tuple({*theme.names, *mark.names}), span))
         return conj([g.Not(goal=r.Between(a=(n,), b=b, c=c, span=span), span=span) for n in others], span)
+    if {*theme.names} & {*mark.names} and theme.quant is None:
+        raise refuse("self-reference", "a block is not between itself and another one", loc.span, "name other blocks")
     if loc.rel == "sandwiched":
         if len(theme.names) != 1 or any(len(e.names) != 1 for e in ends):
             raise refuse("misplaced", "one block is sandwiched between two", loc.span)

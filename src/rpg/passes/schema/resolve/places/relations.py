@@ -29,6 +29,7 @@ from rpg.passes.schema.resolve.places.mutual import (
     of_the_towers,
     one_for_each,
 )
+from rpg.passes.schema.resolve.places.one_structure import of_one_structure
 from rpg.passes.schema.resolve.places.patches import (
     any_of_the_rest,
     check_same,
@@ -97,7 +98,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:
                 return [x for n in theme.names for x in place(Ref(names=(n,)), meaning, scene, scope, span)]
             if meaning.op == "or":
-                return [disj([_alternative(theme, x, scene, scope, span) for x in meaning.items], span)]
+                places = of_one_structure(meaning.items, scene, scope)
+                return [disj([_alternative(theme, x, scene, scope, span) for x in places], span)]
             return [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
         case Loc(landmark=Coord(op=op, items=marks)) if any(getattr(x, "word", "") == "each other" for x in marks):
             both = tuple(replace(meaning, landmark=x) for x in marks)
@@ -163,8 +165,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         ]
     loc = on_any_patch(loc, theme, scene, scope, denied=denied or none)
     rel = f"not {loc.rel}" if none or denied else loc.rel
-    like = like and loc.rel in ("on", "in")
-    there = replace(scope, role="landmark", like_patch=like, pool=(), need=None, rel=rel)
+    there = replace(scope, role="landmark", like_patch=like and loc.rel in ("on", "in"), pool=(), need=None, rel=rel)
     mark = off_what(theme, loc, scene) or refer(loc.landmark, scene, there)  # type: ignore[arg-type]
     return related(theme, mark, loc, scene, span)
 

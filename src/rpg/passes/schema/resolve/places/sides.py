@@ -9,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import members
-from rpg.ir.order import Order
+from rpg.ir.order import Order, Side
 from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning, replace
 from rpg.passes.schema.resolve.goals.logic import conj
@@ -346,11 +346,19 @@ def _has_middle(loose: list[Loose], *ends: str) -> None:
 def _in_row(loose: list[Loose], scene: Scene) -> g.Goal:
     """Sides and middle of a row that only its parts speak of."""
     rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
-    ranked = sorted(loose, key=lambda item: rank.get(item[1].side if isinstance(item[1], At) else "middle", 1))
+    along = any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)
+    first: Side = "front" if along else "left"
+    placed, free = each_at_its_end([(ref, at_, span) for ref, at_, span in loose if isinstance(at_, At)], first)
+    ranked = sorted(placed, key=lambda item: rank.get(item[1].side, 1))
+    for n, (_, at_, _) in enumerate(ranked):
+        ahead = sum(len(ref.names) for ref, _, _ in ranked[:n])
+        sure = at_.side in rank or (at_.side, at_.index) == ("first", ahead + 1)
+        if free or not sure or len(placed) < len(loose):
+            raise refuse("ambiguous", "it is not clear which blocks of the row are there", at_.span,
+                         "say how many blocks are at the left end, and how many at the right end")  # fmt: skip
     ranks = tuple(ref.names for ref, _, _ in ranked)
     blocks = tuple(n for names in ranks for n in names)
-    along = any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)
-    order = Order(by="given", ranks=ranks, first="front" if along else "left")
+    order = Order(by="given", ranks=ranks, first=first)
     scene.add_built("row", blocks, True, loose[0][2], "left")
     return s.Row(blocks=blocks, axis="x" if along else "y", order=order, span=(loose[0][2][0], loose[-1][2][1]))
 

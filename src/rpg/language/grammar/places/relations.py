@@ -252,6 +252,7 @@ def _between(p: Parser, i: int) -> Results[Meaning]:
     j = i
     if p.words[j : j + 1] and p.words[j] in ("directly", "exactly", "right", "somewhere"):
         mods, j = (("somewhere",) if p.words[j] == "somewhere" else ("directly",)), p.reach(j + 1)
+    j = p.opt(j, "strictly")
     name = "between"
     k = p.any_of(j, ("in between", "in the middle of", "midway between", "halfway between", "between",
         "in the middle between",

@@ -11,7 +11,7 @@ MAT = "(?:patch|mat|zone|target|area|spot)"
 MARK = f"(?:the|an?) \\w+ {MAT}"
 HEAP = "(?:heap|pile|jumble)"
 _SHAPE = f"(?:{LINE}|{HEAP})"
-EVENT = "(?:episode|task|run|game|process|procedure|exercise|operation|trial|simulation|test)"
+EVENT = "(?:episode|task|run|game|process|procedure|exercise|operation|trial|simulation|test|round|level|puzzle|match)"
 TIME = (
     "(?:at (?:the )?(?:very )?(?:start|beginning|outset)|initially|originally|in the beginning|to (?:begin|start) "
     "with|"
@@ -172,6 +172,8 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise as it stands."""
 
 BEGUN: tuple[Turn, ...] = (
+    (f"^(?:the|this|each|every|our|my) {EVENT} {STARTS} with (?=an?\\b|the\\b|all\\b|{MANY}\\b|{COLOR}\\b)",
+     "at the start there is "),
     (f"^put (an? .+?) on ({MARK}) only (?:after|when|once) ({ONE}) , {WHICH} {STARTS} (?:there|on it) , (?:has left it|"
      "is off it|is gone)$", "at the start , {3} is on {2} . first take {3} off {2} , then put {1} on {2}"),
     (f"^({ONE} {STARTS} on ({MARK})) and {MUST} never leave it$", "{1} . it must never leave {2}"),

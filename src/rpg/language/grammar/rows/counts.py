@@ -3,12 +3,15 @@ one way."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, IS, PLACE, THING
+from rpg.language.grammar.rows.said_short import BLOCK, IS, PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH, PATCHES
 
 _BLOCKS = "(?:blocks|cubes|bricks|ones)"
 _GO = f"(?:{MUST} (?:be|go|lie|stand)|may be|go|goes|are|is|belong|belongs)"
+_SOME = f"(?:some|(?:at least|more than) {MANY})"
+_NOT_ALL = "(?:but|and|though) not all"
+_WHERE = f"{PLACE} .+"
 _LOTS = f"{MANY} (?:{COLOR} )?{_BLOCKS}(?: and {MANY} (?:{COLOR} )?{_BLOCKS})*"
 _A = f"(?:the |an? )?({COLOR})(?: {BLOCK}| one)?"
 _THREE = f"{_A} , {_A}(?: ,| and| , and) {_A}"
@@ -21,6 +24,16 @@ COUNTED: tuple[Turn, ...] = (
     (f"\\b({MANY}) and (?:no|not) more than \\1\\b", "exactly {1}"),
     (f"^(?:out of|of|from) (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ((?:exactly|at least|at most|only|"
      f"just) {MANY}) {_GO} ((?:on|onto|in|into) .+)$", "{2} of the {1} must be {3}"),
+    # some, and not all of them
+    (f"^(?:out of|of|from) (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ({_SOME})(?: ,)? {_NOT_ALL}(?: of them)?"
+     f"(?: ,)? {_GO} ({_WHERE})$", "{2} but not all of the {1} must be {3}"),
+    (f"^({_SOME}) of (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? {_NOT_ALL}(?: of them)?(?: ,)? {_GO} "
+     f"({_WHERE})$", "{1} but not all of the {2} must be {3}"),
+    (f"^{PUT} ({_SOME}) of (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ({_WHERE})(?: ,)? {_NOT_ALL}(?: of "
+     "them)?$", "{1} but not all of the {2} must be {3}"),
+    (f"^{PUT} ({_SOME}) of (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? {_NOT_ALL}(?: of them)?(?: ,)? "
+     f"({_WHERE})$", "{1} but not all of the {2} must be {3}"),
+    (f"^((?:{PUT} )?{_SOME}(?: ,)? {_NOT_ALL}) ({MANY} (?:{COLOR} )?{_BLOCKS}) ", "{1} of the {2} "),
     (f"^(.+) , with ({_LOTS}) (?:being )?(?:available|present|there|in all|in total|altogether)$",
      "{1} . there are {2}"),
     ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"

@@ -3,6 +3,7 @@ that say it as others do."""
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.said_short import THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MANY, MUST
 
@@ -12,6 +13,7 @@ _ROW = "(?:far|near|front|back|first|second)"
 _BLOCK = "(?:block|cube|blocks|cubes)"
 _SIZE = "(?:big|large|small|little)"
 _MAT = "(?:mat|patch|zone|area|target)"
+_PART = "(?:left|right|near|far|front|back)"
 _PUT = "(?:put|place|set|lay|move|stack)"
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
@@ -39,6 +41,9 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} them {3} except for {4} . {4} must be {5}"),
     (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which (?:{MUST} "
      "(?:be|go|lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
+    # with their like
+    (f"\\b(the ({COLOR}) (?:{_BLOCK}|ones)|the ({COLOR})s) together with (?=the (?:\\2|\\3)(?:s| ones| {_BLOCK})\\b)",
+     "{1} with "),
     # measures
     (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
     (f"(?: ,| and)* (?:(?:with|leave)(?: me| us)? )?(?:a )?(?:({LENGTH}) gaps?|gaps? of ({LENGTH})) (?:between "
@@ -85,6 +90,10 @@ _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "bec
 _NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
 
 EVERYDAY: tuple[Turn, ...] = (
+    (f"^(?:please )?(?:spread|distribute|scatter|strew)(?: out)? (.+?) (?:all )?(?:over|across|around|about|throughout) "
+     f"(?=the {_PART} (?:half|side|part)\\b)", "put {1} in "),
+    (f"^(.*\\b)(?:let|leave) ({THING})(?: to)? (?:be|alone)$", "{1} leave {2} where it is"),
+    (f"^(.*\\b)let ({THING}) (?:be |stay )?(empty|free|clear)$", "{1} leave {2} {3}"),
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),

@@ -10,6 +10,7 @@ from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
+from rpg.language.grammar.rows.but_one import BUT_ONE
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
@@ -35,7 +36,7 @@ from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
-from rpg.language.grammar.rows.times import BEFORE_IT
+from rpg.language.grammar.rows.times import BEFORE_IT, OFF_FIRST
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import Turns, turned
@@ -61,6 +62,7 @@ _OF_ALL = (
     *BESIDES_AT_ONCE,
     *PATCHES_AT_ONCE,
     *BEGUN_AT_ONCE,
+    *OFF_FIRST,
     *BECOME_AT_ONCE,
     *IN_STEPS,
     *COUNTED,
@@ -96,6 +98,7 @@ _OF_THE_UNREAD = (
     *SPECIFIED,
     *ROUNDABOUT,
     *CONTRASTED,
+    *BUT_ONE,
     *BEFORE_IT,
     *BEGUN,
     *BECOME,

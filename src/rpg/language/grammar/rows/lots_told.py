@@ -23,6 +23,8 @@ _STOCK = f"(?:(?:the )?{_LOTS}|{_SYMBOLS})"
 _EACH = "(?:(?:,|:) (one (?:with|of|for|has|having|made of|containing|consisting of) .+))"
 _MIXED = "(?:all )?(?:(?:mixed|jumbled|muddled)(?: up| together)?|thrown together)"
 _TOLD = "(?:there (?:are|is)|(?:we|i|you) (?:have|have got|got)|here are)"
+_HAND = "(?:give|hand|get|lend|bring|provide|supply)"
+_WHOM = f"(?:him|her|them|me|us|it|everyone|the robot|(?:my|our|the) (?:little )?(?:{PEOPLE}))"
 _ALIKE = "(?:(?:the )?(?:blocks|cubes|ones|bricks) (?:of|with|in) (?:the|one) same color|(?:the )?same colors?)"
 _JUST = "(?:not|no) more(?: ,| and| or| , and| , or)* (?:not|no) (?:less|fewer)"
 _PER_CORNER = ("(?:with )?(?:exactly )?(?:a different )?one(?: block| cube| of them)? (?:in|per|at|for|to) each"
@@ -83,6 +85,8 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_FOUR}(.*?)(?: ,)? a different one (in|into|at|to) (each corner|every corner|each of the (?:four )?corners|"
      "each)( of the table)?$", "{1} , one {2} {3} {4}"),
     # what there is
+    (f"^(?:please )?{_HAND} {_WHOM} (?:with )?((?:exactly |just )?{MANY}(?: {_BLOCK})? of each(?: color| kind| one)?)$",
+     "there are {1}"),
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : ((?:put|stack|place|build|make|"
      "arrange|line|move|set|lay) .+)$", "there are the {1} . {2}"),
     # what is sorted

@@ -42,6 +42,8 @@ RELATED: tuple[Turn, ...] = (
     # what is between two that were named
     (f"^(?:{PUT} )?({THING})(?: ,)? and ({THING})(?: ,)? (?:and )?(?:in between|between them) ({THING})$",
      "{3} must be between {1} and {2}"),
+    (f"^(.+?)(?: (?:strictly|exactly|directly))? between (.+?)(?: ,)?(?: so| such)? that (?:all (?:three|of them)|the three|"
+     f"they)(?: {CUBE}s)? (?:are|lie|stand) collinear$", "{1} directly between {2}"),
     # which alone
     (f"^as for ({THING}) , (?:it|this one|that one) ", "{1} "),
     ("^(there (?:is|are) [^,]+) , ((?:(?:exactly|at most|at least) )?(?:one|two|three|none)) of which ",
@@ -49,5 +51,5 @@ RELATED: tuple[Turn, ...] = (
     (f"^only ({THING})(?: ,)?(?: and)? not ({THING})(?: ,)? ({IS} .+)$", "only {1} {3} , not {2}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("locate",)
+WORDS = ("locate collinear",)
 """Words that these take besides those that are read anyway."""

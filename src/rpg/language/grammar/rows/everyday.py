@@ -41,6 +41,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} them {3} except for {4} . {4} must be {5}"),
     (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which (?:{MUST} "
      "(?:be|go|lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
+    ("(?<! look)(?<! looks)(?: ,)? like(?: ,)?(?: at all| ever)?$", ""),
     # with their like
     (f"\\b(the ({COLOR}) (?:{_BLOCK}|ones)|the ({COLOR})s) together with (?=the (?:\\2|\\3)(?:s| ones| {_BLOCK})\\b)",
      "{1} with "),
@@ -90,8 +91,9 @@ _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "bec
 _NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
 
 EVERYDAY: tuple[Turn, ...] = (
-    (f"^(?:please )?(?:spread|distribute|scatter|strew)(?: out)? (.+?) (?:all )?(?:over|across|around|about|throughout) "
-     f"(?=the {_PART} (?:half|side|part)\\b)", "put {1} in "),
+    *((f"^(?:please )?(?:spread|distribute)(?: out)? (.+?)(?: out)? (?:all )?(?:over|across|around|about|throughout) "
+       f"(?=the {_PART} (?:half|side|part)\\b{told})", f"{how} {{1}} in ")
+      for told, how in ((".*\\b(?:touch|touching|touches|next to|beside|apart|near|cm)\\b", "put"), ("", "spread"))),
     (f"^(.*\\b)(?:let|leave) ({THING})(?: to)? (?:be|alone)$", "{1} leave {2} where it is"),
     (f"^(.*\\b)let ({THING}) (?:be |stay )?(empty|free|clear)$", "{1} leave {2} {3}"),
     # without a stop in between

@@ -17,6 +17,7 @@ _THEN = "(?:then |next |after that |afterwards |from there |finally |lastly |las
 _SHOWN = "(upside - down|upside down|upright|sideways)"
 _SELF = "(?:is|are|appears?|stands?|reads?|lies?)"
 _SWAP = "(?:trade|swap|switch|change|exchange)"
+_ASKED = "(?:let|can|could|may|is it possible (?:that|for)|(?:i|we) (?:want|need|would like))"
 _WHOLE = "(?:thing|time|process|operation|task|episode|procedure|job)"
 _NAMED = f"(?:{THING}|{LABEL})"
 _EITHER = f"(?:{THING}|\\w)"
@@ -74,7 +75,7 @@ IN_STEPS: tuple[Turn, ...] = (
     (f"^(?:{_PUT} )({_NAMED}) (?:in|into|to|at) the (?:place|position|spot) of ({_NAMED})(?: ,)? and vice versa$",
      "{1} and {2} must swap places"),
     (f"^(.+?)(?: ,| and)+ (?:keep|leave) ({_NAMED}) (?:put|in place|where it is)$", "{1} . {2} must stay where it is"),
-    (f"^let ({THINGS}) ({_SWAP} (?:places|positions))(?: ,)? without moving ({THINGS})$",
+    (f"^{_ASKED} ({THINGS}) (?:to )?({_SWAP} (?:places|positions))(?: ,)? without (?:moving|touching) ({THINGS})$",
      "{1} must swap places . {3} must stay where it is"),
     # how a letter is turned
     (f"^(?:turn|rotate|flip|put|place|set) ((?:the )?{BLOCK} (\\w)|the (\\w)(?: {BLOCK})?)(?: around| over| down)? so "

@@ -3,7 +3,7 @@ first, as rows that say it plainly: "the blue one serves as a base for the red o
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING
+from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST
 
@@ -44,6 +44,7 @@ RELATED: tuple[Turn, ...] = (
      "{3} must be between {1} and {2}"),
     (f"^(.+?)(?: (?:strictly|exactly|directly))? between (.+?)(?: ,)?(?: so| such)? that (?:all (?:three|of them)|the three|"
      f"they)(?: {CUBE}s)? (?:are|lie|stand) collinear$", "{1} directly between {2}"),
+    (f"^(?:would|could|will|is) it (?:be )?(?:possible|okay|ok|fine) for ({THINGS}) to (?=\\w)", "{1} must "),
     # which alone
     (f"^as for ({THING}) , (?:it|this one|that one) ", "{1} "),
     ("^(there (?:is|are) [^,]+) , ((?:(?:exactly|at most|at least) )?(?:one|two|three|none)) of which ",

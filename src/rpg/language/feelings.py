@@ -43,7 +43,9 @@ _ALONE = frozenset({
 })  # fmt: skip
 """What no block is."""
 _ADDED = frozenset({"today", "again", "there", "here", "now"})
-_ALWAYS = tuple((*words.split(),) for words in ("all the time", "all day", "all day long", "constantly", "lately", *_ADDED))
+_ALWAYS = tuple(
+    (*words.split(),) for words in ("all the time", "all day", "all day long", "constantly", "lately", *_ADDED)
+)
 """What is added to what two feel."""
 _ARTICLES = frozenset({"the", "my", "our", "your", "a", "an"})
 _BREAKS = frozenset({".", "!", "?", ";", ",", ":", "-", "…"})

@@ -148,7 +148,9 @@ def _kept_inside(p: Parser, i: int) -> Results[Clause]:
     for hub, j in _hubs(p, begin):
         there = p.any_of(j, _WHERE_IT_IS) if kept else p.any_of(j, _MIDDLE)
         there = there or (j if kept and "move" in p.words[i:begin] else 0)
-        joint = p.any_of(there, (", and", "and", ", with", ",", "with", "but", ";", ", then", "and then")) if there else 0
+        joint = (
+            p.any_of(there, (", and", "and", ", with", ",", "with", "but", ";", ", then", "and then")) if there else 0
+        )
         rest = p.any_of(joint, _REST) if joint else 0
         end = p.any_of(rest, _ROUND_IT) if rest else 0
         told: list[tuple[Clause, int]] = []

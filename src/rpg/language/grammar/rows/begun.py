@@ -95,6 +95,8 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "at the start , {2} is on {1} . {2} {3}"),
     (f"^(.+?) and keep ({ONE}) , {WHICH} {STARTS} on ({MARK}) , on (?:that|the|the same) {MAT}(?: the whole time)?$",
      "at the start , {2} is on {3} . {1} and keep {2} there the whole time"),
+    (f"^there (?:is|are) ({MANY})(?: of (?:them|these|those))? (?:there|on (?:it|there))(?: {TIME})?$",
+     "{1} of them start on it"),
     # heaps
     (f"^{_LED}?(?:the robot|we|you|i) {_GETS} (an? (?:\\w+ )?{HEAP} (?:of|with)\\b.+)$", "at the start there is {1}"),
     (f"^(?:the )?(?:initial|starting|given) ({HEAP}) (?:: |is |of |has )(.+)$", "at the start there is a {1} of {2}"),

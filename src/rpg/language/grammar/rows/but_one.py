@@ -1,9 +1,9 @@
-"""What is left as it is but for one, with the exception behind all that stays or in its own clause, as rows that say the
-exception first: "leave all of them where they are except the black one, which goes on the brown one"."""
+"""What is left as it is but for one, with the exception behind all that stays or in its own clause, as rows that say
+the exception first: "leave all of them where they are except the black one, which goes on the brown one"."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import THING, THINGS
+from rpg.language.grammar.rows.said_short import PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import CUBE, FEW, MUST
 
@@ -18,8 +18,14 @@ _STAY = f"(?:(?:{MUST} )?(?:stays?|remains?|be left|be kept)|is left|are left|is
 _GOES = f"((?:goes|go|belongs?|comes?|ends? up|{MUST}) .+)"
 _MOVES = f"(?:moves?|(?:may|can|{MUST}) (?:move|be moved|be touched)|is (?:to be )?(?:moved|touched)|gets? moved)"
 
+BUT_ONE_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:no (?:other )?{CUBE}|nothing|none) (?:{MUST}|may|can) (?:be|stand|lie|sit|go|rest) ({PLACE} .+?)(?: ,)? "
+     f"{_EXCEPT} ({THINGS})$", "no block except {2} may be {1}"),
+)  # fmt: skip
+"""What could be meant in several ways as it stands."""
 BUT_ONE: tuple[Turn, ...] = (
-    *((f"^(leave|keep) ({_ALL}) ({_THERE})(?: ,)? {_EXCEPT} ({THINGS}){tail}$", f"{{1}} {{2}} except {{4}} {{3}} {more}")
+    *((f"^(leave|keep) ({_ALL}) ({_THERE})(?: ,)? {_EXCEPT} ({THINGS}){tail}$",
+       f"{{1}} {{2}} except {{4}} {{3}} {more}")
       for tail, more in (("", ""), (f"(?: ,)? (?:which|that) {_GOES}", ". {4} {5}"))),
     *((f"^({_ALL}) ({_STAY} {_THERE})(?: ,)? {_EXCEPT} ({THINGS}){tail}$", f"{{1}} except {{3}} {{2}} {more}")
       for tail, more in (("", ""), (f"(?: ,)? (?:which|that) {_GOES}", ". {3} {4}"))),
@@ -29,4 +35,3 @@ BUT_ONE: tuple[Turn, ...] = (
      "all blocks except {1} must stay where they are . {1} {2}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-

@@ -56,6 +56,12 @@ COUNTED: tuple[Turn, ...] = (
      f"other 's {PATCHES})(?: : (?:the )?\\1(?: {BLOCK})? on the \\2(?: {PATCH}| one)?(?: ,| and)+ (?:the )?\\2(?: "
      f"{BLOCK})? on the \\1(?: {PATCH}| one)?)?$",
      "put the {1} block on the {2} patch and the {2} block on the {1} patch"),
+    # as many of these as of those
+    (f"^(the (?:{COLOR} )?{PATCH}) (?:{MUST} have|has|{MUST} hold|holds) as many (.+?) as ([^,]+?)(?: on it)?$",
+     "there must be as many {2} as {3} on {1}"),
+    (f"^the number of ({COLOR} {_BLOCKS}) on (the (?:{COLOR} )?{PATCH}) (?:equals|is (?:equal to|the same as)|{MUST} "
+     f"(?:equal|be equal to|be the same as)) (?:the number|that) of ({COLOR} {_BLOCKS})(?: (?:on (?:it|\\2)|there))?$",
+     "there must be as many {1} as {3} on {2}"),
     # one of two, and not both
     (f"^(?:just |only |exactly )?one of the two ([^,]+?) , but not the other(?: one)? , (?:is|{MUST} be) (.+)$",
      "exactly one of the two {1} must be {2}"),

@@ -3,7 +3,7 @@ that say it as others do."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import THING
+from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MANY, MUST
 
@@ -45,6 +45,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # with their like
     (f"\\b(the ({COLOR}) (?:{_BLOCK}|ones)|the ({COLOR})s) together with (?=the (?:\\2|\\3)(?:s| ones| {_BLOCK})\\b)",
      "{1} with "),
+    ("(?:has|have|'s|'ve) got to (?=(?:be|go|stand|sit|lie|touch|rest|end|stay|form)\\b)", "must "),
     # measures
     (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
     (f"(?: ,| and)* (?:(?:with|leave)(?: me| us)? )?(?:a )?(?:({LENGTH}) gaps?|gaps? of ({LENGTH})) (?:between "
@@ -91,7 +92,11 @@ _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "bec
 _NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
 
 EVERYDAY: tuple[Turn, ...] = (
-    *((f"^(?:please )?(?:spread|distribute)(?: out)? (.+?)(?: out)? (?:all )?(?:over|across|around|about|throughout) "
+    *((f"^{begun}({THINGS}) (?:{IS} )?(?:any|some)where (?:except|but|other than|(?:that|which) (?:is|'s) not) "
+       f"({PLACE} .+)$", said)
+      for begun, said in ((f"(?:please )?(?:{PUT} )?", "{1} must not be {2}"),
+                          ("(.+?) , with ", "{1} . {2} must not be {3}"))),
+    *((f"^(?:please )?(?:spread|distribute)(?: out)? (.+?)(?: out)? (?:all )?(?:over|across|around|throughout) "
        f"(?=the {_PART} (?:half|side|part)\\b{told})", f"{how} {{1}} in ")
       for told, how in ((".*\\b(?:touch|touching|touches|next to|beside|apart|near|cm)\\b", "put"), ("", "spread"))),
     (f"^(.*\\b)(?:let|leave) ({THING})(?: to)? (?:be|alone)$", "{1} leave {2} where it is"),

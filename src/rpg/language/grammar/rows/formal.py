@@ -10,7 +10,7 @@ from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
-from rpg.language.grammar.rows.but_one import BUT_ONE
+from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
@@ -59,6 +59,7 @@ _OF_ALL = (
     *TWO_ROWS_AT_ONCE,
     *DISTANCES_AT_ONCE,
     *LOTS_AT_ONCE,
+    *BUT_ONE_AT_ONCE,
     *BESIDES_AT_ONCE,
     *PATCHES_AT_ONCE,
     *BEGUN_AT_ONCE,

@@ -54,6 +54,7 @@ IN_STEPS: tuple[Turn, ...] = (
     (f"^{_GOES} ({_HERE}) ?{_AND_THEN}({_HERE})$", "first put {1} {2} on {3} , then put {1} {2} on {4}"),
     # meanwhile
     (f"\\b(?:during|throughout|for) the (?:whole|entire) {_WHOLE}\\b", "the whole time"),
+    ("\\bwithout (?:disturbing|displacing|dislodging|budging) (?!each other|one another|any)", "without moving "),
     (f"(?: ,)? with ({THINGS}) not being (?:moved|shifted|displaced)\\b", " without moving {1}"),
     (f"\\bwithout ({THINGS}) being (?:moved|shifted|displaced)\\b", "without moving {1}"),
     (f"\\b({MUST}|may|can) not be (?:displaced|shifted|dislocated|budged)\\b", "{1} not be moved"),

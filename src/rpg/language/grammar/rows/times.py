@@ -26,7 +26,7 @@ OFF_FIRST: tuple[Turn, ...] = (
     (f"^(?:please )?({_LIFT}) ({THING}|it|them) (off|away|down) first(?: ,| and| , and)? then (?={_STEP}\\b)",
      "first {1} {2} {3} , then"),
     (f"^(?:please )?({_LIFT}) ({THING}|it|them) (off|away|down) first$", "first {1} {2} {3}"),
-)
+)  # fmt: skip
 """What is taken off before anything else, of which the order would be lost; in every sentence."""
 AT_TIMES: tuple[Turn, ...] = (
     # never
@@ -44,7 +44,8 @@ AT_TIMES: tuple[Turn, ...] = (
     (f"\\b(?:{MUST}|may) not leave (.+?)(?: {_EVER})?$", "must not leave {1}"),
     # nothing else
     (f"\\b(?:no other {_BLOCK}|nothing else) (?:moves|(?:{_MUST} )?(?:be|is|gets?) {_MOVED}|{_MUST} move)$", _OTHERS),
-    (f"\\bwithout (?:moving|touching|disturbing) (?:any other {_BLOCK}s?|anything else)$", "without moving the others"),
+    (f"\\bwithout (?:moving|touching|disturbing|displacing|shifting) (?:any other {_BLOCK}s?|anything else)$",
+     "without moving the others"),
     # one after the other
     (f"^(?:please )?wait (?:until|till) (.+?)(?: ,)? (?:and )?(?:then|before you) ({_STEP} .+)$", "once {1} , {2}"),
     (f"^(.+?)(?: ,)? (?:but )?(?:as soon as|once|only when|but not until) ([^,]+? {_SO} .+)$", "once {2} , {1}"),

@@ -78,6 +78,8 @@ BECOME_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:get|take|pick|fish) (the {COLOR} (?:ones|{BRICK}s)) out(?: of (?:it|there|the {HEAP}))?(?: ,)? and "
      f"({COMMAND} .+?) "
      "(?:of|from|with|out of) (?:them|these|those)$", "{2} from {1}"),
+    ("^(?:(.+?)(?: ,| and| but| , and| , but) )?(?:i|we) (?:want|need|would like)(?: to have)? "
+     "(?:it|them|that|this)(?: to be)? the other way (?:round|around)$", "{1} . put them the other way around"),
 )  # fmt: skip
 """What is read otherwise as it stands."""
 

@@ -69,6 +69,8 @@ _CARRIES = "(?:has|holds|carries|bears)"
 _LISTED = f", (?:{ORDER})(?: ,)?"
 _UNDO = "(?:reverse|invert|flip|rebuild|restack|unstack|dismantle|disassemble)"
 """What is done to a line that is there."""
+_LAY = f"(?:{LIES}|was|(?:is|was|has been|got) (?:put|placed|left|laid|set))"
+_ON_IT = f"(?:on|in|next to|behind|under|in front of) (?:the |an? )?{COLOR}(?: (?:{BRICK}|{MAT})| one)?"
 _IN_A_HEAP = f"in (an?|one) (?:settled |random |messy |mixed |loose )?({HEAP})"
 _OF_EACH = (
     f" , ({MANY})(?: of them)? ({COLOR})(?: ones)?(?: ,| and| , and) ({MANY})(?: of them)? ({COLOR})(?: ones)?\\b"
@@ -98,6 +100,11 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
     (f"^there (?:is|are) ({MANY})(?: of (?:them|these|those))? (?:there|on (?:it|there))(?: {TIME})?$",
      "{1} of them start on it"),
     # heaps
+    (f"^(?:from|out of) (?:the|a|your|this) ({HEAP}) of ({MANY} (?:{COLOR} )?{BRICK}s)(?: ,)? "
+     f"(?:take|get|pick|remove) ({MANY})(?: of them)?(?: ,)? and (put|place|set|move|stack|lay) (?:them|it) ",
+     "at the start there is a {1} of {2} . {4} {3} of them "),
+    (f"^({MANY} of) the ({MANY} (?:{COLOR} )?{BRICK}s) (?:in|from) (?:the|a) ({HEAP}) (?={MUST} )",
+     "at the start there is a {3} of {2} . {1} them "),
     (f"^{_LED}?(?:the robot|we|you|i) {_GETS} (an? (?:\\w+ )?{HEAP} (?:of|with)\\b.+)$", "at the start there is {1}"),
     (f"^(?:the )?(?:initial|starting|given) ({HEAP}) (?:: |is |of |has )(.+)$", "at the start there is a {1} of {2}"),
     (f"^{_AT_START}{_LED}?({MANY} {BRICK}s) (?:lie|are|start|begin)(?: {TIME})? {_IN_A_HEAP}(?: {TIME})?{_OF_EACH}",
@@ -170,10 +177,17 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "the two"),
     (f"^(.+? {STARTS}) (?:in|on) the (left|right|near|far) side(?: of the table)?(?=$| [,:])",
      "{1} in the {2} half of the table"),
+    # where it does not belong
+    (f"^({ONE}) {_LAY} ({_ON_IT})(?: ,)? (?:but|where|and) (?:(?:it|that) )?(?:does not belong(?: there)?|should not "
+     "be(?: there)?|is wrong)$", "at the start , {1} is {2} . {1} must not be {2}"),
 )  # fmt: skip
 """What is read otherwise as it stands."""
 
 BEGUN: tuple[Turn, ...] = (
+    (f"^({ONE}) {_LAY} ({_ON_IT}) (?:by mistake|by accident|accidentally|mistakenly|wrongly)$",
+     "at the start , {1} is {2}"),
+    (f"^({ONE}) {_LAY} ({_ON_IT})(?: ,)? but(?: it)? (?:really |actually )?belongs ({_ON_IT})$",
+     "at the start , {1} is {2} . {1} must be {3}"),
     (f"^(?:the|this|each|every|our|my) {EVENT} {STARTS} with (?=an?\\b|the\\b|all\\b|{MANY}\\b|{COLOR}\\b)",
      "at the start there is "),
     (f"^put (an? .+?) on ({MARK}) only (?:after|when|once) ({ONE}) , {WHICH} {STARTS} (?:there|on it) , (?:has left it|"

@@ -18,8 +18,10 @@ _STAY = f"(?:(?:{MUST} )?(?:stays?|remains?|be left|be kept)|is left|are left|is
 _GOES = f"((?:goes|go|belongs?|comes?|ends? up|{MUST}) .+)"
 _MOVES = f"(?:moves?|(?:may|can|{MUST}) (?:move|be moved|be touched)|is (?:to be )?(?:moved|touched)|gets? moved)"
 
+_IS = f"(?:(?:{MUST}|may|can) (?:be|stand|lie|sit|go|rest)|is|sits|stands|lies|rests)"
+
 BUT_ONE_AT_ONCE: tuple[Turn, ...] = (
-    (f"^(?:no (?:other )?{CUBE}|nothing|none) (?:{MUST}|may|can) (?:be|stand|lie|sit|go|rest) ({PLACE} .+?)(?: ,)? "
+    (f"^(?:no (?:other )?{CUBE}|nothing|none) {_IS} ({PLACE} .+?)(?: ,)? "
      f"{_EXCEPT} ({THINGS})$", "no block except {2} may be {1}"),
 )  # fmt: skip
 """What could be meant in several ways as it stands."""

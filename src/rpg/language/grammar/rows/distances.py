@@ -36,6 +36,9 @@ _BARE = f"(?:(?! is | {MUST} | be | measured ).)"
 _MEASURED = "(?:(?:,|as|when)? ?measured )?(?:from )?(?:center to center|(?:their )?centers? to (?:their )?centers?)"
 
 DISTANCES: tuple[Turn, ...] = (
+    (f"\\bat a distance from ({THING}) (greater|larger|smaller|shorter) than (?:its distance|that)(?: from| to)? "
+     f"({THING})",
+     "at a {2} distance from {1} than from {3}"),
     # of the middles of what is named
     (f"\\b({LENGTH}) between the (?:centers|middles) of (?:the (?:two )?|these )?{_BUILT}$",
      "{1} between their centers"),

@@ -42,6 +42,13 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which (?:{MUST} "
      "(?:be|go|lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
     ("(?<! look)(?<! looks)(?: ,)? like(?: ,)?(?: at all| ever)?$", ""),
+    *((f"\\b({MANY}) ((?:{COLOR} )?{_BLOCK}) {told}(?= (?:on|in|onto|into) |$| ,)", f"{bound} {{1}} {{2}}")
+      for told, bound in (("(?:max|maximum|tops|at (?:the )?most)", "at most"),
+                          ("(?:min|minimum|at (?:the )?least)", "at least"))),
+    # nobody is no block
+    ("\\bnobody (?=(?:is|sits|stands|lies|touches|may|must|shall|should|can)\\b)", "no block "),
+    ("\\b(nothing|everything|nobody) 's (?=(?:touching|on|in|next|under|behind|left|right|between|near)\\b)",
+     "{1} is "),
     # with their like
     (f"\\b(the ({COLOR}) (?:{_BLOCK}|ones)|the ({COLOR})s) together with (?=the (?:\\2|\\3)(?:s| ones| {_BLOCK})\\b)",
      "{1} with "),
@@ -100,11 +107,12 @@ EVERYDAY: tuple[Turn, ...] = (
        f"(?=the {_PART} (?:half|side|part)\\b{told})", f"{how} {{1}} in ")
       for told, how in ((".*\\b(?:touch|touching|touches|next to|beside|apart|near|cm)\\b", "put"), ("", "spread"))),
     (f"^(.*\\b)(?:let|leave) ({THING})(?: to)? (?:be|alone)$", "{1} leave {2} where it is"),
+    ("\\b(leave|keep) ([^,]+?) (?:lying|sitting|standing|resting) (?=(?:on|in|where)\\b)", "{1} {2} "),
     (f"^(.*\\b)let ({THING}) (?:be |stay )?(empty|free|clear)$", "{1} leave {2} {3}"),
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("minimum maximum upwards audience pupils save ground floor",)
+WORDS = ("min max tops minimum maximum upwards audience pupils save ground floor",)
 """Words that these take besides those that are read anyway."""

@@ -99,7 +99,8 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:the )?({COLOR} {PATCH}) gets ([^,]+?) , but (?:(?:it )?does not get|not) (the .+)$",
      "{2} must be on the {1} . {3} must not be on the {1}"),
     # what each of them holds
-    (f"^(?:each|every) ({PATCH}) (?:{MUST} (?:have|get|hold)|gets|needs) the {BLOCK} (?:of|in) (?:{_OWN}|that) color(?: "
+    (f"^(?:each|every) ({PATCH}) (?:{MUST} (?:have|get|hold)|gets|needs) the {BLOCK} (?:of|in) (?:{_OWN}|that) "
+     "color(?: "
      "(?:sitting|standing|lying|resting|placed))?(?: on (?:it|top(?: of it)?))?(?=$| [,:])",
      "each block must be on the {1} of the same color"),
     (f"^of the (?:two|three) {PATCHES}(?: ,)? the ({COLOR}) one (.+?) and the ({COLOR}) one (.+)$",

@@ -97,8 +97,6 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "at the start , {2} is on {1} . {2} {3}"),
     (f"^(.+?) and keep ({ONE}) , {WHICH} {STARTS} on ({MARK}) , on (?:that|the|the same) {MAT}(?: the whole time)?$",
      "at the start , {2} is on {3} . {1} and keep {2} there the whole time"),
-    (f"^there (?:is|are) ({MANY})(?: of (?:them|these|those))? (?:there|on (?:it|there))(?: {TIME})?$",
-     "{1} of them start on it"),
     # heaps
     (f"^(?:from|out of) (?:the|a|your|this) ({HEAP}) of ({MANY} (?:{COLOR} )?{BRICK}s)(?: ,)? "
      f"(?:take|get|pick|remove) ({MANY})(?: of them)?(?: ,)? and (put|place|set|move|stack|lay) (?:them|it) ",

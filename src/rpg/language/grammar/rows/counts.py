@@ -67,7 +67,8 @@ COUNTED: tuple[Turn, ...] = (
      f"that ({MANY})(?: of them)? (?:is|are|lie|go) ({_WHERE}?)(?: ,)? and the (?:rest|others?|other {MANY})(?: "
      f"(?:is|are|lie|go))? ({_WHERE})$", "{2} of {1} must be {3} and the others {4}"),
     (f"^(?:take )?(?:both|the two|two)(?: of the)? ({COLOR}) {_BLOCKS}(?: ,)? and (?:{PUT}|stick) one(?: of them)? "
-     f"({_WHERE}?)(?: ,)? and the other(?: one)? ({_WHERE})$", "one of the two {1} blocks must be {2} and the other must be {3}"),
+     f"({_WHERE}?)(?: ,)? and the other(?: one)? ({_WHERE})$",
+     "one of the two {1} blocks must be {2} and the other must be {3}"),
     # one of two, and not both
     (f"^(?:just |only |exactly )?one of the two ([^,]+?) , but not the other(?: one)? , (?:is|{MUST} be) (.+)$",
      "exactly one of the two {1} must be {2}"),

@@ -117,10 +117,10 @@ SPACED_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:with|at|and) an? center (?:- )?to (?:- )?center (?:distance|spacing) of {_LONG}",
      "with a distance of {1} between their centers"),
     # between two
-    (f"\\b(distance between .+?) (?:(?:must )?exceeds?|is above|is over|is beyond) (?={LENGTH}\\b)",
-     "{1} must be more than "),
     (f"\\b(distance between .+?) (?:{MUST} not exceed|does not exceed|is below|is under) (?={LENGTH}\\b)",
      "{1} must be at most "),
+    (f"\\b(distance between .+?) (?:(?:must )?exceeds?|is above|is over|is beyond) (?={LENGTH}\\b)",
+     "{1} must be more than "),
     (f"\\b(?:with|leaving) {_LONG} of (?:gap|space|room) between {_FACES}", "with a gap of {1} between them"),
     (f"\\b(gap of {LENGTH}) between {_FACES}(?! of)", "{1} between them"),
     (f"(?: ,)? so that {_THERE} {_LONG}(?: of {_SPACE})? between them$", " with a gap of {1} between them"),

@@ -100,14 +100,14 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      "{2} must be on the {1} . {3} must not be on the {1}"),
     # what each of them holds
     (f"^(?:each|every) ({PATCH}) (?:{MUST} (?:have|get|hold)|gets|needs) the {BLOCK} (?:of|in) (?:{_OWN}|that) "
-     "color(?: "
-     "(?:sitting|standing|lying|resting|placed))?(?: on (?:it|top(?: of it)?))?(?=$| [,:])",
+     "color(?: (?:sitting|standing|lying|resting|placed))?(?: on (?:it|top(?: of it)?))?(?=$| [,:])",
      "each block must be on the {1} of the same color"),
     (f"^of the (?:two|three) {PATCHES}(?: ,)? the ({COLOR}) one (.+?) and the ({COLOR}) one (.+)$",
      "the {1} patch {2} and the {3} patch {4}"),
     *((f"^the ({COLOR} {PATCH}) {verb} ({_SO}{MANY}) ({COLOR}) ({_BLOCKS})(?: on it)?(?: ,)? and the ({COLOR} {PATCH}) "
-       f"(?:{verb} )?({_SO}{MANY})(?: of them)?(?: on it)?$",
-       f"{{2}} {{3}} {{4}} {be} on the {{1}} and {{6}} {{3}} {{4}} {be} on the {{5}}")
+       f"(?:{verb} )?({_SO}{many})(?: of them)?(?: on it)?$",
+       f"{{2}} {{3}} {{4}} {be} on the {{1}} and {{6}} {{3}} {blocks} {be} on the {{5}}")
+      for many, blocks in (("(?:one|1)", "block"), (MANY, "blocks"))
       for verb, be in ((f"(?:gets|{MUST} (?:hold|have|get|carry))", "must be"), ("(?:holds|has|carries)", "are"))),
     # all but one
     (f"^((?:all|every) {BLOCK}s? (?:except|except for|but|apart from) the ({COLOR})[^,]*?) , (?:namely|that is|i "

@@ -51,7 +51,7 @@ RELATED: tuple[Turn, ...] = (
     (f"^(?:{PUT} )?({THING})(?: ,)? and ({THING})(?: ,)? (?:and )?(?:in between|between them) ({THING})$",
      "{3} must be between {1} and {2}"),
     (f"^(.+?)(?: (?:strictly|exactly|directly))? between (.+?)(?: ,)?(?: so| such)? that (?:all (?:three|of them)|the "
-     f"three|they)(?: {CUBE}s)? (?:are|lie|stand) collinear$", "{1} directly between {2}"),
+     f"three|they)(?: {CUBE}s)? (?:are|lie|stand) collinear$", "{1} collinear between {2}"),
     (f"^(?:would|could|will|is) it (?:be )?(?:possible|okay|ok|fine) for ({THINGS}) to (?=\\w)", "{1} must "),
     # which alone
     (f"^as for ({THING}) , (?:it|this one|that one) ", "{1} "),

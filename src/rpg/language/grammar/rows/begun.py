@@ -243,3 +243,5 @@ BEGUN: tuple[Turn, ...] = (
      f"them) {MUST} be (?:removed|taken away|taken|cleared)$", "at the start , {2} is on {1} . clear {1}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
+WORDS = ("accident accidentally mistake mistakenly",)
+"""Words that these take besides those that are read anyway."""

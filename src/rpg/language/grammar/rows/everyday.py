@@ -41,7 +41,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} them {3} except for {4} . {4} must be {5}"),
     (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which (?:{MUST} "
      "(?:be|go|lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
-    ("(?<! look)(?<! looks)(?: ,)? like(?: ,)?(?: at all| ever)?$", ""),
+    (" , like(?: ,)?(?: at all| ever)?$", ""),
     *((f"\\b({MANY}) ((?:{COLOR} )?{_BLOCK}) {told}(?= (?:on|in|onto|into) |$| ,)", f"{bound} {{1}} {{2}}")
       for told, bound in (("(?:max|maximum|tops|at (?:the )?most)", "at most"),
                           ("(?:min|minimum|at (?:the )?least)", "at least"))),

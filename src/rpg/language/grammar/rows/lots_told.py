@@ -6,7 +6,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.rows.said_short import LABEL
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES
 from rpg.language.grammar.talk.people import PEOPLE
 
 _BLOCK = "(?:blocks?|cubes?|bricks?|ones?)"
@@ -25,6 +25,7 @@ _MIXED = "(?:all )?(?:(?:mixed|jumbled|muddled)(?: up| together)?|thrown togethe
 _TOLD = "(?:there (?:are|is)|(?:we|i|you) (?:have|have got|got)|here are)"
 _HAND = "(?:give|hand|get|lend|bring|provide|supply)"
 _WHOM = f"(?:him|her|them|me|us|it|everyone|the robot|(?:my|our|the) (?:little )?(?:{PEOPLE}))"
+_EVERY_PATCH = f"\\b(?:each|every|all|both|{MANY})(?: one)?(?: of)?(?: the)?(?: \\w+)? (?:{PATCH}|{PATCHES})\\b"
 _ALIKE = "(?:(?:the )?(?:blocks|cubes|ones|bricks) (?:of|with|in) (?:the|one) same color|(?:the )?same colors?)"
 _JUST = "(?:not|no) more(?: ,| and| or| , and| , or)* (?:not|no) (?:less|fewer)"
 _PER_CORNER = ("(?:with )?(?:exactly )?(?:a different )?one(?: block| cube| of them)? (?:in|per|at|for|to) each"
@@ -95,7 +96,7 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 LOTS: tuple[Turn, ...] = (
-    (f"^(.+?) [,:] there (?:is|are) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})$", "{1} . there are {2}"),
+    (f"^(?!.*{_EVERY_PATCH})(.+?) [,:] there (?:is|are) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})$", "{1} . there are {2}"),
     (f"^(?:i|we) (?:only|just) (?:want|need|would like) (?:exactly )?({MANY}) of (them|these|those) (on|in) (.+)$",
      "exactly {1} of {2} must be {3} {4}"),
 )  # fmt: skip

@@ -19,6 +19,7 @@ _BARE = "nothing may ever be on {1}"
 _SO = "(?:is|are|has been|have been|lies|stands|sits|rests)"
 _END = "(?:top|bottom|middle|lowest|highest|uppermost|leftmost|rightmost|first|second|third|last|upper|lower)"
 _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind|in|under) the [^,]+?"
+_TO_BE = "(?=(?:be|go|stand|lie|sit|rest|end|touch|form)\\b)"
 _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"
 _REGION = "(the (?:(?:left|right|near|far) half|(?:(?:near|far|front|back|left|right) ){2}corner))(?: of the table)?"
 
@@ -36,8 +37,8 @@ AT_TIMES: tuple[Turn, ...] = (
     (f"\\b(must|should|may) never move(?: ,)? {_EVER}$", "{1} never move"),
     ("\\b(?:is|are) (not|never) (?:allowed|permitted|supposed) to\\b", "must {1}"),
     # later
-    (f"\\b({MUST}) (?:thereafter|afterwards|subsequently|eventually|ultimately|later)(?: on)? "
-     "(?=(?:be|go|stand|lie|sit|rest|end|touch|form)\\b)", "{1} then "),
+    (f"^([^,]+?) ({MUST}) (?:thereafter|afterwards|subsequently|later)(?: on)? {_TO_BE}", "then , {1} {2} "),
+    (f"\\b({MUST}) (?:eventually|ultimately) {_TO_BE}", "{1} "),
     ("\\bwithout (.+?) ever (?:being|lying|standing) on (.+)$", "and {1} must never be on {2}"),
     ("\\bwithout (.+?) ever touching (.+)$", "and {1} must never touch {2}"),
     (f"\\b((?:the [^,]+?|\\w+)) {MUST} (?:be|stay|remain|be kept) (?:clear|free) {_EVER}$", _BARE),

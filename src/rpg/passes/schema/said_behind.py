@@ -39,6 +39,29 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _corner_of(sentence, task)
         _listed_from(sentence, task)
     _one_way(tokens, task)
+    _mats_listed(tokens, task)
+
+
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_LISTED = re.compile(
+    "\\b(?:each|every|both|all)(?: one)?(?: of)?(?: the)? (?:mats?|patch|patches|zones?|targets?|areas?|spots?)\\b.*"
+    f"\\b(?:there (?:is|are)|(?:we|i|you) (?:have|got|have got)) ({_COLOR}(?: , {_COLOR})*(?: ,)? and {_COLOR})(?= \\.|$)"
+)
+
+
+def _mats_listed(tokens: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put a white block on each mat, there are red, blue and green" as of blocks with which nothing is done."""
+    text = " ".join(token.word.replace(" ", "_") for token in tokens)
+    listed = _LISTED.search(text)
+    if listed is None:
+        return
+    begin, end = (text[:at].count(" ") for at in listed.span(1))
+    looks = {lexicon.COLOR.get(token.word) for token in tokens[begin : end + 1]}
+    idle = {block.name for block in task.blocks if block.color in looks}
+    if idle and not idle & {name for part in (task.goal, *task.init.arranged) for name in names(part)}:
+        raise refuse("ambiguous", "what is listed could be the patches or the blocks",
+                     (tokens[begin].span[0], tokens[end].span[1]),
+                     "say 'blocks' or 'patches' where they are listed")  # fmt: skip
 
 
 _LISTED_FROM = re.compile(r"\bfrom (?:the )?(?:left|right|top|bottom|front|back)(?: to (?:the )?\w+)? :")

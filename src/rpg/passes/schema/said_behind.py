@@ -45,7 +45,8 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
 _COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _LISTED = re.compile(
     "\\b(?:each|every|both|all)(?: one)?(?: of)?(?: the)? (?:mats?|patch|patches|zones?|targets?|areas?|spots?)\\b.*"
-    f"\\b(?:there (?:is|are)|(?:we|i|you) (?:have|got|have got)) ({_COLOR}(?: , {_COLOR})*(?: ,)? and {_COLOR})(?= \\.|$)"
+    f"\\b(?:there (?:is|are)|(?:we|i|you) (?:have|got|have got)) ({_COLOR}(?: , {_COLOR})*(?: ,)? and {_COLOR})"
+    "(?= \\.|$)"
 )
 
 

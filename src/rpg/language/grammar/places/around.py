@@ -42,6 +42,8 @@ _SIDES = ("each of its four sides", "all four sides", "all four of its sides", "
           "all sides",
           "each of the four sides")  # fmt: skip
 _ALL_SIDES = tuple(f"{on} {sides}{of}" for on in ("on", "at") for sides in _SIDES for of in ("", " of it"))
+_SIDES_OF = ("on each of the four sides of", "on all four sides of", "on every one of the four sides of",
+             "at each of the four sides of", "at all four sides of")  # fmt: skip
 _EACH_SIDE = tuple(f"on {sides}" for sides in ("each side", "each of its sides", "each side of it"))
 """Which with one block could be two sides or four."""
 _AROUND = ("around it", "all around it", "round it", "surrounding it", "placed around it", "arranged around it",
@@ -115,6 +117,10 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
         flanks = p.any_of(j, _FLANK)
         for hub, k in _hubs(p, flanks) if flanks else ():
             yield _between(p, i, k, hub, sides), k
+    for ring, j in _rings_at(p, begin):
+        around = p.any_of(j, _SIDES_OF)
+        for hub, k in _hubs(p, around) if around and ring.amount in (None, _ONE, _FOUR) else ():
+            yield from _plus(p, i, k, hub, ring)
     ringed = p.any_of(begin, ("a ring of", "a circle of"))
     others = p.any_of(begin, _OTHERS)
     for hub, k in _hubs(p, p.any_of(others, _ROUND) or p.end) if others else ():

@@ -15,7 +15,8 @@ _ALL = (
 _EXCEPT = "(?:except(?: for)?|but(?: for| not)?|apart from|other than|save(?: for)?|with the exception of)"
 _THERE = "(?:(?:right |exactly |just )?where (?:they are|it is)|in (?:its |their )?places?|put|as (?:they are|it is))"
 _STAY = f"(?:(?:{MUST} )?(?:stays?|remains?|be left|be kept)|is left|are left|is kept|are kept)"
-_GOES = f"((?:goes|go|belongs?|comes?|ends? up|{MUST}) .+)"
+_GOING = f"(?:goes|go|belongs?|comes?|ends? up|{MUST})"
+_GOES = f"({_GOING} .+)"
 _MOVES = f"(?:moves?|(?:may|can|{MUST}) (?:move|be moved|be touched)|is (?:to be )?(?:moved|touched)|gets? moved)"
 
 _IS = f"(?:(?:{MUST}|may|can) (?:be|stand|lie|sit|go|rest)|is|sits|stands|lies|rests)"
@@ -31,6 +32,10 @@ BUT_ONE: tuple[Turn, ...] = (
       for tail, more in (("", ""), (f"(?: ,)? (?:which|that) {_GOES}", ". {4} {5}"))),
     *((f"^({_ALL}) ({_STAY} {_THERE})(?: ,)? {_EXCEPT} ({THINGS}){tail}$", f"{{1}} except {{3}} {{2}} {more}")
       for tail, more in (("", ""), (f"(?: ,)? (?:which|that) {_GOES}", ". {3} {4}"))),
+    (f"^({_ALL}) stays?(?: ,)? {_EXCEPT} ({THINGS})$", "{1} except {2} must stay where they are"),
+    *((f"^{_EXCEPT} ({THINGS}){tail}(?: ,)? nothing(?: else)? {_MOVES}",
+       f"all blocks except {{1}} must stay where they are {more}")
+      for tail, more in (("", ""), (f"(?: ,)? (?:which|that) ({_GOING} [^,]+)", ". {1} {2}"))),
     (f"^(?:nothing|no (?:{CUBE}|other {CUBE}|one)) {_EXCEPT} ({THINGS}) {_MOVES}$",
      "all blocks except {1} must stay where they are"),
     (f"^(?:nothing|no {CUBE}) {_MOVES} {_EXCEPT} ({THING})(?: ,)? (?:which|that) {_GOES}$",

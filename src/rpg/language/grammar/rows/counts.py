@@ -10,7 +10,7 @@ from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH,
 _BLOCKS = "(?:blocks|cubes|bricks|ones)"
 _GO = f"(?:{MUST} (?:be|go|lie|stand)|may be|go|goes|are|is|belong|belongs)"
 _SOME = f"(?:some|(?:at least|more than) {MANY})"
-_NOT_ALL = "(?:but|and|though) not all"
+_NOT_ALL = f"(?:but|and|though) (?:not|never) all(?: {MANY})?"
 _WHERE = f"{PLACE} .+"
 _LOTS = f"{MANY} (?:{COLOR} )?{_BLOCKS}(?: and {MANY} (?:{COLOR} )?{_BLOCKS})*"
 _A = f"(?:the |an? )?({COLOR})(?: {BLOCK}| one)?"

@@ -36,6 +36,8 @@ _BARE = f"(?:(?! is | {MUST} | be | measured ).)"
 _MEASURED = "(?:(?:,|as|when)? ?measured )?(?:from )?(?:center to center|(?:their )?centers? to (?:their )?centers?)"
 
 DISTANCES: tuple[Turn, ...] = (
+    (f"^(.+? and .+?) ({MUST}) (?:keep|have|maintain) (?:a|their) distance of ({_FAR})(?: (?:from|to) (?:each other|"
+     "one another))?$", "{1} {2} be {3} apart"),
     (f"\\bat a distance from ({THING}) (greater|larger|smaller|shorter) than (?:its distance|that)(?: from| to)? "
      f"({THING})",
      "at a {2} distance from {1} than from {3}"),

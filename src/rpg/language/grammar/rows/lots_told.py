@@ -96,7 +96,8 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 LOTS: tuple[Turn, ...] = (
-    (f"^(?!.*{_EVERY_PATCH})(.+?) [,:] there (?:is|are) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})$", "{1} . there are {2}"),
+    (f"^(?!.*{_EVERY_PATCH})(.+?) [,:] there (?:is|are) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})$",
+     "{1} . there are {2}"),
     (f"^(?:i|we) (?:only|just) (?:want|need|would like) (?:exactly )?({MANY}) of (them|these|those) (on|in) (.+)$",
      "exactly {1} of {2} must be {3} {4}"),
 )  # fmt: skip

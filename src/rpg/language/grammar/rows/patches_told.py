@@ -99,8 +99,9 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:the )?({COLOR} {PATCH}) gets ([^,]+?) , but (?:(?:it )?does not get|not) (the .+)$",
      "{2} must be on the {1} . {3} must not be on the {1}"),
     # what each of them holds
-    (f"^(?:each|every) ({PATCH}) (?:{MUST} (?:have|get|hold)|gets|needs) the {BLOCK} (?:of|in) (?:{_OWN}|that) "
-     "color(?: (?:sitting|standing|lying|resting|placed))?(?: on (?:it|top(?: of it)?))?(?=$| [,:])",
+    (f"^(?:each|every) ({PATCH}) (?:{MUST} (?:have|get|hold|carry|bear)|gets|needs) the (?:{BLOCK} (?:of|in) "
+     f"(?:{_OWN}|that) color|matching {BLOCK}|{BLOCK} (?:that|which) matches(?: it)?)(?: "
+     "(?:sitting|standing|lying|resting|placed))?(?: on (?:it|top(?: of it)?))?(?=$| [,:])",
      "each block must be on the {1} of the same color"),
     (f"^of the (?:two|three) {PATCHES}(?: ,)? the ({COLOR}) one (.+?) and the ({COLOR}) one (.+)$",
      "the {1} patch {2} and the {3} patch {4}"),

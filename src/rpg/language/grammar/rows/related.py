@@ -31,6 +31,7 @@ RELATED_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_YOU} (?:will|should|must) (?:find|see) ({THING}) ({PLACE} .+?)(?: ,)? (?:when {_YOU} are {_DONE}|at the end|"
      "in the end|afterwards)$", "{1} must be {2}"),
     # on which sides, and which one
+    ("\\b(?:exactly|directly) in line between ", "collinear between "),
     ("\\bon its left(?: side)?(?: ,)? and on its right(?: side)?$", "on its left and right"),
     (f"\\b(?:on|at|to) (?:each|either|both) sides? of ({THING})(?: ,)? {_SIDES}$", "to the left and right of {1}"),
     (f"\\bthe other (?:one|{CUBE}) , (?:which|that) is (?:an? )?({COLOR})(?: one| {CUBE})?(?= ,)",

@@ -24,6 +24,8 @@ _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"
 _REGION = "(the (?:(?:left|right|near|far) half|(?:(?:near|far|front|back|left|right) ){2}corner))(?: of the table)?"
 
 OFF_FIRST: tuple[Turn, ...] = (
+    (f"^(?:please )?(?:first )?remove ({THING}|it)(?: first)?(?: ,| and| , and)? then (?={_STEP}\\b)",
+     "first take {1} off , then"),
     (f"^(?:please )?({_LIFT}) ({THING}|it|them) (off|away|down) first(?: ,| and| , and)? then (?={_STEP}\\b)",
      "first {1} {2} {3} , then"),
     (f"^(?:please )?({_LIFT}) ({THING}|it|them) (off|away|down) first$", "first {1} {2} {3}"),

@@ -17,7 +17,8 @@ from rpg.passes.schema.resolve.things.operands import foot, spread
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 HALFWAY_GAP = 10.0
-"""How far apart two blocks with one halfway between them, or on the line through them, may be, in edges: as far as the workspace allows."""
+"""How far apart two blocks with one halfway between them, or on the line through them, may be, in edges: as far as the
+workspace allows."""
 
 
 _APART = ("distance", "apart", "left", "right", "front", "behind")

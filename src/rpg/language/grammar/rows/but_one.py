@@ -19,12 +19,12 @@ _GOING = f"(?:goes|go|belongs?|comes?|ends? up|{MUST})"
 _GOES = f"({_GOING} .+)"
 _MOVES = f"(?:moves?|(?:may|can|{MUST}) (?:move|be moved|be touched)|is (?:to be )?(?:moved|touched)|gets? moved)"
 
+_BESIDE = "(?:touching|next to|beside|adjacent to|near|close to)"
 _IS = f"(?:(?:{MUST}|may|can) (?:be|stand|lie|sit|go|rest)|is|sits|stands|lies|rests)"
 
 BUT_ONE_AT_ONCE: tuple[Turn, ...] = (
-    (f"\\b({MUST}) only (touch|be touching|be (?:next to|beside|adjacent to|near|close to)|have|hold|carry|bear|contain) ",
-     "{1} {2} only "),
-    (f"\\b({MUST} be) only (touching|next to|beside|adjacent to|near|close to) ", "{1} {2} only "),
+    (f"\\b({MUST}) only (touch|have|hold|carry|bear|contain|be {_BESIDE}) ", "{1} {2} only "),
+    (f"\\b({MUST} be) only ({_BESIDE}) ", "{1} {2} only "),
     (f"^(?:no (?:other )?{CUBE}|nothing|none) {_IS} ({PLACE} .+?)(?: ,)? "
      f"{_EXCEPT} ({THINGS})$", "no block except {2} may be {1}"),
 )  # fmt: skip

@@ -84,6 +84,10 @@ BECOME_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise as it stands."""
 
 BECOME: tuple[Turn, ...] = (
+    (f"^replace ({ONE}) on (the (?:{COLOR} )?{MAT}) (?:by|with) ({ONE})$",
+     "at the start , {1} is on {2} . take {1} off {2} . put {3} on {2}"),
+    (f"^replace ({ONE}) (?:by|with) ({ONE}) on (the (?:{COLOR} )?{MAT})$",
+     "at the start , {1} is on {3} . take {1} off {3} . put {2} on {3}"),
     (f"\\b({MUST}|let them|make them|have them) {_TRADE} {MAT}(?:e?s)$", "{1} change places"),
     (" , (?:no matter|it does not matter|never mind) in (?:which|what) direction$", ""),
     (f"^(?:first )?take ({ONE}) off , then ({ONE})$", "first take {1} off , then take {2} off"),

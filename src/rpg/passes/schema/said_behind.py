@@ -31,6 +31,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _all_different(sentence, task)
         _done_first(sentence, told[:n], task)
         _also_there(sentence, told[:n], task)
+        _there_at_first(sentence, told[:n], task)
     for sentence in told:
         _no_order(sentence, task)
         _reversed(sentence, task)
@@ -141,6 +142,25 @@ def _also_there(sentence: Sequence[Token], before: Sequence[Sequence[Token]], ta
     if look in told and sum(look in _looks(block) for block in task.blocks) == 1:
         raise refuse("ambiguous", "another one, or the one that was told of?", sentence[4].span,
                      "say how many such blocks there are, and put 'one of them'")  # fmt: skip
+
+
+_THERE = re.compile(
+    r"(?:there (?:is|are) .+ there|at the start ,? ?(?!there ).+ (?:is|are) there)(?: now| right now)?$"
+)
+_PLACES = _PATCHES | {"half", "corner", "middle", "edge"}
+
+
+def _there_at_first(sentence: Sequence[Token], before: Sequence[Sequence[Token]], task: TaskSchema) -> None:
+    """Refuse "put red on the mat. There is a blue block there" with the blue block anywhere at the start."""
+    said = [token for token in sentence if token.word not in STOPS]
+    if not _THERE.match(" ".join(token.word for token in said)):
+        return
+    place = any(token.word in _PLACES for one in before for token in one)
+    looks = {lexicon.COLOR.get(token.word) or token.raw for token in said}
+    those = {block.name for block in task.blocks if looks & _looks(block)}
+    if place and those and not those <= {name for part in task.init.arranged for name in names(part)}:
+        raise refuse("misplaced", "it is not read where these are at the start", (said[0].span[0], said[-1].span[1]),
+                     "say 'at the start' and name the place")  # fmt: skip
 
 
 def _looks(block: Block) -> set[str]:

@@ -97,7 +97,9 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "at the start , {2} is on {1} . {2} {3}"),
     (f"^(.+?) and keep ({ONE}) , {WHICH} {STARTS} on ({MARK}) , on (?:that|the|the same) {MAT}(?: the whole time)?$",
      "at the start , {2} is on {3} . {1} and keep {2} there the whole time"),
-    # "it is there now", behind what is to be done with it
+    # "it is there now", behind what is to be done with it; "there is one there now"
+    *((f"^there (?:is|are) {already}((?:an?|{MANY}) .+?) there{now}$", "{1} start there")
+      for already, now in (("already ", f"(?: {TIME})?"), ("", f" {TIME}"))),
     *((f"{begun}(it|they) ({SITS}) ([^,]+?) (?:right )?now$", f"{told}at the start , {{{n}}} {{{n + 1}}} {{{n + 2}}}")
       for begun, told, n in (("^", "", 1), (f"^((?:please )?{COMMAND} .+?) , (?:and )?", "{1} . ", 2))),
     # heaps

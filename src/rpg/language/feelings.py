@@ -112,6 +112,7 @@ def _for_each_other(words: list[str], at: int) -> tuple[tuple[_Range, ...], int]
         added = next((len(said) for said in _ALWAYS if (*words[end - len(said) : end],) == said), 0)
         mutual = other > one + 1 and " ".join(words[other : end - added]) in _MUTUAL
         return (((at, one), (one + 1, other)), end) if mutual else ((), at)
+    end = next((n for n in range(at, len(words)) if words[n] in _BREAKS), len(words))
     for feels in _OF_ANOTHER:
         begin = one + len(feels.split())
         if words[one:begin] == feels.split() and begin < _block(words, begin) == end:

@@ -75,7 +75,7 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     # of centres
     (f"(?: ,)? (?:with )?(?:its|the) {_CENTER} (?:off|out|displaced|shifted)(?: center)?(?: by)? ({_MOST_OFF} "
      f"{LENGTH})$", " , centered to within {1}"),
-    (f"(?: ,)? ({_MOST_OFF} {LENGTH}) off (?:the )?(?:- )?{_CENTER}$", " , centered to within {1}"),
+    (f"(?<! each)(?: ,)? ({_MOST_OFF} {LENGTH}) off (?:the )?(?:- )?{_CENTER}$", " , centered to within {1}"),
     (f"^(the {_CENTER}s of .+? and )(?:that |the {_CENTER} )?of ", "{1}"),
     (f"\\bthe {_CENTER} of ({_ONE}) and the {_CENTER} of ({_ONE}) ", "the centers of {1} and {2} "),
     (f"\\b({THING}) 's {_CENTER} ({_MUST_BE}) ({_FAR}) (?:away )?from (?:the {_CENTER} of )?({THING})(?: 's "

@@ -46,7 +46,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
       for told, bound in (("(?:max|maximum|tops|at (?:the )?most)", "at most"),
                           ("(?:min|minimum|at (?:the )?least)", "at least"))),
     # nobody is no block
-    ("\\bnobody (?=(?:is|sits|stands|lies|touches|may|must|shall|should|can)\\b)", "no block "),
+    ("\\bnobody (?=(?:is|sits|stands|lies|touches|(?:may|must|shall|should|can) (?:be|sit|stand|lie|go))\\b)",
+     "no block "),
     ("\\b(nothing|everything|nobody) 's (?=(?:touching|on|in|next|under|behind|left|right|between|near)\\b)",
      "{1} is "),
     # with their like

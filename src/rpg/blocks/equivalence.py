@@ -12,7 +12,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import Asset, GoalPatch
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.order import Order
-from rpg.ir.relations import Apart, Clear, Closer, On, Swapped, TookPlace
+from rpg.ir.relations import Apart, Clear, Closer, Distance, On, Swapped, TookPlace
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import instances, rename, transform
@@ -78,6 +78,8 @@ def _normal(node: g.Goal) -> g.Goal:
             return g.All(goals=(_took(node.a, node.b, node), _took(node.b, node.a, node)))
         case Closer():
             return _one_by_one(node)
+        case Distance(minimum=float(), maximum=float()):  # at least, and at most
+            return g.All(goals=(node.model_copy(update={"maximum": None}), node.model_copy(update={"minimum": None})))
     if node.kind in EACH_FOR_ITSELF:
         operand: Any = node.a  # type: ignore[union-attr]
         if not isinstance(operand, Lowest | Highest) and len(operand) > 1:

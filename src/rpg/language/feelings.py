@@ -3,6 +3,7 @@ other". It asks for nothing, and says only that there are such blocks."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import product
 
 from rpg.language import lexicon
@@ -17,10 +18,15 @@ _DEGREES = ("good ", "best ", "close ", "old ", "great ", "bad ", "sworn ", "arc
 _TIES = ("friends", "buddies", "pals", "enemies", "rivals", "lovers", "foes")
 _OF_EACH = ("fond of", "in love with", "afraid of", "scared of", "jealous of", "angry with", "mad at", "friends with")
 _NOT = ("do not ", "can not ", "")
+_FIGHTS = ("quarrel", "fight", "argue", "bicker", "squabble")
+_FIGHTING = ("quarrelling", "quarreling", "fighting", "arguing", "bickering", "squabbling", "at war", "at odds")
+_A_FIGHT = ("a fight", "a quarrel", "an argument", "a falling - out", "a row")
 _MUTUAL = frozenset({
     *(f"{no}{verb} {other}" for no, verb, other in product(_NOT, (*_VERBS, "stand", "bear"), _EACH_OTHER)),
     *(f"are {no}{degree}{tie}" for no, degree, tie in product(("not ", ""), _DEGREES, _TIES)),
     *(f"are {no}{how} {other}" for no, how, other in product(("not ", ""), _OF_EACH, _EACH_OTHER)),
+    *_FIGHTS, *(f"{be} {fighting}" for be, fighting in product(("are", "were", "keep"), _FIGHTING)),
+    *(f"{had} {fight}" for had, fight in product(("had", "have had", "are having"), _A_FIGHT)),
     "are in love", "are a couple", "are married", "do not get along", "do not get on", "get along",
 })  # fmt: skip
 """What is said of two."""
@@ -37,8 +43,13 @@ _ALONE = frozenset({
 })  # fmt: skip
 """What no block is."""
 _ADDED = frozenset({"today", "again", "there", "here", "now"})
+_ALWAYS = tuple(
+    (*words.split(),) for words in ("all the time", "all day", "all day long", "constantly", "lately", *_ADDED)
+)
+"""What is added to what two feel."""
 _ARTICLES = frozenset({"the", "my", "our", "your", "a", "an"})
 _BREAKS = frozenset({".", "!", "?", ";", ",", ":", "-", "…"})
+_BEHIND = _BREAKS | {"so"}
 
 
 def without_feelings(tokens: list[Token]) -> tuple[list[Token], list[str]]:
@@ -59,6 +70,8 @@ def without_feelings(tokens: list[Token]) -> tuple[list[Token], list[str]]:
         for n, (begin, behind) in enumerate(things):
             joint = [tokens[behind - 1].saying("and")] if n else []
             out += [*joint, *_one_such(tokens[begin:behind])]
+        if words[end : end + 1] == ["so"]:
+            out.append(replace(tokens[end], kind="punct", word=",", raw=","))
         at = end
     return out, notes
 
@@ -85,19 +98,21 @@ def _lonely(words: list[str], at: int) -> int:
     if not verb or end >= len(words) or words[end] not in _ALONE:
         return 0
     end += 1 + (words[end + 1 : end + 2] != [] and words[end + 1] in _ADDED)
-    return end if end >= len(words) or words[end] in _BREAKS else 0
+    return end if end >= len(words) or words[end] in _BEHIND else 0
 
 
 def _for_each_other(words: list[str], at: int) -> tuple[tuple[_Range, ...], int]:
     """Two blocks of which the one feels something for the other."""
-    end = next((n for n in range(at, len(words)) if words[n] in _BREAKS), len(words))
+    end = next((n for n in range(at, len(words)) if words[n] in _BEHIND), len(words))
     one = _block(words, at)
     if one == at:
         return (), at
     if words[one : one + 1] == ["and"]:
         other = _block(words, one + 1, plural=True)
-        mutual = other > one + 1 and " ".join(words[other:end]) in _MUTUAL
+        added = next((len(said) for said in _ALWAYS if (*words[end - len(said) : end],) == said), 0)
+        mutual = other > one + 1 and " ".join(words[other : end - added]) in _MUTUAL
         return (((at, one), (one + 1, other)), end) if mutual else ((), at)
+    end = next((n for n in range(at, len(words)) if words[n] in _BREAKS), len(words))
     for feels in _OF_ANOTHER:
         begin = one + len(feels.split())
         if words[one:begin] == feels.split() and begin < _block(words, begin) == end:

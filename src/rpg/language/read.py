@@ -103,6 +103,8 @@ _LEADING_WORDS = (
 )
 _LEADING = frozenset(_LEADING_WORDS.split())
 """What stands before a verb, or a noun that looks like one, in the middle of a sentence."""
+_BEFORE_ONE = frozenset({*lexicon.COLOR, *lexicon.SIZE, "other", "last"})
+"""Behind these "one" is a thing and ends what is said of it: "a red one put it there"."""
 _EARLIER = ("before that", "but before that", "beforehand", "but first", "before this", "before doing so",
             "before you do that")  # fmt: skip
 
@@ -277,7 +279,10 @@ def _commands(tokens: list[Token], n: int) -> bool:
     plain = tokens[n].kind == "word" and tokens[n].word in lexicon.COMMANDS
     denied = tokens[n].word == "do" and tokens[n + 1].word == "not"
     denied = denied or (tokens[n].word == "goal" and tokens[n + 1].word == "is")
-    return (plain or denied) and tokens[n - 1].word not in _LEADING and tokens[n - 1].kind in ("word", "literal")
+    before = tokens[n - 1]
+    leads = before.word in _LEADING and not (before.word == "one" and tokens[n - 2].word in _BEFORE_ONE)
+    now = tokens[n].word == "now" and tokens[n + 1].word in lexicon.COMMANDS
+    return (plain or denied or now) and not leads and (before.kind in ("word", "literal") or before.word == "one")
 
 
 def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:

@@ -32,6 +32,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _all_different(sentence, task)
         _done_first(sentence, told[:n], task)
         _also_there(sentence, told[:n], task)
+        _there_at_first(sentence, told[:n], task)
     for sentence in told:
         _no_order(sentence, task)
         _reversed(sentence, task)
@@ -43,6 +44,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _lines_within(sentence, task)
     _one_way(tokens, task)
     check_lines(tokens, task)
+    _mats_listed(tokens, task)
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"
@@ -69,6 +71,29 @@ def _lines_within(sentence: Sequence[Token], task: TaskSchema) -> None:
     if told is not None and any(isinstance(x, Row) for x in atoms(task.goal)):
         raise refuse("ambiguous", "are these lines of the figure, or further ones?", sentence[0].span,
                      "say 'with rows alternating red and blue'")  # fmt: skip
+
+
+_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
+_LISTED = re.compile(
+    "\\b(?:each|every|both|all)(?: one)?(?: of)?(?: the)? (?:mats?|patch|patches|zones?|targets?|areas?|spots?)\\b.*"
+    f"\\b(?:there (?:is|are)|(?:we|i|you) (?:have|got|have got)) ({_COLOR}(?: , {_COLOR})*(?: ,)? and {_COLOR})"
+    "(?= \\.|$)"
+)
+
+
+def _mats_listed(tokens: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put a white block on each mat, there are red, blue and green" as of blocks with which nothing is done."""
+    text = " ".join(token.word.replace(" ", "_") for token in tokens)
+    listed = _LISTED.search(text)
+    if listed is None:
+        return
+    begin, end = (text[:at].count(" ") for at in listed.span(1))
+    looks = {lexicon.COLOR.get(token.word) for token in tokens[begin : end + 1]}
+    idle = {block.name for block in task.blocks if block.color in looks}
+    if idle and not idle & {name for part in (task.goal, *task.init.arranged) for name in names(part)}:
+        raise refuse("ambiguous", "what is listed could be the patches or the blocks",
+                     (tokens[begin].span[0], tokens[end].span[1]),
+                     "say 'blocks' or 'patches' where they are listed")  # fmt: skip
 
 
 _LISTED_FROM = re.compile(r"\bfrom (?:the )?(?:left|right|top|bottom|front|back)(?: to (?:the )?\w+)? :")
@@ -147,6 +172,25 @@ def _also_there(sentence: Sequence[Token], before: Sequence[Sequence[Token]], ta
     if look in told and sum(look in _looks(block) for block in task.blocks) == 1:
         raise refuse("ambiguous", "another one, or the one that was told of?", sentence[4].span,
                      "say how many such blocks there are, and put 'one of them'")  # fmt: skip
+
+
+_THERE = re.compile(
+    r"(?:there (?:is|are) .+ there|at the start ,? ?(?!there ).+ (?:is|are) there)(?: now| right now)?$"
+)
+_PLACES = _PATCHES | {"half", "corner", "middle", "edge"}
+
+
+def _there_at_first(sentence: Sequence[Token], before: Sequence[Sequence[Token]], task: TaskSchema) -> None:
+    """Refuse "put red on the mat. There is a blue block there" with the blue block anywhere at the start."""
+    said = [token for token in sentence if token.word not in STOPS]
+    if not _THERE.match(" ".join(token.word for token in said)):
+        return
+    place = any(token.word in _PLACES for one in before for token in one)
+    looks = {lexicon.COLOR.get(token.word) or token.raw for token in said}
+    those = {block.name for block in task.blocks if looks & _looks(block)}
+    if place and those and not those <= {name for part in task.init.arranged for name in names(part)}:
+        raise refuse("misplaced", "it is not read where these are at the start", (said[0].span[0], said[-1].span[1]),
+                     "say 'at the start' and name the place")  # fmt: skip
 
 
 def _looks(block: Block) -> set[str]:

@@ -42,6 +42,8 @@ _SIDES = ("each of its four sides", "all four sides", "all four of its sides", "
           "all sides",
           "each of the four sides")  # fmt: skip
 _ALL_SIDES = tuple(f"{on} {sides}{of}" for on in ("on", "at") for sides in _SIDES for of in ("", " of it"))
+_SIDES_OF = ("on each of the four sides of", "on all four sides of", "on every one of the four sides of",
+             "at each of the four sides of", "at all four sides of")  # fmt: skip
 _EACH_SIDE = tuple(f"on {sides}" for sides in ("each side", "each of its sides", "each side of it"))
 """Which with one block could be two sides or four."""
 _AROUND = ("around it", "all around it", "round it", "surrounding it", "placed around it", "arranged around it",
@@ -107,10 +109,18 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
                 yield from _plus(p, i, four, hub, ring)
             if end := p.any_of(k, _AROUND):
                 yield from _shaped(p, i, end, hub, ring)
+    ahead = p.any_of(i, _ROUND)
+    for hub, j in _hubs(p, ahead) if ahead else ():
+        for ring, k in _rings(p, p.any_of(p.opt(j, ","), _THERE)):
+            yield from _shaped(p, i, k, hub, ring)
     for sides, j in _two_at(p, begin):
         flanks = p.any_of(j, _FLANK)
         for hub, k in _hubs(p, flanks) if flanks else ():
             yield _between(p, i, k, hub, sides), k
+    for ring, j in _rings_at(p, begin):
+        around = p.any_of(j, _SIDES_OF)
+        for hub, k in _hubs(p, around) if around and ring.amount in (None, _ONE, _FOUR) else ():
+            yield from _plus(p, i, k, hub, ring)
     ringed = p.any_of(begin, ("a ring of", "a circle of"))
     others = p.any_of(begin, _OTHERS)
     for hub, k in _hubs(p, p.any_of(others, _ROUND) or p.end) if others else ():
@@ -125,6 +135,9 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
                 yield from _shaped(p, i, k, hub, ring)
 
 
+_THERE = (*_COMMANDS, "are", "stand", "go", "there must be", "there should be", "there shall be", "must be",
+          "should be")  # fmt: skip
+"""What stands between "around the red block" and the blocks there."""
 _KEEP = ("keep", "leave", "do not move", "don't move")
 _WHERE_IT_IS = ("where it is", "in place", "in its place", "at its place", "there")
 _ALL_OTHERS = ("the others", "all the others", "all others", "the other blocks", "the other cubes", "the rest",
@@ -135,23 +148,27 @@ _ROUND_IT = (*_AROUND, "in a circle around it", "in a ring around it")
 
 
 def _kept_inside(p: Parser, i: int) -> Results[Clause]:
-    """ "Keep the yellow block where it is and put the others around it": all others, and that one is not moved."""
+    """ "Keep the yellow block where it is and put the others (four red ones) around it": that one is not moved."""
     kept = p.any_of(i, _KEEP)
     begin = kept or p.any_of(i, _COMMANDS) or i
     for hub, j in _hubs(p, begin):
         there = p.any_of(j, _WHERE_IT_IS) if kept else p.any_of(j, _MIDDLE)
         there = there or (j if kept and "move" in p.words[i:begin] else 0)
-        rest = p.any_of(
-            p.any_of(there, (", and", "and", ", with", ",", "with", "but", ";", ", then", "and then")), _REST
+        joint = (
+            p.any_of(there, (", and", "and", ", with", ",", "with", "but", ";", ", then", "and then")) if there else 0
         )
-        end = p.any_of(rest, _ROUND_IT)
-        if not (there and rest and end):
-            continue
-        whole = _with_all_others(p, i, end, hub, p.span(there, rest))
+        rest = p.any_of(joint, _REST) if joint else 0
+        end = p.any_of(rest, _ROUND_IT) if rest else 0
+        told: list[tuple[Clause, int]] = []
+        if end:
+            told = [(_with_all_others(p, i, end, hub, p.span(there, rest)), end)]
+        for ring, k in _rings(p, p.any_of(joint, ("put", "place", "arrange", "set"))) if joint and kept else ():
+            told += _shaped(p, i, around, hub, ring) if (around := p.any_of(k, _AROUND)) else ()
         stays = Clause(verb="keep", lemma="leave", theme=replace(hub, det="the"), mode="command",
                        adjuncts=(Manner(kind="stay", span=p.span(j, there)),), span=p.span(i, there))  # fmt: skip
         so = That(kind="so", clauses=Chain(clauses=(stays,), links=("and",), span=stays.span), span=stays.span)
-        yield replace(whole, adjuncts=(*whole.adjuncts, so)) if kept else whole, end
+        for whole, k in told:
+            yield replace(whole, adjuncts=(*whole.adjuncts, so)) if kept else whole, k
 
 
 def _with_all_others(p: Parser, i: int, j: int, hub: Noun, span: Span) -> Clause:

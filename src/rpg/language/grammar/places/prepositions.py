@@ -33,7 +33,7 @@ _SIMPLE = {
     "to the far side of": "behind", "off to the far side of": "behind", "over to the far side of": "behind",
     "to the near side of": "front",
     "behind": "behind", "in back of": "behind", "to the back of": "behind", "at the back of": "behind",
-    "to the rear of": "behind",
+    "to the rear of": "behind", "behind of": "behind", "in behind of": "behind", "at the behind of": "behind",
     "on the back side of": "behind", "beyond": "behind", "on the far side of": "behind", "at the rear of": "behind",
     "next to": "beside", "beside": "beside", "alongside": "beside", "by the side of": "beside",
     "at the side of": "beside",

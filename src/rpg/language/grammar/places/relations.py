@@ -254,16 +254,16 @@ def _between(p: Parser, i: int) -> Results[Meaning]:
     j = i
     if p.words[j : j + 1] and p.words[j] in ("directly", "exactly", "right", "somewhere"):
         mods, j = (("somewhere",) if p.words[j] == "somewhere" else ("directly",)), p.reach(j + 1)
+    j = p.opt(j, "strictly")
     name = "between"
     k = p.any_of(j, ("in between", "in the middle of", "midway between", "halfway between", "between",
-        "in the middle between",
-                     "in the space between", "in the center of", "centered between", "in the gap between",
-                     "among"))  # fmt: skip
+                     "in the middle between", "in the space between", "in the center of", "centered between",
+                     "collinear between", "in the gap between", "among"))  # fmt: skip
     if not k:
         k = p.any_of(j, ("sandwiched between", "sandwiched in between", "sandwiched by"))
         name = "sandwiched"
-    if k and p.words[j] in ("midway", "halfway", "centered"):
-        mods = ("halfway",)
+    if k and p.words[j] in ("midway", "halfway", "centered", "collinear"):
+        mods = ("collinear",) if p.words[j] == "collinear" else ("halfway",)
     elif p.any_of(j, ("in the middle between",)):
         mods = ("middle",)
     if k:

@@ -78,10 +78,16 @@ BECOME_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:get|take|pick|fish) (the {COLOR} (?:ones|{BRICK}s)) out(?: of (?:it|there|the {HEAP}))?(?: ,)? and "
      f"({COMMAND} .+?) "
      "(?:of|from|with|out of) (?:them|these|those)$", "{2} from {1}"),
+    ("^(?:(.+?)(?: ,| and| but| , and| , but) )?(?:i|we) (?:want|need|would like)(?: to have)? "
+     "(?:it|them|that|this)(?: to be)? the other way (?:round|around)$", "{1} . put them the other way around"),
 )  # fmt: skip
 """What is read otherwise as it stands."""
 
 BECOME: tuple[Turn, ...] = (
+    (f"^replace ({ONE}) on (the (?:{COLOR} )?{MAT}) (?:by|with) ({ONE})$",
+     "at the start , {1} is on {2} . take {1} off {2} . put {3} on {2}"),
+    (f"^replace ({ONE}) (?:by|with) ({ONE}) on (the (?:{COLOR} )?{MAT})$",
+     "at the start , {1} is on {3} . take {1} off {3} . put {2} on {3}"),
     (f"\\b({MUST}|let them|make them|have them) {_TRADE} {MAT}(?:e?s)$", "{1} change places"),
     (" , (?:no matter|it does not matter|never mind) in (?:which|what) direction$", ""),
     (f"^(?:first )?take ({ONE}) off , then ({ONE})$", "first take {1} off , then take {2} off"),

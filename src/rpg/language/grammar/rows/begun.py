@@ -11,7 +11,7 @@ MAT = "(?:patch|mat|zone|target|area|spot)"
 MARK = f"(?:the|an?) \\w+ {MAT}"
 HEAP = "(?:heap|pile|jumble)"
 _SHAPE = f"(?:{LINE}|{HEAP})"
-EVENT = "(?:episode|task|run|game|process|procedure|exercise|operation|trial|simulation|test)"
+EVENT = "(?:episode|task|run|game|process|procedure|exercise|operation|trial|simulation|test|round|level|puzzle|match)"
 TIME = (
     "(?:at (?:the )?(?:very )?(?:start|beginning|outset)|initially|originally|in the beginning|to (?:begin|start) "
     "with|"
@@ -69,6 +69,8 @@ _CARRIES = "(?:has|holds|carries|bears)"
 _LISTED = f", (?:{ORDER})(?: ,)?"
 _UNDO = "(?:reverse|invert|flip|rebuild|restack|unstack|dismantle|disassemble)"
 """What is done to a line that is there."""
+_LAY = f"(?:{LIES}|was|(?:is|was|has been|got) (?:put|placed|left|laid|set))"
+_ON_IT = f"(?:on|in|next to|behind|under|in front of) (?:the |an? )?{COLOR}(?: (?:{BRICK}|{MAT})| one)?"
 _IN_A_HEAP = f"in (an?|one) (?:settled |random |messy |mixed |loose )?({HEAP})"
 _OF_EACH = (
     f" , ({MANY})(?: of them)? ({COLOR})(?: ones)?(?: ,| and| , and) ({MANY})(?: of them)? ({COLOR})(?: ones)?\\b"
@@ -95,7 +97,17 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "at the start , {2} is on {1} . {2} {3}"),
     (f"^(.+?) and keep ({ONE}) , {WHICH} {STARTS} on ({MARK}) , on (?:that|the|the same) {MAT}(?: the whole time)?$",
      "at the start , {2} is on {3} . {1} and keep {2} there the whole time"),
+    # "it is there now", behind what is to be done with it; "there is one there now"
+    *((f"^there (?:is|are) {already}((?:an?|{MANY}) .+?) there{now}$", "{1} start there")
+      for already, now in (("already ", f"(?: {TIME})?"), ("", f" {TIME}"))),
+    *((f"{begun}(it|they) ({SITS}) ([^,]+?) (?:right )?now$", f"{told}at the start , {{{n}}} {{{n + 1}}} {{{n + 2}}}")
+      for begun, told, n in (("^", "", 1), (f"^((?:please )?{COMMAND} .+?) , (?:and )?", "{1} . ", 2))),
     # heaps
+    (f"^(?:from|out of) (?:the|a|your|this) ({HEAP}) of ({MANY} (?:{COLOR} )?{BRICK}s)(?: ,)? "
+     f"(?:take|get|pick|remove) ({MANY})(?: of them)?(?: ,)? and (put|place|set|move|stack|lay) (?:them|it) ",
+     "at the start there is a {1} of {2} . {4} {3} of them "),
+    (f"^({MANY} of) the ({MANY} (?:{COLOR} )?{BRICK}s) (?:in|from) (?:the|a) ({HEAP}) (?={MUST} )",
+     "at the start there is a {3} of {2} . {1} them "),
     (f"^{_LED}?(?:the robot|we|you|i) {_GETS} (an? (?:\\w+ )?{HEAP} (?:of|with)\\b.+)$", "at the start there is {1}"),
     (f"^(?:the )?(?:initial|starting|given) ({HEAP}) (?:: |is |of |has )(.+)$", "at the start there is a {1} of {2}"),
     (f"^{_AT_START}{_LED}?({MANY} {BRICK}s) (?:lie|are|start|begin)(?: {TIME})? {_IN_A_HEAP}(?: {TIME})?{_OF_EACH}",
@@ -168,10 +180,19 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "the two"),
     (f"^(.+? {STARTS}) (?:in|on) the (left|right|near|far) side(?: of the table)?(?=$| [,:])",
      "{1} in the {2} half of the table"),
+    # where it does not belong
+    (f"^({ONE}) {_LAY} ({_ON_IT})(?: ,)? (?:but|where|and) (?:(?:it|that) )?(?:does not belong(?: there)?|should not "
+     "be(?: there)?|is wrong)$", "at the start , {1} is {2} . {1} must not be {2}"),
 )  # fmt: skip
 """What is read otherwise as it stands."""
 
 BEGUN: tuple[Turn, ...] = (
+    (f"^({ONE}) {_LAY} ({_ON_IT}) (?:by mistake|by accident|accidentally|mistakenly|wrongly)$",
+     "at the start , {1} is {2}"),
+    (f"^({ONE}) {_LAY} ({_ON_IT})(?: ,)? but(?: it)? (?:really |actually )?belongs ({_ON_IT})$",
+     "at the start , {1} is {2} . {1} must be {3}"),
+    (f"^(?:the|this|each|every|our|my) {EVENT} {STARTS} with (?=an?\\b|the\\b|all\\b|{MANY}\\b|{COLOR}\\b)",
+     "at the start there is "),
     (f"^put (an? .+?) on ({MARK}) only (?:after|when|once) ({ONE}) , {WHICH} {STARTS} (?:there|on it) , (?:has left it|"
      "is off it|is gone)$", "at the start , {3} is on {2} . first take {3} off {2} , then put {1} on {2}"),
     (f"^({ONE} {STARTS} on ({MARK})) and {MUST} never leave it$", "{1} . it must never leave {2}"),
@@ -227,3 +248,5 @@ BEGUN: tuple[Turn, ...] = (
      f"them) {MUST} be (?:removed|taken away|taken|cleared)$", "at the start , {2} is on {1} . clear {1}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
+WORDS = ("accident accidentally mistake mistakenly",)
+"""Words that these take besides those that are read anyway."""

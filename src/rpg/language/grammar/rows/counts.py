@@ -9,6 +9,9 @@ from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH,
 
 _BLOCKS = "(?:blocks|cubes|bricks|ones)"
 _GO = f"(?:{MUST} (?:be|go|lie|stand)|may be|go|goes|are|is|belong|belongs)"
+_SOME = f"(?:some|(?:at least|more than) {MANY})"
+_NOT_ALL = f"(?:but|and|though) (?:not|never) all(?: {MANY})?"
+_WHERE = f"{PLACE} .+"
 _LOTS = f"{MANY} (?:{COLOR} )?{_BLOCKS}(?: and {MANY} (?:{COLOR} )?{_BLOCKS})*"
 _A = f"(?:the |an? )?({COLOR})(?: {BLOCK}| one)?"
 _THREE = f"{_A} , {_A}(?: ,| and| , and) {_A}"
@@ -28,6 +31,16 @@ COUNTED: tuple[Turn, ...] = (
     (f"\\b({MANY}) and (?:no|not) more than \\1\\b", "exactly {1}"),
     (f"^(?:out of|of|from) (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ((?:exactly|at least|at most|only|"
      f"just) {MANY}) {_GO} ((?:on|onto|in|into) .+)$", "{2} of the {1} must be {3}"),
+    # some, and not all of them
+    (f"^(?:out of|of|from) (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ({_SOME})(?: ,)? {_NOT_ALL}(?: of them)?"
+     f"(?: ,)? {_GO} ({_WHERE})$", "{2} but not all of the {1} must be {3}"),
+    (f"^({_SOME}) of (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? {_NOT_ALL}(?: of them)?(?: ,)? {_GO} "
+     f"({_WHERE})$", "{1} but not all of the {2} must be {3}"),
+    (f"^{PUT} ({_SOME}) of (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ({_WHERE})(?: ,)? {_NOT_ALL}(?: of "
+     "them)?$", "{1} but not all of the {2} must be {3}"),
+    (f"^{PUT} ({_SOME}) of (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? {_NOT_ALL}(?: of them)?(?: ,)? "
+     f"({_WHERE})$", "{1} but not all of the {2} must be {3}"),
+    (f"^((?:{PUT} )?{_SOME}(?: ,)? {_NOT_ALL}) ({MANY} (?:{COLOR} )?{_BLOCKS}) ", "{1} of the {2} "),
     (f"^(.+) , with ({_LOTS}) (?:being )?(?:available|present|there|in all|in total|altogether)$",
      "{1} . there are {2}"),
     ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"
@@ -63,6 +76,19 @@ COUNTED: tuple[Turn, ...] = (
      f"other 's {PATCHES})(?: : (?:the )?\\1(?: {BLOCK})? on the \\2(?: {PATCH}| one)?(?: ,| and)+ (?:the )?\\2(?: "
      f"{BLOCK})? on the \\1(?: {PATCH}| one)?)?$",
      "put the {1} block on the {2} patch and the {2} block on the {1} patch"),
+    # as many of these as of those
+    (f"^(the (?:{COLOR} )?{PATCH}) (?:{MUST} have|has|{MUST} hold|holds) as many (.+?) as ([^,]+?)(?: on it)?$",
+     "there must be as many {2} as {3} on {1}"),
+    (f"^the number of ({COLOR} {_BLOCKS}) on (the (?:{COLOR} )?{PATCH}) (?:equals|is (?:equal to|the same as)|{MUST} "
+     f"(?:equal|be equal to|be the same as)) (?:the number|that) of ({COLOR} {_BLOCKS})(?: (?:on (?:it|\\2)|there))?$",
+     "there must be as many {1} as {3} on {2}"),
+    # so many here, and the others there
+    (f"^(?:divide|split|distribute|sort|arrange|share|part) ((?:the |my )?{MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? so "
+     f"that ({MANY})(?: of them)? (?:is|are|lie|go) ({_WHERE}?)(?: ,)? and the (?:rest|others?|other {MANY})(?: "
+     f"(?:is|are|lie|go))? ({_WHERE})$", "{2} of {1} must be {3} and the others {4}"),
+    (f"^(?:take )?(?:both|the two|two)(?: of the)? ({COLOR}) {_BLOCKS}(?: ,)? and (?:{PUT}|stick) one(?: of them)? "
+     f"({_WHERE}?)(?: ,)? and the other(?: one)? ({_WHERE})$",
+     "one of the two {1} blocks must be {2} and the other must be {3}"),
     # one of two, and not both
     (f"^(?:just |only |exactly )?one of the two ([^,]+?) , but not the other(?: one)? , (?:is|{MUST} be) (.+)$",
      "exactly one of the two {1} must be {2}"),

@@ -25,6 +25,8 @@ _NEIGHBORS = (
     f"(?:{_NEXT_TO_EACH} )?{_BLOCKS}"
     f"|(?:every|any|each) (?:two|pair)(?: of)? neighbors|each (?:{_NEXT_TO_EACH} )?pair|each of them|the {_BLOCKS})"
 )
+_BUILT = "(?:towers|stacks|columns|rows|pyramids)"
+_MOST_OFF = "(?:by )?(?:no more than|not more than|at most|less than|up to)"
 _ROW = f"((?:an?|the|one) (?:row|line|column) of (?:(?:{FEW}|\\d+) )?(?:\\w+ )?(?:blocks|cubes|ones))"
 _THERE = f"there (?:is|are|{MUST} be)"
 _SAME = "(?:(?:always|everywhere|all) )?(?:the same|equal|identical|equally (?:large|big|wide))(?: everywhere| size)?"
@@ -34,6 +36,15 @@ _BARE = f"(?:(?! is | {MUST} | be | measured ).)"
 _MEASURED = "(?:(?:,|as|when)? ?measured )?(?:from )?(?:center to center|(?:their )?centers? to (?:their )?centers?)"
 
 DISTANCES: tuple[Turn, ...] = (
+    (f"^(.+? and .+?) ({MUST}) (?:keep|have|maintain) (?:a|their) distance of ({_FAR})(?: (?:from|to) (?:each other|"
+     "one another))?$", "{1} {2} be {3} apart"),
+    (f"\\bat a distance from ({THING}) (greater|larger|smaller|shorter) than (?:its distance|that)(?: from| to)? "
+     f"({THING})",
+     "at a {2} distance from {1} than from {3}"),
+    # of the middles of what is named
+    (f"\\b({LENGTH}) between the (?:centers|middles) of (?:the (?:two )?|these )?{_BUILT}$",
+     "{1} between their centers"),
+    (f"\\b({LENGTH})((?: of)? {_SPACE})? between (?:the|these) (?:two )?{_BUILT}$", "{1} {2} between them"),
     # from one to the other
     (f"\\b(?:so(?: that)? )there (?:is|are|{MUST} be) ({_FAR}) from (?:the )?one to the other$",
      "so that they are {1} apart"),
@@ -62,6 +73,9 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
      "{1} {4} {2} {3} {4}"),
     ("\\b(closer|nearer) (?:together|to (?:each other|one another)) than\\b", "{1} than"),
     # of centres
+    (f"(?: ,)? (?:with )?(?:its|the) {_CENTER} (?:off|out|displaced|shifted)(?: center)?(?: by)? ({_MOST_OFF} "
+     f"{LENGTH})$", " , centered to within {1}"),
+    (f"(?<! each)(?: ,)? ({_MOST_OFF} {LENGTH}) off (?:the )?(?:- )?{_CENTER}$", " , centered to within {1}"),
     (f"^(the {_CENTER}s of .+? and )(?:that |the {_CENTER} )?of ", "{1}"),
     (f"\\bthe {_CENTER} of ({_ONE}) and the {_CENTER} of ({_ONE}) ", "the centers of {1} and {2} "),
     (f"\\b({THING}) 's {_CENTER} ({_MUST_BE}) ({_FAR}) (?:away )?from (?:the {_CENTER} of )?({THING})(?: 's "
@@ -105,6 +119,10 @@ SPACED_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:with|at|and) an? center (?:- )?to (?:- )?center (?:distance|spacing) of {_LONG}",
      "with a distance of {1} between their centers"),
     # between two
+    (f"\\b(distance between .+?) (?:{MUST} not exceed|does not exceed|is below|is under) (?={LENGTH}\\b)",
+     "{1} must be at most "),
+    (f"\\b(distance between .+?) (?:(?:must )?exceeds?|is above|is over|is beyond) (?={LENGTH}\\b)",
+     "{1} must be more than "),
     (f"\\b(?:with|leaving) {_LONG} of (?:gap|space|room) between {_FACES}", "with a gap of {1} between them"),
     (f"\\b(gap of {LENGTH}) between {_FACES}(?! of)", "{1} between them"),
     (f"(?: ,)? so that {_THERE} {_LONG}(?: of {_SPACE})? between them$", " with a gap of {1} between them"),

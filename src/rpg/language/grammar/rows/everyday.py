@@ -3,6 +3,7 @@ that say it as others do."""
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MANY, MUST
 
@@ -12,6 +13,7 @@ _ROW = "(?:far|near|front|back|first|second)"
 _BLOCK = "(?:block|cube|blocks|cubes)"
 _SIZE = "(?:big|large|small|little)"
 _MAT = "(?:mat|patch|zone|area|target)"
+_PART = "(?:left|right|near|far|front|back)"
 _PUT = "(?:put|place|set|lay|move|stack)"
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
@@ -43,6 +45,19 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} them {3} except for {4} . {4} must be {5}"),
     (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which (?:{MUST} "
      "(?:be|go|lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} all but {4} of them {3} . the others must be {5}"),
+    (" , like(?: ,)?(?: at all| ever)?$", ""),
+    *((f"\\b({MANY}) ((?:{COLOR} )?{_BLOCK}) {told}(?= (?:on|in|onto|into) |$| ,)", f"{bound} {{1}} {{2}}")
+      for told, bound in (("(?:max|maximum|tops|at (?:the )?most)", "at most"),
+                          ("(?:min|minimum|at (?:the )?least)", "at least"))),
+    # nobody is no block
+    ("\\bnobody (?=(?:is|sits|stands|lies|touches|(?:may|must|shall|should|can) (?:be|sit|stand|lie|go))\\b)",
+     "no block "),
+    ("\\b(nothing|everything|nobody) 's (?=(?:touching|on|in|next|under|behind|left|right|between|near)\\b)",
+     "{1} is "),
+    # with their like
+    (f"\\b(the ({COLOR}) (?:{_BLOCK}|ones)|the ({COLOR})s) together with (?=the (?:\\2|\\3)(?:s| ones| {_BLOCK})\\b)",
+     "{1} with "),
+    ("(?:has|have|'s|'ve) got to (?=(?:be|go|stand|sit|lie|touch|rest|end|stay|form)\\b)", "must "),
     # measures
     (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
     (f"(?: ,| and)* (?:(?:with|leave)(?: me| us)? )?(?:a )?(?:({LENGTH}) gaps?|gaps? of ({LENGTH})) (?:between "
@@ -89,10 +104,20 @@ _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "bec
 _NOT_SO = "".join(f"(?<! {word})" for word in _LEADING)
 
 EVERYDAY: tuple[Turn, ...] = (
+    *((f"^{begun}({THINGS}) (?:{IS} )?(?:any|some)where (?:except|but|other than|(?:that|which) (?:is|'s) not) "
+       f"({PLACE} .+)$", said)
+      for begun, said in ((f"(?:please )?(?:{PUT} )?", "{1} must not be {2}"),
+                          ("(.+?) , with ", "{1} . {2} must not be {3}"))),
+    *((f"^(?:please )?(?:spread|distribute)(?: out)? (.+?)(?: out)? (?:all )?(?:over|across|around|throughout) "
+       f"(?=the {_PART} (?:half|side|part)\\b{told})", f"{how} {{1}} in ")
+      for told, how in ((".*\\b(?:touch|touching|touches|next to|beside|apart|near|cm)\\b", "put"), ("", "spread"))),
+    (f"^(.*\\b)(?:let|leave) ({THING})(?: to)? (?:be|alone)$", "{1} leave {2} where it is"),
+    ("\\b(leave|keep) ([^,]+?) (?:lying|sitting|standing|resting) (?=(?:on|in|where)\\b)", "{1} {2} "),
+    (f"^(.*\\b)let ({THING}) (?:be |stay )?(empty|free|clear)$", "{1} leave {2} {3}"),
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("minimum maximum upwards audience pupils save ground floor",)
+WORDS = ("min max tops minimum maximum upwards audience pupils save ground floor",)
 """Words that these take besides those that are read anyway."""

@@ -10,6 +10,7 @@ from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
+from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE
 from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.corners import corners_again
@@ -40,7 +41,7 @@ from rpg.language.grammar.rows.some_letters import some_of_the_letters
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
-from rpg.language.grammar.rows.times import BEFORE_IT
+from rpg.language.grammar.rows.times import BEFORE_IT, OFF_FIRST
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import Turns, turned
@@ -63,9 +64,11 @@ _OF_ALL = (
     *TWO_ROWS_AT_ONCE,
     *DISTANCES_AT_ONCE,
     *LOTS_AT_ONCE,
+    *BUT_ONE_AT_ONCE,
     *BESIDES_AT_ONCE,
     *PATCHES_AT_ONCE,
     *BEGUN_AT_ONCE,
+    *OFF_FIRST,
     *BECOME_AT_ONCE,
     *IN_STEPS,
     *COUNTED,
@@ -104,6 +107,7 @@ _OF_THE_UNREAD = (
     *SPECIFIED,
     *ROUNDABOUT,
     *CONTRASTED,
+    *BUT_ONE,
     *BEFORE_IT,
     *BEGUN,
     *BECOME,

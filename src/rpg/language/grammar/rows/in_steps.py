@@ -17,6 +17,7 @@ _THEN = "(?:then |next |after that |afterwards |from there |finally |lastly |las
 _SHOWN = "(upside - down|upside down|upright|sideways)"
 _SELF = "(?:is|are|appears?|stands?|reads?|lies?)"
 _SWAP = "(?:trade|swap|switch|change|exchange)"
+_ASKED = "(?:let|can|could|may|is it possible (?:that|for)|(?:i|we) (?:want|need|would like))"
 _WHOLE = "(?:thing|time|process|operation|task|episode|procedure|job)"
 _NAMED = f"(?:{THING}|{LABEL})"
 _EITHER = f"(?:{THING}|\\w)"
@@ -53,6 +54,7 @@ IN_STEPS: tuple[Turn, ...] = (
     (f"^{_GOES} ({_HERE}) ?{_AND_THEN}({_HERE})$", "first put {1} {2} on {3} , then put {1} {2} on {4}"),
     # meanwhile
     (f"\\b(?:during|throughout|for) the (?:whole|entire) {_WHOLE}\\b", "the whole time"),
+    ("\\bwithout (?:disturbing|displacing|dislodging|budging) (?!each other|one another|any)", "without moving "),
     (f"(?: ,)? with ({THINGS}) not being (?:moved|shifted|displaced)\\b", " without moving {1}"),
     (f"\\bwithout ({THINGS}) being (?:moved|shifted|displaced)\\b", "without moving {1}"),
     (f"\\b({MUST}|may|can) not be (?:displaced|shifted|dislocated|budged)\\b", "{1} not be moved"),
@@ -74,7 +76,7 @@ IN_STEPS: tuple[Turn, ...] = (
     (f"^(?:{_PUT} )({_NAMED}) (?:in|into|to|at) the (?:place|position|spot) of ({_NAMED})(?: ,)? and vice versa$",
      "{1} and {2} must swap places"),
     (f"^(.+?)(?: ,| and)+ (?:keep|leave) ({_NAMED}) (?:put|in place|where it is)$", "{1} . {2} must stay where it is"),
-    (f"^let ({THINGS}) ({_SWAP} (?:places|positions))(?: ,)? without moving ({THINGS})$",
+    (f"^{_ASKED} ({THINGS}) (?:to )?({_SWAP} (?:places|positions))(?: ,)? without (?:moving|touching) ({THINGS})$",
      "{1} must swap places . {3} must stay where it is"),
     # how a letter is turned
     (f"^(?:turn|rotate|flip|put|place|set) ((?:the )?{BLOCK} (\\w)|the (\\w)(?: {BLOCK})?)(?: around| over| down)? so "

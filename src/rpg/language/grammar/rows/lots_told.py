@@ -6,7 +6,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.rows.said_short import LABEL
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES
 from rpg.language.grammar.talk.people import PEOPLE
 
 _BLOCK = "(?:blocks?|cubes?|bricks?|ones?)"
@@ -23,6 +23,9 @@ _STOCK = f"(?:(?:the )?{_LOTS}|{_SYMBOLS})"
 _EACH = "(?:(?:,|:) (one (?:with|of|for|has|having|made of|containing|consisting of) .+))"
 _MIXED = "(?:all )?(?:(?:mixed|jumbled|muddled)(?: up| together)?|thrown together)"
 _TOLD = "(?:there (?:are|is)|(?:we|i|you) (?:have|have got|got)|here are)"
+_HAND = "(?:give|hand|get|lend|bring|provide|supply)"
+_WHOM = f"(?:him|her|them|me|us|it|everyone|the robot|(?:my|our|the) (?:little )?(?:{PEOPLE}))"
+_EVERY_PATCH = f"\\b(?:each|every|all|both|{MANY})(?: one)?(?: of)?(?: the)?(?: \\w+)? (?:{PATCH}|{PATCHES})\\b"
 _ALIKE = "(?:(?:the )?(?:blocks|cubes|ones|bricks) (?:of|with|in) (?:the|one) same color|(?:the )?same colors?)"
 _JUST = "(?:not|no) more(?: ,| and| or| , and| , or)* (?:not|no) (?:less|fewer)"
 _PER_CORNER = ("(?:with )?(?:exactly )?(?:a different )?one(?: block| cube| of them)? (?:in|per|at|for|to) each"
@@ -83,6 +86,8 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_FOUR}(.*?)(?: ,)? a different one (in|into|at|to) (each corner|every corner|each of the (?:four )?corners|"
      "each)( of the table)?$", "{1} , one {2} {3} {4}"),
     # what there is
+    (f"^(?:please )?{_HAND} {_WHOM} (?:with )?((?:exactly |just )?{MANY}(?: {_BLOCK})? of each(?: color| kind| one)?)$",
+     "there are {1}"),
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : ((?:put|stack|place|build|make|"
      "arrange|line|move|set|lay) .+)$", "there are the {1} . {2}"),
     # what is sorted
@@ -91,6 +96,8 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 LOTS: tuple[Turn, ...] = (
+    (f"^(?!.*{_EVERY_PATCH})(.+?) [,:] there (?:is|are) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})$",
+     "{1} . there are {2}"),
     (f"^(?:i|we) (?:only|just) (?:want|need|would like) (?:exactly )?({MANY}) of (them|these|those) (on|in) (.+)$",
      "exactly {1} of {2} must be {3} {4}"),
 )  # fmt: skip

@@ -3,7 +3,7 @@ and what none but one may be on, as rows that name the patches where they are me
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import BLOCK, IS, THING, THINGS
+from rpg.language.grammar.rows.said_short import BLOCK, IS, PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import AND, COLOR, MANY, MUST, PATCH, PATCHES
 
@@ -16,8 +16,11 @@ _LISTS = (
 _HERE = f"the (?:{COLOR} )?{PATCH}"
 _LIES = "(?:lies?|is|are|stands?|sits?|rests?|starts?|begins?)"
 _NOW = "(?: now| (?:at|in) the (?:start|beginning)| initially| at first| right now)?"
+_SO = "(?:exactly |just |only |at least |at most )?"
+_BLOCKS = f"(?:{BLOCK}s|{BLOCK}|bricks?|ones?)"
 _OWN = "(?:its own|their own|the same|the matching|its|own|the right)"
 _CLEAR = "(?:clear|empty|vacate|free|remove everything from|take everything (?:off|from)|clear everything off)"
+_EVERYTHING_OFF = "(?:clear|take|get|remove|move) (?:everything|anything|all of it) (?:off|from|off of|away from)"
 _AWAY = ("(?:go|leave|go away|be removed|be taken off|be taken away|come off|disappear|get off|be moved away|get out "
 "of "
          "there)")  # fmt: skip
@@ -75,6 +78,9 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
          1, 4, 2, 3),
         (f"two {PATCHES} (?:,|:) {_THE} and {_THE} : ", f"(?:them|these|the {PATCHES})", "", 3, 4, 1, 2))),
     # what is cleared
+    (f"^{_EVERYTHING_OFF} ({_HERE})$", "clear {1}"),
+    (f"^(?:{_CLEAR}|{_EVERYTHING_OFF}) ({_HERE}) [,:] there (?:is|are) ([^,]+?) (?:on (?:it|there)|there){_NOW}$",
+     "at the start , {2} are on {1} . {1} must be empty"),
     (f"^{_CLEAR} ({_HERE}) of ((?:both|all|the|all of the) (?:[^,]|, (?:and )?the )+)$", "take {2} off {1}"),
     (f"^{_CLEAR} ({_HERE}) , (?:on|in) which ((?:(?! at the )[^,])+?) {_LIES}{_NOW}$",
      "at the start , {2} are on {1} . {1} must be empty"),
@@ -92,6 +98,18 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      f"not|nor) (?:not )?({THING})$", "only {1} must be {3} . {4} and {5} must not be {3}"),
     (f"^(?:the )?({COLOR} {PATCH}) gets ([^,]+?) , but (?:(?:it )?does not get|not) (the .+)$",
      "{2} must be on the {1} . {3} must not be on the {1}"),
+    # what each of them holds
+    (f"^(?:each|every) ({PATCH}) (?:{MUST} (?:have|get|hold|carry|bear)|gets|needs) the (?:{BLOCK} (?:of|in) "
+     f"(?:{_OWN}|that) color|matching {BLOCK}|{BLOCK} (?:that|which) matches(?: it)?)(?: "
+     "(?:sitting|standing|lying|resting|placed))?(?: on (?:it|top(?: of it)?))?(?=$| [,:])",
+     "each block must be on the {1} of the same color"),
+    (f"^of the (?:two|three) {PATCHES}(?: ,)? the ({COLOR}) one (.+?) and the ({COLOR}) one (.+)$",
+     "the {1} patch {2} and the {3} patch {4}"),
+    *((f"^the ({COLOR} {PATCH}) {verb} ({_SO}{MANY}) ({COLOR}) ({_BLOCKS})(?: on it)?(?: ,)? and the ({COLOR} {PATCH}) "
+       f"(?:{verb} )?({_SO}{many})(?: of them)?(?: on it)?$",
+       f"{{2}} {{3}} {{4}} {be} on the {{1}} and {{6}} {{3}} {blocks} {be} on the {{5}}")
+      for many, blocks in (("(?:one|1)", "block"), (MANY, "blocks"))
+      for verb, be in ((f"(?:gets|{MUST} (?:hold|have|get|carry))", "must be"), ("(?:holds|has|carries)", "are"))),
     # all but one
     (f"^((?:all|every) {BLOCK}s? (?:except|except for|but|apart from) the ({COLOR})[^,]*?) , (?:namely|that is|i "
      f"e)(?: ,)? (?:the|an?) ({COLOR})(?: {BLOCK})? and (?:the|an?) ({COLOR})(?: one| {BLOCK})? ?,? (.+)$",
@@ -106,7 +124,7 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 PATCHES_UNREAD: tuple[Turn, ...] = (
     (f"(?<!with )\\b({_HERE}) (?:is |to be )?(?:left|kept) (?:empty|clear|free)\\b", "{1} must be empty"),
-    ("\\b(is|are) allowed (on|in) ", "may be {2} "),
+    (f"\\b(?:is|are) (not )?(?:allowed|permitted)(?: to be)? (?={PLACE} )", "may {1} be "),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("vacate namely",)

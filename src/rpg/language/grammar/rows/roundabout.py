@@ -17,6 +17,7 @@ _STARTED = (
 )
 
 ROUNDABOUT_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(need|want|require) ((?:the|an?|{FEW}|all|both) .+)$", "i {1} {2}"),
     ("(?: ,)? so that there is (?:one|a) (tower|stack) (?:per|for each) color$", "in one {1} per color"),
     (f"^in an? ({LINE}) (with|of) (.+) , ((?:swap|exchange|switch|turn|move|take) .+)$",
      "there is a {1} {2} {3} . {4}"),
@@ -157,7 +158,6 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"\\b((?:{FEW}) (?:\\w+ )?{_BLOCK}s) of (?:mine|ours|yours)\\b", "{1}"),
     ("^(?:move|shift|slide|push|bring|nudge) (the .+?|\\w+) (?:over|across|along)(?: ,)? so (?:that )?(?:it is|it 's) "
      "(.+)$", "put {1} {2}"),
-    (f"^(need|want|require) ((?:the|an?|{FEW}|all|both) .+)$", "i {1} {2}"),
     # structures
     (f"(?: ,)? whose base (?:is|has)(?: a row of)? ({FEW})(?: {_BLOCK}s)?(?: long| wide)?$", " with a base of {1}"),
     ("(?: ,)? so that (?:the|their) (?:order|colors) (?:is|are|follow|follows|match|matches) (?:that |those )?(?:of |"

@@ -3,6 +3,7 @@ plainly."""
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.said_short import THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import LENGTH, LINE, MUST
 
@@ -11,15 +12,25 @@ _NEVER = "(?:at no (?:time|point|moment|stage|instant)|on no occasion|not once|n
 _EVER = "(?:at any (?:time|point|moment)|at all times|the whole time|the entire time|all the time|throughout|always)"
 _BLOCK = "(?:block|cube|brick|thing)"
 _STEP = "(?:put|place|move|stack|set|bring|lay|take|unstack|swap|build|make|line up|carry|transfer|shift)"
+_LIFT = "(?:get|take|lift|remove|pull|move|bring)"
 _MOVED = "(?:moved|touched|disturbed|displaced|shifted)"
 _OTHERS = "the others stay where they are"
 _BARE = "nothing may ever be on {1}"
 _SO = "(?:is|are|has been|have been|lies|stands|sits|rests)"
 _END = "(?:top|bottom|middle|lowest|highest|uppermost|leftmost|rightmost|first|second|third|last|upper|lower)"
 _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind|in|under) the [^,]+?"
+_TO_BE = "(?=(?:be|go|stand|lie|sit|rest|end|touch|form)\\b)"
 _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"
 _REGION = "(the (?:(?:left|right|near|far) half|(?:(?:near|far|front|back|left|right) ){2}corner))(?: of the table)?"
 
+OFF_FIRST: tuple[Turn, ...] = (
+    (f"^(?:please )?(?:first )?remove ({THING}|it)(?: first)?(?: ,| and| , and)? then (?={_STEP}\\b)",
+     "first take {1} off , then"),
+    (f"^(?:please )?({_LIFT}) ({THING}|it|them) (off|away|down) first(?: ,| and| , and)? then (?={_STEP}\\b)",
+     "first {1} {2} {3} , then"),
+    (f"^(?:please )?({_LIFT}) ({THING}|it|them) (off|away|down) first$", "first {1} {2} {3}"),
+)  # fmt: skip
+"""What is taken off before anything else, of which the order would be lost; in every sentence."""
 AT_TIMES: tuple[Turn, ...] = (
     # never
     (f"\\b{_NEVER} (touch|touches|lie|lies|put|place|let|move|take|stack|leave|leaves|lift|allow)\\b", "never {1}"),
@@ -27,13 +38,17 @@ AT_TIMES: tuple[Turn, ...] = (
      "one|a short|a brief|a single) (?:moment|second|time|while|instant))$", "{1} at any time"),
     (f"\\b(must|should|may) never move(?: ,)? {_EVER}$", "{1} never move"),
     ("\\b(?:is|are) (not|never) (?:allowed|permitted|supposed) to\\b", "must {1}"),
+    # later
+    (f"^([^,]+?) ({MUST}) (?:thereafter|afterwards|subsequently|later)(?: on)? {_TO_BE}", "then , {1} {2} "),
+    (f"\\b({MUST}) (?:eventually|ultimately) {_TO_BE}", "{1} "),
     ("\\bwithout (.+?) ever (?:being|lying|standing) on (.+)$", "and {1} must never be on {2}"),
     ("\\bwithout (.+?) ever touching (.+)$", "and {1} must never touch {2}"),
     (f"\\b((?:the [^,]+?|\\w+)) {MUST} (?:be|stay|remain|be kept) (?:clear|free) {_EVER}$", _BARE),
     (f"\\b(?:{MUST}|may) not leave (.+?)(?: {_EVER})?$", "must not leave {1}"),
     # nothing else
     (f"\\b(?:no other {_BLOCK}|nothing else) (?:moves|(?:{_MUST} )?(?:be|is|gets?) {_MOVED}|{_MUST} move)$", _OTHERS),
-    (f"\\bwithout (?:moving|touching|disturbing) (?:any other {_BLOCK}s?|anything else)$", "without moving the others"),
+    (f"\\bwithout (?:moving|touching|disturbing|displacing|shifting) (?:any other {_BLOCK}s?|anything else)$",
+     "without moving the others"),
     # one after the other
     (f"^(?:please )?wait (?:until|till) (.+?)(?: ,)? (?:and )?(?:then|before you) ({_STEP} .+)$", "once {1} , {2}"),
     (f"^(.+?)(?: ,)? (?:but )?(?:as soon as|once|only when|but not until) ([^,]+? {_SO} .+)$", "once {2} , {1}"),

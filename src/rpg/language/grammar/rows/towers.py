@@ -44,6 +44,8 @@ _IS = f"(?:is|are|{MUST} be)"
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    (f"^((?:please )?(?:stack|pile)(?: up)? .+?) , (?:(?:all )?in |as )?(?:one|a|an)(?: single)? ({TOWER})$",
+     "{1} in one {2}"),
     # towers and rows
     (f"\\b(towers [^,]+ , one ({COLOR})(?: ,| and)? one ({COLOR}))(?: ,|;| with)+ (?:the )?\\2(?: one| tower)? "
      f"(?:{_IS} |stands )?({_SPOT}) (?:the )?\\3(?: one| tower)?$", "{1} . the {2} tower must be {4} the {3} tower"),

@@ -144,18 +144,7 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
         yield Quantity("the"), p.seq(j, "one and only") or j
         for found, k in amount(p, j):
             yield Quantity("the", found, found.high != 1), k
-    if j := p.any_of(
-        i,
-        (
-            "at least one but not all of",
-            "some but not all of",
-            "some , but not all of",
-            "at least one , but not all of",
-            "at least one , but not all , of",
-            "some , but not all , of",
-        ),
-    ):
-        yield Quantity("some", Amount(1, -1, True), True, partitive=True), j
+    yield from _but_not_all(p, i)
     for found, j in amount(p, i):
         yield Quantity("bare", found, found.high != 1), j
         if k := p.any_of(j, ("of", "out of")):
@@ -169,6 +158,18 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
     if j := p.one(i, ("its", "their")):
         yield Quantity("its"), j
     yield from _others(p, i)
+
+
+_NOT_ALL = tuple(f"{lead} not all{of}" for lead in (", but", "but", "and", ", and", "though", ", though")
+                 for of in (" of", " , of"))  # fmt: skip
+
+
+@choice
+def _but_not_all(p: Parser, i: int) -> Results[Quantity]:
+    """ "Some, but not all of the", "at least two but not all of the": up to one less than there are."""
+    for n, j in _least(p, i):
+        if of := p.any_of(j, _NOT_ALL):
+            yield Quantity("some", Amount(n, -1, True), True, partitive=True), of
 
 
 _SHARES = {

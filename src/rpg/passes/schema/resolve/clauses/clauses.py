@@ -41,6 +41,7 @@ from rpg.passes.schema.resolve.clauses.shaped import all_it_has, shaped
 from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
+from rpg.passes.schema.resolve.clauses.spread_out import spread_out
 from rpg.passes.schema.resolve.clauses.started import laid_down, partly, was_so
 from rpg.passes.schema.resolve.clauses.swapped import mere_result, swap
 from rpg.passes.schema.resolve.clauses.the_same_ones import of_the_same
@@ -270,11 +271,7 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     if matching and not _kind_of_shape(spec):
         spec.patterns.append(Pattern(unit="stack", span=clause.span))
     shape = _kind_of_shape(spec)
-    if clause.lemma in ("spread", "distribute") and not (
-        spec.orders or spec.intos or spec.toward or spec.spacings or spec.places or spec.thats
-    ):
-        each = Pronoun(word="each other", span=clause.span)
-        spec.places.append(Loc(rel="apart", landmark=each, span=clause.span))
+    spread_out(clause, spec)
     said = one_for_each_patch(one_for_each_corner(said, spec.places, scene), spec.places, scene)
     theme = refer(counted(said, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     by_sandwiching(clause, spec)

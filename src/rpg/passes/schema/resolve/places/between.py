@@ -17,7 +17,8 @@ from rpg.passes.schema.resolve.things.operands import foot, spread
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 HALFWAY_GAP = 10.0
-"""How far apart two blocks with one halfway between them may be, in edges: as far as the workspace allows."""
+"""How far apart two blocks with one halfway between them, or on the line through them, may be, in edges: as far as the
+workspace allows."""
 
 
 _APART = ("distance", "apart", "left", "right", "front", "behind")
@@ -46,18 +47,21 @@ def between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         return sandwich(ends[0].names[0], theme.names[0], ends[1].names[0], scene, span)
     blocks = [*theme.names, *mark.names]
     piled = mark.patch or any(built.kind == "stack" and {*built.members} & {*blocks} for built in scene.built)
-    if "halfway" in loc.mods or ("middle" in loc.mods and len(blocks) == 3 and not piled):
+    lined = "collinear" in loc.mods
+    if lined or "halfway" in loc.mods or ("middle" in loc.mods and len(blocks) == 3 and not piled):
         if (
             isinstance(b, Lowest | Highest)
             or isinstance(c, Lowest | Highest)
             or len(theme.names) * len(b) * len(c) != 1
+            or (lined and piled)
         ):
-            raise refuse("misplaced", "only one block between two can be halfway", loc.span, "say 'between'")
+            told = "on the line through them" if lined else "halfway"
+            raise refuse("misplaced", f"only one block between two can be {told}", loc.span, "say 'between'")
         if mark.patch:
             inside = r.Between(a=theme.names, b=b, c=c, span=span)
             return conj([inside, r.Equidistant(a=theme.names, b=b, c=c, span=span)], span)
         order = Order(by="given", ranks=(b, theme.names, c))
-        return s.Row(blocks=(*b, *theme.names, *c), order=order, evenly=True, gap_edges=HALFWAY_GAP, span=span)
+        return s.Row(blocks=(*b, *theme.names, *c), order=order, evenly=not lined, gap_edges=HALFWAY_GAP, span=span)
     return spread(theme, lambda a: r.Between(a=a, b=b, c=c, span=span), span)
 
 

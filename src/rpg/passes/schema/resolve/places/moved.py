@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TypeGuard
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.node import Operand
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Clause, Loc, Pronoun
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.shifted import RELS, shifted, told_shift
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
@@ -101,3 +104,9 @@ def put_there(upper: str, below: str, scene: Scene) -> bool:
 def taken_off(theme: Ref, below: str, span: Span) -> g.Goal:
     """Nothing of it is above this block any more."""
     return spread(theme, lambda a: g.Not(goal=r.Above(a=a, b=(below,), span=span), span=span), span)
+
+
+def off_patches(a: Operand, patches: Sequence[str], span: Span) -> g.Goal:
+    """None of the blocks of a row lies on any of them; a tower is where its lowest block is."""
+    each: list[Operand] = [(name,) for name in a] if isinstance(a, tuple) else [a]
+    return conj([g.Not(goal=r.OnPatch(a=n, patch=p, span=span), span=span) for p in patches for n in each], span)

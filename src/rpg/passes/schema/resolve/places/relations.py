@@ -20,7 +20,7 @@ from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.compared import compared as compared_far
 from rpg.passes.schema.resolve.places.corners import corners, from_their_halves, in_region, of_something_else
 from rpg.passes.schema.resolve.places.flanks import flanked
-from rpg.passes.schema.resolve.places.moved import off_what, put_there, taken_off
+from rpg.passes.schema.resolve.places.moved import off_patches, off_what, put_there, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
     COMPARED,
     among_themselves,
@@ -381,13 +381,7 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         told = f"the {loc.rel} side of a patch could be a part of it or the table beside it"
         raise refuse("ambiguous", told, loc.span, f"say 'on the patch' or 'to the {loc.rel} of the patch'")
     if loc.rel == "off":
-        return [
-            spread(
-                theme,
-                lambda a: conj([g.Not(goal=r.OnPatch(a=a, patch=p, span=span), span=span) for p in patches], span),
-                span,
-            )
-        ]
+        return [spread(theme, lambda a: off_patches(a, patches, span), span)]
     if loc.rel in ("on", "above", "in"):
         if mark.part == "middle":
             if len(theme.names) != 1:

@@ -197,6 +197,8 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
         return None
     if all(m.ref.patch for m in marks) and scope.rel.removeprefix("not ") not in ("on", "in", "off", ""):
         return built[0].ref
+    if scope.rel == "off" and len(marks) == 1 and marks[0].ref.patch and marks[0].rel in ("on", "in"):
+        return marks[0].ref  # and so off the structure as well
     return _decide(word, scene, rivals)
 
 

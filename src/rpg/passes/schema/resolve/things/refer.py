@@ -316,18 +316,19 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return replace(whole, quant=Amount(amount.low, amount.high, True), det="any")
     if amount is None:
         return whole
-    if (high := amount.high) == -1:
-        return replace(whole, quant=Amount(amount.low, len(whole.names) - 1, True))
-    if high is not None and amount.low > len(whole.names):
-        count = len(whole.names)
+    high, count = amount.high, len(whole.names)
+    most = count - (high == -1)
+    if high is not None and amount.low > most:
         raise refuse(
             "too-many-asked",
-            f"{amount.low} are asked for, but there are only {count}",
+            f"{amount.low} are asked for, but {'there are only' if most == count else 'not all of'} {count}",
             noun.span,
-            f"ask for at most {count}",
+            f"ask for at most {most}",
             asked=amount.low,
             there=count,
         )
+    if high == -1:
+        return replace(whole, quant=Amount(amount.low, most, True))
     if scene.speaks_of_rest and not amount.strict and high is not None:
         return _some_of(whole, amount.low, noun, scene)
     told_apart = amount.strict and not scene.parted.isdisjoint(whole.names)  # "the others" are those of before

@@ -83,7 +83,8 @@ _WAYS = (
     "the|these|those|my|our|all|all_the blocks|cubes|bricks|pieces|boxes are|have all? the? "
     "same_size|equal_size|equally_big|equally_large|equal_in_size|of_the_same_size|of_equal_size|identical_in_size",
     "there is|are|will_be nothing|no else|other_blocks|other_things|more_blocks|other_objects|other_cubes|"
-    "further_blocks on_the_table|there|around|here|in_the_scene|involved?",
+    "further_blocks "
+    "on_the_table|around|here|in_the_scene|involved",
 )
 _ROWS = Rows(_WAYS, _CLASSES)
 

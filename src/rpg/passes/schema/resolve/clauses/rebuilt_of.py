@@ -1,10 +1,11 @@
-""" "Take apart the tower of two red blocks and the tower of two blue ones and build one tower": of these blocks."""
+""" "Take apart the tower of two red blocks and the tower of two blue ones and build one tower": of these blocks. "Take
+the white ones and make a tower": of these as well."""
 
 from __future__ import annotations
 
 from itertools import pairwise
 
-from rpg.language.meaning import Chain, Clause, Pronoun, Structure, Traits, Using, parts_of, replace
+from rpg.language.meaning import Chain, Clause, Noun, Pronoun, Structure, Traits, Using, parts_of, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
 
@@ -22,7 +23,12 @@ def rebuilt_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
             _check_used(clause, known=known)
         clauses = list(chain.clauses)
         for n, (taken, made) in enumerate(pairwise(chain.clauses), 1):
-            if isinstance(taken, Clause) and isinstance(made, Clause) and _apart(taken) and _open(made):
+            if (
+                isinstance(taken, Clause)
+                and isinstance(made, Clause)
+                and (_apart(taken) or _taken(taken))
+                and _open(made)
+            ):
                 them = Pronoun(word="them", span=made.span)
                 clauses[n] = replace(made, adjuncts=(Using(members=them, span=made.span), *made.adjuncts))
         found.append(chain if tuple(clauses) == chain.clauses else replace(chain, clauses=tuple(clauses)))
@@ -42,6 +48,13 @@ def _apart(taken: Clause) -> bool:
     """Whether several structures are taken apart that are told with their blocks."""
     wholes = [x for x in parts_of(taken.theme) if isinstance(x, Structure)] if taken.theme is not None else []
     return taken.verb == "unstack" and not taken.negated and len(wholes) > 1 and all(x.members for x in wholes)
+
+
+def _taken(taken: Clause) -> bool:
+    """Whether some of the blocks are taken up: "take the white ones (and make a tower)"."""
+    some = isinstance(taken.theme, Noun) and bool(taken.theme.traits.colors)
+    from_them = all(isinstance(x, Using) for x in taken.adjuncts)
+    return taken.verb in ("pick", "use") and not taken.negated and from_them and some
 
 
 def _open(made: Clause) -> bool:

@@ -30,6 +30,7 @@ from tests.corpus.run import read
         ),
         ("Put the red block and the green block on the block.", "ambiguous"),
         ("Put the red block on the blue block. The blocks are round.", "misplaced"),
+        ("Neither the red block nor the blue block may touch the table. Both yellow blocks remain on it.", "ambiguous"),
         (
             "Let's make a rainbow! One red, one orange, one yellow, one green, one blue and one purple block in a row "
             "from left to right, in that order.",

@@ -37,6 +37,11 @@ _WHOLE = (
     "learned_about|are_learning|are_learning_about|talked_about|talk_about|are_practising|practise|practice <skill>",
     "<errand> one|two|three|four|five|six|seven|eight|nine|ten|a|b|c",
     "nothing more|else and|or|,? nothing less|else",
+    "this|that|it|these|those|which is|'s|are|was my|our|his|her|their|your|the little|dear? name|nickname|initials|"
+    "favorite_word|name_day|birthday|street|school|team|club|<who>",
+    "thats|its|thats_,? my|our|his|her name|nickname|initials",
+    "that|this|it is|'s what|how they|we|people|everybody|everyone|friends|i call|calls|name|spell|write|pronounce "
+    "me|it|him|her|us|this",
     "it|this|that does|need not need_to|have_to? be perfect|pretty|precise|exact|fancy|beautiful|so_precise|"
     "a_work_of_art|nice exactly|though|at_all?",
     "or|otherwise|else i|we will|'ll cry|be_sad|be_angry|be_mad|be_late|fail|tell_mom|get_angry",

@@ -20,6 +20,13 @@ EVERYDAY = {
     **{f"{with_}{two}colors alternating{around}": "alternating" for with_ in ("with ", "")
        for two in ("the two ", "both ", "the ", "its two ") for around in ("", " all the way around", " all around")},
     **{f"alternating all the way {around}": "alternating" for around in ("around", "round", "through", "along", "up")},
+    **{f"{take} {it} down{first}": f"{before}put {it} on the table"
+       for take in ("take", "get", "lift", "bring") for it in ("it", "them", "that one", "that")
+       for first, before in ((" first", "first "), (" again", ""), ("", ""))},
+    **{f"for the {digits}": f"of the {digits}" for digits in ("digits", "letters", "numbers")},
+    **{f"{during} {the}{execution}": "at all times" for during in ("during", "throughout")
+       for the in ("all the ", "the whole ", "the entire ", "all of the ", "the ")
+       for execution in ("execution", "operation", "procedure", "process", "maneuver", "manoeuvre", "motion")},
     "no stacking higher than": "no stack higher than", "no piling higher than": "no stack higher than",
     **{f"{up} when {we} {come}": f"{up} at the start"
        for up in ("stacked", "up", "there", "table", "other", "patch", "mat", "heap", "pile", "row", "one")

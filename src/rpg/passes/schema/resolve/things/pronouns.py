@@ -145,7 +145,8 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         several = them(word, scene, scope)
         none = any(m.ref.quant is not None and m.ref.quant.high == 0 for m in told if m.clause == scene.clause)
         itself = scope.role == "theme" or none  # "none of them to the left of it"
-        one = word.word == "the first one" or (word.word == "it" and itself)
+        looks = {(t.color, t.label) for t in map(scene.things.__getitem__, several.names)}
+        one = word.word == "the first one" or (word.word == "it" and (itself or len(looks) > 1))
         if one and len(several.names) > 1 and not several.built:
             raise refuse("ambiguous", f"{word.word!r} could be any of several blocks", word.span,
                          "name the one you mean")  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from itertools import product
 from typing import Any
 
@@ -14,7 +15,7 @@ from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.order import Order
 from rpg.ir.relations import Apart, Clear, Closer, Distance, On, Swapped, TookPlace
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Row, Stack
+from rpg.ir.structures import Row, Stack, Towers
 from rpg.ir.walk import instances, rename, transform
 
 EACH_FOR_ITSELF = frozenset({"on_patch", "on_table", "in_region", "clear", "stayed", "moved", "shifted", "equidistant"})
@@ -42,7 +43,8 @@ def _whole(schema: TaskSchema) -> g.Goal:
     """Start and goal as one expression, so that look-alikes keep their identity over both."""
     start = g.Stage(goal=normal(g.All(goals=schema.init.arranged)))
     blocks = tuple(block.name for block in schema.blocks)
-    goal = transform(schema.goal, lambda node: _covered(node, blocks))
+    colors = {block.name: block.color for block in schema.blocks}
+    goal = transform(schema.goal, lambda node: _by_color(_covered(node, blocks), colors))
     return g.Sequence(stages=(start, g.Stage(goal=normal(goal))))
 
 
@@ -52,6 +54,24 @@ def _covered(node: g.Goal, blocks: tuple[str, ...]) -> g.Goal:
         return node
     a = node.goal.a
     return g.Any(goals=tuple(On(a=(n,), b=(under,)) for under in a for n in blocks if n != under))
+
+
+def _by_color(node: g.Goal, colors: Mapping[str, str]) -> g.Goal:
+    """Towers, each of a colour of its own, are a stack of just the blocks of each colour."""
+    if not isinstance(node, Towers) or node.each != "color" or not node.separate or node.matching:
+        return node
+    lots: dict[str, list[str]] = {}
+    for name in node.blocks:
+        lots.setdefault(colors[name], []).append(name)
+    many = [len(lot) for lot in lots.values()]
+    agreed = node.count in (None, len(lots)) and (node.heights is None or sorted(node.heights) == sorted(many))
+    if not agreed or min(many) < LOWEST_TOWER or (node.equal and len(set(many)) > 1):
+        return node
+    return _flat(g.All(goals=tuple(Stack(blocks=tuple(lot), exact=True) for lot in lots.values())))
+
+
+LOWEST_TOWER = 2
+"""A lone block is no tower."""
 
 
 def _normal(node: g.Goal) -> g.Goal:

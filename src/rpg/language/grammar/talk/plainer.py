@@ -49,6 +49,13 @@ from rpg.language.grammar.talk.said_between import (
     others_anywhere,
 )
 from rpg.language.grammar.talk.said_loosely import LOOSE, said_loosely
+from rpg.language.grammar.talk.set_plainly import (
+    SORTED,
+    given_when_then,
+    got_going,
+    heading_of_sorting,
+    number_in_brackets,
+)
 from rpg.language.grammar.talk.short_turns import (
     LETTING,
     anywhere_but,
@@ -290,6 +297,10 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (answers_wanted, frozenset({"?", "=", "answer", "result", "solution", "missing"})),
     (respelling, RESPELT),
     (word_made, MADE),
+    (given_when_then, frozenset({"given"})),
+    (number_in_brackets, frozenset({"("})),
+    (heading_of_sorting, SORTED),
+    (got_going, frozenset({"going"})),
     (bare_sides, frozenset({"right"})),
     (one_side_each, frozenset({"side"})),
     (own_color, frozenset({"match", "each", "every"})),

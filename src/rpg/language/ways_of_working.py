@@ -69,6 +69,10 @@ _WAYS = (
     "<many> points|marks|stars|credits|point if|when|for it|this|you|that works|stands|holds|succeed|success|manage_it",
     "<it> <must> not|never ever? fall|topple|collapse|tip|wobble|tumble|crash|fall_apart|come_down|"
     "tip_over|fall_over over|down|off|apart|afterwards|please?",
+    "one is|'s|will_be|would_be enough|sufficient|fine|okay|ok|plenty",
+    "not before|earlier|sooner|until_then|any_earlier",
+    "i|we? do_not|dont care|mind what|which|about_the|about color|colors|colours? it_is|they_are|"
+    "they_have|it_has|you_use|you_take?",
     "nothing|none_of_them|no_block|no_cube <must> fall|topple|collapse|tip|wobble|fall_down|tip_over|fall_over|"
     "fall_off afterwards|please?",
     "<it> <must> be|stay|remain|stand stable|steady|firm|standing|secure|sturdy|stably|firmly|steadily enough|please|"

@@ -14,6 +14,7 @@ from rpg.language.grammar.talk.framing import VIEW
 from rpg.language.grammar.talk.in_short import begins_thing, meant
 from rpg.language.grammar.talk.left_open import ANY_OF_THEM, FOREIGN, FREE, LOOSE
 from rpg.language.grammar.talk.list_marks import lists_in_one
+from rpg.language.grammar.talk.people import TITLES
 from rpg.language.grammar.talk.plainer import plainer
 from rpg.language.grammar.talk.rephrased import rephrased
 from rpg.language.grammar.talk.tastes import taste_told
@@ -51,12 +52,6 @@ _ANYWHERE = (
 """Phrases that carry nothing in any place."""
 _ADDRESSED_AS = ("mate", "buddy", "dude", "my friend", "pal")
 """Whom it is said to; who wants something is spoken of."""
-_TITLES = (
-    "captain", "skipper", "professor", "doctor", "doc", "nurse", "coach", "sergeant", "officer", "chef", "chief",
-    "boss", "comrade", "darling", "honey", "sweetie", "dear", "my dear", "love", "my love", "your honor",
-    "your highness", "your majesty", "my lord", "milady", "maestro", "champ", "bud", "partner", "colleague", "sunshine",
-)  # fmt: skip
-"""So is it, where a comma sets them off."""
 _WANTS = frozenset({"wants", "likes", "would", "needs", "asks", "asked", "wanted", "prefers", "says", "said", "wishes"})
 SOFT = "(soft)"
 """The value of a comma that may have set off nothing but an aside; no number or quotation has it."""
@@ -377,7 +372,7 @@ _Fits = Callable[[list[str], int, int], bool]
 _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_ANYWHERE, lambda words, first, last: True),
     (_ADDRESSED_AS, lambda words, first, last: words[last : last + 1] == [] or words[last] not in _WANTS),
-    (_TITLES, _set_off),
+    (TITLES, _set_off),
     (_EMPHASIS, lambda words, first, last: _emphatic(words, last)),
     (FREE, _set_off),
     (ANY_OF_THEM, _of_so_many),

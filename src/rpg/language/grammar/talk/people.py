@@ -44,6 +44,12 @@ WORKERS = frozenset({"robot", "arm", "agent", "gripper", "machine", "player", "w
 DOERS = ("somebody", "someone", "the robot", "the robot arm", "the arm", "the machine", "they", "people", "a child",
           "the child", "the children", "the kids", "the gripper", "some child")  # fmt: skip
 """Who has done something: what is told of it is so then."""
+TITLES = (
+    "captain", "skipper", "professor", "doctor", "doc", "nurse", "coach", "sergeant", "officer", "chef", "chief",
+    "boss", "comrade", "darling", "honey", "sweetie", "dear", "my dear", "love", "my love", "your honor",
+    "your highness", "your majesty", "my lord", "milady", "maestro", "champ", "bud", "partner", "colleague", "sunshine",
+)  # fmt: skip
+"""Whom it is said to, where a comma sets them off."""
 WHO = {
     "which": (
         "the|my|our|your|this|that|a|an|one|some|every|their|his|her",

@@ -67,7 +67,7 @@ from rpg.language.grammar.talk.short_turns import (
     without_letting,
     without_stacking,
 )
-from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared
+from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared, sizes_listed
 from rpg.language.grammar.talk.structures_listed import PLURALS, one_of_each_color, structures_listed
 from rpg.language.grammar.talk.told_short import any_other, but_turned, every_other, halves_told, in_pairs, no_two
 from rpg.language.grammar.talk.towers_bounded import HIGHER, towers_bounded
@@ -297,6 +297,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (answers_wanted, frozenset({"?", "=", "answer", "result", "solution", "missing"})),
     (respelling, RESPELT),
     (word_made, MADE),
+    (sizes_listed, frozenset(lexicon.SIZE)),
     (given_when_then, frozenset({"given"})),
     (number_in_brackets, frozenset({"("})),
     (heading_of_sorting, SORTED),

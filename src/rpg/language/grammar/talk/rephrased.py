@@ -40,8 +40,8 @@ _PHRASES = {
                                             "a safe distance", "at a safe distance")},
     "far enough apart": "far apart", "a safe distance apart": "far apart", "not too close together": "far apart",
     "not too close to": "away from", "not too near": "away from",
-    "with the exception of": "except for", "with exception of": "except for",
-    "prior to": "before", "not a single": "no", "not even one": "no", "not even a single": "no",
+    "with the exception of": "except for", "with exception of": "except for", "prior to": "before",
+    "not a single": "no", "not even one": "no", "not even a single": "no",
     **{f"{one} and {the}{two} {what}": f"{one} {what} and {the}{two} {what}" for the in ("", "the ")
        for one, two in (("odd", "even"), ("even", "odd")) for what in ("digits", "numbers")},
     **{f"{on} the {top} of the table": f"{on} the table" for on in ("on", "onto", "to")
@@ -120,20 +120,6 @@ _PHRASES = {
        for n in lexicon.NUMBER for what in ("", " blocks", " cubes")},
     **{f"{has}{crept} into": f"{be} in" for has, be in (("has ", "is"), ("have ", "are"))
        for crept in ("crept", "slipped", "sneaked", "strayed", "wandered")},
-    **{f"{piece} of {paper}": "patch" for piece in ("piece", "sheet", "bit", "scrap", "square")
-       for paper in ("paper", "cloth", "felt", "carpet", "cardboard")},
-    **{f"at the {table} 's {middle}": f"in the middle of the {table}" for table in ("table", "desk", "workspace")
-       for middle in ("middle", "center")},
-    **{f"{to}{side} of the {middle} of the {table}": f"in the {side} half of the table"
-       for to in ("", "to the ", "on the ") for side in ("left", "right") for middle in ("middle", "center")
-       for table in ("table", "desk", "workspace", "tabletop")},
-    **{f"over {to} the {side} side": f"to the {side} side" for to in ("to", "on") for side in ("left", "right")},
-    "the wrong way up": "upside down", "be inverted": "be upside down", "is inverted": "is upside down",
-    "around the middle of": "near the middle of", "into the middle of": "to the middle of",
-    **{f"portion of the {table}": f"part of the {table}" for table in ("table", "desk", "workspace", "tabletop")},
-    "centrally on": "in the middle of", "midpoint of the": "middle of the", "heart of the": "middle of the",
-    "square frame": "square outline", "rectangular frame": "rectangle outline",
-    "but not both of them": "but not both", "not both of them": "not both", "and not both of them": "but not both",
 }  # fmt: skip
 """What people write, and what it is read as."""
 

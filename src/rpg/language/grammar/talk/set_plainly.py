@@ -10,7 +10,7 @@ from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
 _STEPS = frozenset({"given", "when", "then"})
-_BY = frozenset({"color", "letter", "number", "size", "kind", "type"})
+_BY = frozenset({"color", "letter", "number", "size", "kind", "type", "class", "category"})
 SORTED = frozenset({"sort", "group", "organize", "organise", "arrange"})
 _ALL = frozenset({"them", "everything", "all", "the", "these", "it", "blocks", "cubes", "bricks", "please", "boxes"})
 

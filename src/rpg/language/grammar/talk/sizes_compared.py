@@ -333,3 +333,24 @@ def _by_side(text: _Text) -> list[Token] | None:
     left = which if told["side"] == "left" else 1 - which
     said = f"{sized[left].group()} to the left of {sized[1 - left].group()}"
     return text.changed([(sized[0].start(), sized[1].end(), said), (*told.span(), "")])
+
+
+def sizes_listed(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "The big, the medium and the small red block": all of them are red."""
+    for last in range(3, len(words) - 2):
+        looks = words[last + 1] in lexicon.COLOR and lexicon.BLOCK.get(words[last + 2]) is False
+        if words[last] not in lexicon.SIZE or not looks:
+            continue
+        sizes, at = [], last - 1
+        while at > 0:
+            at -= words[at] == "the"
+            joined = words[at] in (",", "and")
+            at -= joined + (joined and words[at - 1] == ",")
+            if not joined or at < 0 or words[at] not in lexicon.SIZE:
+                break
+            sizes.append(at)
+            at -= 1
+        if sizes and words[sizes[-1] - 1] == "the":
+            named = tokens[last + 1 : last + 3]
+            return [part for n, token in enumerate(tokens) for part in (token, *(named if n in sizes else ()))]
+    return None

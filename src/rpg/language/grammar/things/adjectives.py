@@ -11,7 +11,7 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length, of_more
 from rpg.language.grammar.things.bare_labels import borne
 from rpg.language.grammar.things.edges import STANDARD, USUAL, each_long, edge_told
-from rpg.language.grammar.things.labels import from_to, label_list, look_at, symbol_at
+from rpg.language.grammar.things.labels import COUNTED_NOUNS, from_to, label_list, look_at, symbol_at
 from rpg.language.grammar.things.nth_largest import NTH_LARGEST
 from rpg.language.grammar.things.patch_sides import patch_side
 from rpg.language.meaning import Traits
@@ -382,10 +382,6 @@ def _symbols_after(p: Parser, i: int) -> Results[Marks]:
                 yield Marks({"colors": listed}), k
 
 
-_COUNTED_NOUNS = frozenset({"color", "colors", "hues", "shades", "ends", "sides", "halves", "kinds", "others", "of"})
-"""Nouns that a number in front of them counts; it is no label then."""
-
-
 @choice
 def _labelled(p: Parser, i: int) -> Results[Marks]:
     j = p.any_of(i, _LABELLED)
@@ -397,9 +393,8 @@ def _labelled(p: Parser, i: int) -> Results[Marks]:
     if noun or p.words[i] not in ("with", "carrying") or (j > p.any_of(i, ("with",)) and not symbol_at(p, i - 1)):
         read = not noun and p.words[i] in ("reading", "saying") and "of" in p.words[max(0, i - 3) : i]
         for (labels, more), k in label_list(p, noun or j, True):
-            if k < p.end and p.words[k] in _COUNTED_NOUNS:
-                continue  # "with the two colours alternating" names no 2
-            if len(labels) < 2 or not read:  # "a row of cubes reading C, A, B" is read from the left
+            counts = k < p.end and p.words[k] in COUNTED_NOUNS  # "with the two colours alternating" names no 2
+            if not counts and (len(labels) < 2 or not read):  # "a row of cubes reading C, A, B" is read from the left
                 yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), k
     if noun and p.words[j] in _KINDS:
         yield Marks({"kind": _KINDS[p.words[j]]}), p.any_of(noun, ("on them", "on it", "on top")) or noun

@@ -85,6 +85,10 @@ def _between(first: str, last: str) -> tuple[str, ...]:
     return ()
 
 
+COUNTED_NOUNS = frozenset({"color", "colors", "hues", "shades", "ends", "sides", "halves", "kinds", "others", "of"})
+"""Nouns that a number in front of them counts; it is no label then."""
+
+
 @rule
 def run(p: Parser, i: int) -> Results[tuple[str, ...]]:
     """ "1 to 5", "E down to A": symbols one after the other, either way."""

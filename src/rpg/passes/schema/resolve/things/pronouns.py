@@ -163,9 +163,8 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         raise refuse("ambiguous", f"{word.word!r} could be what lies there, or what it lies on", word.span,
                      "name the one you mean")  # fmt: skip
     again = [m for m in single if m.word == "it" and m.role == "theme" and m.clause == last]
-    if scope.rel in ("off", "not on") and any(m.ref.patch for m in single if m.clause == last):
-        again = []  # "put it on the mat, the others stay off it"
-    if again and again[-1].sentence == scene.sentence and not single[-1].word and word.word == "it":
+    patched = scope.rel in ("off", "not on") and any(m.ref.patch for m in single if m.clause == last)  # "stay off it"
+    if again and not patched and again[-1].sentence == scene.sentence and not single[-1].word and word.word == "it":
         return again[-1].ref
     rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
     if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):

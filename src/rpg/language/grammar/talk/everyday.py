@@ -20,10 +20,8 @@ EVERYDAY = {
     **{f"{with_}{two}colors alternating{around}": "alternating" for with_ in ("with ", "")
        for two in ("the two ", "both ", "the ", "its two ") for around in ("", " all the way around", " all around")},
     **{f"alternating all the way {around}": "alternating" for around in ("around", "round", "through", "along", "up")},
-    **{f"{take} {it} down{first}": f"{before}put {it} on the table"
-       for take in ("take", "get", "lift", "bring") for it in ("it", "them", "that one", "that")
-       for first, before in ((" first", "first "), (" again", ""), ("", ""))},
-    **{f"for the {digits}": f"of the {digits}" for digits in ("digits", "letters", "numbers")},
+    **{f"{take} {it} down first": f"first put {it} on the table"
+       for take in ("take", "get", "lift", "bring") for it in ("it", "that one")},
     **{f"{during} {the}{execution}": "at all times" for during in ("during", "throughout")
        for the in ("all the ", "the whole ", "the entire ", "all of the ", "the ")
        for execution in ("execution", "operation", "procedure", "process", "maneuver", "manoeuvre", "motion")},
@@ -47,9 +45,9 @@ EVERYDAY = {
     "in between of": "between",
     **{f"{along} the depth{direction}": "from front to back" for along in ("along", "in") for direction in (
         "", " direction", " axis", " dimension")},
-    **{f"{at} equal {distance}{between}": "evenly spaced" for at in ("at", "with", "in")
+    **{f"{at} equal {distance} {between}": "evenly spaced" for at in ("at", "with", "in")
        for distance in ("distance", "distances", "spacing", "gaps", "intervals", "space", "spaces")
-       for between in ("", " between them", " between each other", " from each other", " in between")},
+       for between in ("between them", "between each other", "in between")},
     **{f"{pairwise} {distinct}": "different" for pairwise in ("pairwise", "mutually") for distinct in (
         "distinct", "different")},
     "square frame": "square outline", "rectangular frame": "rectangle outline",

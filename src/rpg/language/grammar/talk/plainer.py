@@ -55,6 +55,7 @@ from rpg.language.grammar.talk.set_plainly import (
     got_going,
     heading_of_sorting,
     number_in_brackets,
+    of_the_symbols,
 )
 from rpg.language.grammar.talk.short_turns import (
     LETTING,
@@ -302,6 +303,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (number_in_brackets, frozenset({"("})),
     (heading_of_sorting, SORTED),
     (got_going, frozenset({"going"})),
+    (of_the_symbols, frozenset({"for"})),
     (bare_sides, frozenset({"right"})),
     (one_side_each, frozenset({"side"})),
     (own_color, frozenset({"match", "each", "every"})),

@@ -55,6 +55,13 @@ def heading_of_sorting(tokens: list[Token], words: list[str]) -> list[Token] | N
     return tokens[end + 1 :] if placed > 1 else None
 
 
+def of_the_symbols(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "For the digits 1 to 6, all odd ones ...": of these."""
+    if words[:2] != ["for", "the"] or words[2:3] not in (["digits"], ["letters"], ["numbers"]) or "," not in words:
+        return None
+    return [tokens[0].saying("of"), *tokens[1:]]
+
+
 def got_going(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Get me a wall going": build one."""
     for at in (n for n, word in enumerate(words) if word == "going" and n > 2 and words[n - 1] in lexicon.STRUCTURE):

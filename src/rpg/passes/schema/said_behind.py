@@ -19,6 +19,7 @@ from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.tokens import Token
+from rpg.passes.schema.colors_of_all import check_colors_of_all
 from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.numbers_had import symbols_of
 from rpg.passes.schema.resolve.things.world import refuse
@@ -44,6 +45,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _lines_within(sentence, task)
     _one_way(tokens, task)
     check_lines(tokens, task)
+    check_colors_of_all(tokens, task)
     _mats_listed(tokens, task)
 
 

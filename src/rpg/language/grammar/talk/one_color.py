@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rpg.language import lexicon
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
@@ -44,7 +46,7 @@ def _figure(words: list[str], at: int) -> int:
     return long if told else 0
 
 
-def _blocks(tokens: list[Token], at: int) -> int:
+def _blocks(tokens: Sequence[Token], at: int) -> int:
     """Where the blocks are named that it is made of; 0 where they are not."""
     if at + 2 >= len(tokens) or tokens[at].word not in _OUT_OF or tokens[at + 1].many < 1:
         return 0
@@ -54,22 +56,33 @@ def _blocks(tokens: list[Token], at: int) -> int:
 def all_of_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "A tower of four blocks behind a tower of two blocks, all of them brown": both are brown."""
     for end in range(4, len(words) + 1):
-        begin = max((n + 1 for n in range(end - 1) if words[n] in _STOPS), default=0)
-        closed = end == len(words) or words[end] in _STOPS
-        lead = end - 2 if words[end - 2] == "all" else end - 4
-        told = words[lead : end - 1] in (["all"], ["all", "of", "them"]) and words[lead - 1] == ","
-        if not closed or not told or words[end - 1] not in lexicon.COLOR:
+        if words[end - 1] not in lexicon.COLOR or (end < len(words) and words[end] not in _STOPS):
             continue
-        said = tokens[begin : lead - 1]
-        figures = [n for n, token in enumerate(said) if token.word in lexicon.STRUCTURE.keys() - _PARTS]
-        if len(figures) < _SEVERAL or any(token.word in lexicon.COLOR for token in said):
+        lead = next((n for n in range(end - 2, max(end - 6, 0), -1) if words[n] == ","), 0)
+        begin = max((n + 1 for n in range(lead) if words[n] in _STOPS), default=0)
+        said = tokens[begin:lead]
+        figures = [n for n in range(len(said)) if _figures(said, n)]
+        colored = any(token.word in lexicon.COLOR for token in said)
+        if not length_at(words, lead + 1, _ALL_OF_THEM) == end - lead - 2 > 0 or len(figures) < _SEVERAL or colored:
             continue
         spots = [_blocks(said, n + 1) or n for n in figures]
-        colored = [part for n, token in enumerate(said) for part in ([tokens[end - 1]] if n in spots else []) + [token]]
-        return [*tokens[:begin], *colored, *tokens[end:]]
+        told = [part for n, token in enumerate(said) for part in ([tokens[end - 1]] if n in spots else []) + [token]]
+        return [*tokens[:begin], *told, *tokens[end:]]
     return None
 
 
+def _figures(said: Sequence[Token], n: int) -> bool:
+    """Whether a figure is named, or another one "of two blocks"."""
+    one = said[n].word == "one" and n > 0 and _blocks(said, n + 1) > 0
+    return one or said[n].word in lexicon.STRUCTURE.keys() - _PARTS
+
+
+_ALL_OF_THEM = tuple(
+    (*whom, *be)
+    for whom in (("all",), ("all", "of", "them"), ("both",), ("both", "of", "them"), ("each",), ("each", "of", "them"),
+                 ("everything",), ("all", "blocks"), ("all", "the", "blocks"))
+    for be in ((), ("in",), ("are",), ("is",))
+)  # fmt: skip
 _SEVERAL = 2
 _PARTS = frozenset({"step", "steps", "stair", "stairs"})
 """These may be of a figure that is named besides."""

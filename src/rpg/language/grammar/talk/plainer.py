@@ -374,7 +374,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (steps_built, frozenset({"steps"})),
     (laid_flat, frozenset({"flat"})),
     (one_color, ONE_COLOR),
-    (all_of_color, frozenset({"all"})),
+    (all_of_color, frozenset({"all", "both", "each", "everything"})),
     (each_once, frozenset({"once"})),
     (each_one, frozenset({"different"})),
     (same_ones, frozenset({"same"})),

@@ -30,6 +30,9 @@ from tests.corpus.run import read
         ),
         ("Put the red block and the green block on the block.", "ambiguous"),
         ("Put the red block on the blue block. The blocks are round.", "misplaced"),
+        ("Move any block but the red one onto the mat. There are a red, a blue and a green block.", "ambiguous"),
+        ("Put the red block 10 cm left of the blue one and 10 cm behind it.", "misplaced"),
+        ("A tower of three blocks beside a pair of blocks, all blue", "ambiguous"),
         ("Neither the red block nor the blue block may touch the table. Both yellow blocks remain on it.", "ambiguous"),
         (
             "Let's make a rainbow! One red, one orange, one yellow, one green, one blue and one purple block in a row "
@@ -72,6 +75,8 @@ def test_what_could_be_meant_of_something_else_is_asked(text: str, code: str) ->
         ("Build three single-colour towers of two blocks.",
          {"assets": {"c1": 2, "c2": 2, "c3": 2}, "hold": ["c1^c1 ; c2^c2 ; c3^c3"], "miss": ["c1^c2 ; c2^c1 ; c3^c3"]}),
         ("A single-colour tower of three blocks.", {"assets": {"c1": 3}, "hold": ["c1^c1^c1"], "miss": ["c1^c1 ; c1"]}),
+        ("Put the big and the small red block in a row.",
+         {"assets": {"red{big}": 1, "red{small}": 1}, "hold": ["red{big} red{small}"], "miss": ["red{big} ; red{small}"]}),
         ("There are three white and two black blocks. Take the white ones and make a tower.",
          {"assets": {"white": 3, "black": 2}, "hold": ["white^white^white"],
           "miss": ["white^white", "white^white^black^black^white"]}),

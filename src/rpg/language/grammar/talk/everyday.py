@@ -52,6 +52,10 @@ EVERYDAY = {
         "distinct", "different")},
     "square frame": "square outline", "rectangular frame": "rectangle outline",
     "but not both of them": "but not both", "not both of them": "not both", "and not both of them": "but not both",
+    **{f"{every} {block} but {the}": f"{every} {block} except {the}"
+       for every, many in (("every", False), ("each", False), ("no", False), ("all", True), ("all the", True),
+                           ("none of the", True))
+       for block, plural in lexicon.BLOCK.items() if plural == many for the in ("the", "a", "an")},
     "no stacking higher than": "no stack higher than", "no piling higher than": "no stack higher than",
     **{f"{up} when {we} {come}": f"{up} at the start"
        for up in ("stacked", "up", "there", "table", "other", "patch", "mat", "heap", "pile", "row", "one")

@@ -9,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH, members
 from rpg.ir.schema import COLORS_UNSAID
-from rpg.language.meaning import Amount, Loc, Meaning, Noun, Traits, replace
+from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
@@ -295,10 +295,13 @@ def _of_their_colors(theme: Ref, scene: Scene, span: Span) -> Atoms:
 
 
 def any_of_the_rest(mark: Ref, loc: Loc) -> Ref:
-    """ "on any patch except the red one": on one of the others."""
+    """ "on any patch except the red one": on one of the others; "on every patch except ..." on each of them."""
     if not mark.patch or loc.rel not in ("on", "above", "in"):
         raise refuse("misplaced", "'except' does not fit a place", loc.span,
                      "say 'all blocks except ...' where they are named")  # fmt: skip
+    whole = loc.landmark.items[0] if isinstance(loc.landmark, Coord) else None
+    if isinstance(whole, Noun) and whole.det in ("each", "all"):
+        return replace(mark, op="and", parts=(), each=True)
     return replace(mark, op="or", parts=tuple(Ref(names=(name,), patch=True) for name in mark.names))
 
 

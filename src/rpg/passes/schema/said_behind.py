@@ -45,6 +45,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _lines_within(sentence, task)
         _any_but(sentence)
         _aslant(sentence)
+        _in_different_colors(sentence, task)
     _one_way(tokens, task)
     check_lines(tokens, task)
     check_colors_of_all(tokens, task)
@@ -292,6 +293,17 @@ def _all_different(sentence: Sequence[Token], task: TaskSchema) -> None:
     looks = [(block.color, *sorted(symbols_of(block)), block.size) for block in task.blocks if block.name in used]
     if len({*looks}) < len(looks):
         raise refuse("contradiction", "some of these look alike", sentence[at].span, "say how each of them looks")
+
+
+_IN_DIFFERENT = re.compile(r", (?:all )?(?:in|of) (?:all )?different colors(?= [.;!?]|$)")
+
+
+def _in_different_colors(sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a tower of three red blocks, in different colors"."""
+    colors = [block.color for block in task.blocks if block.name in {*names(task.goal)}]
+    told = _IN_DIFFERENT.search(" ".join(token.word for token in sentence))
+    if told is not None and len(colors) > 1 == len({*colors}):
+        raise refuse("contradiction", "these are all of one color", sentence[-1].span, "say which colors they have")
 
 
 _ACROSS = {"left": "y", "right": "y", "front": "x", "back": "x", "bottom": "z", "top": "z", "near": "x", "far": "x"}

@@ -160,6 +160,9 @@ def _begun(clause: Clause, lying: bool) -> Clause:
     if clause.verb == "be" and _strewn(begun, rest):
         if clause.negated:
             raise refuse("misplaced", "this says nothing of how they lie", clause.span, "say how they start")
+        if clause.mode == "start" or any(m.kind == "start" for m in begun):
+            table = Loc(rel="on", landmark=TableTop(span=begun[0].span), span=begun[0].span)
+            return replace(clause, mode="start", adjuncts=(table,))
         return replace(clause, verb="exist", lemma="", mode="given", adjuncts=())
     return replace(clause, mode="given" if clause.verb == "exist" else "start", adjuncts=rest)
 

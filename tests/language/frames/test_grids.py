@@ -50,7 +50,7 @@ FLAT = "Build a pyramid with a base of 3 blocks"
         (
             "Build a flat pyramid from three green blocks at the bottom, two blue ones on them and a yellow one on "
             "top.",
-            f"{FLAT}, in reading order: yellow, blue, blue, green, green, green.",
+            f"{FLAT}, layers from bottom to top: green, blue, yellow.",
         ),
         ("build a 3-2-1 pyramid from six blocks", f"{FLAT} from 6 blocks."),
         ("A square pyramid of five green blocks.", "Build a pyramid with a 2x2 base from 5 green blocks."),
@@ -75,7 +75,7 @@ FLAT = "Build a pyramid with a base of 3 blocks"
         ),
         (
             "A square pyramid would be lovely: four gray blocks for the base and a yellow one on top",
-            "Build a pyramid with a 2x2 base, in reading order: yellow, gray, gray, gray, gray.",
+            "Build a pyramid with a 2x2 base, layers from bottom to top: gray, yellow.",
         ),
         (
             "Make wall of two layers, each layer four boxes: lower layer brown, upper layer white",
@@ -99,8 +99,7 @@ FLAT = "Build a pyramid with a base of 3 blocks"
         ),
         (
             "four layers pyramid, red at the bottom, then orange, yellow, and white on top",
-            "Build a pyramid with a base of 4 blocks, in reading order: white, yellow, yellow, orange, orange, "
-            "orange, red, red, red, red.",
+            "Build a pyramid with a base of 4 blocks, layers from bottom to top: red, orange, yellow, white.",
         ),
         ("checkerboard 4 rows 4 columns red black", "Build a 4x4 checkerboard of red and black blocks."),
         (

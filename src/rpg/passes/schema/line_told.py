@@ -255,7 +255,24 @@ def _side_of_it(said: Said) -> None:
                            "say 'at the left end' or 'of the table'")  # fmt: skip
 
 
+_SPACED = re.compile(r"\b(?:cm|mm|inches) apart\b")
+_IN_LINE = re.compile(
+    f"\\b(?:{LINE}s?|lined?|aligned|spac\\w+|neighbou?rs?|neighbou?ring|next|adjacent|side by side|queue|from left|one "
+    "after|in order|gaps?)\\b"
+)
+
+
+def _spaced(said: Said) -> None:
+    """Refuse "red, blue and green are all 10 cm apart" as a line: they may be so in a triangle."""
+    match = _SPACED.search(said.text)
+    many = any(len(line.blocks) > 2 for line in said.lines if isinstance(line, Row) and line.spacing)
+    if match and many and not _IN_LINE.search(f"{said.earlier} {said.text}"):
+        raise said.refusal(match, "ambiguous", "in a line, or every two of them?",
+                           "say 'in a row, 10 cm apart', or 'every two of them 10 cm apart'")  # fmt: skip
+
+
 _CHECKS = (
     in_total, as_long, and_counted, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together,
     _amid, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
+    _spaced,
 )  # fmt: skip

@@ -290,6 +290,10 @@ def _cells(figure: Figure, looks: Mapping[Cell, str]) -> str:
         return f" from {len(listed)} blocks."
     if len(set(listed)) == 1:
         return f" from {Lot(listed[0], len(listed)).blocks}."
+    layers = [{looks.get(cell, "") for cell in figure.cells if cell[0] == line} for line in range(len(figure.widths))]
+    if len({*figure.widths}) > 1 and not figure.flat and all(len(layer) == 1 and all(layer) for layer in layers):
+        upward = [look for layer in reversed(layers) for look in layer]
+        return f", layers from bottom to top: {', '.join(upward)}."  # in whatever direction it stands
     return f", in reading order: {', '.join(listed)}."
 
 

@@ -74,7 +74,8 @@ def all_of_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
 def _figures(said: Sequence[Token], n: int) -> bool:
     """Whether a figure is named, or another one "of two blocks"."""
     one = said[n].word == "one" and n > 0 and _blocks(said, n + 1) > 0
-    return one or said[n].word in lexicon.STRUCTURE.keys() - _PARTS
+    part = said[n].word in _PARTS or (said[n].word in _LINES and any(token.word in _STAIRS for token in said[:n]))
+    return one or (said[n].word in lexicon.STRUCTURE and not part)
 
 
 _ALL_OF_THEM = tuple(
@@ -85,4 +86,6 @@ _ALL_OF_THEM = tuple(
 )  # fmt: skip
 _SEVERAL = 2
 _PARTS = frozenset({"step", "steps", "stair", "stairs"})
-"""These may be of a figure that is named besides."""
+_LINES = frozenset({"column", "columns", "row", "rows", "stack", "stacks", "tower", "towers"})
+_STAIRS = frozenset({"staircase", "stairs", "grid", "wall", "square", "rectangle"})
+"""These may be of a figure that is named besides, as lines are of a staircase or a grid."""

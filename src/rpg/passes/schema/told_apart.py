@@ -1,0 +1,54 @@
+"""What a sentence tells of two lots or two places must not have become one, nor one word two."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rpg.core.diagnostics import Refusal
+from rpg.ir.assets import GoalPatch
+from rpg.ir.relations import InRegion
+from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import GroupBy, Spells
+from rpg.ir.walk import atoms
+from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import sentences
+from rpg.language.tokens import Token
+from rpg.passes.schema.resolve.things.world import refuse
+
+_KINDS = (("odd", "even"), ("even", "odd"), ("vowels", "consonants"), ("consonants", "vowels"), ("letters", "digits"),
+          ("digits", "letters"), ("letters", "numbers"), ("numbers", "letters"))  # fmt: skip
+_TWO_KINDS = re.compile("|".join(rf"\b{one}\b.* and (?:the )?{other}\b" for one, other in _KINDS))
+_NAMED = re.compile(r"\bname is (\S+) .*\b(?:write|spell|lay|build) (?:the word )?(\S+)$")
+_EACH_MIDDLE = re.compile(r", (?:each|both|all)(?: of them)? in the (?:very )?(?:middle|center)$")
+_SIZES = "|".join(lexicon.SIZE)
+_SEVERAL = "|".join(noun for noun, many in lexicon.BLOCK.items() if many)
+_TWO_SIZES = re.compile(rf"\b(?:{_SIZES}) and (?:{_SIZES}) (?:\w+ )?(?:{_SEVERAL})\b")
+"""Plurals may be of one block of each size, or of several."""
+
+
+def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
+    """Refuse a task in which two things that are told apart are one.
+
+    Raises:
+        Refusal: "ambiguous", with what can be told of each.
+    """
+    found = list(atoms(task.goal))
+    for sentence in sentences(tokens):
+        text = " ".join(token.word for token in sentence if token.word not in (".", "!", "?"))
+        grouped = [x for x in found if isinstance(x, GroupBy) and len(x.groups or ()) == 1]
+        if grouped and _TWO_KINDS.search(text):
+            raise _asked(sentence, "one group, or one of each kind?", "say 'group the digits by odd and even'")
+        named = _NAMED.search(text)
+        if named and named[1] != named[2] and sum(isinstance(x, Spells) for x in found) > 1:
+            raise _asked(sentence, "it is not clear which of the two words is to be written", "name one of them")
+        middles = [x for x in found if isinstance(x, InRegion) and x.region == "middle"]
+        if middles and any(isinstance(x, GoalPatch) for x in task.assets) and _EACH_MIDDLE.search(text):
+            raise _asked(sentence, "in the middle of the table, or of the patches?", "say of what it is the middle")
+        unsaid = any(note.startswith("the number of") for note in task.assumptions)
+        if unsaid and _TWO_SIZES.search(text):
+            raise _asked(sentence, "it is not said how many of each size there are", "say how many there are of each")
+
+
+def _asked(sentence: Sequence[Token], message: str, hint: str) -> Refusal:
+    return refuse("ambiguous", message, (sentence[0].span[0], sentence[-1].span[1]), hint)

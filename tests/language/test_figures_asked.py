@@ -7,9 +7,7 @@ from typing import Any
 import pytest
 
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-from tests.corpus.entries import entry
-from tests.corpus.judge import judge
-from tests.corpus.run import read
+from tests.language.meaning import assert_means
 
 Meant = dict[str, Any]
 TOWER: Meant = {"assets": {"red": 3}, "hold": ["red^red#2^red#3"], "miss": ["red^red#2 ; red#3", "red red#2 red#3"]}
@@ -80,8 +78,7 @@ RAINBOW: Meant = {"assets": {"red": 1, "orange": 1, "yellow": 1, "green": 1, "bl
     ],
 )
 def test_figures_asked_for_in_passing_are_read(text: str, meant: Meant) -> None:
-    score = judge(entry("meant", "asked", text, meant), read)
-    assert score.outcome == "right", score.why
+    assert_means(text, meant)
 
 
 @pytest.mark.parametrize(
@@ -163,8 +160,7 @@ def test_figures_asked_for_in_passing_are_read(text: str, meant: Meant) -> None:
     ],
 )  # fmt: skip
 def test_grids_orders_and_patterns_told_short_are_read(text: str, meant: Meant) -> None:
-    score = judge(entry("meant", "asked", text, meant), read)
-    assert score.outcome == "right", score.why
+    assert_means(text, meant)
 
 
 @pytest.mark.parametrize(

@@ -7,9 +7,7 @@ from typing import Any
 import pytest
 
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-from tests.corpus.entries import entry
-from tests.corpus.judge import judge
-from tests.corpus.run import read
+from tests.language.meaning import assert_means
 
 
 @pytest.mark.parametrize(
@@ -155,8 +153,7 @@ ENDS = {"assets": {"yellow": 2, "green": 2, "white": 1}, "hold": ["yellow yellow
     ],
 )  # fmt: skip
 def test_a_line_is_read_as_it_is_told(text: str, meant: dict[str, Any]) -> None:
-    score = judge(entry("meant", "lines", text, meant), read)
-    assert score.outcome == "right", score.why
+    assert_means(text, meant)
 
 
 NOON = {"assets": {"N": 2, "O": 1, "blue:O": 1}, "hold": ["N O blue:O N", "N blue:O O N"], "miss": ["O N blue:O N"]}
@@ -198,5 +195,4 @@ EITHER = {"assets": {"red": 1, "blue": 1, "green": 1, "patch": 1},
     ],
 )  # fmt: skip
 def test_either_and_some_are_read_as_they_are_told(text: str, meant: dict[str, Any]) -> None:
-    score = judge(entry("meant", "some", text, meant), read)
-    assert score.outcome == "right", score.why
+    assert_means(text, meant)

@@ -8,9 +8,7 @@ from typing import Any
 import pytest
 
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-from tests.corpus.entries import entry
-from tests.corpus.judge import judge
-from tests.corpus.run import read
+from tests.language.meaning import assert_means
 
 Meant = dict[str, Any]
 PLAIN: Meant = {"assets": {"plain": 4}, "hold": ["plain^plain#2^plain#3^plain#4"], "miss": ["plain^plain#2 ; plain#3"]}
@@ -50,8 +48,7 @@ LEAST: Meant = {"assets": {"green": 4, "red_patch": 1}, "hold": ["green^green#2 
     ],
 )  # fmt: skip
 def test_sentences_that_nothing_parts_are_read_as_several(text: str, meant: Meant) -> None:
-    score = judge(entry("meant", "together", text, meant), read)
-    assert score.outcome == "right", score.why
+    assert_means(text, meant)
 
 
 @pytest.mark.parametrize(

@@ -8,9 +8,7 @@ from typing import Any
 import pytest
 
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-from tests.corpus.entries import entry
-from tests.corpus.judge import judge
-from tests.corpus.run import read
+from tests.language.meaning import assert_means
 
 _TWO_HIGH = {"assets": {"red": 8}, "hold": ["red^red red^red red^red red^red pitch=1"],
              "miss": ["red^red^red^red red^red^red^red pitch=1"]}  # fmt: skip
@@ -79,8 +77,7 @@ _L = {"assets": {"red": 5}, "hold": ["red . . | red . . | red red red"], "miss":
     ],
 )  # fmt: skip
 def test_what_is_meant_is_read(text: str, meant: dict[str, Any]) -> None:
-    score = judge(entry("meant", "sizes", text, meant), read)
-    assert score.outcome == "right", score.why
+    assert_means(text, meant)
 
 
 @pytest.mark.parametrize(

@@ -8,9 +8,7 @@ from typing import Any
 import pytest
 
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-from tests.corpus.entries import entry
-from tests.corpus.judge import judge
-from tests.corpus.run import read
+from tests.language.meaning import assert_means
 
 _GAPS = {"assets": {"A": 1, "B": 1, "C": 1}, "hold": ["A B C pitch=1.5"],
          "miss": ["A B C pitch=1", "A B . . C pitch=1.5", "A . . B C pitch=1.5"]}  # fmt: skip
@@ -121,8 +119,7 @@ _APART = {"assets": {"red": 2, "blue": 2}, "start": ["red^red ; blue^blue"], "st
     ],
 )  # fmt: skip
 def test_what_is_meant_is_read(text: str, meant: dict[str, Any]) -> None:
-    score = judge(entry("meant", "all", text, meant), read)
-    assert score.outcome == "right", score.why
+    assert_means(text, meant)
 
 
 @pytest.mark.parametrize(

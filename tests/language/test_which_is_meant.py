@@ -7,9 +7,7 @@ from typing import Any
 import pytest
 
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-from tests.corpus.entries import entry
-from tests.corpus.judge import judge
-from tests.corpus.run import read
+from tests.language.meaning import assert_means
 
 
 @pytest.mark.parametrize(
@@ -102,8 +100,7 @@ def test_what_could_be_meant_of_something_else_is_asked(text: str, code: str) ->
     ],
 )  # fmt: skip
 def test_what_is_meant_is_read(text: str, meant: dict[str, Any]) -> None:
-    score = judge(entry("meant", "which", text, meant), read)
-    assert score.outcome == "right", score.why
+    assert_means(text, meant)
 
 
 def test_the_middle_one_is_one_block() -> None:

@@ -65,12 +65,12 @@ def _by_color(node: g.Goal, colors: Mapping[str, str]) -> g.Goal:
         lots.setdefault(colors[name], []).append(name)
     many = [len(lot) for lot in lots.values()]
     agreed = node.count in (None, len(lots)) and (node.heights is None or sorted(node.heights) == sorted(many))
-    if not agreed or min(many) < LOWEST_TOWER or (node.equal and len(set(many)) > 1):
+    if not agreed or min(many) < _LOWEST_TOWER or (node.equal and len(set(many)) > 1):
         return node
     return _flat(g.All(goals=tuple(Stack(blocks=tuple(lot), exact=True) for lot in lots.values())))
 
 
-LOWEST_TOWER = 2
+_LOWEST_TOWER = 2
 """A lone block is no tower."""
 
 

@@ -43,8 +43,7 @@ def _told_of_a_thing(tokens: list[Token], at: int) -> bool:
     begin = at
     while begin and (tokens[begin - 1].word in _PRAISE or tokens[begin - 1].word in _BETWEEN):
         begin -= 1
-    told = at and (begin < at or tokens[at - 1].word in _ARTICLES)
-    if not told or not ((begin and tokens[begin - 1].word in _ARTICLES) or tokens[begin].word in _ARTICLES):
+    if not ((begin and tokens[begin - 1].word in _ARTICLES) or tokens[begin].word in _ARTICLES):
         return False
     end = at + 1
     while end < len(tokens) and (tokens[end].word in _PRAISE or tokens[end].word in _BETWEEN):

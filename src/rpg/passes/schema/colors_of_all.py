@@ -6,13 +6,13 @@ import re
 from collections.abc import Sequence
 
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
-from rpg.language import lexicon
+from rpg.language.grammar.rows.vocabulary import COLOR
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
 _OF_ALL = re.compile(
     r"(?:^|, |[.;] )(?:both|all|each|everything|every one|all blocks|all the blocks)(?: of (?:them|these|it))?"
-    rf"(?: (?:in|are|is|should be|must be))? (?:{'|'.join(sorted(lexicon.COLOR))})(?= ?[.;!?]|$)"
+    rf"(?: (?:in|are|is|should be|must be))? {COLOR}(?= ?[.;!?]|$)"
 )
 
 

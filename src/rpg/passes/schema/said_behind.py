@@ -18,6 +18,7 @@ from rpg.ir.structures import Equation, Figure, Grid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
+from rpg.language.grammar.rows.vocabulary import COLOR
 from rpg.language.tokens import Token
 from rpg.passes.schema.colors_of_all import check_colors_of_all
 from rpg.passes.schema.line_told import check_lines
@@ -105,10 +106,9 @@ def _aslant(sentence: Sequence[Token]) -> None:
                      (sentence[0].span[0], sentence[-1].span[1]), "say how far apart they are")  # fmt: skip
 
 
-_COLOR = f"(?:{'|'.join(sorted(lexicon.COLOR))})"
 _LISTED = re.compile(
     "\\b(?:each|every|both|all)(?: one)?(?: of)?(?: the)? (?:mats?|patch|patches|zones?|targets?|areas?|spots?)\\b.*"
-    f"\\b(?:there (?:is|are)|(?:we|i|you) (?:have|got|have got)) ({_COLOR}(?: , {_COLOR})*(?: ,)? and {_COLOR})"
+    f"\\b(?:there (?:is|are)|(?:we|i|you) (?:have|got|have got)) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})"
     "(?= \\.|$)"
 )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, LINE, MANY, MUST
 
 _BLOCKS = "(?:blocks|cubes|ones)"
 _PEOPLE = "(?:everyone|everybody|we|i|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
@@ -89,6 +89,15 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^({MANY}) (in a (?:row|line|tower|stack|column|circle))\\b", "{1} blocks {2}"),
     (f"^(?:from|out of|with|using) the (?:cubes|blocks) ((?:\\w(?: ,)? )+and \\w) , ({_PUT} .+)$",
      "there are the blocks {1} . {2}"),
+    (f"\\bas (?:tall|high|long|big) a ({LINE}|pillar) as (?:possible|(?:you|we|the robot) can|it gets|can be)"
+     "(?: get| build| make| built| made)? (?:out of|from|with|of|using)\\b", "a {1} of"),
+    ("\\b(?:at|with|in) equal (?:distances?|spacing|gaps|intervals|spaces?) (?:between (?:them|each other)|in "
+     "between)\\b", "evenly spaced"),
+    # where they are in the end, and at the start
+    ("\\b(?:reaches|ends up at|gets to|arrives at) the ((?:far|near|back|front) (?:left|right) corner|(?:left|right) "
+     "half|middle of the table)\\b", "is in the {1}"),
+    ("\\b(stacked|up|there|table|other|patch|mat|heap|pile|row|one) when (?:(?:we|i|you) (?:arrive|come in|start|begin|"
+     "get there)|the robot (?:arrives|comes in|starts|begins|gets there))\\b", "{1} at the start"),
     # what is asked
     ("^can (the [^,]+?) have (.+)$", "{1} should have {2}"),
     ("^first(?: ,)? you (\\w+) (.+?) , and (?:after|then|after that|afterwards)(?: ,)? you \\1 (.+)$",

@@ -17,9 +17,7 @@ _A_FIGURE = (
     "(?:block|cube|box))(?= |$)"
 )
 _DOER = "(?:us|to|we|i|you|should|must|shall|will|can|could|would|and|then|now|please|robot|kindly|just)"
-_MAKING = (
-    "(?<!at )(?:generate|raise|establish|realize|realise|render|specify|define|devise|present|display|try|attempt)"
-)
+_MAKING = "(?<!at )(?:specify|define|devise|present|display|try|attempt)"
 _SET = "(?:specified|defined|stipulated|described|prescribed|requested|demanded)"
 _THE_GOAL = "(?:is|shall be|has been) (?:given|set|defined|specified|stated) as (?:the|our|my|your) (?:goal|target|aim)"
 _DAYS = "(?:(?:today|tomorrow|tonight|this week|this lesson) 's|the|our|my|your|this)"
@@ -82,5 +80,5 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:queue|queues|queuing) up(?= (?:in|behind) )", "stand"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("render specify define devise defined stipulated tonight nickname shelf parties stipulate",)
+WORDS = ("specify define devise defined stipulated tonight nickname shelf parties stipulate",)
 """Words that these take besides those that are read anyway."""

@@ -27,27 +27,17 @@ EVERYDAY = {
        for execution in ("execution", "operation", "procedure", "process", "maneuver", "manoeuvre", "motion")},
     **{f"{piece} of {paper}": "patch" for piece in ("piece", "sheet", "bit", "scrap", "square")
        for paper in ("paper", "cloth", "felt", "carpet", "cardboard")},
-    **{f"at the {table} 's {middle}": f"in the middle of the {table}" for table in ("table", "desk", "workspace")
-       for middle in ("middle", "center")},
     **{f"{to}{side} of the {middle} of the {table}": f"in the {side} half of the table"
        for to in ("", "to the ", "on the ") for side in ("left", "right") for middle in ("middle", "center")
        for table in ("table", "desk", "workspace", "tabletop")},
     **{f"over {to} the {side} side": f"to the {side} side" for to in ("to", "on") for side in ("left", "right")},
-    "the wrong way up": "upside down", "be inverted": "be upside down", "is inverted": "is upside down",
-    "around the middle of": "near the middle of", "into the middle of": "to the middle of",
+    "the wrong way up": "upside down", "around the middle of": "near the middle of",
+    "into the middle of": "to the middle of",
     **{f"portion of the {table}": f"part of the {table}" for table in ("table", "desk", "workspace", "tabletop")},
     "centrally on": "in the middle of", "midpoint of the": "middle of the", "heart of the": "middle of the",
-    **{f"as {tall} a {figure} as {possible}{made} {of}": f"a {figure} of" for tall in ("tall", "high", "long", "big")
-       for figure in ("tower", "stack", "row", "line", "pillar")
-       for possible in ("possible", "you can", "we can", "the robot can", "it gets", "can be")
-       for made in ("", " get", " build", " make", " built", " made")
-       for of in ("out of", "from", "with", "of", "using")},
     "in between of": "between",
     **{f"{along} the depth{direction}": "from front to back" for along in ("along", "in") for direction in (
         "", " direction", " axis", " dimension")},
-    **{f"{at} equal {distance} {between}": "evenly spaced" for at in ("at", "with", "in")
-       for distance in ("distance", "distances", "spacing", "gaps", "intervals", "space", "spaces")
-       for between in ("between them", "between each other", "in between")},
     **{f"{pairwise} {distinct}": "different" for pairwise in ("pairwise", "mutually") for distinct in (
         "distinct", "different")},
     "square frame": "square outline", "rectangular frame": "rectangle outline",
@@ -56,17 +46,5 @@ EVERYDAY = {
        for every, many in (("every", False), ("each", False), ("no", False), ("all", True), ("all the", True),
                            ("none of the", True))
        for block, plural in lexicon.BLOCK.items() if plural == many for the in ("the", "a", "an")},
-    "no stacking higher than": "no stack higher than", "no piling higher than": "no stack higher than",
-    **{f"{up} when {we} {come}": f"{up} at the start"
-       for up in ("stacked", "up", "there", "table", "other", "patch", "mat", "heap", "pile", "row", "one")
-       for we, comes in (("we", ("arrive", "come in", "start", "begin", "get there")),
-                         ("i", ("arrive", "come in", "start", "begin", "get there")),
-                         ("you", ("arrive", "come in", "start", "begin", "get there")),
-                         ("the robot", ("arrives", "comes in", "starts", "begins", "gets there")))
-       for come in comes},
-    **{f"{reach} the {side}": f"is in the {side}" for reach in ("reaches", "ends up at", "gets to", "arrives at")
-       for side in ("far left corner", "far right corner", "near left corner", "near right corner", "left half",
-                    "right half", "middle of the table", "back left corner", "back right corner", "front left corner",
-                    "front right corner")},
 }  # fmt: skip
 """What people write, and what it is read as."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
-_STOPS = frozenset({".", ";", "!", "?"})
 _OF_ONE = (
     *((one, color) for one in ("single", "one", "same", "solid") for color in ("color", "colored")),
     ("monochrome",), ("monochromatic",), ("unicolored",), ("uniformly", "colored"), ("uniform", "color"),
@@ -27,7 +27,7 @@ def one_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
     said, rest = tokens[at].saying("monochrome"), tokens[figure:]
     if lexicon.STRUCTURE[words[figure]][1]:
         return [*tokens[:at], said, *rest]
-    end = next((n for n in range(at, len(words)) if words[n] in _STOPS), len(words))
+    end = next((n for n in range(at, len(words)) if words[n] in STOPS), len(words))
     colors = {lexicon.COLOR[word] for word in words[at:end] if word in lexicon.COLOR}
     if len(colors) == 1 and "not" not in words[at:end]:
         return [*tokens[:at], *rest]
@@ -56,10 +56,10 @@ def _blocks(tokens: Sequence[Token], at: int) -> int:
 def all_of_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "A tower of four blocks behind a tower of two blocks, all of them brown": both are brown."""
     for end in range(4, len(words) + 1):
-        if words[end - 1] not in lexicon.COLOR or (end < len(words) and words[end] not in _STOPS):
+        if words[end - 1] not in lexicon.COLOR or (end < len(words) and words[end] not in STOPS):
             continue
         lead = next((n for n in range(end - 2, max(end - 6, 0), -1) if words[n] == ","), 0)
-        begin = max((n + 1 for n in range(lead) if words[n] in _STOPS), default=0)
+        begin = max((n + 1 for n in range(lead) if words[n] in STOPS), default=0)
         said = tokens[begin:lead]
         figures = [n for n in range(len(said)) if _figures(said, n)]
         colored = any(token.word in lexicon.COLOR for token in said)

@@ -83,6 +83,7 @@ from rpg.language.grammar.talk.towers_in_short import (
     tidied_into,
 )
 from rpg.language.grammar.talk.utmost_number import utmost_number
+from rpg.language.grammar.talk.verbs_in_other_words import BEGUN, begun_doing
 from rpg.language.grammar.talk.verbs_told import OUT_OF, got_done, laid_flat, steps_built, who_builds
 from rpg.language.grammar.talk.words_told import SPELT, words_told
 from rpg.language.phrases import length_at
@@ -298,6 +299,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (answers_wanted, frozenset({"?", "=", "answer", "result", "solution", "missing"})),
     (respelling, RESPELT),
     (word_made, MADE),
+    (begun_doing, BEGUN),
     (sizes_listed, frozenset(lexicon.SIZE)),
     (given_when_then, frozenset({"given"})),
     (number_in_brackets, frozenset({"("})),

@@ -6,9 +6,9 @@ from __future__ import annotations
 from itertools import pairwise
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.tokens import Token
 
-_STOPS = frozenset({".", "!", "?", ";"})
 _STEPS = frozenset({"given", "when", "then"})
 _BY = frozenset({"color", "letter", "number", "size", "kind", "type", "class", "category"})
 SORTED = frozenset({"sort", "group", "organize", "organise", "arrange"})
@@ -47,7 +47,7 @@ def number_in_brackets(tokens: list[Token], words: list[str]) -> list[Token] | N
 
 def heading_of_sorting(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Sort by colour. Reds to the red zone, blues to the blue zone": only what goes where is told."""
-    end = next((n for n, word in enumerate(words) if word in _STOPS | {":"}), 0)
+    end = next((n for n, word in enumerate(words) if word in STOPS | {":"}), 0)
     heading = [word for word in words[:end] if word not in _ALL]
     if len(heading) != 3 or heading[0] not in SORTED or heading[1] != "by" or heading[2] not in _BY:
         return None

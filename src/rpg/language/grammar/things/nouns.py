@@ -148,7 +148,7 @@ def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
 def _table(p: Parser, i: int) -> Results[Meaning]:
     j = p.opt(i, "the", "a", "this", "your", "my")
     bare = p.one(j, _BARE)
-    j = p.opt(bare or j, "work", "wooden")
+    j = p.opt(bare or j, "work")
     if p.lex(j, lexicon.TABLE) is False:
         end = p.opt(j + 1, "top", "surface")
         itself = p.opt(end, "itself")

@@ -30,7 +30,7 @@ OTHER = {
 PASSING = re.compile(
     r"step|stage|other two|twice|or more|\d\)|both ends|back (?:again|to)|the two|its two|symm|mirror"
     r"|\b(?:er|um|uh|sorry)\b|except that|(?:be|is) left (?:on|there)|second (?:one )?from the|across the top|actually"
-    r"|\bI mean\b|or rather|any two",
+    r"|\bI mean\b|or rather",
     re.I,
 )
 """Texts in which some of these words are said in passing, or "left" is what remains."""

@@ -262,10 +262,16 @@ _IN_LINE = re.compile(
 )
 
 
+_ANY_MORE = re.compile(r"\b(?:any|every) (?:three|four|five|six|[3-9])\b")
+
+
 def _spaced(said: Said) -> None:
-    """Refuse "red, blue and green are all 10 cm apart" as a line: they may be so in a triangle."""
+    """Refuse "red, blue and green are all 10 cm apart" as a line, for they may be so in a triangle, and "any three of
+    them" as any two."""
     match = _SPACED.search(said.text)
-    many = any(len(line.blocks) > 2 for line in said.lines if isinstance(line, Row) and line.spacing)
+    many = bool(_ANY_MORE.search(said.text)) or any(
+        len(line.blocks) > 2 for line in said.lines if isinstance(line, Row) and line.spacing
+    )
     if match and many and not _IN_LINE.search(f"{said.earlier} {said.text}"):
         raise said.refusal(match, "ambiguous", "in a line, or every two of them?",
                            "say 'in a row, 10 cm apart', or 'every two of them 10 cm apart'")  # fmt: skip

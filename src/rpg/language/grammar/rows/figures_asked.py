@@ -22,13 +22,13 @@ _SET = "(?:specified|defined|stipulated|described|prescribed|requested|demanded)
 _THE_GOAL = "(?:is|shall be|has been) (?:given|set|defined|specified|stated) as (?:the|our|my|your) (?:goal|target|aim)"
 _DAYS = "(?:(?:today|tomorrow|tonight|this week|this lesson) 's|the|our|my|your|this)"
 _NOTED = f"{_DAYS} (?:new |first |next )?"
-_OF_DAY = "(?: (?:of|for) (?:the day|today|the week|this lesson|this week))?"
+OF_DAY = "(?: (?:of|for) (?:the day|today|the week|this lesson|this week))?"
 _EQUATION = "(\\S*\\d\\S*=\\S+|\\S+=\\S*\\d\\S*)"
 _WORD = "([a-z]{2,})"
 _ALSO = "(?: ,| :| and| so| then| now| please| kindly)*"
-_WRITE = "(?:lay|write|spell|build|show|put|make|set|form)"
+WRITE = "(?:lay|write|spell|build|show|put|make|set|form)"
 _IT = "(?:it|this|that|this word|that word|the word|this name|that name|his name|her name|the name|the sum)"
-_LAID = f"{_WRITE}(?: (?:out|down|up))?(?: {_IT})?(?: (?:out|down|up))?"
+_LAID = f"{WRITE}(?: (?:out|down|up))?(?: {_IT})?(?: (?:out|down|up))?"
 _CUBES = (
     "(?: (?:with|in|from|using|out of) (?:the |our |my |your )?(?:(?:number|letter|digit|symbol) )?(?:cubes|blocks))?"
 )
@@ -48,12 +48,12 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
     (f"^({_A_FIGURE}[^:]*?) (?:is|was|has been|shall be|is to be) {_SET}(?: as follows)?(?= :|$)", "{1}"),
     (f"^({_A_FIGURE}.*?) {_THE_GOAL}$", "{1}"),
     # sums and words
-    (f"^{_NOTED}(?:sum|equation|calculation|problem|task|exercise|solution){_OF_DAY}(?: today| now)? (?:is|:|reads) "
+    (f"^{_NOTED}(?:sum|equation|calculation|problem|task|exercise|solution){OF_DAY}(?: today| now)? (?:is|:|reads) "
      f"{_EQUATION}(?:{_ALSO} {_LAID}{_CUBES})?$", "write {1}"),
     (f"\\b(spells?|spelling|reads?|reading|says?|saying) {_WORD} (?:when|if)(?: it is| it's| you| one| i| we)? "
      f"read(?:ing)?(?: it)?(?: ,)? ({_WAY}|downwards?|upwards?)$", "{1} {2} {3}"),
-    (f"^({_WRITE} (?:it|this|that)) (?:out|down|up)({_CUBES})$", "{1} {2}"),
-    (f"^({_WRITE}(?: out)?) {_WORD} (?:in (?:block|capital) letters )?across the (?:table|desk)$", "{1} {2}"),
+    (f"^({WRITE} (?:it|this|that)) (?:out|down|up)({_CUBES})$", "{1} {2}"),
+    (f"^({WRITE}(?: out)?) {_WORD} (?:in (?:block|capital) letters )?across the (?:table|desk)$", "{1} {2}"),
     (f"^((?:write|spell)(?: out)?) {_WORD} in (?:block|capital) letters$", "{1} {2}"),
     (f"^{_AGREED}(.+?)(?: ,)? and that (.+)$", "{1} . {2}"),
     (f"^{_AGREED}", ""),

@@ -7,22 +7,22 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from rpg.language.grammar.rows.figures_asked import OF_DAY, WRITE
 from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.tokens import Token
 
 SPELT = frozenset({"name", "word", "nickname", "so"})
 _WORD = "(?P<word>[a-z]{2,})"
 _SO = "(?:(?: ,| :|;| and| so| then| now| please| kindly)+ "
-_WRITE = "(?:lay|write|spell|build|show|put|make|set|form)(?: (?:out|down|up))?"
+_WRITE = f"{WRITE}(?: (?:out|down|up))?"
 _IT = "(?:it|this|that|(?:this|that|the|his|her) (?:word|name))"
 _CUBES = "(?: (?:with|in|from|using|out of) (?:the |our |my |your )?(?:letter )?(?:cubes|blocks))?"
 _WHOSE = "(?:the|our|my|your|his|her|this|(?:\\w+ ){0,2}\\w+ 's)"
-_DAY = "(?: (?:of|for) (?:the day|today|the week|this week|this lesson))?"
 _READ = "(?:it|they|you|one|we|i|the (?:tower|row|stack))(?: can)? (?:reads?|spells?|says?)"
 _WAY = "(?: (?:from )?(?:the )?(?:left|right|top|bottom) to (?:the )?(?:left|right|top|bottom)| downwards?| upwards?)?"
 _TOLD = tuple((re.compile(f"{pattern}$"), said) for pattern, said in (
-    (f"{_WHOSE} (?:new |next )?word{_DAY} (?:is|:) {_WORD}", "spell"),
-    (f"{_WHOSE} (?:name|nickname|new word|word){_DAY} (?:is|:) {_WORD}{_SO}{_WRITE} (?:{_IT}|(?:the (?:word|name) )?"
+    (f"{_WHOSE} (?:new |next )?word{OF_DAY} (?:is|:) {_WORD}", "spell"),
+    (f"{_WHOSE} (?:name|nickname|new word|word){OF_DAY} (?:is|:) {_WORD}{_SO}{_WRITE} (?:{_IT}|(?:the (?:word|name) )?"
      f"(?P=word))(?: (?:out|down|up))?(?P<rest>{_CUBES}{_WAY}))", "spell"),
     (f"(?P<lead>.*?)\\b(?:spell|write) {_WHOSE} (?:name|word)(?: ,)? (?:which|that) is {_WORD}(?P<rest>{_CUBES}{_WAY})",
      "spell"),

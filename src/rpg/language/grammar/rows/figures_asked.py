@@ -17,7 +17,10 @@ _A_FIGURE = (
     "(?:block|cube|box))(?= |$)"
 )
 _DOER = "(?:us|to|we|i|you|should|must|shall|will|can|could|would|and|then|now|please|robot|kindly|just)"
-_MAKING = "(?<!at )(?:specify|define|devise|present|display|try|attempt)"
+_MAKING = (
+    "(?<!at )(?:generate|raise|establish|realize|realise|render|specify|define|devise|present|display|try|attempt)"
+)
+"""Verbs for which "build" is said, as other rows have it."""
 _SET = "(?:specified|defined|stipulated|described|prescribed|requested|demanded)"
 _THE_GOAL = "(?:is|shall be|has been) (?:given|set|defined|specified|stated) as (?:the|our|my|your) (?:goal|target|aim)"
 _DAYS = "(?:(?:today|tomorrow|tonight|this week|this lesson) 's|the|our|my|your|this)"

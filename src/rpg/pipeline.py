@@ -22,7 +22,7 @@ from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.core.passes import Context, Listener, Manager, Pass, Report, silent
 from rpg.ir.artifact import GateReport, Program, Scene
 from rpg.ir.goal import Goal
-from rpg.ir.reconcile import reconcile
+from rpg.ir.reconcile import reconcile, reconciled
 from rpg.ir.schema import TaskSchema
 from rpg.passes.codegen import lower, lower_goal, read_goal
 from rpg.passes.repair import Attempt, Repaired, Tools, repair
@@ -239,7 +239,11 @@ def prepared(schema: TaskSchema) -> TaskSchema:
     world = World(placed.assets)
     goal = reconcile(link(placed.goal, world))
     all_namings(interchangeable(goal, world))
-    return placed if goal is placed.goal else placed.model_copy(update={"goal": goal})
+    start = reconciled(placed.init.arranged)
+    if goal is placed.goal and start == placed.init.arranged:
+        return placed
+    init = placed.init.model_copy(update={"arranged": start})
+    return placed.model_copy(update={"goal": goal, "init": init})
 
 
 def phrased(schema: TaskSchema, options: CompileOptions) -> TaskSchema:

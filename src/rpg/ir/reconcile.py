@@ -45,6 +45,12 @@ def reconcile(goal: g.Goal) -> g.Goal:
     return transform(goal, change)
 
 
+def reconciled(goals: tuple[g.Goal, ...]) -> tuple[g.Goal, ...]:
+    """Conditions that hold together, as those of a start, told what the others override."""
+    whole = reconcile(g.All(goals=goals))
+    return whole.goals if isinstance(whole, g.All) else (whole,)
+
+
 def _demanded(goal: g.Goal) -> Iterator[g.Goal]:
     """The atoms that hold wherever the goal is met, at some stage of it; a turn either way is a turn."""
     if isinstance(goal, g.All | g.Sequence | g.Always):

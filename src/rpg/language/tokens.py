@@ -41,7 +41,7 @@ CONTRACTIONS = {
     "wasn't": "was not", "weren't": "were not", "shouldn't": "should not", "mustn't": "must not", "can't": "can not",
     "cannot": "can not", "won't": "will not", "wouldn't": "would not", "couldn't": "could not", "i'd": "i would",
     "i'll": "i will", "i'm": "i am", "i've": "i have", "it's": "it is", "that's": "that is", "there's": "there is",
-    "theres": "there is",
+    "theres": "there is", "eachother": "each other", "outa": "out of", "outta": "out of",
     "let's": "let us", "they're": "they are", "you're": "you are", "we're": "we are", "here's": "here is",
     "it'd": "it would", "it'll": "it will", "that'd": "that would", "that'll": "that will",
     "who's": "who is", "you've": "you have",

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 
 from rpg.core.diagnostics import Refusal, Span
 from rpg.ir import goal as g
-from rpg.ir.reconcile import reconcile
+from rpg.ir.reconcile import reconcile, reconciled
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, OrderBy, Pronoun, Traits, cost_of, parts_of, replace
@@ -237,7 +237,7 @@ def _resolved(
     check_bare_numbers(goal, scene, chains)
     names = finish.naming(scene)
     start = InitialState(
-        arranged=once(finish.renamed(x, names) for x in scene.start_goals),
+        arranged=reconciled(once(finish.renamed(x, names) for x in scene.start_goals)),
         heaps=tuple(tuple(names[n] for n in heap) for heap in scene.heaps),
     )  # fmt: skip
     final = reconcile(finish.renamed(goal, names))

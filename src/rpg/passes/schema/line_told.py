@@ -53,6 +53,8 @@ _ALL_IN_ONE = re.compile(
 )
 """What takes in all that the sentence speaks of."""
 _ONE_LINE = re.compile(f"\\b(?:in|into|to form) (?:one|a single|the same) {LINE}\\b")
+_FIRST_IN_IT = re.compile(f"^in {_A_LINE}(?= .*\\bfirst\\b.*\\bthen\\b)")
+"""A line in which something comes first."""
 _TOGETHER = re.compile(f"\\bin {_A_LINE}")
 _BESIDE = (Adjacent, Behind, Beside, Between, GroupBy, InFrontOf, LeftOf, Near, RightOf, Touching)
 """What is told of blocks beside each other, which those of one row are."""
@@ -76,8 +78,8 @@ _OTHER = frozenset({"another", "other", "second", "next", "each", "every", "one"
 
 
 def _apart(said: Said) -> None:
-    """Refuse "spell CAT and DOG in one row" as of a row for each of them."""
-    match = _ONE_LINE.search(said.text)
+    """Refuse "spell CAT and DOG in one row" as of a row for each of them, one beside or one after the other."""
+    match = _ONE_LINE.search(said.text) or _FIRST_IN_IT.search(said.text)
     if match is None or not _OTHER.isdisjoint((said.text[: match.start()] + said.text[match.end() :]).split()):
         return
     lines = [{*line.blocks} for line in said.lines]

@@ -73,8 +73,8 @@ def told(pieces: Sequence[Piece]) -> str:
     found.lots = {lot.look: lot for lot in lots}
     if found.places:
         text = _by_lots(pieces, found, basis, count)
-    elif basis:
-        text = _by_basis(pieces, found, basis, count)
+    elif basis or one(pieces, "strange"):
+        text = _by_basis(pieces, found, basis or "color", count)
     else:
         text = _without_basis(pieces, found, count)
     text += f" {apart.value}" if apart else ""
@@ -258,6 +258,8 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
         if any(sum(lot.count or 0 for lot in lots) != size.value for _, lots in places):
             raise Unclear
     if any(lot.count is None for _, lots in places for lot in lots):
+        raise Unclear
+    if (each := one(pieces, "each")) and any(lot.count != each.value for _, lots in places for lot in lots):
         raise Unclear
     sorts = [{_of_basis(lot.look, basis) for lot in lots} for _, lots in places] if basis else []
     if basis and (any(len(of) > 1 for of in sorts) or len(set.union(*sorts)) < len(places)):

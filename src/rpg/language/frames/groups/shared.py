@@ -72,6 +72,7 @@ def lots_in(piece: Piece) -> list[Lot]:
                 raise Unclear
             return [replace(lot, count=count)]
         left_open = "count" not in said and "noun" not in said and said.get("det") not in ("a", "an")
+        left_open = left_open or (lot.plural and piece.words.startswith("one of ") and "of the" not in piece.words)
         return [replace(lot, count=None) if left_open else lot]
     if piece.kind == "class":
         return [Lot(piece.value)]

@@ -19,7 +19,8 @@ def piled(found: Meaning) -> Meaning:
         return tower
     for index, (first, second) in enumerate(zip(found.adjuncts, found.adjuncts[1:], strict=False)):
         alike = getattr(first, "rel", "") == getattr(second, "rel", "")
-        if alike and _lies_on(first) and _lies_on(second) and second.span[0] <= first.span[1] + 1:
+        behind = first.span[0] < second.span[0] <= first.span[1] + 1
+        if alike and behind and _lies_on(first) and _lies_on(second):
             assert isinstance(first, Loc) and isinstance(first.landmark, Noun)
             theme = replace(first.landmark, det="the", amount=None, cost=0)
             span = (first.landmark.span[0], found.span[1])

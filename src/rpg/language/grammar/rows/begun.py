@@ -55,7 +55,8 @@ _THEM = (
     f"{MANY}|{COLOR})"
 )
 _FACT = (
-    f"((?:the|an?|on|there|we|you|i|everything|{MANY}|{COLOR}|{TIME})\\b(?:(?!{MUST}|\\b(?:which|that|where|if|when|once|"
+    f"((?:the|an?|on|there|we|you|i|everything|{MANY}|{COLOR}|{TIME})\\b(?:(?!{MUST}|\\b(?:which|that|where|if|when|"
+    f"once|"
     f"until|unless)\\b)"
     f".)*? (?:{SITS}|has|have|holds|carries|form|{TIME})\\b(?:(?!{MUST}).)*?)"
 )
@@ -75,6 +76,7 @@ _IN_A_HEAP = f"in (an?|one) (?:settled |random |messy |mixed |loose )?({HEAP})"
 _OF_EACH = (
     f" , ({MANY})(?: of them)? ({COLOR})(?: ones)?(?: ,| and| , and) ({MANY})(?: of them)? ({COLOR})(?: ones)?\\b"
 )
+_ONE_OF_TWO = f"(?:the|an?|both|all) [^,]+? {STARTS} [^,]+? and (?:go(?:es)?|ends?|moves?|{MUST}) [^,]+?"
 
 BEGUN_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:(?:at|on|upon) reset|when (?:the|this|an|each|every) {EVENT} (?:starts|begins)|when (?:we|you) "
@@ -83,6 +85,8 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:start|initial state|starting (?:state|scene|position)) : "
      f"(?=.*\\b(?:{TIME}|starts?|begins?|starting)\\b)", ""),
     (f"(^|: )when (?:you are|everything is|all is) (?:done|finished)(?: ,)? (?={_THEM}\\b)", "{1} at the end , "),
+    # two of whom each begins somewhere and goes elsewhere
+    (f"^({_ONE_OF_TWO})(?: ,)?(?: and| while| whereas| but|(?<= ,)) ({_ONE_OF_TWO})$", "{1} . {2}"),
     # how it is, and what becomes of it, in one sentence
     (f"^{_FACT} [,:] ((?:please )?(?:first )?{COMMAND} {_THEM}\\b.+)$", "{1} . {2}"),
     (f"^(?!there (?:is|are) ,){_FACT} [,:] (?:and |but )?({END})(?: ,)? ({_THEM}\\b.+)$", "{1} . {2} , {3}"),

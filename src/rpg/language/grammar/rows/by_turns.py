@@ -42,7 +42,8 @@ BY_TURNS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({_STRIPED})(.*?) (?:,|with|in)(?: in| with)? {_TWO} stripes(?=$| ,)", "{1} {2} , alternating {3} and {4}"),
     (f"\\b(?:with|in|of)? ?{_CHECKERED}(?: (?:in|with))? {_TWO}(?! checker)", "in a checkerboard pattern of {1} and "
      "{2}"),
-    ("\\b(?:checker|checkers|chess|checkered|chequered|checked) pattern\\b", "checkerboard pattern"),
+    ("\\b(?:checker|checkers|chess|checkered|chequered|checked|checkerboard|chessboard) (?:pattern|coloring|colors)\\b",
+     "checkerboard pattern"),
     (f"\\b(checkerboard pattern)((?! of\\b).*?)(?: ,| in)+ (?:the )?(?:colors )?{_TWO}$", "{1} of {3} and {4} {2}"),
     (f"^{_CHOOSE} (two|three)(?: different)? colors(?: you like| of your choice)?(?: ,| and| then|;)+ (.+?)(?: that| "
      "which)? (?:alternates?|alternating)(?: between| with| in)?(?: (?:them|these|those|the two|the three))?$",

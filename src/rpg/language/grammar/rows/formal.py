@@ -6,6 +6,8 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.across import ACROSS
+from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
@@ -30,6 +32,7 @@ from rpg.language.grammar.rows.other_end import other_end_named
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
+from rpg.language.grammar.rows.rainbow_told import announced_rainbow
 from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
@@ -44,7 +47,7 @@ from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.times import BEFORE_IT, OFF_FIRST
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
-from rpg.language.grammar.rows.turned import Turns, turned
+from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
 from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
@@ -93,6 +96,7 @@ _OF_ALL = (
     *RELATED_AT_ONCE,
     *REWORDED_AT_ONCE,
     *WORDIER_AT_ONCE,
+    *ASKED_ALOUD_AT_ONCE,
     *ROWS_PLACED,
 )
 """The rows of every sentence."""
@@ -123,14 +127,16 @@ _OF_THE_UNREAD = (
     *UTMOST_TOLD,
     *TOWERS,
     *UPWARD,
+    *ASKED_ALOUD,
 )
 """The rows of a sentence that cannot be read as it stands."""
-AT_ONCE, UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
+AT_ONCE, UNREAD, OVER_ALL = Turns(_OF_ALL), Turns(_OF_THE_UNREAD), Turns(ACROSS)
 
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    told = _one_of_each(_steps_told(told_by_places(rows_by_number(other_end_named(some_of_the_letters(tokens))))))
+    told = other_end_named(some_of_the_letters(announced_rainbow(turned(tokens, OVER_ALL, all_of_it))))
+    told = _one_of_each(_steps_told(told_by_places(rows_by_number(told))))
     return turned(of_the_figure(not_at_end(corners_again(told))), AT_ONCE)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache
 
@@ -73,9 +73,28 @@ class Turns:
         return found
 
 
-def turned(tokens: list[Token], turns: Turns) -> list[Token]:
-    """The tokens, every sentence of them turned by whichever rows fit it."""
-    told = _told(tokens)
+Spans = Iterable[tuple[int, int]]
+"""Where parts of a text begin and end."""
+
+
+def sentences_of(tokens: list[Token]) -> Spans:
+    """The sentences, without their stops."""
+    begin = 0
+    for n, token in enumerate(tokens):
+        if token.kind == "punct" and token.word in STOPS:
+            yield begin, n
+            begin = n + 1
+    yield begin, len(tokens)
+
+
+def all_of_it(tokens: list[Token]) -> Spans:
+    """The whole text, stops and all."""
+    return [(0, len(tokens))]
+
+
+def turned(tokens: list[Token], turns: Turns, parted: Callable[[list[Token]], Spans] = sentences_of) -> list[Token]:
+    """The tokens, every sentence of them turned by whichever rows fit it, or all of them by rows across sentences."""
+    told = _told(tokens, parted)
     waiting = turns.fitting(told)
     while waiting:
         number = waiting.pop(0)
@@ -84,7 +103,7 @@ def turned(tokens: list[Token], turns: Turns) -> list[Token]:
             changed = _once(tokens, told, _compiled(row), said)
             if changed is None:
                 break
-            tokens, told = changed, _told(changed)
+            tokens, told = changed, _told(changed, parted)
             waiting = turns.fitting(told, number)
     return tokens
 
@@ -162,9 +181,9 @@ Told = list[tuple[int, int, list[str], str]]
 """Where each sentence begins and ends, its words, and all of it."""
 
 
-def _told(tokens: list[Token]) -> Told:
+def _told(tokens: list[Token], parted: Callable[[list[Token]], Spans]) -> Told:
     words = [token.word.replace(" ", "_") or "_" for token in tokens]
-    return [(begin, end, words[begin:end], " ".join(words[begin:end])) for begin, end in _sentences(tokens)]
+    return [(begin, end, words[begin:end], " ".join(words[begin:end])) for begin, end in parted(tokens)]
 
 
 def _once(tokens: list[Token], told: Told, pattern: re.Pattern[str], said: str) -> list[Token] | None:
@@ -178,15 +197,6 @@ def _once(tokens: list[Token], told: Told, pattern: re.Pattern[str], said: str) 
         plain = list(_said(tokens[begin:end], match, said, starts))
         return [*tokens[: begin + first], *plain, *tokens[begin + last :]]
     return None
-
-
-def _sentences(tokens: list[Token]) -> Iterable[tuple[int, int]]:
-    begin = 0
-    for n, token in enumerate(tokens):
-        if token.kind == "punct" and token.word in STOPS:
-            yield begin, n
-            begin = n + 1
-    yield begin, len(tokens)
 
 
 def _starts(words: list[str]) -> list[int]:

@@ -19,6 +19,8 @@ _WRITE = "(?:write|spell|put|lay out|lay|make)"
 _BESIDE = "(?:behind|in front of|to the left of|to the right of)"
 _NEAR = "(?:nearer|nearest|closer|closest)(?: to (?:me|us|you|the viewer|the robot))?"
 _TWO = f"(?:{_WRITE} )?(?:the words )?{_WORD} and {_WORD}"
+_UNDER = "(?:underneath|below|beneath|under)(?: it| that)?(?: ,)?"
+_TWO_LINES = f"(?:{_WRITE} )?(?:the word )?{_WORD}{_AND}(?:{_UNDER} )?(?:the word )?{_WORD}"
 _OF = "(?: of (?:digits|numbers|letters|words|blocks|cubes))?"
 _ROWS = f"(?:two rows{_OF}(?: ,| :) )?"
 _SAME = f"(an? {_LINE} of (?:{FEW}) ({COLOR}) (?:blocks|cubes|ones))"
@@ -45,6 +47,12 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     (f"^((?:write|spell) {_WORD} {_BESIDE} {_WORD}) , each(?: word)? from left to right$", "{1}"),
     (f"^two words ,? ?(?:namely )?{_WORD} and {_WORD} ,(?: with)? {_WORD} ({_BESIDE}) {_WORD}$",
      "the word {3} {4} the word {5}"),
+    *((f"^{_TWO_LINES}{lines}$", "write {1} in the far row and {2} in the near row")
+      for lines in (" on (?:the|a) (?:next line|line (?:below|underneath|beneath|under it|below it))",
+                    "(?: ,)? (?:like|as) (?:two )?lines (?:on|of) a (?:page|text|book|poem)")),
+    (f"^(?:{_WRITE} )?{_WORD} (?:on|in) the (?:first|upper|top) line{_AND}{_WORD} (?:on|in) the (?:second|lower|"
+     f"bottom|next) line$",
+     "write {1} in the far row and {2} in the near row"),
     # rows
     (f"^{_ROWS}the {_END} row {_SHOWS} {_LISTED}{_AND}the {_END} (?:row|one) {_SHOWS} {_LISTED}$",
      "{1} row : {2} ; {3} row : {4}"),

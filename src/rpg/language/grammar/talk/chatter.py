@@ -30,16 +30,31 @@ _FREE = (
     "up_to_you|irrelevant|unimportant|not_important|of_no_importance|your_choice|your_decision|left_to_you|"
     "all_the_same_to_me|all_the_same|not_relevant|arbitrary|for_you_to_decide|for_you_to_choose"
 )
-_OF_WHAT = "of|in|on the|each|every|them|these? stacks|towers|groups|blocks|cubes|letters|digits|numbers|table?"
+_WHERE = (
+    "position|positions|location|locations|place|places|spot|spots|placement|orientation|orientations|rotation|"
+    "rotations|yaw|angle|angles|heading|direction|alignment"
+)
+"""Where something is, and how it is turned."""
+_OF_WHAT = (
+    "of|in|on? the|each|every|them|these|a? stack|stacks|tower|towers|group|groups|block|blocks|cube|cubes|letters|"
+    "digits|"
+    "numbers|table|grid|row|line|column|wall|pyramid|square|circle|ring|word|figure|structure|shape|pattern|"
+    "checkerboard|"
+    "whole|arrangement?"
+)
 _MATTERS = "do|does not really|actually? matter at_all|to_me|here|much?"
 CHATTER = Patterns(
-    f"the|their|its exact|final|precise? position|positions|location|locations|place|places|spot|spots "
-    f"{_OF_WHAT} {_MATTERS}",
-    f"the|their|its exact|final|precise? position|positions|location|locations|places {_MATTERS}",
-    f"the|their|its position|positions {_OF_WHAT} is|are {_FREE}|free|open|left_open",
+    f"the|their|its exact|final|precise|overall|absolute? {_WHERE} {_OF_WHAT} {_MATTERS}",
+    f"the|their|its exact|final|precise|overall|absolute? {_WHERE} and|or the|its|their? {_WHERE} {_OF_WHAT} "
+    f"{_MATTERS}",
+    f"the|their|its exact|final|precise|overall|absolute? {_WHERE} {_OF_WHAT} is|are {_FREE}|free|open|left_open",
     "i|we|my_boss|my_teacher|they do|does|really not really|particularly|much|actually? care|mind|worry|bother "
     f"about|at_all|much? {_OPEN}?",
     f"it|that does not really|actually? matter|make_a_difference|make_any_difference at_all|to_me|here? {_OPEN}?",
+    "it|that does not really|actually? matter how|in_which_direction|which_way|at_which_angle|in_what_direction it|"
+    "they|"
+    "the_row|the_line|the_grid|the_tower|the_wall is|are|runs|run|goes|go|turned|rotated|oriented|placed|faces|face "
+    "turned|rotated|oriented|placed?",
     f"it|that is|remains|stays really|entirely|completely|totally|quite? {_FREE} {_OPEN}?",
     f"{_OPEN} is|are|remains|stays entirely|completely|totally|really|quite? {_FREE}|free|open|left_open",
     f"{_OPEN} do|does not really|actually? matter at_all|to_me|here?",

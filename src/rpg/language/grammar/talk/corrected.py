@@ -28,7 +28,7 @@ _APART = frozenset({",", "…"})
 
 def corrected(tokens: list[Token]) -> list[Token]:
     """The tokens with what was taken back left out, where it is clear what that is; else as they were."""
-    tokens, at = same_again(taken_back(tokens)), 0
+    tokens, at = same_again(taken_back(_set_off(tokens))), 0
     while at < len(tokens):
         end = _repair(tokens, at) if at and tokens[at].word in _APART else 0
         if end and (mended := _mended(tokens, at, end)) is not None:
@@ -36,6 +36,23 @@ def corrected(tokens: list[Token]) -> list[Token]:
             continue
         at = max(at + 1, end)
     return tokens
+
+
+_PLAINLY = (("no", "wait"), ("wait", "no"), ("wait", "actually"), ("oh", "wait"))
+"""These take something back without a comma as well."""
+
+
+def _set_off(tokens: list[Token]) -> list[Token]:
+    """ "red on blue no wait blue on red": with commas around what takes back."""
+    out: list[Token] = []
+    for n, token in enumerate(tokens):
+        if 0 < n < len(tokens) - 2 and (token.word, tokens[n + 1].word) in _PLAINLY and out[-1].kind != "punct":
+            out.append(token.saying(","))
+        out.append(token)
+        behind = (tokens[n - 1].word, token.word) in _PLAINLY if n > 1 else False
+        if behind and n + 1 < len(tokens) and tokens[n + 1].kind != "punct":
+            out.append(token.saying(","))
+    return out
 
 
 def _repair(tokens: list[Token], at: int) -> int:

@@ -14,16 +14,20 @@ from rpg.language.tokens import Token
 _THERE = "from the? front|camera|viewer|robot|robot_'s_side|camera_'s_side"
 _HERE = "from_here|from_in_front|from_my_side|from_where_i_sit|from_my_seat|from_our_side|from_there"
 _SITTING = "who_sits|who_is|sitting|standing|seated? in_front|at_the_table|in_front_of_the_table|in_front_of_it?"
+_WHAT = (
+    "them|it|everything|all_of_them|the_numbers|the_letters|the_symbols|the_digits|what_they_show|what_is_on_them|"
+    "the_number|the_letter|the_digit"
+)
 _CAN_READ = Patterns(
     *(
-        f"so_that|so|such_that <person> {_SITTING} can|could|may|is_able_to read them|it|everything|all_of_them "
+        f"so_that|so|such_that <person> {_SITTING} can|could|may|is_able_to read {_WHAT} "
         f"well|easily|clearly|properly? {place}"
         for place in ("please?", _THERE, _HERE)
     ),
     classes=Classes(WHO),
 )
 _READABLE = Patterns(f"readable|legible {_THERE}", f"readable|legible {_HERE}")
-_IT = frozenset({"it"})
+_IT = frozenset({"it", "number", "letter", "digit"})
 _LINES = frozenset({"grid", "rows", "columns", "wall", "square"})
 """Where there are several lines, what can be read has an order as well."""
 _GOES_ON = frozenset({"to", "in", "like", "as", "row"})

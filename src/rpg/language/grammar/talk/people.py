@@ -10,7 +10,8 @@ PEOPLE = (
     "husband|grandmother|grandfather|grandma|grandpa|niece|nephew|brother|sister|sponsor|reviewer|reviewers|professor|"
     "audience|visitors|guests|public|viewers|family|mum|mummy|mommy|daddy|granny|grandad|granddad|grandson|"
     "granddaughter|uncle|aunt|auntie|cousin|flatmate|roommate|girlfriend|boyfriend|partner|buddy|mate|pal|manager|"
-    "supervisor|coach|trainer|neighbor|doctor|nurse|chef"
+    "supervisor|coach|trainer|trainee|trainees|apprentice|intern|candidate|participant|participants|neighbor|doctor|"
+    "nurse|chef"
 )
 """Whom an instruction may be for."""
 RELATIONS = (
@@ -35,11 +36,15 @@ AGENTS = (
     "you", "we", "the robot", "our robot", "this robot", "the child", "the student", "the user", "somebody",
     "someone", "the arm", "the agent",
     "the robot arm", "the machine", "the player", "the kid", "the pupil", "the worker", "the operator", "your robot",
-    "the children", "the kids", "the students", "people", "the person", "the gripper", "the manipulator", "i",
+    "the children", "the kids", "the students", "people", "the person", "the gripper", "the manipulator", "i", "he",
+    "she", "a robot", "a person", "a child", "a kid", "a student", "a player", "a worker", "a user", "an operator",
+    "a pupil",
+    "the trainee", "the apprentice", "the intern", "the candidate", "the participant", "a robot arm", "an arm",
+    "an agent", "one robot", "the human", "a human",
 )  # fmt: skip
 """Who does something in the indicative: "the robot puts ..." asks for it."""
 WORKERS = frozenset({"robot", "arm", "agent", "gripper", "machine", "player", "worker", "operator", "manipulator",
-                      "child", "kid", "student", "pupil", "person"})  # fmt: skip
+                      "child", "kid", "student", "pupil", "person", "human", "he", "she"})  # fmt: skip
 """Of whom it may go on without a subject: "the robot takes the red block and puts it on ..."."""
 DOERS = ("somebody", "someone", "the robot", "the robot arm", "the arm", "the machine", "they", "people", "a child",
           "the child", "the children", "the kids", "the gripper", "some child")  # fmt: skip
@@ -80,7 +85,8 @@ WISHING = Classes(
             "thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing",
         ),
         "see": (
-            "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|with|that|it_if|if|of|there_to_be",
+            "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|with|that|it_if|if|of|"
+            "there_to_be",
             "it_that|me_for|us_for|you_for|:",
         ),
         "do": (

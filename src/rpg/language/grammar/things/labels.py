@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import string
+from collections.abc import Mapping
+from typing import Any
 
+from rpg.blocks.traits import symbols_of
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 
@@ -104,6 +107,14 @@ def run(p: Parser, i: int) -> Results[tuple[str, ...]]:
 def span_of(first: str, last: str) -> tuple[str, ...]:
     """The symbols from one to another, either way."""
     return _between(first, last) or _between(last, first)[::-1]
+
+
+def of_such(p: Parser, i: int, k: int, quality: str | None, update: Mapping[str, Any]) -> Mapping[str, Any]:
+    """ "(the odd numbers) from 1 to 9": those of the range that are odd; of numbers that are listed each has to be."""
+    labels = update.get("labels", ())
+    if not quality or len(labels) < 3 or labels != span_of(labels[0], labels[-1]) or _TO.isdisjoint(p.words[i:k]):
+        return update
+    return {**update, "labels": tuple(label for label in labels if label in symbols_of(quality))}
 
 
 @rule

@@ -17,7 +17,7 @@ from rpg.language.grammar.things.excepted import alone_in_this
 from rpg.language.grammar.things.had_relatives import told_traits, wished_of_new
 from rpg.language.grammar.things.in_line import in_line, unnamed_ends
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
-from rpg.language.grammar.things.labels import label_list, once_more
+from rpg.language.grammar.things.labels import label_list, of_such, once_more
 from rpg.language.grammar.things.of_both import counted_kinds
 from rpg.language.grammar.things.of_listed import wholes
 from rpg.language.grammar.things.patch_nouns import patch_noun
@@ -360,8 +360,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
             continue
         if "edge" in update and not noun.plural and not _EVERY.isdisjoint(p.words[j : j + 2]):
             continue
-        changed = _numbered(p, i, j, noun) if k == j + 1 else None
-        changed = changed or _with(noun, update, p.span(i, k))
+        numbered = _numbered(p, i, j, noun) if k == j + 1 else None
+        changed = numbered or _with(noun, of_such(p, j, k, noun.traits.quality, update), p.span(i, k))
         if changed is not None and not ("labels" in update and turned_part(p, i, j, k)):
             on_it = [*printed(p, i, j, k, changed)]
             yield from on_it or [(changed, k)]

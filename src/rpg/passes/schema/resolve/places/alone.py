@@ -12,7 +12,7 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.mutual import Relate
 from rpg.passes.schema.resolve.things.operands import base_of
 from rpg.passes.schema.resolve.things.refer import refer
-from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.world import Exclusive, Ref, Scene, Scope, refuse
 
 
@@ -135,8 +135,9 @@ def none_there(region: In, scene: Scene) -> g.Goal:
 
 
 def beyond(alone: Exclusive, scene: Scene) -> list[str]:
-    """The blocks of which it does not hold."""
-    return [t.name for t in matching(alone.traits, scene, False) if t.name not in alone.names]
+    """The blocks of which it does not hold, distractors among them."""
+    there = [t.name for t in scene.things.values() if not t.patch and fits(t, alone.traits)]
+    return [name for name in there if name not in alone.names]
 
 
 def _related(mark: Ref, loc: Loc, scene: Scene, relate: Relate) -> Callable[[str], g.Goal]:

@@ -50,7 +50,8 @@ def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if far.low is None:
         raise refuse("misplaced", "a move is at least so far", far.span, "say 'by at least 10 cm'")
     begun = scene.start_goals if "else" in far.mods else []
-    left = [g.Not(goal=x, span=clause.span) for x in begun if _lies_there(x) and set(x.a) <= {*theme.names}]
+    there = [x for x in begun if _lies_there(x) and set(x.a) <= {*theme.names}]
+    left = [g.Not(goal=x.model_copy(update={"a": (name,)}), span=clause.span) for x in there for name in x.a]
     denied = "else" in far.mods and clause.verb == "be" and any(m.role == "landmark" for m in scene.mentions)
     if denied and not left:
         raise refuse("ambiguous", "not there, or away from where it is now?", far.span, "say where it should not be")

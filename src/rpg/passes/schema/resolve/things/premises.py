@@ -31,6 +31,9 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
         elif not others:
             raise refuse("no-referent", "there is no other block", alone.span, "say which other blocks there are")
         kept += [denied(alone.there(n), alone.span) for n in others]
+        for name in others:  # a distractor that has to stay away is one of the task's blocks
+            scene.things[name].extra = False
+            scene.ignored.pop(name, None)
     still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()
     if still:
         kept.append(r.Stayed(a=still))

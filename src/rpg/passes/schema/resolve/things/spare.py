@@ -8,6 +8,7 @@ from rpg.ir import goal as g
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, Pronoun, Structure, That, Traits, replace
 from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, said
 
 
@@ -152,6 +153,17 @@ def definite(meaning: Meaning) -> bool:
     return isinstance(meaning, Pronoun) or (
         isinstance(meaning, Noun) and meaning.det in ("the", "all", "other", "both")
     )
+
+
+def declared_before(meaning: Meaning, scene: Scene) -> bool:
+    """ "(There are A, B and C. ...) B and C are distractors": by their looks, of those that were said to be there."""
+    if isinstance(meaning, Coord):
+        return meaning.op == "and" and all(declared_before(item, scene) for item in meaning.items)
+    if not isinstance(meaning, Noun) or (meaning.det, meaning.amount) != ("bare", None):
+        return False
+    looks = max(len(meaning.traits.colors), len(meaning.traits.labels))
+    there = matching(meaning.traits, scene, meaning.head == "patch")
+    return len(there) == looks > 0 and all(thing.declared for thing in there)
 
 
 def further(meaning: Meaning) -> bool:

@@ -1,0 +1,47 @@
+"""What is told over several sentences and is one thing: "Is A next to B? If not, put it there.", "Scatter six cubes.
+Success if they form a row.", "One: ... Two: ... In that order.", as rows over a whole text that say it at once."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import PLACE, THING
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import CUBE, MANY, MUST
+
+_NEXT = (
+    "(?=success\\b|the (?:task|goal|game|robot|player)\\b|goal\\b|it is\\b|now\\b|then\\b|at the end\\b|in the "
+    "end\\b|finally\\b)"
+)
+_ORDER = "(?: (?:all )?(?:in|exactly in) (?:that|this|the given) (?:order|sequence) \\.?)"
+_ABOUT = (
+    "(?: randomly| at random)?(?: all)?(?: (?:on|over|around|across|about)(?: the table)?)?(?: randomly| at random)?"
+)
+_THERE = "(?:there|that way|like that|so)"
+
+ACROSS: tuple[Turn, ...] = (
+    ("\\buse (?:one|a) color for (?:one|the \\S+) (row|line|column|tower|stack|layer) and (?:a different|another)"
+     "(?: color| one)? for "
+     "(?:the )?(?:\\S+ )?(?:\\1|one)(?= \\.|$)", "each {1} has a different color"),
+    (f"^is (the [^?.]+?|[^ ]+) ({PLACE} [^?.]+?) \\? if (?:not|it is not) ,? ?(?:please )?(?:put|move|bring|place|"
+     f"make|set) it {_THERE}"
+     "(?: please)?(?= \\.| !|$)", "put {1} {2}"),
+    (f"^(?:scatter|strew|randomize|distribute randomly|drop) ((?:the |all )?{MANY} [^.,]+?){_ABOUT} \\. {_NEXT}",
+     "there are {1} . "),
+    ("^(?:randomize|shuffle|jumble) the (?:start|scene|beginning|initial (?:state|positions?)) [:,.] (.+?) \\. "
+     + _NEXT, "at the start : {1} . "),
+    (f"^(?:(?:checklist|list|steps|plan|sequence) [.:] )?(?:one|1 \\.) :? ?(.+?) \\. (?:two|2 \\.) :? ?(.+?) \\. "
+     f"(?:three|3 \\.) :? ?(.+?) \\.{_ORDER}$",
+     "first , {1} . then , {2} . then , {3} ."),
+    (f"^(?:(?:checklist|list|steps|plan|sequence) [.:] )?(?:one|1 \\.) :? ?(.+?) \\. (?:two|2 \\.) :? ?(.+?) "
+     f"\\.{_ORDER}$", "first , {1} . then , {2} ."),
+    (f"^(.*?\\b{MANY} (?:rows|columns|lines|towers|stacks|layers)(?: of {MANY}(?: {CUBE}s)?)?) \\. (?=each (?:row|"
+     f"column|line|tower|"
+     "stack|layer) (?:has|is|must|should) )", "{1} , "),
+    (f"^(the (?:numbers|digits|letters|words|blocks|cubes) [^.?]*?|{THING}) (?:got|are|were|have been|have got) "
+     f"(?:all )?(?:mixed up|"
+     "jumbled up|jumbled|messed up|scrambled|shuffled|out of order|in disorder|in a mess) \\. (?=.)", "there are "
+      "{1} . "),
+    (f"^(.+?) \\. but (?=(?:{THING}|none|no|nothing|not|the) .*(?:{MUST}|may|can|is|are)\\b)", "{1} . "),
+)  # fmt: skip
+"""What is looked for in a text, and what is said instead."""
+WORDS = ("checklist scatter strew",)
+"""Words that these take besides those that are read anyway."""

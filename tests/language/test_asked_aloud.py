@@ -42,9 +42,9 @@ MEANT: list[tuple[str, dict[str, Any]]] = [
     (
         "One: red block on blue block. Two: yellow block on red block. In that order.",
         {
-            **_STAIRS_OF_THREE,
-            "hold": [["blue^red ; yellow", "blue^red^yellow"]],
-            "miss": [["red^yellow ; blue", "blue^red^yellow"]],
+            "assets": {"red": 1, "blue": 1, "yellow": 1},
+            "hold": [["red ; blue ; yellow", "blue^red ; yellow", "blue^red^yellow"]],
+            "miss": [["red ; blue ; yellow", "blue^red ; yellow"]],
         },
     ),
     (

@@ -30,7 +30,7 @@ _OF_ITS_OWN = (
 
 ASKED_ALOUD_AT_ONCE: tuple[Turn, ...] = (
     # what there is
-    (f"^here (?:are|is) (?=(?:an?|the|some|{MANY}) )", "there are "),
+    (f"^here are (?=(?:an?|the|some|{MANY}) )", "there are "),
     (f"^there (?:are|is) ((?:an? {_SYMBOL}(?: sign| symbol| cube| block)?(?: ,| and| , and) )+an? {_SYMBOL})(?: "
      f"sign)?$",
      "there is {1}"),

@@ -37,7 +37,7 @@ from rpg.passes.schema.resolve.places.relations import place, related
 from rpg.passes.schema.resolve.places.stacking import piled_on, stands_on
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.things.refer import refer
-from rpg.passes.schema.resolve.things.spare import declared_before, definite, further, pass_over
+from rpg.passes.schema.resolve.things.spare import definite, further, known, pass_over
 from rpg.passes.schema.resolve.things.spoken import as_it_stands
 from rpg.passes.schema.resolve.things.things import alike, of_no_look
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -90,8 +90,7 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
     if clause.negated:
         raise refuse("misplaced", "it is said what these blocks are not, but not where they should be", clause.span,
                      "say where they should be")  # fmt: skip
-    known = definite(clause.theme) or declared_before(clause.theme, scene)
-    pass_over(refer(clause.theme if known else as_extra(clause.theme), scene, Scope()), scene)
+    pass_over(refer(clause.theme if known(clause.theme, scene) else as_extra(clause.theme), scene, Scope()), scene)
     scene.mentions.pop()
     about = [p for p in spec.places if isinstance(p, Loc) and isinstance(p.landmark, TableTop)]
     about = [p for p in about if p.rel not in ("left", "right", "front", "behind")]

@@ -155,10 +155,12 @@ def definite(meaning: Meaning) -> bool:
     )
 
 
-def declared_before(meaning: Meaning, scene: Scene) -> bool:
-    """ "(There are A, B and C. ...) B and C are distractors": by their looks, of those that were said to be there."""
+def known(meaning: Meaning, scene: Scene) -> bool:
+    """ "the S"; "(There are A, B and C. ...) B and C (are distractors)": blocks of those that were said to be there."""
+    if definite(meaning):
+        return True
     if isinstance(meaning, Coord):
-        return meaning.op == "and" and all(declared_before(item, scene) for item in meaning.items)
+        return meaning.op == "and" and all(known(item, scene) for item in meaning.items)
     if not isinstance(meaning, Noun) or (meaning.det, meaning.amount) != ("bare", None):
         return False
     looks = max(len(meaning.traits.colors), len(meaning.traits.labels))

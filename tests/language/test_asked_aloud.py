@@ -85,8 +85,8 @@ MEANT: list[tuple[str, dict[str, Any]]] = [
         },
     ),
     (
-        "Let's make a rainbow! One red, one orange, one yellow and one green block in a row from left to right, in that "
-        "order.",
+        "Let's make a rainbow! One red, one orange, one yellow and one green block in a row from left to right, in "
+        "that order.",
         {
             "assets": {"red": 1, "orange": 1, "yellow": 1, "green": 1},
             "hold": ["red orange yellow green"],

@@ -14,6 +14,7 @@ import pytest
 from rpg.blocks.state import BlockState, World
 from rpg.cli.options import find
 from rpg.language.frames.pieces import Unclear, coded, cut
+from rpg.language.grammar.rows.turned import Turns, turned
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
 from rpg.passes.validate.bench import Bench
@@ -65,6 +66,16 @@ def test_the_example_way_of_speaking() -> None:
             assert space["told"](pieces or []) == f"Build a tower from {plain}."
         except Unclear:
             assert plain is None
+
+
+def test_the_example_turn_of_phrase() -> None:
+    seated = Turns(run_block("SEATED")["SEATED"])
+    for text, plain in (
+        ("Put A on B. Let the red block ride on the blue cube.", "put A on B . put the red block on the blue cube ."),
+        ("Let the red block ride with the blue cube.", "let the red block ride with the blue cube ."),
+    ):
+        tokens = turned(read_words(tokenize(text)[0])[0], seated)
+        assert [token.word.lower() for token in tokens] == plain.lower().split()
 
 
 def test_the_example_predicate() -> None:

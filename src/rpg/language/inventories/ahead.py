@@ -5,12 +5,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 from typing import Literal
 
 from rpg.language import lexicon
-from rpg.language.grammar.rows.parting import sentences
+from rpg.language.grammar.rows.parting import sentences, text_of
+from rpg.language.grammar.rows.vocabulary import MANY
 from rpg.language.grammar.talk.exactly_so_many import so_many_at
 from rpg.language.inventories.frames import Stock, counted, stock_of
 from rpg.language.inventories.lots import Lot, lots_at, several_at, with_nouns
@@ -37,9 +40,31 @@ def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
             yield [*in_words(stock, part), *rest], "look" if stock_of(bare(part)) is None else ""
         if (idle := _idle(part)) is not None:
             yield [*idle, *rest], ""
+        if (each := _so_many_of_each(part, rest)) is not None:
+            yield [*each, *rest], ""
         for stock, asked, wanted in _apart(part):
             yield [*in_words(stock, part), *(t for p in (*parts[:n], asked, *parts[n + 1 :]) for t in p)], wanted
     yield from ((named, "") for named in _one_by_one(tokens))
+
+
+def _so_many_of_each(part: list[Token], rest: list[Token]) -> list[Token] | None:
+    """ "(No red block may touch a blue block.) Three of each.": three red and three blue ones, if of such is told."""
+    match = _OF_EACH.match(text_of(part))
+    colored = [(a.word, b.word) for a, b in pairwise(rest) if match and a.word in lexicon.COLOR]
+    looks = dict.fromkeys(color for color, noun in colored if noun in lexicon.BLOCK)
+    if match is None or len(looks) < 2 or any(noun not in lexicon.BLOCK | lexicon.PATCH for _, noun in colored):
+        return None
+    if not _THEM.isdisjoint(token.word for token in rest):
+        return None  # whom that means depends on where it is told how many there are
+    listed = " and ".join(f"{match[1]} {look} blocks" for look in looks)
+    return [part[0].saying(word) for word in f"there are {listed} .".split()]
+
+
+_THEM = frozenset({"they", "them", "these", "those", "it", "all", "everything", "both"})
+_OF_EACH = re.compile(
+    f"^(?:there are |we have |i have |use )?({MANY}) (?:blocks |cubes )?of (?:each|every|both)(?: color| kind)?"
+    "(?: [.;!])?$"
+)
 
 
 def _idle(part: list[Token]) -> list[Token] | None:

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
@@ -63,6 +64,7 @@ _OF_ALL = (
     *SUMS_AT_ONCE,
     *TWO_ROWS_AT_ONCE,
     *DISTANCES_AT_ONCE,
+    *AROUND_AT_ONCE,
     *LOTS_AT_ONCE,
     *BUT_ONE_AT_ONCE,
     *BESIDES_AT_ONCE,
@@ -130,7 +132,8 @@ AT_ONCE, UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    told = _one_of_each(_steps_told(told_by_places(rows_by_number(other_end_named(some_of_the_letters(tokens))))))
+    told = told_by_places(rows_by_number(other_end_named(some_of_the_letters(around_named(tokens)))))
+    told = _one_of_each(_steps_told(told))
     return turned(of_the_figure(not_at_end(corners_again(told))), AT_ONCE)
 
 

@@ -115,7 +115,11 @@ def blocks_of(pieces: Sequence[Piece], shape: str) -> Told:
             _clause(clause, said, shape)
             clause = []
     around = any(piece.kind == "place" and piece.value == "around" for piece in pieces)
-    if around and shape in ("circle", "square") and not {"inner", "center"} & {*said.numbers, *(p for _, p in said.placed)}:
+    if (
+        around
+        and shape in ("circle", "square")
+        and not {"inner", "center"} & {*said.numbers, *(p for _, p in said.placed)}
+    ):
         raise Unclear  # "a circle around it": around what is told of elsewhere
     return said
 

@@ -3,7 +3,7 @@ that say it as others do."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING, THINGS
+from rpg.language.grammar.rows.said_short import IS, LABEL, PLACE, PUT, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, LINE, MANY, MUST
 
@@ -15,6 +15,7 @@ _SIZE = "(?:big|large|small|little)"
 _MAT = "(?:mat|patch|zone|area|target)"
 _PART = "(?:left|right|near|far|front|back)"
 _PUT = "(?:put|place|set|lay|move|stack)"
+_ONE = f"(?:(?:the |an? )?{COLOR}(?: one| block| cube)?|the {LABEL}(?: block| cube)?|{LABEL})"
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # how many, and of which size
@@ -106,6 +107,37 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("^(?:invert|reverse|unstack|restack|swap)(?: the \\w+)? : ((?:initially|start from|start with|at the start) .+? "
      f"(?:finally|then|end with|at the end|{MUST}) .+)$", "{1}"),
     ("^(.+?) with (?:digit|number|letter) and (?:operator|symbol|sign) (?:blocks|cubes)$", "{1}"),
+    # one on the other
+    (f"\\b({MANY}(?: {COLOR})? {_BLOCKS})(?: ,)? straight up\\b", "a tower of {1}"),
+    (f"\\b({_BLOCKS}) , one (?:on|onto|over|above|atop) (?:the other|another)(?= ,|$)",
+     "{1} , one on top of the other"),
+    # the one of two that is told first tells where the other is
+    *((f"^(?:{_PUT} )?({_ONE}) (?:(?:{MUST} )?(?:be|is|goes) )?(?:{there})(?: ,)?(?: and)? ({_ONE}) (?:(?:{MUST} )?(?:be|is|"
+       f"goes) )?((?:right |directly |immediately |just )?{beside}) (?:it|that|that one|the other one)$",
+       "{2} must be {3} {1}")
+      for there, beside in (("in (?:the )?front|at the front", "behind"),
+                            ("behind|(?:in|at) the (?:back|rear)", "in front of"),
+                            ("(?:on|to) the left", "to the right of"), ("(?:on|to) the right", "to the left of"))),
+    # so many, and of which it is not told where
+    (f"^((?:a |the |one )?(?:rainbow )?{LINE}) , ({MANY})(?: {_BLOCKS}| of them)?$", "{1} of {2} blocks"),
+    (f"^(.*\\bof the {MANY}\\b.*?)(?: ,)?(?: and| but)? the (?:other|others|rest)(?: ones?)? (?:(?:is|are|stays?|remains?)"
+     " (?:free|left free|wherever|optional|up to you)|does not matter|do not matter|goes anywhere|go anywhere)$",
+     "{1}"),
+    ("^(.*\\b(?:either|or)\\b.*?)(?: ,)? (?:and )?one(?: of them)? (?:is|'s|will be) (?:enough|sufficient|plenty|fine|"
+     "okay)$", "{1}"),
+    (f" , only (the {COLOR} (?:one|{_BLOCK})) ({MUST}|may|can) not ", " , but {1} {2} not "),
+    (f"(?: please)? use (?:only )?({COLOR}) (block|cube)(?: only)?$", "use only {1} {2s}"),
+    ("^(.*\\b(?:digits|numbers|letters|blocks|cubes) \\w (?:to|through) \\w) , (?:omitting|leaving out|skipping|minus|"
+     "excluding|leaving away) (?:the |the (?:digit|letter|number) )?(\\w)(?= ,|$)", "{1} , without the {2}"),
+    (f"^(?:oh |and )*make it (?:all )?(one|a single) ({LINE}|circle)$", "put all the blocks in {1} {2}"),
+    # where exactly
+    (f"\\b(block|cube|one|it|them|{COLOR}) (?:dead )?center of (?=the table\\b)", "{1} in the center of "),
+    ("\\b(?:smack|bang|slap|slap bang|smack dab|plumb|dead|right bang) in the (middle|center)\\b", "in the {1}"),
+    (f"^(?:please )?(?:{_PUT}|spread(?: out)?|distribute|scatter) (.+?)(?: out)? (?:all )?(?:over|across|around|"
+     "throughout) the table (?=.*\\b(?:touch|touching|touches|apart|cm)\\b)", "put {1} "),
+    (f"^(.*?\\b(?:move|push|shift|slide)\\b.+?)(?: just)? an? (?:bit|little|little bit|touch) ((?:to|towards) the "
+     f"\\w+|away from me|towards me|left|right|back|forward)(?: ,)? (?:like|say|let us say) ({LENGTH})$",
+     "{1} {2} by {3}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",
@@ -126,7 +158,14 @@ EVERYDAY: tuple[Turn, ...] = (
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
+    # what it is about
+    ("^(?:.* , )?what about (an? (?:.+ )?(?:tower|stack|row|line|circle|pyramid|wall|staircase|square)\\b.*)$",
+     "build {1}"),
+    ("^it (?:would|will) look (?:really |very |so )?(?:lovely|nice|great|pretty|good|beautiful|cool) if (.+)$", "{1}"),
+    (f"^(.+) took turns (in an? {LINE}\\b.*)$", "{1} take turns {2}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("min max tops minimum maximum upwards audience pupils save ground floor",)
+WORDS = (
+    "dead smack bang slap dab plumb lovely look enough sufficient plenty min max tops minimum maximum upwards audience pupils save ground floor",
+)
 """Words that these take besides those that are read anyway."""

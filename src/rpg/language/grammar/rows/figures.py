@@ -52,6 +52,15 @@ _WHICH = (
 )
 
 FIGURES: tuple[Turn, ...] = (
+    # letters by what people call them
+    ("\\b([tl]) (?:junction|bend)(?= (?:of|out|from|made|with|using)\\b)", "{1} shape"),
+    (f"\\b(?:tetris ([tl]) (?:piece|block|shape)|([tl]) tetromino)(?:$| (?:out of|of|from|with|made of|made from) (?:4 "
+     f"|four )?({COLOR} )?{_BLOCKS}$)", "{1} {2} shape of 4 {3} blocks"),
+    ("\\b(?:plus|cross) (?:shaped|like) (?:cross|plus|figure)\\b", "plus"),
+    ("(?: ,)? in plan(?: view)?(?= ,|$)", ""),
+    (f"\\b(checkerboard|chessboard) of ({MANY} {_BLOCKS}) , (?:in )?({COLOR}) and ({COLOR})$", "{1} of {2} in {3} and {4}"),
+    (f"\\b(?:as|in|into) an? (?:tray|sheet|board|carpet|panel|slab|array)(?: ,| of)* (?={MANY} rows?\\b|\\d+x\\d+)",
+     "as a grid ,"),
     # rings around something
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged "
      f")?(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),
@@ -210,3 +219,5 @@ BOARDS: tuple[Turn, ...] = (
     ("^(?:slip|slide|squeeze|insert|wedge|fit|tuck|push) (.+?) (?:in )?between (?=\\w)", "put {1} between"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+WORDS = ("junction bend tetris tetromino tray sheet carpet panel slab array",)
+"""Words that these take besides those that are read anyway."""

@@ -28,6 +28,7 @@ from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import not_at_end
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named
+from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
@@ -132,7 +133,7 @@ AT_ONCE, UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    told = told_by_places(rows_by_number(other_end_named(some_of_the_letters(around_named(tokens)))))
+    told = told_by_places(rows_by_number(other_end_named(some_of_the_letters(around_named(palindromes(tokens))))))
     told = _one_of_each(_steps_told(told))
     return turned(of_the_figure(not_at_end(corners_again(told))), AT_ONCE)
 

@@ -166,11 +166,27 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "in {1} {2} of height {3}"),
     (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
      "stack {2} {1} in alternating colors"),
+    # one colour each
+    (f"\\b(?:each|every) (?:{TOWER}|row|line|one)(?: is| being)? (?:in|of|has|having) (?:just |only )?(?:one|a single) "
+     "color(?: ,| and)+ (?:no two(?: of them| towers| stacks| rows)? (?:the same|alike|(?:of|in|having|have) the same "
+     "color)|all (?:three |four |two )?(?:of |in )?different(?: colors)?|(?:in )?different colors|all different)$",
+     "each of a different color"),
+    (f"\\b(alternately|alternating) , (?:the |an? )?({COLOR}|\\w)(?: one| block)? (?:is |being )?(?:the )?(?:lowest|"
+     "bottommost|undermost)(?: one)?$", "{1} , {2} at the bottom"),
+    *((f"^(?:{n}) (\\w)(?:s| blocks)? and (?:{n}) (\\w)(?:s| blocks)? (?:{MUST} be )?(?:stacked|piled up) "
+       f"(?:alternately|alternating) , (?:the |an? )?\\{first}(?: one| block)? (?:is |being )?at the bottom$",
+       f"a tower from bottom to top : {' , '.join([f'{{{first}}}', f'{{{3 - first}}}'] * many)}")
+      for many, n in ((2, "2|two"), (3, "3|three"), (4, "4|four")) for first in (1, 2)),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 TOWERS: tuple[Turn, ...] = (
     ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
     ("(?: ,)? so that no two touch$", ". no two of them touch"),
+    (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:down|below)(?= ,| and|$)", "{1} is at the bottom"),
+    (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:middle|between)(?= ,| and|$)", "{1} is in the middle"),
+    (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:up|above)(?= ,| and|$)", "{1} is on top"),
+    (f"^(?:swap|exchange|switch) them(?: ,)? so(?: that)? (?:the )?({COLOR})(?: one| block)? (?:ends up|is|comes|goes|"
+     "will be|lands) on top of (?:the )?(\\w+)$", "{1} must be on {2}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
 WORDS = ("equal height",)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MANY, MUST
 from rpg.language.tokens import Token
 
 _WORD = f"((?!(?:the|an?|them|it|{FEW})\\b)[a-z]{{2,}})"
@@ -28,6 +28,7 @@ _LISTED = "((?:\\S+ , )+(?:and )?\\S+|(?:\\S+ , )*\\S+ and \\S+)"
 _AT = "(?:back|far|rear|front|near)"
 _BARE = ("^(?!.*\\b(?:grid|square|rectangle|pyramid|wall|checkerboard|\\d+x\\d+|column|columns|rows|lines|words?|"
              "spell|write|read|reads)\\b)")  # fmt: skip
+_NUMBERS = "(?: ones| numbers| digits| blocks)?"
 _DONE = "(?:(?:put|place|set|arrange|lay|make|build|form|line up) )?"
 _ALSO = "(?: ,| and| , and)?"
 _HAS = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUST} (?:be|have|contain|consist of))"
@@ -60,8 +61,24 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     (f"^two rows of ({FEW})(?: blocks)? ,(?: the)? first row ({COLOR}){_AND}(?:the )?second row ({COLOR}) ,? ?the "
      "first (?:one |row )?(?:being|is) the (?:far|back) (?:one|row)$",
      "{1} {2} blocks in the far row and {1} {3} blocks in the near row"),
+    # rows that are told by where the other one is
+    ("^(.*\\b(?:two|2) rows\\b.*? (?:in|at) the (?:back|rear))(?: row)?(?: ,)? (?:and )?(.+?) in front(?: of (?:it|them|"
+     "these|those))?$", "{1} and {2} in front"),
+    ("^(.*\\b(?:two|2) rows\\b.*? in)(?: the)? front(?: row)?(?: ,)? (?:and )?(.+?) behind(?: (?:it|them|these|those))?$",
+     "{1} front and {2} in the back"),
+    (f"\\b({MANY}) ranks?\\b", "{1} rows"),
+    (f"\\b({_AT}) rank\\b", "{1} row"),
+    ("\\b(\\w) thru (\\w)\\b", "{1} to {2}"),
+    *((f"^(?:put |arrange )?(?:the )?(?:blocks|digits|numbers|cubes) (\\d) to (\\d)(?: ,)?(?: in)? (?:two|2) rows(?: :| ,)+ "
+       f"(?:the )?{one}{_NUMBERS}(?: in| at)? (?:the )?(?:back|rear|far)(?: row| one)?(?: ,| and)+ (?:the )?{other}"
+       f"{_NUMBERS}(?: in| at)? (?:the )?(?:front|near)(?: row| one)?$",
+       f"there are the blocks {{1}} to {{2}} . the {one} numbers must be in a row . the {other} numbers must be in a "
+       "row in front of them")
+      for one, other in (("odd", "even"), ("even", "odd"))),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+WORDS = ("rank ranks thru",)
+"""Words that these take besides those that are read anyway."""
 ROWS_PLACED: tuple[Turn, ...] = (
     (f"{_BARE}{_DONE}(?!.* row .* row .* row)(?!all )(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_AT}) row{_ALSO} "
      f"(?:{MUST} )?(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_AT}) row$", "{2} row : {1} . {4} row : {3}"),

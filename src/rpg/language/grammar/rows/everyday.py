@@ -15,6 +15,7 @@ _SIZE = "(?:big|large|small|little)"
 _MAT = "(?:mat|patch|zone|area|target)"
 _PART = "(?:left|right|near|far|front|back)"
 _PUT = "(?:put|place|set|lay|move|stack)"
+_TWO_ENDS = f"(?:the )?({COLOR})(?: one| block| cube)? and (?:the )?({COLOR})(?: one| block| cube)?"
 _ONE = f"(?:(?:the |an? )?{COLOR}(?: one| block| cube)?|the {LABEL}(?: block| cube)?|{LABEL})"
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
@@ -138,6 +139,27 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*?\\b(?:move|push|shift|slide)\\b.+?)(?: just)? an? (?:bit|little|little bit|touch) ((?:to|towards) the "
      f"\\w+|away from me|towards me|left|right|back|forward)(?: ,)? (?:like|say|let us say) ({LENGTH})$",
      "{1} {2} by {3}"),
+    (" , (?:would|will|could|can) you (?:please )?(?:, )?(?=and\\b)", ", "),
+    (f"\\b(set|put|move|push|lay|place) ({THING}) (?:to|on) (?:one|the) side(?= and| ,|$)", "{1} {2} aside"),
+    (f"\\bthe other ({MANY})(?: ,)? (?:which|that) are (?:all )?({COLOR})\\b", "the {1} {2} blocks"),
+    (f"^(.*\\bthe (?:blocks|cubes)\\b[^,:]*) , ({MANY}) of them , (?:all )?({COLOR})(?: ones)?$", "{1} : {2} {3} blocks"),
+    ("\\b(ascending|descending|increasing|decreasing|sorted|order)(?: ,)?(?: from)? l (?:to|→|-) r$",
+     "{1} from left to right"),
+    # how they differ in size and color
+    (f"^(.+ {_BLOCKS}\\b[^,:]*?)(?: by (?:size|height))?(?: ,| with)* (?:the )?tallest(?: one)? (?:at|on|to) (?:the )?"
+     "(left|right)(?: ,| and)+ (?:the )?shortest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
+     "{1} by size , largest at the {2} and smallest at the {3}"),
+    (f"^(.+ {_BLOCKS}\\b[^,:]*?)(?: by (?:size|height))?(?: ,| with)* (?:the )?shortest(?: one)? (?:at|on|to) (?:the )?"
+     "(left|right)(?: ,| and)+ (?:the )?tallest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
+     "{1} by size , smallest at the {2} and largest at the {3}"),
+    (f"^((?:put|place|arrange|line up|set|lay)(?: out)? the (?:blocks|cubes)) in (?:the|an?) ({LINE})(?: ,| and|;)+ (?:the|"
+     f"their) colors? (?:{MUST} )?(?:change|changes|changing|alternate|alternates|go|come|follow|are|be)(?: like this| "
+     "as follows| in this order)? : (.+)$", "{1} in a {2} : {3}"),
+    (f"\\b(square) , (?:with )?({LENGTH}) (?:sides?|edges?|a side|on a side|side length|edge length)$",
+     "{1} with a side of {2}"),
+    (f"^(?:make sure |ensure )?(?:that )?there (?:is|are|{MUST} be) at least one (?:block|cube) between {_TWO_ENDS} in (?:the|"
+     f"an?) (row|line) of ({MANY})(?: {_BLOCKS})?$", "a {3} of {4} blocks , the {1} and the {2} one are not next to each "
+     "other"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",
@@ -163,6 +185,7 @@ EVERYDAY: tuple[Turn, ...] = (
      "build {1}"),
     ("^it (?:would|will) look (?:really |very |so )?(?:lovely|nice|great|pretty|good|beautiful|cool) if (.+)$", "{1}"),
     (f"^(.+) took turns (in an? {LINE}\\b.*)$", "{1} take turns {2}"),
+    ("^it (?:has to|must|should|shall|needs to) be (made|built|formed|created|laid) (an? .+)$", "make {2}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = (

@@ -177,6 +177,9 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
        f"(?:alternately|alternating) , (?:the |an? )?\\{first}(?: one| block)? (?:is |being )?at the bottom$",
        f"a tower from bottom to top : {' , '.join([f'{{{first}}}', f'{{{3 - first}}}'] * many)}")
       for many, n in ((2, "2|two"), (3, "3|three"), (4, "4|four")) for first in (1, 2)),
+    (f"^stack(?: them| em| everything)?(?: :)? (?:the )?({COLOR}|\\w)(?: block| one)? (?:at |on )?(?:the )?bottom((?:(?: ,| and| "
+     f"then)+ (?:the )?(?:{COLOR}|\\w)(?: block| one)?)+) (?:at the top|on top|on the top|top|cap)$",
+     "a tower from bottom to top : {1} {2}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 TOWERS: tuple[Turn, ...] = (
@@ -189,5 +192,5 @@ TOWERS: tuple[Turn, ...] = (
      "will be|lands) on top of (?:the )?(\\w+)$", "{1} must be on {2}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
-WORDS = ("equal height",)
+WORDS = ("equal height cap",)
 """Words that these take besides those that are read anyway."""

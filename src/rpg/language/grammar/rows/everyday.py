@@ -160,6 +160,20 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:make sure |ensure )?(?:that )?there (?:is|are|{MUST} be) at least one (?:block|cube) between {_TWO_ENDS} in (?:the|"
      f"an?) (row|line) of ({MANY})(?: {_BLOCKS})?$", "a {3} of {4} blocks , the {1} and the {2} one are not next to each "
      "other"),
+    (f"\\b(?:in|on|at|to) (?:the )?(left|right)(?: side)? from (?=(?:the )?(?:{COLOR}|{LABEL})\\b)", "to the {1} of "),
+    ("\\b(?:in )?such (?:a )?way that\\b", "so that"),
+    (f"\\bmine is ({COLOR})(?: ,| and| , and)+ yours (?:is )?({COLOR})\\b", "one {1} and one {2}"),
+    (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about )?(?:the width "
+     "of (?:a|one) block|(?:a|one) block wide|as wide as (?:a|one) block)$",
+     "there must be a gap of one block between {1} and {2}"),
+    (f"\\b(tower|stack|row|line|circle|column) (?:with|of|from|out of) (?:just |exactly )?as many ({COLOR})(?: {_BLOCKS})? as "
+     f"({COLOR})(?: {_BLOCKS})?(?: ,| :) ({MANY})(?: {_BLOCKS})? (?:in total|in all|altogether|overall)$",
+     "{1} of {4} blocks , half of them {2} and half of them {3}"),
+    (f"^(?:pair up|pair) (?:the (?:blocks|cubes)|them)(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ ({COLOR}) "
+     f"(?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
+    (f"\\b(?:the )?(?:digits|letters|numbers|blocks|cubes) (?:from )?(\\w) to (\\w) in (?:two|2) rows(?: ,| :) "
+     "((?:\\w ,? ?(?:and )?)+?) (behind|in front of) ((?:\\w(?: ,)?(?: and)? ?)+)$",
+     "there are the blocks {1} to {2} . two rows : {3} {4} {5}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",
@@ -186,6 +200,8 @@ EVERYDAY: tuple[Turn, ...] = (
     ("^it (?:would|will) look (?:really |very |so )?(?:lovely|nice|great|pretty|good|beautiful|cool) if (.+)$", "{1}"),
     (f"^(.+) took turns (in an? {LINE}\\b.*)$", "{1} take turns {2}"),
     ("^it (?:has to|must|should|shall|needs to) be (made|built|formed|created|laid) (an? .+)$", "make {2}"),
+    (f"\\bthe (block|cube) ({COLOR})\\b(?! (?:block|cube|one|patch|mat)\\b)", "the {2} {1}"),
+    (f"\\bthe (?:blocks|cubes) ({COLOR})\\b(?! (?:block|cube|one|patch|mat|ones|blocks|and|,)\\b)", "the {1} blocks"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = (

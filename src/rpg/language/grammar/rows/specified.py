@@ -169,6 +169,14 @@ REQUIRED_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(no two [^,]+?) (?:are|be|{MUST} be) in contact(?: with each other| with one another)?$", "{1} touch"),
     ("\\b(?:hereinafter|hereafter|henceforth) (?:named|called|referred to as)\\b", "named"),
     ("\\b(?:pairwise|mutually) (?:distinct|different)\\b", "different"),
+    # what is left open
+    ("(?: ,)? (?:the )?colors? (?:is |are |being )?(?:immaterial|irrelevant|unimportant|of no (?:importance|matter))$", ""),
+    (f"^the order of the (?:{CUBE}s|letters|digits|numbers) ({MUST}) be (.+?)(?: ,)? (?:when|as|if) (?:read |seen |viewed )?"
+     f"({WAY})$", "the blocks {1} be in the order {2} {3}"),
+    (f"^(the [^,]+?) and either (the [^,]+?) or (the [^,]+?)(?: ,)? but not both(?: ,)? ({MUST} be [^,]+)$",
+     "{1} {4} . either {2} or {3} {4} , but not both"),
+    ("^it is (?:needed|necessary|required|important) to (?=\\w+ )", ""),
+    ("^(?:assert|verify|check)(?: that)? (?=.+\\b(?:above|below|on|behind|in|next|left|right|under)\\b)", ""),
     # how it begins
     *((f"^(?:randomi[sz]e|shuffle|scramble) (?:the )?(?:start|beginning|starting positions?|initial (?:state|"
        f"positions?|arrangement|configuration)){end}", said) for end, said in (("$", ""), (" : ", "start :"))),
@@ -237,7 +245,7 @@ REQUIRED: tuple[Turn, ...] = (
 WORDS = (
     "arithmetically ascends assumed care centrally comprise comprising considered cuboid decreases deemed "
     "descends exceed exchanged falls fashion increases located manner marks mathematically obliged occupied "
-    "necessary said aforesaid aforementioned hereinafter hereafter henceforth pairwise mutually distinct dismantle "
+    "immaterial irrelevant unimportant importance assert verify needed necessary said aforesaid aforementioned hereinafter hereafter henceforth pairwise mutually distinct dismantle "
     "randomize randomise shuffle scramble spawn invert contact "
     "prescribed presence previously prism regarded requested required settled situated termination whatever "
     "whereas whereof whichever",

@@ -166,6 +166,10 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "in {1} {2} of height {3}"),
     (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
      "stack {2} {1} in alternating colors"),
+    ("^(.*\\b(?:tower|stack)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the top nor at the "
+     "bottom"),
+    ("^(.*\\b(?:row|line)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the left end nor at the "
+     "right end"),
     # one colour each
     (f"\\b(?:each|every) (?:{TOWER}|row|line|one)(?: is| being)? (?:in|of|has|having) (?:just |only )?(?:one|a single) "
      "color(?: ,| and)+ (?:no two(?: of them| towers| stacks| rows)? (?:the same|alike|(?:of|in|having|have) the same "

@@ -75,6 +75,8 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
        f"there are the blocks {{1}} to {{2}} . the {one} numbers must be in a row . the {other} numbers must be in a "
        "row in front of them")
       for one, other in (("odd", "even"), ("even", "odd"))),
+    ("^(.*\\btwo rows(?: ,| :)) ([^:]+?) behind ((?:\\w(?: ,)?(?: and)? ?)+)$", "{1} {2} in the back and {3} in front"),
+    ("^(.*\\btwo rows(?: ,| :)) ([^:]+?) in front of ((?:\\w(?: ,)?(?: and)? ?)+)$", "{1} {3} in the back and {2} in front"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("rank ranks thru",)

@@ -114,12 +114,8 @@ def blocks_of(pieces: Sequence[Piece], shape: str) -> Told:
         if piece.kind in ("break", "except"):
             _clause(clause, said, shape)
             clause = []
-    around = any(piece.kind == "place" and piece.value == "around" for piece in pieces)
-    if (
-        around
-        and shape in ("circle", "square")
-        and not {"inner", "center"} & {*said.numbers, *(p for _, p in said.placed)}
-    ):
+    inside = {"inner", "center"} & {*said.numbers, *(part for _, part in said.placed)}
+    if shape in ("circle", "square") and not inside and ("place", "around") in [(p.kind, p.value) for p in pieces]:
         raise Unclear  # "a circle around it": around what is told of elsewhere
     return said
 

@@ -113,7 +113,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({_BLOCKS}) , one (?:on|onto|over|above|atop) (?:the other|another)(?= ,|$)",
      "{1} , one on top of the other"),
     # the one of two that is told first tells where the other is
-    *((f"^(?:{_PUT} )?({_ONE}) (?:(?:{MUST} )?(?:be|is|goes) )?(?:{there})(?: ,)?(?: and)? ({_ONE}) (?:(?:{MUST} )?(?:be|is|"
+    *((f"^(?:{_PUT} )?({_ONE}) (?:(?:{MUST} )?(?:be|is|goes) )?(?:{there})(?: ,)?(?: and)? ({_ONE}) (?:(?:{MUST} )"
+       f"?(?:be|is|"
        f"goes) )?((?:right |directly |immediately |just )?{beside}) (?:it|that|that one|the other one)$",
        "{2} must be {3} {1}")
       for there, beside in (("in (?:the )?front|at the front", "behind"),
@@ -121,7 +122,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
                             ("(?:on|to) the left", "to the right of"), ("(?:on|to) the right", "to the left of"))),
     # so many, and of which it is not told where
     (f"^((?:a |the |one )?(?:rainbow )?{LINE}) , ({MANY})(?: {_BLOCKS}| of them)?$", "{1} of {2} blocks"),
-    (f"^(.*\\bof the {MANY}\\b.*?)(?: ,)?(?: and| but)? the (?:other|others|rest)(?: ones?)? (?:(?:is|are|stays?|remains?)"
+    (f"^(.*\\bof the {MANY}\\b.*?)(?: ,)?(?: and| but)? the (?:other|others|rest)(?: ones?)? (?:(?:is|are|stays?|"
+     f"remains?)"
      " (?:free|left free|wherever|optional|up to you)|does not matter|do not matter|goes anywhere|go anywhere)$",
      "{1}"),
     ("^(.*\\b(?:either|or)\\b.*?)(?: ,)? (?:and )?one(?: of them)? (?:is|'s|will be) (?:enough|sufficient|plenty|fine|"
@@ -142,7 +144,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (" , (?:would|will|could|can) you (?:please )?(?:, )?(?=and\\b)", ", "),
     (f"\\b(set|put|move|push|lay|place) ({THING}) (?:to|on) (?:one|the) side(?= and| ,|$)", "{1} {2} aside"),
     (f"\\bthe other ({MANY})(?: ,)? (?:which|that) are (?:all )?({COLOR})\\b", "the {1} {2} blocks"),
-    (f"^(.*\\bthe (?:blocks|cubes)\\b[^,:]*) , ({MANY}) of them , (?:all )?({COLOR})(?: ones)?$", "{1} : {2} {3} blocks"),
+    (f"^(.*\\bthe (?:blocks|cubes)\\b[^,:]*) , ({MANY}) of them , (?:all )?({COLOR})(?: ones)?$", "{1} : {2} {3} "
+     "blocks"),
     ("\\b(ascending|descending|increasing|decreasing|sorted|order)(?: ,)?(?: from)? l (?:to|→|-) r$",
      "{1} from left to right"),
     # how they differ in size and color
@@ -152,26 +155,32 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.+ {_BLOCKS}\\b[^,:]*?)(?: by (?:size|height))?(?: ,| with)* (?:the )?shortest(?: one)? (?:at|on|to) (?:the )?"
      "(left|right)(?: ,| and)+ (?:the )?tallest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
      "{1} by size , smallest at the {2} and largest at the {3}"),
-    (f"^((?:put|place|arrange|line up|set|lay)(?: out)? the (?:blocks|cubes)) in (?:the|an?) ({LINE})(?: ,| and|;)+ (?:the|"
+    (f"^((?:put|place|arrange|line up|set|lay)(?: out)? the (?:blocks|cubes)) in (?:the|an?) ({LINE})(?: ,| and|;)+ "
+     f"(?:the|"
      f"their) colors? (?:{MUST} )?(?:change|changes|changing|alternate|alternates|go|come|follow|are|be)(?: like this| "
      "as follows| in this order)? : (.+)$", "{1} in a {2} : {3}"),
     (f"\\b(square) , (?:with )?({LENGTH}) (?:sides?|edges?|a side|on a side|side length|edge length)$",
      "{1} with a side of {2}"),
-    (f"^(?:make sure |ensure )?(?:that )?there (?:is|are|{MUST} be) at least one (?:block|cube) between {_TWO_ENDS} in (?:the|"
-     f"an?) (row|line) of ({MANY})(?: {_BLOCKS})?$", "a {3} of {4} blocks , the {1} and the {2} one are not next to each "
+    (f"^(?:make sure |ensure )?(?:that )?there (?:is|are|{MUST} be) at least one (?:block|cube) between {_TWO_ENDS} "
+     f"in (?:the|"
+     f"an?) (row|line) of ({MANY})(?: {_BLOCKS})?$", "a {3} of {4} blocks , the {1} and the {2} one are not next to "
+      "each "
      "other"),
     (f"\\b(?:in|on|at|to) (?:the )?(left|right)(?: side)? from (?=(?:the )?(?:{COLOR}|{LABEL})\\b)", "to the {1} of "),
     ("\\b(?:in )?such (?:a )?way that\\b", "so that"),
     (f"\\bmine is ({COLOR})(?: ,| and| , and)+ yours (?:is )?({COLOR})\\b", "one {1} and one {2}"),
-    (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about )?(?:the width "
+    (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about )"
+     f"?(?:the width "
      "of (?:a|one) block|(?:a|one) block wide|as wide as (?:a|one) block)$",
      "there must be a gap of one block between {1} and {2}"),
-    (f"\\b(tower|stack|row|line|circle|column) (?:with|of|from|out of) (?:just |exactly )?as many ({COLOR})(?: {_BLOCKS})? as "
+    (f"\\b(tower|stack|row|line|circle|column) (?:with|of|from|out of) (?:just |exactly )?as many ({COLOR})(?: "
+     f"{_BLOCKS})? as "
      f"({COLOR})(?: {_BLOCKS})?(?: ,| :) ({MANY})(?: {_BLOCKS})? (?:in total|in all|altogether|overall)$",
      "{1} of {4} blocks , half of them {2} and half of them {3}"),
-    (f"^(?:pair up|pair) (?:the (?:blocks|cubes)|them)(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ ({COLOR}) "
+    (f"^(?:pair up|pair) (?:the (?:blocks|cubes)|them)(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)"
+     f"+ ({COLOR}) "
      f"(?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
-    (f"\\b(?:the )?(?:digits|letters|numbers|blocks|cubes) (?:from )?(\\w) to (\\w) in (?:two|2) rows(?: ,| :) "
+    ("\\b(?:the )?(?:digits|letters|numbers|blocks|cubes) (?:from )?(\\w) to (\\w) in (?:two|2) rows(?: ,| :) "
      "((?:\\w ,? ?(?:and )?)+?) (behind|in front of) ((?:\\w(?: ,)?(?: and)? ?)+)$",
      "there are the blocks {1} to {2} . two rows : {3} {4} {5}"),
 )  # fmt: skip
@@ -205,6 +214,7 @@ EVERYDAY: tuple[Turn, ...] = (
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = (
-    "dead smack bang slap dab plumb lovely look enough sufficient plenty min max tops minimum maximum upwards audience pupils save ground floor",
+    "dead smack bang slap dab plumb lovely look enough sufficient plenty min max tops minimum maximum upwards "
+    "audience pupils save ground floor",
 )
 """Words that these take besides those that are read anyway."""

@@ -58,7 +58,8 @@ FIGURES: tuple[Turn, ...] = (
      f"|four )?({COLOR} )?{_BLOCKS}$)", "{1} {2} shape of 4 {3} blocks"),
     ("\\b(?:plus|cross) (?:shaped|like) (?:cross|plus|figure)\\b", "plus"),
     ("(?: ,)? in plan(?: view)?(?= ,|$)", ""),
-    (f"\\b(checkerboard|chessboard) of ({MANY} {_BLOCKS}) , (?:in )?({COLOR}) and ({COLOR})$", "{1} of {2} in {3} and {4}"),
+    (f"\\b(checkerboard|chessboard) of ({MANY} {_BLOCKS}) , (?:in )?({COLOR}) and ({COLOR})$", "{1} of {2} in {3} "
+     "and {4}"),
     (f"\\b(?:as|in|into) an? (?:tray|sheet|board|carpet|panel|slab|array)(?: ,| of)* (?={MANY} rows?\\b|\\d+x\\d+)",
      "as a grid ,"),
     # rings around something

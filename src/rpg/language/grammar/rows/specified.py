@@ -170,8 +170,10 @@ REQUIRED_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:hereinafter|hereafter|henceforth) (?:named|called|referred to as)\\b", "named"),
     ("\\b(?:pairwise|mutually) (?:distinct|different)\\b", "different"),
     # what is left open
-    ("(?: ,)? (?:the )?colors? (?:is |are |being )?(?:immaterial|irrelevant|unimportant|of no (?:importance|matter))$", ""),
-    (f"^the order of the (?:{CUBE}s|letters|digits|numbers) ({MUST}) be (.+?)(?: ,)? (?:when|as|if) (?:read |seen |viewed )?"
+    ("(?: ,)? (?:the )?colors? (?:is |are |being )?(?:immaterial|irrelevant|unimportant|of no (?:importance|"
+     "matter))$", ""),
+    (f"^the order of the (?:{CUBE}s|letters|digits|numbers) ({MUST}) be (.+?)(?: ,)? (?:when|as|if) (?:read |seen |"
+     f"viewed )?"
      f"({WAY})$", "the blocks {1} be in the order {2} {3}"),
     (f"^(the [^,]+?) and either (the [^,]+?) or (the [^,]+?)(?: ,)? but not both(?: ,)? ({MUST} be [^,]+)$",
      "{1} {4} . either {2} or {3} {4} , but not both"),
@@ -245,7 +247,8 @@ REQUIRED: tuple[Turn, ...] = (
 WORDS = (
     "arithmetically ascends assumed care centrally comprise comprising considered cuboid decreases deemed "
     "descends exceed exchanged falls fashion increases located manner marks mathematically obliged occupied "
-    "immaterial irrelevant unimportant importance assert verify needed necessary said aforesaid aforementioned hereinafter hereafter henceforth pairwise mutually distinct dismantle "
+    "immaterial irrelevant unimportant importance assert verify needed necessary said aforesaid aforementioned "
+    "hereinafter hereafter henceforth pairwise mutually distinct dismantle "
     "randomize randomise shuffle scramble spawn invert contact "
     "prescribed presence previously prism regarded requested required settled situated termination whatever "
     "whereas whereof whichever",

@@ -166,9 +166,11 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "in {1} {2} of height {3}"),
     (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
      "stack {2} {1} in alternating colors"),
-    ("^(.*\\b(?:tower|stack)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the top nor at the "
+    ("^(.*\\b(?:tower|stack)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the top "
+     "nor at the "
      "bottom"),
-    ("^(.*\\b(?:row|line)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the left end nor at the "
+    ("^(.*\\b(?:row|line)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the left "
+     "end nor at the "
      "right end"),
     # one colour each
     (f"\\b(?:each|every) (?:{TOWER}|row|line|one)(?: is| being)? (?:in|of|has|having) (?:just |only )?(?:one|a single) "
@@ -181,7 +183,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
        f"(?:alternately|alternating) , (?:the |an? )?\\{first}(?: one| block)? (?:is |being )?at the bottom$",
        f"a tower from bottom to top : {' , '.join([f'{{{first}}}', f'{{{3 - first}}}'] * many)}")
       for many, n in ((2, "2|two"), (3, "3|three"), (4, "4|four")) for first in (1, 2)),
-    (f"^stack(?: them| em| everything)?(?: :)? (?:the )?({COLOR}|\\w)(?: block| one)? (?:at |on )?(?:the )?bottom((?:(?: ,| and| "
+    (f"^stack(?: them| em| everything)?(?: :)? (?:the )?({COLOR}|\\w)(?: block| one)? (?:at |on )?(?:the )"
+     f"?bottom((?:(?: ,| and| "
      f"then)+ (?:the )?(?:{COLOR}|\\w)(?: block| one)?)+) (?:at the top|on top|on the top|top|cap)$",
      "a tower from bottom to top : {1} {2}"),
 )  # fmt: skip

@@ -62,21 +62,25 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
      "first (?:one |row )?(?:being|is) the (?:far|back) (?:one|row)$",
      "{1} {2} blocks in the far row and {1} {3} blocks in the near row"),
     # rows that are told by where the other one is
-    ("^(.*\\b(?:two|2) rows\\b.*? (?:in|at) the (?:back|rear))(?: row)?(?: ,)? (?:and )?(.+?) in front(?: of (?:it|them|"
+    ("^(.*\\b(?:two|2) rows\\b.*? (?:in|at) the (?:back|rear))(?: row)?(?: ,)? (?:and )?(.+?) in front(?: of (?:it|"
+     "them|"
      "these|those))?$", "{1} and {2} in front"),
-    ("^(.*\\b(?:two|2) rows\\b.*? in)(?: the)? front(?: row)?(?: ,)? (?:and )?(.+?) behind(?: (?:it|them|these|those))?$",
+    ("^(.*\\b(?:two|2) rows\\b.*? in)(?: the)? front(?: row)?(?: ,)? (?:and )?(.+?) behind(?: (?:it|them|these|"
+     "those))?$",
      "{1} front and {2} in the back"),
     (f"\\b({MANY}) ranks?\\b", "{1} rows"),
     (f"\\b({_AT}) rank\\b", "{1} row"),
     ("\\b(\\w) thru (\\w)\\b", "{1} to {2}"),
-    *((f"^(?:put |arrange )?(?:the )?(?:blocks|digits|numbers|cubes) (\\d) to (\\d)(?: ,)?(?: in)? (?:two|2) rows(?: :| ,)+ "
+    *((f"^(?:put |arrange )?(?:the )?(?:blocks|digits|numbers|cubes) (\\d) to (\\d)(?: ,)?(?: in)? (?:two|2) "
+       f"rows(?: :| ,)+ "
        f"(?:the )?{one}{_NUMBERS}(?: in| at)? (?:the )?(?:back|rear|far)(?: row| one)?(?: ,| and)+ (?:the )?{other}"
        f"{_NUMBERS}(?: in| at)? (?:the )?(?:front|near)(?: row| one)?$",
        f"there are the blocks {{1}} to {{2}} . the {one} numbers must be in a row . the {other} numbers must be in a "
        "row in front of them")
       for one, other in (("odd", "even"), ("even", "odd"))),
     ("^(.*\\btwo rows(?: ,| :)) ([^:]+?) behind ((?:\\w(?: ,)?(?: and)? ?)+)$", "{1} {2} in the back and {3} in front"),
-    ("^(.*\\btwo rows(?: ,| :)) ([^:]+?) in front of ((?:\\w(?: ,)?(?: and)? ?)+)$", "{1} {3} in the back and {2} in front"),
+    ("^(.*\\btwo rows(?: ,| :)) ([^:]+?) in front of ((?:\\w(?: ,)?(?: and)? ?)+)$", "{1} {3} in the back and {2} "
+     "in front"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("rank ranks thru",)

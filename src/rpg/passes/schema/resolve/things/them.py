@@ -40,10 +40,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=patches, patch=True, plural=True)
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     earlier = any(m.clause < scene.clause and m.ref.names for m in scene.mentions)
-    as_told = sorted(
-        scene.mentions, key=lambda mention: mention.sentence
-    )  # what there is may be told last, and read first
-    for mention in reversed(as_told):
+    for mention in _latest_first(scene):
         if mention in own and (before or (earlier and _put_there(mention, word, own))):
             continue
         if _left_behind(mention, scene) or (scope.role == "theme" and _beside_blocks(word, mention, scene)):
@@ -84,6 +81,11 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
+
+
+def _latest_first(scene: Scene) -> list[Mention]:
+    """What was spoken of, as the text tells it: what there is is read first, and may be told last."""
+    return sorted(scene.mentions, key=lambda m: m.sentence if m.sentence <= scene.sentence else -1)[::-1]
 
 
 def _not_denied(word: Pronoun, last: Mention, scene: Scene) -> None:

@@ -15,6 +15,10 @@ _SIZE = "(?:big|large|small|little)"
 _MAT = "(?:mat|patch|zone|area|target)"
 _PART = "(?:left|right|near|far|front|back)"
 _PUT = "(?:put|place|set|lay|move|stack)"
+_C = f"(?:the )?({COLOR})(?: one| block)?"
+_FAR_AND_NEAR = (f"{_C} is (?:the )?(?:farthest|furthest)(?: away)?(?: from me)?(?: ,| and| , and)+ {_C} (?:is )"
+                 f"?(?:the )?"
+                 f"(?:closest|nearest)(?: to me)?(?: ,| and| with)+ {_C}(?: is)? (?:in the middle|in between|between)")
 _TWO_ENDS = f"(?:the )?({COLOR})(?: one| block| cube)? and (?:the )?({COLOR})(?: one| block| cube)?"
 _ONE = f"(?:(?:the |an? )?{COLOR}(?: one| block| cube)?|the {LABEL}(?: block| cube)?|{LABEL})"
 
@@ -122,9 +126,9 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
                             ("(?:on|to) the left", "to the right of"), ("(?:on|to) the right", "to the left of"))),
     # so many, and of which it is not told where
     (f"^((?:a |the |one )?(?:rainbow )?{LINE}) , ({MANY})(?: {_BLOCKS}| of them)?$", "{1} of {2} blocks"),
-    (f"^(.*\\bof the {MANY}\\b.*?)(?: ,)?(?: and| but)? the (?:other|others|rest)(?: ones?)? (?:(?:is|are|stays?|"
-     f"remains?)"
-     " (?:free|left free|wherever|optional|up to you)|does not matter|do not matter|goes anywhere|go anywhere)$",
+    (f"^(.*\\bof the {MANY} (?:\\w+ )?{_BLOCKS}\\b.*?)(?: ,)?(?: and| but)? the (?:other|others|rest)(?: ones?)? (?:(?:"
+     "is|are|stays?|remains?) (?:free|left free|wherever|optional|up to you)|does not matter|do not matter|goes "
+     "anywhere|go anywhere)$",
      "{1}"),
     ("^(.*\\b(?:either|or)\\b.*?)(?: ,)? (?:and )?one(?: of them)? (?:is|'s|will be) (?:enough|sufficient|plenty|fine|"
      "okay)$", "{1}"),
@@ -136,7 +140,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # where exactly
     (f"\\b(block|cube|one|it|them|{COLOR}) (?:dead )?center of (?=the table\\b)", "{1} in the center of "),
     ("\\b(?:smack|bang|slap|slap bang|smack dab|plumb|dead|right bang) in the (middle|center)\\b", "in the {1}"),
-    (f"^(?:please )?(?:{_PUT}|spread(?: out)?|distribute|scatter) (.+?)(?: out)? (?:all )?(?:over|across|around|"
+    ("^(?:please )?(?:spread(?: out)?|distribute|scatter) (.+?)(?: out)? (?:all )?(?:over|across|around|"
      "throughout) the table (?=.*\\b(?:touch|touching|touches|apart|cm)\\b)", "put {1} "),
     (f"^(.*?\\b(?:move|push|shift|slide)\\b.+?)(?: just)? an? (?:bit|little|little bit|touch) ((?:to|towards) the "
      f"\\w+|away from me|towards me|left|right|back|forward)(?: ,)? (?:like|say|let us say) ({LENGTH})$",
@@ -180,9 +184,27 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:pair up|pair) (?:the (?:blocks|cubes)|them)(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)"
      f"+ ({COLOR}) "
      f"(?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
-    ("\\b(?:the )?(?:digits|letters|numbers|blocks|cubes) (?:from )?(\\w) to (\\w) in (?:two|2) rows(?: ,| :) "
-     "((?:\\w ,? ?(?:and )?)+?) (behind|in front of) ((?:\\w(?: ,)?(?: and)? ?)+)$",
-     "there are the blocks {1} to {2} . two rows : {3} {4} {5}"),
+    (f"\\b((?:stack|pile up|line up|put|arrange|place) the (?:blocks|cubes)(?: up)?(?: in an? {LINE})?)(?: ,)? "
+     f"(?:so|such)"
+     "(?: that)? (?:the|their) colors (?:go|run|alternate|read|come|follow|are)(?: ,| :)? ([^;:]+?) (from (?:the )"
+     "?\\w+)"
+     "(?: up| down)?$", "{1} {3} : {2}"),
+    (f"^(?:the|my) ({COLOR} (?:block|cube|one)) (?:is|stands|lies) (?:now )?in the wrong (?:place|spot|position)$",
+     "there is a {1}"),
+    (f"^([^,]+?\\bnothing\\b[^,]+?|[^,]+?\\bno(?:thing| block)\\b[^,]+?) , (?:but )?(the {COLOR} (?:one|block|cube))"
+     f" is on "
+     "(?:it|top of it) (?:now|at the moment|right now|at present)$", "{1} . at the start {2} is on it"),
+    (f"^(?:{_PUT} (?:them|(?:the )?(?:{MANY} )?{_BLOCKS}) (?:so|such) that )?{_FAR_AND_NEAR}$",
+     "{1} must be behind {3} and {3} must be behind {2}"),
+    ("^(?:i|we) (?:want|would like) to (?:read|see) (\\d(?: ,? ?(?:and )?\\d)+) (from left to right|from right to "
+     "left)$",
+     "a row {2} : {1}"),
+    (f"^({_PUT}) an? (block|cube) (?:at|on) (each end|both ends) of (?:the|a) (row|line) of ([^,]+?)(?: ,)?(?: "
+     f"both(?: of them)?| "
+     f"each)? ({COLOR})$", "{1} a {6} {2} at {3} of a {4} of {5}"),
+    (f"\\b({MUST}) (?:not|never) , (?:at any (?:time|point|moment)|under any circumstances|at all times) , ",
+     "{1} never "),
+    (f"\\b({MUST}) , (?:at all times|at any time|throughout) , (?!not\\b)", "{1} always "),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",

@@ -184,9 +184,29 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
        f"a tower from bottom to top : {' , '.join([f'{{{first}}}', f'{{{3 - first}}}'] * many)}")
       for many, n in ((2, "2|two"), (3, "3|three"), (4, "4|four")) for first in (1, 2)),
     (f"^stack(?: them| em| everything)?(?: :)? (?:the )?({COLOR}|\\w)(?: block| one)? (?:at |on )?(?:the )"
-     f"?bottom((?:(?: ,| and| "
-     f"then)+ (?:the )?(?:{COLOR}|\\w)(?: block| one)?)+) (?:at the top|on top|on the top|top|cap)$",
+     f"?bottom((?: ,(?: and)?(?: then)? (?:the )?(?:{COLOR}|\\w)(?: block| one)?)+) (?:at the top|on top|on the top|"
+     f"top|cap)$",
      "a tower from bottom to top : {1} {2}"),
+    (f"^every (?:other|second) (?:block|cube|one) (?:in|of) (?:the|a) ({LINE}) of (two|four|six|eight|ten|twelve)(?: "
+     f"{_BLOCKS})? {_IS} ({COLOR})(?: ,| and)+ (?:the )?(?:rest|others|other ones)(?: {_IS})? ({COLOR})$",
+     "a {1} of {2} blocks alternating {3} and {4}"),
+    (f"^(?:knock down|take apart|take down|dismantle|pull down|tear down) the ({TOWER}) of ({MANY}(?: {COLOR})?)(?: "
+     f"{_BLOCKS})?"
+     f" and (?:then )?(?:build|make|form) an? (row|line|circle)(?: (?:of|from|with|out of) (?:it|them|its blocks|"
+     f"the blocks))?"
+     "(?: instead)?$", "at the start there is a {1} of {2} blocks . put them in a {3}"),
+    (f"^(?:build |make )?an? ({TOWER}) of ({COLOR})(?: {_BLOCKS})? ?(?:,|and|, and|, then|then)? ({_SPOT}) (?:it|"
+     f"that)(?: ,)? an? "
+     f"(?:{TOWER}) of ({COLOR})(?: {_BLOCKS})?(?: ,)? (?:both|each)(?: of them)? ({MANY})(?: {_BLOCKS})? (?:high|"
+     f"tall)$",
+     "a {1} of {5} {2} blocks and {3} it a {1} of {5} {4} blocks"),
+    (f"^turn the ({TOWER}) (?:upside down|over|on its head)(?: :| ,|;)+ it (?:is|'s) (?:now|currently|at the moment)"
+     f" (.+)$",
+     "at the start {2} . reverse the {1}"),
+    (f"\\b(stack|tower|row)(.*?) , (the )?middle (?:one )?({COLOR})(?: ,| and)+ (?:the )?(?:other|others|rest)(?: "
+     f"ones)? "
+     "(?:whatever|any|anything|any color|of any color|in any color|does not matter|do not matter)(?: you like)?$",
+     "{1} {2} , the middle one {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 TOWERS: tuple[Turn, ...] = (

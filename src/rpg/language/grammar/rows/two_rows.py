@@ -28,6 +28,7 @@ _LISTED = "((?:\\S+ , )+(?:and )?\\S+|(?:\\S+ , )*\\S+ and \\S+)"
 _AT = "(?:back|far|rear|front|near)"
 _BARE = ("^(?!.*\\b(?:grid|square|rectangle|pyramid|wall|checkerboard|\\d+x\\d+|column|columns|rows|lines|words?|"
              "spell|write|read|reads)\\b)")  # fmt: skip
+_SYMBOLS = "((?:\\w(?: ,)?(?: and)? ?\\b)+)"
 _NUMBERS = "(?: ones| numbers| digits| blocks)?"
 _DONE = "(?:(?:put|place|set|arrange|lay|make|build|form|line up) )?"
 _ALSO = "(?: ,| and| , and)?"
@@ -78,9 +79,16 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
        f"there are the blocks {{1}} to {{2}} . the {one} numbers must be in a row . the {other} numbers must be in a "
        "row in front of them")
       for one, other in (("odd", "even"), ("even", "odd"))),
-    ("^(.*\\btwo rows(?: ,| :)) ([^:]+?) behind ((?:\\w(?: ,)?(?: and)? ?)+)$", "{1} {2} in the back and {3} in front"),
-    ("^(.*\\btwo rows(?: ,| :)) ([^:]+?) in front of ((?:\\w(?: ,)?(?: and)? ?)+)$", "{1} {3} in the back and {2} "
-     "in front"),
+    (f"\\b(?:the )?(?:digits|letters|numbers|blocks|cubes) (?:from )?(\\w) to (\\w) in (?:two|2) rows(?: ,| :) "
+     f"{_SYMBOLS} "
+     f"(behind|in front of) {_SYMBOLS}$", "there are the blocks {1} to {2} . two rows : {3} {4} {5}"),
+    *((f"^(.*\\b(?:two|2) rows(?: ,| :)) {_SYMBOLS} {word} {_SYMBOLS}$", f"{{1}} {{{back}}} in the back and "
+     f"{{{front}}} in front")
+      for word, back, front in (("behind", 2, 3), ("in front of", 3, 2))),
+    (f"^the ({MANY}) (?:blocks|cubes|ones) in the ({_AT}) row (?:{MUST} be|are) ({COLOR})(?: ,| and|;)+ the ({MANY})"
+     f" (?:(?:blocks|"
+     f"cubes|ones) )?in the ({_AT}) row (?:(?:{MUST} be|are) )?({COLOR})$",
+     "{1} {3} blocks in the {2} row and {4} {6} blocks in the {5} row"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("rank ranks thru",)

@@ -13,6 +13,8 @@ from rpg.language.tokens import Token
 
 ONE = f"(?:the|an?) \\w+ (?:{CUBE}|one|brick)"
 _AROUND = frozenset({"around", "round", "surrounding", "surround", "encircle", "ring"})
+_VERBS = frozenset({"surround", "encircle", "ring"})
+_OTHERS = frozenset({"other", "others", "rest"})
 _ONE = frozenset({"block", "cube", "brick", "one"})
 _JOINTS = STOPS | {"and", ",", "with"}
 
@@ -21,7 +23,7 @@ def around_named(tokens: list[Token]) -> list[Token]:
     """The tokens, with "it" behind "around" or "surround" as that block."""
     words = [token.word for token in tokens]
     at = words.index("it") if "it" in words else 0
-    if at < 1 or words[at - 1] not in _AROUND:
+    if at < 1 or words[at - 1] not in _AROUND or not (words[at - 1] in _VERBS or _ends(words, at)):
         return tokens
     begin = next((n for n, word in enumerate(words) if word in ("the", "a", "an")), at)
     joint = next((n for n, word in enumerate(words) if word in _JOINTS), at)
@@ -29,11 +31,16 @@ def around_named(tokens: list[Token]) -> list[Token]:
         return tokens
     the, color, noun = (replace(token, span=tokens[at].span) for token in tokens[begin : begin + 3])
     verb = tokens[at - 1]
-    around = verb.saying("surround" if verb.word in ("ring", "encircle") else verb.word)
+    around = verb.saying("surround" if verb.word in _VERBS else verb.word)
     out = [*tokens[: at - 1], around, the.saying("the"), color, noun]
     if words[joint] == "with":
         out[joint] = tokens[joint].saying("and")
     return [*out, *tokens[at + 1 :]]
+
+
+def _ends(words: list[str], at: int) -> bool:
+    """Whether the sentence ends with "around it", and tells which blocks are: of "the others" it is told elsewhere."""
+    return (at + 1 == len(words) or words[at + 1] in STOPS) and _OTHERS.isdisjoint(words[:at])
 
 
 def _alone(words: list[str], begin: int, joint: int, at: int) -> bool:

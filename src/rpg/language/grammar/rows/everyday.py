@@ -16,9 +16,11 @@ _MAT = "(?:mat|patch|zone|area|target)"
 _PART = "(?:left|right|near|far|front|back)"
 _PUT = "(?:put|place|set|lay|move|stack)"
 _C = f"(?:the )?({COLOR})(?: one| block)?"
-_FAR_AND_NEAR = (f"{_C} is (?:the )?(?:farthest|furthest)(?: away)?(?: from me)?(?: ,| and| , and)+ {_C} (?:is )"
-                 f"?(?:the )?"
-                 f"(?:closest|nearest)(?: to me)?(?: ,| and| with)+ {_C}(?: is)? (?:in the middle|in between|between)")
+_FAR_AND_NEAR = (
+    f"{_C} is (?:the )?(?:farthest|furthest)(?: away)?(?: from me)?(?: ,| and| , and)+ {_C} (?:is )"
+    f"?(?:the )?"
+    f"(?:closest|nearest)(?: to me)?(?: ,| and| with)+ {_C}(?: is)? (?:in the middle|in between|between)"
+)
 _TWO_ENDS = f"(?:the )?({COLOR})(?: one| block| cube)? and (?:the )?({COLOR})(?: one| block| cube)?"
 _ONE = f"(?:(?:the |an? )?{COLOR}(?: one| block| cube)?|the {LABEL}(?: block| cube)?|{LABEL})"
 

@@ -15,6 +15,8 @@ _SIZE = "(?:big|large|small|little)"
 _MAT = "(?:mat|patch|zone|area|target)"
 _PART = "(?:left|right|near|far|front|back)"
 _PUT = "(?:put|place|set|lay|move|stack)"
+_COMES = "(?: is| comes| goes)(?: the)?"
+_AND = "(?: ,| and| , and)"
 _C = f"(?:the )?({COLOR})(?: one| block)?"
 _FAR_AND_NEAR = (
     f"{_C} is (?:the )?(?:farthest|furthest)(?: away)?(?: from me)?(?: ,| and| , and)+ {_C} (?:is )"
@@ -173,6 +175,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
       "each "
      "other"),
     (f"\\b(?:in|on|at|to) (?:the )?(left|right)(?: side)? from (?=(?:the )?(?:{COLOR}|{LABEL})\\b)", "to the {1} of "),
+    (f"^({_ONE}){_COMES} first{_AND} ({_ONE})(?:{_COMES})?(?: the)? last{_AND} ({_ONE})(?:{_COMES})?(?: somewhere)?(?: in)? between$",
+     "a row from left to right : {1} , {3} , {2}"),
     ("\\b(?:in )?such (?:a )?way that\\b", "so that"),
     (f"\\bmine is ({COLOR})(?: ,| and| , and)+ yours (?:is )?({COLOR})\\b", "one {1} and one {2}"),
     (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about )"
@@ -207,6 +211,12 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({MUST}) (?:not|never) , (?:at any (?:time|point|moment)|under any circumstances|at all times) , ",
      "{1} never "),
     (f"\\b({MUST}) , (?:at all times|at any time|throughout) , (?!not\\b)", "{1} always "),
+    ("\\bso (?=the (?:sum|equation|calculation|addition) (?:is|comes out|works out) )", "so that "),
+    (f"^(the [^,]+?|\\w+) (?:may|must|can|should|shall) (?:not|never) leave (the (?:table|{_MAT}|\\w+ {_MAT}))"
+     "(?= ,|$)", "{1} must always be on {2}"),
+    (f"\\bfrom (?:any|every|all|each) other (?:blocks?|cubes?|ones?) : ((?:(?:the )?{COLOR}(?: ,| and| , and)* "
+     "?)+)$", "from {1}"),
+    (f"^(.*?)\\bthe (blocks|cubes)\\b([^,:]*) , ({MANY}) of them(?= ,|$)", "{1} {4} {2} {3}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",
@@ -235,6 +245,7 @@ EVERYDAY: tuple[Turn, ...] = (
     ("^it (?:has to|must|should|shall|needs to) be (made|built|formed|created|laid) (an? .+)$", "make {2}"),
     (f"\\bthe (block|cube) ({COLOR})\\b(?! (?:block|cube|one|patch|mat)\\b)", "the {2} {1}"),
     (f"\\bthe (?:blocks|cubes) ({COLOR})\\b(?! (?:block|cube|one|patch|mat|ones|blocks|and|,)\\b)", "the {1} blocks"),
+    ("^(stack|line up|sort|pile up|put) whatever (?:is|lies) (?:there|on the table)(?= :| ,|$)", "{1} the blocks"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = (

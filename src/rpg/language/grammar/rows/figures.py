@@ -99,6 +99,8 @@ FIGURES: tuple[Turn, ...] = (
     (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) (?:whose {MID}(?: {_BLOCK})? (?:carries|bears|holds|supports)|with "
      f"the {MID} (?:one|{_BLOCK}) (?:carrying|bearing|holding)) (?:the|an?) ({COLOR} {_BLOCK})$",
      "{1} with a {2} on its center"),
+    (f"\\b(?:checkerboard|chessboard|checkered) ({COLOR})(?: and|/| ,)? ({COLOR})$", "in a checkerboard pattern of "
+     "{1} and {2}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 BOARDS: tuple[Turn, ...] = (

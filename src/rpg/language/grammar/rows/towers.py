@@ -207,6 +207,14 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      f"ones)? "
      "(?:whatever|any|anything|any color|of any color|in any color|does not matter|do not matter)(?: you like)?$",
      "{1} {2} , the middle one {4}"),
+    (f"^((?:make |build )?(?:two|2) (?:columns|rows|lines|towers|stacks))(?: ,)?(?: of)? ({MANY})(?: blocks)?(?: "
+     f"each| in each| per "
+     f"\\w+)? , ({COLOR} (?:on the |to the )?(?:left|right)) (?:, |and |, and )({COLOR} (?:on the |to the )?(?:left|"
+     f"right))$",
+     "{1} of {2} : {3} , {4}"),
+    ("\\b(tower|stack|row|line)\\b(.*?) with an? (?:stripe|stripes|striped|color) pattern :", "{1} {2} :"),
+    (f"\\b({TOWER}) whose blocks (?:get|become|grow) smaller (?:towards?|to) the top(?: ,)?(?: ({MANY}) blocks)?$",
+     "{1} of {2} blocks by size , biggest at the bottom"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 TOWERS: tuple[Turn, ...] = (

@@ -30,9 +30,7 @@ def around_named(tokens: list[Token]) -> list[Token]:
     if begin + 3 > joint or not _alone(words, begin, joint, at):
         return tokens
     the, color, noun = (replace(token, span=tokens[at].span) for token in tokens[begin : begin + 3])
-    verb = tokens[at - 1]
-    around = verb.saying("surround" if verb.word in _VERBS else verb.word)
-    out = [*tokens[: at - 1], around, the.saying("the"), color, noun]
+    out = [*tokens[:at], the.saying("the"), color, noun]
     if words[joint] == "with":
         out[joint] = tokens[joint].saying("and")
     return [*out, *tokens[at + 1 :]]
@@ -53,7 +51,14 @@ def _alone(words: list[str], begin: int, joint: int, at: int) -> bool:
 
 
 AROUND_AT_ONCE: tuple[Turn, ...] = (
-    (f"\\b(surround {ONE}) (?:with|by) an? (?:circle|ring) of (?={MANY} )", "{1} with "),
+    (
+        f"\\b(?:surround|ring|encircle) ({ONE}) (?:with|by) an? (?:circle|ring) of ({MANY} [^,]+)$",
+        "surround {1} with {2} in a circle",
+    ),
+    (
+        f"\\b(?:ring|encircle) ({ONE}) (?:with|by) ({MANY} [^,]+?)(?: in an? (?:circle|ring))?$",
+        "surround {1} with {2} in a circle",
+    ),
     (f"\\b(and|,) an? (?:circle|ring) of ({MANY} [^,]+? around {ONE})$", "{1} {2}"),
 )
 """A ring around a block is the blocks around it, where they are told after the place of that block."""

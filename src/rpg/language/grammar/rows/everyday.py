@@ -127,17 +127,20 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
        "{2} must be {3} {1}")
       for there, beside in (("in (?:the )?front|at the front", "behind"),
                             ("behind|(?:in|at) the (?:back|rear)", "in front of"),
-                            ("(?:on|to) the left", "to the right of"), ("(?:on|to) the right", "to the left of"))),
+                            ("(?:on|to) the left", "(?:to the )?right of"), ("(?:on|to) the right", "(?:to the )"
+                             "?left of"))),
     # so many, and of which it is not told where
-    (f"^((?:a |the |one )?(?:rainbow )?{LINE}) , ({MANY})(?: {_BLOCKS}| of them)?$", "{1} of {2} blocks"),
+    (f"^((?:a |the |one )?(?:rainbow |gradient )?{LINE}) , ({MANY})(?: {_BLOCKS}| of them)?$", "{1} of {2} blocks"),
     (f"^(.*\\bof the {MANY} (?:\\w+ )?{_BLOCKS}\\b.*?)(?: ,)?(?: and| but)? the (?:other|others|rest)(?: ones?)? (?:(?:"
-     "is|are|stays?|remains?) (?:free|left free|wherever|optional|up to you)|does not matter|do not matter|goes "
+     "is|are|stays?|remains?|may be|can be) (?:free|left free|wherever|optional|up to you)|does not matter|do not "
+     "matter|goes "
      "anywhere|go anywhere)$",
      "{1}"),
     ("^(.*\\b(?:either|or)\\b.*?)(?: ,)? (?:and )?one(?: of them)? (?:is|'s|will be) (?:enough|sufficient|plenty|fine|"
      "okay)$", "{1}"),
     (f" , only (the {COLOR} (?:one|{_BLOCK})) ({MUST}|may|can) not ", " , but {1} {2} not "),
     (f"(?: please)? use (?:only )?({COLOR}) (block|cube)(?: only)?$", "use only {1} {2s}"),
+    (f" , only ({COLOR}) (block|cube)(?: please)?$", " , only {1} {2s}"),
     ("^(.*\\b(?:digits|numbers|letters|blocks|cubes) \\w (?:to|through) \\w) , (?:omitting|leaving out|skipping|minus|"
      "excluding|leaving away) (?:the |the (?:digit|letter|number) )?(\\w)(?= ,|$)", "{1} , without the {2}"),
     (f"^(?:oh |and )*make it (?:all )?(one|a single) ({LINE}|circle)$", "put all the blocks in {1} {2}"),
@@ -175,8 +178,23 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
       "each "
      "other"),
     (f"\\b(?:in|on|at|to) (?:the )?(left|right)(?: side)? from (?=(?:the )?(?:{COLOR}|{LABEL})\\b)", "to the {1} of "),
-    (f"^({_ONE}){_COMES} first{_AND} ({_ONE})(?:{_COMES})?(?: the)? last{_AND} ({_ONE})(?:{_COMES})?(?: somewhere)?(?: in)? between$",
+    (f"^({_ONE}){_COMES} first{_AND} ({_ONE})(?:{_COMES})?(?: the)? last{_AND} ({_ONE})(?:{_COMES})?(?: somewhere)"
+     f"?(?: in)? between$",
      "a row from left to right : {1} , {3} , {2}"),
+    (f"^(?:i|we) (?:would|will) be (?:fine|okay|ok|content|satisfied|happy|good) with (?:any |an? )?({LINE}\\b.+)$",
+     "i want a {1}"),
+    (f" (?:as long as|provided(?: that)?|so long as) the (top|bottom)(?: one| block)? is ({COLOR})$", " with a {2} "
+     "block at the {1}"),
+    (f"^nothing (?:else )?(?:but|except(?: for)?|other than) (.+?) ({MUST}) be (?=on|in)", "only {1} {2} be "),
+    (f"^(?:make |build |form )?({MANY}) pairs(?: of (?:blocks|cubes))?(?: ,| :)? each (?:of |being |consisting of |"
+     f"is )?(?:a|one) "
+     f"({COLOR})(?: block| one)? (?:next to|beside|and|with) (?:a|one) ({COLOR})(?: block| one)?$",
+     "put each of the {1} {2} blocks next to a {3} block of its own"),
+    (f"\\bmake two pairs(?: of blocks)?(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ ({COLOR}) "
+     f"(?:with|and) "
+     f"({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
+    (f"\\b(row|line|tower|stack) of ({MANY})(?: {_BLOCKS})? , all different(?= ,|$)", "{1} of {2} blocks , all in "
+     "different colors"),
     ("\\b(?:in )?such (?:a )?way that\\b", "so that"),
     (f"\\bmine is ({COLOR})(?: ,| and| , and)+ yours (?:is )?({COLOR})\\b", "one {1} and one {2}"),
     (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about )"

@@ -101,6 +101,7 @@ FIGURES: tuple[Turn, ...] = (
      "{1} with a {2} on its center"),
     (f"\\b(?:checkerboard|chessboard|checkered) ({COLOR})(?: and|/| ,)? ({COLOR})$", "in a checkerboard pattern of "
      "{1} and {2}"),
+    ("\\b([tluv]) shaped (?:corner|figure|form|structure|arrangement)\\b", "{1} shape"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 BOARDS: tuple[Turn, ...] = (

@@ -170,8 +170,9 @@ REQUIRED_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:hereinafter|hereafter|henceforth) (?:named|called|referred to as)\\b", "named"),
     ("\\b(?:pairwise|mutually) (?:distinct|different)\\b", "different"),
     # what is left open
-    ("(?: ,)? (?:the )?colors? (?:is |are |being )?(?:immaterial|irrelevant|unimportant|of no (?:importance|"
-     "matter))$", ""),
+    ("(?: ,)? (?:the )?colors? (?:do not matter|does not matter|(?:is |are |being )?(?:immaterial|irrelevant|"
+     "unimportant|of no (?:importance|"
+     "matter)))(?: to (?:me|us))?(?: at all)?$", ""),
     (f"^the order of the (?:{CUBE}s|letters|digits|numbers) ({MUST}) be (.+?)(?: ,)? (?:when|as|if) (?:read |seen |"
      f"viewed )?"
      f"({WAY})$", "the blocks {1} be in the order {2} {3}"),

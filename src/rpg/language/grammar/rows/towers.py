@@ -173,16 +173,25 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "end nor at the "
      "right end"),
     # one colour each
-    (f"\\b(?:each|every) (?:{TOWER}|row|line|one)(?: is| being)? (?:in|of|has|having) (?:just |only )?(?:one|a single) "
+    (f"\\b(?:each|every) (?:{TOWER}|row|line|one)(?: is| being)?(?: in| of| has| having)? (?:just |only )?(?:one|a "
+     f"single) "
      "color(?: ,| and)+ (?:no two(?: of them| towers| stacks| rows)? (?:the same|alike|(?:of|in|having|have) the same "
      "color)|all (?:three |four |two )?(?:of |in )?different(?: colors)?|(?:in )?different colors|all different)$",
      "each of a different color"),
-    (f"\\b(alternately|alternating) , (?:the |an? )?({COLOR}|\\w)(?: one| block)? (?:is |being )?(?:the )?(?:lowest|"
-     "bottommost|undermost)(?: one)?$", "{1} , {2} at the bottom"),
-    *((f"^(?:{n}) (\\w)(?:s| blocks)? and (?:{n}) (\\w)(?:s| blocks)? (?:{MUST} be )?(?:stacked|piled up) "
-       f"(?:alternately|alternating) , (?:the |an? )?\\{first}(?: one| block)? (?:is |being )?at the bottom$",
-       f"a tower from bottom to top : {' , '.join([f'{{{first}}}', f'{{{3 - first}}}'] * many)}")
-      for many, n in ((2, "2|two"), (3, "3|three"), (4, "4|four")) for first in (1, 2)),
+    *((f"\\b(alternately|alternating) , (?:the |an? )?({COLOR}|\\w)(?: one| block)? (?:is |being )?(?:the )"
+       f"?(?:{end})(?: one)?$",
+       f"{{1}} , {{2}} {where}")
+      for end, where in (("lowest|bottommost|undermost", "at the bottom"), ("uppermost|topmost|highest", "at the top"),
+                         ("leftmost", "at the left end"), ("rightmost", "at the right end"))),
+    *((f"^(?:{n}) (\\w)(?:s| blocks)? and (?:{n}) (\\w)(?:s| blocks)? (?:{MUST} be )?(?:{put}) (?:alternately|"
+       f"alternating) , "
+       f"(?:the |an? )?\\{first}(?: one| block)? (?:is |being )?at the {end}$",
+       f"a {line} : {' , '.join([f'{{{first}}}', f'{{{3 - first}}}'] * many)}")
+      for many, n in ((2, "2|two"), (3, "3|three"), (4, "4|four")) for first in (1, 2)
+      for put, end, line in (("stacked|piled up", "bottom", "tower from bottom to top"),
+                             ("stacked|piled up", "top", "tower from top to bottom"),
+                             ("in a row|in a line", "left end", "row from left to right"),
+                             ("in a row|in a line", "right end", "row from right to left"))),
     (f"^stack(?: them| em| everything)?(?: :)? (?:the )?({COLOR}|\\w)(?: block| one)? (?:at |on )?(?:the )"
      f"?bottom((?: ,(?: and)?(?: then)? (?:the )?(?:{COLOR}|\\w)(?: block| one)?)+) (?:at the top|on top|on the top|"
      f"top|cap)$",

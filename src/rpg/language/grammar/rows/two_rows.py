@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import permutations
 
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MANY, MUST
@@ -29,7 +30,11 @@ _AT = "(?:back|far|rear|front|near)"
 _BARE = ("^(?!.*\\b(?:grid|square|rectangle|pyramid|wall|checkerboard|\\d+x\\d+|column|columns|rows|lines|words?|"
              "spell|write|read|reads)\\b)")  # fmt: skip
 _SYMBOLS = "((?:\\w(?: ,)?(?: and)? ?\\b)+)"
-_NUMBERS = "(?: ones| numbers| digits| blocks)?"
+_KINDS = (("odd(?: ones| numbers| digits| blocks)?", "odd numbers"),
+          ("even(?: ones| numbers| digits| blocks)?", "even numbers"),
+          ("vowels", "vowels"), ("consonants", "consonants"))  # fmt: skip
+_ENDS = (("(?:back|rear|far)", "(?:front|near)", "in front of"), ("(?:front|near)", "(?:back|rear|far)", "behind"))
+_IT = "(?:it|them|these|those)"
 _DONE = "(?:(?:put|place|set|arrange|lay|make|build|form|line up) )?"
 _ALSO = "(?: ,| and| , and)?"
 _HAS = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUST} (?:be|have|contain|consist of))"
@@ -63,22 +68,20 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
      "first (?:one |row )?(?:being|is) the (?:far|back) (?:one|row)$",
      "{1} {2} blocks in the far row and {1} {3} blocks in the near row"),
     # rows that are told by where the other one is
-    ("^(.*\\b(?:two|2) rows\\b.*? (?:in|at) the (?:back|rear))(?: row)?(?: ,)? (?:and )?(.+?) in front(?: of (?:it|"
-     "them|"
-     "these|those))?$", "{1} and {2} in front"),
-    ("^(.*\\b(?:two|2) rows\\b.*? in)(?: the)? front(?: row)?(?: ,)? (?:and )?(.+?) behind(?: (?:it|them|these|"
-     "those))?$",
-     "{1} front and {2} in the back"),
+    (f"^(.*\\b(?:two|2) rows\\b.*? (?:in|at) the (?:back|rear))(?: row)?{_ALSO} (.+?) (?:in front(?: of)?|before)"
+     f"(?: {_IT})?$",
+     "{1} and {2} in front"),
+    (f"^(.*\\b(?:two|2) rows\\b.*? in)(?: the)? front(?: row)?{_ALSO} (.+?) behind(?: {_IT})?$", "{1} front and {2} "
+     "in the back"),
     (f"\\b({MANY}) ranks?\\b", "{1} rows"),
     (f"\\b({_AT}) rank\\b", "{1} row"),
     ("\\b(\\w) thru (\\w)\\b", "{1} to {2}"),
-    *((f"^(?:put |arrange )?(?:the )?(?:blocks|digits|numbers|cubes) (\\d) to (\\d)(?: ,)?(?: in)? (?:two|2) "
-       f"rows(?: :| ,)+ "
-       f"(?:the )?{one}{_NUMBERS}(?: in| at)? (?:the )?(?:back|rear|far)(?: row| one)?(?: ,| and)+ (?:the )?{other}"
-       f"{_NUMBERS}(?: in| at)? (?:the )?(?:front|near)(?: row| one)?$",
-       f"there are the blocks {{1}} to {{2}} . the {one} numbers must be in a row . the {other} numbers must be in a "
-       "row in front of them")
-      for one, other in (("odd", "even"), ("even", "odd"))),
+    *((f"^(?:put |arrange )?(?:the )?(?:blocks|digits|numbers|cubes|letters) (\\w) to (\\w)(?: ,)?(?: in)? (?:two|2)"
+       f" rows(?: :| ,)+ "
+       f"(?:the )?{one}(?: in| at)? (?:the )?{end}(?: row| one)?{_ALSO} (?:the )?{other}(?: in| at)? (?:the )"
+       f"?{far}(?: row| one)?$",
+       f"there are the blocks {{1}} to {{2}} . the {said} must be in a row . the {rest} must be in a row {where} them")
+      for (one, said), (other, rest) in permutations(_KINDS, 2) for end, far, where in _ENDS),
     (f"\\b(?:the )?(?:digits|letters|numbers|blocks|cubes) (?:from )?(\\w) to (\\w) in (?:two|2) rows(?: ,| :) "
      f"{_SYMBOLS} "
      f"(behind|in front of) {_SYMBOLS}$", "there are the blocks {1} to {2} . two rows : {3} {4} {5}"),

@@ -108,6 +108,17 @@ _CBA = {"start": ["C^B^A"], "assets": {"A": 1, "B": 1, "C": 1}, "hold": ["A^B^C"
          {"start": ["red^red^red"], "assets": {"red": 3}, "hold": ["red red red"], "miss": ["red ; red ; red"]}),
         ("A tower of red, then next to it a tower of blue, both two high.",
          {"assets": {"red": 2, "blue": 2}, "hold": ["red^red blue^blue"], "miss": ["red^red ; blue^blue"]}),
+        ("Start with the orange block sitting on the purple one. Swap them so that purple ends up on top.",
+         {"start": ["purple^orange"], "assets": {"orange": 1, "purple": 1}, "hold": ["orange^purple"],
+          "miss": ["purple^orange"]}),
+        ("Three X blocks and three O blocks should be in a row alternately, X is leftmost.",
+         {"assets": {"X": 3, "O": 3}, "hold": ["X O X O X O"], "miss": ["O X O X O X"]}),
+        ("I'd be fine with any tower of three as long as the top is black.",
+         {"assets": {"black": 1, "c1": 1, "c2": 1}, "hold": ["c1^c2^black"], "miss": ["black^c1^c2"]}),
+        ("two columns, three each, yellow left, purple right",
+         {"assets": {"yellow": 3, "purple": 3},
+          "hold": ["yellow . purple | yellow . purple | yellow . purple"],
+          "miss": ["purple . yellow | purple . yellow | purple . yellow"]}),
         # figures
         ("Build me a T junction out of 5 gray blocks",
          {"assets": {"gray": 5}, "hold": ["gray gray gray | . gray . | . gray ."],
@@ -126,7 +137,12 @@ _CBA = {"start": ["C^B^A"], "assets": {"A": 1, "B": 1, "C": 1}, "hold": ["A^B^C"
         # what goes around
         ("put the white block dead centre of the table and ring it with a circle of six orange ones", _RING),
         ("put the white block in the middle of the table. Six orange ones must form a ring around it.", _RING),
+        ("ring the white block with eight orange ones",
+         {"assets": {"white": 1, "orange": 8}, "hold": ["orange* circle=2 at=0,0 ; white at=0,0"],
+          "miss": ["orange* circle=2 at=0,0 ; white at=0,4"]}),
         # groups
+        ("make two pairs, each a red block next to a blue one",
+         {"assets": {"red": 2, "blue": 2}, "hold": ["red blue ; blue red"], "miss": ["red blue red ; blue"]}),
         ("Make two groups: three reds with one blue, and three blues with one red.",
          {"assets": {"red": 4, "blue": 4}, "hold": ["red red red blue pitch=1 ; blue blue blue red pitch=1"],
           "miss": ["red red red red pitch=1 ; blue blue blue blue pitch=1"]}),
@@ -144,6 +160,10 @@ _CBA = {"start": ["C^B^A"], "assets": {"A": 1, "B": 1, "C": 1}, "hold": ["A^B^C"
           "miss": [["red ; green", "green at=white_patch ; red", "red green pitch=1 at=white_patch"]]}),
         ("Make sure nothing is on top of the red block, the blue one is on it now.",
          {"assets": {"red": 1, "blue": 1}, "start": ["red^blue"], "hold": ["red ; blue"], "miss": ["red^blue"]}),
+        # sums
+        ("the sum must give 9: use the cubes 4, 5, +, = and 9",
+         {"assets": {"4": 1, "5": 1, "+": 1, "=": 1, "9": 1}, "hold": ["4 + 5 = 9", "9 = 5 + 4"],
+          "miss": ["4 5 + = 9", "9 + 4 = 5"]}),
         # of whom it is said
         ("No red block may touch a green block. 2 red, 2 green. All of them in one row.",
          {"assets": {"red": 2, "green": 2}, "hold": ["red green red green"], "miss": ["red red ; green ; green"]}),
@@ -178,6 +198,11 @@ def test_it_is_read_as_it_is_meant(text: str, meant: dict[str, Any]) -> None:
         "stack red at the bottom and blue and green on top",
         "Any red block must be placed on the mat. There are two red blocks.",
         "a row of five blocks, one on the other",
+        "the sum must give 4: use the cubes 4, 5, +, = and 9",
+        "the sum must give 9: use the cubes 4, 5, -, = and 9",
+        "line of four blocks from the near left corner to the far right corner",
+        "make three pairs of blocks",
+        "put the white block on the mat. Put six orange blocks in a circle around it.",
     ],
 )
 def test_what_could_be_meant_otherwise_is_refused(text: str) -> None:

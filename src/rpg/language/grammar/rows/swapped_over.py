@@ -10,9 +10,8 @@ from rpg.language.grammar.rows.vocabulary import COLOR
 from rpg.language.tokens import Token
 
 _SWAP = re.compile(
-    "(?:(?:and|then|now|please) )*(?:swap|exchange|switch|reverse|flip) (?:them|it|the two|both)(?: around| round| over)"
-    f"?(?: ,)? so(?: that)? (?:the )?({COLOR})(?: one| block| cube)? (?:ends up|is|comes|goes|lands|sits)(?: up)? on top"
-    "(?: [.!])?"
+    "(?:(?:and|then|now) )*(?:swap|exchange|switch|reverse|flip) (?:them|it|the two|both)(?: around| over)?(?: ,)? "
+    f"so(?: that)? (?:the )?({COLOR})(?: one| block| cube)? (?:ends up|is|comes|goes|lands)(?: up)? on top(?: [.!])?"
 )
 
 

@@ -19,9 +19,8 @@ _COMES = "(?: is| comes| goes)(?: the)?"
 _AND = "(?: ,| and| , and)"
 _C = f"(?:the )?({COLOR})(?: one| block)?"
 _FAR_AND_NEAR = (
-    f"{_C} is (?:the )?(?:farthest|furthest)(?: away)?(?: from me)?(?: ,| and| , and)+ {_C} (?:is )"
-    f"?(?:the )?"
-    f"(?:closest|nearest)(?: to me)?(?: ,| and| with)+ {_C}(?: is)? (?:in the middle|in between|between)"
+    f"{_C} is (?:the )?(?:farthest|furthest)(?: away)?(?: from me)?(?: ,| and| , and)+ {_C} (?:is )?(?:the "
+    f")?(?:closest|nearest)(?: to me)?(?: ,| and| with)+ {_C}(?: is)? (?:in the middle|in between|between)"
 )
 _TWO_ENDS = f"(?:the )?({COLOR})(?: one| block| cube)? and (?:the )?({COLOR})(?: one| block| cube)?"
 _ONE = f"(?:(?:the |an? )?{COLOR}(?: one| block| cube)?|the {LABEL}(?: block| cube)?|{LABEL})"
@@ -121,20 +120,18 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({_BLOCKS}) , one (?:on|onto|over|above|atop) (?:the other|another)(?= ,|$)",
      "{1} , one on top of the other"),
     # the one of two that is told first tells where the other is
-    *((f"^(?:{_PUT} )?({_ONE}) (?:(?:{MUST} )?(?:be|is|goes) )?(?:{there})(?: ,)?(?: and)? ({_ONE}) (?:(?:{MUST} )"
-       f"?(?:be|is|"
-       f"goes) )?((?:right |directly |immediately |just )?{beside}) (?:it|that|that one|the other one)$",
+    *((f"^(?:{_PUT} )?({_ONE}) (?:(?:{MUST} )?(?:be|is|goes) )?(?:{there})(?: ,)?(?: and)? ({_ONE}) (?:(?:{MUST} "
+       f")?(?:be|is|goes) )?((?:right |directly |immediately |just )?{beside}) (?:it|that|that one|the other one)$",
        "{2} must be {3} {1}")
       for there, beside in (("in (?:the )?front|at the front", "behind"),
                             ("behind|(?:in|at) the (?:back|rear)", "in front of"),
-                            ("(?:on|to) the left", "(?:to the )?right of"), ("(?:on|to) the right", "(?:to the )"
-                             "?left of"))),
+                            ("(?:on|to) the left", "(?:to the )?right of"),
+                            ("(?:on|to) the right", "(?:to the )?left of"))),
     # so many, and of which it is not told where
     (f"^((?:a |the |one )?(?:rainbow |gradient )?{LINE}) , ({MANY})(?: {_BLOCKS}| of them)?$", "{1} of {2} blocks"),
-    (f"^(.*\\bof the {MANY} (?:\\w+ )?{_BLOCKS}\\b.*?)(?: ,)?(?: and| but)? the (?:other|others|rest)(?: ones?)? (?:(?:"
-     "is|are|stays?|remains?|may be|can be) (?:free|left free|wherever|optional|up to you)|does not matter|do not "
-     "matter|goes "
-     "anywhere|go anywhere)$",
+    (f"^(.*\\bof the {MANY} (?:\\w+ )?{_BLOCKS}\\b.*?)(?: ,)?(?: and| but)? the (?:other|others|rest)(?: ones?)? "
+     "(?:(?:is|are|stays?|remains?|may be|can be) (?:free|left free|wherever|optional|up to you)|does not matter|do "
+     "not matter|goes anywhere|go anywhere)$",
      "{1}"),
     ("^(.*\\b(?:either|or)\\b.*?)(?: ,)? (?:and )?one(?: of them)? (?:is|'s|will be) (?:enough|sufficient|plenty|fine|"
      "okay)$", "{1}"),
@@ -167,65 +164,53 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "(left|right)(?: ,| and)+ (?:the )?tallest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
      "{1} by size , smallest at the {2} and largest at the {3}"),
     (f"^((?:put|place|arrange|line up|set|lay)(?: out)? the (?:blocks|cubes)) in (?:the|an?) ({LINE})(?: ,| and|;)+ "
-     f"(?:the|"
-     f"their) colors? (?:{MUST} )?(?:change|changes|changing|alternate|alternates|go|come|follow|are|be)(?: like this| "
-     "as follows| in this order)? : (.+)$", "{1} in a {2} : {3}"),
+     f"(?:the|their) colors? (?:{MUST} )?(?:change|changes|changing|alternate|alternates|go|come|follow|are|be)(?: "
+     "like this| as follows| in this order)? : (.+)$", "{1} in a {2} : {3}"),
     (f"\\b(square) , (?:with )?({LENGTH}) (?:sides?|edges?|a side|on a side|side length|edge length)$",
      "{1} with a side of {2}"),
-    (f"^(?:make sure |ensure )?(?:that )?there (?:is|are|{MUST} be) at least one (?:block|cube) between {_TWO_ENDS} "
-     f"in (?:the|"
-     f"an?) (row|line) of ({MANY})(?: {_BLOCKS})?$", "a {3} of {4} blocks , the {1} and the {2} one are not next to "
-      "each "
-     "other"),
+    (f"^(?:make sure |ensure )?(?:that )?there (?:is|are|{MUST} be) at least one (?:block|cube) between {_TWO_ENDS} in "
+     f"(?:the|an?) (row|line) of ({MANY})(?: {_BLOCKS})?$", "a {3} of {4} blocks , the {1} and the {2} one are not "
+      "next to each other"),
     (f"\\b(?:in|on|at|to) (?:the )?(left|right)(?: side)? from (?=(?:the )?(?:{COLOR}|{LABEL})\\b)", "to the {1} of "),
-    (f"^({_ONE}){_COMES} first{_AND} ({_ONE})(?:{_COMES})?(?: the)? last{_AND} ({_ONE})(?:{_COMES})?(?: somewhere)"
-     f"?(?: in)? between$",
-     "a row from left to right : {1} , {3} , {2}"),
+    (f"^({_ONE}){_COMES} first{_AND} ({_ONE})(?:{_COMES}|(?: the)?) last{_AND} ({_ONE})(?:{_COMES})?(?: somewhere)?(?: "
+     "in)? between$", "a row from left to right : {1} , {3} , {2}"),
     (f"^(?:i|we) (?:would|will) be (?:fine|okay|ok|content|satisfied|happy|good) with (?:any |an? )?({LINE}\\b.+)$",
      "i want a {1}"),
     (f" (?:as long as|provided(?: that)?|so long as) the (top|bottom)(?: one| block)? is ({COLOR})$", " with a {2} "
      "block at the {1}"),
     (f"^nothing (?:else )?(?:but|except(?: for)?|other than) (.+?) ({MUST}) be (?=on|in)", "only {1} {2} be "),
-    (f"^(?:make |build |form )?({MANY}) pairs(?: of (?:blocks|cubes))?(?: ,| :)? each (?:of |being |consisting of |"
-     f"is )?(?:a|one) "
-     f"({COLOR})(?: block| one)? (?:next to|beside|and|with) (?:a|one) ({COLOR})(?: block| one)?$",
+    (f"^(?:make |build |form )?({MANY}) pairs(?: of (?:blocks|cubes))?(?: ,| :)? each (?:of |being |consisting of |is "
+     f")?(?:a|one) ({COLOR})(?: block| one)? (?:next to|beside|and|with) (?:a|one) ({COLOR})(?: block| one)?$",
      "put each of the {1} {2} blocks next to a {3} block of its own"),
     (f"\\bmake two pairs(?: of blocks)?(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ ({COLOR}) "
-     f"(?:with|and) "
-     f"({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
+     f"(?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
     (f"\\b(row|line|tower|stack) of ({MANY})(?: {_BLOCKS})? , all different(?= ,|$)", "{1} of {2} blocks , all in "
      "different colors"),
     ("\\b(?:in )?such (?:a )?way that\\b", "so that"),
     (f"\\bmine is ({COLOR})(?: ,| and| , and)+ yours (?:is )?({COLOR})\\b", "one {1} and one {2}"),
-    (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about )"
-     f"?(?:the width "
-     "of (?:a|one) block|(?:a|one) block wide|as wide as (?:a|one) block)$",
+    (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about "
+     ")?(?:the width of (?:a|one) block|(?:a|one) block wide|as wide as (?:a|one) block)$",
      "there must be a gap of one block between {1} and {2}"),
     (f"\\b(tower|stack|row|line|circle|column) (?:with|of|from|out of) (?:just |exactly )?as many ({COLOR})(?: "
-     f"{_BLOCKS})? as "
-     f"({COLOR})(?: {_BLOCKS})?(?: ,| :) ({MANY})(?: {_BLOCKS})? (?:in total|in all|altogether|overall)$",
+     f"{_BLOCKS})? as ({COLOR})(?: {_BLOCKS})?(?: ,| :) ({MANY})(?: {_BLOCKS})? (?:in total|in all|altogether|overall)"
+     "$",
      "{1} of {4} blocks , half of them {2} and half of them {3}"),
-    (f"^(?:pair up|pair) (?:the (?:blocks|cubes)|them)(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)"
-     f"+ ({COLOR}) "
-     f"(?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
-    (f"\\b((?:stack|pile up|line up|put|arrange|place) the (?:blocks|cubes)(?: up)?(?: in an? {LINE})?)(?: ,)? "
-     f"(?:so|such)"
-     "(?: that)? (?:the|their) colors (?:go|run|alternate|read|come|follow|are)(?: ,| :)? ([^;:]+?) (from (?:the )"
-     "?\\w+)"
-     "(?: up| down)?$", "{1} {3} : {2}"),
+    (f"^(?:pair up|pair) (?:the (?:blocks|cubes)|them)(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ "
+     f"({COLOR}) (?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
+    (f"\\b((?:stack|pile up|line up|put|arrange|place) the (?:blocks|cubes)(?: up)?(?: in an? {LINE})?)(?: ,)? (?:so|"
+     "such)(?: that)? (?:the|their) colors (?:go|run|alternate|read|come|follow|are)(?: ,| :)? ([^;:]+?) (from (?:the "
+     ")?\\w+)(?: up| down)?$", "{1} {3} : {2}"),
     (f"^(?:the|my) ({COLOR} (?:block|cube|one)) (?:is|stands|lies) (?:now )?in the wrong (?:place|spot|position)$",
      "there is a {1}"),
-    (f"^([^,]+?\\bnothing\\b[^,]+?|[^,]+?\\bno(?:thing| block)\\b[^,]+?) , (?:but )?(the {COLOR} (?:one|block|cube))"
-     f" is on "
-     "(?:it|top of it) (?:now|at the moment|right now|at present)$", "{1} . at the start {2} is on it"),
+    (f"^([^,]+?\\bnothing\\b[^,]+?|[^,]+?\\bno(?:thing| block)\\b[^,]+?) , (?:but )?(the {COLOR} (?:one|block|cube)) "
+     "is on (?:it|top of it) (?:now|at the moment|right now|at present)$", "{1} . at the start {2} is on it"),
     (f"^(?:{_PUT} (?:them|(?:the )?(?:{MANY} )?{_BLOCKS}) (?:so|such) that )?{_FAR_AND_NEAR}$",
      "{1} must be behind {3} and {3} must be behind {2}"),
     ("^(?:i|we) (?:want|would like) to (?:read|see) (\\d(?: ,? ?(?:and )?\\d)+) (from left to right|from right to "
      "left)$",
      "a row {2} : {1}"),
-    (f"^({_PUT}) an? (block|cube) (?:at|on) (each end|both ends) of (?:the|a) (row|line) of ([^,]+?)(?: ,)?(?: "
-     f"both(?: of them)?| "
-     f"each)? ({COLOR})$", "{1} a {6} {2} at {3} of a {4} of {5}"),
+    (f"^({_PUT}) an? (block|cube) (?:at|on) (each end|both ends) of (?:the|a) (row|line) of ([^,]+?)(?: ,)?(?: both(?: "
+     f"of them)?| each)? ({COLOR})$", "{1} a {6} {2} at {3} of a {4} of {5}"),
     (f"\\b({MUST}) (?:not|never) , (?:at any (?:time|point|moment)|under any circumstances|at all times) , ",
      "{1} never "),
     (f"\\b({MUST}) , (?:at all times|at any time|throughout) , (?!not\\b)", "{1} always "),
@@ -256,8 +241,8 @@ EVERYDAY: tuple[Turn, ...] = (
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
     # what it is about
-    ("^(?:.* , )?what about (an? (?:.+ )?(?:tower|stack|row|line|circle|pyramid|wall|staircase|square)\\b.*)$",
-     "build {1}"),
+    ("^(?:(?:well|so|hm|now|okay|i was thinking|i thought|you know)(?: ,)? )*what about (an? (?:.+ )?(?:tower|stack|"
+     "row|line|circle|pyramid|wall|staircase|square)\\b.*)$", "build {1}"),
     ("^it (?:would|will) look (?:really |very |so )?(?:lovely|nice|great|pretty|good|beautiful|cool) if (.+)$", "{1}"),
     (f"^(.+) took turns (in an? {LINE}\\b.*)$", "{1} take turns {2}"),
     ("^it (?:has to|must|should|shall|needs to) be (made|built|formed|created|laid) (an? .+)$", "make {2}"),

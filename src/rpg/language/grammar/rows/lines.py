@@ -60,12 +60,11 @@ _BLOCK = f"(?:the )?({COLOR}|\\w)(?: block| cube| one)?"
 
 LINED_AT_ONCE: tuple[Turn, ...] = (
     # so many places away
-    *((f"^(?:(?:in|for) (an? {_ROW_OR_LINE} of .+ and \\w+(?: blocks?| cubes?)?) , )?{_BLOCK} (?:{_BE}|stands|comes)"
-       f" (?:{n}) (?:places|positions|spots) "
-       f"(?:further )?to the (left|right) of {_BLOCK}(?:(?: ,)? in (an? {_ROW_OR_LINE} of .+))?$",
+    *((f"^(?:(?:in|for) (an? {_ROW_OR_LINE} of .+ and \\w+(?: blocks?| cubes?)?) , )?{_BLOCK} (?:{_BE}|stands|comes) "
+       f"(?:{n}) (?:places|positions|spots) (?:further )?to the (left|right) of {_BLOCK}(?:(?: ,)? in (an? "
+       f"{_ROW_OR_LINE} of .+))?$",
        f"{{1}} {{5}} with exactly {between} between the {{2}} and the {{4}} block , the {{2}} block is {{3}} of the "
-       f"{{4}} "
-       "block")
+       f"{{4}} block")
       for n, between in (("two|2", "one block"), ("three|3", "two blocks"))),
     # what there is, ahead of what is done with it
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)? : ({_DO} {_THEM} .+)$",
@@ -150,7 +149,6 @@ MIRRORS_AT_ONCE: tuple[Turn, ...] = (
 """What is looked for, and what is said instead."""
 WORDS = (
     "places positions half halves image images mirror mirrors occur palindrome palindromes reflect reflection "
-    "reflections reflects "
-    "spectrum way",
+    "reflections reflects spectrum way",
 )
 """Words that these take besides those that are read anyway."""

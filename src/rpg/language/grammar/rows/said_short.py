@@ -114,8 +114,7 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
      "the {1} one must be {3} the {2} one or the {2} one must be {3} the {1} one"),
     # "move red first and then green, both onto the mat"
     *((f"^{first} ({_KNOWN}){behind}(?: ,)?(?: and)? then ({_KNOWN}){both} ((?:{OVER}|into|in|to) (?:{_KNOWN}|the "
-       f"{_HALF} half(?: of the "
-       "table)?))$", "first {1} {2} {4} , then {1} {3} {4}")
+       f"{_HALF} half(?: of the table)?))$", "first {1} {2} {4} , then {1} {3} {4}")
       for first, behind, both in ((f"(?:first(?: ,)? )?({PUT})", " first", "(?: ,)? both"),
                                   (f"first(?: ,)? ({PUT})", "", "(?:(?: ,)? both)?"))),
 )  # fmt: skip

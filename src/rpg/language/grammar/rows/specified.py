@@ -171,11 +171,9 @@ REQUIRED_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:pairwise|mutually) (?:distinct|different)\\b", "different"),
     # what is left open
     ("(?: ,)? (?:the )?colors? (?:do not matter|does not matter|(?:is |are |being )?(?:immaterial|irrelevant|"
-     "unimportant|of no (?:importance|"
-     "matter)))(?: to (?:me|us))?(?: at all)?$", ""),
+     "unimportant|of no (?:importance|matter)))(?: to (?:me|us))?(?: at all)?$", ""),
     (f"^the order of the (?:{CUBE}s|letters|digits|numbers) ({MUST}) be (.+?)(?: ,)? (?:when|as|if) (?:read |seen |"
-     f"viewed )?"
-     f"({WAY})$", "the blocks {1} be in the order {2} {3}"),
+     f"viewed )?({WAY})$", "the blocks {1} be in the order {2} {3}"),
     (f"^(the [^,]+?) and either (the [^,]+?) or (the [^,]+?)(?: ,)? but not both(?: ,)? ({MUST} be [^,]+)$",
      "{1} {4} . either {2} or {3} {4} , but not both"),
     ("^it is (?:needed|necessary|required|important) to (?=\\w+ )", ""),
@@ -246,12 +244,11 @@ REQUIRED: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for in a sentence that cannot be read, and what is said instead."""
 WORDS = (
-    "arithmetically ascends assumed care centrally comprise comprising considered cuboid decreases deemed "
-    "descends exceed exchanged falls fashion increases located manner marks mathematically obliged occupied "
-    "immaterial irrelevant unimportant importance assert verify needed necessary said aforesaid aforementioned "
-    "hereinafter hereafter henceforth pairwise mutually distinct dismantle "
-    "randomize randomise shuffle scramble spawn invert contact "
-    "prescribed presence previously prism regarded requested required settled situated termination whatever "
+    "arithmetically ascends assumed care centrally comprise comprising considered cuboid decreases deemed descends "
+    "exceed exchanged falls fashion increases located manner marks mathematically obliged occupied immaterial "
+    "irrelevant unimportant importance assert verify needed necessary said aforesaid aforementioned hereinafter "
+    "hereafter henceforth pairwise mutually distinct dismantle randomize randomise shuffle scramble spawn invert "
+    "contact prescribed presence previously prism regarded requested required settled situated termination whatever "
     "whereas whereof whichever",
 )
 """Words that these take besides those that are read anyway."""

@@ -167,16 +167,14 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
      "stack {2} {1} in alternating colors"),
     ("^(.*\\b(?:tower|stack)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the top "
-     "nor at the "
-     "bottom"),
-    ("^(.*\\b(?:row|line)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the left "
-     "end nor at the "
-     "right end"),
+                                                                                           "nor at the bottom"),
+    ("^(.*\\b(?:row|line)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the left end "
+                                                                                        "nor at the right end"),
     # one colour each
     (f"\\b(?:each|every) (?:{TOWER}|row|line|one)(?: is| being)?(?: in| of| has| having)? (?:just |only )?(?:one|a "
-     f"single) "
-     "color(?: ,| and)+ (?:no two(?: of them| towers| stacks| rows)? (?:the same|alike|(?:of|in|having|have) the same "
-     "color)|all (?:three |four |two )?(?:of |in )?different(?: colors)?|(?:in )?different colors|all different)$",
+     "single) color(?: ,| and)+ (?:no two(?: of them| towers| stacks| rows)? (?:the same|alike|(?:of|in|having|have) "
+     "the same color)|all (?:three |four |two )?(?:of |in )?different(?: colors)?|(?:in )?different colors|all "
+     "different)$",
      "each of a different color"),
     *((f"\\b(alternately|alternating) , (?:the |an? )?({COLOR}|\\w)(?: one| block)? (?:is |being )?(?:the )"
        f"?(?:{end})(?: one)?$",
@@ -184,8 +182,7 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
       for end, where in (("lowest|bottommost|undermost", "at the bottom"), ("uppermost|topmost|highest", "at the top"),
                          ("leftmost", "at the left end"), ("rightmost", "at the right end"))),
     *((f"^(?:{n}) (\\w)(?:s| blocks)? and (?:{n}) (\\w)(?:s| blocks)? (?:{MUST} be )?(?:{put}) (?:alternately|"
-       f"alternating) , "
-       f"(?:the |an? )?\\{first}(?: one| block)? (?:is |being )?at the {end}$",
+       f"alternating) , (?:the |an? )?\\{first}(?: one| block)? (?:is |being )?at the {end}$",
        f"a {line} : {' , '.join([f'{{{first}}}', f'{{{3 - first}}}'] * many)}")
       for many, n in ((2, "2|two"), (3, "3|three"), (4, "4|four")) for first in (1, 2)
       for put, end, line in (("stacked|piled up", "bottom", "tower from bottom to top"),
@@ -200,26 +197,22 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      f"{_BLOCKS})? {_IS} ({COLOR})(?: ,| and)+ (?:the )?(?:rest|others|other ones)(?: {_IS})? ({COLOR})$",
      "a {1} of {2} blocks alternating {3} and {4}"),
     (f"^(?:knock down|take apart|take down|dismantle|pull down|tear down) the ({TOWER}) of ({MANY}(?: {COLOR})?)(?: "
-     f"{_BLOCKS})?"
-     f" and (?:then )?(?:build|make|form) an? (row|line|circle)(?: (?:of|from|with|out of) (?:it|them|its blocks|"
-     f"the blocks))?"
-     "(?: instead)?$", "at the start there is a {1} of {2} blocks . put them in a {3}"),
-    (f"^(?:build |make )?an? ({TOWER}) of ({COLOR})(?: {_BLOCKS})? ?(?:,|and|, and|, then|then)? ({_SPOT}) (?:it|"
-     f"that)(?: ,)? an? "
-     f"(?:{TOWER}) of ({COLOR})(?: {_BLOCKS})?(?: ,)? (?:both|each)(?: of them)? ({MANY})(?: {_BLOCKS})? (?:high|"
-     f"tall)$",
+     f"{_BLOCKS})? and (?:then )?(?:build|make|form) an? (row|line|circle)(?: (?:of|from|with|out of) (?:it|them|its "
+     "blocks|the blocks))?(?: instead)?$", "at the start there is a {1} of {2} blocks . put them in a {3}"),
+    (f"^(?:build |make )?an? ({TOWER}) of ({COLOR})(?: {_BLOCKS})? ?(?:,|and|, and|, then|then)? ({_SPOT}) (?:it|that)"
+     f"(?: ,)? an? (?:{TOWER}) of ({COLOR})(?: {_BLOCKS})?(?: ,)? (?:both|each)(?: of them)? ({MANY})(?: {_BLOCKS})? "
+     "(?:high|tall)$",
      "a {1} of {5} {2} blocks and {3} it a {1} of {5} {4} blocks"),
     (f"^turn the ({TOWER}) (?:upside down|over|on its head)(?: :| ,|;)+ it (?:is|'s) (?:now|currently|at the moment)"
      f" (.+)$",
      "at the start {2} . reverse the {1}"),
     (f"\\b(stack|tower|row)(.*?) , (the )?middle (?:one )?({COLOR})(?: ,| and)+ (?:the )?(?:other|others|rest)(?: "
-     f"ones)? "
-     "(?:whatever|any|anything|any color|of any color|in any color|does not matter|do not matter)(?: you like)?$",
+     "ones)? (?:whatever|any|anything|any color|of any color|in any color|does not matter|do not matter)(?: you "
+     "like)?$",
      "{1} {2} , the middle one {4}"),
-    (f"^((?:make |build )?(?:two|2) (?:columns|rows|lines|towers|stacks))(?: ,)?(?: of)? ({MANY})(?: blocks)?(?: "
-     f"each| in each| per "
-     f"\\w+)? , ({COLOR} (?:on the |to the )?(?:left|right)) (?:, |and |, and )({COLOR} (?:on the |to the )?(?:left|"
-     f"right))$",
+    (f"^((?:make |build )?(?:two|2) (?:columns|rows|lines|towers|stacks))(?: ,)?(?: of)? ({MANY})(?: blocks)?(?: each| "
+     f"in each| per \\w+)? , ({COLOR} (?:on the |to the )?(?:left|right)) (?:, |and |, and )({COLOR} (?:on the |to the "
+     ")?(?:left|right))$",
      "{1} of {2} : {3} , {4}"),
     ("\\b(tower|stack|row|line)\\b(.*?) with an? (?:stripe|stripes|striped|color) pattern :", "{1} {2} :"),
     (f"\\b({TOWER}) whose blocks (?:get|become|grow) smaller (?:towards?|to) the top(?: ,)?(?: ({MANY}) blocks)?$",

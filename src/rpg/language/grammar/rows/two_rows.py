@@ -76,21 +76,18 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({MANY}) ranks?\\b", "{1} rows"),
     (f"\\b({_AT}) rank\\b", "{1} row"),
     ("\\b(\\w) thru (\\w)\\b", "{1} to {2}"),
-    *((f"^(?:put |arrange )?(?:the )?(?:blocks|digits|numbers|cubes|letters) (\\w) to (\\w)(?: ,)?(?: in)? (?:two|2)"
-       f" rows(?: :| ,)+ "
-       f"(?:the )?{one}(?: in| at)? (?:the )?{end}(?: row| one)?{_ALSO} (?:the )?{other}(?: in| at)? (?:the )"
-       f"?{far}(?: row| one)?$",
+    *(("^(?:put |arrange )?(?:the )?(?:blocks|digits|numbers|cubes|letters) (\\w) to (\\w)(?: ,)?(?: in)? (?:two|2) "
+       f"rows(?: :| ,)+ (?:the )?{one}(?: in| at)? (?:the )?{end}(?: row| one)?{_ALSO} (?:the )?{other}(?: in| at)? "
+       f"(?:the )?{far}(?: row| one)?$",
        f"there are the blocks {{1}} to {{2}} . the {said} must be in a row . the {rest} must be in a row {where} them")
       for (one, said), (other, rest) in permutations(_KINDS, 2) for end, far, where in _ENDS),
-    (f"\\b(?:the )?(?:digits|letters|numbers|blocks|cubes) (?:from )?(\\w) to (\\w) in (?:two|2) rows(?: ,| :) "
-     f"{_SYMBOLS} "
-     f"(behind|in front of) {_SYMBOLS}$", "there are the blocks {1} to {2} . two rows : {3} {4} {5}"),
+    ("\\b(?:the )?(?:digits|letters|numbers|blocks|cubes) (?:from )?(\\w) to (\\w) in (?:two|2) rows(?: ,| :) "
+     f"{_SYMBOLS} (behind|in front of) {_SYMBOLS}$", "there are the blocks {1} to {2} . two rows : {3} {4} {5}"),
     *((f"^(.*\\b(?:two|2) rows(?: ,| :)) {_SYMBOLS} {word} {_SYMBOLS}$", f"{{1}} {{{back}}} in the back and "
      f"{{{front}}} in front")
       for word, back, front in (("behind", 2, 3), ("in front of", 3, 2))),
-    (f"^the ({MANY}) (?:blocks|cubes|ones) in the ({_AT}) row (?:{MUST} be|are) ({COLOR})(?: ,| and|;)+ the ({MANY})"
-     f" (?:(?:blocks|"
-     f"cubes|ones) )?in the ({_AT}) row (?:(?:{MUST} be|are) )?({COLOR})$",
+    (f"^the ({MANY}) (?:blocks|cubes|ones) in the ({_AT}) row (?:{MUST} be|are) ({COLOR})(?: ,| and|;)+ the ({MANY}) "
+     f"(?:(?:blocks|cubes|ones) )?in the ({_AT}) row (?:(?:{MUST} be|are) )?({COLOR})$",
      "{1} {3} blocks in the {2} row and {4} {6} blocks in the {5} row"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

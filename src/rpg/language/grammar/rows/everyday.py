@@ -186,6 +186,11 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      f"(?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
     (f"\\b(row|line|tower|stack) of ({MANY})(?: {_BLOCKS})? , all different(?= ,|$)", "{1} of {2} blocks , all in "
      "different colors"),
+    (f"^of (?:the )?({MANY}) (blocks|cubes)(?: ,)? ({_PUT}) (?:exactly )?half (on|in|onto) ", "{3} half of the {1} "
+     "{2} {4} "),
+    (f"^no (?:{LINE}|figure) , (?:please )?(?:just|simply|only) ", ""),
+    (f"^(four (?:{COLOR} )?{_BLOCKS}.*|.* four (?:{COLOR} )?{_BLOCKS}.*) (?:in|into|at) the (?:four )?corners(?: of "
+     "the table)?(?: ,)? one (?:per|in each|for each) corner$", "{1} in the four corners of the table"),
     ("\\b(?:in )?such (?:a )?way that\\b", "so that"),
     (f"\\bmine is ({COLOR})(?: ,| and| , and)+ yours (?:is )?({COLOR})\\b", "one {1} and one {2}"),
     (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about "
@@ -202,8 +207,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      ")?\\w+)(?: up| down)?$", "{1} {3} : {2}"),
     (f"^(?:the|my) ({COLOR} (?:block|cube|one)) (?:is|stands|lies) (?:now )?in the wrong (?:place|spot|position)$",
      "there is a {1}"),
-    (f"^([^,]+?\\bnothing\\b[^,]+?|[^,]+?\\bno(?:thing| block)\\b[^,]+?) , (?:but )?(the {COLOR} (?:one|block|cube)) "
-     "is on (?:it|top of it) (?:now|at the moment|right now|at present)$", "{1} . at the start {2} is on it"),
+    (f"^([^,]+?\\bnothing\\b[^,]+?|[^,]+?\\bno(?:thing| block)\\b[^,]+?) , (?:but )?((?:the|an?) {COLOR} (?:one|block|"
+     "cube)) is on (?:it|top of it) (?:now|at the moment|right now|at present)$", "{1} . at the start {2} is on it"),
     (f"^(?:{_PUT} (?:them|(?:the )?(?:{MANY} )?{_BLOCKS}) (?:so|such) that )?{_FAR_AND_NEAR}$",
      "{1} must be behind {3} and {3} must be behind {2}"),
     ("^(?:i|we) (?:want|would like) to (?:read|see) (\\d(?: ,? ?(?:and )?\\d)+) (from left to right|from right to "

@@ -102,6 +102,12 @@ FIGURES: tuple[Turn, ...] = (
     (f"\\b(?:checkerboard|chessboard|checkered) ({COLOR})(?: and|/| ,)? ({COLOR})$", "in a checkerboard pattern of "
      "{1} and {2}"),
     ("\\b([tluv]) shaped (?:corner|figure|form|structure|arrangement)\\b", "{1} shape"),
+    (f"^(?:put|place) (?:the )?({COLOR})(?: {_BLOCKS})? (?:on|in|at|to) the corners of an? ({_DIMS} grid) and (?:the "
+     f")?({COLOR})(?: {_BLOCKS})? (?:on|in|to) (?:all )?the (?:other|remaining|rest of the) (?:cells|places|squares|"
+     "fields|positions)$",
+     "a {2} with {1} corners and the other blocks {4}"),
+    (f"^fill the ({_SIDE}) (column|row) of an? ({_DIMS} grid) with ({COLOR})(?: {_BLOCKS})? and the (?:rest|others|"
+     f"other cells) with ({COLOR})(?: {_BLOCKS}| ones)?$", "a {3} with the {1} {2} {5} and the rest {6}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 BOARDS: tuple[Turn, ...] = (

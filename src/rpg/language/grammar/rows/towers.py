@@ -217,6 +217,19 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(tower|stack|row|line)\\b(.*?) with an? (?:stripe|stripes|striped|color) pattern :", "{1} {2} :"),
     (f"\\b({TOWER}) whose blocks (?:get|become|grow) smaller (?:towards?|to) the top(?: ,)?(?: ({MANY}) blocks)?$",
      "{1} of {2} blocks by size , biggest at the bottom"),
+    (f"^((?:stack|pile up) [^,]+?)(?: ,)?(?: and)? then on top of (?:these|those|them|it|that) ({MANY} {COLOR} "
+     f"{_BLOCKS})$",
+     "{1} and put {2} on top of them"),
+    (f"^(exchange|swap|replace) the (top|bottom|middle) block of the ({TOWER}) ({COLOR}(?: ,)? {COLOR}(?:(?: ,)?(?: "
+     f"and)? {COLOR})*) (?:with|for|by) (the [^,]+)"
+     "$", "at the start there is a {3} from bottom to top : {4} . {1} the {2} block with "
+                                     "{5}"),
+    (f"\\bone ({LINE}) only\\b", "one {1}"),
+    ("(?: ,)? (?:with )?no (?:repeated|repeating|duplicate) colors?$", " , all in different colors"),
+    ("^(arrange|put|place|lay) the (blocks|cubes) (?:alternately|alternating) : ", "{1} the {2} in a row : "),
+    (f"^(?:take care |make sure |see to it |ensure )?(?:that )?the ({LINE}) of ({MANY})(?: {_BLOCKS})? (?:has|have|"
+     f"shows) alternating(?: colors)?(?: ,| :)? ({COLOR}) and ({COLOR})$", "a {1} of {2} blocks with alternating "
+      "colors {3} and {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 TOWERS: tuple[Turn, ...] = (

@@ -126,7 +126,7 @@ _CBA = {"start": ["C^B^A"], "assets": {"A": 1, "B": 1, "C": 1}, "hold": ["A^B^C"
           "hold": [["red^white^blue at=0,0 ; black at=0,3", "red^white^black at=0,0 ; blue at=0,3"]],
           "miss": [["red^white^blue at=0,0 ; black at=0,3", "red^white^blue at=0,0 ; black at=0,3"]]}),
         ("Take care that the tower of four has alternating colours, orange and cyan.",
-         {"assets": {"orange": 2, "cyan": 2}, "hold": ["orange^cyan^orange^cyan"], "miss": ["orange^orange^cyan^cyan"]}),
+         {"assets": {"orange": 2, "cyan": 2}, "hold": ["orange^cyan^orange^cyan"], "miss": ["orange^cyan^cyan"]}),
         # figures
         ("Build me a T junction out of 5 gray blocks",
          {"assets": {"gray": 5}, "hold": ["gray gray gray | . gray . | . gray ."],

@@ -98,7 +98,7 @@ _PIECES = re.compile(
   | (?P<number>\d+(?:\.\d+)?(?!\d*(?:\.\d+)?[A-Za-z]))
   | (?P<mixed>\d+(?:\.\d+)?(?=[A-Za-z]))
   | (?P<letters>[A-Za-z]+(?:['’][A-Za-z]+)?)
-  | (?P<ellipsis>…|\.\.\.+)
+  | (?P<ellipsis>…|\.\.\.+|(?<=\b\w)\.\.(?=\w\b))
   | (?P<arrow>[-–—=]+>|[→⇒➔➜]|>)
   | (?P<sign>[-+*/×÷=−–—])
   | (?P<spread>±)

@@ -186,20 +186,19 @@ def _without_kind_totals(pieces: Sequence[Piece]) -> list[Piece]:
 
 
 def check_nouns(pieces: Sequence[Piece], labels: Sequence[str]) -> None:
-    """ "Letters" are letters, and "digits" are digits; one of them at least is told.
+    """ "Letters" are letters, "digits" digits, and "the vowels" no others; one of them at least is told.
 
     Raises:
         Unclear: they are not.
     """
-    words = {
-        word.rstrip("s") for piece in pieces if piece.kind in ("glue", "total", "range") for word in piece.words.split()
-    }
+    glue = [piece for piece in pieces if piece.kind in ("glue", "total", "range")]
+    words = {word.rstrip("s") for piece in glue for word in piece.words.split()}
     named = {kind for kind in ("letter", "digit") if any(label in KINDS[kind] for label in labels)}
-    told = {
-        kind for kind, nouns in (("letter", {"letter"}), ("digit", {"digit", "number", "numeral"})) if words & nouns
-    }
+    words = {"digit" if word in ("number", "numeral") else word for word in words}
+    told = {"letter", "digit"} & words
     if (
-        (not named and all(piece.kind != "relation" for piece in pieces))
+        any(not KINDS[kind].issuperset(labels) for kind in {"vowel", "consonant"} & words)
+        or (not named and all(piece.kind != "relation" for piece in pieces))
         or not told <= named
         or ({"rising", "growing"} & {*" ".join(p.words for p in pieces).split()} and "digit" not in told)
     ):

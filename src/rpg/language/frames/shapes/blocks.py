@@ -114,6 +114,9 @@ def blocks_of(pieces: Sequence[Piece], shape: str) -> Told:
         if piece.kind in ("break", "except"):
             _clause(clause, said, shape)
             clause = []
+    inside = {"inner", "center"} & {*said.numbers, *(part for _, part in said.placed)}
+    if shape in ("circle", "square") and not inside and ("place", "around") in [(p.kind, p.value) for p in pieces]:
+        raise Unclear  # "a circle around it": around what is told of elsewhere
     return said
 
 

@@ -3,7 +3,7 @@ that say it as others do."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING, THINGS
+from rpg.language.grammar.rows.said_short import IS, LABEL, PLACE, PUT, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, LINE, MANY, MUST
 
@@ -15,6 +15,15 @@ _SIZE = "(?:big|large|small|little)"
 _MAT = "(?:mat|patch|zone|area|target)"
 _PART = "(?:left|right|near|far|front|back)"
 _PUT = "(?:put|place|set|lay|move|stack)"
+_COMES = "(?: is| comes| goes)(?: the)?"
+_AND = "(?: ,| and| , and)"
+_C = f"(?:the )?({COLOR})(?: one| block)?"
+_FAR_AND_NEAR = (
+    f"{_C} is (?:the )?(?:farthest|furthest)(?: away)?(?: from me)?(?: ,| and| , and)+ {_C} (?:is )?(?:the "
+    f")?(?:closest|nearest)(?: to me)?(?: ,| and| with)+ {_C}(?: is)? (?:in the middle|in between|between)"
+)
+_TWO_ENDS = f"(?:the )?({COLOR})(?: one| block| cube)? and (?:the )?({COLOR})(?: one| block| cube)?"
+_ONE = f"(?:(?:the |an? )?{COLOR}(?: one| block| cube)?|the {LABEL}(?: block| cube)?|{LABEL})"
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # how many, and of which size
@@ -106,6 +115,116 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("^(?:invert|reverse|unstack|restack|swap)(?: the \\w+)? : ((?:initially|start from|start with|at the start) .+? "
      f"(?:finally|then|end with|at the end|{MUST}) .+)$", "{1}"),
     ("^(.+?) with (?:digit|number|letter) and (?:operator|symbol|sign) (?:blocks|cubes)$", "{1}"),
+    # one on the other
+    (f"\\b({MANY}(?: {COLOR})? {_BLOCKS})(?: ,)? straight up\\b", "a tower of {1}"),
+    (f"\\b({_BLOCKS}) , one (?:on|onto|over|above|atop) (?:the other|another)(?= ,|$)",
+     "{1} , one on top of the other"),
+    # the one of two that is told first tells where the other is
+    *((f"^(?:{_PUT} )?({_ONE}) (?:(?:{MUST} )?(?:be|is|goes) )?(?:{there})(?: ,)?(?: and)? ({_ONE}) (?:(?:{MUST} "
+       f")?(?:be|is|goes) )?((?:right |directly |immediately |just )?{beside}) (?:it|that|that one|the other one)$",
+       "{2} must be {3} {1}")
+      for there, beside in (("in (?:the )?front|at the front", "behind"),
+                            ("behind|(?:in|at) the (?:back|rear)", "in front of"),
+                            ("(?:on|to) the left", "(?:to the )?right of"),
+                            ("(?:on|to) the right", "(?:to the )?left of"))),
+    # so many, and of which it is not told where
+    (f"^((?:a |the |one )?(?:rainbow |gradient )?{LINE}) , ({MANY})(?: {_BLOCKS}| of them)?$", "{1} of {2} blocks"),
+    (f"^(.*\\bof the {MANY} (?:\\w+ )?{_BLOCKS}\\b.*?)(?: ,)?(?: and| but)? the (?:other|others|rest)(?: ones?)? "
+     "(?:(?:is|are|stays?|remains?|may be|can be) (?:free|left free|wherever|optional|up to you)|does not matter|do "
+     "not matter|goes anywhere|go anywhere)$",
+     "{1}"),
+    ("^(.*\\b(?:either|or)\\b.*?)(?: ,)? (?:and )?one(?: of them)? (?:is|'s|will be) (?:enough|sufficient|plenty|fine|"
+     "okay)$", "{1}"),
+    (f" , only (the {COLOR} (?:one|{_BLOCK})) ({MUST}|may|can) not ", " , but {1} {2} not "),
+    (f"(?: please)? use (?:only )?({COLOR}) (block|cube)(?: only)?$", "use only {1} {2s}"),
+    (f" , only ({COLOR}) (block|cube)(?: please)?$", " , only {1} {2s}"),
+    ("^(.*\\b(?:digits|numbers|letters|blocks|cubes) \\w (?:to|through) \\w) , (?:omitting|leaving out|skipping|minus|"
+     "excluding|leaving away) (?:the |the (?:digit|letter|number) )?(\\w)(?= ,|$)", "{1} , without the {2}"),
+    (f"^(?:oh |and )*make it (?:all )?(one|a single) ({LINE}|circle)$", "put all the blocks in {1} {2}"),
+    # where exactly
+    (f"\\b(block|cube|one|it|them|{COLOR}) (?:dead )?center of (?=the table\\b)", "{1} in the center of "),
+    ("\\b(?:smack|bang|slap|slap bang|smack dab|plumb|dead|right bang) in the (middle|center)\\b", "in the {1}"),
+    ("^(?:please )?(?:spread(?: out)?|distribute|scatter) (.+?)(?: out)? (?:all )?(?:over|across|around|"
+     "throughout) the table (?=.*\\b(?:touch|touching|touches|apart|cm)\\b)", "put {1} "),
+    (f"^(.*?\\b(?:move|push|shift|slide)\\b.+?)(?: just)? an? (?:bit|little|little bit|touch) ((?:to|towards) the "
+     f"\\w+|away from me|towards me|left|right|back|forward)(?: ,)? (?:like|say|let us say) ({LENGTH})$",
+     "{1} {2} by {3}"),
+    (" , (?:would|will|could|can) you (?:please )?(?:, )?(?=and\\b)", ", "),
+    (f"\\b(set|put|move|push|lay|place) ({THING}) (?:to|on) (?:one|the) side(?= and| ,|$)", "{1} {2} aside"),
+    (f"\\bthe other ({MANY})(?: ,)? (?:which|that) are (?:all )?({COLOR})\\b", "the {1} {2} blocks"),
+    (f"^(.*\\bthe (?:blocks|cubes)\\b[^,:]*) , ({MANY}) of them , (?:all )?({COLOR})(?: ones)?$", "{1} : {2} {3} "
+     "blocks"),
+    ("\\b(ascending|descending|increasing|decreasing|sorted|order)(?: ,)?(?: from)? l (?:to|→|-) r$",
+     "{1} from left to right"),
+    # how they differ in size and color
+    (f"^(.+ {_BLOCKS}\\b[^,:]*?)(?: by (?:size|height))?(?: ,| with)* (?:the )?tallest(?: one)? (?:at|on|to) (?:the )?"
+     "(left|right)(?: ,| and)+ (?:the )?shortest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
+     "{1} by size , largest at the {2} and smallest at the {3}"),
+    (f"^(.+ {_BLOCKS}\\b[^,:]*?)(?: by (?:size|height))?(?: ,| with)* (?:the )?shortest(?: one)? (?:at|on|to) (?:the )?"
+     "(left|right)(?: ,| and)+ (?:the )?tallest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
+     "{1} by size , smallest at the {2} and largest at the {3}"),
+    (f"^((?:put|place|arrange|line up|set|lay)(?: out)? the (?:blocks|cubes)) in (?:the|an?) ({LINE})(?: ,| and|;)+ "
+     f"(?:the|their) colors? (?:{MUST} )?(?:change|changes|changing|alternate|alternates|go|come|follow|are|be)(?: "
+     "like this| as follows| in this order)? : (.+)$", "{1} in a {2} : {3}"),
+    (f"\\b(square) , (?:with )?({LENGTH}) (?:sides?|edges?|a side|on a side|side length|edge length)$",
+     "{1} with a side of {2}"),
+    (f"^(?:make sure |ensure )?(?:that )?there (?:is|are|{MUST} be) at least one (?:block|cube) between {_TWO_ENDS} in "
+     f"(?:the|an?) (row|line) of ({MANY})(?: {_BLOCKS})?$", "a {3} of {4} blocks , the {1} and the {2} one are not "
+      "next to each other"),
+    (f"\\b(?:in|on|at|to) (?:the )?(left|right)(?: side)? from (?=(?:the )?(?:{COLOR}|{LABEL})\\b)", "to the {1} of "),
+    (f"^({_ONE}){_COMES} first{_AND} ({_ONE})(?:{_COMES}|(?: the)?) last{_AND} ({_ONE})(?:{_COMES})?(?: somewhere)?(?: "
+     "in)? between$", "a row from left to right : {1} , {3} , {2}"),
+    (f"^(?:i|we) (?:would|will) be (?:fine|okay|ok|content|satisfied|happy|good) with (?:any |an? )?({LINE}\\b.+)$",
+     "i want a {1}"),
+    (f" (?:as long as|provided(?: that)?|so long as) the (top|bottom)(?: one| block)? is ({COLOR})$", " with a {2} "
+     "block at the {1}"),
+    (f"^nothing (?:else )?(?:but|except(?: for)?|other than) (.+?) ({MUST}) be (?=on|in)", "only {1} {2} be "),
+    (f"^(?:make |build |form )?({MANY}) pairs(?: of (?:blocks|cubes))?(?: ,| :)? each (?:of |being |consisting of |is "
+     f")?(?:a|one) ({COLOR})(?: block| one)? (?:next to|beside|and|with) (?:a|one) ({COLOR})(?: block| one)?$",
+     "put each of the {1} {2} blocks next to a {3} block of its own"),
+    (f"\\bmake two pairs(?: of blocks)?(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ ({COLOR}) "
+     f"(?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
+    (f"\\b(row|line|tower|stack) of ({MANY})(?: {_BLOCKS})? , all different(?= ,|$)", "{1} of {2} blocks , all in "
+     "different colors"),
+    (f"^of (?:the )?({MANY}) (blocks|cubes)(?: ,)? ({_PUT}) (?:exactly )?half (on|in|onto) ", "{3} half of the {1} "
+     "{2} {4} "),
+    (f"^no (?:{LINE}|figure) , (?:please )?(?:just|simply|only) ", ""),
+    (f"^(four (?:{COLOR} )?{_BLOCKS}.*|.* four (?:{COLOR} )?{_BLOCKS}.*) (?:in|into|at) the (?:four )?corners(?: of "
+     "the table)?(?: ,)? one (?:per|in each|for each) corner$", "{1} in the four corners of the table"),
+    ("\\b(?:in )?such (?:a )?way that\\b", "so that"),
+    (f"\\bmine is ({COLOR})(?: ,| and| , and)+ yours (?:is )?({COLOR})\\b", "one {1} and one {2}"),
+    (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about "
+     ")?(?:the width of (?:a|one) block|(?:a|one) block wide|as wide as (?:a|one) block)$",
+     "there must be a gap of one block between {1} and {2}"),
+    (f"\\b(tower|stack|row|line|circle|column) (?:with|of|from|out of) (?:just |exactly )?as many ({COLOR})(?: "
+     f"{_BLOCKS})? as ({COLOR})(?: {_BLOCKS})?(?: ,| :) ({MANY})(?: {_BLOCKS})? (?:in total|in all|altogether|overall)"
+     "$",
+     "{1} of {4} blocks , half of them {2} and half of them {3}"),
+    (f"^(?:pair up|pair) (?:the (?:blocks|cubes)|them)(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ "
+     f"({COLOR}) (?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
+    (f"\\b((?:stack|pile up|line up|put|arrange|place) the (?:blocks|cubes)(?: up)?(?: in an? {LINE})?)(?: ,)? (?:so|"
+     "such)(?: that)? (?:the|their) colors (?:go|run|alternate|read|come|follow|are)(?: ,| :)? ([^;:]+?) (from (?:the "
+     ")?\\w+)(?: up| down)?$", "{1} {3} : {2}"),
+    (f"^(?:the|my) ({COLOR} (?:block|cube|one)) (?:is|stands|lies) (?:now )?in the wrong (?:place|spot|position)$",
+     "there is a {1}"),
+    (f"^([^,]+?\\bnothing\\b[^,]+?|[^,]+?\\bno(?:thing| block)\\b[^,]+?) , (?:but )?((?:the|an?) {COLOR} (?:one|block|"
+     "cube)) is on (?:it|top of it) (?:now|at the moment|right now|at present)$", "{1} . at the start {2} is on it"),
+    (f"^(?:{_PUT} (?:them|(?:the )?(?:{MANY} )?{_BLOCKS}) (?:so|such) that )?{_FAR_AND_NEAR}$",
+     "{1} must be behind {3} and {3} must be behind {2}"),
+    ("^(?:i|we) (?:want|would like) to (?:read|see) (\\d(?: ,? ?(?:and )?\\d)+) (from left to right|from right to "
+     "left)$",
+     "a row {2} : {1}"),
+    (f"^({_PUT}) an? (block|cube) (?:at|on) (each end|both ends) of (?:the|a) (row|line) of ([^,]+?)(?: ,)?(?: both(?: "
+     f"of them)?| each)? ({COLOR})$", "{1} a {6} {2} at {3} of a {4} of {5}"),
+    (f"\\b({MUST}) (?:not|never) , (?:at any (?:time|point|moment)|under any circumstances|at all times) , ",
+     "{1} never "),
+    (f"\\b({MUST}) , (?:at all times|at any time|throughout) , (?!not\\b)", "{1} always "),
+    ("\\bso (?=the (?:sum|equation|calculation|addition) (?:is|comes out|works out) )", "so that "),
+    (f"^(the [^,]+?|\\w+) (?:may|must|can|should|shall) (?:not|never) leave (the (?:table|{_MAT}|\\w+ {_MAT}))"
+     "(?= ,|$)", "{1} must always be on {2}"),
+    (f"\\bfrom (?:any|every|all|each) other (?:blocks?|cubes?|ones?) : ((?:(?:the )?{COLOR}(?: ,| and| , and)* "
+     "?)+)$", "from {1}"),
+    (f"^(.*?)\\bthe (blocks|cubes)\\b([^,:]*) , ({MANY}) of them(?= ,|$)", "{1} {4} {2} {3}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 _LEADING = ("that", "so", "if", "where", "and", "until", "unless", "since", "because", "when", "but", "while", "as",
@@ -126,7 +245,19 @@ EVERYDAY: tuple[Turn, ...] = (
     # without a stop in between
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
+    # what it is about
+    ("^(?:(?:well|so|hm|now|okay|i was thinking|i thought|you know)(?: ,)? )*what about (an? (?:.+ )?(?:tower|stack|"
+     "row|line|circle|pyramid|wall|staircase|square)\\b.*)$", "build {1}"),
+    ("^it (?:would|will) look (?:really |very |so )?(?:lovely|nice|great|pretty|good|beautiful|cool) if (.+)$", "{1}"),
+    (f"^(.+) took turns (in an? {LINE}\\b.*)$", "{1} take turns {2}"),
+    ("^it (?:has to|must|should|shall|needs to) be (made|built|formed|created|laid) (an? .+)$", "make {2}"),
+    (f"\\bthe (block|cube) ({COLOR})\\b(?! (?:block|cube|one|patch|mat)\\b)", "the {2} {1}"),
+    (f"\\bthe (?:blocks|cubes) ({COLOR})\\b(?! (?:block|cube|one|patch|mat|ones|blocks|and|,)\\b)", "the {1} blocks"),
+    ("^(stack|line up|sort|pile up|put) whatever (?:is|lies) (?:there|on the table)(?= :| ,|$)", "{1} the blocks"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("min max tops minimum maximum upwards audience pupils save ground floor",)
+WORDS = (
+    "dead smack bang slap dab plumb lovely look enough sufficient plenty min max tops minimum maximum upwards "
+    "audience pupils save ground floor",
+)
 """Words that these take besides those that are read anyway."""

@@ -52,6 +52,16 @@ _WHICH = (
 )
 
 FIGURES: tuple[Turn, ...] = (
+    # letters by what people call them
+    ("\\b([tl]) (?:junction|bend)(?= (?:of|out|from|made|with|using)\\b)", "{1} shape"),
+    (f"\\b(?:tetris ([tl]) (?:piece|block|shape)|([tl]) tetromino)(?:$| (?:out of|of|from|with|made of|made from) (?:4 "
+     f"|four )?({COLOR} )?{_BLOCKS}$)", "{1} {2} shape of 4 {3} blocks"),
+    ("\\b(?:plus|cross) (?:shaped|like) (?:cross|plus|figure)\\b", "plus"),
+    ("(?: ,)? in plan(?: view)?(?= ,|$)", ""),
+    (f"\\b(checkerboard|chessboard) of ({MANY} {_BLOCKS}) , (?:in )?({COLOR}) and ({COLOR})$", "{1} of {2} in {3} "
+     "and {4}"),
+    (f"\\b(?:as|in|into) an? (?:tray|sheet|board|carpet|panel|slab|array)(?: ,| of)* (?={MANY} rows?\\b|\\d+x\\d+)",
+     "as a grid ,"),
     # rings around something
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged "
      f")?(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),
@@ -89,6 +99,15 @@ FIGURES: tuple[Turn, ...] = (
     (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) (?:whose {MID}(?: {_BLOCK})? (?:carries|bears|holds|supports)|with "
      f"the {MID} (?:one|{_BLOCK}) (?:carrying|bearing|holding)) (?:the|an?) ({COLOR} {_BLOCK})$",
      "{1} with a {2} on its center"),
+    (f"\\b(?:checkerboard|chessboard|checkered) ({COLOR})(?: and|/| ,)? ({COLOR})$", "in a checkerboard pattern of "
+     "{1} and {2}"),
+    ("\\b([tluv]) shaped (?:corner|figure|form|structure|arrangement)\\b", "{1} shape"),
+    (f"^(?:put|place) (?:the )?({COLOR})(?: {_BLOCKS})? (?:on|in|at|to) the corners of an? ({_DIMS} grid) and (?:the "
+     f")?({COLOR})(?: {_BLOCKS})? (?:on|in|to) (?:all )?the (?:other|remaining|rest of the) (?:cells|places|squares|"
+     "fields|positions)$",
+     "a {2} with {1} corners and the other blocks {4}"),
+    (f"^fill the ({_SIDE}) (column|row) of an? ({_DIMS} grid) with ({COLOR})(?: {_BLOCKS})? and the (?:rest|others|"
+     f"other cells) with ({COLOR})(?: {_BLOCKS}| ones)?$", "a {3} with the {1} {2} {5} and the rest {6}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 BOARDS: tuple[Turn, ...] = (
@@ -210,3 +229,5 @@ BOARDS: tuple[Turn, ...] = (
     ("^(?:slip|slide|squeeze|insert|wedge|fit|tuck|push) (.+?) (?:in )?between (?=\\w)", "put {1} between"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+WORDS = ("junction bend tetris tetromino tray sheet carpet panel slab array",)
+"""Words that these take besides those that are read anyway."""

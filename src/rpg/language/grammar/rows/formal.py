@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.across import ACROSS
+from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
@@ -29,11 +30,13 @@ from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import not_at_end
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named
+from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
 from rpg.language.grammar.rows.rainbow_told import announced_rainbow
 from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
+from rpg.language.grammar.rows.result_told import result_told
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
 from rpg.language.grammar.rows.row_places import told_by_places
@@ -44,6 +47,7 @@ from rpg.language.grammar.rows.some_letters import some_of_the_letters
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
+from rpg.language.grammar.rows.swapped_over import swapped_over
 from rpg.language.grammar.rows.times import BEFORE_IT, OFF_FIRST
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
@@ -66,6 +70,7 @@ _OF_ALL = (
     *SUMS_AT_ONCE,
     *TWO_ROWS_AT_ONCE,
     *DISTANCES_AT_ONCE,
+    *AROUND_AT_ONCE,
     *LOTS_AT_ONCE,
     *BUT_ONE_AT_ONCE,
     *BESIDES_AT_ONCE,
@@ -135,9 +140,10 @@ AT_ONCE, UNREAD, OVER_ALL = Turns(_OF_ALL), Turns(_OF_THE_UNREAD), Turns(ACROSS)
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    told = other_end_named(some_of_the_letters(announced_rainbow(turned(tokens, OVER_ALL, all_of_it))))
-    told = _one_of_each(_steps_told(told_by_places(rows_by_number(told))))
-    return turned(of_the_figure(not_at_end(corners_again(told))), AT_ONCE)
+    tokens = turned(tokens, OVER_ALL, all_of_it)
+    for change in _CHANGES:
+        tokens = change(tokens)
+    return turned(tokens, AT_ONCE)
 
 
 def _one_of_each(tokens: list[Token]) -> list[Token]:
@@ -171,6 +177,13 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
         return tokens
     begin, end = text[: told.start()].count(" "), text[: told.end()].count(" ") + 1
     return [*tokens[:begin], *tokens[end + 1 :]] if begin else tokens
+
+
+_CHANGES = (
+    announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, other_end_named,
+    rows_by_number, told_by_places, _steps_told, _one_of_each, corners_again, not_at_end, of_the_figure,
+)  # fmt: skip
+"""What is told otherwise before the rows are looked for, in this order."""
 
 
 def plainly(tokens: list[Token]) -> list[list[Token]]:

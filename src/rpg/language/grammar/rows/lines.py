@@ -56,7 +56,16 @@ _ALL = (
 _IN_THE_MIDDLE = f"({COLOR})(?: one| block| cube)? (?:in|at) the (?:middle|center)$"
 _ITS = "(?:colors|color sequence|sequence of colors|color order|order|order of colors|color pattern|pattern)"
 
+_BLOCK = f"(?:the )?({COLOR}|\\w)(?: block| cube| one)?"
+
 LINED_AT_ONCE: tuple[Turn, ...] = (
+    # so many places away
+    *((f"^(?:(?:in|for) (an? {_ROW_OR_LINE} of .+ and \\w+(?: blocks?| cubes?)?) , )?{_BLOCK} (?:{_BE}|stands|comes) "
+       f"(?:{n}) (?:places|positions|spots) (?:further )?to the (left|right) of {_BLOCK}(?:(?: ,)? in (an? "
+       f"{_ROW_OR_LINE} of .+))?$",
+       f"{{1}} {{5}} with exactly {between} between the {{2}} and the {{4}} block , the {{2}} block is {{3}} of the "
+       f"{{4}} block")
+      for n, between in (("two|2", "one block"), ("three|3", "two blocks"))),
     # what there is, ahead of what is done with it
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)? : ({_DO} {_THEM} .+)$",
      "there are {1} blocks . {2}"),
@@ -139,7 +148,7 @@ MIRRORS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = (
-    "half halves image images mirror mirrors occur palindrome palindromes reflect reflection reflections reflects "
-    "spectrum way",
+    "places positions half halves image images mirror mirrors occur palindrome palindromes reflect reflection "
+    "reflections reflects spectrum way",
 )
 """Words that these take besides those that are read anyway."""

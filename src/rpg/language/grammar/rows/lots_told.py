@@ -85,6 +85,8 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_FOUR}(.*\\bcorners)( of the table)?(?: ,| ;| :)? {_PER_CORNER}$", "{1} of the table"),
     (f"^{_FOUR}(.*?)(?: ,)? a different one (in|into|at|to) (each corner|every corner|each of the (?:four )?corners|"
      "each)( of the table)?$", "{1} , one {2} {3} {4}"),
+    ("^((?:\\w+ )?(?:one|an?) (?:block|cube)(?: each)? (?:in|into|at) (?:each|every|all)(?: of the)?(?: four)? "
+     f"corners?(?: of the table)?)(?: ,| and)+ the ({COLOR}) one (?=in|at|on)", "{1} and the {2} block "),
     # what there is
     (f"^(?:please )?{_HAND} {_WHOM} (?:with )?((?:exactly |just )?{MANY}(?: {_BLOCK})? of each(?: color| kind| one)?)$",
      "there are {1}"),
@@ -93,6 +95,13 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
     # what is sorted
     (f"^sort by color : (.+? into the {COLOR} {_PLACE} .+)$", "put {1}"),
     ("^group by kind : (.+? in one (?:cluster|group|pile) , .+? in another(?: one)?)$", "put {1}"),
+    (f"^(.*\\btwo {_GROUPS}(?: ,| :)) ({_COUNTED}) (?:with|and) ({_COUNTED})(?: ,| and| , and) ({_COUNTED}) (?:with|"
+     f"and) ({_COUNTED})$", "{1} one of {2} and {3} and one of {4} and {5}"),
+    (f"^({MANY} (?:blocks|cubes)) (?:start|begin|lie|are) (in an? (?:heap|pile))(?: ,| and|;|\\.)+ (?:the goal is |"
+     f"then |the (?:player|robot) (?:wins|succeeds) by )?sort(?:ing)? (?:them|it) into an? ({COLOR}) {_GROUP} and an? "
+     f"({COLOR}) {_GROUP} , ({MANY}) (?:of )?each$", "{1} , {5} {3} and {5} {4} , start {2} . sort them by color"),
+    (f"^sort ({MANY} (?:blocks|cubes)) into an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP} , ({MANY}) (?:of )?each$",
+     "there are {1} , {4} {2} and {4} {3} . sort them by color"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 LOTS: tuple[Turn, ...] = (

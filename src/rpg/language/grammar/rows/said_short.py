@@ -8,7 +8,7 @@ from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE, MUST, PATCH, 
 
 BLOCK = "(?:block|cube|letter|digit|number)"
 _NOUN = f"(?:{BLOCK}s?|{PATCH}s?|patches|ones?)"
-_BEHIND = ("and|or|on|onto|in|to|left|right|behind|above|below|next|beside|not|must|should|is|goes|belongs|has|gets|"
+_BEHIND = ("and|or|on|onto|in|at|to|left|right|behind|above|below|next|beside|not|must|should|is|goes|belongs|has|gets|"
            "each|instead|rather")  # fmt: skip
 LABEL = f"(?:[b-z0-9](?= |$)|a(?! \\w)|a(?= (?:{_BEHIND}) ))"
 """Symbols; the article is none."""
@@ -112,6 +112,11 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
        "must be {2} the {3} {5}") for noun in (BLOCK, PATCH)),
     (f"^of {_PAIRS[0][0]} ,? ?(?:exactly )?one (?:{IS} )?({PLACE}) the other(?: one)?$",
      "the {1} one must be {3} the {2} one or the {2} one must be {3} the {1} one"),
+    # "move red first and then green, both onto the mat"
+    *((f"^{first} ({_KNOWN}){behind}(?: ,)?(?: and)? then ({_KNOWN}){both} ((?:{OVER}|into|in|to) (?:{_KNOWN}|the "
+       f"{_HALF} half(?: of the table)?))$", "first {1} {2} {4} , then {1} {3} {4}")
+      for first, behind, both in ((f"(?:first(?: ,)? )?({PUT})", " first", "(?: ,)? both"),
+                                  (f"first(?: ,)? ({PUT})", "", "(?:(?: ,)? both)?"))),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 

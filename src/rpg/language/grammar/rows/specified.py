@@ -4,7 +4,7 @@ test plan, as rows that say it in a plain order."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, LENGTH, LINE, MANY, MUST, WAY
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, LENGTH, LINE, MANY, MUST, TOWER, WAY
 
 _MANY = "(?:\\d+|two|three|four|five|six|seven|eight|nine|ten|twelve)"
 _LINE = "(?:tower|stack|row|line|column|heap|pile|circle|ring|pyramid|grid|wall|staircase)"
@@ -162,6 +162,29 @@ REQUIRED_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:so|such) that the (?:word|number) (\\S+) (?:is|can be|{MUST} be) (?:shown|displayed|seen|formed)\\b",
      "so that they read {1}"),
     ("\\b(?:so|such) that the (?:word|number) (\\S+) (?:appears|results|is obtained)\\b", "so that they read {1}"),
+    # what there is
+    (f"^(?:the )?following ({CUBE}s) (?:are|will be) (?:required|needed|necessary|available|given|provided|present|"
+     "used|there)(?: for this)? : (.+)$", "there are {2}"),
+    (f"\\b(of|all|both|none of|each of) (?:the )?(?:said|aforesaid|aforementioned) ({CUBE}s)\\b", "{1} the {2}"),
+    (f"\\b(no two [^,]+?) (?:are|be|{MUST} be) in contact(?: with each other| with one another)?$", "{1} touch"),
+    ("\\b(?:hereinafter|hereafter|henceforth) (?:named|called|referred to as)\\b", "named"),
+    ("\\b(?:pairwise|mutually) (?:distinct|different)\\b", "different"),
+    # what is left open
+    ("(?: ,)? (?:the )?colors? (?:do not matter|does not matter|(?:is |are |being )?(?:immaterial|irrelevant|"
+     "unimportant|of no (?:importance|matter)))(?: to (?:me|us))?(?: at all)?$", ""),
+    (f"^the order of the (?:{CUBE}s|letters|digits|numbers) ({MUST}) be (.+?)(?: ,)? (?:when|as|if) (?:read |seen |"
+     f"viewed )?({WAY})$", "the blocks {1} be in the order {2} {3}"),
+    (f"^(the [^,]+?) and either (the [^,]+?) or (the [^,]+?)(?: ,)? but not both(?: ,)? ({MUST} be [^,]+)$",
+     "{1} {4} . either {2} or {3} {4} , but not both"),
+    ("^it is (?:needed|necessary|required|important) to (?=\\w+ )", ""),
+    ("^(?:assert|verify|check)(?: that)? (?=.+\\b(?:above|below|on|behind|in|next|left|right|under)\\b)", ""),
+    # how it begins
+    *((f"^(?:randomi[sz]e|shuffle|scramble) (?:the )?(?:start|beginning|starting positions?|initial (?:state|"
+       f"positions?|arrangement|configuration)){end}", said) for end, said in (("$", ""), (" : ", "start :"))),
+    ("^(initially|at the start|at the beginning)(.*?) (?:stands?|lies?|sits?|is|rests?) (?:alone|by itself|on its own) "
+     "(on the table)\\b", "{1} {2} is {3}"),
+    (f"^given (an? [^,]*?{TOWER} (?:with|of) [^,]+) , (?:invert|reverse|flip|turn)(?: over)? it(?: over)? (?:such|so)"
+     " that (.+)$", "there is {1} . at the end {2}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 REQUIRED: tuple[Turn, ...] = (
@@ -213,12 +236,19 @@ REQUIRED: tuple[Turn, ...] = (
     # symbols
     (f"^the {_SYMBOL} (\\w) on (?:the )?top(?: face)? of its {CUBE} (.+)$", "the block {1} {2}"),
     (f"^the {_SYMBOL} on (?:the )?top(?: face)? of the ({CUBE} \\w) (.+)$", "the {1} {2}"),
+    # what is there, and how it begins
+    (f"^spawn ({MANY} [^,]+?) (in an? (?:heap|pile|row|line|tower|stack)|on the [^,]+)(?= ,|$)", "{1} start {2}"),
+    (f"^(.*\\b(?:dismantle|unstack|take apart|disassemble|take down|break up)\\b [^,]+?) , (?:placing|putting|laying|"
+     f"setting) (?:each|all|every one)(?: one| of them| {CUBE}| of its {CUBE}s)? (?:down )?(?:on|onto) the table(?= ,)",
+     "{1}"),
 )  # fmt: skip
 """What is looked for in a sentence that cannot be read, and what is said instead."""
 WORDS = (
-    "arithmetically ascends assumed care centrally comprise comprising considered cuboid decreases deemed "
-    "descends exceed exchanged falls fashion increases located manner marks mathematically obliged occupied "
-    "prescribed presence previously prism regarded requested required settled situated termination whatever "
+    "arithmetically ascends assumed care centrally comprise comprising considered cuboid decreases deemed descends "
+    "exceed exchanged falls fashion increases located manner marks mathematically obliged occupied immaterial "
+    "irrelevant unimportant importance assert verify needed necessary said aforesaid aforementioned hereinafter "
+    "hereafter henceforth pairwise mutually distinct dismantle randomize randomise shuffle scramble spawn invert "
+    "contact prescribed presence previously prism regarded requested required settled situated termination whatever "
     "whereas whereof whichever",
 )
 """Words that these take besides those that are read anyway."""

@@ -166,12 +166,81 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "in {1} {2} of height {3}"),
     (f"^stack {MANY} ({_BLOCKS}) in alternating colors(?: ,| :) ({MANY} {COLOR} and {MANY} {COLOR})\\b",
      "stack {2} {1} in alternating colors"),
+    ("^(.*\\b(?:tower|stack)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the top "
+                                                                                           "nor at the bottom"),
+    ("^(.*\\b(?:row|line)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the left end "
+                                                                                        "nor at the right end"),
+    # one colour each
+    (f"\\b(?:each|every) (?:{TOWER}|row|line|one)(?: is| being)?(?: in| of| has| having)? (?:just |only )?(?:one|a "
+     "single) color(?: ,| and)+ (?:no two(?: of them| towers| stacks| rows)? (?:the same|alike|(?:of|in|having|have) "
+     "the same color)|all (?:three |four |two )?(?:of |in )?different(?: colors)?|(?:in )?different colors|all "
+     "different)$",
+     "each of a different color"),
+    *((f"\\b(alternately|alternating) , (?:the |an? )?({COLOR}|\\w)(?: one| block)? (?:is |being )?(?:the )"
+       f"?(?:{end})(?: one)?$",
+       f"{{1}} , {{2}} {where}")
+      for end, where in (("lowest|bottommost|undermost", "at the bottom"), ("uppermost|topmost|highest", "at the top"),
+                         ("leftmost", "at the left end"), ("rightmost", "at the right end"))),
+    *((f"^(?:{n}) (\\w)(?:s| blocks)? and (?:{n}) (\\w)(?:s| blocks)? (?:{MUST} be )?(?:{put}) (?:alternately|"
+       f"alternating) , (?:the |an? )?\\{first}(?: one| block)? (?:is |being )?at the {end}$",
+       f"a {line} : {' , '.join([f'{{{first}}}', f'{{{3 - first}}}'] * many)}")
+      for many, n in ((2, "2|two"), (3, "3|three"), (4, "4|four")) for first in (1, 2)
+      for put, end, line in (("stacked|piled up", "bottom", "tower from bottom to top"),
+                             ("stacked|piled up", "top", "tower from top to bottom"),
+                             ("in a row|in a line", "left end", "row from left to right"),
+                             ("in a row|in a line", "right end", "row from right to left"))),
+    (f"^stack(?: them| em| everything)?(?: :)? (?:the )?({COLOR}|\\w)(?: block| one)? (?:at |on )?(?:the )"
+     f"?bottom((?: ,(?: and)?(?: then)? (?:the )?(?:{COLOR}|\\w)(?: block| one)?)+) (?:at the top|on top|on the top|"
+     f"top|cap)$",
+     "a tower from bottom to top : {1} {2}"),
+    (f"^every (?:other|second) (?:block|cube|one) (?:in|of) (?:the|a) ({LINE}) of (two|four|six|eight|ten|twelve)(?: "
+     f"{_BLOCKS})? {_IS} ({COLOR})(?: ,| and)+ (?:the )?(?:rest|others|other ones)(?: {_IS})? ({COLOR})$",
+     "a {1} of {2} blocks alternating {3} and {4}"),
+    (f"^(?:knock down|take apart|take down|dismantle|pull down|tear down) the ({TOWER}) of ({MANY}(?: {COLOR})?)(?: "
+     f"{_BLOCKS})? and (?:then )?(?:build|make|form) an? (row|line|circle)(?: (?:of|from|with|out of) (?:it|them|its "
+     "blocks|the blocks))?(?: instead)?$", "at the start there is a {1} of {2} blocks . put them in a {3}"),
+    (f"^(?:build |make )?an? ({TOWER}) of ({COLOR})(?: {_BLOCKS})? ?(?:,|and|, and|, then|then)? ({_SPOT}) (?:it|that)"
+     f"(?: ,)? an? (?:{TOWER}) of ({COLOR})(?: {_BLOCKS})?(?: ,)? (?:both|each)(?: of them)? ({MANY})(?: {_BLOCKS})? "
+     "(?:high|tall)$",
+     "a {1} of {5} {2} blocks and {3} it a {1} of {5} {4} blocks"),
+    (f"^turn the ({TOWER}) (?:upside down|over|on its head)(?: :| ,|;)+ it (?:is|'s) (?:now|currently|at the moment)"
+     f" (.+)$",
+     "at the start {2} . reverse the {1}"),
+    (f"\\b(stack|tower|row)(.*?) , (the )?middle (?:one )?({COLOR})(?: ,| and)+ (?:the )?(?:other|others|rest)(?: "
+     "ones)? (?:whatever|any|anything|any color|of any color|in any color|does not matter|do not matter)(?: you "
+     "like)?$",
+     "{1} {2} , the middle one {4}"),
+    (f"^((?:make |build )?(?:two|2) (?:columns|rows|lines|towers|stacks))(?: ,)?(?: of)? ({MANY})(?: blocks)?(?: each| "
+     f"in each| per \\w+)? , ({COLOR} (?:on the |to the )?(?:left|right)) (?:, |and |, and )({COLOR} (?:on the |to the "
+     ")?(?:left|right))$",
+     "{1} of {2} : {3} , {4}"),
+    ("\\b(tower|stack|row|line)\\b(.*?) with an? (?:stripe|stripes|striped|color) pattern :", "{1} {2} :"),
+    (f"\\b({TOWER}) whose blocks (?:get|become|grow) smaller (?:towards?|to) the top(?: ,)?(?: ({MANY}) blocks)?$",
+     "{1} of {2} blocks by size , biggest at the bottom"),
+    (f"^((?:stack|pile up) [^,]+?)(?: ,)?(?: and)? then on top of (?:these|those|them|it|that) ({MANY} {COLOR} "
+     f"{_BLOCKS})$",
+     "{1} and put {2} on top of them"),
+    (f"^(exchange|swap|replace) the (top|bottom|middle) block of the ({TOWER}) ({COLOR}(?: ,)? {COLOR}(?:(?: ,)?(?: "
+     f"and)? {COLOR})*) (?:with|for|by) (the [^,]+)"
+     "$", "at the start there is a {3} from bottom to top : {4} . {1} the {2} block with "
+                                     "{5}"),
+    (f"\\bone ({LINE}) only\\b", "one {1}"),
+    ("(?: ,)? (?:with )?no (?:repeated|repeating|duplicate) colors?$", " , all in different colors"),
+    ("^(arrange|put|place|lay) the (blocks|cubes) (?:alternately|alternating) : ", "{1} the {2} in a row : "),
+    (f"^(?:take care |make sure |see to it |ensure )?(?:that )?the ({LINE}) of ({MANY})(?: {_BLOCKS})? (?:has|have|"
+     f"shows) alternating(?: colors)?(?: ,| :)? ({COLOR}) and ({COLOR})$", "a {1} of {2} blocks with alternating "
+      "colors {3} and {4}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 TOWERS: tuple[Turn, ...] = (
     ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
     ("(?: ,)? so that no two touch$", ". no two of them touch"),
+    (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:down|below)(?= ,| and|$)", "{1} is at the bottom"),
+    (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:middle|between)(?= ,| and|$)", "{1} is in the middle"),
+    (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:up|above)(?= ,| and|$)", "{1} is on top"),
+    (f"^(?:swap|exchange|switch) them(?: ,)? so(?: that)? (?:the )?({COLOR})(?: one| block)? (?:ends up|is|comes|goes|"
+     "will be|lands) on top of (?:the )?(\\w+)$", "{1} must be on {2}"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
-WORDS = ("equal height",)
+WORDS = ("equal height cap",)
 """Words that these take besides those that are read anyway."""

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import permutations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MANY, MUST
 from rpg.language.tokens import Token
 
 _WORD = f"((?!(?:the|an?|them|it|{FEW})\\b)[a-z]{{2,}})"
@@ -30,6 +31,12 @@ _LISTED = "((?:\\S+ , )+(?:and )?\\S+|(?:\\S+ , )*\\S+ and \\S+)"
 _AT = "(?:back|far|rear|front|near)"
 _BARE = ("^(?!.*\\b(?:grid|square|rectangle|pyramid|wall|checkerboard|\\d+x\\d+|column|columns|rows|lines|words?|"
              "spell|write|read|reads)\\b)")  # fmt: skip
+_SYMBOLS = "((?:\\w(?: ,)?(?: and)? ?\\b)+)"
+_KINDS = (("odd(?: ones| numbers| digits| blocks)?", "odd numbers"),
+          ("even(?: ones| numbers| digits| blocks)?", "even numbers"),
+          ("vowels", "vowels"), ("consonants", "consonants"))  # fmt: skip
+_ENDS = (("(?:back|rear|far)", "(?:front|near)", "in front of"), ("(?:front|near)", "(?:back|rear|far)", "behind"))
+_IT = "(?:it|them|these|those)"
 _DONE = "(?:(?:put|place|set|arrange|lay|make|build|form|line up) )?"
 _ALSO = "(?: ,| and| , and)?"
 _HAS = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUST} (?:be|have|contain|consist of))"
@@ -68,8 +75,32 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     (f"^two rows of ({FEW})(?: blocks)? ,(?: the)? first row ({COLOR}){_AND}(?:the )?second row ({COLOR}) ,? ?the "
      "first (?:one |row )?(?:being|is) the (?:far|back) (?:one|row)$",
      "{1} {2} blocks in the far row and {1} {3} blocks in the near row"),
+    # rows that are told by where the other one is
+    (f"^(.*\\b(?:two|2) rows\\b.*? (?:in|at) the (?:back|rear))(?: row)?{_ALSO} (.+?) (?:in front(?: of)?|before)"
+     f"(?: {_IT})?$",
+     "{1} and {2} in front"),
+    (f"^(.*\\b(?:two|2) rows\\b.*? in)(?: the)? front(?: row)?{_ALSO} (.+?) behind(?: {_IT})?$", "{1} front and {2} "
+     "in the back"),
+    (f"\\b({MANY}) ranks?\\b", "{1} rows"),
+    (f"\\b({_AT}) rank\\b", "{1} row"),
+    ("\\b(\\w) thru (\\w)\\b", "{1} to {2}"),
+    *(("^(?:put |arrange )?(?:the )?(?:blocks|digits|numbers|cubes|letters) (\\w) to (\\w)(?: ,)?(?: in)? (?:two|2) "
+       f"rows(?: :| ,)+ (?:the )?{one}(?: in| at)? (?:the )?{end}(?: row| one)?{_ALSO} (?:the )?{other}(?: in| at)? "
+       f"(?:the )?{far}(?: row| one)?$",
+       f"there are the blocks {{1}} to {{2}} . the {said} must be in a row . the {rest} must be in a row {where} them")
+      for (one, said), (other, rest) in permutations(_KINDS, 2) for end, far, where in _ENDS),
+    ("\\b(?:the )?(?:digits|letters|numbers|blocks|cubes) (?:from )?(\\w) to (\\w) in (?:two|2) rows(?: ,| :) "
+     f"{_SYMBOLS} (behind|in front of) {_SYMBOLS}$", "there are the blocks {1} to {2} . two rows : {3} {4} {5}"),
+    *((f"^(.*\\b(?:two|2) rows(?: ,| :)) {_SYMBOLS} {word} {_SYMBOLS}$", f"{{1}} {{{back}}} in the back and "
+     f"{{{front}}} in front")
+      for word, back, front in (("behind", 2, 3), ("in front of", 3, 2))),
+    (f"^the ({MANY}) (?:blocks|cubes|ones) in the ({_AT}) row (?:{MUST} be|are) ({COLOR})(?: ,| and|;)+ the ({MANY}) "
+     f"(?:(?:blocks|cubes|ones) )?in the ({_AT}) row (?:(?:{MUST} be|are) )?({COLOR})$",
+     "{1} {3} blocks in the {2} row and {4} {6} blocks in the {5} row"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+WORDS = ("rank ranks thru",)
+"""Words that these take besides those that are read anyway."""
 ROWS_PLACED: tuple[Turn, ...] = (
     (f"{_BARE}{_DONE}(?!.* row .* row .* row)(?!all )(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_AT}) row{_ALSO} "
      f"(?:{MUST} )?(\\S+ .+?) (?:in|as|into|on) (?:the|a) ({_AT}) row$", "{2} row : {1} . {4} row : {3}"),

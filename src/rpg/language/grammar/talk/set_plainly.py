@@ -34,8 +34,11 @@ def given_when_then(tokens: list[Token], words: list[str]) -> list[Token] | None
 
 
 def number_in_brackets(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "The tall tower (four blocks)": of four blocks."""
+    """ "The tall tower (four blocks)": of four blocks; "two (2) red blocks": two."""
     for at in range(1, len(words) - 2):
+        if words[at] == "(" and words[at + 2] == ")" and 0 < tokens[at - 1].many == tokens[at + 1].many:
+            rest = [*tokens[:at], *tokens[at + 3 :]]
+            return number_in_brackets(rest, [token.word for token in rest]) or rest
         end = next((n for n in range(at, min(at + 5, len(words))) if words[n] == ")"), 0)
         inside = tokens[at + 1 : end]
         named = words[at - 1] in lexicon.STRUCTURE or words[at - 1] == "one"

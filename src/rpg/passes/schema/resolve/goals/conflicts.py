@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -74,8 +75,7 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
         case (r.Moved(), r.Stayed()):
             return a.a == b.a
         case (r.InRegion(), r.InRegion()):
-            same = bool({*members(a.a)} & {*members(b.a)})
-            return same and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})
+            return bool({*members(a.a)} & {*members(b.a)}) and _apart(a.region.split("_"), b.region.split("_"))
     if isinstance(a, r.Stayed | r.Shifted) and isinstance(b, r.Stayed | r.Shifted):
         return _other_way(a, b) and bool({*members(a.a)} & {*members(b.a)})
     if isinstance(a, r.Approached | r.Receded) and isinstance(b, r.Approached | r.Receded) and a.kind != b.kind:
@@ -91,6 +91,12 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     if _flat_and_upright(a, b) or _flat_and_upright(b, a) or _of_other_shape(a, b) or _of_other_shape(b, a):
         return True
     return _opposite(a, b) if isinstance(a, r.Directional) and isinstance(b, r.Directional) else False
+
+
+def _apart(one: list[str], other: list[str]) -> bool:
+    """Whether no block is in both of two parts of the table."""
+    opposite = any({*pair} in ({"left", "right"}, {"near", "far"}) for pair in product(one, other))
+    return opposite or ("middle" in (*one, *other) and not {"corner", "edge"}.isdisjoint((*one, *other)))
 
 
 def _other_way(a: r.Stayed | r.Shifted, b: r.Stayed | r.Shifted) -> bool:

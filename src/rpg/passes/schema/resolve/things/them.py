@@ -40,7 +40,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=patches, patch=True, plural=True)
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     earlier = any(m.clause < scene.clause and m.ref.names for m in scene.mentions)
-    for mention in reversed(scene.mentions):
+    for mention in _latest_first(scene):
         if mention in own and (before or (earlier and _put_there(mention, word, own))):
             continue
         if _left_behind(mention, scene) or (scope.role == "theme" and _beside_blocks(word, mention, scene)):
@@ -54,6 +54,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             if ref.quant is not None and ref.quant.strict and 0 < ref.quant.low < len(ref.names):
                 raise refuse("ambiguous", f"{word.word!r} could be all of these blocks, or just so many of them",
                              word.span, "name the blocks that you mean")  # fmt: skip
+            _not_denied(word, mention, scene)
             if word.word == "all of them" and (every := _all_of_them(word, mention, own, scene)) is not None:
                 return every
             _no_rivals(word, mention, own, scene)
@@ -80,6 +81,19 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
+
+
+def _latest_first(scene: Scene) -> list[Mention]:
+    """What was spoken of, as the text tells it: what there is is read first, and may be told last."""
+    return sorted(scene.mentions, key=lambda m: m.sentence if m.sentence <= scene.sentence else -1)[::-1]
+
+
+def _not_denied(word: Pronoun, last: Mention, scene: Scene) -> None:
+    """Refuse "they" behind "there are two red and two green blocks. No red block ...": these, or all there are?"""
+    none = last.ref.quant is not None and last.ref.quant.strict and last.ref.quant.high == 0
+    if none and any(m.role == "given" and {*m.ref.names} > {*last.ref.names} for m in scene.mentions):
+        raise refuse("ambiguous", f"{word.word!r} could be these blocks, or all there are", word.span,
+                     "name the blocks that you mean")  # fmt: skip
 
 
 def _put_there(mention: Mention, word: Pronoun, own: list[Mention]) -> bool:

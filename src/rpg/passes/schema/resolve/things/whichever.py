@@ -29,7 +29,7 @@ def _told(clause: Clause, text: str) -> Clause:
     if many.startswith("any number of") and any(isinstance(a, Loc | In) for a in clause.adjuncts):
         raise refuse("ambiguous", "any number may be none, or all", clause.theme.span if clause.theme else clause.span,
                      "say how many, such as 'at least one of ...'")  # fmt: skip
-    if clause.verb != "be" or clause.mode != "goal" or clause.negated or len(clause.adjuncts) != 1:
+    if clause.verb not in ("be", "place") or clause.mode != "goal" or clause.negated or len(clause.adjuncts) != 1:
         return clause
     place = clause.adjuncts[0]
     if isinstance(place, Loc) and getattr(place.landmark, "word", "") == "each other":

@@ -1,0 +1,85 @@
+"""How people speak who think of no program: "starting from the table", "an odd-one-out", "take it down again", "first
+red goes on the mat, after that blue", as rows that say it as others do."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import PLACE, PUT, THING
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST, TOWER
+
+_BLOCKS = f"(?:{CUBE}s|bricks|ones|toys|pieces)"
+_ALL = f"((?:all )?(?:the |these |those |my |our )?(?:{COLOR} )?{_BLOCKS}|them|these|everything)"
+_AND = "(?: ,| and| , and)"
+_OR = "(?: ,)? or"
+_NEXT = f"(?:{_AND} )?(?:then|next|after that|after this|afterwards|after it|secondly|second|thereafter)(?: ,)?"
+_LAST = f"(?:{_AND} )?(?:lastly|last|finally|last of all|at last|thirdly|third|at the end|then|after that)(?: ,)?"
+_GO = f"(?:goes|comes|is put|is placed|gets put|{MUST} be put|{MUST} go|{MUST} be placed)"
+_ALSO = "[^,]* and (?:put|place|set|then|move|stack|build|lay|make|also)\\b"
+_BOTH = "(?:towers|stacks|rows|columns|piles)"
+_LINE = "(?:row|line|column|tower|stack)"
+_ONE = "(?: one| tower| stack| row| column| pile)?"
+_LEFT = "(?:stands? |is |being |goes )?(?:on|at|to) the (left|right)(?: side)?"
+_TWO = "(?:two|any two|2) (?:blocks|cubes|ones)"
+_DOWN = "(?:down|apart|to pieces|back down)"
+_WITHOUT = "without (?:moving|shifting|disturbing|displacing)"
+_AROUND = "(?:surround|encircle|enclose|flank)"
+
+PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
+    # from which end
+    (f"^(.*\\b(?:stack|pile|stacked|piled|tower)\\b.*?)(?: ,)? (?:starting|beginning|begin|start|begun) (?:from|on|at) "
+     "(?:the )?(?:table|ground|floor)(?: (?:up|upwards?|and going up))?$", "{1} , from bottom to top"),
+    ("^(?:starting|beginning) (?:from|at|on) the (?:table|ground|floor)(?: up)? , (.*\\b(?:stack|pile|tower)\\b.*)$",
+     "{1} , from bottom to top"),
+    ("\\bfrom down (?:to up|up|upwards)\\b", "from bottom to top"),
+    (f"\\b(all (?:the |of the )?(?:blocks|cubes) are )(?:in )?(?:one|a|a single) ({TOWER}) \\( (.+?)(?: ,)? (from \\w+ to "
+     "\\w+) \\)", "{1} in one {2} : {3} {4}"),
+    # each for itself
+    (f"\\b((?:each|every|all)(?: of)?(?: the)?(?: single)? (?:{_BLOCKS}|{CUBE}|one)(?: of (?:them|these))? (?:is|are|stands?|"
+     f"lies?|{MUST} be|{MUST} stand|{MUST} lie)) (?:alone|on its own|on their own) (on the table)(?: again)?$",
+     "{1} {2} by itself"),
+    # nothing more
+    ("(\\d\\S* .*?)(?: ,|;)? (?:and |with )?nothing else (?:is |lies |stands )?(?:on the (?:table|desk)|in the scene|there|"
+     "around)(?: please)?$", "{1} and nothing else"),
+    ("\\b(?:the )?sequence (?=(?:does not matter|is (?:free|irrelevant|unimportant|up to you|open)))", "the order "),
+    (f"\\b({COLOR}) (?:odd one out|odd one|stranger|outlier|intruder)\\b", "{1} block"),
+    # one of two figures
+    (f"^(?:(?:we|i) (?:need|want|would like)|build|make|put up|there {MUST} be)? ?(?:me |us )?either (an? [^,]*?{_LINE}"
+     f"[^,]*?)(?<= )({COLOR})\\b([^,]*?){_OR} (an? (?!{_ALSO}|[^,]*\\b\\2\\b)[^,]*?{_LINE}[^,]*? {COLOR}\\b[^,]*?)$",
+     "either build {1} {2} {3} or build {4}"),
+    # figures beside each other
+    (f"^(two {_BOTH} of [^,:]+?)(?: ,| :| with)+ (?:the|an?|one) ({COLOR}){_ONE} {_LEFT}{_AND} (?:the|an?|one) "
+     f"({COLOR}){_ONE} {_LEFT}(?=$| ,| with)", "{1} , the {3} one {2} , the {5} one {4}"),
+    # what is undone
+    (f"\\b(?:take|pull|tear|bring) (it|them|the (?:{TOWER}|wall)) {_DOWN}(?: again)?$", "unstack {1}"),
+    # which board
+    ("^(?:this is |make |build |lay )?(?:the |a )?(?:corner|piece|part|bit|section) of a (chess board|chessboard|"
+     "checkerboard|board of checkers) :", "a checkerboard :"),
+    (f" with an? ({COLOR}) main diagonal\\b", " , the diagonal from the far left to the near right is {1}"),
+    ("\\b(?:the|a|its) main diagonal\\b", "the diagonal from the far left to the near right"),
+    # never beside its like
+    (f"^({_TWO} of (?:the )?same color (?:can|may|must|should|are|will) (?:never|not)(?: be| stand| lie)? (?:neighbors|"
+     "next to each other|adjacent|side by side|direct neighbors)) (in the (?:row|line|tower|stack))$", "{2} , {1}"),
+    # what stays where it is
+    (f"^{_WITHOUT} ({THING})(?: ,)? ({_AROUND}) (?:it|this|that)(?: one)? ((?:with|by) .+)$",
+     "{2} {1} {3} . {1} must not be moved"),
+    (f"^({_AROUND}) ({THING}) ((?:with|by) .+?)(?: ,)? {_WITHOUT} (?:it|this|that)(?: one)?$",
+     "{1} {2} {3} . {2} must not be moved"),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+PLAIN_TALK: tuple[Turn, ...] = (
+    # one after the other
+    (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} )?({THING})"
+     f"(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING}){_LAST} ({THING})(?: goes there| there)?$",
+     "first put {1} {2} . then put {3} {2} . finally put {4} {2}"),
+    (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} )?({THING})"
+     f"(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING})(?: goes there| there)?$", "first put {1} {2} . then put {3} {2}"),
+    # by colour
+    (f"^(?:please )?(?:tidy|clear|clean|put|pack|sort|straighten)(?: up| away| out)? {_ALL}(?: up| away| out)? by "
+     "(color|colors|letter|number|kind)", "sort {1} by color"),
+    # the row behind
+    (f"^(.+? in the) (front|near) row((?: from \\w+ to \\w+)?)(?: ,)? and (.+?) in the row behind(?: it| that)?((?: ,)?"
+     "(?: from \\w+ to \\w+)?)$", "two rows : {1} front row {3} , and {4} in the back row {5}"),
+)  # fmt: skip
+"""What makes no sense as it stands."""
+WORDS = ("odd outlier intruder sequence tear pieces chess straighten",)
+"""Words that these take besides those that are read anyway."""

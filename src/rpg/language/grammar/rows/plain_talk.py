@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST, TOWER
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST, TOWER
 
 _BLOCKS = f"(?:{CUBE}s|bricks|ones|toys|pieces)"
 _ALL = f"((?:all )?(?:the |these |those |my |our )?(?:{COLOR} )?{_BLOCKS}|them|these|everything)"
@@ -14,6 +14,12 @@ _OR = "(?: ,)? or"
 _NEXT = f"(?:{_AND} )?(?:then|next|after that|after this|afterwards|after it|secondly|second|thereafter)(?: ,)?"
 _LAST = f"(?:{_AND} )?(?:lastly|last|finally|last of all|at last|thirdly|third|at the end|then|after that)(?: ,)?"
 _GO = f"(?:goes|comes|is put|is placed|gets put|{MUST} be put|{MUST} go|{MUST} be placed)"
+_ERRAND = "(?:scene|setup|scenario|task|test|challenge|benchmark|goal|example|problem|layout)"
+_KIND = "(?:grasp|grasping|motion|pick|picking|place|placing|stacking|path|task|new|robot|arm|manipulation|language)"
+_AGENT = "(?:agent|robot|arm|gripper|policy|model|controller|demo|experiment|video|paper|lab|class|lesson|camera|parser)"
+_LOT = f"((?:{MANY}) {COLOR})s?(?: {_BLOCKS})?"
+_SORTED = "(?:make |build |sort (?:the |these )?(?:blocks|cubes) into |put (?:them|the blocks) in(?:to)? )?"
+_NOW = "(?:at the (?:start|beginning|moment)|now|right now|currently|at present|initially)"
 _ALSO = "[^,]* and (?:put|place|set|then|move|stack|build|lay|make|also)\\b"
 _BOTH = "(?:towers|stacks|rows|columns|piles)"
 _LINE = "(?:row|line|column|tower|stack)"
@@ -51,6 +57,29 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
      f"({COLOR}){_ONE} {_LEFT}(?=$| ,| with)", "{1} , the {3} one {2} , the {5} one {4}"),
     # what is undone
     (f"\\b(?:take|pull|tear|bring) (it|them|the (?:{TOWER}|wall)) {_DOWN}(?: again)?$", "unstack {1}"),
+    ("\\b(?:nicely|neatly|regularly|equally) spaced(?: out| apart)?\\b", "evenly spaced"),
+    # of which looks
+    (f"\\bsomething ({COLOR})(?! (?:blocks?|cubes?|ones?|and|or)\\b)", "a {1} block"),
+    *((f"^{_SORTED}{many} {line}s (?:sorted )?by color(?: :| ,) {lots}$",
+       f"a {line} of {{1}} blocks , a {line} of {{2}} blocks{more.format(line)}")
+      for line in ("row", "column", "tower", "stack")
+      for many, lots, more in (("two", f"{_LOT}{_AND} {_LOT}", ""),
+                               ("three", f"{_LOT}{_AND} {_LOT}{_AND} {_LOT}", " , a {} of {{3}} blocks"))),
+    (f"^((?:one|a) {_LINE} (?:with|of|from|for) all (?:the )?[^,:]+? and (?:one|a|another) {_LINE} (?:with|of|from|for) "
+     "all (?:the )?[^,:]+?) : ((?:\\S(?: ,| and)? )+\\S)$", "{2} : {1}"),
+    # what lies on it now
+    (f"^(?:{_NOW}(?: ,)? )there (?:is|are) ([^,]+?) (on (?:top of )?(?:it|them))$", "at the start {1} are {2}"),
+    (f"^there (?:is|are) ([^,]+?) (on (?:top of )?(?:it|them)) {_NOW}$", "at the start {1} are {2}"),
+    # one on each
+    ("^(\\w+ (?:mats|patches|zones|areas|targets))(?: ,|:)+ on (?:each|every)(?: one)?(?: of (?:them|these))? (an? [^,]+)$",
+     "{1} , {2} on each"),
+    # in other words for a line
+    (f"^(?:please )?(?:{PUT}|line up|arrange|line) ([^,]+?) (?:one )?behind (?:each other|one another|the (?:other|next))"
+     "((?: ,)? with .+)$", "put {1} in a column {2}"),
+    ("^(?:please )?(?:stack|pile)(?: them| it| the blocks| the cubes| up)? (?:as follows|like this|like that|this way|in "
+     "this way|the following way) [:,]", "a stack :"),
+    # who reads it
+    ("\\bso (?:that )?(?:he|she) (?=can read (?:it|them)$)", "so that everyone "),
     # which board
     ("^(?:this is |make |build |lay )?(?:the |a )?(?:corner|piece|part|bit|section) of a (chess board|chessboard|"
      "checkerboard|board of checkers) :", "a checkerboard :"),
@@ -67,6 +96,9 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 PLAIN_TALK: tuple[Turn, ...] = (
+    # what it is for
+    (f"^(?:(?:i|we) (?:need|want|have|would like) )?(?:something |an? {_ERRAND} )?(?:for|to (?:test|train|try|check)) "
+     f"(?:my|our|the|this) (?:{_KIND} ){{0,2}}{_AGENT}(?: please)? :", ""),
     # one after the other
     (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} )?({THING})"
      f"(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING}){_LAST} ({THING})(?: goes there| there)?$",
@@ -74,6 +106,9 @@ PLAIN_TALK: tuple[Turn, ...] = (
     (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} )?({THING})"
      f"(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING})(?: goes there| there)?$", "first put {1} {2} . then put {3} {2}"),
     # by colour
+    ("^(?!.*\\b(?:letters?|digits?|numbers?|big|small|large|sizes?|patch|mat)\\b)"
+     f"(?!.*\\b{COLOR}\\b)(.*\\b{MANY} {_BLOCKS}\\b.*?)(?: ,)? no two(?: of them)? (?:the same|alike|identical)$",
+     "{1} , all of different colors"),
     (f"^(?:please )?(?:tidy|clear|clean|put|pack|sort|straighten)(?: up| away| out)? {_ALL}(?: up| away| out)? by "
      "(color|colors|letter|number|kind)", "sort {1} by color"),
     # the row behind
@@ -81,5 +116,5 @@ PLAIN_TALK: tuple[Turn, ...] = (
      "(?: from \\w+ to \\w+)?)$", "two rows : {1} front row {3} , and {4} in the back row {5}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("odd outlier intruder sequence tear pieces chess straighten",)
+WORDS = ("policy model controller parser motion path odd outlier intruder sequence tear pieces chess straighten",)
 """Words that these take besides those that are read anyway."""

@@ -18,6 +18,10 @@ _ERRAND = "(?:scene|setup|scenario|task|test|challenge|benchmark|goal|example|pr
 _KIND = "(?:grasp|grasping|motion|pick|picking|place|placing|stacking|path|task|new|robot|arm|manipulation|language)"
 _AGENT = "(?:agent|robot|arm|gripper|policy|model|controller|demo|experiment|video|paper|lab|class|lesson|camera|parser)"
 _LOT = f"((?:{MANY}) {COLOR})s?(?: {_BLOCKS})?"
+_ONLY = "(?:block|cube|one)"
+_FOOT = "(?:at the bottom|lowest|at the base|on the table|below|first)"
+_HEAD = "on top|at the top|on top of (?:it|that|them|this)|uppermost|last|topmost"
+_ROW = "(row|line|column|tower|stack)"
 _SORTED = "(?:make |build |sort (?:the |these )?(?:blocks|cubes) into |put (?:them|the blocks) in(?:to)? )?"
 _NOW = "(?:at the (?:start|beginning|moment)|now|right now|currently|at present|initially)"
 _ALSO = "[^,]* and (?:put|place|set|then|move|stack|build|lay|make|also)\\b"
@@ -67,6 +71,29 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
                                ("three", f"{_LOT}{_AND} {_LOT}{_AND} {_LOT}", " , a {} of {{3}} blocks"))),
     (f"^((?:one|a) {_LINE} (?:with|of|from|for) all (?:the )?[^,:]+? and (?:one|a|another) {_LINE} (?:with|of|from|for) "
      "all (?:the )?[^,:]+?) : ((?:\\S(?: ,| and)? )+\\S)$", "{2} : {1}"),
+    (f"^(?:put |place )?the (?:biggest|largest)(?: {_ONLY})? {_FOOT}(?:{_AND} )(?:then )?the (?:middle|medium|middle sized|"
+     f"medium sized|second largest|second biggest)(?: {_ONLY})?(?: on (?:it|that|top of (?:it|that))| in the middle)?(?:{_AND} "
+     f")(?:then )?the smallest(?: {_ONLY})? (?:{_HEAD})$", "a tower of three blocks by size , the largest at the bottom"),
+    # beside each other, and where
+    (f"^(.*?\\b({THING}) and ({THING}) (?:next to|beside) each other)(?: ,| :| with)+ (\\2|\\3) (?:is |being )?(?:on the "
+     ")?(left|right)(?: side)?$", "{1} , {4} on the {5}"),
+    ("\\b(?:clear|visible|free|empty) gap of\\b", "gap of"),
+    (f"^(every (?:second|third|other) (?:block|cube|one)) (?:of|in) (?:the|a) {_ROW} (?:is|{MUST} be) ({COLOR})(?: ,|"
+     f"{_AND})? (?:and )?((?:all )?the (?:others|rest)) ({COLOR})(?: ,| :)+ ({MANY}) (?:blocks|cubes)(?: in total| in all)?$",
+     "a {2} of {6} blocks , {1} {3} , {4} {5}"),
+    (f"^(?:i |we )?(?:only |just )?want (?:only |just )?one (?:block|cube) (on [^,]+?) ,(?: namely)? ({THING})$",
+     "only {2} must be {1}"),
+    (f"^keep everything off ([^,]+?)(?: ,)? (?:but|except|except for|apart from) ({THING})$",
+     "keep everything but {2} off {1}"),
+    (f"^(?:unload|clear|empty) (the [^,:]+?) (?::|,) (?:move|bring|take|put) its ([^,]+?) (to|onto|on) (the [^,]+)$",
+     "move the {2} from {1} {3} {4}"),
+    ("^left , (?:middle|center) , right : (\\S+) , (\\S+) , (\\S+)$", "a row from left to right : {1} , {2} , {3}"),
+    ("^(?:\\( )?(\\S+) , (\\S+) , (\\S+)(?: \\))? : left , (?:middle|center) , right$", "a row from left to right : {1} , {2} , {3}"),
+    ("\\b(nearest|closest|nearer|closer) (?=the (?:robot|viewer|camera)\\b)", "{1} to "),
+    (f"^(?:(?:{PUT}|position|add|have) )?(?:an?|one) (block|cube) at (each|either) end of the (row|line|column|tower|stack) of ([^,]+?) , both ({COLOR})$",
+     "a {5} {1} at {2} end of a {3} of {4}"),
+    (f"\\b(start|goal) : all(?: (?:blocks|cubes|of them))?(?: are)? on the (left|right)(?: side)?(?: of the table)?$",
+     "{1} : all blocks in the {2} half of the table"),
     # what lies on it now
     (f"^(?:{_NOW}(?: ,)? )there (?:is|are) ([^,]+?) (on (?:top of )?(?:it|them))$", "at the start {1} are {2}"),
     (f"^there (?:is|are) ([^,]+?) (on (?:top of )?(?:it|them)) {_NOW}$", "at the start {1} are {2}"),
@@ -105,9 +132,12 @@ PLAIN_TALK: tuple[Turn, ...] = (
      "first put {1} {2} . then put {3} {2} . finally put {4} {2}"),
     (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} )?({THING})"
      f"(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING})(?: goes there| there)?$", "first put {1} {2} . then put {3} {2}"),
+    # at both ends
+    (f"^(?:{PUT}|position|add|have) ((?:an?|one) {COLOR} (?:block|cube)) at (each|either) end of (?:the|a) {_ROW} of "
+     f"([^,]+)$", "{1} at {2} end of a {3} of {4}"),
     # by colour
     ("^(?!.*\\b(?:letters?|digits?|numbers?|big|small|large|sizes?|patch|mat)\\b)"
-     f"(?!.*\\b{COLOR}\\b)(.*\\b{MANY} {_BLOCKS}\\b.*?)(?: ,)? no two(?: of them)? (?:the same|alike|identical)$",
+     f"(?!.*\\b{COLOR}\\b)(.*\\b{MANY} {_BLOCKS}\\b.*?)(?: ,)?(?: any colors?)?(?: ,)?(?: but)? no two(?: of them)? (?:the same|alike|identical)$",
      "{1} , all of different colors"),
     (f"^(?:please )?(?:tidy|clear|clean|put|pack|sort|straighten)(?: up| away| out)? {_ALL}(?: up| away| out)? by "
      "(color|colors|letter|number|kind)", "sort {1} by color"),

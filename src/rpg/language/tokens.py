@@ -184,11 +184,13 @@ _STEP = re.compile(r"(?<![\w.,])(\d{1,2})[.:](?=\s)")
 
 
 def _stepped(text: str) -> tuple[str, dict[int, str]]:
-    """ "1. red on blue 2. green on red": each begins a sentence where the text begins with the first; and the numbers
-    of the later ones by where they stand."""
+    """ "1. red on blue 2. green on red": each begins a sentence where the text, or what stands behind a colon, begins
+    with the first; and the numbers of the later ones by where they stand."""
     marks: list[re.Match[str]] = []
     for mark in _STEP.finditer(text):
-        if int(mark.group(1)) == len(marks) + 1 and (marks or not text[: mark.start()].strip()):
+        ahead, behind = text[: mark.start()].rstrip(), text[mark.end() :].lstrip()
+        begins = not ahead or (ahead[-1] == ":" and behind[:1].isalpha())
+        if int(mark.group(1)) == len(marks) + 1 and (marks or begins):
             marks.append(mark)
     for number, mark in enumerate(marks if len(marks) > 1 else ()):
         begin, end = mark.span()
@@ -205,8 +207,10 @@ def _unnumbered(text: str) -> str:
     marks = list(_MARK.finditer(text))
     told = [mark.group(1) for mark in marks]
     ordered = any(told == counted.split()[: len(told)] for counted in _COUNTS)
-    if len(told) < 2 or not ordered or (told[0] == "1" and "(" not in marks[0].group()):  # "1) ..." are bullets
+    if len(told) < 2 or not ordered:
         return text
+    if told[0] == "1" and "(" not in marks[0].group() and not text[: marks[0].start()].rstrip().endswith(":"):
+        return text  # "1) ..." are bullets
     for number, mark in enumerate(marks):
         begin, end = mark.span() if number else (mark.start(1) - (text[mark.start(1) - 1] == "("), mark.end())
         text = text[:begin] + (";" if number else " ").ljust(end - begin) + text[end:]

@@ -22,6 +22,10 @@ _ONLY = "(?:block|cube|one)"
 _FOOT = "(?:at the bottom|lowest|at the base|on the table|below|first)"
 _HEAD = "on top|at the top|on top of (?:it|that|them|this)|uppermost|last|topmost"
 _ROW = "(row|line|column|tower|stack)"
+_THOSE = "(?:all )?(?:the |those )?(?:blocks|cubes|ones)"
+_WAYS = ("ab", "aab", "abb", "aba", "aabb", "abab", "abba", "aabbaabb", "abababab")
+_FOR_LETTERS = f"({COLOR}) (?:for|as|is|equals|=) (?:the )?a(?: ,| and)+ ({COLOR}) (?:for|as|is|equals|=) (?:the )?b"
+_LETTERS_ARE = f"a (?:is|being|for|=|:|stands for) ({COLOR})(?: ,| and)+ b (?:is|being|for|=|:|stands for) ({COLOR})"
 _SORTED = "(?:make |build |sort (?:the |these )?(?:blocks|cubes) into |put (?:them|the blocks) in(?:to)? )?"
 _NOW = "(?:at the (?:start|beginning|moment)|now|right now|currently|at present|initially)"
 _ALSO = "[^,]* and (?:put|place|set|then|move|stack|build|lay|make|also)\\b"
@@ -35,6 +39,10 @@ _WITHOUT = "without (?:moving|shifting|disturbing|displacing)"
 _AROUND = "(?:surround|encircle|enclose|flank)"
 
 PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
+    # how the text is made up
+    (f"^(?:the |my |our |this )?(?:goal|task|job|exercise|request|instruction)s? (?:has|have|consists? of|comprises?|is made up of|"
+     f"with) {MANY} (?:parts|conditions|steps|things|points|requirements|goals|stages)(?: :|$)", ""),
+    ("^(?:the |my |our )?goals(?: are)? :", "goal :"),
     # from which end
     (f"^(.*\\b(?:stack|pile|stacked|piled|tower)\\b.*?)(?: ,)? (?:starting|beginning|begin|start|begun) (?:from|on|at) "
      "(?:the )?(?:table|ground|floor)(?: (?:up|upwards?|and going up))?$", "{1} , from bottom to top"),
@@ -105,6 +113,18 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
      "((?: ,)? with .+)$", "put {1} in a column {2}"),
     ("^(?:please )?(?:stack|pile)(?: them| it| the blocks| the cubes| up)? (?:as follows|like this|like that|this way|in "
      "this way|the following way) [:,]", "a stack :"),
+    # what is told in letters
+    *((f"\\bpattern (?:of )?{''.join(way)}(?: ,| with| using| where|\\()* {told}(?: \\))?", f"pattern {' , '.join(of[x] for x in way)}")
+      for way in _WAYS for told, of in ((_FOR_LETTERS, {"a": "{1}", "b": "{2}"}), (_LETTERS_ARE, {"a": "{1}", "b": "{2}"}))),
+    (f"\\b{_THOSE} (?:that|which|with) (?:have |show |bear |carry |has )?an? (vowel|consonant|letter|digit)(?: on (?:them|it))?\\b",
+     "all {1s}"),
+    # which way it goes
+    *((f"\\b(?:so that |such that |with )?(?:the )?(?:numbers?|digits|they) (?:count|counting|go|going|run|running) {down} as "
+       f"(?:you|it|they|we|the tower|the stack) (?:go|goes|move|climb|get) (?:{up})$", f"in {order} order from {way}")
+      for down, order in (("down", "descending"), ("up", "ascending"))
+      for up, way in (("up|higher|upwards", "bottom to top"), ("down|lower|downwards", "top to bottom"))),
+    (f"^(?:this (?:end|side) up : )?((?:the )?(\\w) (?:block|cube)) ({MUST}) have (?:its|it is) (?:letter|symbol|number|\\2) (?:on top|up|facing up|upwards|facing upwards|at the top)$",
+     "{1} {3} face up"),
     # who reads it
     ("\\bso (?:that )?(?:he|she) (?=can read (?:it|them)$)", "so that everyone "),
     # which board
@@ -115,6 +135,12 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     # never beside its like
     (f"^({_TWO} of (?:the )?same color (?:can|may|must|should|are|will) (?:never|not)(?: be| stand| lie)? (?:neighbors|"
      "next to each other|adjacent|side by side|direct neighbors)) (in the (?:row|line|tower|stack))$", "{2} , {1}"),
+    # what is changed, and what not
+    (f"^({THING} and {THING}) swap (?:with each other|with one another|over|around|round|too|as well|also)$",
+     "{1} swap places"),
+    (f"^(?:nobody|no one|no robot) (?:moves|touches|may move|may touch|should move|must move|is (?:allowed|permitted) to "
+     f"move) ({THING})$", "do not move {1}"),
+    ("\\bthe table 's (left|right|near|far|front|back) (half|side|edge)\\b", "the {1} {2} of the table"),
     # what stays where it is
     (f"^{_WITHOUT} ({THING})(?: ,)? ({_AROUND}) (?:it|this|that)(?: one)? ((?:with|by) .+)$",
      "{2} {1} {3} . {1} must not be moved"),

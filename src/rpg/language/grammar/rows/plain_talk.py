@@ -126,7 +126,7 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:this (?:end|side) up : )?((?:the )?(\\w) (?:block|cube)) ({MUST}) have (?:its|it is) (?:letter|symbol|number|\\2) (?:on top|up|facing up|upwards|facing upwards|at the top)$",
      "{1} {3} face up"),
     # who reads it
-    ("\\bso (?:that )?(?:he|she) (?=can read (?:it|them)$)", "so that everyone "),
+    ("^((?:please )?(?:write|spell) .+?)(?: ,)? so (?:that )?(?:he|she|they) can read it$", "{1}"),
     # which board
     ("^(?:this is |make |build |lay )?(?:the |a )?(?:corner|piece|part|bit|section) of a (chess board|chessboard|"
      "checkerboard|board of checkers) :", "a checkerboard :"),
@@ -159,8 +159,8 @@ PLAIN_TALK: tuple[Turn, ...] = (
     (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} )?({THING})"
      f"(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING})(?: goes there| there)?$", "first put {1} {2} . then put {3} {2}"),
     # at both ends
-    (f"^(?:{PUT}|position|add|have) ((?:an?|one) {COLOR} (?:block|cube)) at (each|either) end of (?:the|a) {_ROW} of "
-     f"([^,]+)$", "{1} at {2} end of a {3} of {4}"),
+    (f"^(?:{PUT}|position|add|have) ((?:an?|one) {COLOR} (?:block|cube)) at each end of (?:the|a) {_ROW} of "
+     f"([^,]+)$", "{1} at each end of a {2} of {3}"),
     # by colour
     ("^(?!.*\\b(?:letters?|digits?|numbers?|big|small|large|sizes?|patch|mat)\\b)"
      f"(?!.*\\b{COLOR}\\b)(.*\\b{MANY} {_BLOCKS}\\b.*?)(?: ,)?(?: any colors?)?(?: ,)?(?: but)? no two(?: of them)? (?:the same|alike|identical)$",

@@ -125,6 +125,20 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
       for up, way in (("up|higher|upwards", "bottom to top"), ("down|lower|downwards", "top to bottom"))),
     (f"^(?:this (?:end|side) up : )?((?:the )?(\\w) (?:block|cube)) ({MUST}) have (?:its|it is) (?:letter|symbol|number|\\2) (?:on top|up|facing up|upwards|facing upwards|at the top)$",
      "{1} {3} face up"),
+    # what stands where in the line
+    ("^([^,]+ at (?:the|both)(?: two)? ends (?:and|,) [^,]+ between them)(?: ,)? (?:lined up|in (?:a|one) (?:row|line))$",
+     "in a row : {1}"),
+    ("^(?:put|place|arrange|line up|lay|sort) (?:the |these )?(?:cubes|blocks|letters)(?: in a row)?(?: ,)? in the (?:same )?order "
+     "(?:as|of)(?: in)?(?: the)? (?:letters (?:in|of) )?(?:the )?(?:word|name) (\\S+)$", "spell {1} in a row"),
+    ("\\b4 (?:in|at) the (base|bottom|lowest)( layer| level| row)? \\( 2x2 \\)", "4 blocks in the base layer"),
+    # what there was
+    (f"^(?:i|we|somebody|someone|the kids|the children)(?: have| has)? (?:built|made|stacked) (an? {_LINE}(?: :| of| from| ,) .+)$",
+     "there is {1}"),
+    ("\\b(?:(?:take|pull) it (?:down|apart) and (?:then )?)?(?:rebuild|restack|build|stack) it (?:again )?(?:the other way "
+     "(?:around|round)|upside down|in reverse|backwards|in reverse order)$", "reverse it"),
+    ("^use (?:every|all)(?: the| of the)? (?:blocks?|cubes?) : (.+)$", "there are {1}"),
+    ("^(?:do not|never) stack (?:anything|any of them|any|any (?:blocks?|cubes?)|(?:the )?(?:blocks|cubes))$",
+     "no block must be on another block"),
     # who reads it
     ("^((?:please )?(?:write|spell) .+?)(?: ,)? so (?:that )?(?:he|she|they) can read it$", "{1}"),
     # which board
@@ -161,6 +175,9 @@ PLAIN_TALK: tuple[Turn, ...] = (
     # at both ends
     (f"^(?:{PUT}|position|add|have) ((?:an?|one) {COLOR} (?:block|cube)) at each end of (?:the|a) {_ROW} of "
      f"([^,]+)$", "{1} at each end of a {2} of {3}"),
+    # where it may be
+    (f"^(?:{PUT} )?({THING})(?: {MUST}(?: be| go| lie| stand)?)? (?:any|some)where (on the (?:table|desk))(?: ,)? (?:except|but|other "
+     f"than)(?: for)? ((?:{PLACE}|at|not) .+)$", "{1} must be {2} . {1} must not be {3}"),
     # by colour
     ("^(?!.*\\b(?:letters?|digits?|numbers?|big|small|large|sizes?|patch|mat)\\b)"
      f"(?!.*\\b{COLOR}\\b)(.*\\b{MANY} {_BLOCKS}\\b.*?)(?: ,)?(?: any colors?)?(?: ,)?(?: but)? no two(?: of them)? (?:the same|alike|identical)$",

@@ -156,9 +156,26 @@ def test_what_comes_with_it_is_read_or_left_out(text: str, meant: Meant) -> None
         ("In a row: 1. 2. 3.", "too-few"),
         ("two towers of three blocks, the red tower on the left mat, the blue one on the right mat", "ambiguous"),
         ("something red and blue", "incomplete"),
+        ("a row of A, B, C from right to left in front of a row of 1, 2, 3 from left to right", "ambiguous"),
+        ("a tower of A, B from the bottom to the top beside a tower of C, D from top to bottom", "ambiguous"),
     ],
 )
 def test_what_is_near_it_and_means_something_else_is_refused(text: str, code: str) -> None:
     schema, diagnostics = BuiltinFrontEnd().read(text)
     assert schema is None
     assert code in [d.code for d in diagnostics]
+
+
+OPPOSED: Meant = {"assets": {"A": 1, "B": 1, "1": 1, "2": 1}, "hold": ["1 2 | B A"], "miss": ["2 1 | B A", "1 2 | A B"]}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A, B in the front row from right to left, and 1, 2 in the row behind from left to right",
+        "Two rows: A, B in the front row from right to left, and 1, 2 in the back row from left to right",
+        "a row of A, B from right to left and behind it a row of 1, 2 from left to right",
+    ],
+)
+def test_each_row_goes_its_own_way(text: str) -> None:
+    assert_means(text, OPPOSED)

@@ -26,6 +26,7 @@ _THOSE = "(?:all )?(?:the |those )?(?:blocks|cubes|ones)"
 _WAYS = ("ab", "aab", "abb", "aba", "aabb", "abab", "abba", "aabbaabb", "abababab")
 _FOR_LETTERS = f"({COLOR}) (?:for|as|is|equals|=) (?:the )?a(?: ,| and)+ ({COLOR}) (?:for|as|is|equals|=) (?:the )?b"
 _LETTERS_ARE = f"a (?:is|being|for|=|:|stands for) ({COLOR})(?: ,| and)+ b (?:is|being|for|=|:|stands for) ({COLOR})"
+_WAY = "(?:from )?\\w+ to \\w+"
 _SORTED = "(?:make |build |sort (?:the |these )?(?:blocks|cubes) into |put (?:them|the blocks) in(?:to)? )?"
 _NOW = "(?:at the (?:start|beginning|moment)|now|right now|currently|at present|initially)"
 _ALSO = "[^,]* and (?:put|place|set|then|move|stack|build|lay|make|also)\\b"
@@ -141,6 +142,16 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
      "no block must be on another block"),
     # who reads it
     ("^((?:please )?(?:write|spell) .+?)(?: ,)? so (?:that )?(?:he|she|they) can read it$", "{1}"),
+    # what lies across two
+    (f"\\bon(?: top of)? (two (?:{COLOR} )?(?:ones|{CUBE}s)) (?=(?:that|which) (?:are|stand|lie|sit) (?:next to|beside) (?:each other"
+     "|one another)\\b)", "across {1} "),
+    # the row behind
+    (f"^(?:two rows(?: ,| :) )?(?!two )(.+? in) the (?:front|near) row ({_WAY})(?: ,)?(?: and)? (.+?) in the (?:back row|row behind"
+     f"(?: it| that)?)(?: ,)? (?!\\2)({_WAY})$", "{1} a row {2} , behind it a row of {3} {4}"),
+    (f"^(.+? in the) (?:front|near) row( {_WAY})?(?: ,)? and (.+?) in the row behind(?: it| that)?$",
+     "two rows : {1} front row {2} , and {3} in the back row {2}"),
+    (f"^(.+? in the) (?:front|near) row( {_WAY})?(?: ,)? and (.+?) in the row behind(?: it| that)?((?: ,)? {_WAY})$",
+     "two rows : {1} front row {2} , and {3} in the back row {4}"),
     # which board
     ("^(?:this is |make |build |lay )?(?:the |a )?(?:corner|piece|part|bit|section) of a (chess board|chessboard|"
      "checkerboard|board of checkers) :", "a checkerboard :"),
@@ -184,9 +195,6 @@ PLAIN_TALK: tuple[Turn, ...] = (
      "{1} , all of different colors"),
     (f"^(?:please )?(?:tidy|clear|clean|put|pack|sort|straighten)(?: up| away| out)? {_ALL}(?: up| away| out)? by "
      "(color|colors|letter|number|kind)", "sort {1} by color"),
-    # the row behind
-    (f"^(.+? in the) (front|near) row((?: from \\w+ to \\w+)?)(?: ,)? and (.+?) in the row behind(?: it| that)?((?: ,)?"
-     "(?: from \\w+ to \\w+)?)$", "two rows : {1} front row {3} , and {4} in the back row {5}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("policy model controller parser motion path odd outlier intruder sequence tear pieces chess straighten",)

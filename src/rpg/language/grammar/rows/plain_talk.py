@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST, TOWER
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, ME, MUST, PATCH, TOWER
 
 _BLOCKS = f"(?:{CUBE}s|bricks|ones|toys|pieces)"
 _ALL = f"((?:all )?(?:the |these |those |my |our )?(?:{COLOR} )?{_BLOCKS}|them|these|everything)"
@@ -14,7 +14,7 @@ _OR = "(?: ,)? or"
 _NEXT = f"(?:{_AND} )?(?:then|next|after that|after this|afterwards|after it|secondly|second|thereafter)(?: ,)?"
 _LAST = f"(?:{_AND} )?(?:lastly|last|finally|last of all|at last|thirdly|third|at the end|then|after that)(?: ,)?"
 _GO = f"(?:goes|comes|is put|is placed|gets put|{MUST} be put|{MUST} go|{MUST} be placed)"
-_ERRAND = "(?:scene|setup|scenario|task|test|challenge|benchmark|goal|example|problem|layout)"
+_ERRAND = "(?:scene|setup|scenario|task|test|challenge|benchmark|goal|example|problem|layout|job|exercise)"
 _KIND = "(?:grasp|grasping|motion|pick|picking|place|placing|stacking|path|task|new|robot|arm|manipulation|language)"
 _AGENT = "(?:agent|robot|arm|gripper|policy|model|controller|demo|experiment|video|paper|lab|class|lesson|camera|parser)"
 _LOT = f"((?:{MANY}) {COLOR})s?(?: {_BLOCKS})?"
@@ -41,8 +41,10 @@ _AROUND = "(?:surround|encircle|enclose|flank)"
 
 PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     # how the text is made up
-    (f"^(?:the |my |our |this )?(?:goal|task|job|exercise|request|instruction)s? (?:has|have|consists? of|comprises?|is made up of|"
-     f"with) {MANY} (?:parts|conditions|steps|things|points|requirements|goals|stages)(?: :|$)", ""),
+    *((f"^(?:the |my |our |this )?(?:goal|task|job|exercise|request|instruction)s? (?:has|have|consists? of|comprises?|is made up "
+       f"of|with) {MANY} {parts}", "")
+      for parts in ("(?:parts|conditions|things|points|requirements|goals)(?: :|$)",
+                    f"(?:steps|stages) :(?= (?:first|{PUT}|stack|build)\\b)")),
     ("^(?:the |my |our )?goals(?: are)? :", "goal :"),
     # from which end
     (f"^(.*\\b(?:stack|pile|stacked|piled|tower)\\b.*?)(?: ,)? (?:starting|beginning|begin|start|begun) (?:from|on|at) "
@@ -60,7 +62,7 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("(\\d\\S* .*?)(?: ,|;)? (?:and |with )?nothing else (?:is |lies |stands )?(?:on the (?:table|desk)|in the scene|there|"
      "around)(?: please)?$", "{1} and nothing else"),
     ("\\b(?:the )?sequence (?=(?:does not matter|is (?:free|irrelevant|unimportant|up to you|open)))", "the order "),
-    (f"\\b({COLOR}) (?:odd one out|odd one|stranger|outlier|intruder)\\b", "{1} block"),
+    (f"\\b({COLOR}) odd one(?: out)?\\b", "{1} stranger"),
     # one of two figures
     (f"^(?:(?:we|i) (?:need|want|would like)|build|make|put up|there {MUST} be)? ?(?:me |us )?either (an? [^,]*?{_LINE}"
      f"[^,]*?)(?<= )({COLOR})\\b([^,]*?){_OR} (an? (?!{_ALSO}|[^,]*\\b\\2\\b)[^,]*?{_LINE}[^,]*? {COLOR}\\b[^,]*?)$",
@@ -152,6 +154,30 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
      "two rows : {1} front row {2} , and {3} in the back row {2}"),
     (f"^(.+? in the) (?:front|near) row( {_WAY})?(?: ,)? and (.+?) in the row behind(?: it| that)?((?: ,)? {_WAY})$",
      "two rows : {1} front row {2} , and {3} in the back row {4}"),
+    # which ones, and which word
+    ("\\b(odd|even) numbered (?:blocks|cubes|ones) (?:\\( (?:from )?(\\d) to (\\d) \\)|(?:from )?(\\d) to (\\d))",
+     "{1} numbers from {2} {4} to {3} {5}"),
+    ("\\bevery color of the rainbow\\b", "all the colors of the rainbow"),
+    ("\\b((?:row|line|column|tower|stack)) of pairs :", "{1} :"),
+    *((f"^{begun}({COLOR}) and ({COLOR})(?: blocks| ones)?(?: ,)? (?:taking turns|in turns?|by turns|alternating|alternately)(?: "
+       f",)? ({MANY}) (?:blocks|cubes)(?: in all| in total)?(?: ,)? (?:and )?(beginning|starting) and ending with ({COLOR})$",
+       f"a {line} of {{3}} blocks alternating {{1}} and {{2}} , {{4}} and ending with {{5}}")
+      for line, begun in (("row", "line up "), *((x, f"(?:make |build |form )?a {x} of ") for x in ("row", "column", "tower")))),
+    (f"\\b(?:spell(?: out)?|write|form) (?:the name of )?(?:my|our|his|her|their|the) \\w+ (?:'s (?:first |last )?name )?, (\\S+)",
+     "spell {1}"),
+    ("^(?:take )?the word (\\S+)(?: ,)? and (?:turn|change|make|rearrange) it (?:in)?to (?:the word )?(\\S+)$",
+     "there is the word {1} . turn it into the word {2}"),
+    # which side of the table, and of two mats
+    (f"\\b(edge|side|half|end) of the table (?:(?:which|that) is )?(?:closest|nearest)(?: to)? {ME}\\b", "near {1} of the table"),
+    (f"\\b(edge|side|half|end) of the table (?:(?:which|that) is )?(?:farthest|furthest)(?: away)?(?: from)? {ME}\\b",
+     "far {1} of the table"),
+    (f"\\b(halfway |midway |exactly |right |in )?between the (left|right|{COLOR}) and (?:the )?(left|right|{COLOR}) {PATCH}$",
+     "{1} between the {2} patch and the {3} patch"),
+    (f"^(?:align|line up) ([^,]+?) (?:with|along|to|at) (the (?:near|far|left|right|front|back) edge of the table)$",
+     "put {1} at {2}"),
+    # how it stands to others
+    (f"^(?:the )?({MANY}) ({COLOR}) (?:blocks|cubes|ones) (?:{MUST} )?(?:enclose|surround|encircle) ({THING}) (?:from|on) (?:all|its|all "
+     "its)(?: four)? sides$", "{3} must be surrounded by {1} {2} blocks"),
     # which board
     ("^(?:this is |make |build |lay )?(?:the |a )?(?:corner|piece|part|bit|section) of a (chess board|chessboard|"
      "checkerboard|board of checkers) :", "a checkerboard :"),
@@ -175,7 +201,7 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 PLAIN_TALK: tuple[Turn, ...] = (
     # what it is for
-    (f"^(?:(?:i|we) (?:need|want|have|would like) )?(?:something |an? {_ERRAND} )?(?:for|to (?:test|train|try|check)) "
+    (f"^(?:(?:i|we) (?:need|want|have|would like) )?(?:something |(?:an? |the |this )?{_ERRAND} )?(?:for|to (?:test|train|try|check)) "
      f"(?:my|our|the|this) (?:{_KIND} ){{0,2}}{_AGENT}(?: please)? :", ""),
     # one after the other
     (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} )?({THING})"
@@ -197,5 +223,5 @@ PLAIN_TALK: tuple[Turn, ...] = (
      "(color|colors|letter|number|kind)", "sort {1} by color"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("policy model controller parser motion path odd outlier intruder sequence tear pieces chess straighten",)
+WORDS = ("policy model controller parser motion path odd sequence tear pieces chess straighten",)
 """Words that these take besides those that are read anyway."""

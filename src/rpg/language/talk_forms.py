@@ -73,8 +73,8 @@ _OBLIGED = listed(
 _EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("shall", "we"), ("shall", "i"),
               ("should", "we"), ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"),
               ("off", "to"),
-              ("get", "ready", "to"), ("get", "ready", "for"), ("who", "wants", "to"), ("who", "is", "ready", "for"), ("who", "can"),
-              ("who", "knows", "how", "to"), ("who", "likes", "to"),
+              ("get", "ready", "to"), ("get", "ready", "for"), ("who", "wants", "to"), ("who", "is", "ready", "for"),
+              ("who", "can"), ("who", "knows", "how", "to"), ("who", "likes", "to"),
               ("how", "about"), ("what", "about"), ("we", "want", "to"), ("we", "are", "going", "to"),
               ("are", "you", "ready", "to"), ("are", "you", "ready", "for"), ("i", "am", "going", "to"),
               ("we", "will"), ("we", "are"), ("i", "am"))  # fmt: skip

@@ -38,7 +38,8 @@ _SORTS = listed(
     "rearrangement rearranging pick place picking placing tidying cleaning clean up tidy robot robotics arm lab desk "
     "tabletop manipulation spelling math maths reading logic memory school kids block blocks cube cubes customer work "
     "sequence sequential toy sorting arrangement unit regression baseline held out training validation sanity check "
-    "warm scene goal reject rejects packing packaging assembly inspection quality incoming outgoing loading proposed contributed suggested another final last color colour"
+    "warm scene goal reject rejects packing packaging assembly inspection quality "
+    "incoming outgoing loading proposed contributed suggested another final last color colour"
 )
 """What may tell what sort of text it is."""
 _ACTIVITIES = listed(

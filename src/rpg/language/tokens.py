@@ -181,7 +181,7 @@ def _inline(tokens: list[Token]) -> list[Token]:
 
 
 _STEP = re.compile(r"(?<![\w.,])(\d{1,2})[.:](?=\s)")
-_IN_TURN = re.compile(r"(?i)\b(?:order|sequence|first|then|turn|one by one|after)\b")
+_IN_TURN = re.compile(r"(?i)\b(?:order|sequence|steps|stages|first|then|turn|one by one|after)\b")
 """What is told behind these comes one after the other."""
 
 

@@ -31,7 +31,7 @@ _LETTERS_ARE = f"a (?:is|being|for|=|:|stands for) ({COLOR})(?: ,| and)+ b (?:is
 _WAY = "(?:from )?\\w+ to \\w+"
 _SORTED = "(?:make |build |sort (?:the |these )?(?:blocks|cubes) into |put (?:them|the blocks) in(?:to)? )?"
 _NOW = "(?:at the (?:start|beginning|moment)|now|right now|currently|at present|initially)"
-_ALSO = "[^,]* and (?:put|place|set|then|move|stack|build|lay|make|also)\\b"
+_ALSO = "[^,]* (?:it|and (?:put|place|set|then|move|stack|build|lay|make|also))\\b"
 _BOTH = "(?:towers|stacks|rows|columns|piles)"
 _LINE = "(?:row|line|column|tower|stack)"
 _ONE = "(?: one| tower| stack| row| column| pile)?"

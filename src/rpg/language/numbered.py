@@ -17,7 +17,8 @@ def as_steps(tokens: list[Token]) -> list[Token]:
     """The tokens with "then" before each numbered command but the first, where all that is numbered commands."""
     marks = [n for n, token in enumerate(tokens) if token.word == ";" and _NUMBER.fullmatch(token.raw)]
     begun = 1 if marks and marks[0] == 0 else 0
-    if not marks[begun:] or not all(_acts(tokens, n) for n in (*([] if begun else [-1]), *marks)):
+    colon = next((n for n, token in enumerate(tokens[: marks[0]]) if token.word == ":"), -1) if marks else -1
+    if not marks[begun:] or not all(_acts(tokens, n) for n in (*([] if begun else [colon]), *marks)):
         return tokens
     then = {n: Token("word", "then", tokens[n].raw, tokens[n].span) for n in marks[begun:]}
     return [found for n, token in enumerate(tokens) for found in ((token, then[n]) if n in then else (token,))]

@@ -210,17 +210,21 @@ def _comparisons(tokens: list[Token]) -> Iterator[tuple[int, int]]:
     for at in range(len(words)):
         lead = length_at(words, at, _LIKE)
         end = _break(words, at)
+        end = next((n for n in range(at, end - 1) if words[n] == "and" and words[n + 1] in lexicon.COMMANDS), end)
         wished = at > 0 and words[at - 1] in _LIKING
-        if lead and not wished and end > at + lead and _compared(tokens[at + lead : end]):
+        if lead and not wished and end > at + lead and _compared(tokens[at + lead : end], words[:at]):
             opened = at == 0 or words[at - 1] in _BREAKS
             set_off = at > 0 and words[at - 1] in (",", "-")
             yield at - set_off, end + (opened and not set_off and end < len(words))
 
 
-def _compared(tokens: list[Token]) -> bool:
-    """Whether this is nothing of which tasks are made, but something of daily life or that is not known."""
+def _compared(tokens: list[Token], said: list[str]) -> bool:
+    """Whether this is nothing of which tasks are made, but something of daily life or that is not known; a figure that
+    was said before may be named again, "a circle of ..., like the kids in our circle"."""
     strange = any(t.word not in vocabulary() or t.word in PEOPLE | ANIMALS | OCCASIONS | THINGS for t in tokens)
-    return strange and not any(map(tells, tokens))
+    again = {token for ahead, token in pairwise(tokens) if token.word in lexicon.STRUCTURE.keys() & {*said}
+             and ahead.word in vocabulary() | OCCASIONS}  # fmt: skip
+    return strange and not any(tells(token) and token not in again for token in tokens)
 
 
 _LIKING = frozenset({"would", "i", "we", "you", "they", "do", "does", "not", "to", "and", "or"})

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language import harmless
+from rpg.language import harmless, lexicon
 from rpg.language.lead_ins import set_in
 from rpg.language.of_people import fits, of_people, subject_of
 from rpg.language.reasons import length_of_lead, meanwhile, reason_or_aim, rewards
@@ -74,6 +74,7 @@ _EXHORTING = (("let", "me"), ("time", "to"), ("time", "for"), ("let", "us"), ("s
               ("should", "we"), ("can", "we"), ("could", "we"), ("may", "we"), ("ready", "to"), ("ready", "for"),
               ("off", "to"),
               ("get", "ready", "to"), ("get", "ready", "for"), ("who", "wants", "to"), ("who", "is", "ready", "for"),
+              ("who", "can"), ("who", "knows", "how", "to"), ("who", "likes", "to"),
               ("how", "about"), ("what", "about"), ("we", "want", "to"), ("we", "are", "going", "to"),
               ("are", "you", "ready", "to"), ("are", "you", "ready", "for"), ("i", "am", "going", "to"),
               ("we", "will"), ("we", "are"), ("i", "am"))  # fmt: skip
@@ -227,8 +228,10 @@ def _exhorts(tokens: Sequence[Token]) -> bool:
     """ "Time to play", "shall we try something together", "let us do stairs"."""
     words = [token.word for token in tokens]
     at = next((n for n, word in enumerate(words) if word not in _BEFORE_THEM), 0)
-    lead = length_of_lead(words[at:], _EXHORTING)
+    lead = length_of_lead(words[at:], _EXHORTING) or 2 * (words[at : at + 3] == ["can", "you", "count"])
     behind = words[at + lead :]
+    if behind[:1] == ["count"] and behind[-2:-1] == ["to"] and behind[-1] in lexicon.NUMBER:
+        return len(behind) == 3 or behind[1:-2] == ["up"]  # "who can count up to five"
     if not lead or not behind or not _OTHERWISE.isdisjoint(behind):
         return False
     if " ".join(behind) in _GOING:

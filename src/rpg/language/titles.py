@@ -19,14 +19,14 @@ from rpg.language.word_lists import listed
 _NUMBERED = listed(
     "level task exercise problem example question puzzle challenge scene scenario instruction job mission number round "
     "riddle benchmark item test case sample episode trial prompt entry experiment demo eval evaluation id no request "
-    "assignment quiz ticket query run warmup subtask testcase drill check"
+    "assignment quiz ticket query run warmup subtask testcase drill check station workstation"
 )
 """Words of a title with a number behind, or alone."""
 _TEXTS = listed(
     "task job note notes memo benchmark exercise lesson game puzzle test drill challenge mission demo experiment "
     "assignment homework quiz reminder request ticket prompt problem question activity scenario episode round level "
     "log message brief riddle story report worksheet project trial announcement command skill errand description "
-    "caption summary check checks statement"
+    "caption summary check checks statement station workstation"
 ) | (_NUMBERED - {"scene", "number", "instruction", "no", "id", "run"})
 """What a title calls its text."""
 _NOTES = listed("note notes memo message caption description summary story")
@@ -38,7 +38,8 @@ _SORTS = listed(
     "rearrangement rearranging pick place picking placing tidying cleaning clean up tidy robot robotics arm lab desk "
     "tabletop manipulation spelling math maths reading logic memory school kids block blocks cube cubes customer work "
     "sequence sequential toy sorting arrangement unit regression baseline held out training validation sanity check "
-    "warm scene goal proposed contributed suggested another final last color colour"
+    "warm scene goal reject rejects packing packaging assembly inspection quality "
+    "incoming outgoing loading proposed contributed suggested another final last color colour"
 )
 """What may tell what sort of text it is."""
 _ACTIVITIES = listed(

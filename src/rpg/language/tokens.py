@@ -181,14 +181,18 @@ def _inline(tokens: list[Token]) -> list[Token]:
 
 
 _STEP = re.compile(r"(?<![\w.,])(\d{1,2})[.:](?=\s)")
+_IN_TURN = re.compile(r"(?i)\b(?:order|sequence|steps|stages|first|then|turn|one by one|after)\b")
+"""What is told behind these comes one after the other."""
 
 
 def _stepped(text: str) -> tuple[str, dict[int, str]]:
-    """ "1. red on blue 2. green on red": each begins a sentence where the text begins with the first; and the numbers
-    of the later ones by where they stand."""
+    """ "1. red on blue 2. green on red": each begins a sentence where the text, or what stands behind a colon, begins
+    with the first; and the numbers of the later ones by where they stand."""
     marks: list[re.Match[str]] = []
     for mark in _STEP.finditer(text):
-        if int(mark.group(1)) == len(marks) + 1 and (marks or not text[: mark.start()].strip()):
+        ahead, behind = text[: mark.start()].rstrip(), text[mark.end() :].lstrip()
+        begins = not ahead or (ahead[-1] == ":" and behind[:1].isalpha() and not _IN_TURN.search(ahead))
+        if int(mark.group(1)) == len(marks) + 1 and (marks or begins):
             marks.append(mark)
     for number, mark in enumerate(marks if len(marks) > 1 else ()):
         begin, end = mark.span()

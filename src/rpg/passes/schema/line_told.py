@@ -279,8 +279,21 @@ def _spaced(said: Said) -> None:
                            "say 'in a row, 10 cm apart', or 'every two of them 10 cm apart'")  # fmt: skip
 
 
+_WAY = re.compile(r"\b(left|right|bottom|top|front|back) to (?:the )?(left|right|bottom|top|front|back)\b")
+
+
+def _both_ways(said: Said) -> None:
+    """Refuse "a row of A, B from right to left in front of a row of 1, 2 from left to right" as of one of the ways."""
+    ways = {match.groups(): match for match in _WAY.finditer(said.text)}
+    firsts = {line.order.first for line in said.lines}
+    for (first, last), match in ways.items():
+        if (last, first) in ways and len(said.lines) > 1 and not said.begun and first not in firsts:
+            raise said.refusal(match, "ambiguous", "which of the lines has this order?",
+                               "tell of each line in a sentence of its own")  # fmt: skip
+
+
 _CHECKS = (
     in_total, as_long, and_counted, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together,
     _amid, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
-    _spaced,
+    _spaced, _both_ways,
 )  # fmt: skip

@@ -8,7 +8,9 @@ from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, LINE, MANY, MUST
 
 _BLOCKS = "(?:blocks|cubes|ones)"
-_PEOPLE = "(?:everyone|everybody|we|i|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
+_PEOPLE = (
+    "(?:everyone|everybody|we|i|he|she|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
+)
 _ROW = "(?:far|near|front|back|first|second)"
 _BLOCK = "(?:block|cube|blocks|cubes)"
 _SIZE = "(?:big|large|small|little)"

@@ -32,6 +32,7 @@ from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named
 from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
+from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
 from rpg.language.grammar.rows.rainbow_told import announced_rainbow
@@ -59,6 +60,7 @@ from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
 from rpg.language.tokens import Token
 
 _OF_ALL = (
+    *PLAIN_TALK_AT_ONCE,
     *ORDERED_AT_ONCE,
     *WRITTEN_AT_ONCE,
     *FACED_AT_ONCE,
@@ -106,6 +108,7 @@ _OF_ALL = (
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
+    *PLAIN_TALK,
     *ORDERED,
     *WRITTEN,
     *FACED,

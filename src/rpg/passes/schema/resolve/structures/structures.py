@@ -49,6 +49,8 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
             mine = set(refer(shape.members, scene, scope).names)
             scene.mentions.pop()
             known = [built for built in known if set(built.members) == mine][-1:] or known
+        if len(known) > 1 and len({frozenset(built.members) for built in known}) == 1:
+            known = [built for built in known if built.ordered][-1:] or known[-1:]  # told twice
         if len(known) > 1 and not shape.plural and shape.det not in ("each", "all"):
             raise refuse("ambiguous", f"there are {len(known)} of them", shape.span, "say which")
         names = tuple(dict.fromkeys(n for b in known for n in b.members))

@@ -69,15 +69,15 @@ _BEGUN = listed("now so well okay ok right and but")
 _GOING_ON = listed("and then afterwards finally so also ,")
 _MORE = (
     ("another", "one"), ("another",), ("one", "more"), ("a", "further", "one"), ("a", "second", "one"), ("two", "more"),
-    ("a", "third", "one"), ("the", "next", "one"), ("yet", "another", "one"), ("yet", "another"),
-    ("the", "other", "one"),
+    ("a", "third", "one"), ("yet", "another", "one"), ("yet", "another"),
 )  # fmt: skip
 """These are more of what was spoken of, and no talk."""
 
 
 def idle_at_an_end(tokens: Sequence[Token]) -> bool:
     """Whether they ask for nothing in front of a task or behind it: all of it, or what an "and" or "but" joins."""
-    if tuple(token.word for token in tokens if token.word not in _GOING_ON) in _MORE:
+    said = tuple(token.word for token in tokens if token.word not in _GOING_ON)
+    if said in _MORE or (said[:1] == ("the",) and said[-1] in ("one", "ones")):  # "the big one" says which block it is
         return False
     joints = [n for n, token in enumerate(tokens) if token.word in ("and", "but") and 0 < n < len(tokens) - 1]
     later = next((len(lead) for lead in _LATER if tuple(t.word for t in tokens[: len(lead)]) == lead), 0)

@@ -1,0 +1,45 @@
+"""What is told of one part of a figure besides its colour is not told of the figure: "the outer two red and touching",
+"the left one red, on the mat, the right one blue"."""
+
+from __future__ import annotations
+
+import re
+
+from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import sentences
+from rpg.language.grammar.rows.vocabulary import COLOR
+from rpg.language.tokens import Token
+from rpg.passes.schema.resolve.things.world import refuse
+
+_WHERE = frozenset({
+    "left", "right", "upper", "lower", "top", "bottom", "middle", "center", "central", "front", "back", "near", "far",
+    "outer", "inner", "outermost", "innermost", "ends", "corners", "last", *lexicon.ORDINAL,
+})  # fmt: skip
+_NAMED = rf"the (?:\w+ ){{0,2}}(?:{'|'.join(_WHERE)})\b"
+_NOUN = "|".join((*lexicon.BLOCK, *lexicon.STRUCTURE, *lexicon.NUMBER, "one", "ones", "end", "side"))
+_PART = rf"\b{_NAMED}(?: (?:{_NOUN}|\d+))*(?: (?:is|are|(?:should|must|shall) be))? (?:{COLOR})"
+_LAID = r"touching|apart|turned|rotated|facing|upside|\d[\d.]* cm"
+_PLACED = rf"{_LAID}|in|on (?=the|an?\b)|next to|beside|behind"
+_AND_SO = re.compile(rf"{_PART} and (?:not )?({_PLACED}|on|{'|'.join(lexicon.SIZE)})\b(.*)")
+_LOT_SO = re.compile(
+    rf", (?:(?:{'|'.join(lexicon.NUMBER)}|\d+) (?:{COLOR}) (?:and|,)|"
+    rf"the (?:{COLOR}|\w)(?: (?:{_NOUN}))? (?:on|at|in) (?:the )?\w+ and) (?:not )?({_LAID})\b(.*)"
+)
+_BETWEEN = re.compile(rf"{_PART}(?: ,)? ({_PLACED})\b[^,;]*[,;] (?:and )?(?:{_NAMED}|the (?:others?|rest)\b)(.*)")
+
+
+def check_parts(tokens: list[Token]) -> None:
+    """Refuse a sentence in which more than its colour is told of a part, unless it is told so of the other part too.
+
+    Raises:
+        Refusal: "ambiguous".
+    """
+    for sentence in sentences(tokens):
+        words = [token.word for token in sentence]
+        if "," not in words and _WHERE.isdisjoint(words):
+            continue
+        text = " ".join(words)
+        told = _AND_SO.search(text) or _LOT_SO.search(text) or _BETWEEN.search(text)
+        if told is not None and not (told[1].strip() == "on" and " on " in told[2]):
+            raise refuse("ambiguous", f"'{told[1].strip()}': said of this part, or of the whole?",
+                         (sentence[0].span[0], sentence[-1].span[1]), "say it in a sentence of its own")  # fmt: skip

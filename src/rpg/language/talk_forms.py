@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language import harmless, lexicon
+from rpg.language import harmless
 from rpg.language.lead_ins import set_in
 from rpg.language.of_people import fits, of_people, subject_of
 from rpg.language.reasons import length_of_lead, meanwhile, reason_or_aim, rewards
@@ -49,8 +49,6 @@ _ERRANDS = listed(
     "brainteaser"
 )
 """What is announced, of which nothing is told yet."""
-_WHICH = frozenset({*lexicon.SIZE, *lexicon.ORDINAL, "last"})
-"""What is said of one of them tells which it is, or what it looks like."""
 _CONDITIONS = (("if",), ("when",), ("whenever",), ("should",), ("once",), ("in", "case"), ("provided",),
                ("provided", "that"),
                ("as", "long", "as"))  # fmt: skip
@@ -199,8 +197,6 @@ def _announces(tokens: Sequence[Token]) -> bool:
     if words[at] == "one" and (at == begin or words[at + 1 : at + 2] in (["of"], ["to"])):
         return False  # "one of them", "one to its right"
     behind = tokens[at + 1 :]
-    if words[at] == "one" and not behind and not _WHICH.isdisjoint(words[begin:at]):
-        return False  # "(a big one)", "it is the second one"
     whose = not behind or behind[0].word in ("for", "from", "of", "by", "to", "today", "now", "please", ",", "before")
     return whose and all(
         harmless_word(behind, n) or t.word in harmless.THINGS | {"from"} or is_strange(t.word)

@@ -10,7 +10,7 @@ from rpg.ir.assets import GoalPatch
 from rpg.ir.relations import InRegion
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import GroupBy, Spells
-from rpg.ir.walk import atoms
+from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
 from rpg.language.tokens import Token
@@ -25,6 +25,7 @@ _SIZES = "|".join(lexicon.SIZE)
 _SEVERAL = "|".join(noun for noun, many in lexicon.BLOCK.items() if many)
 _TWO_SIZES = re.compile(rf"\b(?:{_SIZES}) and (?:{_SIZES}) (?:\w+ )?(?:{_SEVERAL})\b")
 """Plurals may be of one block of each size, or of several."""
+_IT_IS = re.compile(rf"(?:it|this|that)(?: is|'s| 's) an? .*\b(?:{'|'.join(lexicon.BLOCK)}|one)\b")
 
 
 def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
@@ -48,6 +49,9 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
         unsaid = any(note.startswith("the number of") for note in task.assumptions)
         if unsaid and _TWO_SIZES.search(text):
             raise _asked(sentence, "it is not said how many of each size there are", "say how many there are of each")
+        told = {name for goal in (*task.init.arranged, task.goal) for name in names(goal)}
+        if _IT_IS.match(text) and any(block.name not in told for block in task.blocks):
+            raise _asked(sentence, "it is not clear of which block this is said", "name the block")
 
 
 def _asked(sentence: Sequence[Token], message: str, hint: str) -> Refusal:

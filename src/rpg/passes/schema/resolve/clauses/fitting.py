@@ -294,18 +294,22 @@ def _tallied(whole: Noun, adjuncts: tuple[Meaning, ...]) -> None:
 
 
 def _own_parts(clause: Clause) -> None:
-    """Refuse "a tower of four blue blocks with the top one red", and "a blue tower of four blocks" with it: then only
-    three of the four are blue."""
-    shape = clause.theme
-    blocks = shape.members if isinstance(shape, Structure) else None
-    if not isinstance(shape, Structure) or not isinstance(blocks, Noun) or blocks.amount is None:
+    """Refuse "a tower of four blue blocks with the top one red", and "four blocks, red and blue by turns" with it: then
+    only three of the four look so."""
+    intos = [x.structure for x in clause.adjuncts if isinstance(x, Into)]
+    shape = next((x for x in (clause.theme, *intos) if isinstance(x, Structure)), None)
+    blocks = clause.theme if shape is None or shape is not clause.theme else shape.members
+    if clause.verb != "stack" if shape is None else shape.kind != "stack":
         return
-    parts = [x for x in parts_of((*shape.details, *clause.adjuncts)) if isinstance(x, Absolute)]
-    told = blocks.traits.colors or shape.traits.colors
-    for part in parts if len(told) == 1 else ():
-        own = isinstance(part.adjuncts[0], At) and part.adjuncts[0].own and shape.kind == "stack"
-        looks = part.theme.traits.colors if isinstance(part.theme, Noun) else ()
-        if own and looks and looks != told:
+    items = [x for x in (blocks.items if isinstance(blocks, Coord) else (blocks,)) if isinstance(x, Noun)]
+    turns = [x for a in clause.adjuncts if isinstance(a, OrderBy) and a.by == "alternating" for x in a.items]
+    told = [c for x in (*items, *turns, shape) if isinstance(x, Noun | Structure) for c in x.traits.colors]
+    if not told or all(x.amount is None for x in items):
+        return
+    for part in parts_of((*(shape.details if shape else ()), *clause.adjuncts)):
+        own = isinstance(part, Absolute) and isinstance(part.adjuncts[0], At) and part.adjuncts[0].own
+        looks = part.theme.traits.colors if own and isinstance(part.theme, Noun) else ()
+        if not {*told}.issuperset(looks):
             raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", part.span,
                          f"say how many are {told[0]}, and how many {looks[0]}")  # fmt: skip
 

@@ -1,10 +1,11 @@
 """What is told of one part of a figure besides its colour is not told of the figure: "the outer two red and touching",
-"the left one red, on the mat, the right one blue"."""
+"the left one red, on the mat, the right one blue"; and "the left ones" are no single block."""
 
 from __future__ import annotations
 
 import re
 
+from rpg.ir.schema import TaskSchema
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
 from rpg.language.grammar.rows.vocabulary import COLOR
@@ -27,9 +28,15 @@ _LOT_SO = re.compile(
 )
 _BETWEEN = re.compile(rf"{_PART}(?: ,)? ({_PLACED})\b[^,;]*[,;] (?:and )?(?:{_NAMED}|the (?:others?|rest)\b)(.*)")
 
+_SIDE = rf"(?:{'|'.join(_WHERE)})"
+_ONES = rf"(?:{'|'.join(word for word, many in lexicon.BLOCK.items() if many)}|ones)"
+_SEVERAL = re.compile(rf"\bthe {_SIDE} {_ONES} (?:(?:is|are|being|(?:should|must|shall) be) )?(?:all )?({COLOR})\b|"
+                      rf"\b({COLOR}) {_SIDE} {_ONES}\b")  # fmt: skip
 
-def check_parts(tokens: list[Token]) -> None:
-    """Refuse a sentence in which more than its colour is told of a part, unless it is told so of the other part too.
+
+def check_parts(tokens: list[Token], task: TaskSchema) -> None:
+    """Refuse a sentence in which more than its colour is told of a part, unless it is told so of the other part too,
+    and one in which a part of several blocks has become one block.
 
     Raises:
         Refusal: "ambiguous".
@@ -43,3 +50,8 @@ def check_parts(tokens: list[Token]) -> None:
         if told is not None and not (told[1].strip() == "on" and " on " in told[2]):
             raise refuse("ambiguous", f"'{told[1].strip()}': said of this part, or of the whole?",
                          (sentence[0].span[0], sentence[-1].span[1]), "say it in a sentence of its own")  # fmt: skip
+        for part in _SEVERAL.finditer(text):
+            color = lexicon.COLOR[part[1] or part[2]]
+            if sum(block.color == color for block in task.blocks) == 1:
+                raise refuse("ambiguous", f"it is not said how many blocks '{part[0]}' are",
+                             (sentence[0].span[0], sentence[-1].span[1]), "say 'the two ...'")  # fmt: skip

@@ -53,7 +53,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_lines(tokens, task)
     check_colors_of_all(tokens, task)
     check_told_apart(tokens, task)
-    check_parts(tokens)
+    check_parts(tokens, task)
     _mats_listed(tokens, task)
 
 

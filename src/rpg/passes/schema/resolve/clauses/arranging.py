@@ -119,7 +119,11 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if temporal is not None or (theme.op == "then" and spec.places):
         spec.orders = [o for o in spec.orders if o is not temporal]
         return _one_by_one(theme, temporal, spec, scene, scope, span)
-    if theme.op == "then" and (verb == "stack" or _lined(verb, spec, theme, scene)) and not any(o.items for o in spec.orders):
+    if (
+        theme.op == "then"
+        and (verb == "stack" or _lined(verb, spec, theme, scene))
+        and not any(o.items for o in spec.orders)
+    ):
         spec.orders = [*(o for o in spec.orders if o.by != "given"), OrderBy(by="given", span=theme.span)]
         spec.in_turn = () if any(x.listed or x.parts for x in theme.parts) else tuple(x.names for x in theme.parts)
     if (again := None if scope.start else within(theme, verb, spec, scene, span)) is not None:

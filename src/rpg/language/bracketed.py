@@ -10,8 +10,10 @@ from rpg.language.tokens import Token
 _OPENING, _CLOSING = frozenset({"(", "["}), frozenset({")", "]"})
 _BEGINS = frozenset({"starts", "start", "begins", "begin", "initially"})
 _TELLING = frozenset({"the", "which", "that", "not", "it", "this", "whose", "where", "i", "or"})
-_PLACES = frozenset({"on", "in", "at", "left", "right", "next", "beside", "behind", "between", "above", "below", "under",
-                     "near", "touching", "to", "right", "middle", "center", "front", "back"})  # fmt: skip
+_PLACES = frozenset({
+    "on", "in", "at", "to", "left", "right", "middle", "center", "front", "back", "next", "beside", "behind", "between",
+    "above", "below", "under", "near", "touching",
+})  # fmt: skip
 """What a place begins with."""
 
 

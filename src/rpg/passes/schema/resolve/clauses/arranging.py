@@ -36,7 +36,7 @@ from rpg.passes.schema.resolve.orders.orders import order_of
 from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
-from rpg.passes.schema.resolve.orders.reordered import FIRST, kind_again, within
+from rpg.passes.schema.resolve.orders.reordered import kind_again, within
 from rpg.passes.schema.resolve.places.mutual import of_every_two
 from rpg.passes.schema.resolve.places.patches import like_the_last
 from rpg.passes.schema.resolve.places.placing import Goals, absolutes, loose_ats, places
@@ -119,11 +119,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if temporal is not None or (theme.op == "then" and spec.places):
         spec.orders = [o for o in spec.orders if o is not temporal]
         return _one_by_one(theme, temporal, spec, scene, scope, span)
-    if (
-        theme.op == "then"
-        and (verb == "stack" or _lined(verb, spec, theme, scene))
-        and not any(o.items for o in spec.orders)
-    ):
+    if theme.op == "then" and (verb == "stack" or _lined(verb, spec, theme)) and not any(o.items for o in spec.orders):
         spec.orders = [*(o for o in spec.orders if o.by != "given"), OrderBy(by="given", span=theme.span)]
         spec.in_turn = () if any(x.listed or x.parts for x in theme.parts) else tuple(x.names for x in theme.parts)
     if (again := None if scope.start else within(theme, verb, spec, scene, span)) is not None:
@@ -139,7 +135,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         ref, goals = _into(theme, spec, scene, scope)
     elif heaped or verb == "stack":
         ref, goals = _stacked(theme, spec, scene, scope, span, bool(heaped))
-    elif _wants_row(verb, spec, theme, scene):
+    elif _wants_row(verb, spec, theme):
         built, goals = make(Structure(kind=kind_again(theme, spec, scene), span=span), spec, theme, scene, scope)
         spec.orders = []
         ref = replace(theme, names=built[0].members, built=tuple(built))
@@ -263,21 +259,19 @@ def _one_mark(spec: Spec, scene: Scene, scope: Scope) -> Ref | None:
     return found if len(found.names) == 1 and found.quant is None and not found.table else None
 
 
-def _lined(verb: str, spec: Spec, theme: Ref, scene: Scene) -> bool:
+def _lined(verb: str, spec: Spec, theme: Ref) -> bool:
     """Whether blocks are to form a line or a tower: "red, then blue" says how they follow each other."""
     kinds = [getattr(into.structure, "kind", "") for into in spec.intos]
     if kinds:
         return kinds[0] in ("stack", "row", "line", "column")
-    return _wants_row(verb, spec, theme, scene)
+    return _wants_row(verb, spec, theme)
 
 
-def _wants_row(verb: str, spec: Spec, theme: Ref, scene: Scene) -> bool:
+def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
     runs = [o for o in spec.orders if o.by == "run" and verb == "place"]
     if len(spec.orders) > len(runs) or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
         return True
-    figure = any(b.kind not in FIRST and {*b.members} == {*theme.names} for b in scene.built)
-    parted = any(map(place_of, spec.absolutes)) and any(map(_in_line, spec.places))
-    return parted and len(theme.names) > 2 and not figure
+    return len(theme.names) > 2 and any(map(place_of, spec.absolutes)) and any(map(_in_line, spec.places))
 
 
 def _in_line(place: Meaning) -> bool:
@@ -290,8 +284,9 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
     into = spec.intos.pop(0)
     target = into.structure
     if spec.intos:
-        raise refuse("order-conflict", "two structures are named for the same blocks", spec.intos[0].span,
-                     "keep one of them")  # fmt: skip
+        raise refuse(
+            "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
+        )
     if isinstance(target, Coord):
         sorted_ = [x for x in target.items if isinstance(x, Structure) and x.kind == "pile"]
         if len(sorted_) == len(target.items):

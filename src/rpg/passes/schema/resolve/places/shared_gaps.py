@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from rpg.core.diagnostics import Refusal
-from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, Spacing, parts_of, replace
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, Spacing, parts_of, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
 _SIDES = frozenset({"left", "right", "front", "behind", "beside"})
@@ -23,7 +23,10 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
     """
     clauses = list(chain.clauses)
     for n, clause in enumerate(clauses):
-        _check_piled(clause)
+        _check_piled(clause, len(clauses) == 1)
+        turn = _turn(clause) if n and chain.links[n] == "and" and _placed(clauses[n - 1]) else None
+        if turn is not None and _SET_OFF.search(text[: turn.span[0] + 1]):
+            raise _of_which(turn)
         gap = _gap(clause)
         if gap is not None and _told_within(clause):
             raise _of_which(gap)
@@ -44,8 +47,27 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
     return chain if tuple(clauses) == chain.clauses else replace(chain, clauses=tuple(clauses))
 
 
-def _of_which(gap: Meaning) -> Refusal:
-    return refuse("ambiguous", "of the last two of these, or of all that were told?", gap.span,
+_TURNS = frozenset({"turn", "by", "by?", "facing"})
+
+
+def _turn(clause: Meaning) -> Manner | None:
+    """ "(A on B) and C on D, turned to the left": how a block is turned that is put there with no verb of its own."""
+    if not isinstance(clause, Clause) or clause.theme is None or len(clause.adjuncts) < 2:
+        return None
+    turn = clause.adjuncts[-1]
+    if not isinstance(turn, Manner) or turn.kind not in _TURNS or clause.span[0] < clause.theme.span[0]:
+        return None
+    return turn
+
+
+def _placed(clause: Meaning) -> bool:
+    """Whether a clause says no more than where a block goes."""
+    places = clause.adjuncts if isinstance(clause, Clause) else ()
+    return len(places) == 1 and isinstance(places[0], Loc | In)
+
+
+def _of_which(told: Meaning) -> Refusal:
+    return refuse("ambiguous", "of the last two of these, or of all that were told?", told.span,
                   "say it of each of them: 'A is 2 cm to the left of B'")  # fmt: skip
 
 
@@ -58,10 +80,12 @@ def _gap(clause: Meaning) -> Loc | Spacing | None:
     return gap if isinstance(gap, Loc) and mutual and gap.rel in ("distance", "touching") else None
 
 
-def _check_piled(clause: Meaning) -> None:
-    """Refuse "red on blue and green on white with a 5 cm gap between them": the one lies on the other."""
+def _check_piled(clause: Meaning, alone: bool) -> None:
+    """Refuse "red on blue and green on white with a 5 cm gap between them", "touching": one lies on the other."""
     places = [x for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
-    if len(places) != 2 or places[0].rel not in ("on", "under") or places[0].negated or places[1].rel != "distance":
+    rels = [x.rel for x in places]
+    told = ("distance",) if alone else ("distance", "touching")
+    if len(rels) != 2 or rels[0] not in ("on", "under") or places[0].negated or rels[1] not in told:
         return
     named, theme = places[0].landmark, clause.theme if isinstance(clause, Clause) else None
     single = all(isinstance(x, Noun) and x.head != "patch" and not x.plural for x in (named, theme))

@@ -24,6 +24,7 @@ from rpg.passes.schema.colors_of_all import check_colors_of_all
 from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.numbers_had import symbols_of
 from rpg.passes.schema.of_a_part import check_parts
+from rpg.passes.schema.one_like_it import check_one_like_it
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.told_apart import check_told_apart
 
@@ -54,6 +55,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_colors_of_all(tokens, task)
     check_told_apart(tokens, task)
     check_parts(tokens, task)
+    check_one_like_it(tokens, task)
     _mats_listed(tokens, task)
 
 

@@ -17,9 +17,12 @@ _ENDS = frozenset({"(", ")"})
 
 
 def check_one_like_it(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "build a red tower of two next to a green one", "a red A on a blue one" as something beside a block."""
+    """Refuse "build a red tower of two next to a green one", "a red A on a blue one" as something beside a block, or
+    beside a tower of as many blocks as nobody said."""
     if all(token.word != "one" for token in words):
         return
+    counted = any(token.kind == "number" or lexicon.NUMBER.get(token.word, 0) > 1 for token in words)
+    unsaid = counted and any(note.startswith("the number of") for note in task.assumptions)
     said = Counter(lexicon.COLOR.get(token.word) for token in words)
     shown = {symbol for block in task.blocks for symbol in symbols_of(block)}
     for index, (look, noun) in enumerate(pairwise(words)):
@@ -34,7 +37,7 @@ def check_one_like_it(words: Sequence[Token], task: TaskSchema) -> None:
             token.word in lexicon.BLOCK and (before.word in lexicon.COLOR or not lexicon.BLOCK[token.word])
             for before, token in pairwise(after[:at])
         )
-        alone = color is not None and said[color] == 1 and _plain(task, color)
+        alone = color is not None and said[color] == 1 and (unsaid or _plain(task, color))
         if alone and not blocks and at > 1 and {x.word for x in after[max(at - 3, 0) : at]} & {"a", "the"}:
             where = (after[at - 1].span[0], after[at].span[1])
             raise refuse("ambiguous", "a plain block, or like what is named before it?", where,

@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import GoalPatch
 from rpg.ir.relations import InRegion
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import GroupBy, Spells
+from rpg.ir.structures import GroupBy, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
@@ -21,6 +21,7 @@ _KINDS = (("odd", "even"), ("even", "odd"), ("vowels", "consonants"), ("consonan
 _TWO_KINDS = re.compile("|".join(rf"\b{one}\b.* and (?:the )?{other}\b" for one, other in _KINDS))
 _NAMED = re.compile(r"\bname is (\S+) .*\b(?:write|spell|lay|build) (?:the word )?(\S+)$")
 _EACH_MIDDLE = re.compile(r", (?:each|both|all)(?: of them)? in the (?:very )?(?:middle|center)$")
+_TOUCHING = re.compile(r"\b(?:touch|touching|contact)\b")
 _SIZES = "|".join(lexicon.SIZE)
 _SEVERAL = "|".join(noun for noun, many in lexicon.BLOCK.items() if many)
 _TWO_SIZES = re.compile(rf"\b(?:{_SIZES}) and (?:{_SIZES}) (?:\w+ )?(?:{_SEVERAL})\b")
@@ -35,9 +36,12 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
         Refusal: "ambiguous", with what can be told of each.
     """
     found = list(atoms(task.goal))
+    towers = [{*x.blocks} for x in found if isinstance(x, Stack)]
     for sentence in sentences(tokens):
         text = " ".join(token.word for token in sentence if token.word not in (".", "!", "?"))
-        grouped = [x for x in found if isinstance(x, GroupBy) and len(x.groups or ()) == 1]
+        grouped = [x.groups[0] for x in found if isinstance(x, GroupBy) and x.groups and len(x.groups) == 1]
+        if any({*x} in towers and len(x) < len(task.blocks) for x in grouped) and _TOUCHING.search(text):
+            raise _asked(sentence, "blocks of one tower touch anyhow: what is to touch what?", "say which blocks touch")
         if grouped and _TWO_KINDS.search(text):
             raise _asked(sentence, "one group, or one of each kind?", "say 'group the digits by odd and even'")
         named = _NAMED.search(text)

@@ -95,8 +95,7 @@ def of_the_towers(theme: Ref, loc: Loc, scene: Scene) -> Ref:
     if len(stacks) == 2:
         names = tuple(n for b in stacks for n in b.members)
         return Ref(names=names, built=tuple(stacks), plural=True, span=theme.span)
-    with_others = loc.rel == "touching" and any(t.name not in theme.names for t in scene.blocks())
-    if loc.rel in ("distance", "apart") or with_others:
+    if loc.rel in ("distance", "apart"):
         raise refuse("ambiguous", "blocks of one tower lie on each other", loc.span, "say of what this is said")
     return theme
 

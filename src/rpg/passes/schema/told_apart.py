@@ -13,6 +13,7 @@ from rpg.ir.structures import GroupBy, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
+from rpg.language.grammar.rows.vocabulary import COLOR
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -26,6 +27,10 @@ _SIZES = "|".join(lexicon.SIZE)
 _SEVERAL = "|".join(noun for noun, many in lexicon.BLOCK.items() if many)
 _TWO_SIZES = re.compile(rf"\b(?:{_SIZES}) and (?:{_SIZES}) (?:\w+ )?(?:{_SEVERAL})\b")
 """Plurals may be of one block of each size, or of several."""
+_A_BLOCK = rf"(?:a|an|one) ({COLOR}) (?:{'|'.join(lexicon.BLOCK)}|one)"
+_AND_THERE = re.compile(
+    rf"\b{_A_BLOCK} , {_A_BLOCK} (?:on|in|at|to|left|right|behind|next|beside|near) (.*?){_A_BLOCK} "
+)
 _IT_IS = re.compile(rf"(?:it|this|that)(?: is|'s| 's) an? .*\b(?:{'|'.join(lexicon.BLOCK)}|one)\b")
 
 
@@ -50,6 +55,11 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
         middles = [x for x in found if isinstance(x, InRegion) and x.region == "middle"]
         if middles and any(isinstance(x, GoalPatch) for x in task.assets) and _EACH_MIDDLE.search(text):
             raise _asked(sentence, "in the middle of the table, or of the patches?", "say of what it is the middle")
+        there = _AND_THERE.search(text)
+        if there and {"it", "its", "that", "which", there[1]}.isdisjoint(there[3].split()):
+            raise _asked(
+                sentence, "both of these there, or the last one?", "say 'and' between the two, or say it alone"
+            )
         unsaid = any(note.startswith("the number of") for note in task.assumptions)
         if unsaid and _TWO_SIZES.search(text):
             raise _asked(sentence, "it is not said how many of each size there are", "say how many there are of each")

@@ -116,10 +116,11 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if (separate := _not_on_each_other(theme, verb, heaped, spec, scene, span)) is not None:
         return [*separate, *places(theme, spec, scene, scope, span)]
     temporal = next((o for o in spec.orders if o.by == "temporal" or _in_time(o, verb, theme, spec)), None)
-    if temporal is not None or (theme.op == "then" and spec.places):
+    if temporal is not None or (theme.op == "then" and spec.places and not heaped):
         spec.orders = [o for o in spec.orders if o is not temporal]
         return _one_by_one(theme, temporal, spec, scene, scope, span)
-    if theme.op == "then" and (verb == "stack" or _lined(verb, spec, theme)) and not any(o.items for o in spec.orders):
+    upright = verb == "stack" or bool(heaped)
+    if theme.op == "then" and (upright or _lined(verb, spec, theme)) and not any(o.items for o in spec.orders):
         spec.orders = [*(o for o in spec.orders if o.by != "given"), OrderBy(by="given", span=theme.span)]
         spec.in_turn = () if any(x.listed or x.parts for x in theme.parts) else tuple(x.names for x in theme.parts)
     if (again := None if scope.start else within(theme, verb, spec, scene, span)) is not None:
@@ -133,7 +134,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     _by_dims(verb, spec)
     if spec.intos:
         ref, goals = _into(theme, spec, scene, scope)
-    elif heaped or verb == "stack":
+    elif upright:
         ref, goals = _stacked(theme, spec, scene, scope, span, bool(heaped))
     elif _wants_row(verb, spec, theme):
         built, goals = make(Structure(kind=kind_again(theme, spec, scene), span=span), spec, theme, scene, scope)

@@ -70,11 +70,12 @@ def moved_from(clause: Clause) -> Clause:
     if clause.mode != "command" and not (goes_on and lies):
         return clause
     if isinstance(theme, Coord):
-        return replace(clause, theme=replace(theme, items=tuple(_before(x) for x in theme.items)))
-    return replace(clause, theme=_before(theme)) if isinstance(theme, Noun) and theme.conditions else clause
+        return replace(clause, theme=replace(theme, items=tuple(as_begun(x) for x in theme.items)))
+    return replace(clause, theme=as_begun(theme)) if isinstance(theme, Noun) and theme.conditions else clause
 
 
-def _before(noun: Meaning) -> Meaning:
+def as_begun(noun: Meaning) -> Meaning:
+    """A phrase of which what is told aside is told of the start."""
     if not isinstance(noun, Noun) or not noun.conditions:
         return noun
     told = (

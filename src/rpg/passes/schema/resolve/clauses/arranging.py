@@ -232,7 +232,7 @@ def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, 
             )
         units = tuple(found)
     stages = []
-    mark = _one_mark(spec, scene, scope)
+    mark = None if theme.each else _one_mark(spec, scene, scope)
     for unit in units:
         if mark is not None and isinstance(on := spec.places[0], Loc):
             stages.append(g.Stage(goal=conj(related(unit, mark, on, scene, span), span)))

@@ -24,9 +24,9 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
     clauses = list(chain.clauses)
     for n, clause in enumerate(clauses):
         _check_piled(clause, len(clauses) == 1)
-        turn = _turn(clause) if n and chain.links[n] == "and" and _placed(clauses[n - 1]) else None
-        if turn is not None and _SET_OFF.search(text[: turn.span[0] + 1]):
-            raise _of_which(turn)
+        told = _told_last(clause) if n and chain.links[n] == "and" and _placed(clauses[n - 1]) else None
+        if told is not None and _SET_OFF.search(text[: told.span[0] + 1]):
+            raise _of_which(told)
         gap = _gap(clause)
         if gap is not None and _told_within(clause):
             raise _of_which(gap)
@@ -50,14 +50,15 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
 _TURNS = frozenset({"turn", "by", "by?", "facing"})
 
 
-def _turn(clause: Meaning) -> Manner | None:
-    """ "(A on B) and C on D, turned to the left": how a block is turned that is put there with no verb of its own."""
+def _told_last(clause: Meaning) -> Meaning | None:
+    """ "(A on B) and C on D, turned to the left", "..., 10 cm from the mat": what is told of a block that is put there
+    with no verb of its own."""
     if not isinstance(clause, Clause) or clause.theme is None or len(clause.adjuncts) < 2:
         return None
-    turn = clause.adjuncts[-1]
-    if not isinstance(turn, Manner) or turn.kind not in _TURNS or clause.span[0] < clause.theme.span[0]:
-        return None
-    return turn
+    told = clause.adjuncts[-1]
+    turned = isinstance(told, Manner) and told.kind in _TURNS
+    far = isinstance(told, Loc) and told.rel in ("distance", "near", "apart") and isinstance(told.landmark, Noun)
+    return told if (turned or far) and clause.span[0] >= clause.theme.span[0] else None
 
 
 def _placed(clause: Meaning) -> bool:
@@ -84,7 +85,7 @@ def _check_piled(clause: Meaning, alone: bool) -> None:
     """Refuse "red on blue and green on white with a 5 cm gap between them", "touching": one lies on the other."""
     places = [x for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
     rels = [x.rel for x in places]
-    told = ("distance",) if alone else ("distance", "touching")
+    told = ("distance",) if alone else ("distance", "touching", "side_by_side", "adjacent", "near", "apart")
     if len(rels) != 2 or rels[0] not in ("on", "under") or places[0].negated or rels[1] not in told:
         return
     named, theme = places[0].landmark, clause.theme if isinstance(clause, Clause) else None

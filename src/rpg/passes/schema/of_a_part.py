@@ -4,8 +4,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
+from rpg.ir.assets import SemanticCube
 from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
 from rpg.language.grammar.rows.vocabulary import COLOR
@@ -32,6 +35,8 @@ _SIDE = rf"(?:{'|'.join(_WHERE)})"
 _ONES = rf"(?:{'|'.join(word for word, many in lexicon.BLOCK.items() if many)}|ones)"
 _SEVERAL = re.compile(rf"\bthe {_SIDE} {_ONES} (?:(?:is|are|being|(?:should|must|shall) be) )?(?:all )?({COLOR})\b|"
                       rf"\b({COLOR}) {_SIDE} {_ONES}\b")  # fmt: skip
+_ONE = re.compile(rf"\b{_NAMED}(?: (?:one|block|letter|digit))? (?:(?:is|should be|must be) )?({COLOR})$")
+_REST = re.compile(rf"\bthe (?:others|rest|other (?:ones|blocks)) (?:are|is|should be|must be) (?:all )?({COLOR})\b")
 
 
 def check_parts(tokens: list[Token], task: TaskSchema) -> None:
@@ -43,9 +48,10 @@ def check_parts(tokens: list[Token], task: TaskSchema) -> None:
     """
     for sentence in sentences(tokens):
         words = [token.word for token in sentence]
+        text = " ".join(words)
+        _rest(text, sentence, task)
         if "," not in words and _WHERE.isdisjoint(words):
             continue
-        text = " ".join(words)
         told = _AND_SO.search(text) or _LOT_SO.search(text) or _BETWEEN.search(text)
         if told is not None and not (told[1].strip() == "on" and " on " in told[2]):
             raise refuse("ambiguous", f"'{told[1].strip()}': said of this part, or of the whole?",
@@ -55,3 +61,24 @@ def check_parts(tokens: list[Token], task: TaskSchema) -> None:
             if sum(block.color == color for block in task.blocks) == 1:
                 raise refuse("ambiguous", f"it is not said how many blocks '{part[0]}' are",
                              (sentence[0].span[0], sentence[-1].span[1]), "say 'the two ...'")  # fmt: skip
+        _one(text, sentence, task)
+
+
+def _one(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "(put A, B and C in a row.) The first one is green" as of a further block, or of a patch."""
+    one = _ONE.search(text.rstrip(" .!"))
+    such = [block for block in task.blocks if one is not None and block.color == lexicon.COLOR[one[1]]]
+    shown = any(isinstance(block, SemanticCube) for block in task.blocks)
+    further = shown and not any(isinstance(block, SemanticCube) for block in such)
+    if one is not None and (further or (not such and task.patches)):
+        raise refuse("ambiguous", f"it is not clear what '{one[0]}' is said of",
+                     (sentence[0].span[0], sentence[-1].span[1]), "name the block")  # fmt: skip
+
+
+def _rest(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "the others are white" where all are."""
+    rest = _REST.search(text)
+    used = {*names(task.goal)} if rest is not None else set()
+    if rest is not None and {block.color for block in task.blocks if block.name in used} == {lexicon.COLOR[rest[1]]}:
+        raise refuse("ambiguous", "it is not said which blocks are no others",
+                     (sentence[0].span[0], sentence[-1].span[1]), "say what the first ones look like")  # fmt: skip

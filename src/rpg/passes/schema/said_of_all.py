@@ -24,6 +24,8 @@ _ALL = r", (?:all|both)(?: of (?:them|these))?(?: (?:in|are|should be|must be))?
 _COLORED = re.compile(rf"^(.*){_ALL} ({COLOR})$")
 _SIZED = re.compile(rf"{_ALL} (?:\d[\d.]* cm\b.*|{'|'.join(lexicon.SIZE)})$")
 _TURNED = re.compile(rf"{_ALL} (?:upside down|upright|turned|rotated|facing)\b[^,]*$")
+_ONLY = re.compile(rf"\buse only ({COLOR}) (?:{'|'.join(lexicon.BLOCK)}|ones)\b")
+_SO_MANY = re.compile(rf"\buse (?:exactly |only |just )?({'|'.join(lexicon.NUMBER)}) (?:different )?colors\b")
 _NONE = re.compile(rf", none of (?:them|these)(?: is| are)? ({COLOR})$")
 
 
@@ -37,15 +39,16 @@ def check_said_of_all(tokens: Sequence[Token], task: TaskSchema) -> None:
     if unsaid and _OF_ALL.search(" ".join(token.word for token in tokens)):
         raise refuse("ambiguous", "it is not clear of which blocks this colour is told",
                      (tokens[0].span[0], tokens[-1].span[1]), "name the colour with each of them")  # fmt: skip
-    if {"all", "both", "none"}.isdisjoint(token.word for token in tokens):
+    if {"all", "both", "none", "use"}.isdisjoint(token.word for token in tokens):
         return
     used = {*names(task.goal)}
     blocks = [block for block in task.blocks if block.name in used]
     told = sentences(list(tokens))
     for sentence in told:
+        text = " ".join(token.word for token in sentence if token.word not in STOPS)
+        _used(text, blocks, sentence)
         if len(told) > 1 and all(token.word != "all" for token in sentence):  # "both" are those of the sentence
             continue
-        text = " ".join(token.word for token in sentence if token.word not in STOPS)
         _colors(text, blocks, sentence)
         if _SIZED.search(text) and len({block.size for block in blocks}) > 1:
             raise _asked(sentence, "it is not clear of which blocks this size is told")
@@ -67,6 +70,16 @@ def _colors(text: str, blocks: Iterable[Block], sentence: Sequence[Token]) -> No
     if none is not None and lexicon.COLOR[none[1]] in there:
         raise refuse("contradiction", "one of these has just this colour", (sentence[0].span[0], sentence[-1].span[1]),
                      "leave this out, or name another colour")  # fmt: skip
+
+
+def _used(text: str, blocks: Iterable[Block], sentence: Sequence[Token]) -> None:
+    """Refuse "(put a red and a blue block on the mat.) Use only red blocks", "use three colours"."""
+    colors = {block.color for block in blocks} - {"ivory"}
+    only, many = _ONLY.search(text), _SO_MANY.search(text)
+    if only is not None and colors != {lexicon.COLOR[only[1]]}:
+        raise _asked(sentence, "others than these are told of as well")
+    if many is not None and len(colors) != lexicon.NUMBER[many[1]]:
+        raise _asked(sentence, "so many colours are not told of")
 
 
 def _asked(sentence: Sequence[Token], message: str) -> Refusal:

@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import GoalPatch
 from rpg.ir.relations import InRegion
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import GroupBy, Spells, Stack
+from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
@@ -31,6 +31,8 @@ _A_BLOCK = rf"(?:a|an|one) ({COLOR}) (?:{'|'.join(lexicon.BLOCK)}|one)"
 _AND_THERE = re.compile(
     rf"\b{_A_BLOCK} , {_A_BLOCK} (?:on|in|at|to|left|right|behind|next|beside|near) (.*?){_A_BLOCK} "
 )
+_ANOTHER = re.compile(r"\b(?:make|build|form|construct|create) another(?: one)?(?= (?!\w+ (?:block|cube))|$)")
+_SHAPES = (Stack, Row, Towers, Cells)
 _IT_IS = re.compile(rf"(?:it|this|that)(?: is|'s| 's) an? .*\b(?:{'|'.join(lexicon.BLOCK)}|one)\b")
 
 
@@ -60,6 +62,9 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
             raise _asked(
                 sentence, "both of these there, or the last one?", "say 'and' between the two, or say it alone"
             )
+        shapes = sum(isinstance(x, _SHAPES) and len(x.blocks) > 1 for x in found)
+        if shapes == 1 and _ANOTHER.search(text):
+            raise _asked(sentence, "another block, or another such figure?", "say 'another tower', or 'another block'")
         unsaid = any(note.startswith("the number of") for note in task.assumptions)
         if unsaid and _TWO_SIZES.search(text):
             raise _asked(sentence, "it is not said how many of each size there are", "say how many there are of each")

@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import string
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.clauses.some_way import SOME_WAY
 from rpg.language.grammar.things.retold import tally
 from rpg.language.meaning import (
     Absolute,
+    Amount,
     At,
     Chain,
     Clause,
@@ -196,6 +198,7 @@ def _all_such(labels: tuple[str, ...], quality: str | None, span: Span) -> None:
 
 def _clause(clause: Clause) -> None:
     theme = clause.theme
+    _cut_short(theme)
     if isinstance(theme, Noun) and theme.traits.quality:
         orders = (a for a in parts_of(clause.adjuncts) if isinstance(a, OrderBy))
         shown = (i for a in orders for i in a.items if isinstance(i, Noun))
@@ -260,6 +263,22 @@ def _run_of(theme: Noun, clause: Clause) -> None:
     formed = any(isinstance(a, lined) or (isinstance(a, OrderBy) and a.by in _SORTED) for a in clause.adjuncts)
     if runs and not formed and theme.traits.kind in ("letter", "digit") and not theme.traits.labels:
         raise _unfit("these are no order, but tell which are meant", clause.span, "say 'in a row', or in order")
+
+
+_SINGLE = Amount(1, 1)
+
+
+def _cut_short(theme: Meaning | None) -> None:
+    """Refuse "a tower of red, blue and green" as a tower of two blocks and a third one."""
+    for shape, other in pairwise(theme.items) if isinstance(theme, Coord) else ():
+        blocks = shape.members if isinstance(shape, Structure) else None
+        items = blocks.items if isinstance(blocks, Coord) else (blocks, blocks)
+        bare = [x for x in (*items, other) if isinstance(x, Noun) and x.det == "bare" and x.amount in (None, _SINGLE)]
+        marks = [bool(x.traits.labels) for x in bare if x.traits.labels or x.traits.colors]
+        listed = isinstance(blocks, Coord) or (isinstance(blocks, Noun) and len(blocks.traits.labels) > 1)
+        if listed and len(marks) == len(items) + 1 and len({*marks}) == 1:
+            raise _unfit("this could be one more block of the structure, or one beside it", other.span,
+                         "say 'and a ... block' of one beside it")  # fmt: skip
 
 
 def _alternatives(clause: Clause) -> None:

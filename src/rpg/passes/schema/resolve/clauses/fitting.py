@@ -199,6 +199,7 @@ def _all_such(labels: tuple[str, ...], quality: str | None, span: Span) -> None:
 def _clause(clause: Clause) -> None:
     theme = clause.theme
     _cut_short(theme)
+    _excepted(clause)
     if isinstance(theme, Noun) and theme.traits.quality:
         orders = (a for a in parts_of(clause.adjuncts) if isinstance(a, OrderBy))
         shown = (i for a in orders for i in a.items if isinstance(i, Noun))
@@ -263,6 +264,16 @@ def _run_of(theme: Noun, clause: Clause) -> None:
     formed = any(isinstance(a, lined) or (isinstance(a, OrderBy) and a.by in _SORTED) for a in clause.adjuncts)
     if runs and not formed and theme.traits.kind in ("letter", "digit") and not theme.traits.labels:
         raise _unfit("these are no order, but tell which are meant", clause.span, "say 'in a row', or in order")
+
+
+def _excepted(clause: Clause) -> None:
+    """Refuse "a red and a blue tower, except the red one", "between blue and green, but not the blue one"."""
+    for told in (x for x in parts_of(clause) if isinstance(x, Coord) and x.op == "except"):
+        *listed, last = told.items
+        new = any(isinstance(x, Structure) and x.det in ("a", "bare") for x in listed)
+        looks = [x.traits for x in listed if isinstance(x, Noun) and len(listed) > 1]
+        if new or (isinstance(last, Noun) and last.traits in looks):
+            raise _unfit("this is an exception to something said before it", last.span, "name only what is meant")
 
 
 _SINGLE = Amount(1, 1)

@@ -200,6 +200,9 @@ def _clause(clause: Clause) -> None:
     theme = clause.theme
     _cut_short(theme)
     _excepted(clause)
+    aside = [x for x in clause.adjuncts if isinstance(x, Loc) and x.rel in ("side_by_side", "adjacent", "beside")]
+    if clause.verb == "stack" and len(aside) == len(clause.adjuncts) == 1 and isinstance(aside[0].landmark, Pronoun):
+        raise _unfit("blocks of one stack are not next to each other", aside[0].span, "say how many stacks there are")
     if isinstance(theme, Noun) and theme.traits.quality:
         orders = (a for a in parts_of(clause.adjuncts) if isinstance(a, OrderBy))
         shown = (i for a in orders for i in a.items if isinstance(i, Noun))

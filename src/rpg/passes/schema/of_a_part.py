@@ -30,7 +30,6 @@ _LOT_SO = re.compile(
     rf"the (?:{COLOR}|\w)(?: (?:{_NOUN}))? (?:on|at|in) (?:the )?\w+ and) (?:not )?({_LAID})\b(.*)"
 )
 _BETWEEN = re.compile(rf"{_PART}(?: ,)? ({_PLACED})\b[^,;]*[,;] (?:and )?(?:{_NAMED}|the (?:others?|rest)\b)(.*)")
-
 _SIDE = rf"(?:{'|'.join(_WHERE)})"
 _ONES = rf"(?:{'|'.join(word for word, many in lexicon.BLOCK.items() if many)}|ones)"
 _SEVERAL = re.compile(rf"\bthe {_SIDE} {_ONES} (?:(?:is|are|being|(?:should|must|shall) be) )?(?:all )?({COLOR})\b|"

@@ -68,9 +68,14 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
         unsaid = any(note.startswith("the number of") for note in task.assumptions)
         if unsaid and _TWO_SIZES.search(text):
             raise _asked(sentence, "it is not said how many of each size there are", "say how many there are of each")
-        told = {name for goal in (*task.init.arranged, task.goal) for name in names(goal)}
-        if _IT_IS.match(text) and any(block.name not in told for block in task.blocks):
+        if _IT_IS.match(text) and _distractors(task):
             raise _asked(sentence, "it is not clear of which block this is said", "name the block")
+
+
+def _distractors(task: TaskSchema) -> bool:
+    """Whether there are blocks of which neither the goal nor the start says anything."""
+    told = {name for goal in (*task.init.arranged, task.goal) for name in names(goal)}
+    return any(block.name not in told for block in task.blocks)
 
 
 def _asked(sentence: Sequence[Token], message: str, hint: str) -> Refusal:

@@ -82,15 +82,19 @@ def _gap(clause: Meaning) -> Loc | Spacing | None:
 
 
 def _check_piled(clause: Meaning, alone: bool) -> None:
-    """Refuse "red on blue and green on white with a 5 cm gap between them", "touching": one lies on the other."""
+    """Refuse "red on blue and green on white with a 5 cm gap between them", "touching", "next to it": one lies on the
+    other."""
     places = [x for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
     rels = [x.rel for x in places]
-    told = ("distance",) if alone else ("distance", "touching", "side_by_side", "adjacent", "near", "apart")
+    told = ("distance",) if alone else ("distance", "touching", "side_by_side", "adjacent", "near", "apart", "beside")
     if len(rels) != 2 or rels[0] not in ("on", "under") or places[0].negated or rels[1] not in told:
         return
     named, theme = places[0].landmark, clause.theme if isinstance(clause, Clause) else None
     single = all(isinstance(x, Noun) and x.head != "patch" and not x.plural for x in (named, theme))
-    if single and isinstance(places[1].landmark, Pronoun) and places[1].landmark.word == "each other":
+    word = places[1].landmark.word if isinstance(places[1].landmark, Pronoun) else ""
+    if single and word == "it" and rels[1] in ("beside", "adjacent") and not alone:
+        raise refuse("ambiguous", "next to what it lies on, or to what was told before?", places[1].span, "name it")
+    if single and word == "each other":
         raise refuse("ambiguous", "blocks that lie on each other have no gap: is it between towers?", places[1].span,
                      "say between which blocks it is")  # fmt: skip
 

@@ -47,6 +47,7 @@ ASKED = {
         "A red tower of three with a blue block on top and a green block on either side, touching.",
         "Place four red blocks in a square, 2 cm between them, with a blue one in the middle.",
         "Build a tower of three red blocks, with a yellow block on each.",
+        "Put a red block on a blue block, and a green block on a yellow block next to it.",
         # told of all
         "Put A on B and C on D, both red.",
         "Put A on B and C on D, all upside down.",
@@ -56,6 +57,12 @@ ASKED = {
         "Put the red block between the blue and the green one, none of them red.",
         "A row of three red blocks, each of a different color.",
     ),
+    "no-goal": (
+        "There is a tower of red, blue and green. Put a green one on top.",
+        "Put two red blocks and a blue block on the mat. Use only red blocks.",
+    ),
+    "between-two": ("There is a tower of red, blue and green. Put a yellow one between them.",),
+    "misplaced": ("Build two towers of three blocks, one red and one blue, but not the blue one.",),
     "misplaced-word": (
         # brackets that tell which block it is, or where it is
         "Put the red block (the big one) on the blue block.",
@@ -67,6 +74,7 @@ ASKED = {
     "no-referent": (
         "Make a row of four blocks. The others are white.",
         "First red, then blue, then green go on the mat, in a row.",
+        "Make a line of five blue blocks and put a red block on top of the first and last.",
     ),
 }  # fmt: skip
 

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 
 from rpg.ir.assets import SemanticCube
 from rpg.ir.schema import TaskSchema
-from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
 from rpg.language.grammar.rows.vocabulary import COLOR
@@ -77,7 +76,6 @@ def _one(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
 def _rest(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "the others are white" where all are."""
     rest = _REST.search(text)
-    used = {*names(task.goal)} if rest is not None else set()
-    if rest is not None and {block.color for block in task.blocks if block.name in used} == {lexicon.COLOR[rest[1]]}:
+    if rest is not None and {block.color for block in task.blocks} == {lexicon.COLOR[rest[1]]}:
         raise refuse("ambiguous", "it is not said which blocks are no others",
                      (sentence[0].span[0], sentence[-1].span[1]), "say what the first ones look like")  # fmt: skip

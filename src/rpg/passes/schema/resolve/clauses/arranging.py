@@ -126,9 +126,8 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if (again := None if scope.start else within(theme, verb, spec, scene, span)) is not None:
         spec.ats = []
         return [*again, *places(theme, spec, scene, scope, span)]
-    ref = theme
+    ref, structured = theme, True
     goals: Goals = []
-    structured = True
     if _spelt_later(verb, spec, scene, theme):
         return []
     _by_dims(verb, spec)

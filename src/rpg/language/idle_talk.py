@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from rpg.language import harmless
+from rpg.language import harmless, lexicon
 from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.lead_ins import set_in
 from rpg.language.reasons import meanwhile, reason_or_aim
@@ -57,7 +57,7 @@ def idle(tokens: Sequence[Token]) -> bool:
     if way_of_working(tokens):
         return True
     words = _plain(tokens)
-    if words is None:
+    if words is None or _which(words):
         return False
     begun = len(words) > 1 and words[0] in _BEGUN and IDIOMS.whole(words[1:])
     return begun or (IDIOMS.whole(words) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
@@ -69,15 +69,22 @@ _BEGUN = listed("now so well okay ok right and but")
 _GOING_ON = listed("and then afterwards finally so also ,")
 _MORE = (
     ("another", "one"), ("another",), ("one", "more"), ("a", "further", "one"), ("a", "second", "one"), ("two", "more"),
-    ("a", "third", "one"), ("the", "next", "one"), ("yet", "another", "one"), ("yet", "another"),
-    ("the", "other", "one"),
+    ("a", "third", "one"), ("yet", "another", "one"), ("yet", "another"),
 )  # fmt: skip
 """These are more of what was spoken of, and no talk."""
+_WHICH = frozenset({*lexicon.SIZE, *lexicon.ORDINAL, "last", "next", "other"})
+
+
+def _which(words: Sequence[str]) -> bool:
+    """ "(the big one)", "it is a small one": which of them it is, or what it looks like."""
+    told = words[0] in ("it", "they", "a", "an", "this", "that") and not _WHICH.isdisjoint(words)
+    return words[-1] in ("one", "ones") and (words[0] == "the" or told)
 
 
 def idle_at_an_end(tokens: Sequence[Token]) -> bool:
     """Whether they ask for nothing in front of a task or behind it: all of it, or what an "and" or "but" joins."""
-    if tuple(token.word for token in tokens if token.word not in _GOING_ON) in _MORE:
+    said = [token.word for token in tokens if token.word not in _GOING_ON]
+    if said and (tuple(said) in _MORE or _which(said)):
         return False
     joints = [n for n, token in enumerate(tokens) if token.word in ("and", "but") and 0 < n < len(tokens) - 1]
     later = next((len(lead) for lead in _LATER if tuple(t.word for t in tokens[: len(lead)]) == lead), 0)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language import lexicon
+from rpg.language.bracketed import adds, unbracketed
 from rpg.language.colons import told_first
 from rpg.language.conditions import conditional, inverted
 from rpg.language.grammar.clauses.chains import chain
@@ -39,9 +40,6 @@ _LISTED = frozenset({"requirement", "condition", "rule", "constraint", "point", 
 """These are counted as well, and hold all at once."""
 _ASKING = frozenset({"is", "are", "was", "were", "does", "did", "which", "where", "why", "who", "when"})
 """What a question begins with that is no polite command."""
-_BRACKETS = frozenset({"(", ")", "[", "]"})
-_BEGINS = frozenset({"starts", "start", "begins", "begin", "initially"})
-_TELLING = frozenset({"the", "which", "that", "not", "it", "this", "whose", "where", "i", "or"})
 _THEN = (
     "only then",
     "and only then",
@@ -320,42 +318,12 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
         return read_sentence([t for t in tokens if t.value != SOFT], thorough)
     if not found and (listed := with_commas(tokens)) is not None:
         return read_sentence(listed, thorough)
-    if not found and _adds(tokens):
-        return read_sentence(_unbracketed(tokens), thorough)
+    if not found and adds(tokens):
+        return read_sentence(unbracketed(tokens), thorough)
     if not found:
         raise Refusal([stuck(p)])
     found.sort(key=lambda item: item[:2])
     return Sentence(link, tuple(c for _, _, c in found[:MAX_KEPT]))
-
-
-def _adds(tokens: list[Token]) -> bool:
-    """Whether there are brackets, and what they hold adds something instead of telling which thing is meant."""
-    inside = [
-        "" if _of_it([t.word for t in tokens[n + 1 : n + 4]]) else tokens[n + 1].word
-        for n, t in enumerate(tokens[:-1])
-        if t.word in ("(", "[")
-    ]
-    begins = any(token.word in _BEGINS for token in tokens)
-    return bool(inside) and (begins or not any(word in _TELLING for word in inside))
-
-
-def _of_it(words: list[str]) -> bool:
-    """ "(it is a distractor)", "(I have two)": said of what comes before, not telling which thing is meant."""
-    return (words[:2] == ["it", "is"] and words[2:] != ["the"]) or words[:2] in (["i", "have"], ["i", "got"])
-
-
-def _unbracketed(tokens: list[Token]) -> list[Token]:
-    """What stands in brackets, set off by commas."""
-    out: list[Token] = []
-    for index, token in enumerate(tokens):
-        after = tokens[index + 1].word if index + 1 < len(tokens) else ","
-        if token.word not in _BRACKETS:
-            out.append(token)
-        elif out and out[-1].word not in (",", ":") and after not in (",", ":"):
-            listed = [t.word if t.kind != "number" else "" for t in tokens[index + 1 : index + 3]] == ["", ","]
-            mark = ":" if listed else ","
-            out.append(replace(token, kind="punct", word=mark, raw=mark))
-    return out
 
 
 def _ends(p: Parser, j: int) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from itertools import combinations, pairwise, takewhile
+from itertools import combinations, pairwise
 
 from rpg.ir import goal as g
 from rpg.ir.assets import FACES, SemanticCube
@@ -16,7 +16,6 @@ from rpg.ir.structures import Equation, Figure, Grid, GroupBy, Row, Spells, Stac
 from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
-from rpg.passes.schema.numbers_had import symbols_of
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.stacked_at_last import stacked_at_last
 from rpg.passes.schema.worked_out import asked_for
@@ -126,38 +125,6 @@ def _bodies_of_words(words: Sequence[Token], task: TaskSchema) -> None:
 
 
 _WRITTEN_WITH = frozenset({"with", "using", "from"})
-
-
-def _one_like_it(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "build a red tower of two next to a green one", "a red A on a blue one" as something beside a block."""
-    said = Counter(lexicon.COLOR.get(token.word) for token in words)
-    shown = {symbol for block in task.blocks for symbol in symbols_of(block)}
-    for index, (look, noun) in enumerate(pairwise(words)):
-        symbol = noun.word in _SYMBOL_NOUNS or noun.raw in shown
-        shape = noun.word in lexicon.STRUCTURE and noun.word not in lexicon.PATCH
-        if look.word not in lexicon.COLOR or not (symbol or shape):
-            continue
-        after = [*takewhile(lambda token: token.word not in _ENDS, words[index + 2 :])]
-        at = next((n for n, token in enumerate(after) if token.word == "one"), 0)
-        color = lexicon.COLOR.get(after[at - 1].word) if at else None
-        blocks = any(
-            token.word in lexicon.BLOCK and (before.word in lexicon.COLOR or not lexicon.BLOCK[token.word])
-            for before, token in pairwise(after[:at])
-        )
-        alone = color is not None and said[color] == 1 and _plain(task, color)
-        if alone and not blocks and at > 1 and {x.word for x in after[max(at - 3, 0) : at]} & {"a", "the"}:
-            where = (after[at - 1].span[0], after[at].span[1])
-            raise refuse("ambiguous", "a plain block, or like what is named before it?", where,
-                         "say what it is, 'a blue tower of two', 'a blue A', or 'block' for 'one'")  # fmt: skip
-
-
-def _plain(task: TaskSchema, color: str) -> bool:
-    """Whether there is a single block of a colour, which shows nothing."""
-    alike = [block for block in task.blocks if block.color == color]
-    return len(alike) == 1 and not isinstance(alike[0], SemanticCube)
-
-
-_SYMBOL_NOUNS = frozenset({*lexicon.LETTER, *lexicon.DIGIT})
 
 
 def _blocks_or_marks(words: Sequence[Token], task: TaskSchema) -> None:
@@ -377,7 +344,6 @@ _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchem
     (None, _colors_behind),
     (None, _letters_of_words),
     (_WRITTEN_WITH, _bodies_of_words),
-    (frozenset({"one"}), _one_like_it),
     (_DRAWN, _blocks_or_marks),
     (None, _counts_or_cubes),
     (frozenset({"stacked", "tower", "stack", "pile"}), stacked_at_last),

@@ -20,10 +20,12 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.grammar.rows.vocabulary import COLOR
 from rpg.language.tokens import Token
-from rpg.passes.schema.colors_of_all import check_colors_of_all
 from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.numbers_had import symbols_of
+from rpg.passes.schema.of_a_part import check_parts
+from rpg.passes.schema.one_like_it import check_one_like_it
 from rpg.passes.schema.resolve.things.world import refuse
+from rpg.passes.schema.said_of_all import check_said_of_all
 from rpg.passes.schema.told_apart import check_told_apart
 
 
@@ -50,8 +52,10 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _in_different_colors(sentence, task)
     _one_way(tokens, task)
     check_lines(tokens, task)
-    check_colors_of_all(tokens, task)
+    check_said_of_all(tokens, task)
     check_told_apart(tokens, task)
+    check_parts(tokens, task)
+    check_one_like_it(tokens, task)
     _mats_listed(tokens, task)
 
 
@@ -297,7 +301,9 @@ def _all_different(sentence: Sequence[Token], task: TaskSchema) -> None:
         raise refuse("contradiction", "some of these look alike", sentence[at].span, "say how each of them looks")
 
 
-_IN_DIFFERENT = re.compile(r", (?:all )?(?:in|of) (?:all )?different colors(?= [.;!?]|$)")
+_IN_DIFFERENT = re.compile(
+    r", (?:(?:all )?(?:in|of) (?:all )?different colors|each (?:in|of) an? (?:different|other) color)(?= [.;!?]|$)"
+)
 
 
 def _in_different_colors(sentence: Sequence[Token], task: TaskSchema) -> None:

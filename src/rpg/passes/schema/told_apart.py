@@ -9,10 +9,11 @@ from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import GoalPatch
 from rpg.ir.relations import InRegion
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import GroupBy, Spells
-from rpg.ir.walk import atoms
+from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Towers
+from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
+from rpg.language.grammar.rows.vocabulary import COLOR
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -21,10 +22,18 @@ _KINDS = (("odd", "even"), ("even", "odd"), ("vowels", "consonants"), ("consonan
 _TWO_KINDS = re.compile("|".join(rf"\b{one}\b.* and (?:the )?{other}\b" for one, other in _KINDS))
 _NAMED = re.compile(r"\bname is (\S+) .*\b(?:write|spell|lay|build) (?:the word )?(\S+)$")
 _EACH_MIDDLE = re.compile(r", (?:each|both|all)(?: of them)? in the (?:very )?(?:middle|center)$")
+_TOUCHING = re.compile(r"\b(?:touch|touching|contact)\b")
 _SIZES = "|".join(lexicon.SIZE)
 _SEVERAL = "|".join(noun for noun, many in lexicon.BLOCK.items() if many)
 _TWO_SIZES = re.compile(rf"\b(?:{_SIZES}) and (?:{_SIZES}) (?:\w+ )?(?:{_SEVERAL})\b")
 """Plurals may be of one block of each size, or of several."""
+_A_BLOCK = rf"(?:a|an|one) ({COLOR}) (?:{'|'.join(lexicon.BLOCK)}|one)"
+_AND_THERE = re.compile(
+    rf"\b{_A_BLOCK} , {_A_BLOCK} (?:on|in|at|to|left|right|behind|next|beside|near) (.*?){_A_BLOCK} "
+)
+_ANOTHER = re.compile(r"\b(?:make|build|form|construct|create) another(?: one)?(?= (?!\w+ (?:block|cube))|$)")
+_SHAPES = (Stack, Row, Towers, Cells)
+_IT_IS = re.compile(rf"(?:it|this|that)(?: is|'s| 's) an? .*\b(?:{'|'.join(lexicon.BLOCK)}|one)\b")
 
 
 def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
@@ -34,9 +43,12 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
         Refusal: "ambiguous", with what can be told of each.
     """
     found = list(atoms(task.goal))
+    towers = [{*x.blocks} for x in found if isinstance(x, Stack)]
     for sentence in sentences(tokens):
         text = " ".join(token.word for token in sentence if token.word not in (".", "!", "?"))
-        grouped = [x for x in found if isinstance(x, GroupBy) and len(x.groups or ()) == 1]
+        grouped = [x.groups[0] for x in found if isinstance(x, GroupBy) and x.groups and len(x.groups) == 1]
+        if any({*x} in towers and len(x) < len(task.blocks) for x in grouped) and _TOUCHING.search(text):
+            raise _asked(sentence, "blocks of one tower touch anyhow: what is to touch what?", "say which blocks touch")
         if grouped and _TWO_KINDS.search(text):
             raise _asked(sentence, "one group, or one of each kind?", "say 'group the digits by odd and even'")
         named = _NAMED.search(text)
@@ -45,9 +57,25 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
         middles = [x for x in found if isinstance(x, InRegion) and x.region == "middle"]
         if middles and any(isinstance(x, GoalPatch) for x in task.assets) and _EACH_MIDDLE.search(text):
             raise _asked(sentence, "in the middle of the table, or of the patches?", "say of what it is the middle")
+        there = _AND_THERE.search(text)
+        if there and {"it", "its", "that", "which", there[1]}.isdisjoint(there[3].split()):
+            raise _asked(
+                sentence, "both of these there, or the last one?", "say 'and' between the two, or say it alone"
+            )
+        shapes = sum(isinstance(x, _SHAPES) and len(x.blocks) > 1 for x in found)
+        if shapes == 1 and _ANOTHER.search(text):
+            raise _asked(sentence, "another block, or another such figure?", "say 'another tower', or 'another block'")
         unsaid = any(note.startswith("the number of") for note in task.assumptions)
         if unsaid and _TWO_SIZES.search(text):
             raise _asked(sentence, "it is not said how many of each size there are", "say how many there are of each")
+        if _IT_IS.match(text) and _distractors(task):
+            raise _asked(sentence, "it is not clear of which block this is said", "name the block")
+
+
+def _distractors(task: TaskSchema) -> bool:
+    """Whether there are blocks of which neither the goal nor the start says anything."""
+    told = {name for goal in (*task.init.arranged, task.goal) for name in names(goal)}
+    return any(block.name not in told for block in task.blocks)
 
 
 def _asked(sentence: Sequence[Token], message: str, hint: str) -> Refusal:

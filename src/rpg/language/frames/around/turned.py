@@ -76,6 +76,9 @@ _LEFT_TURN = frozenset({
 _UNIT = re.compile(r"(?:letters|digits|cubes|blocks|ones|degrees?|deg|°|cm|mm|centimet(?:er|re)s?)$")
 _SPEAKS = re.compile(r"(?:look|want|would|see|like|need|can|am|have|stand|sit|read|think|do|mean|wish|hope|picture)$")
 _ONLY = frozenset({"only", "just"})
+_SHOWN = frozenset({"letter", "letters", "digit", "digits", "number", "numbers", "symbol", "symbols", "vowels",
+                    "consonants", "alphabetical", "equation", "sum", "word", "spell", "write"})  # fmt: skip
+"""Words of a text about cubes that show something."""
 _NTH = {"first": 0, "second": 1, "third": 2, "fourth": 3, "last": -1}
 
 
@@ -164,6 +167,8 @@ def _told(said: Sequence[tuple[str, str, str]], words: Sequence[str], tokens: Se
     found: list[str] = []
     for kind, who, state in said:
         if kind == "all":
+            if not symbols and _SHOWN.isdisjoint(words):  # plain blocks look the same on every side
+                raise Unclear
             found.append(f"All letters must be {state}.")
             continue
         named = _named(kind, who, spelt, symbols, turned)

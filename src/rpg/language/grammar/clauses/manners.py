@@ -80,7 +80,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
             continue
         if phrase == "there" and p.follows(i, ("not",)):
             continue
-        if kind == "time" and p.stands(j, ("from",)):  # "third from the left"
+        counted = phrase in ("second", "third", "last") and p.follows(i, ("and",))  # "on top of the first and last"
+        if kind == "time" and (counted or p.stands(j, ("from",))):  # "third from the left"
             continue
         if phrase == ", letters on top" and not _TOWERS.isdisjoint(p.words):
             continue

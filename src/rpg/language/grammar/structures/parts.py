@@ -317,7 +317,7 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
         yield from _as_base(p, i, theme, k) if isinstance(theme, Noun) else ()
         if lead := p.any_of(k, LEADS):
             for place, end in (_of_step(p, lead, *told) for told in part(p, lead, unit)):
-                block = p.words[end - 1] in UNITS and UNITS[p.words[end - 1]] == "block"
+                block = UNITS.get(p.words[end - 1]) == "block" or p.number(end - 1) is not None  # "on the outer two"
                 corner = getattr(place, "unit", "") == "cell" and p.words[lead] == "its"
                 on_block = p.words[k] == "on" and (block or corner or isinstance(place, At))
                 own = (

@@ -14,6 +14,7 @@ _SHAPES = ("stack", "row", "line", "column")
 _CLOSING = frozenset({".", "!", "please", "total", "altogether"})
 _SIGNS = frozenset({".", ";", ",", "!", "("})
 _MANY = frozenset({"two", "three", "four"})
+_DONE = frozenset({*lexicon.VERB, *lexicon.PATCH, "go", "goes", "come", "comes"})
 
 
 def shape_ahead(tokens: list[Token]) -> list[Token] | None:
@@ -31,7 +32,10 @@ def shape_ahead(tokens: list[Token]) -> list[Token] | None:
     if begin < 2 or tokens[begin - 1].word not in _SIGNS or noun[1] != bool(told & _MANY):
         return None
     before = tokens[: begin - 1]
-    if any(token.word in lexicon.STRUCTURE or token.word == ":" for token in before) or not told:
+    said = {token.word for token in before}
+    if not said.isdisjoint(lexicon.STRUCTURE) or ":" in said or not told:
+        return None
+    if "then" in said and not said.isdisjoint(_DONE):  # what is done one after the other is no order of a row
         return None
     count = [token for token in tokens[begin : end - 1] if token.word in _MANY]
     colon = replace(tokens[end - 1], kind="punct", word=":", raw=":", value=None)

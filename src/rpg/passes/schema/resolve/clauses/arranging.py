@@ -116,24 +116,24 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if (separate := _not_on_each_other(theme, verb, heaped, spec, scene, span)) is not None:
         return [*separate, *places(theme, spec, scene, scope, span)]
     temporal = next((o for o in spec.orders if o.by == "temporal" or _in_time(o, verb, theme, spec)), None)
-    if temporal is not None or (theme.op == "then" and spec.places):
+    if temporal is not None or (theme.op == "then" and spec.places and not heaped):
         spec.orders = [o for o in spec.orders if o is not temporal]
         return _one_by_one(theme, temporal, spec, scene, scope, span)
-    if theme.op == "then" and (verb == "stack" or _lined(verb, spec, theme)) and not any(o.items for o in spec.orders):
+    upright = verb == "stack" or bool(heaped)
+    if theme.op == "then" and (upright or _lined(verb, spec, theme)) and not any(o.items for o in spec.orders):
         spec.orders = [*(o for o in spec.orders if o.by != "given"), OrderBy(by="given", span=theme.span)]
         spec.in_turn = () if any(x.listed or x.parts for x in theme.parts) else tuple(x.names for x in theme.parts)
     if (again := None if scope.start else within(theme, verb, spec, scene, span)) is not None:
         spec.ats = []
         return [*again, *places(theme, spec, scene, scope, span)]
-    ref = theme
+    ref, structured = theme, True
     goals: Goals = []
-    structured = True
     if _spelt_later(verb, spec, scene, theme):
         return []
     _by_dims(verb, spec)
     if spec.intos:
         ref, goals = _into(theme, spec, scene, scope)
-    elif heaped or verb == "stack":
+    elif upright:
         ref, goals = _stacked(theme, spec, scene, scope, span, bool(heaped))
     elif _wants_row(verb, spec, theme):
         built, goals = make(Structure(kind=kind_again(theme, spec, scene), span=span), spec, theme, scene, scope)
@@ -231,7 +231,7 @@ def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, 
             )
         units = tuple(found)
     stages = []
-    mark = _one_mark(spec, scene, scope)
+    mark = None if theme.each else _one_mark(spec, scene, scope)
     for unit in units:
         if mark is not None and isinstance(on := spec.places[0], Loc):
             stages.append(g.Stage(goal=conj(related(unit, mark, on, scene, span), span)))

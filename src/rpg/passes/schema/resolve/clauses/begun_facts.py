@@ -61,21 +61,21 @@ def _marks(said: Meaning) -> list[Traits]:
     return [x.traits for x in parts_of(said) if isinstance(x, Noun) and x.head == "patch" and x.det == "the"]
 
 
-_MOVED = ("place", "stack", "pick", "use")
-
-
 def moved_from(clause: Clause) -> Clause:
-    """ "Put the red block, which is on the mat, on the blue one": what is said aside of a block that is moved is so
-    before."""
-    if clause.mode != "command" or clause.verb not in _MOVED or clause.negated:
-        return clause
+    """ "Put the red block, which is on the mat, on the blue one": what is said aside of a block that is moved, or left
+    where it is, is so before; and so it is of one that belongs on something else."""
     theme = clause.theme
+    goes_on = wanted(clause) and not clause.negated and any(map(_on_it, clause.adjuncts))
+    lies = isinstance(theme, Noun) and theme.det in ("the", "bare") and any(map(_on_it, theme.conditions))
+    if clause.mode != "command" and not (goes_on and lies):
+        return clause
     if isinstance(theme, Coord):
-        return replace(clause, theme=replace(theme, items=tuple(_before(x) for x in theme.items)))
-    return replace(clause, theme=_before(theme)) if isinstance(theme, Noun) and theme.conditions else clause
+        return replace(clause, theme=replace(theme, items=tuple(as_begun(x) for x in theme.items)))
+    return replace(clause, theme=as_begun(theme)) if isinstance(theme, Noun) and theme.conditions else clause
 
 
-def _before(noun: Meaning) -> Meaning:
+def as_begun(noun: Meaning) -> Meaning:
+    """A phrase of which what is told aside is told of the start."""
     if not isinstance(noun, Noun) or not noun.conditions:
         return noun
     told = (

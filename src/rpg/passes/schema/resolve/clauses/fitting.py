@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import string
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.clauses.some_way import SOME_WAY
 from rpg.language.grammar.things.retold import tally
 from rpg.language.meaning import (
     Absolute,
+    Amount,
     At,
     Chain,
     Clause,
@@ -196,6 +198,11 @@ def _all_such(labels: tuple[str, ...], quality: str | None, span: Span) -> None:
 
 def _clause(clause: Clause) -> None:
     theme = clause.theme
+    _cut_short(theme)
+    _excepted(clause)
+    aside = [x for x in clause.adjuncts if isinstance(x, Loc) and x.rel in ("side_by_side", "adjacent", "beside")]
+    if clause.verb == "stack" and len(aside) == len(clause.adjuncts) == 1 and isinstance(aside[0].landmark, Pronoun):
+        raise _unfit("blocks of one stack are not next to each other", aside[0].span, "say how many stacks there are")
     if isinstance(theme, Noun) and theme.traits.quality:
         orders = (a for a in parts_of(clause.adjuncts) if isinstance(a, OrderBy))
         shown = (i for a in orders for i in a.items if isinstance(i, Noun))
@@ -262,6 +269,32 @@ def _run_of(theme: Noun, clause: Clause) -> None:
         raise _unfit("these are no order, but tell which are meant", clause.span, "say 'in a row', or in order")
 
 
+def _excepted(clause: Clause) -> None:
+    """Refuse "a red and a blue tower, except the red one", "between blue and green, but not the blue one"."""
+    for told in (x for x in parts_of(clause) if isinstance(x, Coord) and x.op == "except"):
+        *listed, last = told.items
+        new = any(isinstance(x, Structure) and x.det in ("a", "bare") for x in listed)
+        looks = [x.traits for x in listed if isinstance(x, Noun) and len(listed) > 1]
+        if new or (isinstance(last, Noun) and last.traits in looks):
+            raise _unfit("this is an exception to something said before it", last.span, "name only what is meant")
+
+
+_SINGLE = Amount(1, 1)
+
+
+def _cut_short(theme: Meaning | None) -> None:
+    """Refuse "a tower of red, blue and green" as a tower of two blocks and a third one."""
+    for shape, other in pairwise(theme.items) if isinstance(theme, Coord) else ():
+        blocks = shape.members if isinstance(shape, Structure) else None
+        items = blocks.items if isinstance(blocks, Coord) else (blocks, blocks)
+        bare = [x for x in (*items, other) if isinstance(x, Noun) and x.det == "bare" and x.amount in (None, _SINGLE)]
+        marks = [bool(x.traits.labels) for x in bare if x.traits.labels or x.traits.colors]
+        listed = isinstance(blocks, Coord) or (isinstance(blocks, Noun) and len(blocks.traits.labels) > 1)
+        if listed and len(marks) == len(items) + 1 and len({*marks}) == 1:
+            raise _unfit("this could be one more block of the structure, or one beside it", other.span,
+                         "say 'and a ... block' of one beside it")  # fmt: skip
+
+
 def _alternatives(clause: Clause) -> None:
     """ "The red or the blue block": where one of them is to be, not of what there is or what they do together."""
     theme = clause.theme
@@ -294,18 +327,22 @@ def _tallied(whole: Noun, adjuncts: tuple[Meaning, ...]) -> None:
 
 
 def _own_parts(clause: Clause) -> None:
-    """Refuse "a tower of four blue blocks with the top one red", and "a blue tower of four blocks" with it: then only
-    three of the four are blue."""
-    shape = clause.theme
-    blocks = shape.members if isinstance(shape, Structure) else None
-    if not isinstance(shape, Structure) or not isinstance(blocks, Noun) or blocks.amount is None:
+    """Refuse "a tower of four blue blocks with the top one red", and "four blocks, red and blue by turns" with it: then
+    only three of the four look so."""
+    intos = [x.structure for x in clause.adjuncts if isinstance(x, Into)]
+    shape = next((x for x in (clause.theme, *intos) if isinstance(x, Structure)), None)
+    blocks = clause.theme if shape is None or shape is not clause.theme else shape.members
+    if clause.verb != "stack" if shape is None else shape.kind != "stack":
         return
-    parts = [x for x in parts_of((*shape.details, *clause.adjuncts)) if isinstance(x, Absolute)]
-    told = blocks.traits.colors or shape.traits.colors
-    for part in parts if len(told) == 1 else ():
-        own = isinstance(part.adjuncts[0], At) and part.adjuncts[0].own and shape.kind == "stack"
-        looks = part.theme.traits.colors if isinstance(part.theme, Noun) else ()
-        if own and looks and looks != told:
+    items = [x for x in (blocks.items if isinstance(blocks, Coord) else (blocks,)) if isinstance(x, Noun)]
+    turns = [x for a in clause.adjuncts if isinstance(a, OrderBy) and a.by == "alternating" for x in a.items]
+    told = [c for x in (*items, *turns, shape) if isinstance(x, Noun | Structure) for c in x.traits.colors]
+    if not told or all(x.amount is None for x in items):
+        return
+    for part in parts_of((*(shape.details if shape else ()), *clause.adjuncts)):
+        own = isinstance(part, Absolute) and isinstance(part.adjuncts[0], At) and part.adjuncts[0].own
+        looks = part.theme.traits.colors if own and isinstance(part.theme, Noun) else ()
+        if not {*told}.issuperset(looks):
             raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", part.span,
                          f"say how many are {told[0]}, and how many {looks[0]}")  # fmt: skip
 

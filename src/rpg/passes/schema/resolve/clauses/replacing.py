@@ -6,6 +6,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.order import Order
 from rpg.ir.schema import REPLACED
 from rpg.ir.walk import names as names_in
 from rpg.ir.walk import rename
@@ -54,6 +55,9 @@ def _in_its_place(start: g.Goal, old: str, new: str, scene: Scene, span: Span) -
     gone: list[g.Goal] = []
     if isinstance(told, s.Stack):
         told = told.model_copy(update={"exact": True})
+        if told.order.by == "any":  # of blocks that look alike: the new one may look different
+            order = Order(by="given", ranks=tuple((name,) for name in told.blocks), first="bottom")
+            told = told.model_copy(update={"order": order})
     if isinstance(told, s.Spells):
         told = told.model_copy(update={"word": _respelled(told.word, old, new, scene, span)})
     if isinstance(told, s.Equation):

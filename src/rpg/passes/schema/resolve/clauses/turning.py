@@ -27,6 +27,7 @@ from rpg.language.meaning import (
     Using,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.begun_facts import as_begun
 from rpg.passes.schema.resolve.clauses.left_alone import not_elsewhere
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.started import taken_out
@@ -143,7 +144,7 @@ def without(that: That, scene: Scene, turned: bool = False) -> Goals:
             before = len(scene.goals.get(scene.clause, []))
             own = clause.verb == "turn" or (turned and isinstance(clause.theme, Pronoun) and clause.theme.word in _OWN)
             role = "theme" if own else "landmark"  # what is moved anyway is not turned
-            theme = refer(_moved_theme(clause), scene, Scope(role=role))
+            theme = refer(as_begun(_moved_theme(clause)), scene, Scope(role=role))
             scene.start_goals += scene.goals.get(scene.clause, [])[before:]
             del scene.goals.get(scene.clause, [])[before:]
             still = _untouched(clause, theme, scene, that.span)

@@ -20,8 +20,10 @@ _FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front", "
 
 def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The block at a place of the structure spoken of last, or the extreme in size."""
-
     rank = noun.traits.rank or ""
+    if noun.det == "each" and rank.isdigit():  # "on every second one"
+        raise refuse("ambiguous", "one block, or each one that comes so many places after another?", noun.span,
+                     "name each of their places")  # fmt: skip
     if rank.startswith("@") and (own := _of_the_line(noun, rank[1:], scene)) is not None:
         return own
     if rank.startswith("@"):

@@ -163,6 +163,10 @@ def _again(built: Built, names: tuple[str, ...], scene: Scene, span: Span) -> g.
 
 def kind_again(theme: Ref, spec: Spec, scene: Scene) -> str:
     """ "(There is a tower of A, B and C.) Put it in the order C, A, B": as what these blocks are lined up."""
+    figures = [b.kind for b in scene.built if b.kind not in FIRST and {*b.members} == {*theme.names}]
+    if spec.absolutes and figures:  # "four blocks in a square, 2 cm between neighbours, with a blue one in the middle"
+        raise refuse("ambiguous", f"these blocks form a {figures[-1]} already", theme.span,
+                     "say first what the figure is made of, and then how wide its gaps are")  # fmt: skip
     if spec.toward or spec.absolutes:
         return "line"
     if len(theme.built) == 1 and theme.built[0].kind in FIRST:

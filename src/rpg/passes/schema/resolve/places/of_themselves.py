@@ -24,6 +24,10 @@ def of_themselves(loose: list[Loose], goal: g.Goal) -> None:
         raise refuse("ambiguous", "it is not clear of what these are the sides", loose[0][2], "say of what")
     if any(isinstance(a, r.OnPatch) and own & {*members(a.a)} and own - {*members(a.a)} for a in atoms(goal)):
         raise refuse("ambiguous", "on the same patch, or of the table?", loose[-1][2], "say of what")
+    lots = [lot for a in atoms(goal) if isinstance(a, s.GroupBy) for lot in a.groups or ()]
+    lots += [members(a.a) for a in atoms(goal) if isinstance(a, r.OnPatch | r.OnTable)]
+    if len(sides) > 1 and "middle" not in sides and any(own < {*lot} for lot in lots):
+        raise refuse("ambiguous", "of each other, or of another block that is with them?", loose[0][2], "say of what")
     placed = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.OnPatch
     for beside in (a for a in atoms(goal) if isinstance(a, placed)):
         if not own & {*members(beside.a), *(() if isinstance(beside, r.OnPatch) else members(beside.b))}:

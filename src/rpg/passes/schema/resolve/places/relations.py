@@ -300,7 +300,10 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
     if (quant := mark.quant) is not None:
         check_one_on_many(theme, quant, loc)
         return count(mark.names, quant, lambda b: _relate(theme, Ref(names=tuple(b)), loc, scene, span), span)  # type: ignore[arg-type]
-    one_each = getattr(loc.landmark, "word", "") in ("each", "each one", "each of them") and len(mark.built) > 1
+    each = getattr(loc.landmark, "word", "") in ("each", "each one", "each of them")
+    if each and loc.rel == "on" and len(mark.built) == 1 and mark.built[0].kind == "stack":
+        raise refuse("ambiguous", "only the top one of these blocks has room on it", loc.span, "say 'on top of it'")
+    one_each = each and len(mark.built) > 1
     if one_each and loc.rel != "on" and indefinite(theme) and len(theme.names) == 1:
         raise refuse("ambiguous", "one for all of them, or one for each?", loc.span, "name the one of each")
     marks = [mark] if mark.each and indefinite(theme) else one_by_one(mark, loc, scene)

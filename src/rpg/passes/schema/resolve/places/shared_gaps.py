@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from rpg.core.diagnostics import Refusal
-from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, Spacing, parts_of, replace
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, Spacing, parts_of, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
 _SIDES = frozenset({"left", "right", "front", "behind", "beside"})
@@ -23,7 +23,10 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
     """
     clauses = list(chain.clauses)
     for n, clause in enumerate(clauses):
-        _check_piled(clause)
+        _check_piled(clause, len(clauses) == 1)
+        told = _told_last(clause) if n and chain.links[n] == "and" and _placed(clauses[n - 1]) else None
+        if told is not None and _SET_OFF.search(text[: told.span[0] + 1]):
+            raise _of_which(told)
         gap = _gap(clause)
         if gap is not None and _told_within(clause):
             raise _of_which(gap)
@@ -44,8 +47,28 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
     return chain if tuple(clauses) == chain.clauses else replace(chain, clauses=tuple(clauses))
 
 
-def _of_which(gap: Meaning) -> Refusal:
-    return refuse("ambiguous", "of the last two of these, or of all that were told?", gap.span,
+_TURNS = frozenset({"turn", "by", "by?", "facing"})
+
+
+def _told_last(clause: Meaning) -> Meaning | None:
+    """ "(A on B) and C on D, turned to the left", "..., 10 cm from the mat": what is told of a block that is put there
+    with no verb of its own."""
+    if not isinstance(clause, Clause) or clause.theme is None or len(clause.adjuncts) < 2:
+        return None
+    told = clause.adjuncts[-1]
+    turned = isinstance(told, Manner) and told.kind in _TURNS
+    far = isinstance(told, Loc) and told.rel in ("distance", "near", "apart") and isinstance(told.landmark, Noun)
+    return told if (turned or far) and clause.span[0] >= clause.theme.span[0] else None
+
+
+def _placed(clause: Meaning) -> bool:
+    """Whether a clause says no more than where a block goes."""
+    places = clause.adjuncts if isinstance(clause, Clause) else ()
+    return len(places) == 1 and isinstance(places[0], Loc | In)
+
+
+def _of_which(told: Meaning) -> Refusal:
+    return refuse("ambiguous", "of the last two of these, or of all that were told?", told.span,
                   "say it of each of them: 'A is 2 cm to the left of B'")  # fmt: skip
 
 
@@ -58,14 +81,20 @@ def _gap(clause: Meaning) -> Loc | Spacing | None:
     return gap if isinstance(gap, Loc) and mutual and gap.rel in ("distance", "touching") else None
 
 
-def _check_piled(clause: Meaning) -> None:
-    """Refuse "red on blue and green on white with a 5 cm gap between them": the one lies on the other."""
+def _check_piled(clause: Meaning, alone: bool) -> None:
+    """Refuse "red on blue and green on white with a 5 cm gap between them", "touching", "next to it": one lies on the
+    other."""
     places = [x for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
-    if len(places) != 2 or places[0].rel not in ("on", "under") or places[0].negated or places[1].rel != "distance":
+    rels = [x.rel for x in places]
+    told = ("distance",) if alone else ("distance", "touching", "side_by_side", "adjacent", "near", "apart", "beside")
+    if len(rels) != 2 or rels[0] not in ("on", "under") or places[0].negated or rels[1] not in told:
         return
     named, theme = places[0].landmark, clause.theme if isinstance(clause, Clause) else None
     single = all(isinstance(x, Noun) and x.head != "patch" and not x.plural for x in (named, theme))
-    if single and isinstance(places[1].landmark, Pronoun) and places[1].landmark.word == "each other":
+    word = places[1].landmark.word if isinstance(places[1].landmark, Pronoun) else ""
+    if single and word == "it" and rels[1] in ("beside", "adjacent") and not alone:
+        raise refuse("ambiguous", "next to what it lies on, or to what was told before?", places[1].span, "name it")
+    if single and word == "each other":
         raise refuse("ambiguous", "blocks that lie on each other have no gap: is it between towers?", places[1].span,
                      "say between which blocks it is")  # fmt: skip
 

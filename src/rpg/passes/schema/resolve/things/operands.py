@@ -70,8 +70,9 @@ def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
     that comes to the same, as with "at least 10 cm from the two red blocks"."""
     if loc.rel not in (*LEVEL, "distance") or loc.rel == "apart" or mark.op != "and" or mark.patch:
         return [mark]
+    whole = len(mark.built) == 1 and {*mark.built[0].members} == {*mark.names}  # "(stack A, B, C and put D) next to it"
     if len(mark.parts) > 1 or mark.built:
-        return list(mark.parts) or [mark]
+        return [mark] if whole else list(mark.parts) or [mark]
     if mark.each or mark.det in ("all", "both") or loc.rel == "touching":
         return [Ref(names=(name,)) for name in mark.names]
     looks: dict[tuple[str | None, ...], list[str]] = {}

@@ -1,0 +1,81 @@
+"""What is told of one part of a figure besides its colour is not told of the figure: "the outer two red and touching",
+"the left one red, on the mat, the right one blue"; and "the left ones" are no single block."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rpg.ir.assets import SemanticCube
+from rpg.ir.schema import TaskSchema
+from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import sentences
+from rpg.language.grammar.rows.vocabulary import COLOR
+from rpg.language.tokens import Token
+from rpg.passes.schema.resolve.things.world import refuse
+
+_WHERE = frozenset({
+    "left", "right", "upper", "lower", "top", "bottom", "middle", "center", "central", "front", "back", "near", "far",
+    "outer", "inner", "outermost", "innermost", "ends", "corners", "last", *lexicon.ORDINAL,
+})  # fmt: skip
+_NAMED = rf"the (?:\w+ ){{0,2}}(?:{'|'.join(_WHERE)})\b"
+_NOUN = "|".join((*lexicon.BLOCK, *lexicon.STRUCTURE, *lexicon.NUMBER, "one", "ones", "end", "side"))
+_PART = rf"\b{_NAMED}(?: (?:{_NOUN}|\d+))*(?: (?:is|are|(?:should|must|shall) be))? (?:{COLOR})"
+_LAID = r"touching|apart|turned|rotated|facing|upside|\d[\d.]* cm"
+_PLACED = rf"{_LAID}|in|on (?=the|an?\b)|next to|beside|behind"
+_AND_SO = re.compile(rf"{_PART} and (?:not )?({_PLACED}|on|{'|'.join(lexicon.SIZE)})\b(.*)")
+_LOT_SO = re.compile(
+    rf", (?:(?:{'|'.join(lexicon.NUMBER)}|\d+) (?:{COLOR}) (?:and|,)|"
+    rf"the (?:{COLOR}|\w)(?: (?:{_NOUN}))? (?:on|at|in) (?:the )?\w+ and) (?:not )?({_LAID})\b(.*)"
+)
+_BETWEEN = re.compile(rf"{_PART}(?: ,)? ({_PLACED})\b[^,;]*[,;] (?:and )?(?:{_NAMED}|the (?:others?|rest)\b)(.*)")
+_SIDE = rf"(?:{'|'.join(_WHERE)})"
+_ONES = rf"(?:{'|'.join(word for word, many in lexicon.BLOCK.items() if many)}|ones)"
+_SEVERAL = re.compile(rf"\bthe {_SIDE} {_ONES} (?:(?:is|are|being|(?:should|must|shall) be) )?(?:all )?({COLOR})\b|"
+                      rf"\b({COLOR}) {_SIDE} {_ONES}\b")  # fmt: skip
+_ONE = re.compile(rf"\b{_NAMED}(?: (?:one|block|letter|digit))? (?:(?:is|should be|must be) )?({COLOR})$")
+_REST = re.compile(rf"\bthe (?:others|rest|other (?:ones|blocks)) (?:are|is|should be|must be) (?:all )?({COLOR})\b")
+
+
+def check_parts(tokens: list[Token], task: TaskSchema) -> None:
+    """Refuse a sentence in which more than its colour is told of a part, unless it is told so of the other part too,
+    and one in which a part of several blocks has become one block.
+
+    Raises:
+        Refusal: "ambiguous".
+    """
+    for sentence in sentences(tokens):
+        words = [token.word for token in sentence]
+        text = " ".join(words)
+        _rest(text, sentence, task)
+        if "," not in words and _WHERE.isdisjoint(words):
+            continue
+        told = _AND_SO.search(text) or _LOT_SO.search(text) or _BETWEEN.search(text)
+        if told is not None and not (told[1].strip() == "on" and " on " in told[2]):
+            raise refuse("ambiguous", f"'{told[1].strip()}': said of this part, or of the whole?",
+                         (sentence[0].span[0], sentence[-1].span[1]), "say it in a sentence of its own")  # fmt: skip
+        for part in _SEVERAL.finditer(text):
+            color = lexicon.COLOR[part[1] or part[2]]
+            if sum(block.color == color for block in task.blocks) == 1:
+                raise refuse("ambiguous", f"it is not said how many blocks '{part[0]}' are",
+                             (sentence[0].span[0], sentence[-1].span[1]), "say 'the two ...'")  # fmt: skip
+        _one(text, sentence, task)
+
+
+def _one(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "(put A, B and C in a row.) The first one is green" as of a further block, or of a patch."""
+    one = _ONE.search(text.rstrip(" .!"))
+    such = [block for block in task.blocks if one is not None and block.color == lexicon.COLOR[one[1]]]
+    shown = any(isinstance(block, SemanticCube) for block in task.blocks)
+    further = shown and not any(isinstance(block, SemanticCube) for block in such)
+    if one is not None and (further or (not such and task.patches)):
+        raise refuse("ambiguous", f"it is not clear what '{one[0]}' is said of",
+                     (sentence[0].span[0], sentence[-1].span[1]), "name the block")  # fmt: skip
+
+
+def _rest(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "the others are white" where all are."""
+    rest = _REST.search(text)
+    if rest is not None and {block.color for block in task.blocks} == {lexicon.COLOR[rest[1]]}:
+        raise refuse("ambiguous", "it is not said which blocks are no others",
+                     (sentence[0].span[0], sentence[-1].span[1]), "say what the first ones look like")  # fmt: skip

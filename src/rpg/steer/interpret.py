@@ -37,9 +37,11 @@ from rpg.steer.requests.afresh import (
     by_itself,
     extended,
     fresh_start,
+    is_setting,
     mentions_known,
     names_structure,
     of_all,
+    of_another_kind,
     only_known,
     only_named,
     reused,
@@ -258,6 +260,8 @@ def _otherwise(
     edits = is_edit(request) or any(reading.whole and _adds_at_end(reading) for reading in readings)
     edits = edits or (speaks_of_parts(request) and bool(structures(history.current.schema.goal) & STRUCTURES))
     reasons: list[Diagnostic] = []
+    if is_setting(request):
+        raise refusals[0] if refusals else _not_understood(request, longest, reasons, True)
     not_of_what_is_built(request, history, read)
     if not edits and not Fresh.adds(request) and (not refusals or "instead" in request.lower()):
         try:
@@ -330,6 +334,8 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
         raise _not_understood(request, None, (), True)
     found = _whole(request, by_itself(request), 0, history, read, "PIVOT")
     not_half(request, found.task.goal, history)
+    if of_another_kind(draft, request, found.task):
+        raise _not_understood(request, None, (), True)
     _not_of_those_there(found, history.current.schema)
     there = [look(block) for block in history.current.schema.blocks]
     if all(part.kind in _OF_A_BLOCK for part in conjuncts(found.task.goal)) and any(
@@ -348,6 +354,8 @@ def _not_of_those_there(found: Interpretation, old: TaskSchema) -> None:
     unsaid = found.task.assumed(COLORS_UNSAID)
     made_up = of_all(found.request) and any("not said" in text for text in found.task.assumptions)
     made_up = made_up or (unsaid and only_named(found.request) and by_itself(found.request) == found.request)
+    sizes, had = {block.size for block in found.task.blocks}, {block.size for block in old.blocks}
+    made_up = made_up or (unsaid and len(sizes) > 1 and sizes <= had)
     alike = all(each in there for each in looks) and len(looks) != len(there)
     alike = alike or all(any(block.type == "SemanticCube" for block in task.blocks) for task in (found.task, old))
     if made_up or fewer or (counted and alike):

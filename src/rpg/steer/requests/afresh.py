@@ -16,6 +16,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.assets import Asset
 from rpg.ir.edits import AddAsset, AddCondition, SetGoal, SetStart
+from rpg.ir.relations import Swapped
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import GroupBy
 from rpg.ir.walk import names as mentions
@@ -64,7 +65,10 @@ _NUMBER = re.compile(
 
 
 _PUTS = re.compile(
-    r"^\W*(?:(?:now|and|also|then|please)\s+)*(?:put|place|add|set|stick)\s+(?:a|an|one|two)\b", re.IGNORECASE
+    r"^\W*(?:(?:now|and|also|then|please)\s+)*(?!(?:the|it|them|all|both|these|each)\b)(?:"
+    r"(?:put|place|add|set|stick)\s+(?!(?:the|it|them|all|both|these|each)\b)"
+    r"|(?:an?\s+)?\w+(?:\s+(?:block|cube|one|brick)s?)?\s+(?:in|at|on)\b)",
+    re.IGNORECASE,
 )
 _PARTS = re.compile(
     r"\b(?:each|every|both|all|the|its)\s+(?:\w+\s+)?(?:corner|end|edge|side|middle|centre|center|top|bottom)s?\b"
@@ -76,6 +80,14 @@ _PARTS = re.compile(
 def speaks_of_parts(request: str) -> bool:
     """Whether a request puts something at places that what is built has, and not at the table's."""
     return bool(_PUTS.match(request) and _PARTS.search(request)) and "table" not in request.lower()
+
+
+_SETTING = re.compile(r"^\W*\w+(?: \w+)?\s*[:=]\s*[\w.+-]+(?:\s+\w+)?\W*$")
+
+
+def is_setting(request: str) -> bool:
+    """Whether a request only sets something that is there, "top: white": no sentence, be it about the task or not."""
+    return bool(_SETTING.match(request))
 
 
 def only_a_number(request: str) -> bool:
@@ -152,7 +164,7 @@ def extended(
     _only_new(draft, request, begin, schema)
     if _THE_BLOCK.search(request) and len(schema.blocks) > len(draft.schema.blocks) > 1:
         raise Refusal([_vague(begin, len(request))])
-    _take_over(draft, schema, names, (begin, len(request)))
+    _take_over(draft, request, schema, names, (begin, len(request)))
 
 
 def _says_nothing(before: TaskSchema | None, after: TaskSchema) -> bool:
@@ -242,7 +254,21 @@ def _number(view: View, noun: m.Noun) -> int:
 
 def _there(draft: Draft, noun: m.Noun) -> bool:
     """Whether the task has what a phrase could speak of, be it one or several."""
-    return any(matches(draft.view, name, noun.traits) for name in draft.view.world.assets)
+    return bool(_kinds(draft.view, noun))
+
+
+def _kinds(view: View, noun: m.Noun) -> set[str]:
+    """The types of the objects of a task that a phrase could speak of: blocks, patches, or both."""
+    world = view.world
+    there = {"patch": world.patches, "block": world.blocks}.get(noun.head, world.assets)
+    return {world.assets[name].type for name in there if matches(view, name, noun.traits)}
+
+
+def of_another_kind(draft: Draft, request: str, task: TaskSchema) -> bool:
+    """Whether a request says "the blue" of a patch of the task at hand, and would bring a blue block as a text."""
+    new = View(task)
+    pairs = ((_kinds(draft.view, noun), _kinds(new, noun)) for named in _definite(request, 0) for noun in named)
+    return any(here and there and not here & there for here, there in pairs)
 
 
 def names_structure(draft: Draft, request: str) -> bool:
@@ -333,9 +359,19 @@ def _look(asset: Asset) -> dict[str, object]:
     return found
 
 
-def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]) -> None:
+_IS_THERE = re.compile(
+    r"\b(?:is|are|be|lies?|lying|stands?|sits?|has|have|with|put|place|add|include|also|too|as well|around|besides)\b",
+    re.IGNORECASE,
+)
+"""What says of a block only that it is there; a mere "4 blue ones" may be what other blocks become."""
+
+
+def _take_over(
+    draft: Draft, request: str, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]
+) -> None:
     """New objects, conditions and starts of the longer text."""
     kept = {asset.name for asset in draft.schema.assets}
+    busy = set(draft.view.busy)
     for asset in schema.assets:
         name = names[asset.name]
         if name not in kept:
@@ -346,11 +382,16 @@ def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tu
     new = [part for part in parts if canonical(part, {}) not in before]
     if any(isinstance(part, GroupBy) and len(part.groups) == 1 for part in new):
         raise Refusal([_vague(*span)])
+    if any(isinstance(part, Swapped) and busy & set(mentions(part)) for part in new):
+        raise Refusal([_vague(*span)])  # they change places in the goal, not from the start to the end
     if all(told in [canonical(part, {}) for part in parts] for told in before):
         for part in new:
             draft.do(AddCondition(goal=part), span)
     elif new:
         draft.do(SetGoal(goal=rename(schema.goal, names)), span)
+    if not new and len(schema.assets) > len(kept) and not _IS_THERE.search(request[span[0] :]):
+        told, hint = "it is not said whether these come besides or instead", "say 'add ...', or what they replace"
+        raise Refusal([Diagnostic(code="edit-unclear", message=told, span=span, hint=hint, origin="steer")])
     init = schema.init.model_copy(
         update={
             "arranged": tuple(rename(goal, names) for goal in schema.init.arranged),

@@ -21,7 +21,7 @@ from rpg.steer.requests.symbols import symbols
 from rpg.steer.requests.terse import terse
 from rpg.steer.requests.wishes import wish
 
-ALSO = ("too", "as well", "also", "instead", "again", "please", "now", "there", "then")
+ALSO = ("too", "as well", "also", "instead", "again", "please", "now", "then")
 
 
 _CLOSING = phrases(

@@ -120,10 +120,11 @@ class Trade(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Move(Request):
-    """Objects of the task go elsewhere."""
+    """Objects of the task go elsewhere. `piled`: as a stack."""
 
     theme: m.Meaning
     place: Place
+    piled: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -246,7 +246,7 @@ def _shifted(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 _PILED = (
-    "stacked | in a stack | as a stack | stack them there | stacked up | stacked on each other | "
+    "stacked | in a stack | as a stack | stacked up | stacked on each other | "
     "on top of each other | on top of one another | in a pile on top of each other | in one stack | as one stack"
 )
 

@@ -312,6 +312,8 @@ def remove(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase in (*REMOVE, "leave", "without", "no more", "no"):
         if j := p.seq(i, phrase):
             for theme, k in dict.fromkeys([*things(p, j), *subjects(p, j)]):
+                if "apart" in p.words[j:k]:
+                    continue  # what is taken apart is still there
                 end = longest(p, k, "away | out | off | again") or k
                 if from_ := longest(p, end, ("from", "out of", "off")):
                     for whole, stop in simple(p, from_):

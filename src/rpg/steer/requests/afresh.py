@@ -44,7 +44,7 @@ _FRESH = re.compile(
 )
 _COMPARED = re.compile(r"[\s,]+(?:instead|again)[\s.!?]*$", re.IGNORECASE)
 _ADDS = re.compile(
-    r"\b(?:also|too|as well|must|should|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning"
+    r"\b(?:also|too|as well|must|should|shall|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning"
     r"|still|in addition|furthermore|moreover|keep)\b|^\W*(?:and|plus|then|afterwards|after that|finally)\b"
     r"|^\W*(?:please\W+)?(?:another|one more|two more|a further|a second)\b"
     r"|\b(?:before that|beforehand)\b|\bfirst\W*$|^\W*(?:but\s+)?first\b(?!.*\bthen\b)",

@@ -38,21 +38,18 @@ from rpg.steer.requests.afresh import (
     extended,
     fresh_start,
     is_setting,
-    mentions_known,
-    names_structure,
     of_all,
-    of_another_kind,
-    only_known,
     only_named,
     reused,
-    speaks_of_kinds,
     speaks_of_parts,
 )
 from rpg.steer.requests.backrefs import Reference
+from rpg.steer.requests.known import mentions_known, names_structure, of_another_kind, only_known, speaks_of_kinds
 from rpg.steer.requests.language import tokenize
 from rpg.steer.requests.manners import plainly
 from rpg.steer.requests.parse import Parsed, is_edit, parse
 from rpg.steer.requests.told import check, divided
+from rpg.steer.requests.turning import turned_otherwise
 
 KIND_OF = {"label": "letter", "number": "digit"}
 TRIES = 12
@@ -302,7 +299,12 @@ def _with_clause(request: str, parsed: Parsed, history: History, read: Reader) -
 def _clause(request: str, history: History, read: Reader) -> Interpretation:
     past = history.current
     draft = Draft(past.schema, past.focus)
-    extended(draft, request, 0, read)
+    try:
+        extended(draft, request, 0, read)
+    except Refusal:
+        draft = Draft(past.schema, past.focus)
+        if not turned_otherwise(draft, request, read):
+            raise
     return finish(request, draft, past)
 
 

@@ -27,6 +27,7 @@ _ENDS = {
     "in front": "front", "at the front": "front", "to the front": "front", "at the back": "back", "to the back": "back",
     "behind": "back", "at the front end": "front", "at the back end": "back",
     "in the middle": "middle", "to the middle": "middle", "in the center": "middle", "in the centre": "middle",
+    "to the center": "middle", "to the centre": "middle",
     "in between": "middle", "in between them": "middle", "between them": "middle", "between the two": "middle",
     "next to it": "beside", "beside it": "beside", "next to them": "beside", "beside them": "beside",
     "alongside": "beside", "alongside it": "beside", "next to that": "beside",

@@ -10,7 +10,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.edits import AddCondition, SetGoal
 from rpg.ir.node import Lowest, members
-from rpg.ir.relations import Adjacent, Apart, Beside, Directional, InRegion, Near, OnPatch
+from rpg.ir.relations import Adjacent, Apart, Beside, Directional, Facing, InRegion, Near, OnPatch, Turned
 from rpg.ir.shrink import close, without
 from rpg.ir.structures import GroupBy
 from rpg.steer.draft import Draft
@@ -40,6 +40,15 @@ def _by_a_new_one(draft: Draft, request: r.Move) -> r.Move:
     return replace(request, place=replace(place, landmark=replace(mark, det="the", amount=None)))
 
 
+def _of_the_table(draft: Draft, place: r.Place, names: Sequence[str], span: Span) -> r.Place:
+    """The middle is that of the table where nothing that is built has one, and a block is in a part of the table."""
+    if not isinstance(place, r.Spot) or place.side != "middle" or place.whole is not None:
+        return place
+    somewhere = any(isinstance(atom, InRegion) and set(members(atom.a)) & set(names) for _, atom in draft.view.atoms)
+    built = draft.view.lines or draft.view.figures
+    return m.In(region="middle", span=span) if somewhere and not built else place
+
+
 def _stacked_first(draft: Draft, request: r.Move) -> r.Move:
     """What is to form a stack on a patch, or somewhere on the table, forms it first. On a block it is piled one by
     one."""
@@ -66,6 +75,7 @@ def move(draft: Draft, request: r.Move) -> None:
     found = resolve(draft.view, request.theme)
     names = found.names
     request = _by_a_new_one(draft, _stacked_first(draft, request))
+    request = replace(request, place=_of_the_table(draft, request.place, names, request.span))
     request = replace(request, place=_beside_as_now(draft, there(draft, request.place), names))
     request = replace(request, place=_by_the_other(draft, request.place, found))
     near = getattr(request.place, "landmark", None) or getattr(request.place, "whole", None)
@@ -224,8 +234,9 @@ _FROM_ANOTHER = Directional | Near | Beside | Adjacent | Apart
 
 
 def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found | None) -> None:
-    """Drop what the goal asks of `names`, then ask for the new place."""
+    """Drop what the goal asks of `names`, but for how they are turned, then ask for the new place."""
     before = draft.schema.goal
+    turned = [part for part in conjuncts(before) if isinstance(part, Facing | Turned) and part.block in names]
     goal = before
     for name in names:
         goal = close(goal, name)
@@ -244,6 +255,8 @@ def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found
         draft.do(SetGoal(goal=new[0] if len(new) == 1 else g.All(goals=new)), request.span)
         if ("stack" in structures(before)) != ("stack" in structures(draft.schema.goal)):
             draft.aim("PIVOT")
+    for part in turned:
+        draft.do(AddCondition(goal=part), request.span)
     draft.look_at(tuple(names))
 
 

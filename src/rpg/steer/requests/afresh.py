@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from rpg.blocks.english import describe
@@ -22,12 +22,12 @@ from rpg.ir.structures import GroupBy
 from rpg.ir.walk import names as mentions
 from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
-from rpg.steer.matching import matches
 from rpg.steer.proof.identity import look
 from rpg.steer.proof.shape import conjuncts, same_structure
-from rpg.steer.refer import exists, resolve
-from rpg.steer.requests.language import Parser, m, noun_phrase, tokenize
-from rpg.steer.view import NOUNS, View
+from rpg.steer.refer import resolve
+from rpg.steer.requests.known import names_structure, only_known, only_new
+from rpg.steer.requests.language import m
+from rpg.steer.view import NOUNS
 from rpg.steer.wholes import noun_of
 
 _FRESH = re.compile(
@@ -158,10 +158,10 @@ def extended(
         raise Refusal(
             [_placed(error, len(known) + 1, begin, len(request)) for error in errors] or [_vague(begin, len(request))]
         )
-    names = _counterparts(draft.schema, schema)
+    names = counterparts(draft.schema, schema)
     if names is None or _says_nothing(read(known)[0], schema):
         raise Refusal([_vague(begin, len(request))])
-    _only_new(draft, request, begin, schema)
+    only_new(draft, request, begin, schema)
     if _THE_BLOCK.search(request) and len(schema.blocks) > len(draft.schema.blocks) > 1:
         raise Refusal([_vague(begin, len(request))])
     _take_over(draft, request, schema, names, (begin, len(request)))
@@ -202,7 +202,7 @@ def reused(draft: Draft, request: str, read: Callable[[str], tuple[TaskSchema | 
         raise Refusal([_vague(*span)])
     there = ". ".join(objects(draft.schema, Speaker(draft.view.world)))
     schema, _ = read(f"{there}. {_AGAINST.sub('', by_itself(request))}")
-    names = None if schema is None else _counterparts(draft.schema, schema)
+    names = None if schema is None else counterparts(draft.schema, schema)
     if schema is None or names is None or len(schema.assets) != len(draft.schema.assets):
         raise Refusal([_vague(*span)])
     init = schema.init
@@ -225,97 +225,6 @@ def _by_name(draft: Draft, said: str) -> str:
     return f"the {noun or bare(meant.names[0], draft.view.world)}{said[found.end() :]}"
 
 
-def only_known(draft: Draft, request: str, begin: int) -> None:
-    """Refuse "the ..." of what the task does not have: as one more sentence of a text it would bring it in."""
-    for named in _definite(request, begin):
-        if not any(_there(draft, noun) for noun in named):
-            resolve(draft.view, named[0])
-
-
-def _only_new(draft: Draft, request: str, begin: int, schema: TaskSchema) -> None:
-    """Refuse "a red block" where the longer text took it for a red block that is there: an edit adds one so."""
-    p = Parser(tokenize(request)[0])
-    new = View(schema)
-    for i in range(p.end):
-        if p.tokens[i].span[0] < begin or p.words[i] not in ("a", "an", "another"):
-            continue
-        named = [noun for noun, _ in noun_phrase(p, i) if isinstance(noun, m.Noun) and noun.traits != m.Traits()]
-        named = [noun for noun in named if noun.det in ("a", "another")]
-        if named and not any(_number(new, noun) > _number(draft.view, noun) for noun in named):
-            told, hint = "the task has one like this already", "say 'the ...' for that one, or 'add ...' for one more"
-            found = Diagnostic(code="edit-unclear", message=told, span=named[0].span, hint=hint, origin="steer")
-            raise Refusal([found])
-
-
-def _number(view: View, noun: m.Noun) -> int:
-    """How many objects a task has that look as a phrase says."""
-    return sum(matches(view, name, noun.traits) for name in view.world.assets)
-
-
-def _there(draft: Draft, noun: m.Noun) -> bool:
-    """Whether the task has what a phrase could speak of, be it one or several."""
-    return bool(_kinds(draft.view, noun))
-
-
-def _kinds(view: View, noun: m.Noun) -> set[str]:
-    """The types of the objects of a task that a phrase could speak of: blocks, patches, or both."""
-    world = view.world
-    there = {"patch": world.patches, "block": world.blocks}.get(noun.head, world.assets)
-    return {world.assets[name].type for name in there if matches(view, name, noun.traits)}
-
-
-def of_another_kind(draft: Draft, request: str, task: TaskSchema) -> bool:
-    """Whether a request says "the blue" of a patch of the task at hand, and would bring a blue block as a text."""
-    new = View(task)
-    pairs = ((_kinds(draft.view, noun), _kinds(new, noun)) for named in _definite(request, 0) for noun in named)
-    return any(here and there and not here & there for here, there in pairs)
-
-
-def names_structure(draft: Draft, request: str) -> bool:
-    """Whether a sentence says "the tower", "the circle" of one that the task builds."""
-    return any(exists(draft.view, structure) for structure in _structures(request))
-
-
-def mentions_known(draft: Draft, request: str) -> bool:
-    """Whether a sentence says "the ..." of anything that the task has."""
-    known = any(exists(draft.view, noun) for named in _definite(request, 0) for noun in named)
-    return known or names_structure(draft, request)
-
-
-def speaks_of_kinds(draft: Draft, request: str) -> bool:
-    """Whether a sentence says "the letters", "all digits", "the vowels" of some that the task has."""
-    p = Parser(tokenize(request)[0])
-    for i in range(p.end):
-        if p.words[i] in ("the", "all", "every", "each", "both", "these"):
-            named = [noun for noun, _ in noun_phrase(p, i) if isinstance(noun, m.Noun) and _of_a_kind(noun.traits)]
-            if any(_there(draft, noun) for noun in named):
-                return True
-    return False
-
-
-def _of_a_kind(traits: m.Traits) -> bool:
-    return bool(traits.kind or traits.quality) and not traits.labels and not traits.colors
-
-
-def _structures(request: str) -> Iterator[m.Structure]:
-    """Every phrase such as "the tower", "the circle"."""
-    p = Parser(tokenize(request)[0])
-    for i in range(p.end):
-        if p.words[i] in ("the", "each", "every"):
-            yield from (found for found, _ in noun_phrase(p, i) if isinstance(found, m.Structure))
-
-
-def _definite(request: str, begin: int) -> Iterator[list[m.Noun]]:
-    """The readings of every phrase with "the" that says a colour or a symbol."""
-    p = Parser(tokenize(request)[0])
-    for i in range(p.end):
-        if p.tokens[i].span[0] >= begin and p.words[i] == "the":
-            named = [noun for noun, _ in noun_phrase(p, i) if isinstance(noun, m.Noun)]
-            told = [noun for noun in named if noun.traits.colors or noun.traits.labels]
-            if told:
-                yield told
-
-
 def _placed(error: Diagnostic, known: int, begin: int, end: int) -> Diagnostic:
     """A finding about the whole text, at the words of the request."""
     span = (begin, end)
@@ -331,7 +240,7 @@ def _vague(begin: int, end: int) -> Diagnostic:
     )
 
 
-def _counterparts(old: TaskSchema, new: TaskSchema) -> dict[str, str] | None:
+def counterparts(old: TaskSchema, new: TaskSchema) -> dict[str, str] | None:
     """Names in `new` -> names in `old` of the objects that both have by look; None where one of `old` is missing."""
     free = list(new.assets)
     found: dict[str, str] = {}

@@ -272,7 +272,8 @@ def _upright(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         end = longest(p, k, _UPRIGHT)
         end = longest(p, p.opt(end, ","), _UPRIGHT) or end if end else 0
         stop = longest(p, end, _READ) or end if end else 0
-        if stop and (theme is None or old(theme)):
+        one = isinstance(theme, m.Noun) and not theme.plural and theme.traits.kind is None  # "turn the A upright"
+        if stop and (theme is None or old(theme)) and not one:
             shape = m.Structure(kind="stack", span=p.span(i, stop))
             yield r.Reshape(structure=shape, theme=theme, span=p.span(i, stop), cost=1), stop
 

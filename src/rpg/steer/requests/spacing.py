@@ -52,7 +52,9 @@ _BETWEEN = (
         for noun in ("blocks", "cubes", "bricks", "letters", "neighbors", "neighbours")
     ),
 )  # fmt: skip
-_IS = phrases(": | = | should be | shall be | must be | has to be | is | ought to be | are | should all be | must all be")
+_IS = phrases(
+    ": | = | should be | shall be | must be | has to be | is | ought to be | are | should all be | must all be"
+)
 
 
 def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:

@@ -173,7 +173,9 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield Tint(color=listed[0], span=p.span(i, j), cost=5), j
     for theme, j in noun_phrase(p, i):
         k = p.opt(j, ":", "=")
-        if not isinstance(theme, m.Noun) or not (theme.det == "the" or (theme.det == "bare" and k > j)) or theme.conditions:
+        if not isinstance(theme, m.Noun) or theme.det not in (("the", "bare") if k > j else ("the",)):
+            continue
+        if theme.conditions:
             continue
         for found, end in becomes(p, i, k, replace(theme, det="the"), cost=4):
             if isinstance(found, r.Restyle) and not found.traits.labels:

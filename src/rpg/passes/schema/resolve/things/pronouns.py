@@ -284,10 +284,19 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         )
     found = them(word, scene, scope)
     wholes = [set(b.members) for b in scene.built]
-    if word.word == "each of them" and len(wholes) > 1 and set(found.names) in wholes:
+    if word.word in ("each", "each one") and len(wholes) > 1 and set(found.names) in wholes and _towers(scene):
+        names = tuple(n for b in scene.built for n in b.members)
+        return Ref(names=names, built=tuple(scene.built), plural=True, each=True, span=word.span)
+    if word.word != "either of them" and len(wholes) > 1 and set(found.names) in wholes:
         raise refuse("ambiguous", f"{word.word!r} could be the structures, or the blocks of one of them", word.span,
                      "say 'each of the towers', or name the blocks")  # fmt: skip
     return replace(found, each=True)
+
+
+def _towers(scene: Scene) -> bool:
+    """Whether all that was built are towers, of blocks of their own: "each" is each of them, and no block."""
+    names = [n for b in scene.built for n in b.members]
+    return len(set(names)) == len(names) and all(b.kind == "stack" for b in scene.built)
 
 
 def _left_over(scene: Scene) -> list[Thing]:

@@ -37,8 +37,8 @@ from rpg.steer.requests.afresh import (
     by_itself,
     extended,
     fresh_start,
-    is_setting,
     of_all,
+    of_those_there,
     only_named,
     reused,
     speaks_of_parts,
@@ -257,7 +257,7 @@ def _otherwise(
     edits = is_edit(request) or any(reading.whole and _adds_at_end(reading) for reading in readings)
     edits = edits or (speaks_of_parts(request) and bool(structures(history.current.schema.goal) & STRUCTURES))
     reasons: list[Diagnostic] = []
-    if is_setting(request):
+    if of_those_there(request):
         raise refusals[0] if refusals else _not_understood(request, longest, reasons, True)
     not_of_what_is_built(request, history, read)
     if not edits and not Fresh.adds(request) and (not refusals or "instead" in request.lower()):

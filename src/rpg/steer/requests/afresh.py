@@ -85,9 +85,17 @@ def speaks_of_parts(request: str) -> bool:
 _SETTING = re.compile(r"^\W*\w+(?: \w+)?\s*[:=]\s*[\w.+-]+(?:\s+\w+)?\W*$")
 
 
-def is_setting(request: str) -> bool:
-    """Whether a request only sets something that is there, "top: white": no sentence, be it about the task or not."""
-    return bool(_SETTING.match(request))
+_OF_THOSE_THERE = re.compile(
+    r"^\W*(?:\w+\W+){0,3}?(?:move|shift|transfer|take|bring|carry)\s+(?:an?|one|two|three|\d+|some)\b.*\bfrom\b"
+    r"|\bin (?:its|their|that|the same) (?:place|places|spot|stead)\b",
+    re.IGNORECASE,
+)
+
+
+def of_those_there(request: str) -> bool:
+    """Whether a request can only be about what is there: "move one block from the red mat", "a red one in its place",
+    or a mere "top: white"."""
+    return bool(_OF_THOSE_THERE.search(request) or _SETTING.match(request))
 
 
 def only_a_number(request: str) -> bool:

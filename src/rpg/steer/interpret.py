@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -14,7 +13,7 @@ from rpg.blocks.english import describe, describe_goal
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.edits import Edit, Overwrite, SetGoal, SetText, apply
-from rpg.ir.schema import COLORS_UNSAID, TaskSchema
+from rpg.ir.schema import TaskSchema
 from rpg.steer.carry import WEAK, carry_out
 from rpg.steer.doubts import (
     Reader,
@@ -22,6 +21,7 @@ from rpg.steer.doubts import (
     about_new_things,
     besides,
     not_half,
+    not_of_those_there,
     not_of_what_is_built,
     only_adds,
 )
@@ -37,9 +37,7 @@ from rpg.steer.requests.afresh import (
     by_itself,
     extended,
     fresh_start,
-    of_all,
     of_those_there,
-    only_named,
     reused,
     speaks_of_parts,
 )
@@ -338,34 +336,13 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     not_half(request, found.task.goal, history)
     if of_another_kind(draft, request, found.task):
         raise _not_understood(request, None, (), True)
-    _not_of_those_there(found, history.current.schema)
+    not_of_those_there(request, found.task, draft)
     there = [look(block) for block in history.current.schema.blocks]
     if all(part.kind in _OF_A_BLOCK for part in conjuncts(found.task.goal)) and any(
         look(block) in there for block in found.task.blocks
     ):
         return _clause(request, history, read)
     return found
-
-
-def _not_of_those_there(found: Interpretation, old: TaskSchema) -> None:
-    """Refuse "blues on the left" where there are blue blocks, but not as many as would be made up for the sentence."""
-    counted = any(text.startswith("the number of ") for text in found.task.assumptions)
-    looks = [look(block) for block in found.task.blocks]
-    there = [look(block) for block in old.blocks]
-    fewer = Counter(map(repr, looks)) < Counter(map(repr, there))
-    unsaid = found.task.assumed(COLORS_UNSAID)
-    made_up = of_all(found.request) and any("not said" in text for text in found.task.assumptions)
-    made_up = made_up or (unsaid and only_named(found.request) and by_itself(found.request) == found.request)
-    sizes, had = {block.size for block in found.task.blocks}, {block.size for block in old.blocks}
-    made_up = made_up or (unsaid and len(sizes) > 1 and sizes <= had)
-    alike = all(each in there for each in looks) and len(looks) != len(there)
-    alike = alike or all(any(block.type == "SemanticCube" for block in task.blocks) for task in (found.task, old))
-    if made_up or fewer or (counted and alike):
-        message = "this may be about the blocks that are there, or about others"
-        hint = "say 'the red blocks', or how many there should be"
-        hint = "say 'move ...' for what is there, or 'new task: ...'" if fewer else hint
-        span = (0, len(found.request))
-        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
 
 
 def _whole(request: str, text: str, offset: int, history: History, read: Reader, intent: Category) -> Interpretation:

@@ -241,6 +241,9 @@ def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found
     for name in names:
         goal = close(goal, name)
     left = without(goal, set(names))
+    if isinstance(before, g.Sequence) and not (isinstance(left, g.Sequence) and len(left.stages) == len(before.stages)):
+        told, hint = "this would leave nothing of one of the steps", "say the steps anew: first ..., then ..."
+        raise draft.refusal("breaks-structure", told, request.span, hint)
     if left is not None:
         draft.do(SetGoal(goal=left), request.span)
     if anchor is not None and anchor.line is not None:

@@ -87,7 +87,10 @@ _SETTING = re.compile(r"^\W*\w+(?: \w+)?\s*[:=]\s*[\w.+-]+(?:\s+\w+)?\W*$")
 
 _OF_THOSE_THERE = re.compile(
     r"^\W*(?:\w+\W+){0,3}?(?:move|shift|transfer|take|bring|carry)\s+(?:an?|one|two|three|\d+|some)\b.*\bfrom\b"
-    r"|\bin (?:its|their|that|the same) (?:place|places|spot|stead)\b",
+    r"|\bin (?:its|their|that|the same) (?:place|places|spot|stead)\b"
+    r"|^\W*(?:the )?same (?:thing |again |task )?with\b"
+    r"|^\W*(?:write|spell|print|paint|label)\b.*\b(?:on|onto) (?:it|them|these|those|the (?:blocks|cubes))\W*$"
+    r"|^(?!.*\b(?:build|make|put|place|stack|tower|row|pyramid)\b)(?:(?!\b(?:on|of)\b).)+\bon top\W*$",
     re.IGNORECASE,
 )
 
@@ -103,14 +106,28 @@ def only_a_number(request: str) -> bool:
     return bool(_NUMBER.match(request)) and by_itself(request) == request
 
 
+_OF_THEM = re.compile(
+    r"^(?:(?!\b(?:an?|one|two|three|four|five|six|seven|eight|nine|ten|\d+)\b).)*?"
+    r"\b(?:them|they|it|these|those|the (?:blocks|cubes|bricks))\b",
+    re.IGNORECASE,
+)
+
+
+def of_them(request: str) -> bool:
+    """Whether a request speaks of "them", "the blocks", before it brings in any block itself."""
+    return bool(_OF_THEM.match(request))
+
+
 _ALL = re.compile(r"^\W*(?:(?:and|now|also|then|but)\s+)*(?:each|every|all|both|none|no)\b", re.IGNORECASE)
 
 
-_NAMED = re.compile(r"^\W*(?:(?:just|only|now|then|and|rather)\s+)*(?:a|an|one)\s", re.IGNORECASE)
+_NAMED = re.compile(
+    r"^\W*(?:(?:just|only|now|then|and|rather)\s+)*(?:(?:in|as|into)\s+)?(?:a|an|one)\s", re.IGNORECASE
+)
 
 
 def only_named(request: str) -> bool:
-    """Whether a request only names something: "a rectangle of six"."""
+    """Whether a request only names something: "a rectangle of six", "in a circle"."""
     return bool(_NAMED.match(request) or _NUMBER.match(request))
 
 
@@ -276,6 +293,10 @@ def _look(asset: Asset) -> dict[str, object]:
     return found
 
 
+_MERE = re.compile(r"^\W*(?:\d+|two|three|four|five|six)\s+\w+\W*$", re.IGNORECASE)
+"""A number of something, "two rows": no sentence about the task."""
+
+
 _IS_THERE = re.compile(
     r"\b(?:is|are|be|lies?|lying|stands?|sits?|has|have|with|put|place|add|include|also|too|as well|around|besides)\b",
     re.IGNORECASE,
@@ -298,6 +319,8 @@ def _take_over(
     parts = [rename(part, names) for part in conjuncts(schema.goal)]
     new = [part for part in parts if canonical(part, {}) not in before]
     if any(isinstance(part, GroupBy) and len(part.groups) == 1 for part in new):
+        raise Refusal([_vague(*span)])
+    if new and _MERE.match(request):
         raise Refusal([_vague(*span)])
     if any(isinstance(part, Swapped) and busy & set(mentions(part)) for part in new):
         raise Refusal([_vague(*span)])  # they change places in the goal, not from the start to the end

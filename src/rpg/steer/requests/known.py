@@ -70,6 +70,11 @@ def mentions_known(draft: Draft, request: str) -> bool:
     return known or names_structure(draft, request)
 
 
+def names_look(draft: Draft, request: str) -> bool:
+    """Whether a sentence says "the red block" of one or several that the task has."""
+    return any(_there(draft, noun) for named in _definite(request, 0) for noun in named)
+
+
 def speaks_of_kinds(draft: Draft, request: str) -> bool:
     """Whether a sentence says "the letters", "all digits", "the vowels" of some that the task has."""
     p = Parser(tokenize(request)[0])

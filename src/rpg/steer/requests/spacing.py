@@ -141,6 +141,8 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if j := longest(p, i, _BE_SPACED):
         starts.append(j)
     for start in starts:
+        if p.words[i] in ("spread", "space") and (k := p.one(start, "out")) and k == p.end:
+            yield r.Loosen(what="spacing", factor=2.0, span=p.span(i, k)), k
         start = p.opt(start, "out")
         for phrase, factor in _APART.items():
             if k := p.seq(start, phrase):

@@ -295,6 +295,8 @@ def _look(asset: Asset) -> dict[str, object]:
 
 _MERE = re.compile(r"^\W*(?:\d+|two|three|four|five|six)\s+\w+\W*$", re.IGNORECASE)
 """A number of something, "two rows": no sentence about the task."""
+_FIGURE = re.compile(r"\b(?:in|into|as|to) an? (?:circle|ring|square|rectangle)\W*$", re.IGNORECASE)
+"""What blocks form, and no patch of that shape."""
 
 
 _IS_THERE = re.compile(
@@ -320,7 +322,8 @@ def _take_over(
     new = [part for part in parts if canonical(part, {}) not in before]
     if any(isinstance(part, GroupBy) and len(part.groups) == 1 for part in new):
         raise Refusal([_vague(*span)])
-    if new and _MERE.match(request):
+    shaped = any(asset.type == "GoalPatch" and names[asset.name] not in kept for asset in schema.assets)
+    if (new and _MERE.match(request)) or (shaped and _FIGURE.search(request)):
         raise Refusal([_vague(*span)])
     if any(isinstance(part, Swapped) and busy & set(mentions(part)) for part in new):
         raise Refusal([_vague(*span)])  # they change places in the goal, not from the start to the end

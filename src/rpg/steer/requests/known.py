@@ -90,11 +90,16 @@ def _of_a_kind(traits: m.Traits) -> bool:
     return bool(traits.kind or traits.quality) and not traits.labels and not traits.colors
 
 
+_EVERY = frozenset({"per", "each", "every", "of"})
+
+
 def _structures(request: str) -> Iterator[m.Structure]:
-    """Every phrase such as "the tower", "the circle"."""
+    """Every phrase such as "the tower", "the circle", and "make one tower ..." of several."""
     p = Parser(tokenize(request)[0])
     for i in range(p.end):
-        if p.words[i] in ("the", "each", "every"):
+        one = p.words[i] == "one" and p.words[i - 1] in ("make", "paint", "color", "turn")
+        one = one and _EVERY.isdisjoint(p.words[i : p.end])
+        if one or p.words[i] in ("the", "each", "every"):
             yield from (found for found, _ in noun_phrase(p, i) if isinstance(found, m.Structure))
 
 

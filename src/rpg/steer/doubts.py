@@ -16,7 +16,7 @@ from rpg.steer.proof.shape import STRUCTURES, conjuncts, gives_up_places, struct
 from rpg.steer.requests import requests as r
 from rpg.steer.requests.afresh import by_itself, of_all, of_them, one_more, only_a_number, only_named
 from rpg.steer.requests.known import names_look
-from rpg.steer.requests.terse import Shift
+from rpg.steer.requests.terse import Bring, Shift
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
@@ -113,7 +113,7 @@ def besides(request: str, asked: Sequence[r.Request], before: g.Goal, after: g.G
         return False
     if _BESIDES.match(request):
         return True
-    if not _TOO.search(request) or not any(isinstance(each, r.Move | Shift) for each in asked):
+    if not _TOO.search(request) or not any(isinstance(each, r.Move | Shift | Bring) for each in asked):
         return False
     places = [_where(part) for part in conjuncts(before)]
     new = [part for part in conjuncts(after) if part not in conjuncts(before)]

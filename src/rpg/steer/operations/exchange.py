@@ -75,7 +75,8 @@ def _respell(draft: Draft) -> None:
 def _regroup(draft: Draft, traits: Traits) -> None:
     """Blocks that are sorted by what they look like go over to the group that they fit now."""
     for path, atom in draft.view.atoms:
-        if isinstance(atom, Towers) and atom.separate and len({traits.of(name, atom.each) for name in atom.blocks}) == 1:
+        alike = isinstance(atom, Towers) and len({traits.of(name, atom.each or "color") for name in atom.blocks}) == 1
+        if isinstance(atom, Towers) and atom.separate and alike:
             draft.do(ChangeCondition(at=path, to=atom.model_copy(update={"each": None, "separate": False})))
         if not isinstance(atom, GroupBy) or atom.by is None or atom.outliers:
             continue

@@ -202,6 +202,13 @@ class Turn(Request):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Across(Request):
+    """What is on one side, of something or of the table, is on the other one."""
+
+    theme: m.Meaning | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Outliers(Request):
     """Groups trade members, so that each has so many strangers."""
 

@@ -136,8 +136,7 @@ def turn(draft: Draft, request: r.Turn) -> None:
     before = draft.schema.goal
 
     def change(node: g.Goal) -> g.Goal:
-        points = isinstance(node, WAYS[request.old]) or isinstance(node, InRegion)
-        return _pointed(node, request.old, request.to) if points else node
+        return _pointed(node, request.old, request.to) if isinstance(node, WAYS[request.old] | InRegion) else node
 
     goal = transform(before, change)
     if goal == before:

@@ -300,7 +300,7 @@ _FIGURE = re.compile(r"\b(?:in|into|as|to) an? (?:circle|ring|square|rectangle)\
 
 
 _IS_THERE = re.compile(
-    r"\b(?:is|are|be|lies?|lying|stands?|sits?|has|have|with|put|place|add|include|also|too|as well|around|besides)\b",
+    r"\b(?:is|are|be|lies?|lying|stands?|sits?|has|have|with|put|place|add|include|also|too|as well|around|besides|distractors?)\b",
     re.IGNORECASE,
 )
 """What says of a block only that it is there; a mere "4 blue ones" may be what other blocks become."""
@@ -332,9 +332,6 @@ def _take_over(
             draft.do(AddCondition(goal=part), span)
     elif new:
         draft.do(SetGoal(goal=rename(schema.goal, names)), span)
-    if not new and len(schema.assets) > len(kept) and not _IS_THERE.search(request[span[0] :]):
-        told, hint = "it is not said whether these come besides or instead", "say 'add ...', or what they replace"
-        raise Refusal([Diagnostic(code="edit-unclear", message=told, span=span, hint=hint, origin="steer")])
     init = schema.init.model_copy(
         update={
             "arranged": tuple(rename(goal, names) for goal in schema.init.arranged),
@@ -343,6 +340,10 @@ def _take_over(
             "vacant": draft.schema.init.vacant,
         }
     )
+    brings = len(schema.assets) > len(kept) and not new and init == draft.schema.init
+    if brings and not _IS_THERE.search(request[span[0] :]):
+        told, hint = "it is not said whether these come besides or instead", "say 'add ...', or what they replace"
+        raise Refusal([Diagnostic(code="edit-unclear", message=told, span=span, hint=hint, origin="steer")])
     if init != draft.schema.init:
         draft.do(SetStart(init=init), span)
     draft.aim("EXTEND" if new else "TWEAK")

@@ -30,7 +30,7 @@ from rpg.steer.operations.symbols import carry_on, equate, other_word
 from rpg.steer.operations.terse import bound, bring, more, pile_up, shift, tint
 from rpg.steer.operations.trading import trade, trade_colors
 from rpg.steer.operations.tune import loosen, outliers
-from rpg.steer.operations.vary import across, climb, closer, copies, divide, enough, some, turn
+from rpg.steer.operations.vary import across, climb, closer, copies, divide, enough, free, some, turn
 from rpg.steer.refer import resolve
 from rpg.steer.requests import requests as r
 from rpg.steer.requests.language import m
@@ -63,6 +63,7 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Climb: climb,
     r.Turn: turn,
     r.Across: across,
+    r.Free: free,
     NewTower: new_tower,
     SoManyTowers: so_many,
     TradeColors: trade_colors,

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from rpg.blocks.traits import Traits
 from rpg.ir import goal as g
-from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, SetField, SetGoal
+from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, DropCondition, SetField, SetGoal
 from rpg.ir.goal import Count
 from rpg.ir.node import EACH, members
-from rpg.ir.relations import Behind, Directional, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf
+from rpg.ir.relations import Behind, Directional, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf, Stayed
 from rpg.ir.structures import Row, Stack, Staircase
 from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
@@ -145,6 +145,25 @@ def turn(draft: Draft, request: r.Turn) -> None:
     draft.aim("MODIFY")
     draft.note("turn", {"from": request.old, "to": request.to})
     draft.do(SetGoal(goal=goal), request.span)
+
+
+def free(draft: Draft, request: r.Free) -> None:
+    """Blocks that had to stay where they are may be moved."""
+    names = resolve(draft.view, request.theme).names
+    found = [(path, atom) for path, atom in draft.view.atoms if isinstance(atom, Stayed)]
+    stuck = {name for _, atom in found for name in members(atom.a)}
+    if not set(names) <= stuck:
+        told, hint = "nothing says that it has to stay where it is", "say what is to change"
+        raise draft.refusal("nothing-to-do", told, request.span, hint)
+    draft.aim("MODIFY")
+    draft.note("free", list(names))
+    for path, atom in reversed(found):
+        rest = tuple(name for name in members(atom.a) if name not in names)
+        if not rest:
+            draft.do(DropCondition(at=path), request.span)
+        elif len(rest) < len(members(atom.a)):
+            draft.do(ChangeCondition(at=path, to=atom.model_copy(update={"a": rest})), request.span)
+    draft.look_at(names)
 
 
 _ACROSS = {"left": "right", "right": "left", "front": "behind", "behind": "front"}

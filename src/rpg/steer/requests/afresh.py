@@ -121,9 +121,7 @@ def of_them(request: str) -> bool:
 _ALL = re.compile(r"^\W*(?:(?:and|now|also|then|but)\s+)*(?:each|every|all|both|none|no)\b", re.IGNORECASE)
 
 
-_NAMED = re.compile(
-    r"^\W*(?:(?:just|only|now|then|and|rather)\s+)*(?:(?:in|as|into)\s+)?(?:a|an|one)\s", re.IGNORECASE
-)
+_NAMED = re.compile(r"^\W*(?:(?:just|only|now|then|and|rather)\s+)*(?:(?:in|as|into)\s+)?(?:a|an|one)\s", re.IGNORECASE)
 
 
 def only_named(request: str) -> bool:
@@ -300,15 +298,14 @@ _FIGURE = re.compile(r"\b(?:in|into|as|to) an? (?:circle|ring|square|rectangle)\
 
 
 _IS_THERE = re.compile(
-    r"\b(?:is|are|be|lies?|lying|stands?|sits?|has|have|with|put|place|add|include|also|too|as well|around|besides|distractors?)\b",
+    r"\b(?:is|are|be|lies?|lying|stands?|sits?|has|have|with|put|place|add|include|also|too|as well|around"
+    r"|besides|distractors?)\b",
     re.IGNORECASE,
 )
 """What says of a block only that it is there; a mere "4 blue ones" may be what other blocks become."""
 
 
-def _take_over(
-    draft: Draft, request: str, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]
-) -> None:
+def _take_over(draft: Draft, request: str, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]) -> None:
     """New objects, conditions and starts of the longer text."""
     kept = {asset.name for asset in draft.schema.assets}
     busy = set(draft.view.busy)

@@ -111,6 +111,13 @@ class Keep(Request):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Free(Request):
+    """Objects that had to stay where they are need not do so any more."""
+
+    theme: m.Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Trade(Request):
     """Two objects (or groups) change places in the goal."""
 

@@ -16,7 +16,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.assets import Asset
 from rpg.ir.edits import AddAsset, AddCondition, SetGoal, SetStart
-from rpg.ir.relations import Swapped
+from rpg.ir.relations import Beside, Directional, Swapped
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import GroupBy
 from rpg.ir.walk import names as mentions
@@ -324,6 +324,9 @@ def _take_over(draft: Draft, request: str, schema: TaskSchema, names: dict[str, 
         raise Refusal([_vague(*span)])
     if any(isinstance(part, Swapped) and busy & set(mentions(part)) for part in new):
         raise Refusal([_vague(*span)])  # they change places in the goal, not from the start to the end
+    if not _BESIDES.search(request) and any(_elsewhere(part, conjuncts(draft.schema.goal)) for part in new):
+        told, hint = "it is not said whether this comes besides the place that it has, or instead", "say 'move', or 'also'"
+        raise Refusal([Diagnostic(code="edit-unclear", message=told, span=span, hint=hint, origin="steer")])
     if all(told in [canonical(part, {}) for part in parts] for told in before):
         for part in new:
             draft.do(AddCondition(goal=part), span)
@@ -346,6 +349,16 @@ def _take_over(draft: Draft, request: str, schema: TaskSchema, names: dict[str, 
     draft.aim("EXTEND" if new else "TWEAK")
     draft.note("clause", new[0].kind if new else "start")
     draft.look_at(tuple(n for n in names.values() if n not in kept) or _mentioned(draft, new))
+
+
+_BESIDES = re.compile(r"\b(?:also|too|as well|and|both|still|besides|in addition|finally|then|first)\b", re.IGNORECASE)
+
+
+def _elsewhere(part: g.Goal, before: Sequence[g.Goal]) -> bool:
+    """Whether a block, of which the goal says on which side of one thing it is, is to be on that side of another."""
+    if not isinstance(part, Directional | Beside):
+        return False
+    return any(old.kind == part.kind and old.a == part.a and old.b != part.b for old in before if hasattr(old, "a"))
 
 
 def _mentioned(draft: Draft, new: Sequence[g.Goal]) -> tuple[str, ...]:

@@ -325,7 +325,10 @@ def _take_over(draft: Draft, request: str, schema: TaskSchema, names: dict[str, 
     if any(isinstance(part, Swapped) and busy & set(mentions(part)) for part in new):
         raise Refusal([_vague(*span)])  # they change places in the goal, not from the start to the end
     if not _BESIDES.search(request) and any(_elsewhere(part, conjuncts(draft.schema.goal)) for part in new):
-        told, hint = "it is not said whether this comes besides the place that it has, or instead", "say 'move', or 'also'"
+        told, hint = (
+            "it is not said whether this comes besides the place that it has, or instead",
+            "say 'move', or 'also'",
+        )
         raise Refusal([Diagnostic(code="edit-unclear", message=told, span=span, hint=hint, origin="steer")])
     if all(told in [canonical(part, {}) for part in parts] for told in before):
         for part in new:

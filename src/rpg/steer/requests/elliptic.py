@@ -256,9 +256,9 @@ def across(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for theme, k in simple(p, verb or i):
         k = k if verb else longest(p, k, _BELONGS)
         starts += [(theme, k)] if k else []
-    for theme, k in starts:
+    for what, k in starts:
         if end := longest(p, k, _OTHER_SIDE):
-            yield r.Across(theme=theme, span=p.span(i, end)), end
+            yield r.Across(theme=what, span=p.span(i, end)), end
 
 
 _BETTER = phrases("would be better than | is better than | would be nicer than | looks better than | is nicer than")

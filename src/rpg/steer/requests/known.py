@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
@@ -48,7 +48,9 @@ def _there(draft: Draft, noun: m.Noun) -> bool:
 def _kinds(view: View, noun: m.Noun) -> set[str]:
     """The types of the objects of a task that a phrase could speak of: blocks, patches, or both."""
     world = view.world
-    there = {"patch": world.patches, "block": world.blocks}.get(noun.head, world.assets)
+    there: Iterable[str] = world.assets
+    if noun.head in ("patch", "block"):
+        there = world.patches if noun.head == "patch" else world.blocks
     return {world.assets[name].type for name in there if matches(view, name, noun.traits)}
 
 

@@ -185,12 +185,12 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if j := p.seq(i, phrase):
             starts.append((None, j))
     if j := p.one(i, "alternate"):
-        for theme, k in noun_phrase(p, j):
-            if old(theme):
-                yield r.Reorder(how="alternating", theme=theme, span=p.span(i, k)), k
-    for theme, j in noun_phrase(p, i):
-        if old(theme) and (k := longest(p, j, "should | must | have to | need to | shall")) and p.one(k, "alternate"):
-            yield r.Reorder(how="alternating", theme=theme, span=p.span(i, k + 1)), p.reach(k + 1)
+        for whole, k in noun_phrase(p, j):
+            if old(whole):
+                yield r.Reorder(how="alternating", theme=whole, span=p.span(i, k)), k
+    for whole, j in noun_phrase(p, i):
+        if old(whole) and (k := longest(p, j, "should | must | have to | need to | shall")) and p.one(k, "alternate"):
+            yield r.Reorder(how="alternating", theme=whole, span=p.span(i, k + 1)), p.reach(k + 1)
     if not starts and p.words[i] in ("alphabetically", "numerically", "in", "from", "descending", "ascending"):
         starts.append((None, i))
     for theme, j in starts:

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 
 from rpg.ir import goal as g
 from rpg.ir.edits import AddCondition
+from rpg.ir.node import members
 from rpg.ir.relations import Stayed
 from rpg.ir.shrink import TooSmall
 from rpg.ir.walk import names as mentions
@@ -29,7 +30,7 @@ from rpg.steer.operations.symbols import carry_on, equate, other_word
 from rpg.steer.operations.terse import bound, bring, more, pile_up, shift, tint
 from rpg.steer.operations.trading import trade, trade_colors
 from rpg.steer.operations.tune import loosen, outliers
-from rpg.steer.operations.vary import climb, closer, copies, divide, enough, some, turn
+from rpg.steer.operations.vary import across, climb, closer, copies, divide, enough, free, some, turn
 from rpg.steer.refer import resolve
 from rpg.steer.requests import requests as r
 from rpg.steer.requests.language import m
@@ -61,6 +62,8 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Closer: closer,
     r.Climb: climb,
     r.Turn: turn,
+    r.Across: across,
+    r.Free: free,
     NewTower: new_tower,
     SoManyTowers: so_many,
     TradeColors: trade_colors,
@@ -101,7 +104,9 @@ def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
                 raise draft.refusal("edit-unclear", told, request.span, hint) from error
     if requests and all(isinstance(request, r.Keep) for request in requests):
         draft.aim("EXTEND")
-        draft.do(AddCondition(goal=Stayed(a=draft.kept)))
+        staying = {name for _, atom in draft.view.atoms if isinstance(atom, Stayed) for name in members(atom.a)}
+        if not set(draft.kept) <= staying:
+            draft.do(AddCondition(goal=Stayed(a=draft.kept)))
     for request, atom in lasting:
         if atom not in [each for _, each in draft.view.atoms]:
             told, hint = "the rest of the request does not leave this as it is", "say what is to change, or what is not"

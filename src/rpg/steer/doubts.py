@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Sequence
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
-from rpg.ir.schema import TaskSchema
+from rpg.ir.schema import COLORS_UNSAID, TaskSchema
+from rpg.steer.draft import Draft
 from rpg.steer.history import History
 from rpg.steer.proof.identity import look
 from rpg.steer.proof.shape import STRUCTURES, conjuncts, gives_up_places, structures
 from rpg.steer.requests import requests as r
-from rpg.steer.requests.afresh import by_itself, one_more, only_a_number
-from rpg.steer.requests.terse import Shift
+from rpg.steer.requests.afresh import by_itself, of_all, of_them, one_more, only_a_number, only_named
+from rpg.steer.requests.known import names_look
+from rpg.steer.requests.terse import Bring, Shift
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
@@ -60,6 +63,33 @@ def about_all_there(request: str, history: History, read: Reader) -> bool:
     return looks[0] == looks[1]
 
 
+def not_of_those_there(request: str, task: TaskSchema, draft: Draft) -> None:
+    """Refuse "blues on the left" where there are blue blocks, but not as many as would be made up for the sentence."""
+    old = draft.schema
+    counted = any(text.startswith("the number of ") for text in task.assumptions)
+    looks = [look(block) for block in task.blocks]
+    there = [look(block) for block in old.blocks]
+    fewer = _of_any_size(looks) < _of_any_size(there)
+    unsaid = task.assumed(COLORS_UNSAID) or task.assumed("the colours are not said")
+    made_up = of_all(request) and any("not said" in text for text in task.assumptions)
+    made_up = made_up or (unsaid and only_named(request) and by_itself(request) == request)
+    sizes, had = {block.size for block in task.blocks}, {block.size for block in old.blocks}
+    made_up = made_up or (unsaid and len(sizes) > 1 and sizes <= had)
+    made_up = made_up or (unsaid and (of_them(request) or names_look(draft, request)))
+    alike = all(each in there for each in looks) and len(looks) != len(there)
+    alike = alike or all(any(block.type == "SemanticCube" for block in each.blocks) for each in (task, old))
+    if made_up or fewer or (counted and alike):
+        message = "this may be about the blocks that are there, or about others"
+        hint = "say 'the red blocks', or how many there should be"
+        hint = "say 'move ...' for what is there, or 'new task: ...'" if fewer else hint
+        span = (0, len(request))
+        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
+
+
+def _of_any_size(looks: Sequence[dict[str, object]]) -> Counter[str]:
+    return Counter(repr({**each, "size": None}) for each in looks)
+
+
 _BESIDES = re.compile(
     r"^\W*(?:(?:also|in addition|additionally|furthermore|moreover)\b\W*(?:put|place|stack|set|lay|add)"
     r"|and\s+(?:the\s+)?\w+(?:\s+(?:block|cube|one))?\s+(?:to|on|in|at|behind|next|left|right))\b",
@@ -83,7 +113,7 @@ def besides(request: str, asked: Sequence[r.Request], before: g.Goal, after: g.G
         return False
     if _BESIDES.match(request):
         return True
-    if not _TOO.search(request) or not any(isinstance(each, r.Move | Shift) for each in asked):
+    if not _TOO.search(request) or not any(isinstance(each, r.Move | Shift | Bring) for each in asked):
         return False
     places = [_where(part) for part in conjuncts(before)]
     new = [part for part in conjuncts(after) if part not in conjuncts(before)]

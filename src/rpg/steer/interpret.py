@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -14,7 +13,7 @@ from rpg.blocks.english import describe, describe_goal
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.edits import Edit, Overwrite, SetGoal, SetText, apply
-from rpg.ir.schema import COLORS_UNSAID, TaskSchema
+from rpg.ir.schema import TaskSchema
 from rpg.steer.carry import WEAK, carry_out
 from rpg.steer.doubts import (
     Reader,
@@ -22,6 +21,7 @@ from rpg.steer.doubts import (
     about_new_things,
     besides,
     not_half,
+    not_of_those_there,
     not_of_what_is_built,
     only_adds,
 )
@@ -37,20 +37,17 @@ from rpg.steer.requests.afresh import (
     by_itself,
     extended,
     fresh_start,
-    mentions_known,
-    names_structure,
-    of_all,
-    only_known,
-    only_named,
+    of_those_there,
     reused,
-    speaks_of_kinds,
     speaks_of_parts,
 )
 from rpg.steer.requests.backrefs import Reference
+from rpg.steer.requests.known import mentions_known, names_structure, of_another_kind, only_known, speaks_of_kinds
 from rpg.steer.requests.language import tokenize
 from rpg.steer.requests.manners import plainly
 from rpg.steer.requests.parse import Parsed, is_edit, parse
 from rpg.steer.requests.told import check, divided
+from rpg.steer.requests.turning import turned_otherwise
 
 KIND_OF = {"label": "letter", "number": "digit"}
 TRIES = 12
@@ -258,6 +255,8 @@ def _otherwise(
     edits = is_edit(request) or any(reading.whole and _adds_at_end(reading) for reading in readings)
     edits = edits or (speaks_of_parts(request) and bool(structures(history.current.schema.goal) & STRUCTURES))
     reasons: list[Diagnostic] = []
+    if of_those_there(request):
+        raise refusals[0] if refusals else _not_understood(request, longest, reasons, True)
     not_of_what_is_built(request, history, read)
     if not edits and not Fresh.adds(request) and (not refusals or "instead" in request.lower()):
         try:
@@ -298,7 +297,12 @@ def _with_clause(request: str, parsed: Parsed, history: History, read: Reader) -
 def _clause(request: str, history: History, read: Reader) -> Interpretation:
     past = history.current
     draft = Draft(past.schema, past.focus)
-    extended(draft, request, 0, read)
+    try:
+        extended(draft, request, 0, read)
+    except Refusal:
+        draft = Draft(past.schema, past.focus)
+        if not turned_otherwise(draft, request, read):
+            raise
     return finish(request, draft, past)
 
 
@@ -330,32 +334,15 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
         raise _not_understood(request, None, (), True)
     found = _whole(request, by_itself(request), 0, history, read, "PIVOT")
     not_half(request, found.task.goal, history)
-    _not_of_those_there(found, history.current.schema)
+    if of_another_kind(draft, request, found.task):
+        raise _not_understood(request, None, (), True)
+    not_of_those_there(request, found.task, draft)
     there = [look(block) for block in history.current.schema.blocks]
     if all(part.kind in _OF_A_BLOCK for part in conjuncts(found.task.goal)) and any(
         look(block) in there for block in found.task.blocks
     ):
         return _clause(request, history, read)
     return found
-
-
-def _not_of_those_there(found: Interpretation, old: TaskSchema) -> None:
-    """Refuse "blues on the left" where there are blue blocks, but not as many as would be made up for the sentence."""
-    counted = any(text.startswith("the number of ") for text in found.task.assumptions)
-    looks = [look(block) for block in found.task.blocks]
-    there = [look(block) for block in old.blocks]
-    fewer = Counter(map(repr, looks)) < Counter(map(repr, there))
-    unsaid = found.task.assumed(COLORS_UNSAID)
-    made_up = of_all(found.request) and any("not said" in text for text in found.task.assumptions)
-    made_up = made_up or (unsaid and only_named(found.request) and by_itself(found.request) == found.request)
-    alike = all(each in there for each in looks) and len(looks) != len(there)
-    alike = alike or all(any(block.type == "SemanticCube" for block in task.blocks) for task in (found.task, old))
-    if made_up or fewer or (counted and alike):
-        message = "this may be about the blocks that are there, or about others"
-        hint = "say 'the red blocks', or how many there should be"
-        hint = "say 'move ...' for what is there, or 'new task: ...'" if fewer else hint
-        span = (0, len(found.request))
-        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
 
 
 def _whole(request: str, text: str, offset: int, history: History, read: Reader, intent: Category) -> Interpretation:

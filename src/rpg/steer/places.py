@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.steer.requests.language import Parser, Results, loc, longest, m, noun_phrase, phrases, rule, simple
+from rpg.steer.requests.language import Parser, Results, lexicon, loc, longest, m, noun_phrase, phrases, rule, simple
 from rpg.steer.requests.requests import Place, Spot
 
 _ENDS = {
@@ -27,6 +27,7 @@ _ENDS = {
     "in front": "front", "at the front": "front", "to the front": "front", "at the back": "back", "to the back": "back",
     "behind": "back", "at the front end": "front", "at the back end": "back",
     "in the middle": "middle", "to the middle": "middle", "in the center": "middle", "in the centre": "middle",
+    "to the center": "middle", "to the centre": "middle",
     "in between": "middle", "in between them": "middle", "between them": "middle", "between the two": "middle",
     "next to it": "beside", "beside it": "beside", "next to them": "beside", "beside them": "beside",
     "alongside": "beside", "alongside it": "beside", "next to that": "beside",
@@ -54,6 +55,7 @@ _SIDES_OF = {
 _INTO = ("to", "into", "in", "onto", "for")
 
 
+_PATCHES = frozenset(lexicon.PATCH_NOUNS.split()) - {"circle", "square", "rectangle", "ring"}
 _THAT = phrases(
     "that is | which is | that must be | that should be | that has to be | which must be | that goes | sitting | "
     "placed | standing | directly | right | also"
@@ -112,7 +114,8 @@ def place(p: Parser, i: int) -> Results[Place]:
                 if isinstance(whole, m.Structure) and whole.det in ("the", "its", "all", "each"):
                     yield Spot(side="any", whole=whole), k
         for found, j in loc(p, at):
-            yield _of_none(found), j
+            if not _a_figure(p, at, j, found):
+                yield _of_none(found), j
         if k := longest(p, i, _NOT_TO_BE):
             for found, j in loc(p, k):
                 if isinstance(found, m.Loc | m.In) and not found.negated:
@@ -120,6 +123,13 @@ def place(p: Parser, i: int) -> Results[Place]:
         for word in ("after", "before"):
             for landmark, k in noun_phrase(p, at + 1) if p.one(at, word) else ():
                 yield m.Loc(rel=word, landmark=landmark, span=p.span(at, k)), k
+
+
+def _a_figure(p: Parser, i: int, j: int, found: m.Meaning) -> bool:
+    """Phrases such as "in a circle": what blocks form, and no patch of that shape."""
+    mark = getattr(found, "landmark", None)
+    shaped = isinstance(mark, m.Noun) and mark.head == "patch" and mark.traits == m.Traits(shape=mark.traits.shape)
+    return shaped and _PATCHES.isdisjoint(p.words[i:j])
 
 
 def _of_none(found: m.Meaning) -> m.Meaning:

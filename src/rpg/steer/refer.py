@@ -278,6 +278,10 @@ def _ranked(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ..
                 )
             ]
         )
+    wanted = phrase.amount.low if phrase.amount else 1
+    if phrase.plural and wanted > 1 and len(lines) == 1 and rank in RANKS:
+        members = lines[0].members
+        return members[:wanted] if RANKS[rank] == 0 else members[-wanted:]
     picked = [
         _nth([name for name in line.members if name in found] if rank.isdigit() else line.members, rank)
         for line in lines

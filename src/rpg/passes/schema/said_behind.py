@@ -183,12 +183,18 @@ def _begun_with(sentence: Sequence[Token], task: TaskSchema) -> None:
                      "say what is done first, and what then")  # fmt: skip
 
 
+_DONE = frozenset({"moved", "placed", "put", "brought", "stacked", "taken", "lifted", "set", "laid"})
+
+
 def _done_first(sentence: Sequence[Token], before: Sequence[Sequence[Token]], task: TaskSchema) -> None:
     """Refuse "put red on the mat. First put blue on green" as in any order."""
-    said = [token for token in sentence if token.word not in _POLITE | STOPS]
-    if len(said) < 3 or said[0].word != "first" or said[1].word not in lexicon.COMMANDS or _stages(task.goal):
+    said = [token for token in sentence if token.word not in _POLITE | STOPS | {","}]
+    if len(said) < 3 or said[0].word != "first" or _stages(task.goal):
         return
-    if any(token.word in lexicon.COMMANDS for one in before for token in one[:1]):
+    done = said[1].word in _ARTICLES and not _DONE.isdisjoint(token.word for token in said)
+    if said[1].word not in lexicon.COMMANDS and not done:
+        return
+    if done or any(token.word in lexicon.COMMANDS for one in before for token in one[:1]):
         raise refuse("misplaced", "it is not clear what is done first, and what then", said[0].span,
                      "say 'first ..., then ...'")  # fmt: skip
 

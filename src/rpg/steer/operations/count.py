@@ -25,7 +25,7 @@ from rpg.steer.refer import ALL_OF, resolve
 from rpg.steer.requests import requests as r
 from rpg.steer.requests.language import m
 from rpg.steer.view import Line, Shape
-from rpg.steer.wholes import Found
+from rpg.steer.wholes import Found, several_of
 
 
 def recount(draft: Draft, request: r.Recount) -> None:
@@ -35,6 +35,7 @@ def recount(draft: Draft, request: r.Recount) -> None:
         of_each_look(draft, request)
         return
     _not_counted(draft, request)
+    _not_mixed(draft, request)
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     line = found.line if found and found.whole else draft.view.main_line()
     figure = found.figure if found and found.whole else draft.view.main_figure()
@@ -60,6 +61,18 @@ def recount(draft: Draft, request: r.Recount) -> None:
         raise draft.refusal(
             "edit-unclear", "there is no structure whose size this could be", request.span, "say what is to be built"
         )
+
+
+def _not_mixed(draft: Draft, request: r.Recount) -> None:
+    """Refuse "two high each" where the goal has a tower by itself besides several that it speaks of together."""
+    theme = request.theme
+    alone = any(line.kind == "tower" and line.node is not None for line in draft.view.lines)
+    together = any(isinstance(figure.node, Towers) for figure in draft.view.figures)
+    every = isinstance(theme, m.Pronoun) and theme.word in _EVERY - {"them", "they"}
+    every = every or (isinstance(theme, m.Structure) and several_of(theme) and not theme.traits.colors)
+    if alone and together and every:
+        told, hint = "these towers are asked for in two parts", "say it of each: make the green tower two high"
+        raise draft.refusal("ambiguous-object", told, request.span, hint)
 
 
 def _not_counted(draft: Draft, request: r.Recount) -> None:

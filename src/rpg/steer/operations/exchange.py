@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir.assets import EDGE, Asset, GoalPatch, SemanticCube
 from rpg.ir.edits import ChangeCondition, Exchange, ReplaceAssets, SetField
 from rpg.ir.relations import Facing
-from rpg.ir.structures import Equation, GroupBy, Spells
+from rpg.ir.structures import Equation, GroupBy, Spells, Towers
 from rpg.steer.draft import Draft
 from rpg.steer.operations.make import free_name
 
@@ -75,6 +75,9 @@ def _respell(draft: Draft) -> None:
 def _regroup(draft: Draft, traits: Traits) -> None:
     """Blocks that are sorted by what they look like go over to the group that they fit now."""
     for path, atom in draft.view.atoms:
+        alike = isinstance(atom, Towers) and len({traits.of(name, atom.each or "color") for name in atom.blocks}) == 1
+        if isinstance(atom, Towers) and atom.separate and alike:
+            draft.do(ChangeCondition(at=path, to=atom.model_copy(update={"each": None, "separate": False})))
         if not isinstance(atom, GroupBy) or atom.by is None or atom.outliers:
             continue
         found: dict[object, list[str]] = {}

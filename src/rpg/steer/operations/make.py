@@ -36,6 +36,13 @@ def _named(draft: Draft, phrase: m.Meaning, count: int | None, before: Sequence[
             "edit-unclear", "this does not describe a block or a patch", phrase.span, "say a block's colour or letter"
         )
     check_new(phrase)
+    listed = phrase.traits.labels or len(phrase.traits.colors) > 1
+    if phrase.plural and phrase.amount is None and count is None and phrase.traits.extra and not listed:
+        count = 2
+        draft.assume(f"the number of distractors is not said: {count}")
+    if phrase.plural and phrase.amount is None and count is None and not listed:
+        told, hint = "it is not said how many these are", "say how many: add two red blocks"
+        raise draft.refusal("edit-unclear", told, phrase.span, hint)
     taken = {asset.name for asset in (*draft.schema.assets, *before)}
     number = _number(phrase, count)
     if phrase.head == "patch":

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.blocks.traits import symbol_of
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.edits import AddCondition, SetGoal
 from rpg.ir.node import Lowest, members
-from rpg.ir.relations import Adjacent, Apart, Beside, Directional, InRegion, Near, OnPatch
+from rpg.ir.relations import Adjacent, Apart, Beside, Directional, Facing, InRegion, Near, OnPatch, Turned
 from rpg.ir.shrink import close, without
 from rpg.ir.structures import GroupBy
 from rpg.steer.draft import Draft
@@ -17,6 +18,7 @@ from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.order import put_in_order
 from rpg.steer.operations.place import put, stand_on, there
 from rpg.steer.operations.relate import relation
+from rpg.steer.operations.reshape import reshape
 from rpg.steer.proof.shape import conjuncts, structures
 from rpg.steer.refer import exists, resolve
 from rpg.steer.requests import requests as r
@@ -38,6 +40,32 @@ def _by_a_new_one(draft: Draft, request: r.Move) -> r.Move:
     return replace(request, place=replace(place, landmark=replace(mark, det="the", amount=None)))
 
 
+def _of_the_table(draft: Draft, place: r.Place, names: Sequence[str], span: Span) -> r.Place:
+    """The middle is that of the table where nothing that is built has one, and a block is in a part of the table."""
+    if not isinstance(place, r.Spot) or place.side != "middle" or place.whole is not None:
+        return place
+    somewhere = any(isinstance(atom, InRegion) and set(members(atom.a)) & set(names) for _, atom in draft.view.atoms)
+    built = draft.view.lines or draft.view.figures
+    return m.In(region="middle", span=span) if somewhere and not built else place
+
+
+def _stacked_first(draft: Draft, request: r.Move) -> r.Move:
+    """What is to form a stack on a patch, or somewhere on the table, forms it first. On a block it is piled one by
+    one."""
+    place = there(draft, request.place)
+    mark = getattr(place, "landmark", None)
+    patch = isinstance(mark, m.Noun) and mark.head == "patch" and fresh(mark)
+    patch = patch or (mark is not None and not fresh(mark) and _patches(draft, mark))
+    if request.piled and (isinstance(place, m.In) or (_onto(place) and patch)):
+        stack = m.Structure(kind="stack", span=request.span)
+        reshape(draft, r.Reshape(structure=stack, theme=request.theme, span=request.span))
+    return request
+
+
+def _patches(draft: Draft, mark: m.Meaning) -> bool:
+    return exists(draft.view, mark) and set(resolve(draft.view, mark).names) <= set(draft.view.world.patches)
+
+
 def _onto(place: m.Meaning | r.Spot) -> bool:
     return getattr(place, "rel", "") in ("on", "in")
 
@@ -46,7 +74,8 @@ def move(draft: Draft, request: r.Move) -> None:
     """What the goal said of where these blocks are gives way to the place that the request names."""
     found = resolve(draft.view, request.theme)
     names = found.names
-    request = _by_a_new_one(draft, request)
+    request = _by_a_new_one(draft, _stacked_first(draft, request))
+    request = replace(request, place=_of_the_table(draft, request.place, names, request.span))
     request = replace(request, place=_beside_as_now(draft, there(draft, request.place), names))
     request = replace(request, place=_by_the_other(draft, request.place, found))
     near = getattr(request.place, "landmark", None) or getattr(request.place, "whole", None)
@@ -58,17 +87,14 @@ def move(draft: Draft, request: r.Move) -> None:
     landmark = getattr(request.place, "landmark", None)
     if _onto(request.place) and isinstance(landmark, m.Noun) and landmark.head == "patch" and fresh(landmark):
         (patch,) = draft.add(new_assets(draft, landmark), request.span)[:1]
-        if found.line is not None:
-            draft.aim("EXTEND")
-            stand_on(draft, found.line, patch, request.span)
-            return
         together = _stays_together(draft, names, request.place)
-        if together and line is not None:
-            draft.aim("EXTEND")
-            stand_on(draft, line, patch, request.span)
+        whole = found.line or (line if together else None)
+        if whole is not None:
+            draft.aim("MODIFY" if _leave(draft, names, (), request.span) else "EXTEND")
+            stand_on(draft, draft.view.line_of(whole.members) or whole, patch, request.span)
             return
         if found.figure is not None or together:
-            draft.aim("EXTEND")
+            draft.aim("MODIFY" if _leave(draft, names, (), request.span) else "EXTEND")
             draft.do(AddCondition(goal=OnPatch(a=names, patch=patch)), request.span)
             return
         draft.aim("MODIFY")
@@ -173,10 +199,7 @@ def _whole_elsewhere(draft: Draft, found: Found, request: r.Move) -> None:
     landmark = getattr(request.place, "landmark", None)
     anchor = None if landmark is None or isinstance(landmark, m.TableTop) else resolve(draft.view, landmark)
     near = anchor.names if anchor is not None else ()
-    before = [part for part in conjuncts(draft.schema.goal) if not _only_where(part, found.names, near)]
-    draft.aim("EXTEND" if len(before) == len(conjuncts(draft.schema.goal)) else "MODIFY")
-    if before:
-        draft.do(SetGoal(goal=before[0] if len(before) == 1 else g.All(goals=tuple(before))), request.span)
+    draft.aim("MODIFY" if _leave(draft, found.names, near, request.span) else "EXTEND")
     if isinstance(request.place, m.In) or anchor is None:
         put(draft, found.names, request.place, anchor, request.span)
     elif _onto(request.place) and set(anchor.names) <= set(draft.view.world.patches) and found.line is not None:
@@ -188,6 +211,15 @@ def _whole_elsewhere(draft: Draft, found: Found, request: r.Move) -> None:
         goal = relation(draft, place.rel, foot, anchor.names, place.mods, request.span, place)
         draft.do(AddCondition(goal=goal), request.span)
     draft.look_at(found.names)
+
+
+def _leave(draft: Draft, names: Sequence[str], near: Sequence[str], span: Span) -> bool:
+    """Drop the conditions that only say where a structure is; whether there were any."""
+    whole = conjuncts(draft.schema.goal)
+    rest = [part for part in whole if not _only_where(part, names, near)]
+    if rest and len(rest) < len(whole):
+        draft.do(SetGoal(goal=rest[0] if len(rest) == 1 else g.All(goals=tuple(rest))), span)
+    return len(rest) < len(whole)
 
 
 def _only_where(part: g.Goal, names: Sequence[str], near: Sequence[str]) -> bool:
@@ -202,12 +234,16 @@ _FROM_ANOTHER = Directional | Near | Beside | Adjacent | Apart
 
 
 def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found | None) -> None:
-    """Drop what the goal asks of `names`, then ask for the new place."""
+    """Drop what the goal asks of `names`, but for how they are turned, then ask for the new place."""
     before = draft.schema.goal
+    turned = [part for part in conjuncts(before) if isinstance(part, Facing | Turned) and part.block in names]
     goal = before
     for name in names:
         goal = close(goal, name)
     left = without(goal, set(names))
+    if isinstance(before, g.Sequence) and not (isinstance(left, g.Sequence) and len(left.stages) == len(before.stages)):
+        told, hint = "this would leave nothing of one of the steps", "say the steps anew: first ..., then ..."
+        raise draft.refusal("breaks-structure", told, request.span, hint)
     if left is not None:
         draft.do(SetGoal(goal=left), request.span)
     if anchor is not None and anchor.line is not None:
@@ -222,6 +258,8 @@ def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found
         draft.do(SetGoal(goal=new[0] if len(new) == 1 else g.All(goals=new)), request.span)
         if ("stack" in structures(before)) != ("stack" in structures(draft.schema.goal)):
             draft.aim("PIVOT")
+    for part in turned:
+        draft.do(AddCondition(goal=part), request.span)
     draft.look_at(tuple(names))
 
 

@@ -39,7 +39,9 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
         return
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     line, figure = _target(draft, found)
-    if found is not None and not found.whole and line is not None and not set(found.names) <= set(line.members):
+    if request.how == "swap" and found is not None and not found.whole and len(found.names) == 2:
+        line = draft.view.line_of(found.names)
+    elif found is not None and not found.whole and line is not None and not set(found.names) <= set(line.members):
         told, hint = "these blocks are in more than one line", "say the order of each of them"
         raise draft.refusal("edit-unclear", told, request.span, hint)
     draft.note("order", {"how": request.how, "descending": request.descending, "first": request.first})

@@ -67,6 +67,9 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
     blocks = [name for name in listed(draft, names) if name in draft.view.world.blocks]
     check_shape(wanted, sizes_used=True)
     _check_members(draft, wanted, blocks)
+    if len(blocks) < 2:
+        told = f"one block is no {wanted.kind}"
+        raise draft.refusal("breaks-structure", told, request.span, "say of which blocks it should be")
     draft.aim("PIVOT")
     goal = _patterned(draft, structure(draft, wanted, blocks, line, request.span), blocks)
     _part(draft, line, goal, blocks, request.span)

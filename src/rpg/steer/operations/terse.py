@@ -14,6 +14,7 @@ from rpg.ir.walk import transform
 from rpg.steer.draft import Draft
 from rpg.steer.matching import matches
 from rpg.steer.operations.add import add
+from rpg.steer.operations.move import move
 from rpg.steer.operations.relate import relation
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import restyle
@@ -83,11 +84,17 @@ def _counted(node: g.Goal) -> g.Count | None:
 
 
 def bring(draft: Draft, request: Bring) -> None:
-    """A new block that was named like one that is there; where the task has such a block, that one would be meant."""
+    """A new block that was named like one that is there; where the task has such a block, that one would be meant: it
+    is moved where what it goes to is named likewise, "C on A"."""
     there = [name for name in draft.view.world.blocks if matches(draft.view, name, request.theme.traits)]
     near = getattr(request.place, "landmark", None)
     if there and isinstance(near, m.Noun) and near.det == "bare" and not exists(draft.view, near):
         _bring_other(draft, request, near)
+        return
+    named = isinstance(near, m.Noun) and near.det == "bare" and near.amount is None
+    if len(there) == 1 and named and isinstance(near, m.Noun) and isinstance(request.place, m.Loc):
+        one, other = (replace(each, det="the", amount=None) for each in (request.theme, near))
+        move(draft, r.Move(theme=one, place=replace(request.place, landmark=other), span=request.span))
         return
     if there:
         told, hint = "the task has such a block", "say 'another ...' for one more, or 'move the ...'"

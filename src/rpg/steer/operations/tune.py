@@ -143,18 +143,18 @@ def _measured_pair(draft: Draft, request: r.Loosen) -> bool:
 
 
 def _touching_pair(draft: Draft, request: r.Loosen) -> bool:
-    """Two blocks of which the goal has one relation side by side touch, besides being on that side."""
+    """Two blocks of which the goal has one relation side by side touch, besides being on that side, or level."""
     told = _side_by_side(draft)
     if told is None or any(isinstance(atom, rel.Touching) for _, atom in draft.view.atoms):
         return False
     path, atom = told
     touching = rel.Touching(a=atom.a, b=atom.b)
-    if isinstance(atom, rel.Directional):
-        draft.aim("EXTEND")
-        draft.do(AddCondition(goal=touching), request.span)
-    else:
+    if isinstance(atom, rel.Near):
         draft.aim("MODIFY")
         draft.do(ChangeCondition(at=path, to=touching), request.span)
+    else:
+        draft.aim("EXTEND")
+        draft.do(AddCondition(goal=touching), request.span)
     return True
 
 

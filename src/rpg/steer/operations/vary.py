@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from rpg.blocks.traits import Traits
 from rpg.ir import goal as g
-from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, SetField, SetGoal
+from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, DropCondition, SetField, SetGoal
 from rpg.ir.goal import Count
 from rpg.ir.node import EACH, members
-from rpg.ir.relations import Behind, Directional, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf
+from rpg.ir.relations import Behind, Directional, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf, Stayed
 from rpg.ir.structures import Row, Stack, Staircase
 from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
@@ -15,6 +15,7 @@ from rpg.steer.operations.count import recount
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.make import named
 from rpg.steer.proof.shape import conjuncts
+from rpg.steer.refer import resolve
 from rpg.steer.requests import requests as r
 
 WAYS: dict[str, type[Directional]] = {"left": LeftOf, "right": RightOf, "front": InFrontOf, "behind": Behind}
@@ -135,14 +136,7 @@ def turn(draft: Draft, request: r.Turn) -> None:
     before = draft.schema.goal
 
     def change(node: g.Goal) -> g.Goal:
-        if isinstance(node, Directional) and isinstance(node, WAYS[request.old]):
-            turned: g.Goal = WAYS[request.to].model_validate(node.model_dump(exclude={"kind"}))  # type: ignore[assignment]
-            return turned
-        region = getattr(node, "region", "")
-        old, new = (_REGIONS.get(way, way) for way in (request.old, request.to))
-        if old in region.split("_"):
-            return node.model_copy(update={"region": "_".join(new if p == old else p for p in region.split("_"))})
-        return node
+        return _pointed(node, request.old, request.to) if isinstance(node, WAYS[request.old] | InRegion) else node
 
     goal = transform(before, change)
     if goal == before:
@@ -151,3 +145,55 @@ def turn(draft: Draft, request: r.Turn) -> None:
     draft.aim("MODIFY")
     draft.note("turn", {"from": request.old, "to": request.to})
     draft.do(SetGoal(goal=goal), request.span)
+
+
+def free(draft: Draft, request: r.Free) -> None:
+    """Blocks that had to stay where they are may be moved."""
+    names = resolve(draft.view, request.theme).names
+    found = [(path, atom) for path, atom in draft.view.atoms if isinstance(atom, Stayed)]
+    stuck = {name for _, atom in found for name in members(atom.a)}
+    if not set(names) <= stuck:
+        told, hint = "nothing says that it has to stay where it is", "say what is to change"
+        raise draft.refusal("nothing-to-do", told, request.span, hint)
+    draft.aim("MODIFY")
+    draft.note("free", list(names))
+    for path, atom in reversed(found):
+        rest = tuple(name for name in members(atom.a) if name not in names)
+        if not rest:
+            draft.do(DropCondition(at=path), request.span)
+        elif len(rest) < len(members(atom.a)):
+            draft.do(ChangeCondition(at=path, to=atom.model_copy(update={"a": rest})), request.span)
+    draft.look_at(names)
+
+
+_ACROSS = {"left": "right", "right": "left", "front": "behind", "behind": "front"}
+
+
+def across(draft: Draft, request: r.Across) -> None:
+    """The one relation to a side, or the one half of the table, is that of the other side."""
+    names = set(resolve(draft.view, request.theme).names) if request.theme is not None else set()
+    found = []
+    for path, atom in draft.view.atoms:
+        way = next((way for way in WAYS if isinstance(atom, WAYS[way])), None)
+        region = atom.region.split("_") if isinstance(atom, InRegion) else []
+        way = way or next((way for way in _ACROSS if _REGIONS.get(way, way) in region[:-1] and len(region) == 2), None)
+        about = [set(members(getattr(atom, end))) for end in ("a", "b") if hasattr(atom, end)] if way else []
+        if way is not None and (not names or names in about):
+            found.append((path, atom, way))
+    if len(found) != 1:
+        told = "it is not clear which side this is"
+        raise draft.refusal("ambiguous", told, request.span, "say 'to the left of' or 'to the right of'")
+    path, atom, way = found[0]
+    draft.aim("MODIFY")
+    draft.note("turn", {"from": way, "to": _ACROSS[way]})
+    draft.do(ChangeCondition(at=path, to=_pointed(atom, way, _ACROSS[way])), request.span)
+    draft.look_at(tuple(name for name in members(getattr(atom, "a", ())) if name in draft.view.world.blocks))
+
+
+def _pointed(atom: g.Goal, old: str, to: str) -> g.Goal:
+    """A relation, or a region, that points one way instead of another."""
+    if isinstance(atom, InRegion):
+        new = {_REGIONS.get(old, old): _REGIONS.get(to, to)}
+        return atom.model_copy(update={"region": "_".join(new.get(part, part) for part in atom.region.split("_"))})
+    turned: g.Goal = WAYS[to].model_validate(atom.model_dump(exclude={"kind"}))  # type: ignore[assignment]
+    return turned

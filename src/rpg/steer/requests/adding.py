@@ -234,7 +234,8 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         elif not isinstance(theme, m.Structure) or old(theme):
             for where, end in place(p, k):
                 end = given_up(p, end)
-                yield r.Move(theme=theme, place=where, span=p.span(i, end)), end
+                piled = p.words[i] == "stack" and _several(theme)
+                yield r.Move(theme=theme, place=where, piled=piled, span=p.span(i, end)), end
                 named = labelled(theme) or (getattr(theme, "det", "") == "the" and p.follows(i, ("also",)))
                 if isinstance(theme, m.Noun) and named and not theme.plural:
                     yield r.Add(theme=theme, places=(where,), lacking=True, span=p.span(i, end), cost=3), end
@@ -242,6 +243,12 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for theme, end in noun_phrase(p, k):
             if fresh(theme):
                 yield (r.Add(theme=theme, places=(where,), span=p.span(i, end), cost=1), end)
+
+
+def _several(theme: m.Meaning) -> bool:
+    """Phrases such as "them", "the red blocks", "the red and the blue one"."""
+    several = isinstance(theme, m.Coord | m.Pronoun) and getattr(theme, "word", "") not in ("it", "this", "that")
+    return several or (isinstance(theme, m.Noun) and theme.plural)
 
 
 def _listed(theme: m.Meaning) -> bool:
@@ -305,6 +312,8 @@ def remove(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase in (*REMOVE, "leave", "without", "no more", "no"):
         if j := p.seq(i, phrase):
             for theme, k in dict.fromkeys([*things(p, j), *subjects(p, j)]):
+                if "apart" in p.words[j:k]:
+                    continue  # what is taken apart is still there
                 end = longest(p, k, "away | out | off | again") or k
                 if from_ := longest(p, end, ("from", "out of", "off")):
                     for whole, stop in simple(p, from_):

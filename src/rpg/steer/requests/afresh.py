@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from rpg.blocks.english import describe
@@ -16,17 +16,18 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.assets import Asset
 from rpg.ir.edits import AddAsset, AddCondition, SetGoal, SetStart
+from rpg.ir.relations import Beside, Directional, Swapped
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import GroupBy
 from rpg.ir.walk import names as mentions
 from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
-from rpg.steer.matching import matches
 from rpg.steer.proof.identity import look
 from rpg.steer.proof.shape import conjuncts, same_structure
-from rpg.steer.refer import exists, resolve
-from rpg.steer.requests.language import Parser, m, noun_phrase, tokenize
-from rpg.steer.view import NOUNS, View
+from rpg.steer.refer import resolve
+from rpg.steer.requests.known import names_structure, only_known, only_new
+from rpg.steer.requests.language import m
+from rpg.steer.view import NOUNS
 from rpg.steer.wholes import noun_of
 
 _FRESH = re.compile(
@@ -43,7 +44,7 @@ _FRESH = re.compile(
 )
 _COMPARED = re.compile(r"[\s,]+(?:instead|again)[\s.!?]*$", re.IGNORECASE)
 _ADDS = re.compile(
-    r"\b(?:also|too|as well|must|should|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning"
+    r"\b(?:also|too|as well|must|should|shall|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning"
     r"|still|in addition|furthermore|moreover|keep)\b|^\W*(?:and|plus|then|afterwards|after that|finally)\b"
     r"|^\W*(?:please\W+)?(?:another|one more|two more|a further|a second)\b"
     r"|\b(?:before that|beforehand)\b|\bfirst\W*$|^\W*(?:but\s+)?first\b(?!.*\bthen\b)",
@@ -64,7 +65,10 @@ _NUMBER = re.compile(
 
 
 _PUTS = re.compile(
-    r"^\W*(?:(?:now|and|also|then|please)\s+)*(?:put|place|add|set|stick)\s+(?:a|an|one|two)\b", re.IGNORECASE
+    r"^\W*(?:(?:now|and|also|then|please)\s+)*(?!(?:the|it|them|all|both|these|each)\b)(?:"
+    r"(?:put|place|add|set|stick)\s+(?!(?:the|it|them|all|both|these|each)\b)"
+    r"|(?:an?\s+)?\w+(?:\s+(?:block|cube|one|brick)s?)?\s+(?:in|at|on)\b)",
+    re.IGNORECASE,
 )
 _PARTS = re.compile(
     r"\b(?:each|every|both|all|the|its)\s+(?:\w+\s+)?(?:corner|end|edge|side|middle|centre|center|top|bottom)s?\b"
@@ -78,19 +82,50 @@ def speaks_of_parts(request: str) -> bool:
     return bool(_PUTS.match(request) and _PARTS.search(request)) and "table" not in request.lower()
 
 
+_SETTING = re.compile(r"^\W*\w+(?: \w+)?\s*[:=]\s*[\w.+-]+(?:\s+\w+)?\W*$")
+
+
+_OF_THOSE_THERE = re.compile(
+    r"^\W*(?:\w+\W+){0,3}?(?:move|shift|transfer|take|bring|carry)\s+(?:an?|one|two|three|\d+|some)\b.*\bfrom\b"
+    r"|\bin (?:its|their|that|the same) (?:place|places|spot|stead)\b"
+    r"|^\W*(?:the )?same (?:thing |again |task )?with\b"
+    r"|^\W*(?:write|spell|print|paint|label)\b.*\b(?:on|onto) (?:it|them|these|those|the (?:blocks|cubes))\W*$"
+    r"|^(?!.*\b(?:build|make|put|place|stack|tower|row|pyramid)\b)(?:(?!\b(?:on|of)\b).)+\bon top\W*$",
+    re.IGNORECASE,
+)
+
+
+def of_those_there(request: str) -> bool:
+    """Whether a request can only be about what is there: "move one block from the red mat", "a red one in its place",
+    or a mere "top: white"."""
+    return bool(_OF_THOSE_THERE.search(request) or _SETTING.match(request))
+
+
 def only_a_number(request: str) -> bool:
     """Whether a request begins with how many, and has no verb before it."""
     return bool(_NUMBER.match(request)) and by_itself(request) == request
 
 
+_OF_THEM = re.compile(
+    r"^(?:(?!\b(?:an?|one|two|three|four|five|six|seven|eight|nine|ten|\d+)\b).)*?"
+    r"\b(?:them|they|it|these|those|the (?:blocks|cubes|bricks))\b",
+    re.IGNORECASE,
+)
+
+
+def of_them(request: str) -> bool:
+    """Whether a request speaks of "them", "the blocks", before it brings in any block itself."""
+    return bool(_OF_THEM.match(request))
+
+
 _ALL = re.compile(r"^\W*(?:(?:and|now|also|then|but)\s+)*(?:each|every|all|both|none|no)\b", re.IGNORECASE)
 
 
-_NAMED = re.compile(r"^\W*(?:(?:just|only|now|then|and|rather)\s+)*(?:a|an|one)\s", re.IGNORECASE)
+_NAMED = re.compile(r"^\W*(?:(?:just|only|now|then|and|rather)\s+)*(?:(?:in|as|into)\s+)?(?:a|an|one)\s", re.IGNORECASE)
 
 
 def only_named(request: str) -> bool:
-    """Whether a request only names something: "a rectangle of six"."""
+    """Whether a request only names something: "a rectangle of six", "in a circle"."""
     return bool(_NAMED.match(request) or _NUMBER.match(request))
 
 
@@ -146,13 +181,13 @@ def extended(
         raise Refusal(
             [_placed(error, len(known) + 1, begin, len(request)) for error in errors] or [_vague(begin, len(request))]
         )
-    names = _counterparts(draft.schema, schema)
+    names = counterparts(draft.schema, schema)
     if names is None or _says_nothing(read(known)[0], schema):
         raise Refusal([_vague(begin, len(request))])
-    _only_new(draft, request, begin, schema)
+    only_new(draft, request, begin, schema)
     if _THE_BLOCK.search(request) and len(schema.blocks) > len(draft.schema.blocks) > 1:
         raise Refusal([_vague(begin, len(request))])
-    _take_over(draft, schema, names, (begin, len(request)))
+    _take_over(draft, request, schema, names, (begin, len(request)))
 
 
 def _says_nothing(before: TaskSchema | None, after: TaskSchema) -> bool:
@@ -190,7 +225,7 @@ def reused(draft: Draft, request: str, read: Callable[[str], tuple[TaskSchema | 
         raise Refusal([_vague(*span)])
     there = ". ".join(objects(draft.schema, Speaker(draft.view.world)))
     schema, _ = read(f"{there}. {_AGAINST.sub('', by_itself(request))}")
-    names = None if schema is None else _counterparts(draft.schema, schema)
+    names = None if schema is None else counterparts(draft.schema, schema)
     if schema is None or names is None or len(schema.assets) != len(draft.schema.assets):
         raise Refusal([_vague(*span)])
     init = schema.init
@@ -213,83 +248,6 @@ def _by_name(draft: Draft, said: str) -> str:
     return f"the {noun or bare(meant.names[0], draft.view.world)}{said[found.end() :]}"
 
 
-def only_known(draft: Draft, request: str, begin: int) -> None:
-    """Refuse "the ..." of what the task does not have: as one more sentence of a text it would bring it in."""
-    for named in _definite(request, begin):
-        if not any(_there(draft, noun) for noun in named):
-            resolve(draft.view, named[0])
-
-
-def _only_new(draft: Draft, request: str, begin: int, schema: TaskSchema) -> None:
-    """Refuse "a red block" where the longer text took it for a red block that is there: an edit adds one so."""
-    p = Parser(tokenize(request)[0])
-    new = View(schema)
-    for i in range(p.end):
-        if p.tokens[i].span[0] < begin or p.words[i] not in ("a", "an", "another"):
-            continue
-        named = [noun for noun, _ in noun_phrase(p, i) if isinstance(noun, m.Noun) and noun.traits != m.Traits()]
-        named = [noun for noun in named if noun.det in ("a", "another")]
-        if named and not any(_number(new, noun) > _number(draft.view, noun) for noun in named):
-            told, hint = "the task has one like this already", "say 'the ...' for that one, or 'add ...' for one more"
-            found = Diagnostic(code="edit-unclear", message=told, span=named[0].span, hint=hint, origin="steer")
-            raise Refusal([found])
-
-
-def _number(view: View, noun: m.Noun) -> int:
-    """How many objects a task has that look as a phrase says."""
-    return sum(matches(view, name, noun.traits) for name in view.world.assets)
-
-
-def _there(draft: Draft, noun: m.Noun) -> bool:
-    """Whether the task has what a phrase could speak of, be it one or several."""
-    return any(matches(draft.view, name, noun.traits) for name in draft.view.world.assets)
-
-
-def names_structure(draft: Draft, request: str) -> bool:
-    """Whether a sentence says "the tower", "the circle" of one that the task builds."""
-    return any(exists(draft.view, structure) for structure in _structures(request))
-
-
-def mentions_known(draft: Draft, request: str) -> bool:
-    """Whether a sentence says "the ..." of anything that the task has."""
-    known = any(exists(draft.view, noun) for named in _definite(request, 0) for noun in named)
-    return known or names_structure(draft, request)
-
-
-def speaks_of_kinds(draft: Draft, request: str) -> bool:
-    """Whether a sentence says "the letters", "all digits", "the vowels" of some that the task has."""
-    p = Parser(tokenize(request)[0])
-    for i in range(p.end):
-        if p.words[i] in ("the", "all", "every", "each", "both", "these"):
-            named = [noun for noun, _ in noun_phrase(p, i) if isinstance(noun, m.Noun) and _of_a_kind(noun.traits)]
-            if any(_there(draft, noun) for noun in named):
-                return True
-    return False
-
-
-def _of_a_kind(traits: m.Traits) -> bool:
-    return bool(traits.kind or traits.quality) and not traits.labels and not traits.colors
-
-
-def _structures(request: str) -> Iterator[m.Structure]:
-    """Every phrase such as "the tower", "the circle"."""
-    p = Parser(tokenize(request)[0])
-    for i in range(p.end):
-        if p.words[i] in ("the", "each", "every"):
-            yield from (found for found, _ in noun_phrase(p, i) if isinstance(found, m.Structure))
-
-
-def _definite(request: str, begin: int) -> Iterator[list[m.Noun]]:
-    """The readings of every phrase with "the" that says a colour or a symbol."""
-    p = Parser(tokenize(request)[0])
-    for i in range(p.end):
-        if p.tokens[i].span[0] >= begin and p.words[i] == "the":
-            named = [noun for noun, _ in noun_phrase(p, i) if isinstance(noun, m.Noun)]
-            told = [noun for noun in named if noun.traits.colors or noun.traits.labels]
-            if told:
-                yield told
-
-
 def _placed(error: Diagnostic, known: int, begin: int, end: int) -> Diagnostic:
     """A finding about the whole text, at the words of the request."""
     span = (begin, end)
@@ -305,7 +263,7 @@ def _vague(begin: int, end: int) -> Diagnostic:
     )
 
 
-def _counterparts(old: TaskSchema, new: TaskSchema) -> dict[str, str] | None:
+def counterparts(old: TaskSchema, new: TaskSchema) -> dict[str, str] | None:
     """Names in `new` -> names in `old` of the objects that both have by look; None where one of `old` is missing."""
     free = list(new.assets)
     found: dict[str, str] = {}
@@ -333,9 +291,24 @@ def _look(asset: Asset) -> dict[str, object]:
     return found
 
 
-def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]) -> None:
+_MERE = re.compile(r"^\W*(?:\d+|two|three|four|five|six)\s+\w+\W*$", re.IGNORECASE)
+"""A number of something, "two rows": no sentence about the task."""
+_FIGURE = re.compile(r"\b(?:in|into|as|to) an? (?:circle|ring|square|rectangle)\W*$", re.IGNORECASE)
+"""What blocks form, and no patch of that shape."""
+
+
+_IS_THERE = re.compile(
+    r"\b(?:is|are|be|lies?|lying|stands?|sits?|has|have|with|put|place|add|include|also|too|as well|around"
+    r"|besides|distractors?)\b",
+    re.IGNORECASE,
+)
+"""What says of a block only that it is there; a mere "4 blue ones" may be what other blocks become."""
+
+
+def _take_over(draft: Draft, request: str, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]) -> None:
     """New objects, conditions and starts of the longer text."""
     kept = {asset.name for asset in draft.schema.assets}
+    busy = set(draft.view.busy)
     for asset in schema.assets:
         name = names[asset.name]
         if name not in kept:
@@ -346,6 +319,17 @@ def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tu
     new = [part for part in parts if canonical(part, {}) not in before]
     if any(isinstance(part, GroupBy) and len(part.groups) == 1 for part in new):
         raise Refusal([_vague(*span)])
+    shaped = any(asset.type == "GoalPatch" and names[asset.name] not in kept for asset in schema.assets)
+    if (new and _MERE.match(request)) or (shaped and _FIGURE.search(request)):
+        raise Refusal([_vague(*span)])
+    if any(isinstance(part, Swapped) and busy & set(mentions(part)) for part in new):
+        raise Refusal([_vague(*span)])  # they change places in the goal, not from the start to the end
+    if not _BESIDES.search(request) and any(_elsewhere(part, conjuncts(draft.schema.goal)) for part in new):
+        told, hint = (
+            "it is not said whether this comes besides the place that it has, or instead",
+            "say 'move', or 'also'",
+        )
+        raise Refusal([Diagnostic(code="edit-unclear", message=told, span=span, hint=hint, origin="steer")])
     if all(told in [canonical(part, {}) for part in parts] for told in before):
         for part in new:
             draft.do(AddCondition(goal=part), span)
@@ -359,11 +343,25 @@ def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tu
             "vacant": draft.schema.init.vacant,
         }
     )
+    brings = len(schema.assets) > len(kept) and not new and init == draft.schema.init
+    if brings and not _IS_THERE.search(request[span[0] :]):
+        told, hint = "it is not said whether these come besides or instead", "say 'add ...', or what they replace"
+        raise Refusal([Diagnostic(code="edit-unclear", message=told, span=span, hint=hint, origin="steer")])
     if init != draft.schema.init:
         draft.do(SetStart(init=init), span)
     draft.aim("EXTEND" if new else "TWEAK")
     draft.note("clause", new[0].kind if new else "start")
     draft.look_at(tuple(n for n in names.values() if n not in kept) or _mentioned(draft, new))
+
+
+_BESIDES = re.compile(r"\b(?:also|too|as well|and|both|still|besides|in addition|finally|then|first)\b", re.IGNORECASE)
+
+
+def _elsewhere(part: g.Goal, before: Sequence[g.Goal]) -> bool:
+    """Whether a block, of which the goal says on which side of one thing it is, is to be on that side of another."""
+    if not isinstance(part, Directional | Beside):
+        return False
+    return any(old.kind == part.kind and old.a == part.a and old.b != part.b for old in before if hasattr(old, "a"))
 
 
 def _mentioned(draft: Draft, new: Sequence[g.Goal]) -> tuple[str, ...]:

@@ -31,6 +31,10 @@ SHOULD = phrases(
 )
 
 
+_PAINTED = phrases(
+    "painted | painted in | recolored | recoloured | recolored in | recoloured in | recolored to | recoloured to | "
+    "dyed | turned | changed to | changed into"
+)
 PAINT = frozenset({"paint", "color", "colour", "recolor", "recolour", "dye", "repaint"})
 
 
@@ -50,7 +54,7 @@ def change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                     yield found, end
     for theme, k in _themes(p, i):
         if (n := longest(p, k, SHOULD)) and theme is not None and old(theme):
-            yield from becomes(p, i, n, theme, cost=1)
+            yield from becomes(p, i, longest(p, n, _PAINTED) or n, theme, cost=1)
         elif (n := longest(p, k, "is | are")) and theme is not None and old(theme):
             for found, end in becomes(p, i, n, theme, cost=1):
                 if isinstance(found, r.Restyle) and found.former != r.NO_TRAITS:
@@ -272,7 +276,8 @@ def _upright(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         end = longest(p, k, _UPRIGHT)
         end = longest(p, p.opt(end, ","), _UPRIGHT) or end if end else 0
         stop = longest(p, end, _READ) or end if end else 0
-        if stop and (theme is None or old(theme)):
+        one = isinstance(theme, m.Noun) and not theme.plural and theme.traits.kind is None  # "turn the A upright"
+        if stop and (theme is None or old(theme)) and not one:
             shape = m.Structure(kind="stack", span=p.span(i, stop))
             yield r.Reshape(structure=shape, theme=theme, span=p.span(i, stop), cost=1), stop
 

@@ -40,6 +40,7 @@ def elliptic(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if j := longest(p, i, "alternate the colors | with alternating colors | alternating colors | colors alternating"):
         yield r.Reorder(how="alternating", span=p.span(i, j)), j
     yield from turned(p, i)
+    yield from across(p, i)
     yield from _distance(p, i)
     if i and p.words[i - 1] == "and":
         return
@@ -236,6 +237,28 @@ def _way(p: Parser, i: int) -> Iterator[tuple[str, int]]:
     for phrase, way in _WAYS.items():
         if j := p.seq(i, phrase):
             yield way, longest(p, j, "of it | of that | it | of them | of") or j
+
+
+_OTHER_SIDE = tuple(
+    f"{lead} {other} side{of}".strip()
+    for lead in ("on", "to", "")
+    for other in ("the other", "the opposite", "its other")
+    for of in ("", " of it", " of that", " of the table")
+)
+_TAKEN = "move | put | place | shift | bring | push | slide | set"
+_BELONGS = "should be | must be | should go | goes | belongs | has to be | should stand | should move | must go"
+
+
+def across(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "on the other side", "move the blue one to the opposite side"."""
+    verb = longest(p, i, _TAKEN)
+    starts: list[tuple[m.Meaning | None, int]] = [(None, i)] if i == 0 or p.words[i - 1] != "and" else []
+    for theme, k in simple(p, verb or i):
+        k = k if verb else longest(p, k, _BELONGS)
+        starts += [(theme, k)] if k else []
+    for what, k in starts:
+        if end := longest(p, k, _OTHER_SIDE):
+            yield r.Across(theme=what, span=p.span(i, end)), end
 
 
 _BETTER = phrases("would be better than | is better than | would be nicer than | looks better than | is nicer than")

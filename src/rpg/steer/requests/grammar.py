@@ -13,7 +13,7 @@ from rpg.steer.requests.grouping import group, mixture, outliers
 from rpg.steer.requests.language import Parser, Results, colors, count, lexicon, longest, phrases, rule
 from rpg.steer.requests.parties import parties
 from rpg.steer.requests.parts import parts
-from rpg.steer.requests.replacing import instead, keep, replace_with, trade
+from rpg.steer.requests.replacing import free, instead, keep, replace_with, trade
 from rpg.steer.requests.sorting import reorder
 from rpg.steer.requests.spacing import loosening
 from rpg.steer.requests.starts import starts
@@ -21,7 +21,7 @@ from rpg.steer.requests.symbols import symbols
 from rpg.steer.requests.terse import terse
 from rpg.steer.requests.wishes import wish
 
-ALSO = ("too", "as well", "also", "instead", "again", "please", "now", "there", "then")
+ALSO = ("too", "as well", "also", "instead", "again", "please", "now", "then")
 
 
 _CLOSING = phrases(
@@ -95,6 +95,7 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from replace_with(p, i)
     yield from trade(p, i)
     yield from keep(p, i)
+    yield from free(p, i)
     yield from reorder(p, i)
     yield from recount(p, i)
     yield from loosening(p, i)

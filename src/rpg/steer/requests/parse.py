@@ -131,7 +131,7 @@ def _chains(p: Parser, start: int, reference: Reference | None) -> list[Parsed]:
             if j >= p.end:
                 done.append(Parsed(reference, (*so_far, found), None, True, total))
                 extended = True
-            elif k := _join(p, j):
+            elif (k := _join(p, j)) and not (isinstance(found, Tint) and p.words[j] == "and"):
                 go(k, (*so_far, found), total)
                 extended = True
         if not extended and i < p.end:

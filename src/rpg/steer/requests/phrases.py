@@ -102,8 +102,11 @@ def subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning, int]]:
                 if k := p.seq(j, phrase):
                     yield (replace(found, traits=replace(found.traits, rank=rank), span=p.span(i, k)), k)
     for word, rank in HEADLESS.items():
-        if (j := longest(p, i, (f"the {word}", f"its {word}", f"the very {word}"))) and p.words[j] != "of":
+        j = longest(p, i, (f"the {word}", f"its {word}", f"the very {word}"))
+        if j and p.words[j] != "of" and p.number(j) is None:
             yield (m.Noun(head="block", det="the", traits=m.Traits(rank=rank), span=p.span(i, j)), j)
+        if j := longest(p, i, (f"the {word}s", f"both {word}s")):
+            yield m.Noun(head="block", det="the", plural=True, traits=m.Traits(rank=rank), span=p.span(i, j)), j
     if j := longest(p, i, "the whole | the entire | all of the | the complete | all the"):
         for found, k in noun_phrase(p, j):
             if isinstance(found, m.Structure):

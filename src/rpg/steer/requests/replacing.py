@@ -286,3 +286,31 @@ def keep(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if p.words[i] in ("except", "apart", "other", "without", "do"):
             moving = bool(longest(p, i, "without moving | without touching | do not move | do not touch"))
             yield r.Keep(theme=theme, still=moving, span=p.span(i, k)), k
+
+
+_MAY_MOVE = tuple(
+    f"{may} {move}"
+    for may in ("may", "can", "is allowed to", "are allowed to")
+    for move in (
+        "move",
+        "be moved",
+        "move now",
+        "be moved now",
+        "move again",
+        "be touched",
+        "go anywhere",
+        "be anywhere",
+    )
+) + phrases(
+    "need not stay where it is | does not have to stay where it is | no longer has to stay where it is | "
+    "need not stay there | does not have to stay | no longer has to stay | need not stay put | does not need to stay | "
+    "do not have to stay where they are | no longer have to stay where they are"
+)
+
+
+def free(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "the red one may be moved", "the base need not stay where it is"."""
+    for theme, k in subjects(p, i):
+        end = longest(p, k, _MAY_MOVE)
+        if end and not fresh(theme):
+            yield r.Free(theme=theme, span=p.span(i, end)), end

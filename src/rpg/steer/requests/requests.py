@@ -111,6 +111,13 @@ class Keep(Request):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Free(Request):
+    """Objects that had to stay where they are need not do so any more."""
+
+    theme: m.Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Trade(Request):
     """Two objects (or groups) change places in the goal."""
 
@@ -120,10 +127,11 @@ class Trade(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Move(Request):
-    """Objects of the task go elsewhere."""
+    """Objects of the task go elsewhere. `piled`: as a stack."""
 
     theme: m.Meaning
     place: Place
+    piled: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -198,6 +206,13 @@ class Turn(Request):
 
     to: str
     old: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Across(Request):
+    """What is on one side, of something or of the table, is on the other one."""
+
+    theme: m.Meaning | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

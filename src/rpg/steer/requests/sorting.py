@@ -184,6 +184,13 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     ):
         if j := p.seq(i, phrase):
             starts.append((None, j))
+    if j := p.one(i, "alternate"):
+        for whole, k in noun_phrase(p, j):
+            if old(whole):
+                yield r.Reorder(how="alternating", theme=whole, span=p.span(i, k)), k
+    for whole, j in noun_phrase(p, i):
+        if old(whole) and (k := longest(p, j, "should | must | have to | need to | shall")) and p.one(k, "alternate"):
+            yield r.Reorder(how="alternating", theme=whole, span=p.span(i, k + 1)), p.reach(k + 1)
     if not starts and p.words[i] in ("alphabetically", "numerically", "in", "from", "descending", "ascending"):
         starts.append((None, i))
     for theme, j in starts:
@@ -312,21 +319,23 @@ def _first(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
 
 
 def _two(both: m.Noun) -> bool:
-    """Phrases such as "the two patches", "both blocks"; not "the red and blue blocks", which are two phrases."""
-    counted = both.plural and (both.det == "both" or (both.amount is not None and both.amount.low == 2))
-    return counted and not both.traits.labels and len(both.traits.colors) < 2
+    """Phrases such as "the two patches", "both blocks", "the top blocks"; not "the red and blue blocks", which are two
+    phrases."""
+    amount = both.amount.low if both.amount else 2 if both.traits.rank or both.det == "both" else 0
+    return both.plural and amount == 2 and not both.traits.labels and len(both.traits.colors) < 2
 
 
 _SWAPPED = phrases(
     "around | over | round | places | in the stack | in the tower | in the row | in the line | in the column | "
-    "in the pile | of the tower | of the stack | of the row | with each other"
+    "in the pile | of the tower | of the stack | of the row | with each other | of the towers | of the stacks | "
+    "of the two towers | of the two stacks | of both towers | of both stacks | of each tower"
 )
 
 
 def _swap_them(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap them", "exchange the two": for two blocks, the reverse order."""
     j = longest(p, i, "swap | exchange | switch | interchange | swap around | swap round")
-    for both, k in noun_phrase(p, j) if j else ():
+    for both, k in subjects(p, j) if j else ():
         if isinstance(both, m.Noun) and _two(both):
             end = longest(p, k, _SWAPPED) or k
             yield r.Reorder(how="swap", theme=both, span=p.span(i, end), cost=1), end

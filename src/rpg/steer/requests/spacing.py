@@ -44,13 +44,17 @@ _GAP = (
 _SPACING = ("the spacing", "spacing", "a spacing")
 
 
-_BETWEEN = phrases(
-    "between the blocks | between them | between blocks | between neighbors | between neighbours | of the row | "
-    "between neighboring blocks | between neighbouring blocks | between adjacent blocks | between any two blocks | "
-    "between any two neighbors | between any two neighbours | between the neighbors | between the neighbours | "
-    "between two neighbors | between two neighbours | between the cubes | between each of them | in between"
+_BETWEEN = (
+    "between them", "between neighbors", "between neighbours", "of the row", "between each of them", "in between",
+    *(
+        " ".join(("between", *which.split(), noun))
+        for which in ("", "the", "any two", "two", "neighboring", "neighbouring", "adjacent", "any two adjacent")
+        for noun in ("blocks", "cubes", "bricks", "letters", "neighbors", "neighbours")
+    ),
+)  # fmt: skip
+_IS = phrases(
+    ": | = | should be | shall be | must be | has to be | is | ought to be | are | should all be | must all be"
 )
-_IS = phrases(": | = | should be | must be | has to be | is | ought to be | are | should all be | must all be")
 
 
 def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -131,12 +135,14 @@ _BE_SPACED = phrases(
 def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     starts = [i]
     if j := longest(
-        p, i, "space | spread | move | put | place | make | keep | set | bring | push | leave | have | arrange"
+        p, i, "space | spread | move | put | place | make | keep | set | bring | push | leave | have | arrange | let"
     ):
         starts += [j, *(k for _, k in simple(p, j))]
     if j := longest(p, i, _BE_SPACED):
         starts.append(j)
     for start in starts:
+        if p.words[i] in ("spread", "space") and (k := p.one(start, "out")) and k == p.end:
+            yield r.Loosen(what="spacing", factor=2.0, span=p.span(i, k)), k
         start = p.opt(start, "out")
         for phrase, factor in _APART.items():
             if k := p.seq(start, phrase):

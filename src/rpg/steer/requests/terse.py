@@ -172,10 +172,14 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if len(listed) == 1:
             yield Tint(color=listed[0], span=p.span(i, j), cost=5), j
     for theme, j in noun_phrase(p, i):
-        if isinstance(theme, m.Noun) and theme.det == "the" and not theme.conditions:
-            for found, end in becomes(p, i, j, theme, cost=4):
-                if isinstance(found, r.Restyle) and not found.traits.labels:
-                    yield found, end
+        k = p.opt(j, ":", "=")
+        if not isinstance(theme, m.Noun) or theme.det not in (("the", "bare") if k > j else ("the",)):
+            continue
+        if theme.conditions:
+            continue
+        for found, end in becomes(p, i, k, replace(theme, det="the"), cost=4):
+            if isinstance(found, r.Restyle) and not found.traits.labels:
+                yield found, end
     text = literal(p, i)
     first = i == 0 or p.words[i - 1] in (",", ".", "!", "please", "now", "no")
     if first and text is not None and len(text) > 1 and text.isalpha():
@@ -244,7 +248,7 @@ def _shifted(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 _PILED = (
-    "stacked | in a stack | as a stack | stack them there | stacked up | stacked on each other | "
+    "stacked | in a stack | as a stack | stacked up | stacked on each other | "
     "on top of each other | on top of one another | in a pile on top of each other | in one stack | as one stack"
 )
 

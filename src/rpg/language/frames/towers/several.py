@@ -46,6 +46,7 @@ def told(pieces: Sequence[Piece]) -> str:
         _NAMED.search(piece.words) for piece in named
     ):
         raise Unclear
+    _no_scraps(pieces)
     pieces, mats = _on_mats(pieces)
     check_clauses(pieces)
     if any(a.kind == "lot" and lot_of(a).known and b.kind == "line" for a, b in pairwise(pieces)):
@@ -90,6 +91,18 @@ def told(pieces: Sequence[Piece]) -> str:
     text += " The towers stand in a row." if "line" in kinds else ""
     text += f" {START}" if "start" in kinds else ""
     return text + (f" The towers are {where.value}." if where else "")
+
+
+def _no_scraps(pieces: Sequence[Piece]) -> None:
+    """Refuse a sentence that says nothing by itself: "On the left.", "Red ones." """
+    stops = [-1, *(n for n, piece in enumerate(pieces) if piece.kind == "stop"), len(pieces)]
+    for begin, end in pairwise(stops):
+        said = [piece for piece in pieces[begin + 1 : end] if piece.kind not in ("glue", "break")]
+        scrap = [piece.kind for piece in said] == ["slot"] or (
+            [piece.kind for piece in said] == ["lot"] and lot_of(said[0]).count is None
+        )
+        if end > begin + 1 and (scrap or not said):
+            raise Unclear
 
 
 def _on_mats(pieces: Sequence[Piece]) -> tuple[list[Piece], list[tuple[str, str]]]:

@@ -134,7 +134,8 @@ def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     pairs = [a for a in atoms(goal) if isinstance(a, close) and _about(a, ref)] or mats
     if not pairs and not more and node is not None:
         return _of_the_ends(ref, node, goal, span)
-    if more or node is None or len(ref.names) != 1 or len(pairs) != 1 or pairs[0] not in _at_the_end(goal):
+    told = {frozenset(_named(a)) for a in pairs}
+    if more or node is None or len(ref.names) != 1 or len(told) != 1 or pairs[0] not in _at_the_end(goal):
         return None
     if isinstance(pairs[0], r.Distance) and pairs[0].maximum is None:
         return None

@@ -11,7 +11,7 @@ from rpg.passes.schema.resolve.things.off_it import check_off_it
 from rpg.passes.schema.resolve.things.others_open import made_up, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone
-from rpg.passes.schema.resolve.things.them import them, whichever_there_are
+from rpg.passes.schema.resolve.things.them import each_whole, them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
 
@@ -283,10 +283,8 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             "no-referent", "'one' refers to something, but nothing was mentioned before", word.span, "name the block"
         )
     found = them(word, scene, scope)
-    wholes = [set(b.members) for b in scene.built]
-    if word.word == "each of them" and len(wholes) > 1 and set(found.names) in wholes:
-        raise refuse("ambiguous", f"{word.word!r} could be the structures, or the blocks of one of them", word.span,
-                     "say 'each of the towers', or name the blocks")  # fmt: skip
+    if (towers := each_whole(word, found, scene)) is not None:
+        return towers
     return replace(found, each=True)
 
 

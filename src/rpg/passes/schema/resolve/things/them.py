@@ -144,6 +144,23 @@ def _one_of_two_wholes(ref: Ref, scene: Scene) -> bool:
     return len(scene.built) == 2 and any(set(ref.names) == set(b.members) for b in scene.built)
 
 
+def each_whole(word: Pronoun, found: Ref, scene: Scene) -> Ref | None:
+    """ "Build a red tower. Build a blue tower. Top each with a white block": each of the towers.
+
+    Raises:
+        Refusal: of other structures, or said "each of them", it could be the blocks of one of them.
+    """
+    wholes = [set(b.members) for b in scene.built]
+    if len(wholes) < 2 or set(found.names) not in wholes or word.word == "either of them":
+        return None
+    names = tuple(n for b in scene.built for n in b.members)
+    towers = len(set(names)) == len(names) and all(b.kind == "stack" for b in scene.built)
+    if towers and word.word != "each of them":
+        return Ref(names=names, built=tuple(scene.built), plural=True, each=True, span=word.span)
+    raise refuse("ambiguous", f"{word.word!r} could be the structures, or the blocks of one of them", word.span,
+                 "say 'each of the towers', or name the blocks")  # fmt: skip
+
+
 def _two_wholes(word: Pronoun, scene: Scene) -> Ref:
     """ "The reds form a row, the blues a column, and both are in the left half": of all that was built there."""
     names = [n for b in scene.built for n in b.members]

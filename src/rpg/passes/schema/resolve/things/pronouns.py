@@ -32,6 +32,7 @@ _REST = frozenset({"the other ones", "the others", "the rest", "others", "the ot
 _OTHER = frozenset({"the other one", "the other", "the second one", "another"})
 PAIR = 2
 """So many are "the other two"."""
+_ONE_OF_THEM = Amount(1, 1, True)
 
 
 def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
@@ -159,7 +160,8 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             raise refuse("ambiguous", "the first structure, or the first of its blocks?", word.span, "name the block")
         return found
     last = single[-1].clause
-    if any(m.role == "landmark" and m.clause == last and m.ref.quant and not m.ref.patch for m in scene.mentions):
+    counted = [m for m in scene.mentions if m.clause == last and m.ref.quant is not None and not m.ref.patch]
+    if any(m.role == "landmark" or m.ref.quant == _ONE_OF_THEM for m in counted):
         raise refuse("ambiguous", f"{word.word!r} could be what lies there, or what it lies on", word.span,
                      "name the one you mean")  # fmt: skip
     again = [m for m in single if m.word == "it" and m.role == "theme" and m.clause == last]

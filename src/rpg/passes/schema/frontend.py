@@ -135,7 +135,7 @@ class BuiltinFrontEnd:
             return self._as_meant(Respelt.of(text, words, tokens), name, seed, author, notes)
         notes = [*(mended or notes), *named]
         typed, spoken = words, with_beginnings(words)
-        words, told = told_plainly(rows_in_words(without_asides(spoken)))
+        words, told = told_plainly(without_asides(rows_in_words(spoken)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
             check_order(words)

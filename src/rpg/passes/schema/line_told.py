@@ -123,18 +123,32 @@ def _each_together(said: Said) -> None:
                            "say 'in a row, the same colors together'")  # fmt: skip
 
 
-_AMID = re.compile(f"\\b{LINE} of .*\\bbetween (?:them|these|those|each other)\\b")
+_AMID = re.compile(f"\\b{LINE} of .*\\bbetween\\b")
 
 
 def _amid(said: Said) -> None:
-    """Refuse "a row of red and blue with two green between them" as of a row of two, with blocks in its gap."""
+    """Refuse "a row of red and blue with two green between them" as of a row of two, with blocks in its gap, and "a
+    tower of red, blue and green with a white block between red and blue" as of a tower of three."""
     match = _AMID.search(said.text)
-    rows = [line for line in said.lines if isinstance(line, Row)]
-    inside = {*rows[0].blocks} if len(rows) == 1 and match else set()
+    inside = {*said.lines[0].blocks} if len(said.lines) == 1 and match else set()
     for part in (part for part in asked(said.task.goal) if isinstance(part, Between)):
-        if match and {*members(part.b), *members(part.c)} & inside and not {*members(part.a)} & inside:
+        if match and {*members(part.b), *members(part.c)} <= inside and not {*members(part.a)} & inside:
             raise said.refusal(match, "ambiguous", "in the row as well, or between its blocks?",
                                "list the row from one end to the other")  # fmt: skip
+
+
+_AT_LEAST = re.compile(
+    f"\\b{LINE} (?:with|having|containing|including|that has|that contains|which has|which contains) "
+    f"(?:at least|no fewer than|not fewer than) {MANY} {COLOR}(?: blocks?| cubes?| ones?)?(?= in it\\b|$| [,.;])"
+)
+
+
+def _at_least(said: Said) -> None:
+    """Refuse "a tower with at least two red blocks" as a tower of two: what else is in it is not said."""
+    match = _AT_LEAST.search(said.text)
+    if match is not None:
+        raise said.refusal(match, "ambiguous", "it is not said which other blocks are in this line",
+                           "say of which blocks it is built, and of how many")  # fmt: skip
 
 
 _EACH_TWO = re.compile(r"\bbetween (?:each|every|any|all)(?: two| pair| 2)\b")
@@ -279,6 +293,6 @@ def _spaced(said: Said) -> None:
 
 _CHECKS = (
     in_total, as_long, and_counted, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together,
-    _amid, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
+    _amid, _at_least, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
     _spaced,
 )  # fmt: skip

@@ -24,7 +24,7 @@ from rpg.ir.structures import Equation, Grid, GroupBy, Row, Spells
 from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences, text_of
-from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, TOWER
 from rpg.language.tokens import Token
 from rpg.passes.schema.line_numbers import all_but, and_counted, as_long, counted, in_total, numbered
 from rpg.passes.schema.line_said import Said, asked, lines_of
@@ -149,6 +149,19 @@ def _at_least(said: Said) -> None:
     if match is not None:
         raise said.refusal(match, "ambiguous", "it is not said which other blocks are in this line",
                            "say of which blocks it is built, and of how many")  # fmt: skip
+
+
+_ONE_ON_IT = re.compile(
+    f"\\b{TOWER} of {MANY}(?: {COLOR})?(?: blocks| cubes)?(?: ,| and| , and| with) one on (?:top of )?(?:it|them)\\b"
+)
+
+
+def _one_on_it(said: Said) -> None:
+    """Refuse "a tower of three red blocks with one on top of it" as a tower of three."""
+    match = _ONE_ON_IT.search(said.text)
+    if match is not None:
+        raise said.refusal(match, "ambiguous", "is this one of the blocks of the tower, or a further one?",
+                           "say how many blocks the tower has with it")  # fmt: skip
 
 
 _EACH_TWO = re.compile(r"\bbetween (?:each|every|any|all)(?: two| pair| 2)\b")
@@ -293,6 +306,6 @@ def _spaced(said: Said) -> None:
 
 _CHECKS = (
     in_total, as_long, and_counted, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together,
-    _amid, _at_least, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
-    _spaced,
+    _amid, _at_least, _one_on_it, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored,
+    _other_end, _side_of_it, _spaced,
 )  # fmt: skip

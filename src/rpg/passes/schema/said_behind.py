@@ -23,6 +23,7 @@ from rpg.language.tokens import Token
 from rpg.passes.schema.colors_of_all import check_colors_of_all
 from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.numbers_had import symbols_of
+from rpg.passes.schema.pyramid_told import check_pyramid
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.told_apart import check_told_apart
 
@@ -50,6 +51,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _in_different_colors(sentence, task)
     _one_way(tokens, task)
     check_lines(tokens, task)
+    check_pyramid(tokens, task)
     check_colors_of_all(tokens, task)
     check_told_apart(tokens, task)
     _mats_listed(tokens, task)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
-from rpg.language.grammar.rows.vocabulary import COLOR
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, PATCH, PATCHES
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -14,6 +14,12 @@ _OF_ALL = re.compile(
     r"(?:^|, |[.;] )(?:both|all|each|everything|every one|all blocks|all the blocks)(?: of (?:them|these|it))?"
     rf"(?: (?:in|are|is|should be|must be))? {COLOR}(?= ?[.;!?]|$)"
 )
+
+_WITH_PATCH = re.compile(
+    f"\\b(?:{CUBE}s? and \\w+ (?:{PATCH}|{PATCHES})|(?:{PATCH}|{PATCHES}) and \\w+ {CUBE}s?) , (?:both|all|each) "
+    f"(?:of them )?(?:in )?{COLOR}\\b"
+)
+"""Blocks and patches that are listed together: "three blocks and a mat, all blue"."""
 
 
 def check_colors_of_all(tokens: Sequence[Token], task: TaskSchema) -> None:
@@ -23,6 +29,8 @@ def check_colors_of_all(tokens: Sequence[Token], task: TaskSchema) -> None:
         Refusal: "ambiguous", where the colour was taken for that of some.
     """
     unsaid = any(note.startswith((COLORS_UNSAID, "the colours are not said")) for note in task.assumptions)
-    if unsaid and _OF_ALL.search(" ".join(token.word for token in tokens)):
+    patch = task.assumed("the colour of the patch is not said")
+    text = " ".join(token.word for token in tokens) if unsaid or patch else ""
+    if (unsaid and _OF_ALL.search(text)) or (patch and _WITH_PATCH.search(text)):
         raise refuse("ambiguous", "it is not clear of which blocks this colour is told",
                      (tokens[0].span[0], tokens[-1].span[1]), "name the colour with each of them")  # fmt: skip

@@ -164,6 +164,17 @@ def _one_on_it(said: Said) -> None:
                            "say how many blocks the tower has with it")  # fmt: skip
 
 
+_BOTH_ENDS = re.compile(r"\bleft end\b(?! of).*\bright end\b(?! of)|\bright end\b(?! of).*\bleft end\b(?! of)")
+
+
+def _ends_of_none(said: Said) -> None:
+    """Refuse "red is at the left end, blue at the right end" as red somewhere to the left of blue."""
+    match = _BOTH_ENDS.search(said.text)
+    if match and not said.begun and not any(hasattr(part, "blocks") for part in asked(said.task.goal)):
+        raise said.refusal(match, "ambiguous", "it is not said of which line these are the ends",
+                           "say 'a row with ...', or 'of the table'")  # fmt: skip
+
+
 _EACH_TWO = re.compile(r"\bbetween (?:each|every|any|all)(?: two| pair| 2)\b")
 
 
@@ -306,6 +317,6 @@ def _spaced(said: Said) -> None:
 
 _CHECKS = (
     in_total, as_long, and_counted, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together,
-    _amid, _at_least, _one_on_it, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored,
-    _other_end, _side_of_it, _spaced,
+    _amid, _at_least, _one_on_it, _ends_of_none, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of,
+    _mirrored, _other_end, _side_of_it, _spaced,
 )  # fmt: skip

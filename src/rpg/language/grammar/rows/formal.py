@@ -26,7 +26,7 @@ from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAIN
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import not_at_end
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
-from rpg.language.grammar.rows.other_end import other_end_named
+from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
@@ -130,7 +130,9 @@ AT_ONCE, UNREAD = Turns(_OF_ALL), Turns(_OF_THE_UNREAD)
 
 def formal(tokens: list[Token]) -> list[Token]:
     """The tokens of a text, with what is said as in a specification in plainer words."""
-    told = _one_of_each(_steps_told(told_by_places(rows_by_number(other_end_named(some_of_the_letters(tokens))))))
+    told = _one_of_each(
+        _steps_told(told_by_places(rows_by_number(other_end_named(row_with_ends(some_of_the_letters(tokens))))))
+    )
     return turned(of_the_figure(not_at_end(corners_again(told))), AT_ONCE)
 
 

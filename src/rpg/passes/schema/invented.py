@@ -9,7 +9,7 @@ from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.relations import Between
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import Equation, Row, Spells, Stack
+from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -37,6 +37,8 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _counts_with_a_slash(words, task)
     _sum_of_colors(words, task)
     _ones_beside_patches(words, task)
+    if task.assumed(SYMBOLS_UNSAID):
+        _ascending(words, task)
     _only_so_many(words, task)
     _listed_in_turn(words, task)
     if task.assumed(_NUMBER_UNSAID):
@@ -235,6 +237,19 @@ def _sum_of_colors(words: Sequence[Token], task: TaskSchema) -> None:
 
 
 _SIGNS = frozenset("+-*/=")
+
+
+def _ascending(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "an ascending pyramid" as one of numbers, which nobody brings up: pyramids and walls go up anyway."""
+    cells = [x for x in atoms(task.goal) if isinstance(x, Grid | Pyramid | Figure) and x.pattern is not None]
+    told = next((token for token in words if token.word in _RISING), None)
+    if cells and told is not None and _SYMBOLS.isdisjoint(token.word for token in words):
+        raise refuse("ambiguous", "it is not said what goes up or down here", told.span,
+                     "say 'with the numbers in ascending order', or which way it goes up")  # fmt: skip
+
+
+_RISING = frozenset({"ascending", "descending", "increasing", "decreasing"})
+_SYMBOLS = frozenset({"number", "numbers", "numbered", "digit", "digits", "letter", "letters", "alphabetical"})
 
 
 def _ones_beside_patches(words: Sequence[Token], task: TaskSchema) -> None:

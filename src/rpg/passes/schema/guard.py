@@ -26,7 +26,8 @@ _THIS = r"(?:it|this|that|these|those|they|things|everything|all)"
 _SO = r"(?:true|so|right|correct|the case|a fact)"
 _ASKED = re.compile(
     rf"\W*(?:(?:is|are|was|were|has|have|had|does|did) {_THIS}\b[^:.!?]*:|(?:is|was) (?:it|this) {_SO} that\b|"
-    rf"(?:can|could|might|would) (?:it|this) be (?:{_SO} )?that\b)",
+    rf"(?:can|could|might|would) (?:it|this) be (?:{_SO} )?that\b|(?:can|could|might|would) [^:.!?]*? have been\b|"
+    r"(?:do|did|have) (?:you|we|they) (?:see|seen|notice|noticed)\b(?! to it))",
     re.IGNORECASE,
 )
 """What asks whether something is so."""

@@ -66,8 +66,11 @@ def check_one_order(words: Sequence[Token]) -> None:
     for n, (names, begin, end) in enumerate(lists):
         colon = said[begin - 1 : begin] == [":"] and said[begin - 2] in _LINES
         behind = " ".join(takewhile(lambda word: word not in STOPS, said[end:]))
-        if not colon and "in this order" not in behind and "in that order" not in behind:
+        if "alphabetical" in behind or "ascending" in behind or "numerical" in behind:
+            names = sorted(names)
+        elif not colon and "in this order" not in behind and "in that order" not in behind:
             continue
+        names = names[::-1] if any(way in behind for way in _BACKWARDS) else names
         for others, at, last in lists[n + 1 :]:
             ahead = said[max(at - _FEW, end) : at]
             if sorted(names) != sorted(others) or _SAID.isdisjoint(ahead):

@@ -45,7 +45,7 @@ _BACKWARDS = ("right to left", "from the right", "top to bottom", "from the top"
 _LATER = frozenset({
     "start", "starts", "begin", "begins", "initially", "now", "currently", "was", "were", "finally", "end", "ends",
     "swap", "change", "rearrange", "reorder", "become", "becomes", "instead", "reverse", "reversed", "not", "or", "nor",
-    "another", "other", "second",
+    "another", "other", "second", "descending", "decreasing",
 })  # fmt: skip
 """With these a list may be of another line, or of the same at another time."""
 _FEW = 6

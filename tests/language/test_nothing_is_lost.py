@@ -1,5 +1,5 @@
-"""Second lists, questions, places and numbers that were lost on the way from a sentence to its task: they are in the task,
-or are asked about."""
+"""Second lists, questions, places and numbers that were lost on the way from a sentence to its task: they are in the
+task, or are asked about."""
 
 from __future__ import annotations
 
@@ -64,12 +64,16 @@ def test_what_would_be_lost_is_asked_about(text: str, code: str) -> None:
 
 FOUR = {"assets": {"red": 1, "blue": 1, "green": 1, "white": 1}, "hold": ["red blue | green white"],
         "miss": ["red green | blue white", "green white | red blue", "blue red | white green"]}  # fmt: skip
+ANY = {**FOUR, "hold": [*FOUR["hold"], *FOUR["miss"]], "miss": []}
 FIVE = {"assets": {"red": 1, "blue": 1, "green": 3}, "hold": ["red green green green blue"],
         "miss": ["blue green green green red", "red green^green green blue", "red blue green green green"]}  # fmt: skip
 DOWN = {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["green^blue^red"],
         "miss": ["red^blue^green", "blue^green^red"]}  # fmt: skip
-TAPERED = {"assets": {"red": 1, "blue": 2, "green": 3}, "hold": ["side . . red . . | . blue . blue . | green . green . green pitch=0.55,1"],
-           "miss": ["side . . green . . | . blue . blue . | green . red . green pitch=0.55,1"]}  # fmt: skip
+TAPERED = {
+    "assets": {"red": 1, "blue": 2, "green": 3},
+    "hold": ["side . . red . . | . blue . blue . | green . green . green pitch=0.55,1"],
+    "miss": ["side . . green . . | . blue . blue . | green . red . green pitch=0.55,1"],
+}
 
 
 @pytest.mark.parametrize(
@@ -81,12 +85,12 @@ TAPERED = {"assets": {"red": 1, "blue": 2, "green": 3}, "hold": ["side . . red .
         ("A two by two grid: a red, a blue, a green and a white block", FOUR),
         ("A grid of 2 rows and 2 columns: red, blue, green and white.", FOUR),
         ("2x2 square: red, blue, green, white", FOUR),
-        ("2x2 grid: red, blue, green, white, in any order", {**FOUR, "hold": [*FOUR["hold"], *FOUR["miss"]], "miss": []}),
-        ("2x2 grid from these blocks: red, blue, green, white",
-         {**FOUR, "hold": [*FOUR["hold"], *FOUR["miss"]], "miss": []}),
-        ("2x2 grid: 2 red, 2 blue", {"assets": {"red": 2, "blue": 2}, "hold": ["red blue | blue red"], "miss": []}),
+        ("2x2 grid: red, blue, green, white, in any order", ANY),
+        ("2x2 grid from these blocks: red, blue, green, white", ANY),
+        ("2x2 grid: 2 red, 2 blue",
+         {"assets": {"red": 2, "blue": 2}, "hold": ["red blue | blue red"], "miss": []}),
         ("2x2 wall: red, blue, green, white",
-         {"assets": FOUR["assets"], "hold": ["green^red white^blue pitch=1"], "miss": ["red^green blue^white pitch=1"]}),
+         {**FOUR, "hold": ["green^red white^blue pitch=1"], "miss": ["red^green blue^white pitch=1"]}),
         ("On the left end a red block, on the right end a blue one, three greens between them", FIVE),
         ("A red block on the left end, a blue one on the right end, three green ones between them.", FIVE),
         ("Put a red block on the left end and a blue one on the right end, with three greens between them", FIVE),
@@ -95,9 +99,11 @@ TAPERED = {"assets": {"red": 1, "blue": 2, "green": 3}, "hold": ["side . . red .
         ("Row: red, blue, green. From right to left: green, blue, red.",
          {"assets": DOWN["assets"], "hold": ["red blue green"], "miss": ["green blue red"]}),
         ("A circle: red, blue, green, white",
-         {"assets": FOUR["assets"], "hold": ["red blue green white circle=1"], "miss": ["red blue | green . . . white"]}),
+         {"assets": FOUR["assets"], "hold": ["red blue green white circle=1"],
+          "miss": ["red blue | green . . . white"]}),
         ("Spell CAT, not DOG.", {"assets": {"C": 1, "A": 1, "T": 1}, "hold": ["C A T"], "miss": ["T A C"]}),
-        ("May it be that red is on blue.", {"assets": {"red": 1, "blue": 1}, "hold": ["blue^red"], "miss": ["red^blue"]}),
+        ("May it be that red is on blue.",
+         {"assets": {"red": 1, "blue": 1}, "hold": ["blue^red"], "miss": ["red^blue"]}),
         ("Red, blue and white are on the mat. Leave the white one alone there.",
          {"assets": {"red": 1, "blue": 1, "white": 1, "patch": 1}, "hold": ["white at=patch ; red ; blue"],
           "miss": ["white red pitch=1 at=patch ; blue"]}),

@@ -294,7 +294,8 @@ def check_lots(pieces: Sequence[Piece]) -> None:
     for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False):
         if a.kind == c.kind == "lot" and b.kind == "glue":
             raise Unclear
-        if a.kind == "lot" and "noun" not in a.named and b.kind == "figure" and c.words in ("of", "with", "from"):
+        colored = a.kind == "lot" and "noun" not in a.named and b.kind == "figure" and " " not in b.words
+        if colored and c.words in ("of", "with", "from"):
             raise Unclear  # "a red row of blue blocks"
     check_joined(pieces)
     together = [(a, b) for a, b in pairwise(pieces) if a.kind == b.kind == "lot"]

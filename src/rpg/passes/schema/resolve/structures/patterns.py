@@ -50,7 +50,7 @@ def pattern_of(
             raise refuse("misplaced", "in a grid colours alternate, two of them", alternating.span,
                          "say 'in a checkerboard pattern'")  # fmt: skip
         tall = getattr(form, "layers", 2) > 1 and not isinstance(form, Figure)
-        begins = {t.first: t.span for t in (*spec.toward, *spec.orders)}
+        begins = {**{t.first: t.span for t in spec.toward}, **{o.first: o.span for o in spec.orders}}
         upward = "bottom" in begins
         _check_begun(begins, form, tall)
         if tall:

@@ -261,7 +261,7 @@ def _ends(atom: g.Goal) -> list[tuple[str, ...]]:
 
 
 _FREE = frozenset({"matter", "matters", "any", "free", "irrelevant", "important", "regardless", "unimportant", "random",
-                   "whatever", "whichever", "open", "particular"})  # fmt: skip
+                   "whatever", "whichever", "open", "particular", "importance", "care", "relevant"})  # fmt: skip
 _ORDERED = frozenset({"label", "number", "size", "rainbow"})
 
 
@@ -271,7 +271,8 @@ def _no_order(sentence: Sequence[Token], task: TaskSchema) -> None:
     if "order" not in said or _FREE.isdisjoint(said) or not {"rest", "others", "other"}.isdisjoint(said):
         return
     found = [x for part in (task.goal,) for x in atoms(part)]
-    asked = [x for x in found if isinstance(x, Spells | Equation) or _order_by(x) in _ORDERED]
+    ordered = _ORDERED | ({"given"} if task.assumed("the order is read from") else set())
+    asked = [x for x in found if isinstance(x, Spells | Equation) or _order_by(x) in ordered]
     if asked and not any(_order_by(x) == "any" and isinstance(x, Row | Stack) for x in found):
         raise refuse("contradiction", "the order is told, and yet it is not to matter", said["order"].span,
                      "leave one of them out")  # fmt: skip

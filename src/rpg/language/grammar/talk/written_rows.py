@@ -10,7 +10,7 @@ from rpg.language import lexicon
 from rpg.language.tokens import Token
 
 _GRIDS = frozenset({"grid", "rows", "matrix", "wall", "table"})
-_FIGURES = _GRIDS | {"columns", "square", "rectangle", "wide", "high", "tall", "deep"}
+_FIGURES = _GRIDS | lexicon.PATCH.keys() | {"columns", "square", "rectangle", "wide", "high", "tall", "deep"}
 _PASSING = frozenset({",", "and", "a", "an", "the", "block", "cube"})
 _CLOSING = frozenset({".", "!", ")", "?", "please", "thanks"})
 

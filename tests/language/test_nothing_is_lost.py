@@ -30,6 +30,8 @@ from tests.language.meaning import assert_means
         ("A tower of red, blue and green with a white block between red and blue", "ambiguous"),
         ("A row of red, blue and green, a white block between red and blue", "ambiguous"),
         ("A tower of three red blocks with one on top of it", "ambiguous"),
+        ("A tower of three blocks, two of which are red", "ambiguous"),
+        ("A wall of six blocks, two of which are red", "ambiguous"),
         ("A red row of three blue blocks", "contradiction"),
         ("Make a little red row of a red, a green and a blue block", "contradiction"),
         # what nothing could come of

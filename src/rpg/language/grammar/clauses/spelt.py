@@ -35,9 +35,9 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
     text = literal(p, j) or digits_of(p, j)
     themes: list[tuple[Meaning, int]] = []
     if text is not None:
-        spelt = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
-        themes += [(spelt, k) for k in dict.fromkeys((j + 1, _not_another(p, j + 1)))]
+        themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
     themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind in ("word", "equation")]
+    themes += [(t, end) for t, k in themes if (end := _not_another(p, k)) > k]
     if lemma == "write":
         yield from _written(p, i, j)
     for theme, k in themes:

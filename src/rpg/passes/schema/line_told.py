@@ -131,8 +131,9 @@ def _amid(said: Said) -> None:
     tower of red, blue and green with a white block between red and blue" as of a tower of three."""
     match = _AMID.search(said.text)
     inside = {*said.lines[0].blocks} if len(said.lines) == 1 and match else set()
+    others = {block.name for block in said.task.blocks} - inside
     for part in (part for part in asked(said.task.goal) if isinstance(part, Between)):
-        if match and {*members(part.b), *members(part.c)} <= inside and not {*members(part.a)} & inside:
+        if match and {*members(part.b), *members(part.c)} <= inside and {*members(part.a)} & others:
             raise said.refusal(match, "ambiguous", "in the row as well, or between its blocks?",
                                "list the row from one end to the other")  # fmt: skip
 

@@ -26,6 +26,8 @@ SYMBOLS_UNSAID = "the symbols are not said"
 """How assumptions begin that chose the looks of blocks."""
 REPLACED = "a block that is replaced goes anywhere else"
 """How the place of a block is told that gives its own to another."""
+NONE_BESIDES = "there is no other block that could be there"
+"""What it comes to that a block is alone where it is, in a task that has no other."""
 EXCHANGED = "the two are exchanged when what is told of the start is so the other way round"
 EXCHANGED_LATER = "the two are exchanged when what is built first is so with each in the place of the other"
 

@@ -16,7 +16,7 @@ from rpg.blocks.traits import VOWELS
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import On, OnPatch
-from rpg.ir.schema import COLORS_BARRED, COLORS_UNSAID, EXCHANGED, EXCHANGED_LATER, REPLACED, TaskSchema
+from rpg.ir.schema import COLORS_BARRED, COLORS_UNSAID, EXCHANGED, EXCHANGED_LATER, NONE_BESIDES, REPLACED, TaskSchema
 from rpg.ir.structures import Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
@@ -109,7 +109,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             yield token
         if token.word == "ones" and chosen and _of_counted(words, index, task):
             yield token
-        if token.word in _BESIDES and _joined_by_others(task):
+        if (token.word in _BESIDES and _joined_by_others(task)) or (token.word == "while" and _meanwhile(words, index)):
             yield token
         if color is not None and _one_of_invented(words, color, task):
             yield token
@@ -117,13 +117,11 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             yield token
         if token.word == "each" and (_on_one(words, index, task) or _in_one(words, index, task)):
             yield token
-        if token.word == "while" and _meanwhile(words, index):
-            yield token
         if token.word == "row" and index and words[index - 1].word == "bottom" and _deep_pyramid(task):
             yield token
         if token.word == "to" and _from_side_to_side(words, index) and _in_no_order(task, terms):
             yield token
-        if token.word in STAY and _where_it_is(words, index) and terms.isdisjoint({"stayed", "always"}):
+        if token.word in STAY and (_where_it_is(words, index, terms) or _left_alone(words, index, task)):
             yield token
         if token.word in ONLY and (more := _more_than(words, index, task, terms)) is not None:
             yield more
@@ -191,10 +189,17 @@ def _one_of_invented(words: Sequence[Token], color: str, task: TaskSchema) -> bo
     return color in listed and not said.issuperset(listed) and any(isinstance(x, GroupBy) for x in atoms(task.goal))
 
 
-def _where_it_is(words: Sequence[Token], index: int) -> bool:
-    """Whether it is said to stay "where it is", with a few words between."""
+def _where_it_is(words: Sequence[Token], index: int, terms: Collection[str]) -> bool:
+    """Whether it is said to stay "where it is", with a few words between, and does not."""
     told = [t.word for t in words[index + 1 : index + 7]]
-    return any(first == "where" and last in ("is", "are") for first, last in zip(told, told[2:], strict=False))
+    there = any(first == "where" and last in ("is", "are") for first, last in zip(told, told[2:], strict=False))
+    return there and {"stayed", "always"}.isdisjoint(terms)
+
+
+def _left_alone(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
+    """ "Leave the white one alone on the mat", where there are no others that could have gone from there."""
+    alone = any(t.word in ("alone", "only") for t in words[index + 1 : index + 6])
+    return alone and task.assumed(NONE_BESIDES)
 
 
 def _as_listed(task: TaskSchema) -> bool:

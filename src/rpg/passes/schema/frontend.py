@@ -34,7 +34,7 @@ from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
-from rpg.passes.schema.order_told import check_order
+from rpg.passes.schema.order_told import check_one_order, check_order
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.said_behind import check_behind
 from rpg.passes.schema.second_opinion import check_guess
@@ -134,8 +134,9 @@ class BuiltinFrontEnd:
         if notes and mended is None:
             return self._as_meant(Respelt.of(text, words, tokens), name, seed, author, notes)
         notes = [*(mended or notes), *named]
+        check_one_order(words)
         typed, spoken = words, with_beginnings(words)
-        words, told = told_plainly(rows_in_words(without_asides(spoken)))
+        words, told = told_plainly(without_asides(rows_in_words(spoken)))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
             check_order(words)

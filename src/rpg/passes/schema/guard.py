@@ -23,9 +23,11 @@ _FLOOR = re.compile(r"\b(?:on|onto|to|off|from) the floor\b(?! of)", re.IGNORECA
 _TWO_IN_ONE = re.compile(r"(?<![\w#(\[/.-])(?:[A-Z]\d|\d[A-CE-Z])(?![\w:)\]/-])")
 """What would be two symbols on one cube; "3D" is none, and in a heading, "T1: ...", it counts the tasks."""
 _THIS = r"(?:it|this|that|these|those|they|things|everything|all)"
+_SO = r"(?:true|so|right|correct|the case|a fact)"
 _ASKED = re.compile(
-    rf"\W*(?:(?:is|are|was|were|has|have|had|does|did) {_THIS}\b[^:.!?]*:|(?:is|was) (?:it|this) "
-    r"(?:true|so|right|correct|the case|a fact) that\b)",
+    rf"\W*(?:(?:is|are|was|were|has|have|had|does|did) {_THIS}\b[^:.!?]*:|(?:is|was) (?:it|this) {_SO} that\b|"
+    rf"(?:can|could|might|would) (?:it|this) be (?:{_SO} )?that\b|(?:can|could|might|would) [^:.!?]*? have been\b|"
+    r"(?:do|did|have) (?:you|we|they) (?:see|seen|notice|noticed)\b(?! to it))",
     re.IGNORECASE,
 )
 """What asks whether something is so."""

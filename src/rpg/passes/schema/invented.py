@@ -9,7 +9,7 @@ from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.relations import Between
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import Pyramid, Row, Spells, Stack
+from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -33,10 +33,12 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _rainbow_beside(words, task)
     _rainbow_between(words, task)
     _made_up_beside(words, task)
-    _below_the_tip(words, task)
     _one_word(task)
     _counts_with_a_slash(words, task)
+    _sum_of_colors(words, task)
     _ones_beside_patches(words, task)
+    if task.assumed(SYMBOLS_UNSAID):
+        _ascending(words, task)
     _only_so_many(words, task)
     _listed_in_turn(words, task)
     if task.assumed(_NUMBER_UNSAID):
@@ -205,20 +207,6 @@ def _of_the_counted(words: Sequence[Token], task: TaskSchema) -> None:
                          "say how all of those look that are counted")  # fmt: skip
 
 
-def _below_the_tip(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "a pyramid with a base of three and two on top" as one of six blocks: its tip is one block."""
-    tips = [
-        abs(x.base[0] - x.base[1]) + 1 if min(x.base) > 1 else 1 for x in atoms(task.goal) if isinstance(x, Pyramid)
-    ]
-    for index, number in enumerate(words if tips else ()):
-        many = lexicon.NUMBER.get(number.word, 0) if number.kind == "word" else number.value
-        behind = [t.word for t in words[index + 1 : index + 5] if t.word != "the"]
-        there = behind[:2] in (["on", "top"], ["at", "top"]) and behind[2:3] not in (["of"], ["them"])
-        if there and isinstance(many, int | float) and many > 1 and many not in tips:
-            raise refuse("ambiguous", "are these the whole top of the pyramid, or is there one more above them?",
-                         number.span, "say of how many blocks the pyramid is built")  # fmt: skip
-
-
 def _one_word(task: TaskSchema) -> None:
     """Refuse "a word down a stack: SUN" as some word and the word SUN."""
     spelt = [atom for atom in atoms(task.goal) if isinstance(atom, Spells)] if task.assumptions else []
@@ -236,6 +224,32 @@ def _counts_with_a_slash(words: Sequence[Token], task: TaskSchema) -> None:
     if any("/" in map(block.symbol, FACES) for block in idle):
         raise refuse("ambiguous", "so many of each, or cubes that show these numbers?", slash.span,
                      "say 'three of each'")  # fmt: skip
+
+
+def _sum_of_colors(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a sum: 3 = red" as a sum with a red 3 in it."""
+    for sign, color in pairwise(words):
+        sign, color = (color, sign) if color.kind == "sign" else (sign, color)
+        told = sign.kind == "sign" and sign.word in _SIGNS and color.word in lexicon.COLOR
+        if told and any(isinstance(atom, Equation) for atom in atoms(task.goal)):
+            raise refuse("misplaced", f"{color.raw!r} is no number", color.span,
+                         "say which numbers the sum has, as in '3 + 2 = 5', and then their colour")  # fmt: skip
+
+
+_SIGNS = frozenset("+-*/=")
+
+
+def _ascending(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "an ascending pyramid" as one of numbers, which nobody brings up: pyramids and walls go up anyway."""
+    cells = [x for x in atoms(task.goal) if isinstance(x, Grid | Pyramid | Figure) and x.pattern is not None]
+    told = next((token for token in words if token.word in _RISING), None)
+    if cells and told is not None and _SYMBOLS.isdisjoint(token.word for token in words):
+        raise refuse("ambiguous", "it is not said what goes up or down here", told.span,
+                     "say 'with the numbers in ascending order', or which way it goes up")  # fmt: skip
+
+
+_RISING = frozenset({"ascending", "descending", "increasing", "decreasing"})
+_SYMBOLS = frozenset({"number", "numbers", "numbered", "digit", "digits", "letter", "letters", "alphabetical"})
 
 
 def _ones_beside_patches(words: Sequence[Token], task: TaskSchema) -> None:

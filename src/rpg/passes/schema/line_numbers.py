@@ -86,6 +86,21 @@ def and_counted(said: Said) -> None:
                            "say how many blocks there are of each color")  # fmt: skip
 
 
+_OF_WHICH = re.compile(
+    f"\\b(?:{LINE}|wall|grid|pyramid|circle|square) of (?P<many>{MANY})(?: blocks| cubes)? , {MANY} of "
+    "(?:which|them)\\b"
+)
+
+
+def of_which(said: Said) -> None:
+    """Refuse "a tower of three blocks, two of which are red" as of two blocks, with another beside it."""
+    match = _OF_WHICH.search(said.text)
+    used = {*names(said.task.goal)} & {block.name for block in said.task.blocks}
+    if match is not None and len(used) < _number(match["many"]):
+        raise said.refusal(match, "ambiguous", "it is not said how the other blocks of this look",
+                           "say how many blocks of which colour it has")  # fmt: skip
+
+
 _NTH = "(?:first|second|third|fourth|fifth|last|middle|leftmost|rightmost|top|bottom|lowest|highest|uppermost)"
 _ALL = "(?:all|every|everything|each)(?: of)?(?: them| the blocks| the cubes| one| block| cube| blocks| cubes)?"
 _BUT = "(?: ,)? (?:but|except|except for|save|save for|apart from|other than|bar)(?: the)?"

@@ -24,9 +24,9 @@ from rpg.ir.structures import Equation, Grid, GroupBy, Row, Spells
 from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences, text_of
-from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, TOWER
 from rpg.language.tokens import Token
-from rpg.passes.schema.line_numbers import all_but, and_counted, as_long, counted, in_total, numbered
+from rpg.passes.schema.line_numbers import all_but, and_counted, as_long, counted, in_total, numbered, of_which
 from rpg.passes.schema.line_said import Said, asked, lines_of
 from rpg.passes.schema.numbers_had import symbols_of
 
@@ -125,18 +125,57 @@ def _each_together(said: Said) -> None:
                            "say 'in a row, the same colors together'")  # fmt: skip
 
 
-_AMID = re.compile(f"\\b{LINE} of .*\\bbetween (?:them|these|those|each other)\\b")
+_AMID = re.compile(f"\\b{LINE} of .*\\bbetween\\b")
 
 
 def _amid(said: Said) -> None:
-    """Refuse "a row of red and blue with two green between them" as of a row of two, with blocks in its gap."""
+    """Refuse "a row of red and blue with two green between them" as of a row of two, with blocks in its gap, and "a
+    tower of red, blue and green with a white block between red and blue" as of a tower of three."""
     match = _AMID.search(said.text)
-    rows = [line for line in said.lines if isinstance(line, Row)]
-    inside = {*rows[0].blocks} if len(rows) == 1 and match else set()
+    inside = {*said.lines[0].blocks} if len(said.lines) == 1 and match else set()
+    others = {block.name for block in said.task.blocks} - inside
     for part in (part for part in asked(said.task.goal) if isinstance(part, Between)):
-        if match and {*members(part.b), *members(part.c)} & inside and not {*members(part.a)} & inside:
+        if match and {*members(part.b), *members(part.c)} <= inside and {*members(part.a)} & others:
             raise said.refusal(match, "ambiguous", "in the row as well, or between its blocks?",
                                "list the row from one end to the other")  # fmt: skip
+
+
+_AT_LEAST = re.compile(
+    f"\\b{LINE} (?:with|having|containing|including|that has|that contains|which has|which contains) "
+    f"(?:at least|no fewer than|not fewer than) {MANY} {COLOR}(?: blocks?| cubes?| ones?)?(?= in it\\b|$| [,.;])"
+)
+
+
+def _at_least(said: Said) -> None:
+    """Refuse "a tower with at least two red blocks" as a tower of two: what else is in it is not said."""
+    match = _AT_LEAST.search(said.text)
+    if match is not None:
+        raise said.refusal(match, "ambiguous", "it is not said which other blocks are in this line",
+                           "say of which blocks it is built, and of how many")  # fmt: skip
+
+
+_ONE_ON_IT = re.compile(
+    f"\\b{TOWER} of {MANY}(?: {COLOR})?(?: blocks| cubes)?(?: ,| and| , and| with) one on (?:top of )?(?:it|them)\\b"
+)
+
+
+def _one_on_it(said: Said) -> None:
+    """Refuse "a tower of three red blocks with one on top of it" as a tower of three."""
+    match = _ONE_ON_IT.search(said.text)
+    if match is not None:
+        raise said.refusal(match, "ambiguous", "is this one of the blocks of the tower, or a further one?",
+                           "say how many blocks the tower has with it")  # fmt: skip
+
+
+_BOTH_ENDS = re.compile(r"\bleft end\b(?! of).*\bright end\b(?! of)|\bright end\b(?! of).*\bleft end\b(?! of)")
+
+
+def _ends_of_none(said: Said) -> None:
+    """Refuse "red is at the left end, blue at the right end" as red somewhere to the left of blue."""
+    match = _BOTH_ENDS.search(said.text)
+    if match and not said.begun and not any(hasattr(part, "blocks") for part in asked(said.task.goal)):
+        raise said.refusal(match, "ambiguous", "it is not said of which line these are the ends",
+                           "say 'a row with ...', or 'of the table'")  # fmt: skip
 
 
 _EACH_TWO = re.compile(r"\bbetween (?:each|every|any|all)(?: two| pair| 2)\b")
@@ -293,7 +332,7 @@ def _both_ways(said: Said) -> None:
 
 
 _CHECKS = (
-    in_total, as_long, and_counted, numbered, counted, all_but, _in_one, _apart, _all_listed, _each_together,
-    _amid, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of, _mirrored, _other_end, _side_of_it,
-    _spaced, _both_ways,
+    in_total, as_long, and_counted, numbered, counted, of_which, all_but, _in_one, _apart, _all_listed, _each_together,
+    _amid, _at_least, _one_on_it, _ends_of_none, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of,
+    _mirrored, _other_end, _side_of_it, _spaced, _both_ways,
 )  # fmt: skip

@@ -24,6 +24,7 @@ from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.numbers_had import symbols_of
 from rpg.passes.schema.of_a_part import check_parts
 from rpg.passes.schema.one_like_it import check_one_like_it
+from rpg.passes.schema.pyramid_told import check_pyramid
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.said_of_all import check_said_of_all
 from rpg.passes.schema.told_apart import check_told_apart
@@ -52,6 +53,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _in_different_colors(sentence, task)
     _one_way(tokens, task)
     check_lines(tokens, task)
+    check_pyramid(tokens, task)
     check_said_of_all(tokens, task)
     check_told_apart(tokens, task)
     check_parts(tokens, task)
@@ -269,7 +271,7 @@ def _ends(atom: g.Goal) -> list[tuple[str, ...]]:
 
 
 _FREE = frozenset({"matter", "matters", "any", "free", "irrelevant", "important", "regardless", "unimportant", "random",
-                   "whatever", "whichever", "open", "particular"})  # fmt: skip
+                   "whatever", "whichever", "open", "particular", "importance", "care", "relevant"})  # fmt: skip
 _ORDERED = frozenset({"label", "number", "size", "rainbow"})
 
 
@@ -279,7 +281,8 @@ def _no_order(sentence: Sequence[Token], task: TaskSchema) -> None:
     if "order" not in said or _FREE.isdisjoint(said) or not {"rest", "others", "other"}.isdisjoint(said):
         return
     found = [x for part in (task.goal,) for x in atoms(part)]
-    asked = [x for x in found if isinstance(x, Spells | Equation) or _order_by(x) in _ORDERED]
+    ordered = _ORDERED | ({"given"} if task.assumed("the order is read from") else set())
+    asked = [x for x in found if isinstance(x, Spells | Equation) or _order_by(x) in ordered]
     if asked and not any(_order_by(x) == "any" and isinstance(x, Row | Stack) for x in found):
         raise refuse("contradiction", "the order is told, and yet it is not to matter", said["order"].span,
                      "leave one of them out")  # fmt: skip

@@ -12,7 +12,7 @@ from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
-from rpg.language.grammar.rows.vocabulary import COLOR
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, PATCH, PATCHES
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -20,6 +20,11 @@ _OF_ALL = re.compile(
     r"(?:^|, |[.;] )(?:both|all|each|everything|every one|all blocks|all the blocks)(?: of (?:them|these|it))?"
     rf"(?: (?:in|are|is|should be|must be))? {COLOR}(?= ?[.;!?]|$)"
 )
+_WITH_PATCH = re.compile(
+    f"\\b(?:{CUBE}s? and \\w+ (?:{PATCH}|{PATCHES})|(?:{PATCH}|{PATCHES}) and \\w+ {CUBE}s?) , (?:both|all|each) "
+    f"(?:of them )?(?:in )?{COLOR}\\b"
+)
+"""Blocks and patches that are listed together: "three blocks and a mat, all blue"."""
 _ALL = r", (?:all|both)(?: of (?:them|these))?(?: (?:in|are|should be|must be))?"
 _COLORED = re.compile(rf"^(.*){_ALL} ({COLOR})$")
 _SIZED = re.compile(rf"{_ALL} (?:\d[\d.]* cm\b.*|{'|'.join(lexicon.SIZE)})$")
@@ -36,7 +41,9 @@ def check_said_of_all(tokens: Sequence[Token], task: TaskSchema) -> None:
         Refusal: "ambiguous", or "contradiction" where what was told before is otherwise.
     """
     unsaid = any(note.startswith((COLORS_UNSAID, "the colours are not said")) for note in task.assumptions)
-    if unsaid and _OF_ALL.search(" ".join(token.word for token in tokens)):
+    patch = task.assumed("the colour of the patch is not said")
+    whole = " ".join(token.word for token in tokens) if unsaid or patch else ""
+    if (unsaid and _OF_ALL.search(whole)) or (patch and _WITH_PATCH.search(whole)):
         raise refuse("ambiguous", "it is not clear of which blocks this colour is told",
                      (tokens[0].span[0], tokens[-1].span[1]), "name the colour with each of them")  # fmt: skip
     if {"all", "both", "none", "use"}.isdisjoint(token.word for token in tokens):

@@ -279,6 +279,7 @@ def _dimensions(draft: Draft, figure: Shape, request: r.Recount) -> dict[str, ob
                 return {"rows": dims[0], "columns": dims[1], "layers": dims[2]}
             if len(dims) == 2:
                 wall = node.rows == 1 and node.layers > 1
+                dims = dims[::-1] if wall and request.lines else dims
                 return {"columns": dims[0], "layers": dims[1]} if wall else {"rows": dims[0], "columns": dims[1]}
             if request.what == "height" or (step and request.what != "length"):
                 return {"layers": request.amount or node.layers + step}

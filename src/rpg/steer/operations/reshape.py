@@ -33,7 +33,7 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
     if wanted.kind == "line":
         draft.assume("a line is a row from left to right")
         wanted = replace(wanted, kind="row")
-    wanted = _sided(wanted)
+    wanted = _measured(draft, _sided(wanted))
     if isinstance(request.theme, m.Structure) and request.theme.det == "each":
         told, hint = "each of several is changed one by one", "say it of one: turn the red tower into a row"
         raise draft.refusal("edit-unclear", told, request.span, hint)
@@ -59,7 +59,7 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
                 theme=request.theme,
                 dims=wanted.dims,
                 amount=wanted.size.low if wanted.size else None,
-                what="height",
+                what="length" if wanted.sizes and wanted.sizes[0].what in _ACROSS else "height",
                 span=request.span,
             ),
         )
@@ -104,6 +104,29 @@ def _sided(wanted: m.Structure) -> m.Structure:
     along = wanted.amount.low
     dims = (along, across) if wanted.kind == "row" else (across, along)
     return replace(wanted, kind="grid", det="a", plural=False, amount=None, sizes=(), dims=dims)
+
+
+_ACROSS = ("wide", "long", "columns")
+_WAYS = {"wall": (_ACROSS, ("high", "layers", "rows")), "grid": (("rows", "deep"), _ACROSS)}
+"""The words for the two sides of a figure, in the order of its dimensions."""
+
+
+def _measured(draft: Draft, wanted: m.Structure) -> m.Structure:
+    """Phrases such as "a wall of 3 rows and 5 columns": a figure with the dimensions that are said behind it."""
+    ways = _WAYS.get(wanted.kind)
+    if ways is None or not wanted.sizes or wanted.dims:
+        return wanted
+    told = next((size for size in wanted.sizes if size.what == "dims"), None)
+    if told is not None:
+        dims = told.dims[::-1] if told.named and wanted.kind == "wall" else told.dims
+    else:
+        dims = tuple(side for way in ways if (side := wanted.extent(*way)))
+    if len(dims) == 2 and len(wanted.sizes) == (2 if told is None else 1):
+        return replace(wanted, dims=dims, sizes=())
+    if len(wanted.sizes) > 1 or (wanted.kind == "grid" and wanted.sizes[0].what in ways[0]):
+        raise draft.refusal("edit-unclear", "it is not clear how large this is to be", wanted.span,
+                            "say both of its sides, as in 'a grid of 2 rows and 3 columns'")  # fmt: skip
+    return wanted
 
 
 def _towers(draft: Draft, wanted: m.Structure, names: Sequence[str], span: Span) -> Towers:
@@ -153,7 +176,9 @@ def _same_kind(view: View, names: Sequence[str], wanted: m.Structure) -> bool:
     figure = next((f for f in view.figures if set(names) <= set(f.members)), None)
     if figure is not None:
         kinds = {"grid": ("grid", "square", "cube", "wall"), "pyramid": ("pyramid",), "staircase": ("staircase",)}
-        return wanted.kind in kinds.get(figure.node.kind, ()) and bool(wanted.dims or wanted.size)
+        flat = isinstance(figure.node, Grid) and figure.node.layers == 1
+        same = wanted.kind in kinds.get(figure.node.kind, ()) and not (flat and wanted.kind == "wall")
+        return same and bool(wanted.dims or wanted.size)
     line = view.line_of(names)
     return (
         line is not None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.steer.requests import requests as r
-from rpg.steer.requests.language import Parser, count, dimensions, longest, m, phrases, simple
+from rpg.steer.requests.language import Parser, count, dimensions, in_lines, longest, m, phrases, simple
 from rpg.steer.requests.phrases import old
 
 TALL = phrases(
@@ -106,7 +106,7 @@ def _brought_to(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 what = "height" if longest(p, end, "steps | levels | layers | stories") else "blocks"
                 yield r.Recount(theme=theme, amount=amount, what=what, span=p.span(i, stop)), stop
             for dims, end in dimensions(p, n):
-                yield r.Recount(theme=theme, dims=dims, span=p.span(i, end)), end
+                yield r.Recount(theme=theme, dims=dims, lines=in_lines(p, n, end), span=p.span(i, end)), end
 
 
 def _multiplied(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -202,7 +202,7 @@ def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.
             longest(p, k, "square | grid | base | cube | wall | rectangle | pyramid | one | at the base | block base")
             or k
         )
-        yield r.Recount(theme=theme, dims=dims, span=p.span(i, end)), end
+        yield r.Recount(theme=theme, dims=dims, lines=in_lines(p, start, k), span=p.span(i, end)), end
 
 
 _CLOSES = frozenset({",", ".", "and", "then", "instead", "please", "now", "not", "rather"})

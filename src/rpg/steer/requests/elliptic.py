@@ -12,6 +12,7 @@ from rpg.steer.requests.language import (
     colors,
     count,
     dimensions,
+    in_lines,
     length,
     loc,
     longest,
@@ -159,7 +160,7 @@ def _enough(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     start = longest(p, i, "only | just | a | an") or i
     for dims, j in dimensions(p, start):
         if end := longest(p, longest(p, j, "grid | square | wall | one") or j, _SUFFICES):
-            yield r.Recount(theme=None, dims=dims, span=p.span(i, end)), end
+            yield r.Recount(theme=None, dims=dims, lines=in_lines(p, start, j), span=p.span(i, end)), end
     for n, j in count(p, start):
         k = longest(p, j, BLOCKS) or longest(p, j, TALL) or longest(p, j, LONG) or j
         if end := longest(p, k, _SUFFICES):

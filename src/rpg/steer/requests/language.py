@@ -12,7 +12,7 @@ from rpg.language.grammar.places.measures import bounds
 from rpg.language.grammar.places.regions import named_regions as region_name
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.structures.orders import order
-from rpg.language.grammar.structures.sizes import dimensions
+from rpg.language.grammar.structures.sizes import dimensions, in_lines
 from rpg.language.grammar.things.adjectives import adjectives, colors
 from rpg.language.grammar.things.amounts import count, length
 from rpg.language.grammar.things.labels import label_list, literal
@@ -91,6 +91,7 @@ __all__ = [
     "colors",
     "count",
     "dimensions",
+    "in_lines",
     "label_list",
     "length",
     "lexicon",

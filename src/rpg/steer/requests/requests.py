@@ -69,12 +69,14 @@ class Restyle(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recount(Request):
-    """A structure gets another number of blocks, or other dimensions. `by`: so many more (or fewer); `times`: so many
-    times as many. `what`: "blocks", "height", "length", or "number" where only a number was said."""
+    """A structure gets another number of blocks, or other dimensions. `lines`: these are its rows and columns, as they
+    were called. `by`: so many more (or fewer); `times`: so many times as many. `what`: "blocks", "height", "length", or
+    "number" where only a number was said."""
 
     theme: m.Meaning | None
     amount: int | None = None
     dims: tuple[int, ...] = ()
+    lines: bool = False
     by: int | None = None
     times: float | None = None
     what: str = "blocks"

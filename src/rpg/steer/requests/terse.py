@@ -13,6 +13,7 @@ from rpg.steer.requests.language import (
     colors,
     count,
     dimensions,
+    in_lines,
     lexicon,
     literal,
     longest,
@@ -159,7 +160,7 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if isinstance(theme, m.Noun) and fresh(theme) and theme.head != "patch" and not theme.conditions:
             yield More(theme=theme, span=p.span(i, j), cost=5), j
     for dims, j in dimensions(p, start):
-        yield r.Recount(theme=None, dims=dims, span=p.span(i, j), cost=4), j
+        yield r.Recount(theme=None, dims=dims, lines=in_lines(p, start, j), span=p.span(i, j), cost=4), j
     for n, j in count(p, start):
         if end := longest(p, j, "of them | of those | of these"):
             yield Bound(bound="as_now", amount=n, span=p.span(i, end)), end

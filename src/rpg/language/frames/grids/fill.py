@@ -167,10 +167,11 @@ class Filling:
             return [0, count - 1]
         if side.isdigit() or side == "last":
             first = int(side) - 1 if side.isdigit() else count - 1
-            first = count - 1 - first if axis == "layer" else first
+            backwards = _ENDS[axis].get(self._told.start or "", -1 if axis == "layer" else 0) != 0
+            first = count - 1 - first if backwards else first
             if many > 1 and side not in ("1", "last"):
                 raise Unclear
-            last = first + (many - 1) * (1 if (side == "1") != (axis == "layer") else -1)
+            last = first + (many - 1) * (1 if (side == "1") != backwards else -1)
             return list(range(min(first, last), max(first, last) + 1))
         if side == "other":
             left = self._left_lines(axis)

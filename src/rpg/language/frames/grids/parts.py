@@ -132,6 +132,8 @@ class _Reader:
         if this.each and ("free order" in kinds or (this.start is None and not all(item.bare for item in this.listed))):
             this.free += this.listed  # "two red and two blue blocks": which line has which colour is left open
             this.listed = []
+        if this.start and not (this.listed or this.placed) and len(this.free) > 1:
+            raise Unclear  # "a 3x3 grid of the numbers 1 to 9 from right to left"
         for piece in pieces:
             if piece.kind == "lot each":
                 this.free = [replace(item, count=piece.value) for item in this.free if item.look]

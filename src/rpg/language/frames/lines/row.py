@@ -291,10 +291,12 @@ def check_lots(pieces: Sequence[Piece]) -> None:
         placed = any(piece.kind == "place" for piece in pieces[n + 1 + len(behind) :][:1])
         if again and not placed and again <= {piece.words for piece in pieces[:n] if piece.kind == "lot"}:
             raise Unclear
-    if any(
-        a.kind == c.kind == "lot" and b.kind == "glue" for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False)
-    ):
-        raise Unclear
+    for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False):
+        if a.kind == c.kind == "lot" and b.kind == "glue":
+            raise Unclear
+        colored = a.kind == "lot" and "noun" not in a.named and b.kind == "figure" and " " not in b.words
+        if colored and c.words in ("of", "with", "from"):
+            raise Unclear  # "a red row of blue blocks"
     check_joined(pieces)
     together = [(a, b) for a, b in pairwise(pieces) if a.kind == b.kind == "lot"]
     bare = all(

@@ -167,6 +167,8 @@ class Things:
             if len(self.known) != 2 or any(known.patch or known.count > 1 for known in self.known):
                 raise Unclear
             return self.known[1 if piece.value == "latter" else 0]
+        if self.parted:
+            raise Unclear  # "one of them is on the mat. Put the other two next to it"
         return self._one([known for known in blocks if not known.patch or not (subject or piece.value == "block")])
 
     def _thing(self, piece: Piece, *, on: bool, both: int) -> Known:

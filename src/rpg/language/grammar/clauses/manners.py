@@ -213,7 +213,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "only distractors": ("extra", None), "as decoration": ("extra", None), ", which do not matter": ("extra", None),
     "that do not matter": ("extra", None), "irrelevant": ("extra", None),
     "by the robot": ("idle", None), "by the arm": ("idle", None), "with the gripper": ("idle", None),
-    "there": ("idle", None), "from above": ("idle", "view"), "as seen from above": ("idle", "view"),
+    "there": ("idle", None), "as seen from above": ("idle", "view"),
     **{f"{when}{seen} from above": ("idle", "view")
        for when in ("", "when ", "if ") for seen in ("seen", "viewed", "looked at")},
     "looking from above": ("idle", "view"), "as viewed from above": ("idle", "view"),

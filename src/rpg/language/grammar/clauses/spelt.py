@@ -37,6 +37,7 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
     if text is not None:
         themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
     themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind in ("word", "equation")]
+    themes += [(t, end) for t, k in themes if (end := _not_another(p, k)) > k]
     if lemma == "write":
         yield from _written(p, i, j)
     for theme, k in themes:
@@ -48,6 +49,13 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
         for found, end in [((*a, *b), e) for a, b, e in more] or ways:
             span, word = p.span(i, end), p.span(i, i + 1)
             yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=span, word=word), end
+
+
+def _not_another(p: Parser, j: int) -> int:
+    """The position behind ", not DOG" in "spell CAT, not DOG", which says no more."""
+    other = p.any_of(p.opt(j, ","), ("and not", "but not", "not"))
+    named = p.any_of(other, ("the word",)) or other
+    return named + 1 if other and literal(p, named) is not None else j
 
 
 def _written(p: Parser, i: int, j: int) -> Results[Clause]:

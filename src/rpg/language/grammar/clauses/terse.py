@@ -200,6 +200,9 @@ def _patch_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
             continue
         if not (colon := p.any_of(j, _SIGNS if on > i or patch.det == "each" else _SIGNS_OR_FOR)):
             continue
+        figure = on == i and patch.det != "the" and p.words[j - 1] in _FIGURES and not patch.traits.colors
+        if figure and "," in p.words[colon:]:
+            continue  # "a circle: red, blue, green, white" is one of blocks
         if (end := p.any_of(colon, _NOTHING)) and (end >= p.end or p.words[end] in (",", ";")):
             empty = Quality(traits=Traits(empty=True), span=p.span(colon, end))
             yield Clause(verb="be", theme=patch, adjuncts=(empty,), mode="goal", span=p.span(i, end), cost=1), end
@@ -212,6 +215,7 @@ def _patch_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
 
 
 _SIGNS = (":", "=")
+_FIGURES = ("circle", "square", "rectangle")
 _SIGNS_OR_FOR = (*_SIGNS, "for", "is for")
 _FOR = (
     *_SIGNS_OR_FOR,

@@ -13,6 +13,7 @@ _PEOPLE = (
 )
 _ROW = "(?:far|near|front|back|first|second)"
 _BLOCK = "(?:block|cube|blocks|cubes)"
+_NTH = "(?:first|second|third|fourth|fifth|last)"
 _SIZE = "(?:big|large|small|little)"
 _MAT = "(?:mat|patch|zone|area|target)"
 _PART = "(?:left|right|near|far|front|back)"
@@ -77,6 +78,10 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("\\bfrom (?:the )?(?:(?:table|ground|floor) (?:up|upwards|to the top)|down (?:to )?up|below to above|bottom to "
      "up)\\b", "from bottom to top"),
     ("\\bfrom (?:up to down|above to below)\\b", "from top to bottom"),
+    (f"^(?=.*\\b(?:towers?|stacks?|stacked|pile|layers?|levels?)\\b|.*\\b{_NTH}(?: {_BLOCK}| one| {_ROW})? from above)"
+     "((?:.* )?)(?<!seen )(?<!viewed )(?<!looked at )(?<!looking )(?<!read )(?<!readable )(?<!visible )(?<!watched )"
+     "from above(?= |$)", "{1} from the top"),
+    ("\\b(touching (?:it|that|them)) from above\\b", "{1}"),
     (f"(?: [:,])? ({COLOR})(?: ones?)? (?:on the )?outside(?: ,)? (?:and )?(?:then )?({COLOR})(?: ones?)? (?:next to "
      f"(?:that|it|them|those)|inside (?:that|those)|next|further in)(?: ,)?(?: and)?(?: then)? ({COLOR})(?: one)? in "
      "the (?:middle|center)\\b", "in the order {1} , {2} , {3} , {2} , {1}"),

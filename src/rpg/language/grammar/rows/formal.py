@@ -29,7 +29,7 @@ from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAIN
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import not_at_end
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
-from rpg.language.grammar.rows.other_end import other_end_named
+from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
 from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
@@ -183,8 +183,8 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 
 _CHANGES = (
-    announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, other_end_named,
-    rows_by_number, told_by_places, _steps_told, _one_of_each, corners_again, not_at_end, of_the_figure,
+    announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
+    other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, corners_again, not_at_end, of_the_figure,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -1,8 +1,10 @@
-"""The other end of a line that is there: "there is a row: red, green, blue. Put the red one at the other end."."""
+"""The other end of a line that is there: "there is a row: red, green, blue. Put the red one at the other end."; and
+both ends of one that is not named: "on the left end a red block, on the right end a blue one"."""
 
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
@@ -31,6 +33,27 @@ def other_end_named(tokens: list[Token]) -> list[Token]:
         out += _told(sentence, line) if line is not None else sentence
         line = _listed(sentence) or line
     return out
+
+
+_TWO_ENDS = (("left", "right"), ("right", "left"))
+_PUT = frozenset({"put", "place", "lay", "set"})
+_BEGUN = frozenset({"on", "at", "a", "an", "one", "the"})
+_OF_WHAT = (lexicon.STRUCTURE.keys() - lexicon.BLOCK.keys()) | lexicon.PATCH.keys() | {
+    "table", "desk", "word", "sum", "equation", "of", "is", "are", "must", "should", "it", *STOPS,
+}  # fmt: skip
+"""With these it is another line that has the ends, or more is told than what the line is made of."""
+
+
+def row_with_ends(tokens: list[Token]) -> list[Token]:
+    """The tokens with the row ahead whose two ends are all that is told of it."""
+    said = [token.word for token in tokens if token is not tokens[-1] or token.word not in STOPS]
+    sides = tuple(side for side, end in pairwise(said) if end == "end" and side in ("left", "right"))
+    if sides not in _TWO_ENDS or not _OF_WHAT.isdisjoint(said):
+        return tokens
+    if said[0] in _PUT:
+        return [*(tokens[0].saying(word) for word in ("a", "row", "with")), *tokens[1:]]
+    begun = said[0] in _BEGUN or said[0] in lexicon.COLOR
+    return [*(tokens[0].saying(word) for word in ("a", "row", ":")), *tokens] if begun else tokens
 
 
 def _listed(sentence: list[Token]) -> tuple[str, list[str]] | None:

@@ -149,7 +149,6 @@ SHORT: tuple[Turn, ...] = (
     (f"^not (?:only|just|merely) ({THINGS})(?: ,)? but(?: also)? ({THINGS})(?: as well| too)? ((?:{MUST}|{_ARE}) .+)$",
      "{1} and {2} {3}"),
     (f"^it is ({THINGS})(?: ,)? (?:and )?not ({THINGS})(?: ,)? (?:that|which) (.+)$", "{1} and not {2} {3}"),
-    ("^(spell (?:the word )?\\S+)(?: ,)? (?:and )?not \\S+$", "{1}"),
     # what follows
     ("^(.+?)(?: ,)? and , (?:after that|then|afterwards|next|finally) , (.+)$", "{1} , and then {2}"),
 )  # fmt: skip

@@ -197,8 +197,9 @@ def _whole(p: Parser, i: int, j: int, told: Told, unit: str, first: str | None) 
         if begin not in _FIRST[unit] or inner or not last or (first is not None and any(sides)):
             return
         numbers = range(1, len(told) + 1) if _FIRST[unit].index(begin) % 2 == 0 else range(len(told), 0, -1)
+        side = _FIRST[unit][0] if first or sides[0] else "first"
         places = [
-            Places(side="first", unit=unit, index=n, of=len(told), span=span)
+            Places(side=side, unit=unit, index=n, of=len(told), span=span)
             for n, (_, _, span) in zip(numbers, told, strict=True)
         ]
     parts = tuple(

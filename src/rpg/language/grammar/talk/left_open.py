@@ -10,11 +10,14 @@ FREE = (
                      " i do not mind")
     ),
     "the order does not matter", "order does not matter", "no matter the order",
-    *(f"the order{of} {free}"
+    *(f"{the} order{of} {free}"
+      for the in ("the", "their", "its")
       for of in ("", " of the rows", " of the columns", " of the layers", " of the colors",
                  *(f" {inside} {each} {whole}" for inside in ("inside", "within", "in") for each in ("the", "each", "a")
                    for whole in ("stack", "tower", "row", "line", "column", "pile", "group")))
-      for free in ("does not matter", "is up to you", "is free", "is your choice", "is irrelevant", "is open")),
+      for free in ("does not matter", "is up to you", "is free", "is your choice", "is irrelevant", "is open",
+                   "is not important", "is unimportant", "is of no importance", "is not relevant")),
+    *(f"{lead} the order" for lead in ("i do not care about", "do not care about", "never mind", "ignore")),
     *(f"{it}does not matter {which} order" for it in ("it ", "") for which in ("in which", "in what", "which", "what")),
     "no particular order", "in no particular order", "whichever way", "whichever way you like",
     "any way you like", "however you like", "whichever direction", "in whichever direction",

@@ -163,7 +163,7 @@ STATES = Patterns(
     "is there any|a chance|possibility|way that?",
     "any chance that?",
     "would|is it be? too? much|bold|rude to_ask for",
-    "could|can|would|may|might it be that",
+    "may it be that",
     "is there a way that",
     "how|what about having|that|if?",
     "why not have?",

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 
+from rpg.core.diagnostics import Span
 from rpg.ir.order import Pattern
-from rpg.ir.structures import Cells, Figure, Pyramid, Staircase
+from rpg.ir.structures import Cells, Figure, Grid, Pyramid, Staircase
 from rpg.language.lexicon import COLORS
 from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
@@ -47,8 +49,11 @@ def pattern_of(
         if alternating is not None and dims is not None:
             raise refuse("misplaced", "in a grid colours alternate, two of them", alternating.span,
                          "say 'in a checkerboard pattern'")  # fmt: skip
-        upward = spec.first("bottom") is not None
-        if getattr(form, "layers", 2) > 1 and not isinstance(form, Figure):
+        tall = getattr(form, "layers", 2) > 1 and not isinstance(form, Figure)
+        begins = {**{t.first: t.span for t in spec.toward}, **{o.first: o.span for o in spec.orders}}
+        upward = "bottom" in begins
+        _check_begun(begins, form, tall)
+        if tall:
             spec.toward = [t for t in spec.toward if t.first not in ("top", "bottom")]
         order = order_of(spec, names, "row", scene, scope, shape.span).model_copy(update={"first": None})
         if order.by == "together":
@@ -64,6 +69,14 @@ def pattern_of(
     if dims is None:
         raise refuse("misplaced", f"a {shape.kind} has no {said.unit}s", said.span)
     return _painted(unit, things, dims, scene), False
+
+
+def _check_begun(begins: Mapping[str | None, Span], form: Cells, tall: bool) -> None:
+    """Refuse "a 2x2 grid from right to left: ...": where its second row begins is not said."""
+    against = [side for side in ("right", *(() if tall else ("front", "bottom"))) if side in begins]
+    if against and isinstance(form, Grid | Pyramid):
+        raise refuse("misplaced", "a figure with several rows is read row by row, each from left to right",
+                     begins[against[0]], "list its blocks in that order, or say each row by itself")  # fmt: skip
 
 
 def _painted(unit: str, things: list[Thing], dims: tuple[int, int, int], scene: Scene) -> Pattern:

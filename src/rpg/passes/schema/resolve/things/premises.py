@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.schema import NONE_BESIDES
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Coord, In, Loc, Manner
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout
@@ -27,7 +28,7 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
     for alone in scene.exclusive:
         others = beyond(alone, scene)
         if not others and alone.names and not (isinstance(goal, g.All) and not goal.goals):
-            scene.assume("there is no other block that could be there")
+            scene.assume(NONE_BESIDES)
         elif not others:
             raise refuse("no-referent", "there is no other block", alone.span, "say which other blocks there are")
         kept += [denied(alone.there(n), alone.span) for n in others]

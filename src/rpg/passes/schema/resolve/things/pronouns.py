@@ -84,9 +84,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         here = [n for m in scene.mentions if m.sentence == scene.sentence and not m.ref.patch for n in m.ref.names]
         blocks = here if word.word == TOLD_HERE else [t.name for t in scene.blocks()]
         names = tuple(dict.fromkeys(n for n in blocks if not scene.things[n].extra))
-        if not names:
-            return whichever_there_are(word, scene, scope)
-        return Ref(names=names, plural=True, each=False)
+        return Ref(names=names, plural=True, each=False) if names else whichever_there_are(word, scene, scope)
     if word.word == "one" or word.word in ("each", "each one", "each of them", "either of them"):
         return _one(word, scene, scope)
     return them(word, scene, scope)
@@ -159,7 +157,8 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             raise refuse("ambiguous", "the first structure, or the first of its blocks?", word.span, "name the block")
         return found
     last = single[-1].clause
-    if any(m.role == "landmark" and m.clause == last and m.ref.quant and not m.ref.patch for m in scene.mentions):
+    counted = [m for m in scene.mentions if m.clause == last and m.ref.quant is not None and not m.ref.patch]
+    if any(m.role == "landmark" or m.ref.quant == Amount(1, 1, True) for m in counted):
         raise refuse("ambiguous", f"{word.word!r} could be what lies there, or what it lies on", word.span,
                      "name the one you mean")  # fmt: skip
     again = [m for m in single if m.word == "it" and m.role == "theme" and m.clause == last]

@@ -52,6 +52,10 @@ _WHICH = (
 )
 
 FIGURES: tuple[Turn, ...] = (
+    # "4 columns 2 rows, all black"
+    *((f"^({MANY}) ({COLOR}) {one}(?: ,| and| by)* ({MANY}) \\2 {other}(?=$| ,)",
+       f"a grid of {{2}} blocks with {{1}} {one} and {{3}} {other}")
+      for one, other in (("columns", "rows"), ("rows", "columns"))),
     # rings around something
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged "
      f")?(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),

@@ -56,6 +56,19 @@ _ALL = (
 _IN_THE_MIDDLE = f"({COLOR})(?: one| block| cube)? (?:in|at) the (?:middle|center)$"
 _ITS = "(?:colors|color sequence|sequence of colors|color order|order|order of colors|color pattern|pattern)"
 
+_ENDS = "(?:(?:each|both|either)(?: (?:one )?of (?:its|the|both|the two|its two))?|the two|its two|both the)(?: two)?"
+_OF_LINE = "(?: of (?:it|the row|the line))?"
+_ON_ENDS = (f"(?:on top of {_ENDS} ends?(?: blocks?| cubes?)?{_OF_LINE}|on {_ENDS} end (?:blocks?|cubes?){_OF_LINE}"
+            f"|on (?:top of )?the (?:first|leftmost)(?: one| block| cube)? and (?:on )?(?:the )?(?:last|rightmost)"
+            "(?: one| block| cube)?)")  # fmt: skip
+"""On top of the blocks at both ends; "on each end" alone may be farther along the line."""
+_OUTER = "the (?:two (?:blocks |cubes |ones )?at the ends|(?:two )?end (?:blocks|cubes|ones)|outer two|two outer ones)"
+_CARRY = (f"(?:{MUST} )?(?:each |both )?(?:have|having|with|carry|carrying|bear|bearing|hold|holding|get|topped (?:with|by)|"
+          "capped (?:with|by))(?: each)?")  # fmt: skip
+_TOP_ONE = f"(?:(?:an?|one|two) )?({COLOR})s?(?: blocks?| cubes?| ones?)?"
+_TO_ENDS = f"^((?!.*\\b(?:front|column|two rows)\\b).*?\\b{_ROW_OR_LINE}\\b.+?)(?: ,)?"
+_ON_BOTH = "{1} with a {2} block on the leftmost one and another {2} block on the rightmost one"
+
 LINED_AT_ONCE: tuple[Turn, ...] = (
     # what there is, ahead of what is done with it
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)? : ({_DO} {_THEM} .+)$",
@@ -68,6 +81,11 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:the|an?) ({_ROW_OR_LINE} of [^:]+?) (?:has|{MUST} have) ([^:]*) at its ({END}) end(.* at its \\w+ end)?$",
      "a {1} with {2} at the {3} end {4}"),
     (f"\\bat its ({END}) end\\b", "at the {1} end"),
+    # what lies on both of its ends
+    (f"{_TO_ENDS} (?:with|and(?: then)? (?:put|place|set|lay)) {_TOP_ONE} {_ON_ENDS}$", _ON_BOTH),
+    (f"{_TO_ENDS} and(?: then)? stack {_TOP_ONE} on (?:top of )?{_ENDS} ends?(?: blocks?| cubes?)?{_OF_LINE}$", _ON_BOTH),
+    (f"{_TO_ENDS}(?: with| in which| where| ,)* {_OUTER} (?:of it )?{_CARRY} {_TOP_ONE}(?: each)?(?: on top(?: of (?:it|"
+     "them))?| on (?:it|them))?$", _ON_BOTH),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 RAINBOWS_AT_ONCE: tuple[Turn, ...] = (

@@ -63,6 +63,8 @@ WORDIER_AT_ONCE: tuple[Turn, ...] = (
     (f"^((?:to|on|behind|in front of|next to|beside) .*?\\b(?:a|the) {LINE}) , ((?:in|on) which [^,]+) , (.+)$",
      "{1} {2} {3}"),
     # what is where
+    ("(?:\\bdirectly )?\\b(behind|in front of) ([^,]+?)(?: please)?(?: , (?:directly|straight|exactly)(?: \\1(?: (?:it|that "
+     "one))?)?)?(?: ,| and)* not off to (?:one|the|a|either) side$", "directly {1} {2}"),
     (f"^({WAY})(?: ,)? (?:we|you|i) (?:have|see|find|get) ", "{1} there are"),
     ("\\b(left|right) hand (end|edge|position|place|one|block|half)\\b", "{1} {2}"),
     ("\\b(half|corner|middle|center|edge) of the table\\b(.+?)\\b(half|corner|middle|center|edge) of it$",

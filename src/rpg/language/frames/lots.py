@@ -111,7 +111,7 @@ def without_brackets(pieces: Sequence[Piece]) -> list[Piece]:
     """Without the brackets around one place: "red (at the bottom)"."""
     found = list(pieces)
     for n in range(len(found) - 3, -1, -1):
-        if [found[n].words, found[n + 2].words] == ["(", ")"] and found[n + 1].kind == "place":
+        if [piece.words for piece in found[n : n + 3 : 2]] == ["(", ")"] and found[n + 1].kind == "place":
             found[n : n + 3] = [found[n + 1]]
     return found
 

@@ -49,6 +49,22 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     *((f"\\b({MANY}) ((?:{COLOR} )?{_BLOCK}) {told}(?= (?:on|in|onto|into) |$| ,)", f"{bound} {{1}} {{2}}")
       for told, bound in (("(?:max|maximum|tops|at (?:the )?most)", "at most"),
                           ("(?:min|minimum|at (?:the )?least)", "at least"))),
+    # which of them it is
+    ("\\bthe (left|right|upper|lower|top|bottom|front|back)(?: - hand| hand)? one of (?:them|these|the two|those)(?= |$)",
+     "the {1} one"),
+    (f"^((?:exactly |only |just |at least |at most )?one of )(?:the )?two (?:blocks|cubes|letters|digits)(?: ,| :) "
+     f"(?:either )?({THING}) (?:and|or) ({THING})(?: ,)? (?={MUST}|is|goes|belongs|on|in)", "{1} {2} and {3} "),
+    (f"^(?:exactly |only |just )?one of ((?:the )?(?:two )?[^,]+?)(?: ,)? (?:but|and) not (?:both|all)(?: of (?:them|"
+     f"these))?(?: ,)? (?={MUST}|is|goes|belongs|on|in)", "exactly one of {1} "),
+    # what is wanted
+    (f"^((?:an?|one|{MANY}) (?:\\w+ )?(?:row|line|tower|stack|column|circle|square|pyramid|staircase|wall)s? of [^,]+?) (?:is|"
+     "are) (?:needed|wanted|required|desired|called for)$", "{1}"),
+    ("^any one of (.+?) ((?:on|in|behind|next to|left of|right of) .+?) (?:will do|is fine|is ok|is okay|is enough)$",
+     "put one of {1} {2}"),
+    (f"^(?:i|we) (?:need|want|would like)(?: to (?:see|have))? ((?:an?|{MANY}) [^,]+?) (?:that|which) (?!.*\\b(?:start|now|"
+     f"first|initially|beginning)\\b)(?:(?:are|is) )?({PLACE} [^,]+|touch each other|touching each other)$",
+     "{1} must be {2}"),
+    (f"^((?:an?|{MANY}) [^,]+?) (?:that|which) (touch each other)$", "{1} must {2}"),
     # nobody is no block
     ("\\bnobody (?=(?:is|sits|stands|lies|touches|(?:may|must|shall|should|can) (?:be|sit|stand|lie|go))\\b)",
      "no block "),

@@ -3,6 +3,7 @@ blocks."""
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.said_short import LABEL
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, END, FEW, MUST, WAY
 
@@ -69,7 +70,30 @@ _TOP_ONE = f"(?:(?:an?|one|two) )?({COLOR})s?(?: blocks?| cubes?| ones?)?"
 _TO_ENDS = f"^((?!.*\\b(?:front|column|two rows)\\b).*?\\b{_ROW_OR_LINE}\\b.+?)(?: ,)?"
 _ON_BOTH = "{1} with a {2} block on the leftmost one and another {2} block on the rightmost one"
 
+_ITEM = f"(?:(?:an? |the )?{COLOR}(?: block| cube| one)?|{LABEL})"
+_PUT_IN = "(?:(?:build|make|form|put|lay|stack|place|arrange|line up) )?"
+
+
+def _between_ends() -> tuple[Turn, ...]:
+    """ "Red at the bottom, yellow, blue at the top": what stands bare between the two ends of a line is between them."""
+    rows: list[Turn] = []
+    for line, ends in (("tower|stack", ("bottom", "top")), ("row|line", ("left", "right"))):
+        for one, other in (ends, ends[::-1]):
+            at, there = (f"(?:(?:at|on) (?:the )?(?:very |far )?{end}(?: end)?|\\( {end} \\)|{end}most)" for end in (one, other))
+            told = (f"({_ITEM}) {at} , (?:then )?({_ITEM}(?: , (?:then )?{_ITEM})*) ,(?: and)?(?: then)? ({_ITEM}) "
+                    f"{there}(?= ,|$)")  # fmt: skip
+            made = "a tower" if one in ("bottom", "top") else "a row"
+            rows += [
+                (f"^{_PUT_IN}(?:an? |one )?(?:{line})(?: of| with| ,| :)? {told}",
+                 f"{made} from {one} to {other} : {{1}} , {{2}} , {{3}}"),
+                (f"^(?:put |place |stack )?{told}", f"{'stack' if 'tower' in made else 'a row'} from {one} to {other} : "
+                 "{1} , {2} , {3}"),
+            ]  # fmt: skip
+    return tuple(rows)
+
+
 LINED_AT_ONCE: tuple[Turn, ...] = (
+    *_between_ends(),
     # what there is, ahead of what is done with it
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)? : ({_DO} {_THEM} .+)$",
      "there are {1} blocks . {2}"),

@@ -135,7 +135,7 @@ SHORT: tuple[Turn, ...] = (
     (f"^((?:{PUT} )?{LABEL}(?: {_ARE})? ({PLACE}) the {COLOR} (\\w+))(?: ,| \\()? {_NOT} the ({COLOR})(?: one| "
      f"{BLOCK})?(?: \\))?$", "{1} , not {2} the {4} {3}"),
     # "red on blue or vice versa"
-    (f"^((?:please )?{PUT} )?(?:either )?({_KNOWN}) ({_ARE} )?({PLACE}) ({_KNOWN})(?: ,)? or {_AROUND}$",
+    (f"^((?:please )?(?:{PUT}|stack) )?(?:either )?({_KNOWN}) ({_ARE} )?({PLACE}) ({_KNOWN})(?: ,)? or {_AROUND}$",
      "{1} {2} {3} {4} {5} or {5} {3} {4} {2}"),
     (f"^((?:{PUT} )?the ({COLOR}) ({BLOCK}) ((?:{_ARE} )?{OVER} the) ({COLOR}) ({PATCH}))(?: ,)? and {_AROUND}$",
      "{1} and the {5} {3} {4} {2} {6}"),

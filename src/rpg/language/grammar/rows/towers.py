@@ -44,6 +44,12 @@ _IS = f"(?:is|are|{MUST} be)"
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # how high they are at least, and of which colour
+    (f"\\b({TOWER})(?: ,)?(?: that is| which is)? (at least|at most) ({MANY})(?: blocks| cubes)? (?:high|tall)(?= |$)",
+     "{1} of {2} {3}"),
+    (f"\\b({MANY} {_TOWERS}\\b[^:]*?)(?: ,)? (?:one|a|a single) color (?:each|per (?:tower|stack))(?= ,| :|$)",
+     "{1} , each in one color"),
+    (f"^({MANY} {_TOWERS}) (?:{MUST} )?(?:be|stand|are|be built|be there)(?: on the table)? , (?=an? {COLOR} )", "{1} , "),
     (f"^((?:please )?(?:stack|pile)(?: up)? .+?) , (?:(?:all )?in |as )?(?:one|a|an)(?: single)? ({TOWER})$",
      "{1} in one {2}"),
     # towers and rows

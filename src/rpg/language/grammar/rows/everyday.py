@@ -49,7 +49,23 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     *((f"\\b({MANY}) ((?:{COLOR} )?{_BLOCK}) {told}(?= (?:on|in|onto|into) |$| ,)", f"{bound} {{1}} {{2}}")
       for told, bound in (("(?:max|maximum|tops|at (?:the )?most)", "at most"),
                           ("(?:min|minimum|at (?:the )?least)", "at least"))),
+    (f"^(.*\\b(?:row|line|tower|stack|column|grid|square|rectangle|wall|pyramid|circle|ring|cube)\\b.*?) , only ({COLOR})(?: "
+     "ones| blocks| cubes)?$", "{1} , all {2}"),
+    ("\\bfilled in with\\b", "filled with"),
+    ("^(.*(?: by |\\dx\\d|\\bgrid\\b|\\brows of\\b).*?)(?: ,)? (?:in |as )?(?:an? |one |just one |only one )?(?:single )?layer"
+     "(?: only| high)?$", "{1}"),
+    # "the pink block it should sit on the purple one"
+    (f"^(?:so |well |now )?(the (?:\\w+ )?(?:block|cube|one))(?: ,)? it (?={MUST}\\b|goes|sits|belongs)", "{1} "),
+    ("^(can|could) you like (?=[a-z])", "{1} you"),
     # which of them it is
+    (f"^(?:(put|make|set|place|have) )?(the two (?:blocks|cubes)) ([^,]+?) , the ({COLOR})(?: one)? and (?:the )?({COLOR})(?: "
+     "one| block| cube)?$", "{1} the {4} and the {5} block {3}"),
+    (f"^((?:{_PUT}|get|bring|can you {_PUT}|could you {_PUT}) [^,]+? and [^,]+) , both(?: of them)?$", "{1}"),
+    (f"\\b(?:right |directly |immediately )next to ({THING}) on \\1 's (left|right)(?: side)?", "immediately to the {2} of {1}"),
+    ("^([^,]+?) , both (?:of them )?(?:are |being )?(?:cubes|blocks)$", "{1}"),
+    (f"^(?:(?:could|can) we )?(?:get |have |put |place |set )?(?:the )?two ({COLOR}) (blocks|cubes|ones) side by side(?: ,)? (?:with|and) "
+     "(.+? on (?:top of )?the (?:left|right) one)$", "put two {1} blocks side by side and {3}"),
+    ("\\b((?:gap|distance|space)(?: of [^,]+?)?) between the (?:two )?(?:towers|stacks|rows|groups|piles)$", "{1} between them"),
     ("\\bthe (left|right|upper|lower|top|bottom|front|back)(?: - hand| hand)? one of (?:them|these|the two|those)(?= |$)",
      "the {1} one"),
     (f"^((?:exactly |only |just |at least |at most )?one of )(?:the )?two (?:blocks|cubes|letters|digits)(?: ,| :) "

@@ -79,7 +79,9 @@ def _between_ends() -> tuple[Turn, ...]:
     rows: list[Turn] = []
     for line, ends in (("tower|stack", ("bottom", "top")), ("row|line", ("left", "right"))):
         for one, other in (ends, ends[::-1]):
-            at, there = (f"(?:(?:at|on) (?:the )?(?:very |far )?{end}(?: end)?|\\( {end} \\)|{end}most)" for end in (one, other))
+            at, there = (
+                f"(?:(?:at|on) (?:the )?(?:very |far )?{end}(?: end)?|\\( {end} \\)|{end}most)" for end in (one, other)
+            )
             told = (f"({_ITEM}) {at} , (?:then )?({_ITEM}(?: , (?:then )?{_ITEM})*) ,(?: and)?(?: then)? ({_ITEM}) "
                     f"{there}(?= ,|$)")  # fmt: skip
             made = "a tower" if one in ("bottom", "top") else "a row"

@@ -14,7 +14,9 @@ _GET = f"(?:{MUST} )?(?:gets?|has|have|holds?|carry|carries|receives?|bears?|nee
 _SO_MANY = f"((?:exactly |just |only )?(?:{MANY}|an?) [^,:]+?)"
 _ON_IT = "(?: on (?:it|them)| on top(?: of (?:it|them))?)?"
 _TOWER_OF_IT = "(?:an? )?(tower|stack|pile)s?(?:(?: made)? (?:of|from) (?:the )?(?:blocks|cubes))?"
-_ITS_COLOR = f"(?:of|in|with) (?:its|its own|their own|the same|the matching|that|the) color(?: as (?:the|that|this) {PATCH})?"
+_ITS_COLOR = (
+    f"(?:of|in|with) (?:its|its own|their own|the same|the matching|that|the) color(?: as (?:the|that|this) {PATCH})?"
+)
 _LISTS = (
     (f"{_THE}{AND} {_THE}", "{1} and {2}", 2),
     (f"{_THE}{AND} {_THE}{AND} {_THE}", "{1} , {2} and {3}", 3),

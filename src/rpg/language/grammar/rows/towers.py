@@ -44,6 +44,12 @@ _IS = f"(?:is|are|{MUST} be)"
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # what is not on it
+    (f"^((?!stack\\b).*\\b({TOWER})\\b[^:]*?)(?: ,)? (?:(?:and|with) )?nothing(?: else)?(?: (?:{_IS}|may be|lies))? on (?:the )?"
+     f"top(?: of (?:it|that|the {TOWER}))?$", "{1} . nothing may be on top of the {2}"),
+    (f"^((?:stack|put|place|set) ({_THING}) (?:on|onto|on top of) [^,]+?)(?: ,)? (?:(?:and|with) )?nothing(?: else)? on "
+     "(?:the )?top$", "{1} with nothing on top of {2}"),
+    (f"^({MANY})(?: blocks| cubes)? (?:high|tall) , all ({COLOR})(?: ones)?(?= ,|$)", "a tower of {1} {2} blocks"),
     # how high they are at least, and of which colour
     (f"\\b({TOWER})(?: ,)?(?: that is| which is)? (at least|at most) ({MANY})(?: blocks| cubes)? (?:high|tall)(?= |$)",
      "{1} of {2} {3}"),
@@ -63,6 +69,9 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "top|at the bottom)$", "with {1} not {2}"),
     ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group (in|on|to|behind|"
      "next|near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
+    (f"^(?:start with |begin with )?({_THING}) ,(?: and)? (?:then )?(?:put |place |set |stack )?({_THING}) on "
+     f"(?:it|that|top of it|top of that)(?: ,| and| , and)+ (?:then )?({_THING}) on (?:it|that|that one|top|top of (?:it|"
+     "that))$", "stack {1} , {2} and {3} from bottom to top"),
     (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
      f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
      "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),

@@ -80,7 +80,8 @@ FREE = (
     *(f"{mind}{which}"
       for mind in ("it is all the same to me", "it is all the same to us", "all the same to me", "it is all one to me",
                    "it makes no difference", "makes no difference", "it makes no difference to me",
-                   "makes no difference to me", "i am indifferent", "we are indifferent", "i have no preference",
+                   "makes no difference to me", "i am not fussed", "i really do not care", "i do not really care",
+                   "i really do not mind", "i am indifferent", "we are indifferent", "i have no preference",
                    "we have no preference", "no preference", "i am easy", "i am not fussy", "not fussy")
       for which in ("", " which", " which one", " which of them", " which of the two", " as to which",
                     " as to which one", " as to which of them", " about which", " about which one", " about that")),

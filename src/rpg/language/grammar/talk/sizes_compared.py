@@ -39,7 +39,9 @@ _OTHER = (
 _LINK = "(?: ,)?(?: ;)?(?: \\.)?(?: and| so that| such that| where| with| of which| but)?"
 _CLAUSE = re.compile(f"(?:^|{_LINK} )(?P<one>{_ONE})(?: {_IS})? {_REL}{_OTHER}")
 _EACH_AS = re.compile(f"{_LINK} (?P<same>as many {_B}) in (?:the )?one as in the other(?: one)?")
-_BARE = re.compile(f"(?:(?<=tower)|(?<=stack)|(?<=row)|(?<=line)) (?:that is |which is |of |with )?{_REL}{_OTHER}?(?= |$)")
+_BARE = re.compile(
+    f"(?:(?<=tower)|(?<=stack)|(?<=row)|(?<=line)) (?:that is |which is |of |with )?{_REL}{_OTHER}?(?= |$)"
+)
 _PAIR = re.compile(f"(?:two|2|a pair of) (?:(?P<color>{_C}) )?(?P<kind>{_K})s(?: of (?:(?P<color2>{_C}) )?{_B})?")
 _TOTAL = re.compile(
     f"(?: ,)? ?(?:(?:of|from|out of|with|using|made of|made from|built from|use)(?: all)?(?: the)? )?(?P<total>{_N}) "
@@ -50,7 +52,9 @@ _SIZED = re.compile(
     f"(?:of|that has|which has|has|consists of|is) (?P<count>{_N})(?: (?:(?P<color2>{_C}) )?"
     f"(?:{_B}|high|tall|long)\\b(?: high\\b| tall\\b| long\\b)?|(?= (?:and|with|,)|$))(?! {_THAN}))?"
 )
-_STOCK = re.compile(f"(?:^|(?<=\\. ))(?:out of|from|with|using|given) ({_N}) ({_C}) and ({_N}) ({_C}) {_B}(?= ,| build| make)")
+_STOCK = re.compile(
+    f"(?:^|(?<=\\. ))(?:out of|from|with|using|given) ({_N}) ({_C}) and ({_N}) ({_C}) {_B}(?= ,| build| make)"
+)
 """All there is of two colours, which the two take up."""
 _SIDE = re.compile(
     f"{_LINK} the (?P<which>taller|higher|longer|shorter|lower|smaller)(?: one| {_K})?(?: of the two)? "

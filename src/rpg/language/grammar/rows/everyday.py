@@ -54,6 +54,9 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("\\bfilled in with\\b", "filled with"),
     ("^(.*(?: by |\\dx\\d|\\bgrid\\b|\\brows of\\b).*?)(?: ,)? (?:in |as )?(?:an? |one |just one |only one )?(?:single )?layer"
      "(?: only| high)?$", "{1}"),
+    ("(?: ,)? (?:leaving|with) (?:none|nothing|no block)(?: left)? over$", ""),
+    (f"({THING}) (above|below) ({THING}) somewhere(?= ,| and|$)", "{1} somewhere {2} {3}"),
+    (f"(^|, )other (?={COLOR} (?:block|cube|one) (?:is|goes|{MUST})\\b)", "{1} the other "),
     # "the pink block it should sit on the purple one"
     (f"^(?:so |well |now )?(the (?:\\w+ )?(?:block|cube|one))(?: ,)? it (?={MUST}\\b|goes|sits|belongs)", "{1} "),
     ("^(can|could) you like (?=[a-z])", "{1} you"),

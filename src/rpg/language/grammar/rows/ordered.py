@@ -127,6 +127,8 @@ _PLACE = (
 )
 
 ORDERED_AT_ONCE: tuple[Turn, ...] = (
+    ("^(.*\\b(?:row|line)\\b[^:,]*?)(?: ,)? but not in (alphabetical|numerical|numeric|ascending|descending) order$",
+     "{1} . they must not be in {2} order"),
     # numbers and sizes
     *map(_from_the_smallest, _BOTH_ENDS),
     *_ONE_END,

@@ -57,6 +57,10 @@ def _listed() -> tuple[Turn, ...]:
             (f"^for (?:each|every one) of (?:the )?{told}(?: {PATCHES}| ones)?(?: ,)? (?:put|place|set) (?:the|an?) "
              f"{BLOCK} of {_OWN} color on it$", each),
             (f"^{told}(?: {BLOCK}s?)?(?: ,)? each (?:one )?on (?:the |a )?{PATCH} (?:of|with|in) {_OWN} color$", each),
+            # "three red cubes, three patches, red, white and blue: one cube on each"
+            (f"^({MANY} (?:{COLOR} )?(?:blocks|cubes))(?: ,| and) (?:{MANY} )?{PATCHES} (?:,|:|\\() {told}(?: \\))?(?: ,| :) "
+             f"(?:exactly )?one(?: {BLOCK}| of them)? (?:on|onto|per|for) (?:each|{PATCH})(?: one| {PATCH}| of them)?$",
+             f"there are {{1}} . put one of them on each of the {_shifted(named)} patches"),
             # "the red patch and the blue patch get one yellow block each"
             (f"^(?=[^:]*\\b(?:{PATCH}|{PATCHES})\\b.* each$){told}(?: {PATCHES})? {_GET} {_SO_MANY}{_ON_IT} each$",
              f"put {last} on each of the {named} patches"),
@@ -121,6 +125,8 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      f"not|nor) (?:not )?({THING})$", "only {1} must be {3} . {4} and {5} must not be {3}"),
     (f"^(?:the )?({COLOR} {PATCH}) gets ([^,]+?) , but (?:(?:it )?does not get|not) (the .+)$",
      "{2} must be on the {1} . {3} must not be on the {1}"),
+    (f"^neither (.+?) nor (.+?) (?:may|must|should|can) (?:be|lie|go|stand) ((?:on|in) {_HERE}) , only (the .+)$",
+     "{1} and {2} must not be {3} . {4} must be {3}"),
     # what each of them holds
     (f"^(?:on|onto) (?:each|every)(?: colored)?(?: goal)? ({PATCH})(?: ,)? (?:build|make|put|place|set up|set|stack) "
      f"{_TOWER_OF_IT} {_ITS_COLOR}", "stack the blocks of each color on the {1} of that color"),

@@ -312,7 +312,8 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
         and len(word) > 1
     ):
         return word not in _NOT_LITERAL and not any(word in table for table in _THINGS)
-    if _told_by_letters(tokens, index):
+    said = before == "say" and (two in _POINTED or two == "to" or lexicon.BLOCK.get(two) is True)
+    if _told_by_letters(tokens, index) or (said and tokens[index + 1 : index + 2] == [] and word not in _NOT_LITERAL):
         return True
     if word in known or len(word) < 2:
         return False

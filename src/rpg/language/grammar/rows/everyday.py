@@ -57,6 +57,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("(?: ,)? (?:leaving|with) (?:none|nothing|no block)(?: left)? over$", ""),
     (f"({THING}) (above|below) ({THING}) somewhere(?= ,| and|$)", "{1} somewhere {2} {3}"),
     (f"(^|, )other (?={COLOR} (?:block|cube|one) (?:is|goes|{MUST})\\b)", "{1} the other "),
+    ("\\b(piles|groups|stacks|towers|bunches) that are (?:separated|separate|apart)(?: from (?:each other|one another))?(?= |$)",
+     "separate {1}"),
     # "the pink block it should sit on the purple one"
     (f"^(?:so |well |now )?(the (?:\\w+ )?(?:block|cube|one))(?: ,)? it (?={MUST}\\b|goes|sits|belongs)", "{1} "),
     ("^(can|could) you like (?=[a-z])", "{1} you"),
@@ -159,6 +161,8 @@ EVERYDAY: tuple[Turn, ...] = (
     ("\\b(leave|keep) ([^,]+?) (?:lying|sitting|standing|resting) (?=(?:on|in|where)\\b)", "{1} {2} "),
     (f"^(.*\\b)let ({THING}) (?:be |stay )?(empty|free|clear)$", "{1} leave {2} {3}"),
     # without a stop in between
+    (f"^((?:there (?:is|are) )?{MANY} [^,:;]*?{_BLOCKS}) (?:just |please |simply |now )?((?:{_PUT}|bunch|group|pile|line|sort|"
+     "arrange) (?:them|these|those|all of them)\\b.*)$", "{1} , {2}"),
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
 )  # fmt: skip

@@ -128,6 +128,9 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     (f"^neither (.+?) nor (.+?) (?:may|must|should|can) (?:be|lie|go|stand) ((?:on|in) {_HERE}) , only (the .+)$",
      "{1} and {2} must not be {3} . {4} must be {3}"),
     # what each of them holds
+    (f"^for each of the colors ({COLOR}) and ({COLOR})(?: ,)? (stack|put|place) the ({MANY}) (blocks|cubes) of (?:the|that) color "
+     f"on the ({PATCH}) {_ITS_COLOR}$", "{3} {4} {1} and {4} {2} {5} on the {6s} of the same color"),
+    ("\\beach color of blocks?\\b", "each color"),
     (f"^(?:on|onto) (?:each|every)(?: colored)?(?: goal)? ({PATCH})(?: ,)? (?:build|make|put|place|set up|set|stack) "
      f"{_TOWER_OF_IT} {_ITS_COLOR}", "stack the blocks of each color on the {1} of that color"),
     (f"^(?:each|every)(?: colored)?(?: goal)? ({PATCH}) {_GET} {_TOWER_OF_IT} {_ITS_COLOR}(?: on it)?",

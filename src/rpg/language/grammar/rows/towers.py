@@ -48,6 +48,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^keep (?:piling|stacking|putting) ({COLOR} )?{_BLOCKS} (?:onto|on top of|on) (?:each other|one another) until (?:the "
      f"{TOWER}|it) is ({MANY})(?: {_BLOCKS})? (?:high|tall)$", "stack {2} {1} blocks"),
     (f"\\b({MANY}) (?:block|cube)s? (?:high|tall) ({COLOR} )?(?:column|pillar)\\b", "tower of {1} {2} blocks"),
+    # what stands there stacked
+    ("^([^,:]+?) , stacked(?: up)? , (?:all )?(?:standing|sitting|lying|resting|placed) (on [^,]+)$", "{1} , stacked , {2}"),
     # what is not on it
     (f"^((?!stack\\b).*\\b({TOWER})\\b[^:]*?)(?: ,)? (?:(?:and|with) )?nothing(?: else)?(?: (?:{_IS}|may be|lies))? on (?:the )?"
      f"top(?: of (?:it|that|the {TOWER}))?$", "{1} . nothing may be on top of the {2}"),

@@ -16,6 +16,10 @@ FREE = (
                    for whole in ("stack", "tower", "row", "line", "column", "pile", "group")))
       for free in ("does not matter", "is up to you", "is free", "is your choice", "is irrelevant", "is open")),
     *(f"{it}does not matter {which} order" for it in ("it ", "") for which in ("in which", "in what", "which", "what")),
+    *(f"{the}order of the {others} {free}"
+      for the in ("the ", "") for others in ("other two", "others", "rest", "other ones", "other three")
+      for free in ("open", "is open", "does not matter", "is up to you", "is free")),
+    "its direction does not matter", "any orientation", "in any orientation",
     "no particular order", "in no particular order", "whichever way", "whichever way you like",
     "any way you like", "however you like", "whichever direction", "in whichever direction",
     "direction does not matter", "the direction does not matter", "in no particular direction",

@@ -358,7 +358,8 @@ def _so_many(ahead: list[Token], digit: Token, ending: Token, listed: bool) -> l
         one = [replace(ending, word="a", raw="a"), digit]
         return [*one, *[replace(ending, kind="punct", word=","), *one] * (many - 1)]
     if count is None or listed:
-        return [*ahead, replace(ending, word=f"{digit.raw}s", raw=f"{digit.raw}s", span=(digit.span[0], ending.span[1]))]
+        whole = (digit.span[0], ending.span[1])
+        return [*ahead, replace(ending, word=f"{digit.raw}s", raw=f"{digit.raw}s", span=whole)]
     return [count, *(replace(ending, word=word) for word in ("blocks", "labelled")), digit]
 
 

@@ -64,7 +64,8 @@ _ON_ENDS = (f"(?:on top of {_ENDS} ends?(?: blocks?| cubes?)?{_OF_LINE}|on {_END
             "(?: one| block| cube)?)")  # fmt: skip
 """On top of the blocks at both ends; "on each end" alone may be farther along the line."""
 _OUTER = "the (?:two (?:blocks |cubes |ones )?at the ends|(?:two )?end (?:blocks|cubes|ones)|outer two|two outer ones)"
-_CARRY = (f"(?:{MUST} )?(?:each |both )?(?:have|having|with|carry|carrying|bear|bearing|hold|holding|get|topped (?:with|by)|"
+_CARRY = (f"(?:{MUST} )?(?:each |both )?(?:have|having|with|carry|carrying|bear|bearing|hold|holding|get|topped "
+ f"(?:with|by)|"
           "capped (?:with|by))(?: each)?")  # fmt: skip
 _TOP_ONE = f"(?:(?:an?|one|two) )?({COLOR})s?(?: blocks?| cubes?| ones?)?"
 _TO_ENDS = f"^((?!.*\\b(?:front|column|two rows)\\b).*?\\b{_ROW_OR_LINE}\\b.+?)(?: ,)?"
@@ -75,7 +76,8 @@ _PUT_IN = "(?:(?:build|make|form|put|lay|stack|place|arrange|line up) )?"
 
 
 def _between_ends() -> tuple[Turn, ...]:
-    """ "Red at the bottom, yellow, blue at the top": what stands bare between the two ends of a line is between them."""
+    """ "Red at the bottom, yellow, blue at the top": what stands bare between the two ends of a line is between "
+    "them."""
     rows: list[Turn] = []
     for line, ends in (("tower|stack", ("bottom", "top")), ("row|line", ("left", "right"))):
         for one, other in (ends, ends[::-1]):
@@ -88,7 +90,8 @@ def _between_ends() -> tuple[Turn, ...]:
             rows += [
                 (f"^{_PUT_IN}(?:an? |one )?(?:{line})(?: of| with| ,| :)? {told}",
                  f"{made} from {one} to {other} : {{1}} , {{2}} , {{3}}"),
-                (f"^(?:put |place |stack )?{told}", f"{'stack' if 'tower' in made else 'a row'} from {one} to {other} : "
+                (f"^(?:put |place |stack )?{told}", f"{'stack' if 'tower' in made else 'a row'} from {one} to {other} "
+                 f": "
                  "{1} , {2} , {3}"),
             ]  # fmt: skip
     return tuple(rows)
@@ -109,8 +112,10 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
     (f"\\bat its ({END}) end\\b", "at the {1} end"),
     # what lies on both of its ends
     (f"{_TO_ENDS} (?:with|and(?: then)? (?:put|place|set|lay)) {_TOP_ONE} {_ON_ENDS}$", _ON_BOTH),
-    (f"{_TO_ENDS} and(?: then)? stack {_TOP_ONE} on (?:top of )?{_ENDS} ends?(?: blocks?| cubes?)?{_OF_LINE}$", _ON_BOTH),
-    (f"{_TO_ENDS}(?: with| in which| where| ,)* {_OUTER} (?:of it )?{_CARRY} {_TOP_ONE}(?: each)?(?: on top(?: of (?:it|"
+    (f"{_TO_ENDS} and(?: then)? stack {_TOP_ONE} on (?:top of )?{_ENDS} ends?(?: blocks?| "
+     f"cubes?)?{_OF_LINE}$", _ON_BOTH),
+    (f"{_TO_ENDS}(?: with| in which| where| ,)* {_OUTER} (?:of it )?{_CARRY} {_TOP_ONE}(?: each)?(?: on top(?: of "
+     f"(?:it|"
      "them))?| on (?:it|them))?$", _ON_BOTH),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

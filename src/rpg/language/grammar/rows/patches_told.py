@@ -58,7 +58,8 @@ def _listed() -> tuple[Turn, ...]:
              f"{BLOCK} of {_OWN} color on it$", each),
             (f"^{told}(?: {BLOCK}s?)?(?: ,)? each (?:one )?on (?:the |a )?{PATCH} (?:of|with|in) {_OWN} color$", each),
             # "three red cubes, three patches, red, white and blue: one cube on each"
-            (f"^({MANY} (?:{COLOR} )?(?:blocks|cubes))(?: ,| and) (?:{MANY} )?{PATCHES} (?:,|:|\\() {told}(?: \\))?(?: ,| :) "
+            (f"^({MANY} (?:{COLOR} )?(?:blocks|cubes))(?: ,| and) (?:{MANY} )?{PATCHES} (?:,|:|\\() {told}(?: "
+             f"\\))?(?: ,| :) "
              f"(?:exactly )?one(?: {BLOCK}| of them)? (?:on|onto|per|for) (?:each|{PATCH})(?: one| {PATCH}| of them)?$",
              f"there are {{1}} . put one of them on each of the {_shifted(named)} patches"),
             # "the red patch and the blue patch get one yellow block each"
@@ -128,7 +129,8 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     (f"^neither (.+?) nor (.+?) (?:may|must|should|can) (?:be|lie|go|stand) ((?:on|in) {_HERE}) , only (the .+)$",
      "{1} and {2} must not be {3} . {4} must be {3}"),
     # what each of them holds
-    (f"^for each of the colors ({COLOR}) and ({COLOR})(?: ,)? (stack|put|place) the ({MANY}) (blocks|cubes) of (?:the|that) color "
+    (f"^for each of the colors ({COLOR}) and ({COLOR})(?: ,)? (stack|put|place) the ({MANY}) (blocks|cubes) of "
+     f"(?:the|that) color "
      f"on the ({PATCH}) {_ITS_COLOR}$", "{3} {4} {1} and {4} {2} {5} on the {6s} of the same color"),
     ("\\beach color of blocks?\\b", "each color"),
     (f"^(?:on|onto) (?:each|every)(?: colored)?(?: goal)? ({PATCH})(?: ,)? (?:build|make|put|place|set up|set|stack) "

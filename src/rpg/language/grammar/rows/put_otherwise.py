@@ -20,7 +20,8 @@ _LETTERS = "(?:letter (?:blocks|cubes)|blocks|cubes|letter tiles)"
 
 OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     # headings
-    (f"^(?:sort|group)(?: them| the blocks| the cubes)?(?: by color)?(?: (?:onto|to|on) (?:the )?(?:mats|patches|targets|zones))? : "
+    ("^(?:sort|group)(?: them| the blocks| the cubes)?(?: by color)?(?: (?:onto|to|on) (?:the "
+     ")?(?:mats|patches|targets|zones))? : "
      "(.+ on (?:the|an?) \\w+ (?:mat|patch|target|zone)\\b.*)$", "{1}"),
     # what there is
     ("^(?:from|with|using|out of) (the (?:letters|letter blocks|letter cubes) [^;:]+?) , (spell|write)(?: only| just)? "

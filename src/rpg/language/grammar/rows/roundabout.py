@@ -56,7 +56,8 @@ ROUNDABOUT_AT_ONCE: tuple[Turn, ...] = (
      "each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
     ("^(?:in (?:my|the|this|a) (?:tower|stack) )?there are (.+?) between (the .+?) at the bottom and (the .+?) at the "
      "top$", "a tower , from bottom to top : {2} , then {1} , then {3}"),
-    (f"\\ban? (\\w+) ({LINE}) of ((?:(?! and ).)+) and an? (\\w+) ({LINE}) (?:with|of) (?:just |exactly )?(?:as many(?: blocks| "
+    (f"\\ban? (\\w+) ({LINE}) of ((?:(?! and ).)+) and an? (\\w+) ({LINE}) (?:with|of) (?:just |exactly )?(?:as "
+     f"many(?: blocks| "
      "cubes)?(?: as .+)?|the same (?:height|length|number of blocks))$", "a {1} {2} of {3} and a {4} {5} of {3}"),
     (f"\\ba (tower|stack) of ({FEW}) (\\w+) (blocks|cubes) and an equally (?:tall|high) (?:tower|stack) of (\\w+) "
      "(?:blocks|cubes)$", "a {1} of {2} {3} {4} and a {1} of {2} {5} {4}"),

@@ -72,7 +72,8 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
      f"digit )?({LABEL})(?= ,| and| {MUST}| is|$)", "the {1} block"),
     ("^(?:the )?(?:first|second|third|another|one|next|other|a) (group|pile|bunch|cluster) : ([^:]+)$", "a {1} of {2}"),
     # "to the right of B, not to the left"
-    (f"^(.+ (?:{ASIDE}) ({_KNOWN}))(?: ,)? {_NOT} ((?:(?:to|on) the )?(?:left|right)|in front)$", "{1} , not {3} of {2}"),
+    (f"^(.+ (?:{ASIDE}) ({_KNOWN}))(?: ,)? {_NOT} ((?:(?:to|on) the )?(?:left|right)|in front)$",
+     "{1} , not {3} of {2}"),
     # "like this: A B C in the back row, ..."
     (f"^(?:{PUT}|arrange|lay|order) (?:them|it|everything|(?:all )?(?:the |these )?(?:blocks|cubes|letters|"
      "numbers))(?: out)? (?:like this|as follows|this way)(?: [:,])? (?=.+ (?:row|column|left|right|middle|top|"

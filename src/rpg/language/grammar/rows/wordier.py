@@ -70,7 +70,8 @@ WORDIER_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(in front of [^,]+?){_THAT_IS} (?:nearer|closer) to {ME}$", "{1}"),
     (f"\\b(behind [^,]+?){_THAT_IS} (?:(?:farther|further)(?: away)? from {ME}|(?:farther|further) away)$", "{1}"),
     # what is where
-    ("(?:\\bdirectly )?\\b(behind|in front of) ([^,]+?)(?: please)?(?: , (?:directly|straight|exactly)(?: \\1(?: (?:it|that "
+    ("(?:\\bdirectly )?\\b(behind|in front of) ([^,]+?)(?: please)?(?: , (?:directly|straight|exactly)(?: \\1(?: "
+     "(?:it|that "
      "one))?)?)?(?: ,| and)* not off to (?:one|the|a|either) side$", "directly {1} {2}"),
     (f"^({WAY})(?: ,)? (?:we|you|i) (?:have|see|find|get) ", "{1} there are"),
     ("\\b(left|right) hand (end|edge|position|place|one|block|half)\\b", "{1} {2}"),

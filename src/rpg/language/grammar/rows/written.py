@@ -93,7 +93,8 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     (f"^(distractors? [:,] .+?) , (?:which|that) {MUST} not (?:be part of|join) (?:the|that) word$", "{1}"),
     (f"\\b({MUST}) not join (?=(?:the|that) word\\b)", "{1} not be part of "),
     ("\\bmust stay out of (?=(?:the|that) word\\b)", "must not be part of "),
-    (f"^all (?:of )?(?:the )?letters {MUST} be ({COLOR}) when (?:you|we|i) ((?:spell|write) .+)$", "{2} , all letters {1}"),
+    (f"^all (?:of )?(?:the )?letters {MUST} be ({COLOR}) when (?:you|we|i) ((?:spell|write) .+)$",
+     "{2} , all letters {1}"),
     (f"\\ball (?:the )?(?:cubes|letters|blocks)(?: of the word| in the word)? have (?:the |a )?({COLOR}) color\\b",
      "all letters {1}"),
     # equations

@@ -353,7 +353,7 @@ _DIGITS = frozenset("0123456789")
 def _so_many(ahead: list[Token], digit: Token, ending: Token, listed: bool) -> list[Token]:
     """ "Two 3s": two blocks labelled 3; in a list, where that would hold of what follows as well, a 3 and a 3."""
     count = ahead[0] if ahead and _counts(ahead[0]) else None
-    many = int(count.value or lexicon.NUMBER.get(count.word, 0)) if count else 0
+    many = lexicon.NUMBER.get(count.word, int(count.word) if count.word.isdigit() else 0) if count else 0
     if listed and many > 1:
         one = [replace(ending, word="a", raw="a"), digit]
         return [*one, *[replace(ending, kind="punct", word=","), *one] * (many - 1)]

@@ -50,12 +50,10 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
       for told, bound in (("(?:max|maximum|tops|at (?:the )?most)", "at most"),
                           ("(?:min|minimum|at (?:the )?least)", "at least"))),
     (f"^(.*\\b(?:row|line|tower|stack|column|grid|square|rectangle|wall|pyramid|circle|ring|cube)\\b.*?) , only "
-     f"({COLOR})(?: "
-     "ones| blocks| cubes)?$", "{1} , all {2}"),
+     f"({COLOR})(?: ones| blocks| cubes)?$", "{1} , all {2}"),
     ("\\bfilled in with\\b", "filled with"),
     ("^(.*(?: by |\\dx\\d|\\bgrid\\b|\\brows of\\b).*?)(?: ,)? (?:in |as )?(?:an? |one |just one |only one "
-     ")?(?:single )?layer"
-     "(?: only| high)?$", "{1}"),
+     ")?(?:single )?layer(?: only| high)?$", "{1}"),
     ("(?: ,)? (?:leaving|with) (?:none|nothing|no block)(?: left)? over$", ""),
     (f"({THING}) (above|below) ({THING}) somewhere(?= ,| and|$)", "{1} somewhere {2} {3}"),
     (f"(^|, )other (?={COLOR} (?:block|cube|one) (?:is|goes|{MUST})\\b)", "{1} the other "),
@@ -67,8 +65,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("^(can|could) you like (?=[a-z])", "{1} you"),
     # which of them it is
     (f"^(?:(put|make|set|place|have) )?(the two (?:blocks|cubes)) ([^,]+?) , the ({COLOR})(?: one)? and (?:the "
-     f")?({COLOR})(?: "
-     "one| block| cube)?$", "{1} the {4} and the {5} block {3}"),
+     f")?({COLOR})(?: one| block| cube)?$", "{1} the {4} and the {5} block {3}"),
     (f"^((?:{_PUT}|get|bring|can you {_PUT}|could you {_PUT}) [^,]+? and [^,]+) , both(?: of them)?$", "{1}"),
     (f"\\b(?:right |directly |immediately )next to ({THING}) on \\1 's (left|right)(?: side)?",
      "immediately to the {2} of {1}"),
@@ -87,8 +84,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      f"these))?(?: ,)? (?={MUST}|is|goes|belongs|on|in)", "exactly one of {1} "),
     # what is wanted
     (f"^((?:an?|one|{MANY}) (?:\\w+ )?(?:row|line|tower|stack|column|circle|square|pyramid|staircase|wall)s? of "
-     f"[^,]+?) (?:is|"
-     "are) (?:needed|wanted|required|desired|called for)$", "{1}"),
+     f"[^,]+?) (?:is|are) (?:needed|wanted|required|desired|called for)$", "{1}"),
     ("^any one of (.+?) ((?:on|in|behind|next to|left of|right of) .+?) (?:will do|is fine|is ok|is okay|is enough)$",
      "put one of {1} {2}"),
     (f"^(?:i|we) (?:need|want|would like)(?: to (?:see|have))? ((?:an?|{MANY}) [^,]+?) (?:that|which) "
@@ -172,8 +168,7 @@ EVERYDAY: tuple[Turn, ...] = (
     (f"^(.*\\b)let ({THING}) (?:be |stay )?(empty|free|clear)$", "{1} leave {2} {3}"),
     # without a stop in between
     (f"^((?:there (?:is|are) )?{MANY} [^,:;]*?{_BLOCKS}) (?:just |please |simply |now "
-     f")?((?:{_PUT}|bunch|group|pile|line|sort|"
-     "arrange) (?:them|these|those|all of them)\\b.*)$", "{1} , {2}"),
+     f")?((?:{_PUT}|bunch|group|pile|line|sort|arrange) (?:them|these|those|all of them)\\b.*)$", "{1} , {2}"),
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
 )  # fmt: skip

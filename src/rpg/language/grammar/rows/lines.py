@@ -65,8 +65,7 @@ _ON_ENDS = (f"(?:on top of {_ENDS} ends?(?: blocks?| cubes?)?{_OF_LINE}|on {_END
 """On top of the blocks at both ends; "on each end" alone may be farther along the line."""
 _OUTER = "the (?:two (?:blocks |cubes |ones )?at the ends|(?:two )?end (?:blocks|cubes|ones)|outer two|two outer ones)"
 _CARRY = (f"(?:{MUST} )?(?:each |both )?(?:have|having|with|carry|carrying|bear|bearing|hold|holding|get|topped "
- f"(?:with|by)|"
-          "capped (?:with|by))(?: each)?")  # fmt: skip
+ f"(?:with|by)|capped (?:with|by))(?: each)?")  # fmt: skip
 _TOP_ONE = f"(?:(?:an?|one|two) )?({COLOR})s?(?: blocks?| cubes?| ones?)?"
 _TO_ENDS = f"^((?!.*\\b(?:front|column|two rows)\\b).*?\\b{_ROW_OR_LINE}\\b.+?)(?: ,)?"
 _ON_BOTH = "{1} with a {2} block on the leftmost one and another {2} block on the rightmost one"
@@ -115,8 +114,7 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
     (f"{_TO_ENDS} and(?: then)? stack {_TOP_ONE} on (?:top of )?{_ENDS} ends?(?: blocks?| "
      f"cubes?)?{_OF_LINE}$", _ON_BOTH),
     (f"{_TO_ENDS}(?: with| in which| where| ,)* {_OUTER} (?:of it )?{_CARRY} {_TOP_ONE}(?: each)?(?: on top(?: of "
-     f"(?:it|"
-     "them))?| on (?:it|them))?$", _ON_BOTH),
+     f"(?:it|them))?| on (?:it|them))?$", _ON_BOTH),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 RAINBOWS_AT_ONCE: tuple[Turn, ...] = (

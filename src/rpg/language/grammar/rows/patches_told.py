@@ -130,8 +130,7 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      "{1} and {2} must not be {3} . {4} must be {3}"),
     # what each of them holds
     (f"^for each of the colors ({COLOR}) and ({COLOR})(?: ,)? (stack|put|place) the ({MANY}) (blocks|cubes) of "
-     f"(?:the|that) color "
-     f"on the ({PATCH}) {_ITS_COLOR}$", "{3} {4} {1} and {4} {2} {5} on the {6s} of the same color"),
+     f"(?:the|that) color on the ({PATCH}) {_ITS_COLOR}$", "{3} {4} {1} and {4} {2} {5} on the {6s} of the same color"),
     ("\\beach color of blocks?\\b", "each color"),
     (f"^(?:on|onto) (?:each|every)(?: colored)?(?: goal)? ({PATCH})(?: ,)? (?:build|make|put|place|set up|set|stack) "
      f"{_TOWER_OF_IT} {_ITS_COLOR}", "stack the blocks of each color on the {1} of that color"),

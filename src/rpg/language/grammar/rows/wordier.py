@@ -71,8 +71,7 @@ WORDIER_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(behind [^,]+?){_THAT_IS} (?:(?:farther|further)(?: away)? from {ME}|(?:farther|further) away)$", "{1}"),
     # what is where
     ("(?:\\bdirectly )?\\b(behind|in front of) ([^,]+?)(?: please)?(?: , (?:directly|straight|exactly)(?: \\1(?: "
-     "(?:it|that "
-     "one))?)?)?(?: ,| and)* not off to (?:one|the|a|either) side$", "directly {1} {2}"),
+     "(?:it|that one))?)?)?(?: ,| and)* not off to (?:one|the|a|either) side$", "directly {1} {2}"),
     (f"^({WAY})(?: ,)? (?:we|you|i) (?:have|see|find|get) ", "{1} there are"),
     ("\\b(left|right) hand (end|edge|position|place|one|block|half)\\b", "{1} {2}"),
     ("\\b(half|corner|middle|center|edge) of the table\\b(.+?)\\b(half|corner|middle|center|edge) of it$",

@@ -52,8 +52,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*\\b(?:row|line|tower|stack|column|grid|square|rectangle|wall|pyramid|circle|ring|cube)\\b.*?) , only "
      f"({COLOR})(?: ones| blocks| cubes)?$", "{1} , all {2}"),
     ("\\bfilled in with\\b", "filled with"),
-    ("^(.*(?: by |\\dx\\d|\\bgrid\\b|\\brows of\\b).*?)(?: ,)? (?:in |as )?(?:(?:an? )?single|(?:just |only )?one) layer"
-     "(?: only| high)?$", "{1}"),
+    ("^(.*(?: by |\\dx\\d|\\bgrid\\b|\\brows of\\b).*?)(?: ,)? (?:in |as )?(?:(?:an? )?single|(?:just |only )?one) "
+     "layer(?: only| high)?$", "{1}"),
     ("(?: ,)? (?:leaving|with) (?:none|nothing|no block)(?: left)? over$", ""),
     (f"({THING}) (above|below) ({THING}) somewhere(?= ,| and|$)", "{1} somewhere {2} {3}"),
     (f"(^|, )other (?={COLOR} (?:block|cube|one) (?:is|goes|{MUST})\\b)", "{1} the other "),

@@ -117,9 +117,9 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
      "center)(?: of (?:them|the two|those|these))?)(?= ,|$)", "sandwiched between them"),
     (f"^(?:in (?:the|an?) {TOWER} , )?(the .+?) (?:is|{MUST} be) sandwiched between (the .+?) below(?: it)? and (the "
      f".+?) above(?: it)?$", "{1} must be on {2} and {3} must be on {1}"),
-    (f"^(?:stack|pile up) ({_THING[1:-1]}) , (?:and )?then ({_THING[1:-1]})(?: ,)? (?:and )?then (another {COLOR} (?:block|cube|"
-     "one))(?: on (?:the )?top)?$", "stack {1} , {2} and {3}"),
-    (f"\\b({TOWER} (?:where|in which) .+?) , (?:and )?({_THING[1:-1]}) is (at the top|on top)$", "{1} and {2} {3}"),
+    (f"^(?:stack|pile up) {_THING} , (?:and )?then {_THING}(?: ,)? (?:and )?then (another {COLOR} "
+     f"(?:block|cube|one))(?: on (?:the )?top)?$", "stack {1} , {2} and {3}"),
+    (f"\\b({TOWER} (?:where|in which) .+?) , (?:and )?{_THING} is (at the top|on top)$", "{1} and {2} {3}"),
     (f"^(?:please )?layer (?:me |us )?(?=an? {TOWER}\\b)", "build "),
     (f"^(?:please )?layer (?=(?:them|these|those|all|the|an?) |{COLOR}\\b|{MANY} {COLOR}\\b)", "stack "),
     (f"(^(?:stack|pile)\\b[^:]*|\\b{TOWER}) in layers(?= ,| :|$)", "{1}"),

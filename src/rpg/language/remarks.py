@@ -130,7 +130,7 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         last = laughed
     for at in range(first + 2, last - 1):
         long = last > at + 3 or tokens[at + 1].word in _KIND
-        excepted = tokens[at].word == "but" and _PLACED.issuperset(token.word for token in tokens[at + 1 : last])
+        excepted = _PLACED.issuperset(token.word for token in tokens[at + 1 : last])
         if tokens[at].word in ("and", "but") and long and not excepted and idle_at_an_end(tokens[at + 1 : last]):
             yield at, last
             last = at
@@ -148,7 +148,7 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
 
 _PLACED = frozenset({"the", "for", "one", "ones", "first", "second", "third", "fourth", "fifth", "last", "next", "two",
                      "three", "only", "single", "very"})  # fmt: skip
-"""What is left out of all others: "all red but the last one"."""
+"""What is left out of all others, or told besides another: "all red but the last one", "the first and the last one"."""
 _OF_A_TIME = frozenset({"goal", "end", "result", "target", "start", "task", "outcome", "scene", "finish", "finally"})
 
 

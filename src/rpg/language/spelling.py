@@ -226,7 +226,7 @@ def _likeliest(word: str, close: list[str]) -> list[str]:
 def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagnostic]]:
     """The tokens with misspellings mended and words to be spelt marked; assumptions; unknown words."""
     known = vocabulary()
-    tokens = as_anyone(tokens, known)
+    tokens = _letter_by_letter(as_anyone(tokens, known))
     shouting = (
         sum(t.raw.isupper() and len(t.raw) > 1 for t in tokens) * 2 > len([t for t in tokens if t.kind == "word"])
         and len(tokens) > 3
@@ -254,6 +254,28 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
             wrong.append(unknown(token))
             out.append(token)
     return out, notes, wrong
+
+
+def _letter_by_letter(tokens: list[Token]) -> list[Token]:
+    """ "Spell c-a-t": one word, told by its letters."""
+    out: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        end = at
+        while [t.raw for t in tokens[end + 1 : end + 2]] == ["-"] and all(
+            len(t.raw) == 1 for t in tokens[end : end + 3 : 2]
+        ):
+            end += 2
+        word = "".join(t.raw for t in tokens[at : end + 1 : 2])
+        if end > at + 2 and word.isalpha() and out and out[-1].word in _SPELLERS | _WRITERS | _WORD_LEADS | {"out"}:
+            out.append(
+                replace(tokens[at], word=word.lower(), raw=word.upper(), span=(tokens[at].span[0], tokens[end].span[1]))
+            )
+            at = end + 1
+        else:
+            out.append(tokens[at])
+            at += 1
+    return out
 
 
 def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
@@ -290,7 +312,8 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
         and len(word) > 1
     ):
         return word not in _NOT_LITERAL and not any(word in table for table in _THINGS)
-    if _told_by_letters(tokens, index):
+    said = before == "say" and (two in _POINTED or two == "to" or lexicon.BLOCK.get(two) is True)
+    if _told_by_letters(tokens, index) or (said and tokens[index + 1 : index + 2] == [] and word not in _NOT_LITERAL):
         return True
     if word in known or len(word) < 2:
         return False

@@ -289,6 +289,8 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         elif before and _counts(before) and len(token.raw) == 2 and token.raw[0].isupper() and token.raw[1] == "s":
             letter = Token("word", token.word[0], token.raw[0], (token.span[0], token.span[0] + 1))
             out += [letter, replace(token, word="blocks", span=(token.span[0] + 1, token.span[1]))]
+        elif before and adjoining and token.raw == "s" and before.raw in _DIGITS:
+            out[-2:] = _so_many(out[-2:-1], before, token, listed=after is not None and after.word in _LISTING)
         elif before and _letter(token) and before.raw.lower() == "one" and (len(out) < 2 or out[-2].word in _LEADING):
             out[-1:] = [replace(before, word="a"), token]
         elif before and adjoining and before.kind == "number" and token.word in _ORDINAL_TAIL:
@@ -347,6 +349,22 @@ def _times(before: Token | None, token: Token, after: Token | None) -> bool:
     """ "red ×3": so many of these, where a sign of multiplication stands between numbers or in a list of symbols."""
     told = before is not None and before.kind == "word" and len(before.raw) > 1 and before.word not in _LISTING
     return told and after is not None and after.kind == "number" and after.span[0] == token.span[1]
+
+
+_DIGITS = frozenset("0123456789")
+
+
+def _so_many(ahead: list[Token], digit: Token, ending: Token, listed: bool) -> list[Token]:
+    """ "Two 3s": two blocks labelled 3; in a list, where that would hold of what follows as well, a 3 and a 3."""
+    count = ahead[0] if ahead and _counts(ahead[0]) else None
+    many = lexicon.NUMBER.get(count.word, int(count.word) if count.word.isdigit() else 0) if count else 0
+    if listed and many > 1:
+        one = [replace(ending, word="a", raw="a"), digit]
+        return [*one, *[replace(ending, kind="punct", word=","), *one] * (many - 1)]
+    if count is None or listed:
+        whole = (digit.span[0], ending.span[1])
+        return [*ahead, replace(ending, word=f"{digit.raw}s", raw=f"{digit.raw}s", span=whole)]
+    return [count, *(replace(ending, word=word) for word in ("blocks", "labelled")), digit]
 
 
 def _counts(token: Token) -> bool:

@@ -18,7 +18,8 @@ _WANTED = ("i want", "we want", "i would like", "you should put", "you put", "to
            "i want to see", "there is", "there should be", "i want to have")  # fmt: skip
 _GOES = ("goes", "should go", "should be", "must be", "must go", "belongs", "is", "has to be", "has to go", "to be",
          "stands", "lies", "comes", "should stand", "ends up", "should end up", "go", "belong", "are", "is to be",
-         "is supposed to be", "is supposed to go", "to go", "sits", "lands", "should lie")  # fmt: skip
+         "is supposed to be", "is supposed to go", "to go", "sits", "lands", "should lie", "must end up",
+         "is to end up", "sitting", "standing", "lying", "to sit", "to stand", "to lie", "to end up")  # fmt: skip
 _TOLD = frozenset({"where"})
 
 

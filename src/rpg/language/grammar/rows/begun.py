@@ -88,6 +88,11 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
     # two of whom each begins somewhere and goes elsewhere
     (f"^({_ONE_OF_TWO})(?: ,)?(?: and| while| whereas| but|(?<= ,)) ({_ONE_OF_TWO})$", "{1} . {2}"),
     # how it is, and what becomes of it, in one sentence
+    (f"^([^,:]+?) , (stacked|scattered|in an? (?:heap|pile|row|tower)) {TIME} , (?=(?:are|is) to be\\b|{MUST}\\b)",
+     "{1} that are {2} at the start "),
+    (f" , which (?:{MUST} )?{TIME} (?:be |are |lie )?(?:lying |all )*(in an? (?:heap|pile|row|tower))$",
+     " , which are {1} at the start"),
+    ("^from (an? (?:settled )?(?:heap|pile) of [^,:]+?(?: , [^,:]+ and [^,:]+)?) , sort (by \\w+)$", "sort {1} , {2}"),
     (f"^{_FACT} [,:] ((?:please )?(?:first )?{COMMAND} {_THEM}\\b.+)$", "{1} . {2}"),
     (f"^(?!there (?:is|are) ,){_FACT} [,:] (?:and |but )?({END})(?: ,)? ({_THEM}\\b.+)$", "{1} . {2} , {3}"),
     (f"^(?!there (?:is|are) ){_FACT} [,:] (?:and |but )?((?:it|they|both|the two|each|all"

@@ -38,6 +38,7 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
      "also| as well)? (do not|does not|are not|is not|are|is) ", "{1} {2} "),
     (f"^(.+?)(?: ,)? with ((?:{_MANY} \\w+(?: and | , ))?{_MANY} (?:\\w+ )?distractors?(?: {BLOCK}s?)?)(?: lying| "
      "standing)?(?: around| present| there| nearby)? on the table$", "{1} . there are {2}"),
+    (f"^({_LIE}{_LOTS}) you (should|must|can|may) (?=ignore\\b)", "{1} which you {2} "),
     # when it is so
     (f"^(?:after|following|at the end of|by the end of) (?:the|an|each|every) {_RUN}(?: ,)? (?=\\w)", "at the end ,"),
     # which of two

@@ -61,6 +61,49 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     *((f"\\b({MANY}) ((?:{COLOR} )?{_BLOCK}) {told}(?= (?:on|in|onto|into) |$| ,)", f"{bound} {{1}} {{2}}")
       for told, bound in (("(?:max|maximum|tops|at (?:the )?most)", "at most"),
                           ("(?:min|minimum|at (?:the )?least)", "at least"))),
+    (f"^(.*\\b(?:row|line|tower|stack|column|grid|square|rectangle|wall|pyramid|circle|ring|cube)\\b.*?) , only "
+     f"({COLOR})(?: ones| blocks| cubes)?$", "{1} , all {2}"),
+    ("\\bfilled in with\\b", "filled with"),
+    ("^(.*(?: by |\\dx\\d|\\bgrid\\b|\\brows of\\b).*?)(?: ,)? (?:in |as )?(?:(?:an? )?single|(?:just |only )?one) "
+     "layer(?: only| high)?$", "{1}"),
+    ("(?: ,)? (?:leaving|with) (?:none|nothing|no block)(?: left)? over$", ""),
+    (f"({THING}) (above|below) ({THING}) somewhere(?= ,| and|$)", "{1} somewhere {2} {3}"),
+    (f"(^|, )other (?={COLOR} (?:block|cube|one) (?:is|goes|{MUST})\\b)", "{1} the other "),
+    ("\\b(piles|groups|stacks|towers|bunches) that are (?:separated|separate|apart)(?: from (?:each other|one "
+     "another))?(?= |$)",
+     "separate {1}"),
+    # "the pink block it should sit on the purple one"
+    (f"^(?:so |well |now )?(the (?:\\w+ )?(?:block|cube|one))(?: ,)? it (?={MUST}\\b|goes|sits|belongs)", "{1} "),
+    ("^(can|could) you like (?=[a-z])", "{1} you"),
+    # which of them it is
+    (f"^(?:(put|make|set|place|have) )?(the two (?:blocks|cubes)) ([^,]+?) , the ({COLOR})(?: one)? and (?:the "
+     f")?({COLOR})(?: one| block| cube)?$", "{1} the {4} and the {5} block {3}"),
+    (f"^((?:{_PUT}|get|bring|can you {_PUT}|could you {_PUT}) [^,]+? and [^,]+) , both(?: of them)?$", "{1}"),
+    (f"\\b(?:right |directly |immediately )next to ({THING}) on \\1 's (left|right)(?: side)?",
+     "immediately to the {2} of {1}"),
+    ("^([^,]+?) , both (?:of them )?(?:are |being )?(?:cubes|blocks)$", "{1}"),
+    (f"^(?:(?:could|can) we )?(?:get |have |put |place |set )?(?:the )?two ({COLOR}) (blocks|cubes|ones) side by "
+     f"side(?: ,)? (?:with|and) "
+     "(.+? on (?:top of )?the (?:left|right) one)$", "put two {1} blocks side by side and {3}"),
+    ("\\b((?:gap|distance|space)(?: of [^,]+?)?) between the (?:two )?(?:towers|stacks|rows|groups|piles)$",
+     "{1} between them"),
+    ("\\bthe (left|right|upper|lower|top|bottom|front|back)(?: - hand| hand)? one of (?:them|these|the two|those)(?= "
+     "|$)",
+     "the {1} one"),
+    (f"^((?:exactly |only |just |at least |at most )?one of )(?:the )?two (?:blocks|cubes|letters|digits)(?: ,| :) "
+     f"(?:either )?({THING}) (?:and|or) ({THING})(?: ,)? (?={MUST}|is|goes|belongs|on|in)", "{1} {2} and {3} "),
+    (f"^(?:exactly |only |just )?one of ((?:the )?(?:two )?[^,]+?)(?: ,)? (?:but|and) not (?:both|all)(?: of (?:them|"
+     f"these))?(?: ,)? (?={MUST}|is|goes|belongs|on|in)", "exactly one of {1} "),
+    # what is wanted
+    (f"^((?:an?|one|{MANY}) (?:\\w+ )?(?:row|line|tower|stack|column|circle|square|pyramid|staircase|wall)s? of "
+     f"[^,]+?) (?:is|are) (?:needed|wanted|required|desired|called for)$", "{1}"),
+    ("^any one of (.+?) ((?:on|in|behind|next to|left of|right of) .+?) (?:will do|is fine|is ok|is okay|is enough)$",
+     "put one of {1} {2}"),
+    (f"^(?:i|we) (?:need|want|would like)(?: to (?:see|have))? ((?:an?|{MANY}) [^,]+?) (?:that|which) "
+     f"(?!.*\\b(?:start|now|"
+     f"first|initially|beginning)\\b)(?:(?:are|is) )?({PLACE} [^,]+|touch each other|touching each other)$",
+     "{1} must be {2}"),
+    (f"^((?:an?|{MANY}) [^,]+?) (?:that|which) (touch each other)$", "{1} must {2}"),
     # nobody is no block
     ("\\bnobody (?=(?:is|sits|stands|lies|touches|(?:may|must|shall|should|can) (?:be|sit|stand|lie|go))\\b)",
      "no block "),
@@ -250,6 +293,8 @@ EVERYDAY: tuple[Turn, ...] = (
     ("\\b(leave|keep) ([^,]+?) (?:lying|sitting|standing|resting) (?=(?:on|in|where)\\b)", "{1} {2} "),
     (f"^(.*\\b)let ({THING}) (?:be |stay )?(empty|free|clear)$", "{1} leave {2} {3}"),
     # without a stop in between
+    (f"^((?:there (?:is|are) )?{MANY} [^,:;]*?{_BLOCKS}) (?:just |please |simply |now "
+     f")?((?:{_PUT}|bunch|group|pile|line|sort|arrange) (?:them|these|those|all of them)\\b.*)$", "{1} , {2}"),
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
     # what it is about

@@ -19,6 +19,8 @@ FACED_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:give|let) {_X} (?:(?:make|do) )?an? {_HALF}{_SEEN}$", "turn {1} by 180 degrees"),
     (f"^(turn|rotate) {_X} {_WAY} (?:by )?an? {_QUARTER}{_SEEN}$", "{1} {2} by 90 degrees {3}"),
     (f"^(turn|rotate) {_X} (?:by )?an? {_HALF}{_SEEN}$", "{1} {2} by 180 degrees"),
+    (f"^give ([^,]+?) an? (\\d+)(?: -)? degrees? (?:{_WAY} )?(?:turn|twist|rotation|spin)(?: {_WAY})?{_SEEN}$",
+     "turn {1} by {2} degrees {3} {4}"),
     (f"^(?:make|do|let) an? {_QUARTER} {_WAY} with {_X}{_SEEN}$", "turn {2} by 90 degrees {1}"),
     (f"^(turn|rotate) {_X} an? {_QUARTER} {_WAY}{_SEEN}$", "{1} {2} by 90 degrees {3}"),
     (f"^the {_TOP}(?: face)? of {_X} ({MUST} be|is) (upside down|upright|readable)$", "{1} {2} {3}"),

@@ -62,6 +62,10 @@ FIGURES: tuple[Turn, ...] = (
      "and {4}"),
     (f"\\b(?:as|in|into) an? (?:tray|sheet|board|carpet|panel|slab|array)(?: ,| of)* (?={MANY} rows?\\b|\\d+x\\d+)",
      "as a grid ,"),
+    # "4 columns 2 rows, all black"
+    *((f"^({MANY}) ({COLOR}) {one}(?: ,| and| by)* ({MANY}) \\2 {other}(?=$| ,)",
+       f"a grid of {{2}} blocks with {{1}} {one} and {{3}} {other}")
+      for one, other in (("columns", "rows"), ("rows", "columns"))),
     # rings around something
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged "
      f")?(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),

@@ -3,6 +3,7 @@ blocks."""
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.said_short import LABEL
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, END, FEW, MUST, WAY
 
@@ -57,6 +58,44 @@ _IN_THE_MIDDLE = f"({COLOR})(?: one| block| cube)? (?:in|at) the (?:middle|cente
 _ITS = "(?:colors|color sequence|sequence of colors|color order|order|order of colors|color pattern|pattern)"
 
 _BLOCK = f"(?:the )?({COLOR}|\\w)(?: block| cube| one)?"
+_ENDS = "(?:(?:each|both|either)(?: (?:one )?of (?:its|the|both|the two|its two))?|the two|its two|both the)(?: two)?"
+_OF_LINE = "(?: of (?:it|the row|the line))?"
+_ON_ENDS = (f"(?:on top of {_ENDS} ends?(?: blocks?| cubes?)?{_OF_LINE}|on {_ENDS} end (?:blocks?|cubes?){_OF_LINE}"
+            f"|on (?:top of )?the (?:first|leftmost)(?: one| block| cube)? and (?:on )?(?:the )?(?:last|rightmost)"
+            "(?: one| block| cube)?)")  # fmt: skip
+"""On top of the blocks at both ends; "on each end" alone may be farther along the line."""
+_OUTER = "the (?:two (?:blocks |cubes |ones )?at the ends|(?:two )?end (?:blocks|cubes|ones)|outer two|two outer ones)"
+_CARRY = (f"(?:{MUST} )?(?:each |both )?(?:have|having|with|carry|carrying|bear|bearing|hold|holding|get|topped "
+ f"(?:with|by)|capped (?:with|by))(?: each)?")  # fmt: skip
+_TOP_ONE = f"(?:(?:an?|one|two) )?({COLOR})s?(?: blocks?| cubes?| ones?)?"
+_TO_ENDS = f"^((?!.*\\b(?:front|column|two rows)\\b).*?\\b{_ROW_OR_LINE}\\b.+?)(?: ,)?"
+_ON_BOTH = "{1} with a {2} block on the leftmost one and another {2} block on the rightmost one"
+
+_ITEM = f"(?:(?:an? |the )?{COLOR}(?: block| cube| one)?|{LABEL})"
+_PUT_IN = "(?:(?:build|make|form|put|lay|stack|place|arrange|line up) )?"
+
+
+def _between_ends() -> tuple[Turn, ...]:
+    """ "Red at the bottom, yellow, blue at the top": what stands bare between the two ends of a line is between "
+    "them."""
+    rows: list[Turn] = []
+    for line, ends in (("tower|stack", ("bottom", "top")), ("row|line", ("left", "right"))):
+        for one, other in (ends, ends[::-1]):
+            at, there = (
+                f"(?:(?:at|on) (?:the )?(?:very |far )?{end}(?: end)?|\\( {end} \\)|{end}most)" for end in (one, other)
+            )
+            told = (f"({_ITEM}) {at} , (?:then )?({_ITEM}(?: , (?:then )?{_ITEM})*) ,(?: and)?(?: then)? ({_ITEM}) "
+                    f"{there}(?= ,|$)")  # fmt: skip
+            made = "a tower" if one in ("bottom", "top") else "a row"
+            rows += [
+                (f"^{_PUT_IN}(?:an? |one )?(?:{line})(?: of| with| ,| :)? {told}",
+                 f"{made} from {one} to {other} : {{1}} , {{2}} , {{3}}"),
+                (f"^(?:put |place |stack )?{told}", f"{'stack' if 'tower' in made else 'a row'} from {one} to {other} "
+                 f": "
+                 "{1} , {2} , {3}"),
+            ]  # fmt: skip
+    return tuple(rows)
+
 
 LINED_AT_ONCE: tuple[Turn, ...] = (
     # so many places away
@@ -66,6 +105,7 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
        f"{{1}} {{5}} with exactly {between} between the {{2}} and the {{4}} block , the {{2}} block is {{3}} of the "
        f"{{4}} block")
       for n, between in (("two|2", "one block"), ("three|3", "two blocks"))),
+    *_between_ends(),
     # what there is, ahead of what is done with it
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)? : ({_DO} {_THEM} .+)$",
      "there are {1} blocks . {2}"),
@@ -77,6 +117,12 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:the|an?) ({_ROW_OR_LINE} of [^:]+?) (?:has|{MUST} have) ([^:]*) at its ({END}) end(.* at its \\w+ end)?$",
      "a {1} with {2} at the {3} end {4}"),
     (f"\\bat its ({END}) end\\b", "at the {1} end"),
+    # what lies on both of its ends
+    (f"{_TO_ENDS} (?:with|and(?: then)? (?:put|place|set|lay)) {_TOP_ONE} {_ON_ENDS}$", _ON_BOTH),
+    (f"{_TO_ENDS} and(?: then)? stack {_TOP_ONE} on (?:top of )?{_ENDS} ends?(?: blocks?| "
+     f"cubes?)?{_OF_LINE}$", _ON_BOTH),
+    (f"{_TO_ENDS}(?: with| in which| where| ,)* {_OUTER} (?:of it )?{_CARRY} {_TOP_ONE}(?: each)?(?: on top(?: of "
+     f"(?:it|them))?| on (?:it|them))?$", _ON_BOTH),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 RAINBOWS_AT_ONCE: tuple[Turn, ...] = (

@@ -127,6 +127,13 @@ _PLACE = (
 )
 
 ORDERED_AT_ONCE: tuple[Turn, ...] = (
+    ("\\bso (?=the (?:biggest|largest|smallest|lowest|highest) (?:one |number |digit |block |cube )?is\\b)",
+     "so that "),
+    ("(?: ,)? (?:that|which) (?:goes|runs|is) from the (biggest|largest|smallest|lowest|highest)(?: one)? (?:at|on) "
+     "the (left|right|bottom|top) to the (biggest|largest|smallest|lowest|highest)(?: one)? (?:at|on) the ",
+     " from the {1} on the {2} to the {3} on the"),
+    ("^(.*\\b(?:row|line)\\b[^:,]*?)(?: ,)? but not in (alphabetical|numerical|numeric|ascending|descending) order$",
+     "{1} . they must not be in {2} order"),
     # numbers and sizes
     *map(_from_the_smallest, _BOTH_ENDS),
     *_ONE_END,

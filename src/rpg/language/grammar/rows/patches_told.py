@@ -3,11 +3,20 @@ and what none but one may be on, as rows that name the patches where they are me
 
 from __future__ import annotations
 
+import re
+
 from rpg.language.grammar.rows.said_short import BLOCK, IS, PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import AND, COLOR, MANY, MUST, PATCH, PATCHES
 
 _THE = f"(?:(?:the|an?) )?({COLOR})(?: {PATCH}| one)?"
+_GET = f"(?:{MUST} )?(?:gets?|has|have|holds?|carry|carries|receives?|bears?|needs?)"
+_SO_MANY = f"((?:exactly |just |only )?(?:{MANY}|an?) [^,:]+?)"
+_ON_IT = "(?: on (?:it|them)| on top(?: of (?:it|them))?)?"
+_TOWER_OF_IT = "(?:an? )?(tower|stack|pile)s?(?:(?: made)? (?:of|from) (?:the )?(?:blocks|cubes))?"
+_ITS_COLOR = (
+    f"(?:of|in|with) (?:its|its own|their own|the same|the matching|that|the) color(?: as (?:the|that|this) {PATCH})?"
+)
 _LISTS = (
     (f"{_THE}{AND} {_THE}", "{1} and {2}", 2),
     (f"{_THE}{AND} {_THE}{AND} {_THE}", "{1} , {2} and {3}", 3),
@@ -27,6 +36,11 @@ _AWAY = ("(?:go|leave|go away|be removed|be taken off|be taken away|come off|dis
 _ANYWHERE = "(?:can|may|could) (?:go|be|be put|be moved|lie)(?: to)? (?:anywhere|wherever)\\b.*"
 
 
+def _shifted(named: str) -> str:
+    """The same groups where another one stands ahead of them."""
+    return re.sub(r"\d", lambda nth: str(int(nth[0]) + 1), named)
+
+
 def _listed() -> tuple[Turn, ...]:
     """ "On each of these patches: the red and the blue one", "red, green and blue, each on the patch of its color"."""
     rows: list[Turn] = []
@@ -43,6 +57,20 @@ def _listed() -> tuple[Turn, ...]:
             (f"^for (?:each|every one) of (?:the )?{told}(?: {PATCHES}| ones)?(?: ,)? (?:put|place|set) (?:the|an?) "
              f"{BLOCK} of {_OWN} color on it$", each),
             (f"^{told}(?: {BLOCK}s?)?(?: ,)? each (?:one )?on (?:the |a )?{PATCH} (?:of|with|in) {_OWN} color$", each),
+            # "three red cubes, three patches, red, white and blue: one cube on each"
+            (f"^({MANY} (?:{COLOR} )?(?:blocks|cubes))(?: ,| and) (?:{MANY} )?{PATCHES} (?:,|:|\\() {told}(?: "
+             f"\\))?(?: ,| :) "
+             f"(?:exactly )?one(?: {BLOCK}| of them)? (?:on|onto|per|for) (?:each|{PATCH})(?: one| {PATCH}| of them)?$",
+             f"there are {{1}} . put one of them on each of the {_shifted(named)} patches"),
+            # "the red patch and the blue patch get one yellow block each"
+            (f"^(?=[^:]*\\b(?:{PATCH}|{PATCHES})\\b.* each$){told}(?: {PATCHES})? {_GET} {_SO_MANY}{_ON_IT} each$",
+             f"put {last} on each of the {named} patches"),
+            (f"^(?=[^:]*\\b(?:{PATCH}|{PATCHES})\\b){told}(?: {PATCHES})? (?:{MUST} )?each {_GET} {_SO_MANY}{_ON_IT}$",
+             f"put {last} on each of the {named} patches"),
+            (f"^each of (?:the )?(?:two |three )?{PATCHES} , {told} , {_GET} {_SO_MANY}{_ON_IT}$",
+             f"put {last} on each of the {named} patches"),
+            (f"^(?:each|every) {PATCH} {_GET} {_SO_MANY}{_ON_IT} : {told}$",
+             f"put {{1}} on each of the {_shifted(named)} patches"),
             (f"^(?:{BLOCK}s|cubes) and {PATCHES} : {told}$", f"there are {named} blocks"),
             (f"^(?:each of the colors {told} has (?:one|an?) {BLOCK} and (?:one|an?) {PATCH})$",
              f"there are {named} blocks and {named} patches"),
@@ -98,7 +126,18 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      f"not|nor) (?:not )?({THING})$", "only {1} must be {3} . {4} and {5} must not be {3}"),
     (f"^(?:the )?({COLOR} {PATCH}) gets ([^,]+?) , but (?:(?:it )?does not get|not) (the .+)$",
      "{2} must be on the {1} . {3} must not be on the {1}"),
+    (f"^neither (.+?) nor (.+?) (?:may|must|should|can) (?:be|lie|go|stand) ((?:on|in) {_HERE}) , only (the .+)$",
+     "{1} and {2} must not be {3} . {4} must be {3}"),
     # what each of them holds
+    (f"^for each of the colors ({COLOR}) and ({COLOR})(?: ,)? (stack|put|place) the ({MANY}) (blocks|cubes) of "
+     f"(?:the|that) color on the ({PATCH}) {_ITS_COLOR}$", "{3} {4} {1} and {4} {2} {5} on the {6s} of the same color"),
+    ("\\beach color of blocks?\\b", "each color"),
+    (f"^(?:on|onto) (?:each|every)(?: colored)?(?: goal)? ({PATCH})(?: ,)? (?:build|make|put|place|set up|set|stack) "
+     f"{_TOWER_OF_IT} {_ITS_COLOR}", "stack the blocks of each color on the {1} of that color"),
+    (f"^(?:each|every)(?: colored)?(?: goal)? ({PATCH}) {_GET} {_TOWER_OF_IT} {_ITS_COLOR}(?: on it)?",
+     "stack the blocks of each color on the {1} of that color"),
+    (f"^(?:on|for|at) (?:each|every)(?: colored)?(?: goal)? ({PATCH})(?: ,)? (?:stack|pile)(?: up)? (?:all )?(?:the )?"
+     f"(?:blocks|cubes) {_ITS_COLOR}(?: on it)?", "stack the blocks of each color on the {1} of that color"),
     (f"^(?:each|every) ({PATCH}) (?:{MUST} (?:have|get|hold|carry|bear)|gets|needs) the (?:{BLOCK} (?:of|in) "
      f"(?:{_OWN}|that) color|matching {BLOCK}|{BLOCK} (?:that|which) matches(?: it)?)(?: "
      "(?:sitting|standing|lying|resting|placed))?(?: on (?:it|top(?: of it)?))?(?=$| [,:])",

@@ -19,6 +19,9 @@ _FACING = "(?:in|on|at|upon|on top of|to the right of|to the left of)"
 _LETTERS = "(?:letter (?:blocks|cubes)|blocks|cubes|letter tiles)"
 
 OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
+    # headings
+    ("^(?:sort|group)(?: them| the blocks| the cubes)?(?: by color)?(?: (?:onto|to|on) (?:the "
+     ")?(?:mats|patches|targets|zones))? : (.+ on (?:the|an?) \\w+ (?:mat|patch|target|zone)\\b.*)$", "{1}"),
     # what there is
     ("^(?:from|with|using|out of) (the (?:letters|letter blocks|letter cubes) [^;:]+?) , (spell|write)(?: only| just)? "
      "((?:the word )?\\S+)$", "there are {1} . {2} {3}"),

@@ -4,7 +4,7 @@ a sentence cannot be read as it stands."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import FEW, LENGTH, LINE, MUST, WAY
+from rpg.language.grammar.rows.vocabulary import FEW, LENGTH, LINE, MANY, MUST, NO_NUMBER, WAY
 
 _IS = f"(?:is|are|{MUST} be|stands|stand|lies|lie|sits|sit)"
 _SIDED = "(?:upper|top|lower|bottom|left|right|front|back)"
@@ -56,7 +56,8 @@ ROUNDABOUT_AT_ONCE: tuple[Turn, ...] = (
      "each) side of it$", "a {2} of {3} , then a {1} , then {3}"),
     ("^(?:in (?:my|the|this|a) (?:tower|stack) )?there are (.+?) between (the .+?) at the bottom and (the .+?) at the "
      "top$", "a tower , from bottom to top : {2} , then {1} , then {3}"),
-    (f"\\ban? (\\w+) ({LINE}) of (.+?) and an? (\\w+) ({LINE}) (?:with|of) (?:just |exactly )?(?:as many(?: blocks| "
+    (f"\\ban? (\\w+) ({LINE}) of ((?:(?! and ).)+) and an? (\\w+) ({LINE}) (?:with|of) (?:just |exactly )?(?:as "
+     f"many(?: blocks| "
      "cubes)?(?: as .+)?|the same (?:height|length|number of blocks))$", "a {1} {2} of {3} and a {4} {5} of {3}"),
     (f"\\ba (tower|stack) of ({FEW}) (\\w+) (blocks|cubes) and an equally (?:tall|high) (?:tower|stack) of (\\w+) "
      "(?:blocks|cubes)$", "a {1} of {2} {3} {4} and a {1} of {2} {5} {4}"),
@@ -108,12 +109,13 @@ ROUNDABOUT: tuple[Turn, ...] = (
     ("\\binto (odd and even|even and odd|vowel and consonant|letter and digit|digit and letter) (?:groups|ones|piles|"
      "clusters|sets)\\b", "into {1}"),
     # as many
-    (f"^(.*?\\b({FEW}) .+? on .+?) and (?:just |exactly )?as many (.+? on .+)$", "{1} and {2} {3}"),
+    (f"^({NO_NUMBER}\\b({MANY}) {NO_NUMBER})\\b(?:just |exactly )?(?:as many|the same number of|an equal number of) "
+     "(?!of\\b|.*\\bas\\b)(.+)$", "{1} {2} {3}"),
     (f"^(?:share|distribute|divide|split|spread) ({FEW}) (.+?) (?:equally|evenly|fairly) (?:between|over|among|"
      f"across) (the .+? {_PATCH}) and (the .+)$", "put half of the {1} {2} on {3} and the other half on {4}"),
     # one relation in the words of another
-    (f"^(the .+? {_PATCH}) is where (.+?) (?:needs to be|should be|must be|goes|belongs|has to be|is to be|should go|"
-     "must go)$", "{2} must be on {1}"),
+    (f"^(the .+? {_PATCH}) is where (?:(?:i|we) (?:want|need|would like) (.+?)(?: to (?:be|go|end up|sit|stand|lie))?|"
+     f"(.+?) (?:{MUST} (?:be|go|end up|sit|stand|lie)|goes|belongs|ends up|sits))$", "{2} {3} must be on {1}"),
     (f"^(.+? {_PATCH}) receives (.+)$", "{2} must be on {1}"),
     ("\\btouch(?:ing|es)? (?:its|their) neighbors?\\b", "touching each other"),
     ("\\bsandwich (.+?) between (.+?) (?:below|underneath) and (.+?) above$", "put {1} on {2} and {3} on {1}"),

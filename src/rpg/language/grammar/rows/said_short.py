@@ -71,6 +71,9 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
     ("\\bthe one (?:with|showing|bearing|carrying|that (?:has|shows|says|reads)) (?:an? |the )?(?:letter |number |"
      f"digit )?({LABEL})(?= ,| and| {MUST}| is|$)", "the {1} block"),
     ("^(?:the )?(?:first|second|third|another|one|next|other|a) (group|pile|bunch|cluster) : ([^:]+)$", "a {1} of {2}"),
+    # "to the right of B, not to the left"
+    (f"^(.+ (?:{ASIDE}) ({_KNOWN}))(?: ,)? {_NOT} ((?:(?:to|on) the )?(?:left|right)|in front)$",
+     "{1} , not {3} of {2}"),
     # "like this: A B C in the back row, ..."
     (f"^(?:{PUT}|arrange|lay|order) (?:them|it|everything|(?:all )?(?:the |these )?(?:blocks|cubes|letters|"
      "numbers))(?: out)? (?:like this|as follows|this way)(?: [:,])? (?=.+ (?:row|column|left|right|middle|top|"
@@ -134,13 +137,12 @@ SHORT: tuple[Turn, ...] = (
     ("^(?:likewise|similarly)(?: ,)? (?=\\w)", ""),
     # "on the red patch rather than on the blue one", "to the right of B, not to the left"
     (f"^(.+ {WAY})(?: ,)? (?:and |but )?(?:not|rather than|instead of) {WAY}$", "{1}"),
-    (f"^(.+ (?:{ASIDE}) ({_KNOWN}))(?: ,)? {_NOT} ((?:to|on) the (?:left|right)|in front)$", "{1} , not {3} of {2}"),
     (f"^(.* (?:goes|going|go|rises?|rising|climbs?|climbing|up|down) {_TO} (left|right))(?: ,)? {_NOT} {_TO} "
      "(?!\\2)(?:left|right)$", "{1}"),
     (f"^((?:{PUT} )?{LABEL}(?: {_ARE})? ({PLACE}) the {COLOR} (\\w+))(?: ,| \\()? {_NOT} the ({COLOR})(?: one| "
      f"{BLOCK})?(?: \\))?$", "{1} , not {2} the {4} {3}"),
     # "red on blue or vice versa"
-    (f"^((?:please )?{PUT} )?(?:either )?({_KNOWN}) ({_ARE} )?({PLACE}) ({_KNOWN})(?: ,)? or {_AROUND}$",
+    (f"^((?:please )?(?:{PUT}|stack) )?(?:either )?({_KNOWN}) ({_ARE} )?({PLACE}) ({_KNOWN})(?: ,)? or {_AROUND}$",
      "{1} {2} {3} {4} {5} or {5} {3} {4} {2}"),
     (f"^((?:{PUT} )?the ({COLOR}) ({BLOCK}) ((?:{_ARE} )?{OVER} the) ({COLOR}) ({PATCH}))(?: ,)? and {_AROUND}$",
      "{1} and the {5} {3} {4} {2} {6}"),

@@ -20,7 +20,8 @@ _HAS = f"(?:has|have|{MUST} have)"
 _ON_ITS = "(?:on|to) (?:its|the)"
 _BLOCKS = "(?:blocks|cubes|ones)"
 _GOES_ON = f"(?={_AND} {_T}{_IS} (?:{_R} it|(?:to|on) its (?:left|right))\\b)"
-_AROUND = "(?:on|to) (?:its|the) left(?: side)? , (?:one )?(?:on |to )?(?:its|the) right(?: side)? , (?:one )?in front"
+_RIGHT_ON = "(?:one )?(?:on |to )?(?:its|the) right(?: side)? , (?:one )?in front"
+_AROUND = f"(?:on|to) (?:its|the) left(?: side)? , {_RIGHT_ON}"
 _BEHIND = "(?: of it)?(?: ,)? and (?:one )?behind(?: it)?$"
 _ALL_SIDES = (
     "a {1} block must be to the left of {0} , a {1} block to the right of {0} , a {1} block in front of {0} and a {1} "
@@ -34,6 +35,8 @@ _MUST_BE = f"(?:is|{MUST} be)"
 
 SIDED_AT_ONCE: tuple[Turn, ...] = (
     # at the sides of the same block
+    (f"^(?:put |place |set )?(?:an?|one) ({COLOR})(?: block| cube) to the left of (the [^,]+) , {_RIGHT_ON}{_BEHIND}",
+     _ALL_SIDES.format("{2}", "{1}")),
     (f"^(?:{_PUT} )?({_T}){_IS} ((?:(?:on|to|at) the )?)(left|right)(?: ,)?(?: and)? ({_T}){_IS} \\2(?!\\3)(left|"
      f"right) of ({_T})$", "{1} must be to the {3} of {6} and {4} to the {5} of {6}"),
     (f"^((?:.+? )?{_R} {_ONE}{_AND} {_T}{_IS}) (?:to|on) its (left|right)(?: side)?{_GOES_ON}",
@@ -57,6 +60,8 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
      "{5} of the {2}"),
     (f"\\b(one|an?) ({COLOR}) (block|cube|one) ({_ON_ITS} left(?: side)?(?: of it)?)(?: ,)? and another(?: one)? "
      f"({_ON_ITS} right)\\b", "{1} {2} {3} {4} and another {2} {3} {5}"),
+    (f"\\b({_T} (?:on|to) the left)(?: ,)? ({_T} (?:on|to) the right) and ({_T}) (?:in between|in the middle)$",
+     "{1} , {2} and {3} in between"),
     # all of these at the side of all of those
     (f"^(?:each|every one|all) of the ({MANY} \\w+ {_BLOCKS}) {_HAS} (.+?)( somewhere)? (?:to|on) (?:its|their) (left|"
      "right)(?: side)?$", "{2} must be {3} to the {4} of the {1}"),

@@ -225,8 +225,6 @@ REQUIRED: tuple[Turn, ...] = (
     ("(?: ,)? on (?:whatever|whichever) side(?: ,|$)", ","),
     (f"^with (the .+?) on one side and (the .+?) on the other(?: side)? , (the .+?) (?:is|{MUST} be) between them$",
      "{3} must be between {1} and {2}"),
-    (f"^(?:in (?:the|a) {LINE} , )?(the .+?) (?:is|{MUST} be) sandwiched between (the .+?) below and (the .+?) above$",
-     "{1} must be on {2} and {3} must be on {1}"),
     (f"^each corner(?: of the table)? (?:is occupied by|holds|contains|gets) one of the four (\\w+) {CUBE}s$",
      "a {1} block must be in each corner of the table"),
     (f"^(.+?) , which (?:are|is) (stacked|in an? (?:heap|tower|row)) at the start , ({MUST} .+)$",

@@ -112,6 +112,17 @@ _SPELT: tuple[Turn, ...] = (
 )  # fmt: skip
 """Words that are read down a tower."""
 UPWARD_AT_ONCE: tuple[Turn, ...] = (
+    # "sandwiched in between", "layer them"
+    ("\\bsandwiched (?:right |directly |exactly )?(?:in between|(?:in )?between the two(?: of them)?|in the (?:middle|"
+     "center)(?: of (?:them|the two|those|these))?)(?= ,|$)", "sandwiched between them"),
+    (f"^(?:in (?:the|an?) {TOWER} , )?(the .+?) (?:is|{MUST} be) sandwiched between (the .+?) below(?: it)? and (the "
+     f".+?) above(?: it)?$", "{1} must be on {2} and {3} must be on {1}"),
+    (f"^(?:stack|pile up) {_THING} , (?:and )?then {_THING}(?: ,)? (?:and )?then (another {COLOR} "
+     f"(?:block|cube|one))(?: on (?:the )?top)?$", "stack {1} , {2} and {3}"),
+    (f"\\b({TOWER} (?:where|in which) .+?) , (?:and )?{_THING} is (at the top|on top)$", "{1} and {2} {3}"),
+    (f"^(?:please )?layer (?:me |us )?(?=an? {TOWER}\\b)", "build "),
+    (f"^(?:please )?layer (?=(?:them|these|those|all|the|an?) |{COLOR}\\b|{MANY} {COLOR}\\b)", "stack "),
+    (f"(^(?:stack|pile)\\b[^:]*|\\b{TOWER}) in layers(?= ,| :|$)", "{1}"),
     (f"^spell {_WORD} in an? ({TOWER})(?: ,)? (?:downwards|down) from the (?:uppermost|top|topmost|highest) (?:block|"
      "cube|letter|one)$", "a {2} that spells {1} from top to bottom"),
     (f"\\b({TOWER}) (?:in|on) which (?:you|one|we|i) can read (?:the word )?{_WORD} {_DOWN}$",

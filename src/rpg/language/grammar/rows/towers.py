@@ -44,6 +44,26 @@ _IS = f"(?:is|are|{MUST} be)"
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # until it is so high
+    (f"^keep (?:piling|stacking|putting) ({COLOR} )?{_BLOCKS} (?:onto|on top of|on) (?:each other|one another) until "
+     f"(?:the {TOWER}|it) is ({MANY})(?: {_BLOCKS})? (?:high|tall)$", "stack {2} {1} blocks"),
+    (f"\\b({MANY}) (?:block|cube)s? (?:high|tall) ({COLOR} )?(?:column|pillar)\\b", "tower of {1} {2} blocks"),
+    # what stands there stacked
+    ("^([^,:]+?) , stacked(?: up)? , (?:all )?(?:standing|sitting|lying|resting|placed) (on [^,]+)$",
+     "{1} , stacked , {2}"),
+    # what is not on it
+    (f"^((?!stack\\b).*\\b({TOWER})\\b[^:]*?)(?: ,)? (?:(?:and|with) )?nothing(?: else)?(?: (?:{_IS}|may be|lies))? "
+     f"on (?:the )?top(?: of (?:it|that|the {TOWER}))?$", "{1} . nothing may be on top of the {2}"),
+    (f"^((?:stack|put|place|set) ({_THING}) (?:on|onto|on top of) [^,]+?)(?: ,)? (?:(?:and|with) )?nothing(?: else)? "
+     f"on (?:the )?top$", "{1} with nothing on top of {2}"),
+    (f"^({MANY})(?: blocks| cubes)? (?:high|tall) , all ({COLOR})(?: ones)?(?= ,|$)", "a tower of {1} {2} blocks"),
+    # how high they are at least, and of which colour
+    (f"\\b({TOWER})(?: ,)?(?: that is| which is)? (at least|at most) ({MANY})(?: blocks| cubes)? (?:high|tall)(?= |$)",
+     "{1} of {2} {3}"),
+    (f"\\b({MANY} {_TOWERS}\\b[^:]*?)(?: ,)? (?:one|a|a single) color (?:each|per (?:tower|stack))(?= ,| :|$)",
+     "{1} , each in one color"),
+    (f"^({MANY} {_TOWERS}) (?:{MUST} )?(?:be|stand|are|be built|be there)(?: on the table)? , (?=an? {COLOR} )",
+     "{1} , "),
     (f"^((?:please )?(?:stack|pile)(?: up)? .+?) , (?:(?:all )?in |as )?(?:one|a|an)(?: single)? ({TOWER})$",
      "{1} in one {2}"),
     # towers and rows
@@ -57,6 +77,9 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "top|at the bottom)$", "with {1} not {2}"),
     ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group (in|on|to|behind|"
      "next|near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
+    (f"^(?:start with |begin with )?({_THING}) ,(?: and)? (?:then )?(?:put |place |set |stack )?({_THING}) on "
+     f"(?:it|that|top of it|top of that)(?: ,| and| , and)+ (?:then )?({_THING}) on (?:it|that|that one|top|top of "
+     f"(?:it|that))$", "stack {1} , {2} and {3} from bottom to top"),
     (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
      f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
      "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),

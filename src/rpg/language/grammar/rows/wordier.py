@@ -4,7 +4,7 @@ by four blocks", as rows that say it plainly."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import CUBE, FEW, LENGTH, LINE, MANY, MUST, WAY
+from rpg.language.grammar.rows.vocabulary import CUBE, FEW, LENGTH, LINE, MANY, ME, MUST, WAY
 
 _PATCH = "(?:patch|mat|zone|target|area|spot|pad|goal)"
 _TRUE = "(?:true|correct|right|valid)"
@@ -24,6 +24,9 @@ _NO_FAVOR = "".join(f"(?<!{word})" for word in (
 """Behind these "for us" tells for whom it is so."""
 
 _OF = "(?:exactly |just |only |at least |at most )?(?:each|one|any|any one|none|all|both|either|neither|two|three)"
+
+_THAT_IS = "(?:(?: ,)+|(?: ,)* (?:that is|so|so basically|meaning|it means|which means|in other words)(?: ,)?)"
+"""Or a comma behind which "i.e." is not said."""
 
 WORDIER_AT_ONCE: tuple[Turn, ...] = (
     # for whom
@@ -62,7 +65,13 @@ WORDIER_AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} , {3} by {4}"),
     (f"^((?:to|on|behind|in front of|next to|beside) .*?\\b(?:a|the) {LINE}) , ((?:in|on) which [^,]+) , (.+)$",
      "{1} {2} {3}"),
+    # the same place in other words
+    (f"\\b((?:nearer|closer) to {ME} than [^,]+?){_THAT_IS} in front of (?:it|that)$", "{1}"),
+    (f"\\b(in front of [^,]+?){_THAT_IS} (?:nearer|closer) to {ME}$", "{1}"),
+    (f"\\b(behind [^,]+?){_THAT_IS} (?:(?:farther|further)(?: away)? from {ME}|(?:farther|further) away)$", "{1}"),
     # what is where
+    ("(?:\\bdirectly )?\\b(behind|in front of) ([^,]+?)(?: please)?(?: , (?:directly|straight|exactly)(?: \\1(?: "
+     "(?:it|that one))?)?)?(?: ,| and)* not off to (?:one|the|a|either) side$", "directly {1} {2}"),
     (f"^({WAY})(?: ,)? (?:we|you|i) (?:have|see|find|get) ", "{1} there are"),
     ("\\b(left|right) hand (end|edge|position|place|one|block|half)\\b", "{1} {2}"),
     ("\\b(half|corner|middle|center|edge) of the table\\b(.+?)\\b(half|corner|middle|center|edge) of it$",

@@ -89,6 +89,14 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
      "\\S+ "
      "(?:square|grid)) (in reading order)$", "put {1} in {2} {3}"),
     ("\\b(the (?:digits|numbers)) from (\\d to \\d)(?=.*reading order)", "{1} {2}"),
+    # what no word has in it, and how its cubes look
+    (f"^(distractors? [:,] .+?) , (?:which|that) {MUST} not (?:be part of|join) (?:the|that) word$", "{1}"),
+    (f"\\b({MUST}) not join (?=(?:the|that) word\\b)", "{1} not be part of "),
+    ("\\bmust stay out of (?=(?:the|that) word\\b)", "must not be part of "),
+    (f"^all (?:of )?(?:the )?letters {MUST} be ({COLOR}) when (?:you|we|i) ((?:spell|write) .+)$",
+     "{2} , all letters {1}"),
+    (f"\\ball (?:the )?(?:cubes|letters|blocks)(?: of the word| in the word)? have (?:the |a )?({COLOR}) color\\b",
+     "all letters {1}"),
     # equations
     (f"\\ban? {_EQUATION} (?:that|which) is {_TRUE}\\b", "a true equation"),
     ("^i (?:want|would like) to (?:read|see) (\\S*=\\S*) (?:in|with) (?:cubes|blocks)$", "write {1}"),

@@ -38,21 +38,22 @@ def corrected(tokens: list[Token]) -> list[Token]:
     return tokens
 
 
-_PLAINLY = (("no", "wait"), ("wait", "no"), ("wait", "actually"), ("oh", "wait"))
-"""These take something back without a comma as well."""
+_TAKING_BACK = frozenset({"no", "sorry", "wait", "oops", "whoops"})
 
 
 def _set_off(tokens: list[Token]) -> list[Token]:
-    """ "red on blue no wait blue on red": with commas around what takes back."""
-    out: list[Token] = []
-    for n, token in enumerate(tokens):
-        if 0 < n < len(tokens) - 2 and (token.word, tokens[n + 1].word) in _PLAINLY and out[-1].kind != "punct":
-            out.append(token.saying(","))
-        out.append(token)
-        behind = (tokens[n - 1].word, token.word) in _PLAINLY if n > 1 else False
-        if behind and n + 1 < len(tokens) and tokens[n + 1].kind != "punct":
-            out.append(token.saying(","))
-    return out
+    """ "On the green one no sorry on the red one": commas around two or more words that only take something back."""
+    for at in range(2, len(tokens) - 2):
+        if tokens[at].word not in _TAKING_BACK or tokens[at - 1].word in _APART | _STOPS:
+            continue
+        end = at
+        while many := max((len(r) for r in _SPLIT if [t.word for t in tokens[end : end + len(r)]] == [*r]), default=0):
+            end += many
+        if end >= at + 2 and tokens[end : end + 1] and tokens[end].word not in _APART | _STOPS:
+            begin = next(n for n in range(at, 0, -1) if tokens[n - 1].word not in _BESIDE)
+            comma = tokens[at].saying(",")
+            return [*tokens[:begin], comma, *tokens[begin:end], comma, *tokens[end:]]
+    return tokens
 
 
 def _repair(tokens: list[Token], at: int) -> int:
@@ -96,6 +97,10 @@ def _mended(tokens: list[Token], at: int, end: int) -> list[Token] | None:
     back = next((n for n in before if _kind(tokens, n) == kind), None)
     stop = next((n for n in range(end, len(tokens)) if tokens[n].word in (_STOPS | {","})), len(tokens))
     places = {t.word for t in tokens[end + 1 : stop] if t.word in _WHERE}
+    if kind in ("article", "color", "number", "name") and _is_list(tokens, end, stop):
+        begin = at - (stop - end)  # "red and green, no, red and blue": all that is listed is taken back
+        kinds = [[_kind(tokens, n + k) for k in range(stop - end)] for n in (begin, end)]
+        return [*tokens[:begin], *tokens[end:]] if begin > begun and kinds[0] == kinds[1] else None
     if back is None or any(t.word in places for t in tokens[begun:at]):
         return None
     while back > begun and kind == "place" and tokens[back - 1].word in _LEADS:
@@ -107,6 +112,12 @@ def _mended(tokens: list[Token], at: int, end: int) -> list[Token] | None:
     onward = stop + 1 < len(tokens) and tokens[stop + 1].word in _WHERE
     rest = [*_with_its_noun(tokens[end:stop], tokens[at - 1]), *tokens[stop + (closed and onward) :]]
     return [*tokens[:back], *rest]
+
+
+def _is_list(tokens: list[Token], begin: int, end: int) -> bool:
+    """ "Red and blue", "a red and a blue one": what follows an "and" is of the kind that it begins with."""
+    ands = [n for n in range(begin + 1, end - 1) if tokens[n].word == "and"]
+    return any(_kind(tokens, n + 1) == _kind(tokens, begin) for n in ands)
 
 
 def _with_its_noun(said: list[Token], noun: Token) -> list[Token]:

@@ -19,6 +19,10 @@ FREE = (
                    "is not important", "is unimportant", "is of no importance", "is not relevant")),
     *(f"{lead} the order" for lead in ("i do not care about", "do not care about", "never mind", "ignore")),
     *(f"{it}does not matter {which} order" for it in ("it ", "") for which in ("in which", "in what", "which", "what")),
+    *(f"{the}order of the {others} {free}"
+      for the in ("the ", "") for others in ("other two", "others", "rest", "other ones", "other three")
+      for free in ("open", "is open", "does not matter", "is up to you", "is free")),
+    "its direction does not matter", "any orientation", "in any orientation",
     "no particular order", "in no particular order", "whichever way", "whichever way you like",
     "any way you like", "however you like", "whichever direction", "in whichever direction",
     "direction does not matter", "the direction does not matter", "in no particular direction",
@@ -83,7 +87,8 @@ FREE = (
     *(f"{mind}{which}"
       for mind in ("it is all the same to me", "it is all the same to us", "all the same to me", "it is all one to me",
                    "it makes no difference", "makes no difference", "it makes no difference to me",
-                   "makes no difference to me", "i am indifferent", "we are indifferent", "i have no preference",
+                   "makes no difference to me", "i am not fussed", "i really do not care", "i do not really care",
+                   "i really do not mind", "i am indifferent", "we are indifferent", "i have no preference",
                    "we have no preference", "no preference", "i am easy", "i am not fussy", "not fussy")
       for which in ("", " which", " which one", " which of them", " which of the two", " as to which",
                     " as to which one", " as to which of them", " about which", " about which one", " about that")),

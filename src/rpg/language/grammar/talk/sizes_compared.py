@@ -39,7 +39,9 @@ _OTHER = (
 _LINK = "(?: ,)?(?: ;)?(?: \\.)?(?: and| so that| such that| where| with| of which| but)?"
 _CLAUSE = re.compile(f"(?:^|{_LINK} )(?P<one>{_ONE})(?: {_IS})? {_REL}{_OTHER}")
 _EACH_AS = re.compile(f"{_LINK} (?P<same>as many {_B}) in (?:the )?one as in the other(?: one)?")
-_BARE = re.compile(f"(?:(?<=tower)|(?<=stack)|(?<=row)|(?<=line)) (?:that is |which is )?{_REL}{_OTHER}?(?= |$)")
+_BARE = re.compile(
+    f"(?:(?<=tower)|(?<=stack)|(?<=row)|(?<=line)) (?:that is |which is |of |with )?{_REL}{_OTHER}?(?= |$)"
+)
 _PAIR = re.compile(f"(?:two|2|a pair of) (?:(?P<color>{_C}) )?(?P<kind>{_K})s(?: of (?:(?P<color2>{_C}) )?{_B})?")
 _TOTAL = re.compile(
     f"(?: ,)? ?(?:(?:of|from|out of|with|using|made of|made from|built from|use)(?: all)?(?: the)? )?(?P<total>{_N}) "
@@ -47,9 +49,13 @@ _TOTAL = re.compile(
 )
 _SIZED = re.compile(
     f"(?P<det>an?|the) (?:(?P<color>{_C}) )?(?P<kind>{_K})(?: (?P<plain>of {_B})\\b| "
-    f"(?:of|that has|which has|has|consists of|is) (?P<count>{_N}) (?:(?P<color2>{_C}) )?"
-    f"(?:{_B}|high|tall|long)\\b(?: high\\b| tall\\b| long\\b)?(?! {_THAN}))?"
+    f"(?:of|that has|which has|has|consists of|is) (?P<count>{_N})(?: (?:(?P<color2>{_C}) )?"
+    f"(?:{_B}|high|tall|long)\\b(?: high\\b| tall\\b| long\\b)?|(?= (?:and|with|,)|$))(?! {_THAN}))?"
 )
+_STOCK = re.compile(
+    f"(?:^|(?<=\\. ))(?:out of|from|with|using|given) ({_N}) ({_C}) and ({_N}) ({_C}) {_B}(?= ,| build| make)"
+)
+"""All there is of two colours, which the two take up."""
 _SIDE = re.compile(
     f"{_LINK} the (?P<which>taller|higher|longer|shorter|lower|smaller)(?: one| {_K})?(?: of the two)? "
     f"(?:stands|is|goes|lies|comes|(?:should|must|has to|shall) (?:be|stand|go|lie))(?: placed)? "
@@ -57,7 +63,7 @@ _SIDE = re.compile(
     f"(?: one| {_K})?)?|(?P<color>{_C}))(?= [.,;]| and|$)"
 )
 _BY_HOW_MUCH = re.compile(f"(?:^| )(?P<one>{_ONE}) {_IS} {_THAN} than (?:{_ONE}|it)\\b(?! by)")
-TELLING = frozenset({*_MORE, "tall", "high", "long", "many", "more", "fewer", "less"})
+TELLING = frozenset({*_MORE, "tall", "high", "long", "many", "more", "fewer", "less", "height", "length"})
 """Words without which nothing of this is said."""
 
 
@@ -243,6 +249,10 @@ def _named(text: _Text) -> list[Token] | None:
     if one is None or other is None or one == other:
         return None
     rel, kind = _relation(told), next((m["kind"] for m, _ in found), "tower")
+    stock = {m[n]: _number(m[n - 1]) for m in _STOCK.finditer(text.line) for n in (2, 4)}
+    if {one, other} <= {*stock} and not sizes:
+        _from_one(rel, stock[one], stock[other], kind, text, told.span())
+        return text.changed([(*told.span(), "")])
     totals = _free(text, [told.span(), *(m.span() for m, _ in found)])
     pairs = list(pairwise(m for m, _ in outside))
     if any(m["color"] or any(a.end() <= m.start() < b.end() for a, b in pairs) for m in totals):

@@ -141,7 +141,7 @@ def _moved(was: list[Token], said: list[Token]) -> list[Token] | None:
         return None
     theme, mark = _part(was, text, placed.span(1)), _part(was, text, placed.span(3))
     words = [token.word for token in said]
-    if words[-1] in ("it", "that", "them"):
+    if re.fullmatch(f"(?:\\w+ )?{PLACE} (?:it|that|them)", text_of(said)):
         return [*theme, *said[:-1], *mark]
     if _SIDE.match(text_of(said))[3] is None:  # type: ignore[index]
         one = said[-1].word == "one" and mark[-1].word in (lexicon.PATCH.keys() | lexicon.BLOCK.keys())

@@ -93,7 +93,9 @@ class BuiltinFrontEnd:
         if found[0] is None and (plain := without_remarks(told[0])) is not None:
             rest, remarks = plain
             with suppress(Refusal):
-                within = [s for s in told[1] if rest[0].span[0] <= s.span[0] <= rest[-1].span[1]]
+                began = max((t.span[1] for t in told[0] if t.span[0] < rest[0].span[0]), default=0)
+                within = [s for s in told[1] if s.span[0] <= rest[-1].span[1] and (
+                    s.span[0] >= rest[0].span[0] or (s.text in _STRAY_HINTS and s.span[0] >= began))]
                 task, notes = self._read_tokens((rest, within), text, name, seed, author, mended, remarks)
                 if task is not None:
                     return task, notes
@@ -216,6 +218,7 @@ _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
 _STRAY_HINTS = {
     "<": "say in words what is meant, as in 'red is to the left of green' or 'smaller than'",
     ">": "say in words what is meant, as in 'red is to the right of green' or 'larger than'",
+    "≠": "say in words what is meant, as in 'not two of them'",
     "_": "leave it out; a number that is to be found is a question mark, as in 'complete 3 + ? = 7'",
 }
 """What to say for a character that is typed with a meaning."""

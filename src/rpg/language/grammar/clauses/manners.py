@@ -9,6 +9,7 @@ from rpg.language.grammar.clauses.on_the_way import on_the_way
 from rpg.language.grammar.clauses.pointing import direction, points
 from rpg.language.grammar.clauses.shifts import shifted, straight
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.sides import TOWERS
 from rpg.language.grammar.talk.framing import IN_PICTURE, WHEN_DONE
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.excepted import NO_MORE
@@ -82,8 +83,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
             continue
         if kind == "time" and p.stands(j, ("from",)):  # "third from the left"
             continue
-        if phrase == ", letters on top" and not _TOWERS.isdisjoint(p.words):
-            continue
+        if phrase in (", letters on top", "from above") and not TOWERS.isdisjoint(p.words):
+            continue  # that tells of blocks, and not of the faces that are seen
         of_a_patch = phrase.startswith("where") and not lexicon.PATCH.keys().isdisjoint(p.words[:i])
         placed = of_a_patch or (phrase == "there" and p.follows(i, _PUT))  # "on the patch where it is"
         yield Manner(kind=kind, value=value, span=p.span(i, j), cost=2 * placed), j
@@ -160,8 +161,6 @@ def _rising(p: Parser, i: int, j: int) -> Results[Meaning]:
 
 _EVENTS = ("episode", "task", "run", "game", "process", "procedure", "exercise", "operation", "trial", "simulation",
            "test")  # fmt: skip
-_TOWERS = frozenset({"tower", "towers", "stack", "stacks", "stacked", "pile", "piled"})
-"""Beside these "letters on top" tells of blocks, and not of the faces that are seen."""
 _LITTLE: dict[str, tuple[str, float | str | None]] = {
     **{f"{lead} {whole} {event}": ("always", None)
        for lead in ("during", "throughout", "for", "over")

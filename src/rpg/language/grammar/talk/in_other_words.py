@@ -145,6 +145,26 @@ def one_each(tokens: list[Token]) -> list[Token]:
 _GET = frozenset({"gets", "get", "has", "have", "receives", "receive", "holds", "hold", "carries", "carry"})
 
 
+_LINED = frozenset({"row", "line", "in", "order", "read", "reads", "listed", "going", "is"})
+
+
+def left_to_right(tokens: list[Token]) -> list[Token]:
+    """ "A row, L to R: A, B and C": from left to right; but "the letters L to R"."""
+    for at in (n for n in range(len(tokens) - 2) if [t.word for t in tokens[n : n + 3]] == ["l", "to", "r"]):
+        begin = at - (at > 0 and tokens[at - 1].word == "from")
+        before = tokens[begin - 1] if begin else None
+        ends = at + 3 == len(tokens) or tokens[at + 3].word in (":", ",", ".", ")", "!")
+        led = before is None or before.kind == "punct" or before.word in _LINED or _shown(before)
+        if led and ends and not (before and before.word == "(" and begin > 1 and tokens[begin - 2].word == "letters"):
+            plain = [tokens[at].saying(word) for word in ("from", "left", "to", "right")]
+            return [*tokens[:begin], *plain, *tokens[at + 3 :]]
+    return tokens
+
+
+def _shown(token: Token) -> bool:
+    return token.kind == "number" or len(token.raw) == 1 or token.word in lexicon.COLOR
+
+
 IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]], ...] = (
     (frozenset({"that"}), that_is),
     (frozenset({"each"}), of_one_color_each),
@@ -152,5 +172,6 @@ IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]
     (frozenset({"sort"}), sorted_there),
     (_BUILT, unequal),
     (_GET, one_each),
+    (frozenset({"l"}), left_to_right),
 )
 """Turns of phrase, with words one of which they have."""

@@ -54,6 +54,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         )
     found, told = Order(), first
     for order in sorted(spec.orders, key=lambda o: (not _gives_looks(o, names, scene), o.by in _LATER)):
+        if order.by == "in_order" and found.by == "any" and spec.listed and first and _have_looks(names, scene):
+            order = replace(order, by="given")  # "red, green and blue in order from bottom to top"
         merged = _merge(found, order, names, kind, scene, scope, order.first if order in pointed else first)
         if merged.by == "given" and not order.items and len(merged.ranks) == len(names) == sum(map(len, spec.in_turn)):
             merged = merged.model_copy(update={"ranks": spec.in_turn})
@@ -224,6 +226,11 @@ def _paged(
 
 _LATER = ("given", "in_order", "paged", "reverse")
 """What an order is checked against that is sorted by what the blocks look like."""
+
+
+def _have_looks(names: tuple[str, ...], scene: Scene) -> bool:
+    """Whether these are of colours, which have no order but that of the list."""
+    return all(scene.things[n].color and not scene.things[n].label for n in names)
 
 
 def _gives_looks(order: OrderBy, names: tuple[str, ...], scene: Scene) -> bool:

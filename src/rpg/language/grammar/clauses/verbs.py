@@ -135,7 +135,9 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             span = p.span(i, end)
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
         yield from taken_off(p, i, k, theme) if sense in ("pick", "use") or lemma in _TAKING else ()
-        k = k if p.seq(k, "out of the way") else p.opt(k, *_BEHIND.get(sense, ()))
+        corner = p.stands(k, ("back", "up", "down")) and p.stands(k + 1, ("left", "right"))
+        corner = corner and p.words[k + 2] in ("", ",", ".", "and")  # "put it back left"
+        k = k if corner or p.seq(k, "out of the way") else p.opt(k, *_BEHIND.get(sense, ()))
         k = k + 1 if lemma == "drop" and p.stands(k, ("off",)) and p.stands(k + 1, WHITHER) else k
         k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k
         yield from put_back(p, i, k, theme, word) if sense == "place" else ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.table_parts import TABLE_PARTS
 
 _NOT_TOUCHING = tuple(
     f"any{two} touching{other}"
@@ -11,6 +12,7 @@ _NOT_TOUCHING = tuple(
 )
 
 EVERYDAY = {
+    **TABLE_PARTS,
     **{f"without {touching}": "so that no two of them touch" for touching in _NOT_TOUCHING},
     **{f"{away}one from the other": f"{away}from each other" for away in ("away ", "apart ", "")},
     **{f"this {lot}": "these blocks" for lot in ("lot", "bunch", "stuff", "collection", "assortment")},

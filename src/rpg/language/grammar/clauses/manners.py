@@ -222,7 +222,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
        for can_read in ("i can read it", "you can read it", "it is readable")},
     "readable upright": ("turn", 0.0), "readable from above": ("idle", "view"), ", letters on top": ("idle", None),
     "with the letters facing up": ("idle", None), "with letters facing up": ("idle", None),
-    ", letters facing up": ("idle", None), ", letters readable from above": ("idle", None),
+    ", letters facing up": ("idle", None), ", letters readable from above": ("turn", 0.0),
     "partially stacked": ("partial", None),
     "partly stacked": ("partial", None), "of equal height": ("equal", None), "of the same height": ("equal", None),
     "equally tall": ("equal", None), "equally high": ("equal", None), "of equal heights": ("equal", None),

@@ -17,6 +17,8 @@ EVERYDAY = {
     **{f"{away}one from the other": f"{away}from each other" for away in ("away ", "apart ", "")},
     **{f"this {lot}": "these blocks" for lot in ("lot", "bunch", "stuff", "collection", "assortment")},
     **{f"{color} {team}": f"{color} blocks" for color in lexicon.COLOR for team in ("team", "gang", "squad", "crew")},
+    **{f"{color} {disc}": f"{color} {circle}" for color in lexicon.COLOR
+       for disc, circle in (("disc", "circle"), ("disk", "circle"), ("discs", "circles"), ("disks", "circles"))},
     **{f"alphabet {what}": f"letter {what}" for what in lexicon.BLOCK},
     **{f"a sandwich {where}": f"a tower {where}" for where in ("where", "with", "of", "in which", "made of")},
     **{f"{with_}{two}colors alternating{around}": "alternating" for with_ in ("with ", "")

@@ -165,6 +165,26 @@ def _shown(token: Token) -> bool:
     return token.kind == "number" or len(token.raw) == 1 or token.word in lexicon.COLOR
 
 
+_KINDS_OF_BLOCK = frozenset({"building", "play", "toy"})
+_LED = frozenset({"the", "a", "an", "of", "all", "these", "those", "letter", "number", "wooden", "plastic", "plain",
+                  "other", "another", "with", "using", "from", *lexicon.COLOR, *lexicon.SIZE})  # fmt: skip
+
+
+def building_blocks(tokens: list[Token]) -> list[Token]:
+    """ "Four red building blocks": blocks; but "building blocks into a tower"."""
+    return [
+        token
+        for n, token in enumerate(tokens)
+        if not (
+            token.word in _KINDS_OF_BLOCK
+            and n
+            and n + 1 < len(tokens)
+            and tokens[n + 1].word in lexicon.BLOCK
+            and (tokens[n - 1].many or tokens[n - 1].word in _LED)
+        )
+    ]
+
+
 IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]], ...] = (
     (frozenset({"that"}), that_is),
     (frozenset({"each"}), of_one_color_each),
@@ -173,5 +193,6 @@ IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]
     (_BUILT, unequal),
     (_GET, one_each),
     (frozenset({"l"}), left_to_right),
+    (_KINDS_OF_BLOCK, building_blocks),
 )
 """Turns of phrase, with words one of which they have."""

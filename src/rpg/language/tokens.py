@@ -95,6 +95,7 @@ _PIECES = re.compile(
   | (?P<numbered>\b(?:[Nn]o|[Nn]um)\.(?=\s?\d\b)|\b[Nn]r\b\.?(?=\s?\d\b)|[#№](?=\s?\d\b))
   | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))
   | (?P<bound>(?:[≤≥]|[<>]=)(?=\s*\d))
+  | (?P<zero>\b(?:t\s?=\s?0|(?:time(?:\s?step)?|timestep|step)\s(?:0|zero))(?!\w|\.\d))
   | (?P<share>(?<![\w/])(?:1/2|[12]/3|[13]/4)(?=\s+(?:of|turn)\b))
   | (?P<ormore>(?<=\d)\+(?=\s+(?:of|or\ more)\b))
   | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
@@ -237,6 +238,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return [Token("word", "number", raw, span)]
         case "bound":
             return [Token("word", word, raw, span) for word in ("at", "most" if raw[0] in "≤<" else "least")]
+        case "zero":
+            return [Token("word", word, raw, span) for word in ("the", "start")]
         case "share":
             return [Token("word", word, raw, span) for word in _SHARES[raw].split()]
         case "ormore":

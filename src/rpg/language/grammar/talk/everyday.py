@@ -11,8 +11,18 @@ _NOT_TOUCHING = tuple(
     for other in ("", " each other", " one another", " another", " the others")
 )
 
+_AT_FIRST = ("originally", "to begin with", "to start with", "at first", "in the beginning", "at the outset", "at reset",
+             "presently", "at present", "currently", "when the episode begins", "when the episode starts",
+             "at the beginning of the episode", "at the start of the episode")  # fmt: skip
+_IS = ("is", "are", "sits", "sit", "stands", "stand", "lies", "lie", "rests", "rest")
+
 EVERYDAY = {
     **TABLE_PARTS,
+    **{f"{first} {is_}": f"initially {is_}" for first in _AT_FIRST for is_ in _IS},
+    **{f"{is_} presently": f"{is_} currently" for is_ in _IS},
+    **{f"{starts} {each} {episode}": starts for starts in ("starts", "begins") for each in ("the", "each", "every")
+       for episode in ("episode", "run", "trial", "rollout", "round")},
+    **{f"{must} initially be": "initially is" for must in ("should", "must", "shall", "will", "has to", "is to")},
     **{f"without {touching}": "so that no two of them touch" for touching in _NOT_TOUCHING},
     **{f"{away}one from the other": f"{away}from each other" for away in ("away ", "apart ", "")},
     **{f"this {lot}": "these blocks" for lot in ("lot", "bunch", "stuff", "collection", "assortment")},

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.as_it_is import TELLING, as_it_is
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", ";", "!", "?"})
@@ -194,5 +195,6 @@ IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]
     (_GET, one_each),
     (frozenset({"l"}), left_to_right),
     (_KINDS_OF_BLOCK, building_blocks),
+    (TELLING, as_it_is),
 )
 """Turns of phrase, with words one of which they have."""

@@ -104,7 +104,7 @@ VERBS = {
     "sort": "sort group gather herd cluster separate collect split divide partition categorize classify bunch merge "
     "combine unite segregate",
     "spell": "spell write",
-    "turn": "rotate turn flip spin face orient point tip transform convert change",
+    "turn": "rotate turn flip spin face orient point tip transform convert change pivot swivel",
     "reverse": "reverse",
     "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",

@@ -96,6 +96,7 @@ _PIECES = re.compile(
   | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))
   | (?P<bound>(?:[≤≥]|[<>]=)(?=\s*\d))
   | (?P<zero>\b(?:t\s?=\s?0|(?:time(?:\s?step)?|timestep|step)\s(?:0|zero))(?!\w|\.\d))
+  | (?P<negative>(?<=\s)[-−–](?=\d+(?:\.\d+)?\s*(?:°|deg)))
   | (?P<share>(?<![\w/])(?:1/2|[12]/3|[13]/4)(?=\s+(?:of|turn)\b))
   | (?P<ormore>(?<=\d)\+(?=\s+(?:of|or\ more)\b))
   | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
@@ -238,6 +239,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return [Token("word", "number", raw, span)]
         case "bound":
             return [Token("word", word, raw, span) for word in ("at", "most" if raw[0] in "≤<" else "least")]
+        case "negative":  # which way that is nobody says
+            return [Token("word", "negative", raw, span)]
         case "zero":
             return [Token("word", word, raw, span) for word in ("the", "start")]
         case "share":

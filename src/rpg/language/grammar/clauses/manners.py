@@ -312,8 +312,7 @@ _TURNS = {
 
 @choice
 def degrees_of(p: Parser, i: int) -> Results[float]:
-    j = p.one(i, "by") or i
-    j = p.opt(j, "about")
+    j = p.opt(p.opt(i, "by", "through"), "about")
     if (n := p.figure(j)) is not None and j + 1 < p.end and p.words[j + 1] in _DEGREES:
         yield n, p.reach(j + 2)
     for phrase, k in p.standing(j, _TURNS):

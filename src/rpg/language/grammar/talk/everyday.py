@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.denied import DENIED
 from rpg.language.grammar.talk.table_parts import TABLE_PARTS
 
 _NOT_TOUCHING = tuple(
@@ -17,7 +18,7 @@ _AT_FIRST = ("originally", "to begin with", "to start with", "at first", "in the
 _IS = ("is", "are", "sits", "sit", "stands", "stand", "lies", "lie", "rests", "rest")
 
 EVERYDAY = {
-    **TABLE_PARTS,
+    **TABLE_PARTS, **DENIED,
     **{f"{first} {is_}": f"initially {is_}" for first in _AT_FIRST for is_ in _IS},
     **{f"{is_} presently": f"{is_} currently" for is_ in _IS},
     **{f"{starts} {each} {episode}": starts for starts in ("starts", "begins") for each in ("the", "each", "every")
@@ -45,6 +46,14 @@ EVERYDAY = {
        for to in ("", "to the ", "on the ") for side in ("left", "right") for middle in ("middle", "center")
        for table in ("table", "desk", "workspace", "tabletop")},
     **{f"over {to} the {side} side": f"to the {side} side" for to in ("to", "on") for side in ("left", "right")},
+    **{f"{touching} each other": "touching each other" for touching in (
+        "butted against", "butted up against", "abutting", "snug up against")},
+    "abutting": "touching", "making contact": "touching",
+    **{gapless: "without gaps" for gapless in ("gap free", "gapless", "gaplessly", "seamlessly", "with a gap of zero")},
+    **{f"one {part} turn": f"a {part} turn" for part in ("quarter", "half", "full")},
+    "a right angle": "ninety degrees",
+    **{f"in {a}{clockwise} direction": clockwise for a in ("a ", "")
+       for clockwise in ("clockwise", "counterclockwise", "anticlockwise")},
     "the wrong way up": "upside down", "around the middle of": "near the middle of",
     "into the middle of": "to the middle of",
     **{f"portion of the {table}": f"part of the {table}" for table in ("table", "desk", "workspace", "tabletop")},

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.talk.as_it_is import TELLING, as_it_is
+from rpg.language.grammar.talk.denied import BARRED, forbidden
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", ";", "!", "?"})
@@ -196,5 +197,6 @@ IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]
     (frozenset({"l"}), left_to_right),
     (_KINDS_OF_BLOCK, building_blocks),
     (TELLING, as_it_is),
+    (BARRED, forbidden),
 )
 """Turns of phrase, with words one of which they have."""

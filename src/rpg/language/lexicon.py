@@ -102,7 +102,7 @@ VERBS = {
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
     "configure set rearrange straighten display present exhibit",
     "sort": "sort group gather herd cluster separate collect split divide partition categorize classify bunch merge "
-    "combine unite segregate",
+    "combine unite segregate bundle lump crowd huddle",
     "spell": "spell write",
     "turn": "rotate turn flip spin face orient point tip transform convert change pivot swivel",
     "reverse": "reverse",

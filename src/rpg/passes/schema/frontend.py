@@ -93,10 +93,8 @@ class BuiltinFrontEnd:
         if found[0] is None and (plain := without_remarks(told[0])) is not None:
             rest, remarks = plain
             with suppress(Refusal):
-                began = max((t.span[1] for t in told[0] if t.span[0] < rest[0].span[0]), default=0)
-                within = [s for s in told[1] if s.span[0] <= rest[-1].span[1] and (
-                    s.span[0] >= rest[0].span[0] or (s.text in _STRAY_HINTS and s.span[0] >= began))]
-                task, notes = self._read_tokens((rest, within), text, name, seed, author, mended, remarks)
+                kept = (rest, _strays_of(rest, *told))
+                task, notes = self._read_tokens(kept, text, name, seed, author, mended, remarks)
                 if task is not None:
                     return task, notes
         chosen = isinstance(refusal, Repairable | TwoReadings)
@@ -222,6 +220,13 @@ _STRAY_HINTS = {
     "_": "leave it out; a number that is to be found is a question mark, as in 'complete 3 + ? = 7'",
 }
 """What to say for a character that is typed with a meaning."""
+
+
+def _strays_of(rest: Sequence[Token], tokens: Sequence[Token], strays: Sequence[Stray]) -> list[Stray]:
+    """The strays in what is left without the remarks, and what is typed with a meaning right in front of it."""
+    first, last = rest[0].span[0], rest[-1].span[1]
+    ahead = max((token.span[1] for token in tokens if token.span[0] < first), default=0)
+    return [s for s in strays if (ahead if s.text in _STRAY_HINTS else first) <= s.span[0] <= last]
 
 
 def _stray(text: str, span: tuple[int, int]) -> Diagnostic:

@@ -41,7 +41,7 @@ _ENDS = frozenset({".", "!", "?", ";"})
 
 
 def forbidden(tokens: list[Token]) -> list[Token]:
-    """ "The red block is forbidden to touch it": it must not; "moving it is forbidden", "no moving it": do not move it."""
+    """ "Red is forbidden to touch it": it must not; "moving that is forbidden": do not move it."""
     words = [token.word for token in tokens]
     for at in range(len(words) - 1, 0, -1):
         if words[at] not in BARRED:

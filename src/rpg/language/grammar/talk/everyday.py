@@ -12,8 +12,8 @@ _NOT_TOUCHING = tuple(
     for other in ("", " each other", " one another", " another", " the others")
 )
 
-_AT_FIRST = ("originally", "to begin with", "to start with", "at first", "in the beginning", "at the outset", "at reset",
-             "presently", "at present", "currently", "when the episode begins", "when the episode starts",
+_AT_FIRST = ("originally", "to begin with", "to start with", "at first", "in the beginning", "at the outset",
+             "at reset", "presently", "at present", "currently", "when the episode begins", "when the episode starts",
              "at the beginning of the episode", "at the start of the episode")  # fmt: skip
 _IS = ("is", "are", "sits", "sit", "stands", "stand", "lies", "lie", "rests", "rest")
 
@@ -30,6 +30,16 @@ EVERYDAY = {
     **{f"{color} {team}": f"{color} blocks" for color in lexicon.COLOR for team in ("team", "gang", "squad", "crew")},
     **{f"{color} {disc}": f"{color} {circle}" for color in lexicon.COLOR
        for disc, circle in (("disc", "circle"), ("disk", "circle"), ("discs", "circles"), ("disks", "circles"))},
+    "by hue": "by color", "according to hue": "by color",
+    **{f"color sort {them}": f"sort {them} by color" for them in ("them", "the blocks", "everything", "all blocks",
+                                                                "these blocks", "the cubes", "the lot")},
+    **{f"{gather} the {what}": "group the blocks by color"
+       for gather in ("gather", "bunch", "group", "collect", "cluster", "bring together", "gather together", "herd")
+       for what in ("blocks of each color", "cubes of each color", "colors together", "blocks of the same color",
+                    "cubes of the same color")},
+    **{f"tidy {them}by color": "group the blocks by color"
+       for them in ("", "up ", "them ", "them up ", "up the blocks ", "the blocks ", "the blocks up ", "everything ",
+                    "everything up ")},
     **{f"alphabet {what}": f"letter {what}" for what in lexicon.BLOCK},
     **{f"a sandwich {where}": f"a tower {where}" for where in ("where", "with", "of", "in which", "made of")},
     **{f"{with_}{two}colors alternating{around}": "alternating" for with_ in ("with ", "")
@@ -49,7 +59,7 @@ EVERYDAY = {
     **{f"{touching} each other": "touching each other" for touching in (
         "butted against", "butted up against", "abutting", "snug up against")},
     "abutting": "touching", "making contact": "touching",
-    **{gapless: "without gaps" for gapless in ("gap free", "gapless", "gaplessly", "seamlessly", "with a gap of zero")},
+    **dict.fromkeys(("gap free", "gapless", "gaplessly", "seamlessly", "with a gap of zero"), "without gaps"),
     **{f"one {part} turn": f"a {part} turn" for part in ("quarter", "half", "full")},
     "a right angle": "ninety degrees",
     **{f"in {a}{clockwise} direction": clockwise for a in ("a ", "")

@@ -29,7 +29,8 @@ TABLE_PARTS = {
        for farther in words for that in ("", "that is ", "which is ")
        for table in ("", " of the table")},
     **{f"the {farther} half": f"the {half} half" for half, words in (
-           ("far", ("farther", "further", "distant", "farthest", "furthest")), ("near", ("nearer", "closer", "nearest")))
+           ("far", ("farther", "further", "distant", "farthest", "furthest")),
+           ("near", ("nearer", "closer", "nearest")))
        for farther in words},
     "the distant left corner": "the far left corner", "the distant right corner": "the far right corner",
     **{f"the corner {at} the {up} {side}": f"the far {side} corner" for at in ("at", "on", "in", "to")
@@ -43,8 +44,8 @@ TABLE_PARTS = {
        for table in ("", *_OF_TABLE)},
     **{f"in the {middle} {part}": "in the middle of the table" for middle in _MIDDLE for part in ("region", "section")},
     **{f"somewhere {at} the": f"{at} the" for at in ("at", "in")},
-    **{f"{how} in the {middle}": f"in the {middle}" for how in ("right", "roughly", "approximately", "somewhere", "about",
-                                                             "directly", "precisely", "dead") for middle in _MIDDLE},
+    **{f"{how} in the {middle}": f"in the {middle}" for middle in _MIDDLE for how in (
+        "right", "roughly", "approximately", "somewhere", "about", "directly", "precisely", "dead")},
     "at the center point": "in the middle", "centrally": "in the middle",
     **{f"centered on the {table}": f"in the middle of the {table}" for table in _TABLES},
     **{f"{middle} of the work area": "middle of the table" for middle in _MIDDLE},

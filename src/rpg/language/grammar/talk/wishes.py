@@ -27,7 +27,8 @@ STARTS = Patterns(
     "the start is that?",
     "the starting point is that?",
     "where we|you|i|it start|starts|begin|begins :",
-    "this_is? how it|everything|things starts|start|begins|begin|looks_at_first|look_at_first|stands_now|stand_now :|,?",
+    "this_is? how it|everything|things starts|start|begins|begin|looks_at_first|look_at_first|stands_now|stand_now "
+    ":|,?",
     "it|everything starts|begins|starts_out|starts_off like_this|as_follows :|,?",
     "it all starts with",
     "from a start with|where|in_which",

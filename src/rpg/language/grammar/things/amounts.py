@@ -44,6 +44,7 @@ _ALTOGETHER = ("a total of", "a set of", "altogether", "a handful of")
 """What may stand ahead of a number and changes nothing."""
 _PIECES = ("pieces of", "pieces", "units of", "items of", "x")
 """What may be counted in place of blocks that are named behind it."""
+_NAMED = frozenset({*lexicon.COLOR, *lexicon.BLOCK})
 
 
 @rule
@@ -63,7 +64,7 @@ def count(p: Parser, i: int) -> Results[int]:
         else:
             yield number, i + 1
             named = p.any_of(i + 1, _PIECES)
-            if named and (p.peek(named, lexicon.COLOR) or p.peek(named, lexicon.BLOCK)):
+            if named and p.stands(named, _NAMED):
                 yield number, named
             if p.stands(i + 1, ("(",)) and p.number(i + 2) == number and (again := p.one(i + 3, ")")):
                 yield number, again

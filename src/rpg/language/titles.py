@@ -85,15 +85,15 @@ def untitled(tokens: list[Token]) -> list[Token]:
 
 _BEGUN = listed(
     "setup setting scene scenario situation state layout configuration arrangement context world environment premise "
-    "background initialisation initialization init reset precondition preconditions known"
+    "background initialisation initialization init reset precondition preconditions known quo"
 )
 """Headings of how it begins, where another one is of what should be done."""
-_STOOD = listed("setup situation premise context background init reset precondition preconditions known")
+_STOOD = listed("setup situation premise context background init reset precondition preconditions known quo")
 """Of these headings it is clear what they stand over where a command stands elsewhere."""
 _AIMED = listed(
     "goal goals task objective aim target wanted want job mission result end finish success todo instruction command"
 )
-_WHICH = listed("reset scene initial starting start episode world")
+_WHICH = listed("reset scene initial starting start episode world status")
 """What stands before a heading of how it begins."""
 _SAYS = frozenset({":", "="})
 _ARTICLES = frozenset({"the", "my", "our", "your"})

@@ -75,7 +75,6 @@ AMERICAN = {
     "upto": "up to",
     "invert": "reverse", "inverts": "reverses", "inverted": "reversed", "inverting": "reversing",
     "box": "block", "boxes": "blocks", "brick": "block", "bricks": "blocks",
-    "die": "block", "dice": "blocks",
     "policy": "agent", "controller": "agent", "planner": "agent", "learner": "agent",
 }  # fmt: skip
 """Spellings that are read as one."""

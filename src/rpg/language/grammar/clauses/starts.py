@@ -13,7 +13,8 @@ from rpg.language.meaning import Amount, Clause, Loc, Manner, Meaning, Noun, Pro
 
 STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
           "start out", "starts the episode",
-          *(f"initially {is_}" for is_ in ("is", "sits", "stands", "lies", "rests")))  # fmt: skip
+          *(f"initially {is_}" for is_ in ("is", "sits", "stands", "lies", "rests", "are", "sit", "stand", "lie",
+                                           "rest")))  # fmt: skip
 
 
 def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:

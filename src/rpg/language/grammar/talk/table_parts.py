@@ -43,9 +43,9 @@ TABLE_PARTS = {
        for place in ("position", "place", "location", "region", "part", "section", *(f"area{t}" for t in _OF_TABLE))
        for table in ("", *_OF_TABLE)},
     **{f"in the {middle} {part}": "in the middle of the table" for middle in _MIDDLE for part in ("region", "section")},
-    **{f"somewhere {at} the": f"{at} the" for at in ("at", "in")},
-    **{f"{how} in the {middle}": f"in the {middle}" for middle in _MIDDLE for how in (
-        "right", "roughly", "approximately", "somewhere", "about", "directly", "precisely", "dead")},
+    **{f"somewhere {at} the {end}": f"{at} the {end}" for at in ("at", "in") for end in ("back", "front", "rear")},
+    **{f"{how} in the {middle}": f"in the {middle}" for middle in _MIDDLE
+       for how in ("roughly", "approximately", "somewhere", "about")},
     "at the center point": "in the middle", "centrally": "in the middle",
     **{f"centered on the {table}": f"in the middle of the {table}" for table in _TABLES},
     **{f"{middle} of the work area": "middle of the table" for middle in _MIDDLE},

@@ -17,7 +17,7 @@ COLORS = {
     "pink": "pink magenta rose fuchsia pinkish",
     "brown": "brown beige tan brownish",
     "black": "black",
-    "gray": "gray grey silver grayish greyish",
+    "gray": "gray grey grayish greyish",
     "white": "white",
 }
 RAINBOW = ("red", "orange", "yellow", "green", "cyan", "blue", "purple", "pink")

@@ -30,7 +30,6 @@ EVERYDAY = {
     **{f"{color} {team}": f"{color} blocks" for color in lexicon.COLOR for team in ("team", "gang", "squad", "crew")},
     **{f"{color} {disc}": f"{color} {circle}" for color in lexicon.COLOR
        for disc, circle in (("disc", "circle"), ("disk", "circle"), ("discs", "circles"), ("disks", "circles"))},
-    "by hue": "by color", "according to hue": "by color",
     **{f"color sort {them}": f"sort {them} by color" for them in ("them", "the blocks", "everything", "all blocks",
                                                                 "these blocks", "the cubes", "the lot")},
     **{f"{gather} the {what}": "group the blocks by color"

@@ -39,13 +39,11 @@ TABLE_PARTS = {
        for down in ("bottom", "lower", "front", "near") for side in ("left", "right")},
     **{f"{at} {the}{table} {middle}": f"in the middle of the {table}" for at in _AT for the in ("the ", "")
        for table in ("table", "workspace", "desk") for middle in _MIDDLE},
-    **{f"in {a} central {place}{table}": "in the middle of the table" for a in ("a", "the")
-       for place in ("position", "place", "location", "region", "part", "section", *(f"area{t}" for t in _OF_TABLE))
-       for table in ("", *_OF_TABLE)},
-    **{f"in the {middle} {part}": "in the middle of the table" for middle in _MIDDLE for part in ("region", "section")},
+    **{f"in {a} central {place}{table}": "in the middle of the table" for a in ("a", "the") for table in _OF_TABLE
+       for place in ("position", "place", "location", "region", "part", "section", "area")},
+    **{f"in the {middle} {part}{table}": "in the middle of the table" for middle in _MIDDLE for table in _OF_TABLE
+       for part in ("region", "section")},
     **{f"somewhere {at} the {end}": f"{at} the {end}" for at in ("at", "in") for end in ("back", "front", "rear")},
-    **{f"{how} in the {middle}": f"in the {middle}" for middle in _MIDDLE
-       for how in ("roughly", "approximately", "somewhere", "about")},
     "at the center point": "in the middle", "centrally": "in the middle",
     **{f"centered on the {table}": f"in the middle of the {table}" for table in _TABLES},
     **{f"{middle} of the work area": "middle of the table" for middle in _MIDDLE},

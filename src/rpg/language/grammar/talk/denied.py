@@ -8,14 +8,15 @@ from rpg.language.tokens import Token
 
 _MUST = ("must", "should", "shall", "has to", "have to", "needs to", "need to")
 _BARRED = ("forbidden", "prohibited", "banned", "barred")
-_CONTACT = ("make contact with", "come into contact with", "be in contact with", "be in touch with", "contact",
-            "collide with", "bump into", "hit", "graze")  # fmt: skip
+_CONTACT = ("make contact with", "come into contact with", "be in contact with", "be in touch with", "contact")
+_COLLIDE = ("collide with", "bump into", "crash into", "hit", "graze")
 
 DENIED = {
     **{f"{must} {avoid} touching": "must not touch" for must in _MUST
        for avoid in ("avoid", "refrain from", "be kept from", "be prevented from")},
     **{f"{is_} {barred} from touching": "must not touch" for is_ in ("is", "are") for barred in _BARRED},
-    **{f"{not_} {contact}": f"{not_} touch" for not_ in ("not", "never", "n't") for contact in _CONTACT},
+    **{f"{not_} {contact}": f"{not_} touch" for not_ in ("not", "never") for contact in _CONTACT},
+    **{f"{not_} {collide}": "never touch" for not_ in ("not", "never") for collide in _COLLIDE},
     **{f"{must} {avoid} contact with": "must not touch" for must in _MUST for avoid in ("avoid", "have no")},
     **{f"{must} in no {way}": f"{must} not" for must in ("must", "should", "shall", "may", "can")
        for way in ("way", "case", "circumstances")},

@@ -58,6 +58,13 @@ EVERYDAY = {
     **{f"{touching} each other": "touching each other" for touching in (
         "butted against", "butted up against", "abutting", "snug up against")},
     "abutting": "touching", "making contact": "touching",
+    **{f"{a}{n} {block} {gap}": f"{one}{gap} of {n} {block}{s}" for n, s in (("one", ""), ("two", "s"), ("three", "s"))
+       for block in ("block", "cube") for a, gap, one in (("a ", "gap", "a "), ("", "gaps", ""))},
+    **{f"{n} {block} of space": f"a gap of {n} {block}" for n in ("one", "two", "three", "a")
+       for block in ("block", "cube", "blocks", "cubes")},
+    **{f"{gap} {wide} {a} {block}": f"{gap} of one {block}" for gap in ("gap", "gaps") for a in ("a", "one")
+       for wide in ("as wide as", "the size of", "as big as", "as large as") for block in ("block", "cube")},
+    "capital letters": "letters",
     **dict.fromkeys(("gap free", "gapless", "gaplessly", "seamlessly", "with a gap of zero"), "without gaps"),
     **{f"one {part} turn": f"a {part} turn" for part in ("quarter", "half", "full")},
     "a right angle": "ninety degrees",

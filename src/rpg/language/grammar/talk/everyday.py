@@ -39,6 +39,9 @@ EVERYDAY = {
     **{f"tidy {them}by color": "group the blocks by color"
        for them in ("", "up ", "them ", "them up ", "up the blocks ", "the blocks ", "the blocks up ", "everything ",
                     "everything up ")},
+    **{f"{soon} {after}": "after that" for soon in ("immediately", "directly", "right", "straight", "shortly")
+       for after in ("after that", "after this", "afterwards", "thereafter")},
+    **dict.fromkeys(("following that", "following this", "with that done", "with this done"), "after that"),
     **{f"alphabet {what}": f"letter {what}" for what in lexicon.BLOCK},
     **{f"a sandwich {where}": f"a tower {where}" for where in ("where", "with", "of", "in which", "made of")},
     **{f"{with_}{two}colors alternating{around}": "alternating" for with_ in ("with ", "")

@@ -41,11 +41,13 @@ def no_more_no_fewer(tokens: list[Token], words: list[str]) -> list[Token] | Non
 _STOPS = frozenset({".", "!", "?", ";", ":"})
 
 
-_MOST = (("at", "most"), ("at", "the", "most"), ("at", "the", "very", "most"), ("or", "fewer"), ("or", "less"),
-         ("maximum",), ("max",), ("tops",), ("at", "maximum"), ("as", "a", "maximum"))  # fmt: skip
-_LEAST = (("at", "least"), ("at", "the", "least"), ("at", "the", "very", "least"), ("or", "more"),
-          ("or", "even", "more"), ("minimum",), ("min",), ("at", "minimum"), ("as", "a", "minimum"))  # fmt: skip
-BOUNDS = frozenset({"most", "least", "fewer", "less", "more", "maximum", "max", "tops", "minimum", "min"})
+MOST = (("at", "most"), ("at", "the", "most"), ("at", "the", "very", "most"), ("or", "fewer"), ("or", "less"),
+        ("at", "the", "utmost"), ("maximum",), ("max",), ("tops",), ("at", "maximum"),
+        ("as", "a", "maximum"))  # fmt: skip
+LEAST = (("at", "least"), ("at", "the", "least"), ("at", "the", "very", "least"), ("or", "more"),
+         ("or", "even", "more"), ("minimum",), ("min",), ("at", "minimum"), ("as", "a", "minimum"))  # fmt: skip
+"""How a bound is told behind a number, or behind a measure."""
+BOUNDS = frozenset({"most", "least", "fewer", "less", "more", "maximum", "max", "tops", "utmost", "minimum", "min"})
 _BEHIND = frozenset({"of", "may", "must", "should", "can", "shall", "is", "are", "go", "goes", "lie", "lies", "on", ",",
                      ".", "have", "has", "in", "touch", "left", "right", "behind", "allowed", "to"})  # fmt: skip
 _AHEAD = frozenset({",", "and", "but", "which", "that", "of", "put", "want", "place", "move", "have", "with", "be",
@@ -58,8 +60,8 @@ def so_many_at_most(tokens: list[Token], words: list[str]) -> list[Token] | None
     """ "Two at most of them", "one at least must be there", "two of the blocks or more": at most two; but "the red one
     at least 15 cm from it"."""
     for at in range(1, len(words)):
-        most = length_at(words, at, _MOST)
-        long = most or length_at(words, at, _LEAST)
+        most = length_at(words, at, MOST)
+        long = most or length_at(words, at, LEAST)
         behind = words[at + long] if at + long < len(words) else "."
         if not long or behind not in _BEHIND:
             continue

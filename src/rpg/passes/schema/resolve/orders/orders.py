@@ -40,7 +40,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
     check_which_sorted(spec.orders)
     told_by_ends = [*sorted_from(spec, names, kind, scene), *last_first(spec, names, scene)]
-    spec.orders = way_told([*spec.orders, *told_by_ends], names, scene)
+    spec.orders = way_told([*_as_listed(spec, names, scene, sides), *told_by_ends], names, scene)
     pointed = [o for o in spec.orders if o.first in sides and o.by in _FROM_AN_END]
     first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides and o not in pointed), None)
     turned = next((o for o in spec.orders if o.by in ("named", "given") and o.first not in (None, first)), None)
@@ -54,8 +54,6 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         )
     found, told = Order(), first
     for order in sorted(spec.orders, key=lambda o: (not _gives_looks(o, names, scene), o.by in _LATER)):
-        if order.by == "in_order" and found.by == "any" and spec.listed and first and _have_looks(names, scene):
-            order = replace(order, by="given")  # "red, green and blue in order from bottom to top"
         merged = _merge(found, order, names, kind, scene, scope, order.first if order in pointed else first)
         if merged.by == "given" and not order.items and len(merged.ranks) == len(names) == sum(map(len, spec.in_turn)):
             merged = merged.model_copy(update={"ranks": spec.in_turn})
@@ -228,9 +226,12 @@ _LATER = ("given", "in_order", "paged", "reverse")
 """What an order is checked against that is sorted by what the blocks look like."""
 
 
-def _have_looks(names: tuple[str, ...], scene: Scene) -> bool:
-    """Whether these are of colours, which have no order but that of the list."""
-    return all(scene.things[n].color and not scene.things[n].label for n in names)
+def _as_listed(spec: Spec, names: tuple[str, ...], scene: Scene, sides: tuple[str, ...]) -> list[OrderBy]:
+    """ "Red, green and blue in order from bottom to top": colours have no order but that of their list."""
+    colored = all(scene.things[n].color and not scene.things[n].label for n in names)
+    if not (colored and spec.listed and spec.first(*sides) and all(o.by == "in_order" for o in spec.orders)):
+        return spec.orders
+    return [replace(order, by="given") for order in spec.orders]
 
 
 def _gives_looks(order: OrderBy, names: tuple[str, ...], scene: Scene) -> bool:

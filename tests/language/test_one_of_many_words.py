@@ -15,7 +15,7 @@ from rpg.passes.schema.frontend import BuiltinFrontEnd
 
 TABLE = yaml.safe_load(Path(__file__).with_suffix(".yaml").with_stem("one_of_many_words").read_text(encoding="utf-8"))
 SAID = [
-    (frame.format(word), row.get("plainly") or frame.format(row["like"]))
+    (frame.replace("{}", word), row.get("plainly") or frame.replace("{}", row["like"]))
     for row in TABLE
     for frame in ([row["said"]] if isinstance(row["said"], str) else row["said"])
     for word in row["with"].split(" | ")

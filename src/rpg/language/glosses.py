@@ -105,7 +105,10 @@ def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
     if plural is None or not (plural or words[at] in ("each", "every")):
         return
     name = noun + 2 + (words[noun + 2 : noun + 3] != [] and words[noun + 2] in _ARTICLES)
-    end = _name(tokens, name) if words[noun + 1 : noun + 2] == ["are" if plural else "is"] else name
+    end = name
+    if words[noun + 1 : noun + 2] == ["are" if plural else "is"]:
+        same = any({words[noun], *words[name : name + 1]} <= table.keys() for table in (lexicon.BLOCK, lexicon.PATCH))
+        end = name + 1 if same else _name(tokens, name)
     if end == name + 1 and (end == len(words) or words[end] in _CLOSED) and _elsewhere(words, name, end, plural):
         end += words[end : end + 1] != []
         there = [tokens[at].saying(word) for word in ("there", "are")]

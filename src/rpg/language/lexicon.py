@@ -7,21 +7,25 @@ only the grammar names (prepositions, determiners) stand in its rules.
 from __future__ import annotations
 
 COLORS = {
-    "red": "red crimson scarlet maroon ruby",
-    "orange": "orange",
-    "yellow": "yellow gold golden",
-    "green": "green lime emerald olive",
+    "red": "red crimson scarlet maroon ruby cherry reddish",
+    "orange": "orange tangerine",
+    "yellow": "yellow gold golden yellowish",
+    "green": "green lime emerald olive jade greenish",
     "cyan": "cyan teal turquoise aqua",
-    "blue": "blue navy azure cobalt",
-    "purple": "purple violet lilac lavender",
-    "pink": "pink magenta rose fuchsia",
-    "brown": "brown beige tan",
+    "blue": "blue navy azure cobalt sapphire bluish",
+    "purple": "purple violet lilac lavender mauve plum purplish",
+    "pink": "pink magenta rose fuchsia pinkish",
+    "brown": "brown beige tan brownish",
     "black": "black",
-    "gray": "gray grey",
+    "gray": "gray grey grayish greyish",
     "white": "white",
 }
 RAINBOW = ("red", "orange", "yellow", "green", "cyan", "blue", "purple", "pink")
-SHADES = "light dark bright pale deep vivid"
+SHADES = (
+    "light dark bright pale deep vivid sky royal baby ocean midnight electric powder forest grass mint neon lemon "
+    "canary hot pastel jet snow charcoal chocolate blood tomato cherry"
+)
+"""What stands ahead of a colour and tells no other one of the palette."""
 
 NUMBERS = {
     0: "zero", 1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine",
@@ -43,10 +47,10 @@ UNITS = {
 DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
-LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen"
+LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen element"
 PATCH_NOUNS = (
     "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster "
-    "placemat napkin cloth towel sticker dropzone dot destination paper strip"
+    "placemat napkin cloth towel sticker dropzone dot destination paper strip plate tray marking"
 )
 TABLE_NOUNS = "table tabletop workspace desk surface"
 LETTER_NOUNS = "letter character"
@@ -98,9 +102,9 @@ VERBS = {
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
     "configure set rearrange straighten display present exhibit",
     "sort": "sort group gather herd cluster separate collect split divide partition categorize classify bunch merge "
-    "combine unite segregate",
+    "combine unite segregate bundle lump crowd huddle",
     "spell": "spell write",
-    "turn": "rotate turn flip spin face orient point tip transform convert change",
+    "turn": "rotate turn flip spin face orient point tip transform convert change pivot swivel",
     "reverse": "reverse",
     "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",

@@ -72,7 +72,7 @@ _NOT_LITERAL = frozenset(
 
 SHORT_FORMS = {
     "twr": "tower", "twrs": "towers", "blks": "blocks", "sq": "square", "pic": "picture", "pics": "pictures",
-    "pcs": "blocks", "grn": "green", "ylw": "yellow", "yel": "yellow", "wht": "white", "orng": "orange",
+    "pcs": "pieces", "grn": "green", "ylw": "yellow", "yel": "yellow", "wht": "white", "orng": "orange",
     "prpl": "purple", "brn": "brown", "pnk": "pink", "lft": "left", "rgt": "right", "btm": "bottom", "bot": "bottom",
     "mid": "middle", "ctr": "center", "ea": "each", "clr": "color", "clrs": "colors", "cols": "columns",
     "btwn": "between", "betw": "between", "abt": "about", "dist": "distance", "horiz": "horizontal", "vert": "vertical",

@@ -86,13 +86,15 @@ def untitled(tokens: list[Token]) -> list[Token]:
 
 _BEGUN = listed(
     "setup setting scene scenario situation state layout configuration arrangement context world environment premise "
-    "background initialisation initialization init reset"
+    "background initialisation initialization init reset precondition preconditions known quo"
 )
 """Headings of how it begins, where another one is of what should be done."""
+_STOOD = listed("setup situation premise context background init reset precondition preconditions known quo")
+"""Of these headings it is clear what they stand over where a command stands elsewhere."""
 _AIMED = listed(
     "goal goals task objective aim target wanted want job mission result end finish success todo instruction command"
 )
-_WHICH = listed("reset scene initial starting start episode world")
+_WHICH = listed("reset scene initial starting start episode world status")
 """What stands before a heading of how it begins."""
 _SAYS = frozenset({":", "="})
 _ARTICLES = frozenset({"the", "my", "our", "your"})
@@ -103,6 +105,7 @@ def _headed(tokens: list[Token]) -> list[Token]:
     heads = [n for n in range(len(tokens) - 1) if tokens[n + 1].word in _SAYS and _heads(tokens, n)]
     aimed = any(tokens[n].word in _AIMED for n in heads)
     renamed = dict.fromkeys(_BEGUN, "start") | {"want": "goal", "wanted": "goal", "have": "given"} if aimed else {}
+    renamed = renamed or (dict.fromkeys(_STOOD, "start") if heads and commanded(tokens) else {})
     out = list(tokens)
     for n in reversed(heads):
         word = renamed.get(tokens[n].word, tokens[n].word)
@@ -115,6 +118,12 @@ def _headed(tokens: list[Token]) -> list[Token]:
         elif n and tokens[n - 1].word in (_ARTICLES | _WHICH if word == "start" else _ARTICLES):
             del out[n - 1]
     return out
+
+
+def commanded(tokens: list[Token]) -> bool:
+    """Whether some sentence of the text is a command."""
+    first = (t for n, t in enumerate(tokens) if not n or tokens[n - 1].word in (*_ENDS, "please", "then", "now"))
+    return any(token.word in lexicon.COMMANDS for token in first)
 
 
 def _heads(tokens: list[Token], n: int) -> bool:

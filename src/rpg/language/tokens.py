@@ -93,6 +93,11 @@ _PIECES = re.compile(
   | (?P<short>\b(?:max|min)\b\.?(?=\s*(?:\d|one\b|two\b|three\b|four\b|five\b))|\b(?:max|min|approx)\.(?=\s))
   | (?P<numbered>\b(?:[Nn]o|[Nn]um)\.(?=\s?\d\b)|\b[Nn]r\b\.?(?=\s?\d\b)|[#№](?=\s?\d\b))
   | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))
+  | (?P<bound>(?:[≤≥]|[<>]=)(?=\s*\d))
+  | (?P<zero>\b(?:t\s?=\s?0|(?:time(?:\s?step)?|timestep|step)\s(?:0|zero))(?!\w|\.\d))
+  | (?P<negative>(?<=\s)[-−–](?=\d+(?:\.\d+)?\s*(?:°|deg)))
+  | (?P<share>(?<![\w/])(?:1/2|[12]/3|[13]/4)(?=\s+(?:of|turn)\b))
+  | (?P<ormore>(?<=\d)\+(?=\s+(?:of|or\ more)\b))
   | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
   | (?P<dims>\d+(?:\s*[x×*]\s*\d+){{1,2}}(?![\w.]))
   | (?P<number>\d+(?:\.\d+)?(?!\d*(?:\.\d+)?[A-Za-z]))
@@ -110,6 +115,7 @@ _GOES_ON = frozenset(
     {"the", "a", "an", "of", "on", "to", "and", "or", "in", "with", "at", "by", "from", "is", "are", "for", "onto"}
 )
 """With these no line of a list ends: the sentence goes on in the next one."""
+_SHARES = {"1/2": "half", "1/3": "a third", "2/3": "two thirds", "1/4": "a quarter", "3/4": "three quarters"}
 _SHORT = {"max": "maximum", "min": "minimum", "approx": "approximately"}
 _ORDINAL_TAIL = {"st", "nd", "rd", "th"}
 
@@ -234,6 +240,16 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return [Token("word", _SHORT[raw.rstrip(".")], raw, span)]
         case "numbered":
             return [Token("word", "number", raw, span)]
+        case "bound":
+            return [Token("word", word, raw, span) for word in ("at", "most" if raw[0] in "≤<" else "least")]
+        case "negative":  # which way that is nobody says
+            return [Token("word", "negative", raw, span)]
+        case "zero":
+            return [Token("word", word, raw, span) for word in ("the", "start")]
+        case "share":
+            return [Token("word", word, raw, span) for word in _SHARES[raw].split()]
+        case "ormore":
+            return [Token("word", word, raw, span) for word in ("or", "more")]
         case "spread":
             return [Token("word", word, raw, span) for word in ("plus", "or", "minus")]
         case "bullet":

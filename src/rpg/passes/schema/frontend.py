@@ -93,8 +93,8 @@ class BuiltinFrontEnd:
         if found[0] is None and (plain := without_remarks(told[0])) is not None:
             rest, remarks = plain
             with suppress(Refusal):
-                within = [s for s in told[1] if rest[0].span[0] <= s.span[0] <= rest[-1].span[1]]
-                task, notes = self._read_tokens((rest, within), text, name, seed, author, mended, remarks)
+                kept = (rest, _strays_of(rest, *told))
+                task, notes = self._read_tokens(kept, text, name, seed, author, mended, remarks)
                 if task is not None:
                     return task, notes
         chosen = isinstance(refusal, Repairable | TwoReadings)
@@ -217,9 +217,17 @@ _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
 _STRAY_HINTS = {
     "<": "say in words what is meant, as in 'red is to the left of green' or 'smaller than'",
     ">": "say in words what is meant, as in 'red is to the right of green' or 'larger than'",
+    "≠": "say in words what is meant, as in 'not two of them'",
     "_": "leave it out; a number that is to be found is a question mark, as in 'complete 3 + ? = 7'",
 }
 """What to say for a character that is typed with a meaning."""
+
+
+def _strays_of(rest: Sequence[Token], tokens: Sequence[Token], strays: Sequence[Stray]) -> list[Stray]:
+    """The strays in what is left without the remarks, and what is typed with a meaning right in front of it."""
+    first, last = rest[0].span[0], rest[-1].span[1]
+    ahead = max((token.span[1] for token in tokens if token.span[0] < first), default=0)
+    return [s for s in strays if (ahead if s.text in _STRAY_HINTS else first) <= s.span[0] <= last]
 
 
 def _stray(text: str, span: tuple[int, int]) -> Diagnostic:

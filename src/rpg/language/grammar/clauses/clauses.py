@@ -292,8 +292,9 @@ def _of_what_stands(p: Parser, i: int) -> bool:
 def _command(p: Parser, i: int) -> Results[Meaning]:
     """ "stack the red block on ...", "do not move ...", "never touch ..."."""
     j, negated = i, False
-    if k := p.any_of(i, DONT):
-        j, negated = k, True
+    k = p.any_of(i, DONT)
+    if k and not (p.stands(i, ("it",)) and p.follows(i, ("but", "and", ",")) and p.stands(k, ("touch",))):
+        j, negated = k, True  # "..., but it is not allowed to touch that": what was told of is
         j = p.opt(j, "ever")
     never = p.words[i : i + 1] == ["never"] or p.follows(j, ("ever",))
     for lead in ("let", "allow", "have", "make"):

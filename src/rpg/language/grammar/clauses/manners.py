@@ -9,6 +9,7 @@ from rpg.language.grammar.clauses.on_the_way import on_the_way
 from rpg.language.grammar.clauses.pointing import direction, points
 from rpg.language.grammar.clauses.shifts import shifted, straight
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.sides import TOWERS
 from rpg.language.grammar.talk.framing import IN_PICTURE, WHEN_DONE
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.excepted import NO_MORE
@@ -83,8 +84,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         counted = phrase in ("second", "third", "last") and p.follows(i, ("and",))  # "on top of the first and last"
         if kind == "time" and (counted or p.stands(j, ("from",))):  # "third from the left"
             continue
-        if phrase == ", letters on top" and not _TOWERS.isdisjoint(p.words):
-            continue
+        if phrase in (", letters on top", "from above") and not TOWERS.isdisjoint(p.words):
+            continue  # that tells of blocks, and not of the faces that are seen
         of_a_patch = phrase.startswith("where") and not lexicon.PATCH.keys().isdisjoint(p.words[:i])
         placed = of_a_patch or (phrase == "there" and p.follows(i, _PUT))  # "on the patch where it is"
         yield Manner(kind=kind, value=value, span=p.span(i, j), cost=2 * placed), j
@@ -161,8 +162,6 @@ def _rising(p: Parser, i: int, j: int) -> Results[Meaning]:
 
 _EVENTS = ("episode", "task", "run", "game", "process", "procedure", "exercise", "operation", "trial", "simulation",
            "test")  # fmt: skip
-_TOWERS = frozenset({"tower", "towers", "stack", "stacks", "stacked", "pile", "piled"})
-"""Beside these "letters on top" tells of blocks, and not of the faces that are seen."""
 _LITTLE: dict[str, tuple[str, float | str | None]] = {
     **{f"{lead} {whole} {event}": ("always", None)
        for lead in ("during", "throughout", "for", "over")
@@ -224,7 +223,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
        for can_read in ("i can read it", "you can read it", "it is readable")},
     "readable upright": ("turn", 0.0), "readable from above": ("idle", "view"), ", letters on top": ("idle", None),
     "with the letters facing up": ("idle", None), "with letters facing up": ("idle", None),
-    ", letters facing up": ("idle", None), ", letters readable from above": ("idle", None),
+    ", letters facing up": ("idle", None), ", letters readable from above": ("turn", 0.0),
     "partially stacked": ("partial", None),
     "partly stacked": ("partial", None), "of equal height": ("equal", None), "of the same height": ("equal", None),
     "equally tall": ("equal", None), "equally high": ("equal", None), "of equal heights": ("equal", None),
@@ -314,8 +313,7 @@ _TURNS = {
 
 @choice
 def degrees_of(p: Parser, i: int) -> Results[float]:
-    j = p.one(i, "by") or i
-    j = p.opt(j, "about")
+    j = p.opt(p.opt(i, "by", "through"), "about")
     if (n := p.figure(j)) is not None and j + 1 < p.end and p.words[j + 1] in _DEGREES:
         yield n, p.reach(j + 2)
     for phrase, k in p.standing(j, _TURNS):

@@ -12,7 +12,9 @@ from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import Amount, Clause, Loc, Manner, Meaning, Noun, Pronoun, Structure, Traits, replace
 
 STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
-          "start out", "initially is", "initially sits", "starts the episode")  # fmt: skip
+          "start out", "starts the episode",
+          *(f"initially {is_}" for is_ in ("is", "sits", "stands", "lies", "rests", "are", "sit", "stand", "lie",
+                                           "rest")))  # fmt: skip
 
 
 def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:

@@ -80,6 +80,12 @@ _BEHIND = {**dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT)
 """What may follow a verb behind its theme."""
 
 
+def _no_particle(p: Parser, k: int) -> bool:
+    """ "Out of the way", "(put it) back left": these tell where."""
+    corner = p.stands(k, _UP_OR_OUT) and p.stands(k + 1, ("left", "right"))
+    return bool(p.seq(k, "out of the way")) or (corner and p.words[k + 2] in ("", ",", ".", "and"))
+
+
 @rule
 def verb_phrase(p: Parser, i: int, forms: tuple[str, ...] = ("base",)) -> Results[Clause]:
     """A verb in one of `forms`, its particle, theme and adjuncts."""
@@ -135,7 +141,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             span = p.span(i, end)
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
         yield from taken_off(p, i, k, theme) if sense in ("pick", "use") or lemma in _TAKING else ()
-        k = k if p.seq(k, "out of the way") else p.opt(k, *_BEHIND.get(sense, ()))
+        k = k if _no_particle(p, k) else p.opt(k, *_BEHIND.get(sense, ()))
         k = k + 1 if lemma == "drop" and p.stands(k, ("off",)) and p.stands(k + 1, WHITHER) else k
         k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k
         yield from put_back(p, i, k, theme, word) if sense == "place" else ()

@@ -46,10 +46,21 @@ _BEGINNING = {
        for end in ("", " end", " side", " edge")},
     **{f"{starting} {near} me": (side, "x") for starting in ("starting", "beginning") for near, side in
        (("nearest to", "front"), ("closest to", "front"), ("farthest from", "back"), ("furthest from", "back"))},
-    "upwards": ("bottom", "z"), "going right": ("left", "y"),
-    "going left": ("right", "y"), "downwards": ("top", "z"), "downward": ("top", "z"), "going down": ("top", "z"),
+    **{f"{going} {way}": (side, axis) for going in ("going", "moving", "working", "working your way", "progressing")
+       for ways, side, axis in (
+           (("right", "to the right", "rightwards", "rightward"), "left", "y"), (("up", "upward"), "bottom", "z"),
+           (("left", "to the left", "leftwards", "leftward"), "right", "y"), (("down", "downward"), "top", "z"))
+       for way in ways},
+    "upwards": ("bottom", "z"), "downwards": ("top", "z"), "downward": ("top", "z"),
     "bottom up": ("bottom", "z"), "top down": ("top", "z"), "upward": ("bottom", "z"),
-    "starting with the bottom": ("bottom", "z"), "from near to far": ("front", "x"),
+    "from near to far": ("front", "x"),
+    **{f"in {side} to {other} order": (side, axis) for side, axis in _ENDS.items() for other in (OPPOSITE[side],)},
+    **{f"{starting} with the {utmost}{one}": (side, axis) for starting in ("starting", "beginning")
+       for side, axis, *words in (
+           ("left", "y", "leftmost"), ("right", "y", "rightmost"), ("front", "x", "nearest", "closest", "frontmost"),
+           ("back", "x", "farthest", "furthest"), ("top", "z", "top", "topmost", "uppermost", "highest"),
+           ("bottom", "z", "bottom", "bottommost", "lowermost", "lowest"))
+       for utmost in words for one in ("", " one")},
     **{f"{word} first": (side, axis) for words, side, axis in (
         (("nearest", "frontmost", "closest", "nearest to me", "closest to me"), "front", "x"),
         (("farthest", "furthest", "farthest away", "furthest away"), "back", "x"),
@@ -60,6 +71,14 @@ _BEGINNING = {
     "from far to near": ("back", "x"), "away from the robot": ("front", "x"), "towards the robot": ("back", "x"),
 }  # fmt: skip
 """Where an order begins, and its axis."""
+TOWERS = frozenset({"tower", "towers", "stack", "stacks", "stacked", "pile", "piled"})
+_ROWS = frozenset({"row", "rows", "line", "lines", "lined"})
+_DEEP = _ROWS | {"column", "columns", "file", "queue", "order", "ordered"}
+_UPRIGHT = {"from below": "bottom", "from above": "top"}
+_SIDEWARD = {"rightwards": "left", "rightward": "left", "leftwards": "right", "leftward": "right"}
+"""Of towers, and of rows, these tell where an order begins; else how something is seen, or moved."""
+_VALUES = frozenset({"highest", "lowest"})
+"""What numbers may be along any line."""
 _BIDDING = ("begin", "start")
 _SET_OFF = (",", "and")
 _ALONG = {
@@ -137,13 +156,19 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
             yield replace(way, span=p.span(i, k)), k
     for phrase, k in p.standing(i, _BEGINNING):
         side, axis = _BEGINNING[phrase]
-        if p.words[i] in ("highest", "lowest") and any(token.kind == "number" for token in p.tokens):
+        if (p.words[i] in _VALUES or phrase == "going up") and any(token.kind == "number" for token in p.tokens):
             continue  # that of the numbers
         if p.words[i] in _BIDDING and not p.follows(i, _SET_OFF):
             continue  # "the blocks start at the left"
         yield Toward(first=side, axis=axis, span=p.span(i, k)), k
+    for lines, begun in ((TOWERS, _UPRIGHT), (_ROWS, _SIDEWARD)):
+        for phrase, k in p.standing(i, begun):
+            if not p.all.isdisjoint(lines):
+                yield Toward(first=begun[phrase], axis=AXIS[begun[phrase]], span=p.span(i, k)), k
     for ways, side in ((_AWAY, "front"), (_NEARER, "back")):
-        yield from ((Toward(first=side, axis="x", span=p.span(i, k)), k) for k in ways.matches(p, i))
+        for k in ways.matches(p, i):
+            if p.words[i] != "away" or not p.all.isdisjoint(_DEEP):  # "put the two blocks away from me"
+                yield Toward(first=side, axis="x", span=p.span(i, k)), k
     for axis, ways in (("y", _SIDEWAYS), ("x", _DEEPWARDS)):
         yield from ((Toward(axis=axis, span=p.span(i, k)), k) for k in ways.matches(p, i))
     for phrase, k in p.standing(i, _ALONG):

@@ -103,7 +103,7 @@ OTHERWISE: tuple[Turn, ...] = (
      "a {1} of {2} with a distance of {3} between their centers"),
     (f"\\bnever let (it|them|{_THE}) (?:get )?(?:onto|on to|on)\\b", "never let {1} be on"),
     (f"\\b({MANY} towers)(?: ,)? each ({MANY}) ({COLOR}) ({CUBE})s? (?:high|tall)$", "{1} of {2} {3} {4s} each"),
-    ("^round up\\b", "gather"),
+    ("^(?:round up|bring together|pool)\\b", "gather"),
     (f"\\b(is|are|{MUST} be|stands?|sits?) lower(?: down)? than\\b", "{1} somewhere below"),
     (f"^(the [^,]+?) (?:{MUST} receive|receives|gets) (the [^,]+?) on (?:its )?top(?: of it)?$", "{2} must be on {1}"),
     ("\\b(?:without|with no|with not) (?:any |a single )?(?:block|cube)s? (?:being )?(?:left over|left|remaining)$",

@@ -71,6 +71,7 @@ ROUNDABOUT_AT_ONCE: tuple[Turn, ...] = (
      "{1} in ascending order {2}"),
     (f"\\b((?:numbers|digits) .+) in order ({WAY})(?: ,)? (?:starting|beginning) with the (?:largest|biggest|highest)$",
      "{1} in descending order {2}"),
+    ("\\b(?:(?:no|not) more(?: and| or| ,)* (?:no|not)|neither more (?:nor|or)) (?:fewer|less) than\\b", "exactly"),
     ("\\bno (?:fewer|less) than\\b", "at least"),
     ("^using (?:(?:just|only) )?(the .+?) , (spell \\S+)(.*)$", "{2} with {1} {3}"),
     (f"^(spell \\S+) on ((?:{FEW}) (?:letter )?(?:cubes|blocks))$", "{1} with {2}"),

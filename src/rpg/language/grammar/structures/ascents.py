@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.places.sides import OPPOSITE, SIDES
+from rpg.language.grammar.places.sides import OPPOSITE, SIDES, TOWERS
 from rpg.language.grammar.structures.neighbours import by_neighbours
 from rpg.language.grammar.structures.rising import rising, whither
 from rpg.language.grammar.talk.slots import Patterns
@@ -100,7 +100,6 @@ _GOING = {
 }  # fmt: skip
 """What numbers do along a line; down a tower they do it from its top."""
 _NUMERALS = frozenset({"digits", "numbers", "numerals", "number", "digit"})
-_TOWERS = frozenset({"tower", "towers", "stack", "stacks", "stacked", "pile", "piled"})
 
 
 @rule
@@ -113,7 +112,7 @@ def ascent(p: Parser, i: int) -> Results[Meaning]:
             order = OrderBy(by=by, descending=descending, span=p.span(i, j))
             ways = [] if by == "label" or p.words[j - 1] == "order" else [*whither(p, j)]
             sized = by == "ascending" and not _SIZES.isdisjoint(p.words[i:j])
-            if sized and (ways or p.all.isdisjoint(_TOWERS)):  # which way a tower grows is not clear by itself
+            if sized and (ways or p.all.isdisjoint(TOWERS)):  # which way a tower grows is not clear by itself
                 order = replace(order, attribute="size")
             yield from ((replace(order, first=first, span=p.span(i, end)), end) for first, end in ways)
             yield from () if ways else ((order, j),)
@@ -162,7 +161,7 @@ def counted(p: Parser, i: int) -> Results[OrderBy]:
                 yield OrderBy(by="run", items=_items(p, j, k, labels), span=p.span(i, k)), k
         yield from _between_ends(p, i, p.one(j, "from"))
     for phrase, j in p.standing(i, _GOING):
-        if p.all.isdisjoint(_NUMERALS) or (_GOING[phrase] and not p.all.isdisjoint(_TOWERS)):
+        if p.all.isdisjoint(_NUMERALS) or (_GOING[phrase] and not p.all.isdisjoint(TOWERS)):
             continue
         for labels, k in run(p, p.one(j, "from")) if p.stands(j, ("from",)) else ():
             if labels[0].isdigit() and (labels[0] > labels[-1]) == _GOING[phrase] and not measures(p, k):

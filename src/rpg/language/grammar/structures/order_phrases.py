@@ -45,6 +45,15 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
       for a, b, down in (("big", "small", True), ("large", "small", True), ("small", "big", False),
                          ("small", "large", False), ("biggest", "smallest", True), ("smallest", "biggest", False))),
     ("from large to small", "ascending", {"descending": True}), ("from smallest to biggest", "ascending", {}),
+    ("lowest to highest", "ascending", {}), ("highest to lowest", "ascending", {"descending": True}),
+    ("least to greatest", "ascending", {}), ("greatest to least", "ascending", {"descending": True}),
+    *((f"{by} {grow} value{s}", "ascending", {"descending": down})
+      for by in ("in order of", "by", "sorted by", "ordered by") for s in ("", "s")
+      for grow, down in (("increasing", False), ("ascending", False), ("decreasing", True), ("descending", True))),
+    *((f"{how}numerically {grow}{order}", "number", {"descending": down})
+      for how, order in (("", ""), ("in ", " order"))
+      for grow, down in (("increasing", False), ("ascending", False), ("decreasing", True), ("descending", True))),
+    ("in order of value", "number", {}), ("in natural order", "number", {}), ("in sorted order", "ascending", {}),
     ("in order of size", "size", {}),  ("in size order", "size", {}), ("in order of increasing size", "size", {}),
     ("in order of decreasing size", "size", {"descending": True}), ("by increasing size", "size", {}),
     ("by decreasing size", "size", {"descending": True}),
@@ -164,7 +173,9 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     *((phrase, "kept", {}) for phrase in KEPT),
     ("in that order", "given", {}), ("in this order", "given", {}), ("in the order given", "given", {}),
     ("in order", "in_order", {}),
-    ("in sequence", "in_order", {}), ("in the right order", "in_order", {}), ("in the given order", "given", {}),
+    ("in sequence", "in_order", {}), ("in the right order", "in_order", {}),
+    *((f"in {the}{correct} order", "in_order", {}) for the in ("the ", "") for correct in ("correct", "proper")),
+    ("in the given order", "given", {}),
     ("in the stated order", "given", {}),
     ("with the largest at the bottom", "size_down", {}), ("with the biggest at the bottom", "size_down", {}),
     ("largest at the bottom", "size_down", {}),

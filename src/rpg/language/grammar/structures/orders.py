@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.places.sides import toward
+from rpg.language.grammar.places.sides import TOWERS, toward
 from rpg.language.grammar.structures.alternation import alternation, what_alternates
 from rpg.language.grammar.structures.ascents import ascent, counted
 from rpg.language.grammar.structures.gradients import from_to
@@ -108,7 +108,7 @@ def order(p: Parser, i: int) -> Results[Meaning]:
                 yield OrderBy(by=by, values=ends, span=p.span(i, end)), end
             for end in dict.fromkeys((paged or k, k)):
                 sort = _sort(p, by, start, k)
-                told = what_alternates(by, p.words[start:k])
+                told = what_alternates(by, p.words[start:k]) or _which_end(p, start, k)
                 yield OrderBy(by=by, values=told, span=p.span(i, end), descending=descending, attribute=sort), end
         if (
             start > i and p.words[i] == "sorted"
@@ -129,6 +129,15 @@ def order(p: Parser, i: int) -> Results[Meaning]:
     yield from alternation(p, i)
     yield from read_out(p, i)
     yield from kinds_first(p, i)
+
+
+_HEIGHTS = frozenset({"lowest", "highest", "low", "high"})
+
+
+def _which_end(p: Parser, i: int, j: int) -> tuple[str, ...]:
+    """ "From lowest to highest": of numbers in a tower it may be that of the values, or of the places."""
+    high = not _HEIGHTS.isdisjoint(p.words[i:j]) and not p.all.isdisjoint(TOWERS)
+    return ("end",) if high else ()
 
 
 def _sorted_from(p: Parser, i: int, k: int, way: Toward) -> OrderBy:
@@ -245,7 +254,8 @@ def _grown(p: Parser, i: int) -> Results[Meaning]:
                 yield OrderBy(by="count_up", span=p.span(i, j)), j
             elif p.words[i] == "from" or (p.words[i] in _SIZES and j == i + len(_FROM_TO)):
                 sort = _sort(p, by, i, j)
-                yield OrderBy(by=by, descending=descending, attribute=sort, span=p.span(i, j)), j
+                told = _which_end(p, i, j)
+                yield OrderBy(by=by, values=told, descending=descending, attribute=sort, span=p.span(i, j)), j
 
 
 @choice

@@ -177,6 +177,7 @@ DONT = (
     "be careful not to", "please be careful not to", "careful not to", "take care not to", "make sure not to",
     "be sure not to", "mind not to", "try not to", "see that you do not", "make sure you do not", "make sure you never",
     "the robot must not", "the arm must not", "the robot may not", "the robot should not", "you are forbidden to",
+    "you may not", "you must never", "you can not",
 )  # fmt: skip
 """What is said behind these must not be done."""
 HANDS_OFF = ("keep your hands off", "hands off", "keep your fingers off", "stay away from")

@@ -41,18 +41,50 @@ def no_more_no_fewer(tokens: list[Token], words: list[str]) -> list[Token] | Non
 _STOPS = frozenset({".", "!", "?", ";", ":"})
 
 
-BOUNDS = frozenset({"least", "most"})
+MOST = (("at", "most"), ("at", "the", "most"), ("at", "the", "very", "most"), ("or", "fewer"), ("or", "less"),
+        ("at", "the", "utmost"), ("maximum",), ("max",), ("tops",), ("at", "maximum"),
+        ("as", "a", "maximum"))  # fmt: skip
+LEAST = (("at", "least"), ("at", "the", "least"), ("at", "the", "very", "least"), ("or", "more"),
+         ("or", "even", "more"), ("minimum",), ("min",), ("at", "minimum"), ("as", "a", "minimum"))  # fmt: skip
+"""How a bound is told behind a number, or behind a measure."""
+BOUNDS = frozenset({"most", "least", "fewer", "less", "more", "maximum", "max", "tops", "utmost", "minimum", "min"})
 _BEHIND = frozenset({"of", "may", "must", "should", "can", "shall", "is", "are", "go", "goes", "lie", "lies", "on", ",",
-                     ".", "have", "has"})  # fmt: skip
+                     ".", "have", "has", "in", "touch", "left", "right", "behind", "allowed", "to"})  # fmt: skip
+_AHEAD = frozenset({",", "and", "but", "which", "that", "of", "put", "want", "place", "move", "have", "with", "be",
+                    "are"})  # fmt: skip
+_COUNTED = frozenset({"of", "the", "these", "those", "them", *lexicon.BLOCK, *lexicon.COLOR, *lexicon.SIZE,
+                      *lexicon.NUMBER})  # fmt: skip
 
 
 def so_many_at_most(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "Two at most of them", "one at least must be there": at most two; but "the red one at least 15 cm from it"."""
-    for n in (n for n in range(len(words) - 2) if words[n + 1] == "at" and words[n + 2] in BOUNDS and tokens[n].many):
-        behind = words[n + 3] if n + 3 < len(words) else "."
+    """ "Two at most of them", "one at least must be there", "two of the blocks or more": at most two; but "the red one
+    at least 15 cm from it"."""
+    for at in range(1, len(words)):
+        most = length_at(words, at, MOST)
+        long = most or length_at(words, at, LEAST)
+        behind = words[at + long] if at + long < len(words) else "."
+        if not long or behind not in _BEHIND:
+            continue
+        begin = at
+        while begin and (words[begin - 1] in _COUNTED or tokens[begin - 1].kind == "number"):
+            begin -= 1
+        n = next((n for n in range(begin, at) if tokens[n].many and words[n + 1] in ("of", *words[at : at + 1])), at)
         ahead = words[n - 1] if n else ","
-        if behind in _BEHIND and ahead in (*_STOPS, ",", "and", "but", "which", "that", "of", "put", "want"):
-            return [*tokens[:n], *tokens[n + 1 : n + 3], tokens[n], *tokens[n + 3 :]]
+        partly = n < at - 1 and ahead not in (*_EXACT, "least", "most", "than")
+        if n < at and (partly or ahead in _AHEAD or ahead in _STOPS) and (n == at - 1 or behind != "of"):
+            bound = [tokens[at].saying(word) for word in ("at", "most" if most else "least")]
+            return [*tokens[:n], *bound, *tokens[n:at], *tokens[at + long :]]
+    return None
+
+
+MORE = {"over": ("more", "than"), "under": ("fewer", "than")}
+
+
+def over_so_many(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Over one of the four must be there": more than one; but "put the red one over one of the four"."""
+    for at in (n for n in range(len(words) - 2) if words[n] in MORE and words[n + 2] == "of" and tokens[n + 1].many):
+        if not at or words[at - 1] in _AHEAD or words[at - 1] in (*_STOPS, "not"):
+            return [*tokens[:at], *map(tokens[at].saying, MORE[words[at]]), *tokens[at + 1 :]]
     return None
 
 

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.as_it_is import TELLING, as_it_is
+from rpg.language.grammar.talk.denied import BARRED, forbidden
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", ";", "!", "?"})
@@ -145,6 +147,46 @@ def one_each(tokens: list[Token]) -> list[Token]:
 _GET = frozenset({"gets", "get", "has", "have", "receives", "receive", "holds", "hold", "carries", "carry"})
 
 
+_LINED = frozenset({"row", "line", "in", "order", "read", "reads", "listed", "going", "is"})
+
+
+def left_to_right(tokens: list[Token]) -> list[Token]:
+    """ "A row, L to R: A, B and C": from left to right; but "the letters L to R"."""
+    for at in (n for n in range(len(tokens) - 2) if [t.word for t in tokens[n : n + 3]] == ["l", "to", "r"]):
+        begin = at - (at > 0 and tokens[at - 1].word == "from")
+        before = tokens[begin - 1] if begin else None
+        ends = at + 3 == len(tokens) or tokens[at + 3].word in (":", ",", ".", ")", "!")
+        led = before is None or before.kind == "punct" or before.word in _LINED or _shown(before)
+        if led and ends and not (before and before.word == "(" and begin > 1 and tokens[begin - 2].word == "letters"):
+            plain = [tokens[at].saying(word) for word in ("from", "left", "to", "right")]
+            return [*tokens[:begin], *plain, *tokens[at + 3 :]]
+    return tokens
+
+
+def _shown(token: Token) -> bool:
+    return token.kind == "number" or len(token.raw) == 1 or token.word in lexicon.COLOR
+
+
+_KINDS_OF_BLOCK = frozenset({"building", "play", "toy"})
+_LED = frozenset({"the", "a", "an", "of", "all", "these", "those", "letter", "number", "wooden", "plastic", "plain",
+                  "other", "another", "with", "using", "from", *lexicon.COLOR, *lexicon.SIZE})  # fmt: skip
+
+
+def building_blocks(tokens: list[Token]) -> list[Token]:
+    """ "Four red building blocks": blocks; but "building blocks into a tower"."""
+    return [
+        token
+        for n, token in enumerate(tokens)
+        if not (
+            token.word in _KINDS_OF_BLOCK
+            and n
+            and n + 1 < len(tokens)
+            and tokens[n + 1].word in lexicon.BLOCK
+            and (tokens[n - 1].many or tokens[n - 1].word in _LED)
+        )
+    ]
+
+
 IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]], ...] = (
     (frozenset({"that"}), that_is),
     (frozenset({"each"}), of_one_color_each),
@@ -152,5 +194,9 @@ IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]
     (frozenset({"sort"}), sorted_there),
     (_BUILT, unequal),
     (_GET, one_each),
+    (frozenset({"l"}), left_to_right),
+    (_KINDS_OF_BLOCK, building_blocks),
+    (TELLING, as_it_is),
+    (BARRED, forbidden),
 )
 """Turns of phrase, with words one of which they have."""

@@ -25,11 +25,13 @@ from rpg.language.grammar.talk.each_of_its_color import (
 )
 from rpg.language.grammar.talk.exactly_so_many import (
     BOUNDS,
+    MORE,
     NO_MORE,
     no_more_no_fewer,
     none_of_so_many,
     number_there,
     of_so_many_ahead,
+    over_so_many,
     so_many_at_most,
 )
 from rpg.language.grammar.talk.freely import freely
@@ -315,6 +317,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (no_more_no_fewer, NO_MORE),
     (none_of_so_many, frozenset({"no"})),
     (so_many_at_most, BOUNDS),
+    (over_so_many, frozenset(MORE)),
     (one_another, ANOTHER),
     (other_half, frozenset({"other"})),
     (one_in_each_corner, CORNER),

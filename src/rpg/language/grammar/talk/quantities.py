@@ -1,5 +1,7 @@
 """Turns of phrase that tell how many, which and where of all: "each and every one", "in a corner of its own"."""
 
+from rpg.language import lexicon
+
 QUANTITIES = {
     "each and every": "every", "every single one of": "each of", "each single": "each", "every last": "every",
     "each and every one": "each", "each individual": "each", "every individual": "every",
@@ -11,6 +13,10 @@ QUANTITIES = {
     **{f", not one {may} be": f", none {may} be" for may in ("may", "must", "should", "can", "is to", "shall")},
     **{f"there {must} be one in {every} corner": f"there {must} be one of them in each corner"
        for must in ("must", "should", "shall") for every in ("each", "every")},
+    **{f"all {bar} {n} of": f"all but {n} of" for n in lexicon.NUMBER
+       for bar in ("bar", "save", "save for", "except", "except for", "excepting", "apart from", "other than")},
+    **{f"{lot} {out}": f"{lot} of" for lot in ("a pair", "a couple", "a duo", "a trio", "a triple")
+       for out in ("out of", "from among", "from")},
     **{f"half of {which}": "half of them" for which in ("which", "these", "those")},
     **{f"{of} each of the four corners": f"{of} each corner" for of in ("in", "into", "at")},
     **{f"{of} each one of the four corners": f"{of} each corner" for of in ("in", "into", "at")},

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.talk.exactly_so_many import LEAST, MOST
 from rpg.language.phrases import behind, length_at
 from rpg.language.tokens import Token
 
@@ -17,12 +18,7 @@ _AMID = {
 """Times told between "must" and what must be, and the word for each that stands there."""
 BETWEEN = frozenset({"times", "time", "circumstances", "case", "point", "end", "state", "done"})
 _DENIED = frozenset({"not", "never", "no", "neither", "nor", "none", "nothing"})
-_UTMOST = {
-    **dict.fromkeys((("maximum",), ("max",), ("tops",), ("at", "the", "most"), ("at", "maximum"), ("or", "less"),
-                     ("at", "the", "utmost"), ("as", "a", "maximum")), "most"),
-    **dict.fromkeys((("minimum",), ("min",), ("at", "the", "least"), ("or", "more"), ("at", "minimum"),
-                     ("as", "a", "minimum")), "least"),
-}  # fmt: skip
+_UTMOST = {**dict.fromkeys(MOST, "most"), **dict.fromkeys(LEAST, "least")}
 UTMOST = frozenset(phrase[-1] for phrase in _UTMOST)
 _UNITS = frozenset({"cm", "mm", "centimeter", "centimeters", "centimetre", "centimetres", "millimeters"})
 _BOUNDED = frozenset({"most", "least", "than", "within", "max", "maximum", "min", "minimum", "about", "to", "exactly"})

@@ -169,7 +169,7 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
     for (listed, either), j in colors(p, i):
         yield (
             Marks({"colors": listed, **({"either": True} if either else {})}),
-            p.opt(j, "colored", "coloured", "color", "bodied"),
+            p.opt(j, "colored", "coloured", "color", "bodied", "painted", "hued", "ish"),
         )
     if plain := p.peek(i, _PLAIN):
         key, value = plain
@@ -351,7 +351,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
 
 
 _HUED = ("in", "in color", "colored", "coloured", "painted", "of color", "with color", "with a", "with", "with the",
-         "of", "of the", "in the", "having")  # fmt: skip
+         "of", "of the", "in the", "having", "colored in", "painted in", "that looks", "which looks")  # fmt: skip
 _BODY = frozenset({"body", "bodies", "color"})
 
 

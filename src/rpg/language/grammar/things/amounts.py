@@ -25,25 +25,37 @@ _VAGUE = (
     "a bunch of", "a handful of", "some", "lots of", "a lot of", "a variety of", "a group of", "a mix of",
     "a mixture of", "any number of",
 )  # fmt: skip
-_LOW = ("at least", "no fewer than", "no less than", "not fewer than", "not less than", "a minimum of", "minimum")
-_HIGH = ("at most", "no more than", "up to", "a maximum of", "maximum", "not more than")
+_LOW = ("at least", "no fewer than", "no less than", "not fewer than", "not less than", "a minimum of", "minimum",
+        "at the least", "at the very least", "at a minimum", "minimally", "upwards of")  # fmt: skip
+_HIGH = ("at most", "no more than", "up to", "a maximum of", "maximum", "not more than", "never more than",
+         "at the most", "at the very most", "at a maximum", "maximally")  # fmt: skip
 _EXACT = ("exactly", "precisely", "only", "just")
 _SINGLE = ("one and only one", "one but only one", "one , and only one", "one and exactly one", "just the one")
 
 
 _DOZENS = {
     "a pair of": 2, "a couple of": 2, "a couple": 2, "pair of": 2, "couple of": 2, "half a dozen": 6,
-    "a half dozen": 6, "a dozen": 12, "one dozen": 12, "two dozen": 24, "dozen": 12, "a trio of": 3,
+    "a half dozen": 6, "half dozen": 6, "a half a dozen": 6, "a dozen": 12, "one dozen": 12, "a full dozen": 12,
+    "two dozen": 24, "dozen": 12, "a duo of": 2, "a twosome of": 2, "a trio of": 3, "a threesome of": 3,
+    "a triple of": 3, "a triplet of": 3, "a quartet of": 4, "a foursome of": 4, "a quintet of": 5, "a sextet of": 6,
 }  # fmt: skip
 """Numbers of several words; what one begins with stands behind it."""
+_ALTOGETHER = ("a total of", "a set of", "altogether", "a handful of")
+"""What may stand ahead of a number and changes nothing."""
+_PIECES = ("pieces of", "pieces", "units of", "items of", "x")
+"""What may be counted in place of blocks that are named behind it."""
+_NAMED = frozenset({*lexicon.COLOR, *lexicon.BLOCK})
 
 
 @rule
 def count(p: Parser, i: int) -> Results[int]:
-    """A bare whole number: "two", "3", "a pair of", "half a dozen"."""
+    """A bare whole number: "two", "3", "a pair of", "half a dozen", "a total of three", "three pieces of",
+    "three (3)"."""
     for phrase, j in p.standing(i, _DOZENS):
         yield _DOZENS[phrase], (p.opt(j, "of") if "dozen" in phrase else j)
         return
+    if all_ := p.any_of(i, _ALTOGETHER):
+        yield from count(p, all_)
     number = p.number(i)
     if number is not None:
         tens = p.number(i + 1) if number in range(20, 60, 10) and p.token(i).kind == "word" else None  # type: ignore[union-attr]
@@ -51,6 +63,11 @@ def count(p: Parser, i: int) -> Results[int]:
             yield number + tens, i + 2
         else:
             yield number, i + 1
+            named = p.any_of(i + 1, _PIECES)
+            if named and p.stands(named, _NAMED):
+                yield number, named
+            if p.stands(i + 1, ("(",)) and p.number(i + 2) == number and (again := p.one(i + 3, ")")):
+                yield number, again
 
 
 @rule
@@ -64,8 +81,10 @@ def amount(p: Parser, i: int) -> Results[Amount]:
             yield from ((Amount(n, m, True), k) for m, k in count(p, p.one(j, "or")) if p.one(j, "or") and m > n)
     for n, j in count(p, i):
         yield Amount(n, n), j
-        if k := p.any_of(j, ("or more", "and more")):
+        if k := p.any_of(j, ("or more", "and more", "or even more")):
             yield Amount(n, None, True), k
+        if k := p.any_of(j, ("or fewer", "or less")):
+            yield Amount(0, n, True), k
         if k := p.one(j, ("or", "to")):
             for m, after in count(p, k):
                 if m > n:
@@ -147,7 +166,8 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
     yield from _but_not_all(p, i)
     for found, j in amount(p, i):
         yield Quantity("bare", found, found.high != 1), j
-        if k := p.any_of(j, ("of", "out of")):
+        of = p.any_of(j, ("of", "out of")) or _out_of_so_many(p, j)
+        if k := j if p.words[j - 1] == "of" and p.one(j, THE) else of:  # "a pair of the four"
             yield Quantity("some", found, True, partitive=True), k
         if k := p.one(j, ("more", "other", "additional", "extra")):
             yield Quantity("other" if p.words[j] == "other" else "another", found, found.high != 1), k
@@ -158,6 +178,12 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
     if j := p.one(i, ("its", "their")):
         yield Quantity("its"), j
     yield from _others(p, i)
+
+
+def _out_of_so_many(p: Parser, j: int) -> int:
+    """ "Two from the four", "two among the four": where the others are counted, it is of them, and no place."""
+    k = p.one(j, ("from", "among"))
+    return k if k and p.one(k, "the") and p.number(k + 1) is not None else 0
 
 
 _NOT_ALL = tuple(f"{lead} not all{of}" for lead in (", but", "but", "and", ", and", "though", ", though")
@@ -175,6 +201,7 @@ def _but_not_all(p: Parser, i: int) -> Results[Quantity]:
 _SHARES = {
     "half of": "half", "half": "half", "one half of": "half", "a half of": "half", "exactly half of": "half",
     "a third of": "third", "one third of": "third", "a quarter of": "quarter", "one quarter of": "quarter",
+    "two thirds of": "two thirds", "three quarters of": "three quarters", "three fourths of": "three quarters",
     "most of": "most", "the majority of": "most", "a majority of": "most", "more than half of": "most",
     "at least half of": "at least half", "half or more of": "at least half", "no fewer than half of": "at least half",
     "at most half of": "at most half", "no more than half of": "at most half", "not more than half of": "at most half",

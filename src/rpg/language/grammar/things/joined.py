@@ -256,8 +256,9 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
     for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
         if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
             continue
-        if summed and not (isinstance(item, Noun) and item.traits.colors):
-            continue
+        looks = item.traits if isinstance(item, Noun) else Traits()
+        if not (looks.colors if summed else looks.labels or p.words[at] != "/" or p.tokens[at - 1].kind != "number"):
+            continue  # "2/4 red blocks": no 2 and four red ones
         like = _like(items[-1], item) if p.words[j - 1] in ("one", "ones") else item
         item = _weighed(items, like, op == "and" and p.words[at] in (",", ";"))
         if _no_item(p, items[-1], item, bool(joined), at) or so_many_of_it(p, items[-1], item, at):

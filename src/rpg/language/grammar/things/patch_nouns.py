@@ -13,7 +13,7 @@ _PLACES = {
 }
 _FOR_WHAT = ("drop off", "dropoff", "drop", "delivery", "landing", "docking", "parking", "storage", "loading",
              "unloading", "charging", "assembly", "marked", "painted", "floor")  # fmt: skip
-_REGION = frozenset({"region"})
+_REGION = frozenset({"region", "location", "sector", "station"})
 
 
 def patch_noun(p: Parser, i: int) -> tuple[int, bool]:

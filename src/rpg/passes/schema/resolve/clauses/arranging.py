@@ -37,6 +37,7 @@ from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.orders.positions import alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.orders.reordered import kind_again, within
+from rpg.passes.schema.resolve.places.across_the_table import table_sides
 from rpg.passes.schema.resolve.places.mutual import of_every_two
 from rpg.passes.schema.resolve.places.patches import like_the_last
 from rpg.passes.schema.resolve.places.placing import Goals, absolutes, loose_ats, places
@@ -145,7 +146,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if spec.patterns and any(p.unit == "stack" for p in spec.patterns):
         raise refuse("misplaced", "towers are spoken of, but nothing is stacked", spec.patterns[0].span, "say 'stack'")
     goals = [*goals, *places(ref, spec, scene, scope, span)]
-    if spec.ats and scope.start:
+    if spec.ats and scope.start and (scene.built or not table_sides(spec.ats)):
         raise refuse("misplaced", "this is a place in a structure of the start", spec.ats[0].span, "say it beside that")
     goals += loose_ats(ref, spec, scene, scope, span) if spec.ats else []
     told = structured or (spec.thats and not scope.start) or (verb == "be" and spec.absolutes)

@@ -45,7 +45,8 @@ from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
-GATHERS = frozenset({"gather", "collect", "cluster", "group", "bunch", "merge", "combine", "unite"})
+GATHERS = frozenset({"gather", "collect", "cluster", "group", "bunch", "merge", "combine", "unite",
+                     "herd", "bundle", "lump", "crowd", "huddle"})  # fmt: skip
 UNITES = frozenset({"merge", "combine", "unite"})
 DIVIDES = frozenset({"separate", "segregate", "split", "divide", "partition", "distribute"})
 _SORTS = ("sort", "group", "cluster")

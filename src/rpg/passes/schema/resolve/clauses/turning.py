@@ -358,6 +358,9 @@ def _built_before(theme: Ref, scene: Scene) -> bool:
     """ "Build a tower, then take it apart": it is there by then, and not at the start."""
     earlier = [built for m in scene.mentions if m.clause < scene.clause for built in m.ref.built]
     piled = any(scene.on_top.get(name) in theme.names for name in theme.names)
+    stacked = (m.ref for m in scene.mentions if m.clause < scene.clause and m.role == "theme" and not m.start
+               and scene.verbs.get(m.clause, (None, True, ""))[1:] == (False, "stack"))  # fmt: skip
+    piled = piled or any({*theme.names} <= {*ref.names} for ref in stacked)
     return piled or (bool(theme.built) and all(built in earlier for built in theme.built))
 
 

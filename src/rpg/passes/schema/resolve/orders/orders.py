@@ -40,7 +40,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
     check_which_sorted(spec.orders)
     told_by_ends = [*sorted_from(spec, names, kind, scene), *last_first(spec, names, scene)]
-    spec.orders = way_told([*spec.orders, *told_by_ends], names, scene)
+    spec.orders = way_told([*_as_listed(spec, names, scene, sides), *told_by_ends], names, scene)
     pointed = [o for o in spec.orders if o.first in sides and o.by in _FROM_AN_END]
     first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides and o not in pointed), None)
     turned = next((o for o in spec.orders if o.by in ("named", "given") and o.first not in (None, first)), None)
@@ -224,6 +224,14 @@ def _paged(
 
 _LATER = ("given", "in_order", "paged", "reverse")
 """What an order is checked against that is sorted by what the blocks look like."""
+
+
+def _as_listed(spec: Spec, names: tuple[str, ...], scene: Scene, sides: tuple[str, ...]) -> list[OrderBy]:
+    """ "Red, green and blue in order from bottom to top": colours have no order but that of their list."""
+    colored = all(scene.things[n].color and not scene.things[n].label for n in names)
+    if not (colored and spec.listed and spec.first(*sides) and all(o.by == "in_order" for o in spec.orders)):
+        return spec.orders
+    return [replace(order, by="given") for order in spec.orders]
 
 
 def _gives_looks(order: OrderBy, names: tuple[str, ...], scene: Scene) -> bool:

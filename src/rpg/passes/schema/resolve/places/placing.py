@@ -245,7 +245,7 @@ def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) ->
 
 def loose_ats(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
     """ "on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
-    if ref.op == "except" and (regions := table_sides(spec.ats)) and not scene.built:
+    if (ref.op == "except" or scope.start) and (regions := table_sides(spec.ats)) and not scene.built:
         spec.ats = []
         return [goal for region in regions for goal in place(ref, region, scene, scope, span)]
     one_of_them = ref.op in ("or", "xor") and all(len(part.names) == 1 for part in ref.parts) and len(spec.ats) == 1

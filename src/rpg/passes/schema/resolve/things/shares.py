@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language.meaning import Amount, Noun
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
-_PARTS = {"half": 2, "third": 3, "quarter": 4}
+_PARTS = {"half": (1, 2), "third": (1, 3), "quarter": (1, 4), "two thirds": (2, 3), "three quarters": (3, 4)}
 _BOUNDS = frozenset({"at least half", "at most half", "less than half"})
 SHARES = frozenset({*_PARTS, *_BOUNDS, "most", "not all", "some", "all but"})
 
@@ -37,7 +37,7 @@ def share_of(noun: Noun, whole: Ref, scene: Scene) -> Amount | None:
         if left < 1:
             raise refuse("too-many-asked", f"there are only {total} of these", noun.span, f"say at most {total - 1}")
         return Amount(left, left, True)
-    parts = _PARTS[noun.det]
+    part, parts = _PARTS[noun.det]
     if total % parts:
         raise refuse(
             "count-mismatch",
@@ -46,4 +46,4 @@ def share_of(noun: Noun, whole: Ref, scene: Scene) -> Amount | None:
             f"say how many of the {total} blocks",
             blocks=total,
         )
-    return Amount(total // parts, total // parts, True)
+    return Amount(part * total // parts, part * total // parts, True)

@@ -31,10 +31,8 @@ DIGITS = frozenset("0123456789")
 PATCHES = frozenset({"patch", "patches", "mat", "mats"})
 SIGNS = "+*/="
 """Signs of arithmetic; in a list of symbols they are nothing else, but for the minus, which may be a dash."""
-ALWAYS_FOUR = ("corners", "sides", "edges")
-"""Of the table and of a square there are four, and nobody has to be told."""
-PARTS = ("thirds", "quarters", "fourths")
-"""Of these so many come to another number of what they are parts of."""
+UNCOUNTED = ("corners", "sides", "edges", "thirds", "quarters", "fourths")
+"""Of the table and of a square there are four; and so many parts come to another number of what they are parts of."""
 ONLY = frozenset({"only", "just", "exactly"})
 THERE = frozenset({"are", "is", "have", "has", "get", "got"})
 """What leads to "only" in a sentence that says what there is."""
@@ -130,7 +128,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         said, after = _number(token), words[index + 1].word if index + 1 < len(words) else ""
         if said is not None and said > 4 and after == "corners":
             yield token
-        said = None if after in (*ALWAYS_FOUR, *PARTS) else said
+        said = None if after in UNCOUNTED else said
         if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
             yield token
         passing = _numbered(words, index, task) or (said == 2 and _in_passing(words, index))

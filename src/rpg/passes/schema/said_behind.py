@@ -18,9 +18,9 @@ from rpg.ir.structures import Equation, Figure, Grid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
-from rpg.language.grammar.rows.vocabulary import COLOR
 from rpg.language.tokens import Token
 from rpg.passes.schema.line_told import check_lines
+from rpg.passes.schema.mats_listed import check_mats_listed
 from rpg.passes.schema.numbers_had import symbols_of
 from rpg.passes.schema.of_a_part import check_parts
 from rpg.passes.schema.one_like_it import check_one_like_it
@@ -58,7 +58,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_told_apart(tokens, task)
     check_parts(tokens, task)
     check_one_like_it(tokens, task)
-    _mats_listed(tokens, task)
+    check_mats_listed(tokens, task)
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"
@@ -110,28 +110,6 @@ def _aslant(sentence: Sequence[Token]) -> None:
     if _ASLANT.search(" ".join(token.word for token in sentence)):
         raise refuse("misplaced", "how far aside and how far behind cannot both be told of two blocks",
                      (sentence[0].span[0], sentence[-1].span[1]), "say how far apart they are")  # fmt: skip
-
-
-_LISTED = re.compile(
-    "\\b(?:each|every|both|all)(?: one)?(?: of)?(?: the)? (?:mats?|patch|patches|zones?|targets?|areas?|spots?)\\b.*"
-    f"\\b(?:there (?:is|are)|(?:we|i|you) (?:have|got|have got)) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})"
-    "(?= \\.|$)"
-)
-
-
-def _mats_listed(tokens: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "put a white block on each mat, there are red, blue and green" as of blocks with which nothing is done."""
-    text = " ".join(token.word.replace(" ", "_") for token in tokens)
-    listed = _LISTED.search(text)
-    if listed is None:
-        return
-    begin, end = (text[:at].count(" ") for at in listed.span(1))
-    looks = {lexicon.COLOR.get(token.word) for token in tokens[begin : end + 1]}
-    idle = {block.name for block in task.blocks if block.color in looks}
-    if idle and not idle & {name for part in (task.goal, *task.init.arranged) for name in names(part)}:
-        raise refuse("ambiguous", "what is listed could be the patches or the blocks",
-                     (tokens[begin].span[0], tokens[end].span[1]),
-                     "say 'blocks' or 'patches' where they are listed")  # fmt: skip
 
 
 _LISTED_FROM = re.compile(r"\bfrom (?:the )?(?:left|right|top|bottom|front|back)(?: to (?:the )?\w+)? :")

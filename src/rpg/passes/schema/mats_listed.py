@@ -1,0 +1,38 @@
+"""Lists behind "each mat" that could be of the mats or of blocks."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import names
+from rpg.language import lexicon
+from rpg.language.grammar.rows.vocabulary import COLOR
+from rpg.language.tokens import Token
+from rpg.passes.schema.resolve.things.world import refuse
+
+_LISTED = re.compile(
+    "\\b(?:each|every|both|all)(?: one)?(?: of)?(?: the)? (?:mats?|patch|patches|zones?|targets?|areas?|spots?)\\b.*"
+    f"\\b(?:there (?:is|are)|(?:we|i|you) (?:have|got|have got)) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})"
+    "(?= \\.|$)"
+)
+
+
+def check_mats_listed(tokens: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put a white block on each mat, there are red, blue and green" as of blocks with which nothing is done.
+
+    Raises:
+        Refusal: "ambiguous", where what is listed could be either.
+    """
+    text = " ".join(token.word.replace(" ", "_") for token in tokens)
+    listed = _LISTED.search(text)
+    if listed is None:
+        return
+    begin, end = (text[:at].count(" ") for at in listed.span(1))
+    looks = {lexicon.COLOR.get(token.word) for token in tokens[begin : end + 1]}
+    idle = {block.name for block in task.blocks if block.color in looks}
+    if idle and not idle & {name for part in (task.goal, *task.init.arranged) for name in names(part)}:
+        raise refuse("ambiguous", "what is listed could be the patches or the blocks",
+                     (tokens[begin].span[0], tokens[end].span[1]),
+                     "say 'blocks' or 'patches' where they are listed")  # fmt: skip

@@ -33,15 +33,20 @@ def _of_one_listed(tokens: list[Token]) -> bool:
     """ "A red block, a blue block (on the mat) and a green one": without brackets that would be said of all of them."""
     items: list[tuple[bool, bool]] = []  # whether a thing has a place in brackets, and whether it has one outside
     depth, told, placed = 0, False, False
-    for token, after in zip(tokens, (*tokens[1:], None), strict=True):
+    for n, (token, after) in enumerate(zip(tokens, (*tokens[1:], None), strict=True)):
         opened = token.word in _OPENING
         depth += opened - (token.word in _CLOSING)
-        told = told or (opened and after is not None and after.word in _PLACES)
+        told = told or (opened and after is not None and after.word in _PLACES and not _way(tokens, n + 1))
         placed = placed or (depth == 0 and token.word in _PLACES)
         if depth == 0 and (after is None or token.word in (",", "and")):
             items, told, placed = [*items, (told, placed)], False, False
     of_all = tokens[0].word in lexicon.COMMANDS  # "stack red, blue and green (on the mat)"
     return (True, False) in (items[:-1] if of_all else items) and (False, False) in items
+
+
+def _way(tokens: list[Token], at: int) -> bool:
+    """ "(left to right)": how a list goes, and no place."""
+    return [token.word for token in tokens[at + 1 : at + 2]] == ["to"]
 
 
 def _of_it(words: list[str]) -> bool:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from rpg.language import harmless, lexicon
+from rpg.language.about_the_task import of_the_task
 from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.lead_ins import set_in
 from rpg.language.reasons import meanwhile, reason_or_aim
@@ -54,7 +55,7 @@ _LATER = (
 
 def idle(tokens: Sequence[Token]) -> bool:
     """Whether these words ask for nothing, wherever they stand between marks."""
-    if way_of_working(tokens):
+    if way_of_working(tokens) or of_the_task(tokens):
         return True
     words = _plain(tokens)
     if words is None or _which(words):

@@ -31,7 +31,10 @@ _A_BLOCK = rf"(?:a|an|one) ({COLOR}) (?:{'|'.join(lexicon.BLOCK)}|one)"
 _AND_THERE = re.compile(
     rf"\b{_A_BLOCK} , {_A_BLOCK} (?:on|in|at|to|left|right|behind|next|beside|near) (.*?){_A_BLOCK} "
 )
-_ANOTHER = re.compile(r"\b(?:make|build|form|construct|create) another(?: one)?(?= (?!\w+ (?:block|cube))|$)")
+_ANOTHER = re.compile(
+    r"\b(?:make|build|form|construct|create) another(?: one)?"
+    r"(?= (?!\w+ (?:block|cube)|(?:tower|stack|row|line|column|wall|group|pile)\b)|$)"
+)
 _SHAPES = (Stack, Row, Towers, Cells)
 _IT_IS = re.compile(rf"(?:it|this|that)(?: is|'s| 's) an? .*\b(?:{'|'.join(lexicon.BLOCK)}|one)\b")
 

@@ -120,7 +120,7 @@ class _Reader:
         kinds = {piece.kind for piece in pieces}
         if "free order" in kinds and not this.each:
             raise Unclear
-        if this.start and not (this.listed or this.placed or this.free):
+        if this.start in ("right", "near", "front", "bottom") and not (this.listed or this.placed or this.free):
             raise Unclear  # "a pyramid. From front to back": nothing is listed that way
         if this.alternating and this.axis and not this.listed and len(this.free) == 2:
             this.listed = [item for item in this.free if item.bare and item.look]
@@ -132,7 +132,11 @@ class _Reader:
         if this.each and ("free order" in kinds or (this.start is None and not all(item.bare for item in this.listed))):
             this.free += this.listed  # "two red and two blue blocks": which line has which colour is left open
             this.listed = []
-        if this.start and not (this.listed or this.placed) and len(this.free) > 1:
+        if (
+            this.start in ("right", "near", "front", "bottom")
+            and not (this.listed or this.placed)
+            and len(this.free) > 1
+        ):
             raise Unclear  # "a 3x3 grid of the numbers 1 to 9 from right to left"
         for piece in pieces:
             if piece.kind == "lot each":

@@ -211,7 +211,9 @@ def _by_basis(pieces: Sequence[Piece], found: Gathered, basis: str, count: int |
     Raises:
         Unclear: there are not so many groups, or a number of blocks is open.
     """
-    lots, size = list(found.lots.values()), one(pieces, "size")
+    lots, size, each = list(found.lots.values()), one(pieces, "size"), one(pieces, "each")
+    if each and any(lot.count != each.value for lot in lots):
+        raise Unclear
     if size:
         lots = [Lot(lot.look, lot.count or size.value) for lot in lots]
         if any(lot.count != size.value for lot in lots) or basis != "color":

@@ -20,6 +20,7 @@ from rpg.language.frames.lots import Lot, lot_of, one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.towers.alike import Told, together, told_in_line
 from rpg.language.frames.towers.words import ORD, PATTERNS, TS, T
+from rpg.language.grammar.rows.parting import STOPS
 
 __all__ = ["PATTERNS", "told"]
 
@@ -95,7 +96,7 @@ def told(pieces: Sequence[Piece]) -> str:
 
 def _no_scraps(pieces: Sequence[Piece]) -> None:
     """Refuse a sentence that says nothing by itself: "On the left.", "Red ones." """
-    stops = [-1, *(n for n, piece in enumerate(pieces) if piece.kind == "stop"), len(pieces)]
+    stops = [-1, *(n for n, piece in enumerate(pieces) if piece.words in STOPS), len(pieces)]
     for begin, end in pairwise(stops):
         said = [piece for piece in pieces[begin + 1 : end] if piece.kind not in ("glue", "break")]
         scrap = [piece.kind for piece in said] == ["slot"] or (

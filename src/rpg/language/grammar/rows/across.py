@@ -21,7 +21,8 @@ ACROSS: tuple[Turn, ...] = (
     ("\\buse (?:one|a) color for (?:one|the \\S+) (row|line|column|tower|stack|layer) and (?:a different|another)"
      "(?: color| one)? for "
      "(?:the )?(?:\\S+ )?(?:\\1|one)(?= \\.|$)", "each {1} has a different color"),
-    (f"^is (the [^?.]+?|[^ ]+) ({PLACE} [^?.]+?) \\? if (?:not|it is not) ,? ?(?:please )?(?:put|move|bring|place|"
+    (f"^is (the (?:(?!\\b{PLACE}\\b)[^?.])+?|[^ ]+) ({PLACE} (?:(?!\\b{PLACE}\\b)[^?.])+?) \\? if (?:not|it is not)"
+     " ,? ?(?:please )?(?:put|move|bring|place|"
      f"make|set) it {_THERE}"
      "(?: please)?(?= \\.| !|$)", "put {1} {2}"),
     (f"^(?:scatter|strew|randomize|distribute randomly|drop) ((?:the |all )?{MANY} [^.,]+?){_ABOUT} \\. {_NEXT}",

@@ -241,7 +241,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^no (?:{LINE}|figure) , (?:please )?(?:just|simply|only) ", ""),
     (f"^(four (?:{COLOR} )?{_BLOCKS}.*|.* four (?:{COLOR} )?{_BLOCKS}.*) (?:in|into|at) the (?:four )?corners(?: of "
      "the table)?(?: ,)? one (?:per|in each|for each) corner$", "{1} in the four corners of the table"),
-    ("\\b(?:in )?such (?:a )?way that\\b", "so that"),
+    ("\\b(?:in such way|(?<!in )such (?:a )?way) that\\b", "so that"),
     (f"\\bmine is ({COLOR})(?: ,| and| , and)+ yours (?:is )?({COLOR})\\b", "one {1} and one {2}"),
     (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about "
      ")?(?:the width of (?:a|one) block|(?:a|one) block wide|as wide as (?:a|one) block)$",

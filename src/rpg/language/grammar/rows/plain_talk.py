@@ -250,5 +250,5 @@ PLAIN_TALK: tuple[Turn, ...] = (
      "(color|colors|letter|number|kind)", "sort {1} by color"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("policy model controller parser motion path odd sequence tear pieces chess straighten",)
+WORDS = ("policy model controller parser motion odd sequence tear pieces chess straighten",)
 """Words that these take besides those that are read anyway."""

@@ -58,7 +58,7 @@ from tests.language.meaning import assert_means
         ("A 3x3 grid of the numbers 1 to 9 from right to left", "misplaced"),
         # ends of no line
         ("Red is at the left end, blue at the right end.", "ambiguous"),
-        ("A row of red, blue and green, from above", "misplaced-word"),
+        ("A row of red, blue and green, from above", "incomplete"),
     ],
 )
 def test_what_would_be_lost_is_asked_about(text: str, code: str) -> None:

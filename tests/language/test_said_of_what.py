@@ -74,7 +74,6 @@ ASKED = {
     "no-referent": (
         "Make a row of four blocks. The others are white.",
         "First red, then blue, then green go on the mat, in a row.",
-        "Make a line of five blue blocks and put a red block on top of the first and last.",
     ),
 }  # fmt: skip
 
@@ -151,6 +150,9 @@ IN_TURN: dict[str, Any] = {
         ("A wall of two layers of three, the top blocks blue, the rest red.",
          {"assets": {"red": 3, "blue": 3}, "hold": ["red^blue red^blue red^blue pitch=1"],
           "miss": ["blue^red blue^red blue^red pitch=1"]}),
+        ("Make a line of five blue blocks and put a red block on top of the first and last.",
+         {"assets": {"blue": 5, "red": 2}, "hold": ["blue^red blue blue blue blue^red"],
+          "miss": ["blue^red blue^red blue blue blue", "blue blue blue blue blue^red"]}),
         ("A row of three blocks, the middle one red, the others blue, touching.",
          {"assets": {"red": 1, "blue": 2}, "hold": ["blue red blue pitch=1"], "miss": ["blue red blue"]}),
         ("There is a tower of A, B and C. Put a D on top.",

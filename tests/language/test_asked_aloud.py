@@ -114,6 +114,10 @@ MEANT: list[tuple[str, dict[str, Any]]] = [
         {"assets": {"black": 1, "white": 1}, "hold": ["pitch=1.5 black white"], "miss": ["pitch=1 black white"]},
     ),
     (
+        "Red is right of white. The gap is 2 cm.",
+        {"assets": {"red": 1, "white": 1}, "hold": ["pitch=1.5 white red"], "miss": ["pitch=1.5 red white"]},
+    ),
+    (
         "A stack of three black blocks stands on A at the start. Put A on the mat.",
         {
             "assets": {"A": 1, "black": 3, "patch": 1},

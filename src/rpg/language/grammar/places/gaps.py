@@ -216,7 +216,8 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                 wide_ += denied_bounds(p, end)
                 for (low, high), last in wide_:
                     last = p.opt(last, "wide")
-                    yield _far_apart(p, i, last, theme, low, high, measure), last
+                    far = _far_apart(p, i, last, theme, low, high, measure)
+                    yield (replace(far, mode="goal", lemma="fact") if p.words[end:be] in _STATED else far), last
     for _, measure, _, before in _GAPS if named else ():
         yield from _from_to(p, i, p.any_of(j, before), measure)
     spans += [(b, e, "faces") for b, e in bounds(p, j)]
@@ -306,6 +307,10 @@ def _with_side(p: Parser, i: int, at_: int, apart: Clause) -> Results[Clause]:
                 told = Clause(verb="be", theme=one, adjuncts=(place,), mode="goal", span=span)
                 that = That(kind="so", clauses=Chain(clauses=(told,), links=("and",), span=span), span=span)
                 yield replace(apart, adjuncts=(*apart.adjuncts, that), span=p.span(i, end)), end
+
+
+_STATED = (["is"], ["are"])
+"""So it is told how it is, as of places: "red is right of white. The distance is 15 cm"."""
 
 
 def _alone(told: Meaning) -> bool:

@@ -50,7 +50,7 @@ BLOCK_NOUNS = "block cube brick box"
 LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen element"
 PATCH_NOUNS = (
     "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster "
-    "placemat napkin cloth towel sticker dropzone dot destination paper strip plate tray marking"
+    "placemat napkin cloth towel sticker dropzone dot destination paper strip tray marking"
 )
 TABLE_NOUNS = "table tabletop workspace desk surface"
 LETTER_NOUNS = "letter character"

@@ -44,7 +44,9 @@ def without_materials(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     if not found:
         return tokens, []
     of_blocks = {tokens[n].word for n, end in found.items() if tokens[end].word in _BLOCKS}
-    alike = all(_colored(tokens, n, end) for n, end in found.items()) or not _other_blocks(tokens, found)
+    told = {n: _colored(tokens, n, end) for n, end in found.items()}
+    known = all(told[n] or tokens[n].word in _MATERIALS | _PURPOSES for n in found)
+    alike = known and (all(told.values()) or not _other_blocks(tokens, found))
     if len(of_blocks) > 1 or not alike:
         return tokens, []
     said = ", ".join(dict.fromkeys(tokens[n].raw for n in found))

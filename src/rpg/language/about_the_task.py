@@ -6,6 +6,7 @@ It says nothing of how the blocks are to be. Where it could, it is none of this.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from rpg.language.harmless import FINE
@@ -17,11 +18,19 @@ _TRIED = listed("policy policies agent agents model models learner controller pl
 """What tries a task."""
 _TASK = _TRIED | listed(
     "task tasks stage stages phase phases episode episodes trial trials rollout rollouts run runs benchmark evaluation "
-    "experiment experiments attempt attempts timeout horizon reward rewards score scores outcome outcomes result "
-    "results solution solutions criterion criteria camera cameras lighting simulator simulation seed seeds noise "
-    "difficulty curriculum instruction instructions prompt dataset demonstration demonstrations video videos poses pose"
+    "experiment experiments attempt attempts timeout horizon reward rewards score scores criterion criteria "
+    "camera cameras lighting simulator simulation seed seeds noise "
+    "difficulty curriculum instruction instructions prompt dataset demonstration demonstrations video videos"
 )
 """What a task has about it."""
+_MADE = listed("outcome outcomes result results solution solutions")
+_JUDGED = listed(
+    "unique count counts counting as passed pass correct checked scored graded judged evaluated rated automatically by "
+    "script success the a with visually later logged stored"
+)
+"""What comes of a task, which is made of blocks, and what may be said of it."""
+_LIKE = re.compile("(?:ic|ical|al|ous|ed|ular|ar)$")
+"""How words end that tell what something is like."""
 _AHEAD = listed(
     "the a an this that our my your its their both each every all no any one two three four five first second third "
     "last final next initial starting start random whole entire only same other new old current"
@@ -73,8 +82,13 @@ def _told(tokens: Sequence[Token], words: list[str]) -> bool:
     """ "The task has two stages", "no reward is given for partial success", "this is stage two of the curriculum"."""
     begin = 2 if words[0] in ("this", "it", "that") and words[1] in ("is", "was", "'s") else 0
     subject = next((n for n in range(begin, len(words)) if words[n] not in _AHEAD), len(words))
-    if subject >= len(words) or words[subject] not in _TASK or not _BINDING.isdisjoint(words):
+    if subject >= len(words) or not _BINDING.isdisjoint(words):
         return False
+    if words[subject] in _MADE:
+        return all(word in _JUDGED | _FREE | _IS for word in words[subject + 1 :])
+    how = words[subject + 2 :] if words[subject + 1 : subject + 2] and words[subject + 1] in _IS else []
+    if words[subject] not in _TASK or any(_LIKE.search(word) for word in how[:2] if word not in _FREE):
+        return False  # "the task is palindromic"
     return not any(_of_blocks(tokens, words, n) for n in range(subject + 1, len(words)))
 
 

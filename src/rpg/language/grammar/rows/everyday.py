@@ -124,6 +124,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?=.*\\b(?:towers?|stacks?|stacked|pile|layers?|levels?)\\b|.*\\b{_NTH}(?: {_BLOCK}| one| {_ROW})? from above)"
      "((?:.* )?)(?<!seen )(?<!viewed )(?<!looked at )(?<!looking )(?<!read )(?<!readable )(?<!visible )(?<!watched )"
      "from above(?= |$)", "{1} from the top"),
+    ("^((?:please )?(?:stack|pile) [^:]+ (?:blocks|cubes|bricks|ones)) from the top$", "{1} , from the top"),
     ("\\b(touching (?:it|that|them)) from above\\b", "{1}"),
     (f"(?: [:,])? ({COLOR})(?: ones?)? (?:on the )?outside(?: ,)? (?:and )?(?:then )?({COLOR})(?: ones?)? (?:next to "
      f"(?:that|it|them|those)|inside (?:that|those)|next|further in)(?: ,)?(?: and)?(?: then)? ({COLOR})(?: one)? in "

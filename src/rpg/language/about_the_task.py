@@ -97,4 +97,4 @@ def _of_blocks(tokens: Sequence[Token], words: list[str], n: int) -> bool:
     if not (tells(tokens[n]) or may_tell(words[n])) or words[n] in _TASK:
         return False
     counts = words[n + 1 : n + 2] and words[n + 1] in _TASK | _COUNTED
-    return not (counts or words[n - 1] in _TASK)
+    return not (counts or (words[n - 1] in _TASK and tokens[n].many))

@@ -216,8 +216,8 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                 wide_ += denied_bounds(p, end)
                 for (low, high), last in wide_:
                     last = p.opt(last, "wide")
-                    told = _far_apart(p, i, last, theme, low, high, measure)
-                    yield (replace(told, mode="goal", lemma="fact") if p.words[end:be] in _STATED else told), last
+                    stated = _far_apart(p, i, last, theme, low, high, measure)
+                    yield (replace(stated, mode="goal", lemma="fact") if p.words[end:be] in _STATED else stated), last
     for _, measure, _, before in _GAPS if named else ():
         yield from _from_to(p, i, p.any_of(j, before), measure)
     spans += [(b, e, "faces") for b, e in bounds(p, j)]

@@ -118,6 +118,14 @@ MEANT: list[tuple[str, dict[str, Any]]] = [
         {"assets": {"red": 1, "white": 1}, "hold": ["pitch=1.5 white red"], "miss": ["pitch=1.5 red white"]},
     ),
     (
+        "sort the blocks by letter: two A and two B",
+        {
+            "assets": {"A": 2, "B": 2},
+            "hold": ["pitch=1.1 A A ; pitch=1.1 B B"],
+            "miss": ["pitch=1.1 A B ; pitch=1.1 A B"],
+        },
+    ),
+    (
         "A stack of three black blocks stands on A at the start. Put A on the mat.",
         {
             "assets": {"A": 1, "black": 3, "patch": 1},

@@ -81,7 +81,7 @@ def patterns(kind: str, value: Any, *texts: str) -> list[Pattern]:
 
 def number(said: str) -> int:
     """The number that a word of the class NUM says, or how many times."""
-    return int(said) if said.isdigit() else 2 if said == "twice" else 1
+    return int(said) if said.isdigit() else 2 if said == "twice" else lexicon.NUMBER.get(said, 1)
 
 
 def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
@@ -156,7 +156,8 @@ def _code(tokens: Sequence[Token], n: int) -> str:
     if _SEVERAL.fullmatch(token.raw) and (token.raw[0] not in "AIU" or before.isdigit() or before in _AHEAD):
         return token.raw  # "two Es"
     if word != "one" and word in lexicon.NUMBER:
-        return str(lexicon.NUMBER[word])
+        letters = n + 1 < len(tokens) and len(tokens[n + 1].raw) == 1 and tokens[n + 1].raw.isupper()
+        return word if letters else str(lexicon.NUMBER[word])  # "two A" are no 2 and an A
     many = lexicon.COLOR_PLURAL.get(word)
     return f"{many}s" if many else lexicon.COLOR.get(word, word)
 

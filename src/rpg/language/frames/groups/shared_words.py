@@ -59,7 +59,7 @@ GLYPHS: list[Pattern] = [
     ),
     *patterns(
         "glyphs", lambda match: (match["list"],) * number(match["count"]),
-        r"(?:the )?(?P<count>\d) (?P<list>[A-Z])s?(?: BLOCK)?",
+        r"(?:the )?(?P<count>\d|two|three|four|five|six) (?P<list>[A-Z])s?(?: BLOCK)?",
         r"(?:the )?(?P<count>\d) (?:BLOCK|letters|tiles) (?:with|showing|labell?ed|marked) (?:an? |the letter "
         r")?(?P<list>[A-Z])(?! ,? ?(?:and )?[A-Z]\b)",
     ),

@@ -52,7 +52,7 @@ LABELS: list[Pattern] = [
     *patterns("lot", None,
         rf"(?:(?P<det>the|a|an|one|my) )?(?:{_ONE} )?(?:{_ONE} (?:{_CARRIES} (?:the |a |an )?(?:{_NOUN} "
         rf")?)?)?(?P<label>{_L})(?: {_ONE})?(?! blocks)",
-        r"(?P<count>\d|a|an|one) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)",
+        r"(?P<count>\d|a|an|one|two|three|four|five|six) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)",
         rf"(?:the )?(?P<label>[A-Z])(?: {_ONE})? (?:(?:x|times) (?P<count>\d)|(?:(?:appears|occurs|comes) )?"
         r"(?P<often>once(?! each)|twice|\d(?= times))(?: times)?)",
         r"(?P<count>\d) (?:x|times) (?:the )?(?P<label>[A-Z])"),

@@ -7,6 +7,8 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
+from itertools import permutations
 from multiprocessing import forkserver
 from pathlib import Path
 from random import Random
@@ -19,6 +21,7 @@ from rpg.batch.ledger import LOCKFILE
 from rpg.batch.pool import LocalPool
 from rpg.batch.run import run_batch
 from rpg.core.diagnostics import UsageError
+from rpg.language.lexicon import COLORS
 from rpg.store import Workspace, adopt
 from tests.batch.test_run import ROW, STACK, Here, batch, contents, entries
 
@@ -32,8 +35,12 @@ LIST = [
 ]
 
 
-def start(root: Path, *more: str) -> subprocess.Popen[bytes]:
-    (root / "list.txt").write_text("\n".join(LIST))
+LONG = [f"put the {a} block on the {b} block" for a, b in permutations(COLORS, 2)]
+"""So many that none of them is through before a signal comes."""
+
+
+def start(root: Path, *more: str, lines: Sequence[str] = LIST) -> subprocess.Popen[bytes]:
+    (root / "list.txt").write_text("\n".join(lines))
     command = [sys.executable, "-m", "rpg", "batch", str(root / "list.txt"), "--jobs", "2", "--no-pictures"]
     return subprocess.Popen(
         [*command, "--tasks", str(root / "w"), *more],
@@ -68,7 +75,7 @@ def test_a_killed_batch_resumes_to_the_same_bytes(tmp_path: Path) -> None:
 
 
 def test_ctrl_c_leaves_what_is_finished_and_says_nothing(tmp_path: Path) -> None:
-    process = start(tmp_path)
+    process = start(tmp_path, lines=LONG)
     wait_for(tmp_path, 1)
     os.killpg(process.pid, signal.SIGINT)
     _, err = process.communicate(timeout=60)

@@ -19,8 +19,8 @@ _TRIED = listed("policy policies agent agents model models learner controller pl
 _TASK = _TRIED | listed(
     "task tasks stage stages phase phases episode episodes trial trials rollout rollouts run runs benchmark evaluation "
     "experiment experiments attempt attempts timeout horizon reward rewards score scores criterion criteria "
-    "camera cameras lighting simulator simulation seed seeds noise "
-    "difficulty curriculum instruction instructions prompt dataset demonstration demonstrations video videos"
+    "camera cameras lighting simulator simulation seed seeds noise difficulty curriculum instruction instructions "
+    "prompt dataset demonstration demonstrations video videos"
 )
 """What a task has about it."""
 _MADE = listed("outcome outcomes result results solution solutions")

@@ -30,8 +30,8 @@ _ONE = f"(?:(?:the |an? )?{COLOR}(?: one| block| cube)?|the {LABEL}(?: block| cu
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # how many, and of which size
-    (f"\\b(?:two|2) ({COLOR}) {_BLOCK} [,(:] (?:one|an?) ({_SIZE})(?: one)?(?: , and| ,| and) (?:one|an?) "
-     f"({_SIZE})(?: one)?(?: \\))?(?= ,| and|$)", "a {2} {1} block and a {3} {1} block"),
+    (f"\\b(?:two|2) ({COLOR}) {_BLOCK} [,(:] (?:one|an?) ({_SIZE})(?: one)?(?: , and| ,| and) (?:one|an?) ({_SIZE})(?: "
+     "one)?(?: \\))?(?= ,| and|$)", "a {2} {1} block and a {3} {1} block"),
     (f"\\b(?:minimum|at minimum|at the minimum|a minimum of) ({MANY})\\b", "at least {1}"),
     (f"\\b(?:maximum|at maximum|at the maximum|a maximum of) ({MANY})\\b", "at most {1}"),
     (f"^((?:at least|at most) {MANY} .+) , (?:more|fewer|less) (?:is|are) (?:also |just as )?(?:fine|ok|okay|good)$",
@@ -39,7 +39,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:out of|from|of) the ({MANY} [^,]+? {_BLOCKS})(?: ,)? ({_PUT}) ((?:exactly |at least |at most |only |just "
      f")?{MANY}) (on|in|onto|into) ", "{2} {3} of the {1} {4} "),
     (f"^(?:(?:in total|in all|altogether|overall) )?there (?:are|is) ({MANY} {COLOR}) ones?(?: (?:in total|in all|"
-     f"altogether|overall))?$", "there are {1} blocks"),
+     "altogether|overall))?$", "there are {1} blocks"),
     (f"\\b({MANY}) (blocks|cubes) , ({COLOR}) ones(?=$| ,)", "{1} {3} {2}"),
     (f"^(?:in total|in all|altogether|overall)(?: ,)? there are ({MANY} (?:\\w+ )?(?:blocks|cubes))$", "there are {1}"),
     (f"^(.*?)\\b({MANY})( of them .+?) , exactly \\2 , (?:and )?(?:not|no) (?:more|fewer|less)(?: and not (?:more|"
@@ -51,8 +51,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_PUT} all ({MANY}) ({COLOR}) {_BLOCK} on the (?:mats|patches) , ({MANY}) on the ({COLOR})(?: one| mat)? and "
      f"(.+?) on the ({COLOR})(?: one| mat)?$",
      "of the {1} {2} blocks , {3} must be on the {4} mat and {5} on the {6} mat"),
-    (f"^((?:at least |exactly |at most )?{MANY} of (the {MANY} [^,]+?) {MUST} be on [^,]+?) and none of (?:them|"
-     "these) on (the .+)$", "{1} . none of {2} must be on {3}"),
+    (f"^((?:at least |exactly |at most )?{MANY} of (the {MANY} [^,]+?) {MUST} be on [^,]+?) and none of (?:them|these) "
+     "on (the .+)$", "{1} . none of {2} must be on {3}"),
     (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?(the [^,]+?) , which (?:{MUST} (?:be|go|"
      "lie)|go|goes|belong|belongs) (on .+)$", "{1} {2} them {3} except for {4} . {4} must be {5}"),
     (f"^(.*?)({_PUT}) (?:them|all of them) (on .+?)(?: ,)? except (?:for )?({MANY})(?: of them)? , which (?:{MUST} "
@@ -61,7 +61,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     *((f"\\b({MANY}) ((?:{COLOR} )?{_BLOCK}) {told}(?= (?:on|in|onto|into) |$| ,)", f"{bound} {{1}} {{2}}")
       for told, bound in (("(?:max|maximum|tops|at (?:the )?most)", "at most"),
                           ("(?:min|minimum|at (?:the )?least)", "at least"))),
-    (f"^(.*\\b(?:row|line|tower|stack|column|grid|square|rectangle|wall|pyramid|circle|ring|cube)\\b.*?) , only "
+    ("^(.*\\b(?:row|line|tower|stack|column|grid|square|rectangle|wall|pyramid|circle|ring|cube)\\b.*?) , only "
      f"({COLOR})(?: ones| blocks| cubes)?$", "{1} , all {2}"),
     ("\\bfilled in with\\b", "filled with"),
     ("^(.*(?: by |\\dx\\d|\\bgrid\\b|\\brows of\\b).*?)(?: ,)? (?:in |as )?(?:(?:an? )?single|(?:just |only )?one) "
@@ -83,25 +83,24 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "immediately to the {2} of {1}"),
     ("^([^,]+?) , both (?:of them )?(?:are |being )?(?:cubes|blocks)$", "{1}"),
     (f"^(?:(?:could|can) we )?(?:get |have |put |place |set )?(?:the )?two ({COLOR}) (blocks|cubes|ones) side by "
-     f"side(?: ,)? (?:with|and) "
-     "(.+? on (?:top of )?the (?:left|right) one)$", "put two {1} blocks side by side and {3}"),
+     "side(?: ,)? (?:with|and) (.+? on (?:top of )?the (?:left|right) one)$",
+     "put two {1} blocks side by side and {3}"),
     ("\\b((?:gap|distance|space)(?: of [^,]+?)?) between the (?:two )?(?:towers|stacks|rows|groups|piles)$",
      "{1} between them"),
-    ("\\bthe (left|right|upper|lower|top|bottom|front|back)(?: - hand| hand)? one of (?:them|these|the two|those)(?= "
-     "|$)",
+    ("\\bthe (left|right|upper|lower|top|bottom|front|back)(?: - hand| hand)? one of (?:them|these|the two|those)(?= |"
+     "$)",
      "the {1} one"),
-    (f"^((?:exactly |only |just |at least |at most )?one of )(?:the )?two (?:blocks|cubes|letters|digits)(?: ,| :) "
+    ("^((?:exactly |only |just |at least |at most )?one of )(?:the )?two (?:blocks|cubes|letters|digits)(?: ,| :) "
      f"(?:either )?({THING}) (?:and|or) ({THING})(?: ,)? (?={MUST}|is|goes|belongs|on|in)", "{1} {2} and {3} "),
-    (f"^(?:exactly |only |just )?one of ((?:the )?(?:two )?[^,]+?)(?: ,)? (?:but|and) not (?:both|all)(?: of (?:them|"
+    ("^(?:exactly |only |just )?one of ((?:the )?(?:two )?[^,]+?)(?: ,)? (?:but|and) not (?:both|all)(?: of (?:them|"
      f"these))?(?: ,)? (?={MUST}|is|goes|belongs|on|in)", "exactly one of {1} "),
     # what is wanted
     (f"^((?:an?|one|{MANY}) (?:\\w+ )?(?:row|line|tower|stack|column|circle|square|pyramid|staircase|wall)s? of "
-     f"[^,]+?) (?:is|are) (?:needed|wanted|required|desired|called for)$", "{1}"),
+     "[^,]+?) (?:is|are) (?:needed|wanted|required|desired|called for)$", "{1}"),
     ("^any one of (.+?) ((?:on|in|behind|next to|left of|right of) .+?) (?:will do|is fine|is ok|is okay|is enough)$",
      "put one of {1} {2}"),
-    (f"^(?:i|we) (?:need|want|would like)(?: to (?:see|have))? ((?:an?|{MANY}) [^,]+?) (?:that|which) "
-     f"(?!.*\\b(?:start|now|"
-     f"first|initially|beginning)\\b)(?:(?:are|is) )?({PLACE} [^,]+|touch each other|touching each other)$",
+    (f"^(?:i|we) (?:need|want|would like)(?: to (?:see|have))? ((?:an?|{MANY}) [^,]+?) (?:that|which) (?!.*\\b(?:start|"
+     f"now|first|initially|beginning)\\b)(?:(?:are|is) )?({PLACE} [^,]+|touch each other|touching each other)$",
      "{1} must be {2}"),
     (f"^((?:an?|{MANY}) [^,]+?) (?:that|which) (touch each other)$", "{1} must {2}"),
     # nobody is no block
@@ -115,15 +114,15 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("(?:has|have|'s|'ve) got to (?=(?:be|go|stand|sit|lie|touch|rest|end|stay|form)\\b)", "must "),
     # measures
     (f"\\bby ({LENGTH}) or more\\b", "by at least {1}"),
-    (f"(?: ,| and)* (?:(?:with|leave)(?: me| us)? )?(?:a )?(?:({LENGTH}) gaps?|gaps? of ({LENGTH})) (?:between "
-     "each(?: one)? and the next(?: one)?|every time|each time)$", " with gaps of {1} {2}"),
+    (f"(?: ,| and)* (?:(?:with|leave)(?: me| us)? )?(?:a )?(?:({LENGTH}) gaps?|gaps? of ({LENGTH})) (?:between each(?: "
+     "one)? and the next(?: one)?|every time|each time)$", " with gaps of {1} {2}"),
     # from which end
     ("\\bfrom (?:the )?(?:(?:table|ground|floor) (?:up|upwards|to the top)|down (?:to )?up|below to above|bottom to "
      "up)\\b", "from bottom to top"),
     ("\\bfrom (?:up to down|above to below)\\b", "from top to bottom"),
-    (f"^(?=.*\\b(?:towers?|stacks?|stacked|pile|layers?|levels?)\\b|.*\\b{_NTH}(?: {_BLOCK}| one| {_ROW})? from above)"
-     "((?:.* )?)(?<!seen )(?<!viewed )(?<!looked at )(?<!looking )(?<!read )(?<!readable )(?<!visible )(?<!watched )"
-     "from above(?= |$)", "{1} from the top"),
+    (f"^(?=.*\\b(?:towers?|stacks?|stacked|pile|layers?|levels?)\\b|.*\\b{_NTH}(?: {_BLOCK}| one| {_ROW})? from "
+     "above)((?:.* )?)(?<!seen )(?<!viewed )(?<!looked at )(?<!looking )(?<!read )(?<!readable )(?<!visible "
+     ")(?<!watched )from above(?= |$)", "{1} from the top"),
     ("^((?:please )?(?:stack|pile) [^:]+ (?:blocks|cubes|bricks|ones)) from the top$", "{1} , from the top"),
     ("\\b(touching (?:it|that|them)) from above\\b", "{1}"),
     (f"(?: [:,])? ({COLOR})(?: ones?)? (?:on the )?outside(?: ,)? (?:and )?(?:then )?({COLOR})(?: ones?)? (?:next to "
@@ -149,8 +148,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^({MANY}) (in a (?:row|line|tower|stack|column|circle))\\b", "{1} blocks {2}"),
     (f"^(?:from|out of|with|using) the (?:cubes|blocks) ((?:\\w(?: ,)? )+and \\w) , ({_PUT} .+)$",
      "there are the blocks {1} . {2}"),
-    (f"\\bas (?:tall|high|long|big) a ({LINE}|pillar) as (?:possible|(?:you|we|the robot) can|it gets|can be)"
-     "(?: get| build| make| built| made)? (?:out of|from|with|of|using)\\b", "a {1} of"),
+    (f"\\bas (?:tall|high|long|big) a ({LINE}|pillar) as (?:possible|(?:you|we|the robot) can|it gets|can be)(?: get| "
+     "build| make| built| made)? (?:out of|from|with|of|using)\\b", "a {1} of"),
     ("\\b(?:at|with|in) equal (?:distances?|spacing|gaps|intervals|spaces?) (?:between (?:them|each other)|in "
      "between)\\b", "evenly spaced"),
     # where they are in the end, and at the start
@@ -195,10 +194,10 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # where exactly
     (f"\\b(block|cube|one|it|them|{COLOR}) (?:dead )?center of (?=the table\\b)", "{1} in the center of "),
     ("\\b(?:smack|bang|slap|slap bang|smack dab|plumb|dead|right bang) in the (middle|center)\\b", "in the {1}"),
-    ("^(?:please )?(?:spread(?: out)?|distribute|scatter) (.+?)(?: out)? (?:all )?(?:over|across|around|"
-     "throughout) the table (?=.*\\b(?:touch|touching|touches|apart|cm)\\b)", "put {1} "),
-    (f"^(.*?\\b(?:move|push|shift|slide)\\b.+?)(?: just)? an? (?:bit|little|little bit|touch) ((?:to|towards) the "
-     f"\\w+|away from me|towards me|left|right|back|forward)(?: ,)? (?:like|say|let us say) ({LENGTH})$",
+    ("^(?:please )?(?:spread(?: out)?|distribute|scatter) (.+?)(?: out)? (?:all )?(?:over|across|around|throughout) "
+     "the table (?=.*\\b(?:touch|touching|touches|apart|cm)\\b)", "put {1} "),
+    ("^(.*?\\b(?:move|push|shift|slide)\\b.+?)(?: just)? an? (?:bit|little|little bit|touch) ((?:to|towards) the \\w+|"
+     f"away from me|towards me|left|right|back|forward)(?: ,)? (?:like|say|let us say) ({LENGTH})$",
      "{1} {2} by {3}"),
     (" , (?:would|will|could|can) you (?:please )?(?:, )?(?=and\\b)", ", "),
     (f"\\b(set|put|move|push|lay|place) ({THING}) (?:to|on) (?:one|the) side(?= and| ,|$)", "{1} {2} aside"),
@@ -208,11 +207,11 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(ascending|descending|increasing|decreasing|sorted|order)(?: ,)?(?: from)? l (?:to|→|-) r$",
      "{1} from left to right"),
     # how they differ in size and color
-    (f"^(.+ {_BLOCKS}\\b[^,:]*?)(?: by (?:size|height))?(?: ,| with)* (?:the )?tallest(?: one)? (?:at|on|to) (?:the )?"
-     "(left|right)(?: ,| and)+ (?:the )?shortest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
+    (f"^(.+ {_BLOCKS}\\b[^,:]*?)(?: by (?:size|height))?(?: ,| with)* (?:the )?tallest(?: one)? (?:at|on|to) (?:the "
+     ")?(left|right)(?: ,| and)+ (?:the )?shortest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
      "{1} by size , largest at the {2} and smallest at the {3}"),
-    (f"^(.+ {_BLOCKS}\\b[^,:]*?)(?: by (?:size|height))?(?: ,| with)* (?:the )?shortest(?: one)? (?:at|on|to) (?:the )?"
-     "(left|right)(?: ,| and)+ (?:the )?tallest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
+    (f"^(.+ {_BLOCKS}\\b[^,:]*?)(?: by (?:size|height))?(?: ,| with)* (?:the )?shortest(?: one)? (?:at|on|to) (?:the "
+     ")?(left|right)(?: ,| and)+ (?:the )?tallest(?: one)? (?:at|on|to) (?:the )?(left|right)$",
      "{1} by size , smallest at the {2} and largest at the {3}"),
     (f"^((?:put|place|arrange|line up|set|lay)(?: out)? the (?:blocks|cubes)) in (?:the|an?) ({LINE})(?: ,| and|;)+ "
      f"(?:the|their) colors? (?:{MUST} )?(?:change|changes|changing|alternate|alternates|go|come|follow|are|be)(?: "
@@ -248,8 +247,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      ")?(?:the width of (?:a|one) block|(?:a|one) block wide|as wide as (?:a|one) block)$",
      "there must be a gap of one block between {1} and {2}"),
     (f"\\b(tower|stack|row|line|circle|column) (?:with|of|from|out of) (?:just |exactly )?as many ({COLOR})(?: "
-     f"{_BLOCKS})? as ({COLOR})(?: {_BLOCKS})?(?: ,| :) ({MANY})(?: {_BLOCKS})? (?:in total|in all|altogether|overall)"
-     "$",
+     f"{_BLOCKS})? as ({COLOR})(?: {_BLOCKS})?(?: ,| :) ({MANY})(?: {_BLOCKS})? (?:in total|in all|altogether|"
+     "overall)$",
      "{1} of {4} blocks , half of them {2} and half of them {3}"),
     (f"^(?:pair up|pair) (?:the (?:blocks|cubes)|them)(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ "
      f"({COLOR}) (?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
@@ -271,8 +270,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "{1} never "),
     (f"\\b({MUST}) , (?:at all times|at any time|throughout) , (?!not\\b)", "{1} always "),
     ("\\bso (?=the (?:sum|equation|calculation|addition) (?:is|comes out|works out) )", "so that "),
-    (f"^(the [^,]+?|\\w+) (?:may|must|can|should|shall) (?:not|never) leave (the (?:table|{_MAT}|\\w+ {_MAT}))"
-     "(?= ,|$)", "{1} must always be on {2}"),
+    (f"^(the [^,]+?|\\w+) (?:may|must|can|should|shall) (?:not|never) leave (the (?:table|{_MAT}|\\w+ {_MAT}))(?= ,|$)",
+     "{1} must always be on {2}"),
     (f"\\bfrom (?:any|every|all|each) other (?:blocks?|cubes?|ones?) : ((?:(?:the )?{COLOR}(?: ,| and| , and)* "
      "?)+)$", "from {1}"),
     (f"^(.*?)\\bthe (blocks|cubes)\\b([^,:]*) , ({MANY}) of them(?= ,|$)", "{1} {4} {2} {3}"),
@@ -287,15 +286,15 @@ EVERYDAY: tuple[Turn, ...] = (
        f"({PLACE} .+)$", said)
       for begun, said in ((f"(?:please )?(?:{PUT} )?", "{1} must not be {2}"),
                           ("(.+?) , with ", "{1} . {2} must not be {3}"))),
-    *((f"^(?:please )?(?:spread|distribute)(?: out)? (.+?)(?: out)? (?:all )?(?:over|across|around|throughout) "
-       f"(?=the {_PART} (?:half|side|part)\\b{told})", f"{how} {{1}} in ")
+    *(("^(?:please )?(?:spread|distribute)(?: out)? (.+?)(?: out)? (?:all )?(?:over|across|around|throughout) (?=the "
+       f"{_PART} (?:half|side|part)\\b{told})", f"{how} {{1}} in ")
       for told, how in ((".*\\b(?:touch|touching|touches|next to|beside|apart|near|cm)\\b", "put"), ("", "spread"))),
     (f"^(.*\\b)(?:let|leave) ({THING})(?: to)? (?:be|alone)$", "{1} leave {2} where it is"),
     ("\\b(leave|keep) ([^,]+?) (?:lying|sitting|standing|resting) (?=(?:on|in|where)\\b)", "{1} {2} "),
     (f"^(.*\\b)let ({THING}) (?:be |stay )?(empty|free|clear)$", "{1} leave {2} {3}"),
     # without a stop in between
-    (f"^((?:there (?:is|are) )?{MANY} [^,:;]*?{_BLOCKS}) (?:just |please |simply |now "
-     f")?((?:{_PUT}|bunch|group|pile|line|sort|arrange) (?:them|these|those|all of them)\\b.*)$", "{1} , {2}"),
+    (f"^((?:there (?:is|are) )?{MANY} [^,:;]*?{_BLOCKS}) (?:just |please |simply |now )?((?:{_PUT}|bunch|group|pile|"
+     "line|sort|arrange) (?:them|these|those|all of them)\\b.*)$", "{1} , {2}"),
     (f"^((?:(?:can|could|would) you |please |just )?(?:{_PUT}|make|build|line|sort|swap|group|arrange|spell|pile) "
      f"[^,;:]+?){_NOT_SO} (there (?:is|are) (?:an?|only|\\d+|{FEW}) .+)$", "{1} . {2}"),
     # what it is about
@@ -310,7 +309,7 @@ EVERYDAY: tuple[Turn, ...] = (
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = (
-    "dead smack bang slap dab plumb lovely look enough sufficient plenty min max tops minimum maximum upwards "
-    "audience pupils save ground floor",
+    "dead smack bang slap dab plumb lovely look enough sufficient plenty min max tops minimum maximum upwards audience "
+    "pupils save ground floor",
 )
 """Words that these take besides those that are read anyway."""

@@ -12,9 +12,8 @@ _BE = f"(?:is|are|being|{MUST} be|stands|lies|sits)"
 _RING = "(?:circle|ring)"
 _PLUS = "(?:plus sign|plus shape|plus|cross)"
 _WITHOUT = "(?: ,)? (?:not counting|without|not including) the (?:center|middle)(?: block| cube| one)?"
-_ARMS = (f"(?:arms|each arm|each of (?:the |its )?(?:four )?arms)(?: that| which)?(?: is| are| being)?(?: of)? "
-         f"({MANY}) "
-         "(?:blocks|cubes)(?: long)?(?: each)?")  # fmt: skip
+_ARMS = ("(?:arms|each arm|each of (?:the |its )?(?:four )?arms)(?: that| which)?(?: is| are| being)?(?: of)? "
+         f"({MANY}) (?:blocks|cubes)(?: long)?(?: each)?")  # fmt: skip
 _IS = f"(?: is| are| being| {MUST} be)?(?: all)?"
 _SIDE = "(?:left|right|middle|center|front|back|near|far)"
 _THAT = "(?: ,| :| that is| which is| where| in which)*"
@@ -22,21 +21,20 @@ _BUT = "(?:except|but|apart from|save)(?: for)?"
 _LOW, _HIGH = "(?:lower|bottom|lowest)", "(?:upper|top|topmost)"
 _DIMS = "(\\d+x\\d+|(?:\\d+|two|three|four) by (?:\\d+|two|three|four))"
 _LETTER = "((?:\\b(?:shape|form) of (?:a|an|the letter) |\\b(?:a|an|the letter) |^)[uvUV](?: shape)?\\b.*?)"
-_OPEN = (f"(?: ,| and it| and| so that it)*(?: that| which| thats)?(?: is| {MUST} be| {MUST})?(?<! the)(?<! its)"
-         "(?<! an) (?:opens?|opened|opening(?= away| at| on))(?: up)?(?: is)?")  # fmt: skip
+_OPEN = (f"(?: ,| and it| and| so that it)*(?: that| which| thats)?(?: is| {MUST} be| {MUST})?(?<! the)(?<! its)(?<! "
+         "an) (?:opens?|opened|opening(?= away| at| on))(?: up)?(?: is)?")  # fmt: skip
 _ME = "(?:the )?(?:robot|me|viewer|camera|us|you)"
 _TOWARD = {
     "back": f"(?:away from {_ME}|(?:at|to|towards?|on) the (?:back|far side|far end|far edge)|backwards?)",
     "front": f"(?:towards? {_ME}|(?:at|to|towards?|on) the (?:front|near side|near end|near edge))",
     "left": "(?:at|to|towards?|on) the left(?: side)?", "right": "(?:at|to|towards?|on) the right(?: side)?",
 }  # fmt: skip
-_EACH_SIDE = (f"({MANY})(?: blocks| cubes| bricks| of them)? (?:along|on|to|per|at) ?(?:each|every|a)?(?: one of "
-              f"its)? ?sides?"
-              "(?: ,)?(?:(?: with)?(?: the)? corners (?:counted|included)| counting the corners| including the "
+_EACH_SIDE = (f"({MANY})(?: blocks| cubes| bricks| of them)? (?:along|on|to|per|at) ?(?:each|every|a)?(?: one of its)? "
+              "?sides?(?: ,)?(?:(?: with)?(?: the)? corners (?:counted|included)| counting the corners| including the "
               "corners)?")  # fmt: skip
 _OUTLINE = "(?:the )?outline of an? (rectangle|square)"
-_LONG_WIDE = (f"({MANY}){N}(?: long| along)?(?: by| and| ,)+ ({MANY}){N}(?: wide| across| deep)?"
-              "(?:(?: ,)?(?: with| and) nothing inside)?")  # fmt: skip
+_LONG_WIDE = (f"({MANY}){N}(?: long| along)?(?: by| and| ,)+ ({MANY}){N}(?: wide| across| deep)?(?:(?: ,)?(?: with| "
+              "and) nothing inside)?")  # fmt: skip
 _ARE = f"(?:is|are|{MUST} be)"
 _LATERAL = f"(?:{_ARE} )?(?:on|at|in|to) the"
 _NEAR = "(?:nearer|nearest|closer|closest) to (?:me|you|us|the viewer|the robot)"
@@ -44,8 +42,8 @@ _ONE_AND_OTHER = f"\\b(grid\\b.*?) one (column|row) (?:{_ARE} )?(\\w+)(?: ,)? an
 _ROW_AND_OTHER = f"({_ARE} )?(?:all )?(\\w+)(?: ,)? and the other(?: one| row)? ({_ARE} )?(?:all )?(\\w+)$"
 _THE_FIRST = "(?: ,| with|;)+ the \\3 (?:column|row|one)"
 _EACH_OF_ONE = (
-    "(?:in which|where|such that|so that|whose|with)? ?(?:each|every) {axis} (?:is|being|must be|should be|has|"
-    "having|of) (?:monochrome|monochromatic|unicolored|(?:of )?(?:one|a single|the same) color|single colored)"
+    "(?:in which|where|such that|so that|whose|with)? ?(?:each|every) {axis} (?:is|being|must be|should be|has|having|"
+    "of) (?:monochrome|monochromatic|unicolored|(?:of )?(?:one|a single|the same) color|single colored)"
 )
 _WHICH = (
     "\\b(?:far|back|rear|near|front|middle|center|left|right|top|bottom|upper|lower|first|second|third|fourth|last)"
@@ -54,7 +52,7 @@ _WHICH = (
 FIGURES: tuple[Turn, ...] = (
     # letters by what people call them
     ("\\b([tl]) (?:junction|bend)(?= (?:of|out|from|made|with|using)\\b)", "{1} shape"),
-    (f"\\b(?:tetris ([tl]) (?:piece|block|shape)|([tl]) tetromino)(?:$| (?:out of|of|from|with|made of|made from) (?:4 "
+    ("\\b(?:tetris ([tl]) (?:piece|block|shape)|([tl]) tetromino)(?:$| (?:out of|of|from|with|made of|made from) (?:4 "
      f"|four )?({COLOR} )?{_BLOCKS}$)", "{1} {2} shape of 4 {3} blocks"),
     ("\\b(?:plus|cross) (?:shaped|like) (?:cross|plus|figure)\\b", "plus"),
     ("(?: ,)? in plan(?: view)?(?= ,|$)", ""),
@@ -69,8 +67,8 @@ FIGURES: tuple[Turn, ...] = (
     # rings around something
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:{MUST} )?(?:form |make |stand |are |lie |be )?(?:placed |arranged "
      f")?(?:in |into |as )?an? ({_RING}) (?:all )?(?:around|round) ((?:the|an?) [^,:]+)$", "a {2} of {1} around {3}"),
-    (f"^((?:put|place|set|lay) .+? in the {MID})(?: ,)? (?:and |then |and then )?surround (?:it|that|that one) "
-     f"(?:with|by) ({MANY} [^,:]+)$", "{1} and {2} around it"),
+    (f"^((?:put|place|set|lay) .+? in the {MID})(?: ,)? (?:and |then |and then )?surround (?:it|that|that one) (?:with|"
+     f"by) ({MANY} [^,:]+)$", "{1} and {2} around it"),
     (f"^(?:surround|encircle) ((?:the|an?) [^,:]+?) (?:with|by) an? ({_RING}) (?:of|made of|from) ({MANY} [^,:]+)$",
      "a {2} of {3} around {1}"),
     ("\\b(circle|ring|square|plus|cross|grid)\\b((?:(?! and ).)*?) (in|at) the (middle|center) of the \\1$",
@@ -85,12 +83,13 @@ FIGURES: tuple[Turn, ...] = (
      "{1} as a plus"),
     (f"\\b({_PLUS})(?: of five {_BLOCKS}| of 5 {_BLOCKS})?(?: ,| :)? (?:four|4)(?: of (?:them|these))? ({COLOR})(?: "
      f"{_BLOCKS})? and (?:the (?:one|block|cube) (?:in|at) the {MID}|the {MID} (?:one|block|cube)|the {MID}) "
-     f"({COLOR})$", "{1} with a {3} center and {2} arms"),
+     f"({COLOR})$",
+     "{1} with a {3} center and {2} arms"),
     (f"\\b({_PLUS}) (?:of|from|out of|made of) (?:four|4) ({COLOR})(?: {_BLOCKS})? (?:and|with|around) (?:an?|one) "
      f"({COLOR})(?: {_BLOCK})?(?: (?:in|at|as|for) (?:the|its) {MID}| so that the \\3 (?:one|{_BLOCK}) (?:is|becomes|"
      f"forms|makes|{MUST} be) (?:its|the) {MID})$", "{1} with a {3} center and {2} arms"),
-    (f"^{BUILD} (?:four|4) ({COLOR})(?: {_BLOCKS})? around an? ({COLOR})(?: {_BLOCK})? ,? ?(?:which|that|so that it|"
-     f"so it|to) (?:gives?|makes?|forms?) an? ({_PLUS})(?: with an? \\2 {MID})?$",
+    (f"^{BUILD} (?:four|4) ({COLOR})(?: {_BLOCKS})? around an? ({COLOR})(?: {_BLOCK})? ,? ?(?:which|that|so that it|so "
+     f"it|to) (?:gives?|makes?|forms?) an? ({_PLUS})(?: with an? \\2 {MID})?$",
      "a {3} with a {2} center and {1} arms"),
     (f"^an? ({COLOR}) (?:{_BLOCK}) {_BE} (?:in|at) the {MID} of an? ({_PLUS}) (?:whose|with) (?:the |its )?(?:four "
      f")?arms (?:are |of )?({COLOR})(?: {_BLOCKS})?$", "a {2} with a {1} center and {3} arms"),
@@ -100,8 +99,8 @@ FIGURES: tuple[Turn, ...] = (
      f"save)(?: for)? the (?:one (?:in|at) the {MID}|{MID} one|{MID})(?: ,)?(?: which is| being)? ({COLOR})$",
      "{1} with a {3} center and {2} arms"),
     # what lies on the middle
-    (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) (?:whose {MID}(?: {_BLOCK})? (?:carries|bears|holds|supports)|with "
-     f"the {MID} (?:one|{_BLOCK}) (?:carrying|bearing|holding)) (?:the|an?) ({COLOR} {_BLOCK})$",
+    (f"^(.*\\b(?:{_PLUS}|grid|square)\\b[^,]*?) (?:whose {MID}(?: {_BLOCK})? (?:carries|bears|holds|supports)|with the "
+     f"{MID} (?:one|{_BLOCK}) (?:carrying|bearing|holding)) (?:the|an?) ({COLOR} {_BLOCK})$",
      "{1} with a {2} on its center"),
     (f"\\b(?:checkerboard|chessboard|checkered) ({COLOR})(?: and|/| ,)? ({COLOR})$", "in a checkerboard pattern of "
      "{1} and {2}"),
@@ -142,22 +141,22 @@ BOARDS: tuple[Turn, ...] = (
     ("\\b(grid) (?:that|which) reads (.+?) row by row(?: ,)?(?: (?:starting )?(?:from|at) the far left)?$",
      "{1} of {2} in reading order"),
     (f"\\b(square|grid)\\b(.*?)(?: ,| with| and| so that)+ the(?: two)? {COLOR}{N}{_IS} (?:on (?:one|a|the same) "
-     f"diagonal|diagonal(?:ly)?(?: opposite)?(?: to| from)? each other)(?:(?: ,| and)+ the(?: two)? {COLOR}{N}{_IS} "
-     "on the other(?: diagonal| one)?)?$", "{1} {2} with equal colors diagonally opposite each other"),
+     f"diagonal|diagonal(?:ly)?(?: opposite)?(?: to| from)? each other)(?:(?: ,| and)+ the(?: two)? {COLOR}{N}{_IS} on "
+     "the other(?: diagonal| one)?)?$", "{1} {2} with equal colors diagonally opposite each other"),
     # one that differs
     (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} (?:an?|one|the) ({COLOR}){N} (?:in|"
      f"at) the {MID}$", "{1} {2} with a {4} center and the rest {3}"),
     (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} the (?:{MID}{N}|one in the {MID})(?: "
      f",)?(?: which is| is| being)? ({COLOR})$", "{1} {2} with a {4} center and the rest {3}"),
-    (f"\\b(grid|square) (of|from) ({MANY} {COLOR} {_BLOCKS}) and (?:an?|one) ({COLOR}){N}(?: ,)? (?:which is |with it "
-     f"|it is |that is |being )?(?:in|at) the {MID}$", "{1} of {3} with a {4} block in the center"),
+    (f"\\b(grid|square) (of|from) ({MANY} {COLOR} {_BLOCKS}) and (?:an?|one) ({COLOR}){N}(?: ,)? (?:which is |with it |"
+     f"it is |that is |being )?(?:in|at) the {MID}$", "{1} of {3} with a {4} block in the center"),
     # layers
     (f"\\b((?:cube|grid|wall)\\b.*?)(?: ,| with)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH}) "
      f"layer(?: ,| and)+(?: the)? ({COLOR}){N}(?: all)? (?:in|on) the ({_LOW}|{_HIGH})(?: layer| one)?$",
      "{1} , the {3} layer {2} and the {5} layer {4}"),
-    (f"^two layers : the {_LOW}(?: one| layer)?{_IS} an? {_DIMS}(?: grid| square)? (?:of )?({COLOR}){N}(?: ,| and| "
-     f";)+ the {_HIGH}(?: one| layer)?{_IS}(?: an?)? \\1(?: grid| square)? (?:of )?({COLOR}){N}(?: on (?:it|top of "
-     "it))?$", "two layers of {1} blocks , the bottom layer {2} and the top layer {3}"),
+    (f"^two layers : the {_LOW}(?: one| layer)?{_IS} an? {_DIMS}(?: grid| square)? (?:of )?({COLOR}){N}(?: ,| and| ;)+ "
+     f"the {_HIGH}(?: one| layer)?{_IS}(?: an?)? \\1(?: grid| square)? (?:of )?({COLOR}){N}(?: on (?:it|top of it))?$",
+     "two layers of {1} blocks , the bottom layer {2} and the top layer {3}"),
     # outlines
     ("\\b(?:trace|mark|draw|mark out|traces|marks) (the outline of)\\b", "form {1}"),
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS})(?: {MUST})? (?:as|in|into|form|make) {_OUTLINE}(?: ,)? {_LONG_WIDE}$",
@@ -170,8 +169,8 @@ BOARDS: tuple[Turn, ...] = (
      "(square|triangle)$", "the outline of a {3} of {1} with {2} per side"),
     (f"^(?:{BUILD} )?({MANY} [^,:]*?{_BLOCKS}) (?:as|in|into) the outline of an? (square|triangle) ,(?: with)? "
      f"{_EACH_SIDE}$", "the outline of a {2} of {1} with {3} per side"),
-    (f"^the outline of an? (square|triangle) {MUST.replace('shall', 'is|shall')} (?:be )?(?:formed|made|laid) (?:by|"
-     f"of|from|with) ({MANY} [^,:]*?{_BLOCKS}) ,(?: with)? {_EACH_SIDE}$",
+    (f"^the outline of an? (square|triangle) {MUST.replace('shall', 'is|shall')} (?:be )?(?:formed|made|laid) (?:by|of|"
+     f"from|with) ({MANY} [^,:]*?{_BLOCKS}) ,(?: with)? {_EACH_SIDE}$",
      "the outline of a {1} of {2} with {3} per side"),
     (f"\\b(outline of an? (?:triangle|square)\\b.*?)(?: ,)? each side of which {MUST} (?:consist of|have|be) ({MANY}) "
      f"{_BLOCKS}(?: long)?$", "{1} with {2} blocks per side"),
@@ -187,10 +186,10 @@ BOARDS: tuple[Turn, ...] = (
     (f"(?: ,)?(?: and)?(?: then)? fill (?:in )?(the rest|the others|everything else)(?: in| up)? with ({COLOR})(?: "
      "blocks| cubes| ones)?$", " and {1} in {2}"),
     # how many there are of each, and on either side
-    (f"^((?:{COLOR} ?,? ?(?:and )?)+?)(?: ,)? (?::|-|;) (?:just |exactly )?one (?:block |cube |of )*each(?: "
-     "color)?(?: ,)? (.+)$", "one block each of {1} , {2}"),
-    *((f"\\b((?:row|line) of (?:{total}) .*?) (?:the |one )?(?:{side})(?: (?:blocks|ones|cubes))? (?:on|to) "
-       f"(?:each|either) side(?: of (?:it|that|the middle one))?(?: (?:is|are|being|{MUST} be))? ({COLOR})$",
+    (f"^((?:{COLOR} ?,? ?(?:and )?)+?)(?: ,)? (?::|-|;) (?:just |exactly )?one (?:block |cube |of )*each(?: color)?(?: "
+     ",)? (.+)$", "one block each of {1} , {2}"),
+    *((f"\\b((?:row|line) of (?:{total}) .*?) (?:the |one )?(?:{side})(?: (?:blocks|ones|cubes))? (?:on|to) (?:each|"
+       f"either) side(?: of (?:it|that|the middle one))?(?: (?:is|are|being|{MUST} be))? ({COLOR})$",
        "{1} the others {2}")
       for total, side in (("three|3", "ones?|blocks?"), ("five|5", "two|2"), ("seven|7", "three|3"))),
     # each line of one colour, where it is told which

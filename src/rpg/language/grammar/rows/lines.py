@@ -23,33 +23,32 @@ _MADE = "(?:formed|made|built|laid|laid out|created|arranged)"
 _BE = f"(?:is|are|be|{MUST} be|being)"
 _IN = "(?: in (?:its |their |the )?colors?| colors?| color - ?wise)?"
 _ABOUT = (
-    "(?: (?:about|around|to|with respect to|relative to) (?:its|the|their) (?:own )?"
-    "(?:middle|center|middle block|center block|middle one|midpoint|axis)| like (?:in|with|through) a mirror"
-    "| left (?:and|to) right| left - right| as in a mirror| from left to right)?"
+    "(?: (?:about|around|to|with respect to|relative to) (?:its|the|their) (?:own )?(?:middle|center|middle block|"
+    "center block|middle one|midpoint|axis)| like (?:in|with|through) a mirror| left (?:and|to) right| left - right| "
+    "as in a mirror| from left to right)?"
 )
 _FROM = f"from (?:the )?{END}(?: end| side)?(?: to (?:the )?{END})?"
 _EACH_WAY = (
-    f"(?:from (?:both|either) (?:ends?|sides?|directions?)|both ways|either way|in both directions|in either direction"
-    f"|forwards? (?:and|as) backwards?|backwards? (?:and|as) forwards?"
-    f"|{_FROM} (?:as|and|or) (?:when )?(?:read )?(?:{_FROM}|(?:the )?{END})"
-    "|(?:from )?(?:whichever|whatever|no matter which) (?:end|side|way) (?:you |one |it is )?"
-    "(?:starts?|begins?|looks?|comes?|reads?|read)(?: it)?(?: from| at)?)"
+    "(?:from (?:both|either) (?:ends?|sides?|directions?)|both ways|either way|in both directions|in either direction|"
+    f"forwards? (?:and|as) backwards?|backwards? (?:and|as) forwards?|{_FROM} (?:as|and|or) (?:when )?(?:read "
+    f")?(?:{_FROM}|(?:the )?{END})|(?:from )?(?:whichever|whatever|no matter which) (?:end|side|way) (?:you |one |it "
+    "is )?(?:starts?|begins?|looks?|comes?|reads?|read)(?: it)?(?: from| at)?)"
 )
 _SAME = f"(?:exactly |just )?(?:the )?same(?: if you read it| when read| read)? {_EACH_WAY}"
 _READS = f"(?:reads?|looks?|appears?|is|are|be|runs?|goes|go|{MUST} (?:read|look|appear|be|run|go)|can be read)"
 _IMAGE = "(?:an? |the |its own )?(?:exact )?(?:mirror images?|mirrored|reflections?)"
 _OF_ROW = "(?: of (?:it|the row|the line|them))?"
 _HALVES = (
-    f"(?:the |its )?(?:left|right|upper|lower|one) half{_OF_ROW} {{0}} (?:the |its )?(?:left|right|upper|lower|other)"
-    "(?: half| one)?"
+    f"(?:the |its )?(?:left|right|upper|lower|one) half{_OF_ROW} {{0}} (?:the |its )?(?:left|right|upper|lower|"
+    "other)(?: half| one)?"
 )
 _REFLECTS = f"(?:(?:{MUST} )?mirrors?|(?:{MUST} )?reflects?|{_BE} {_IMAGE} (?:of|by|in)|is mirrored (?:by|in))"
 _BOTH = f"(?:the |its )?(?:left (?:and|half and)(?: the)? right (?:half|halves|side|sides)|(?:two )?halves){_OF_ROW}"
 _EACH_OTHER = "(?: of each other| of one another)?"
 _MIRRORED = (
-    f"(?:{_BE} (?:exactly |perfectly |fully )?(?:mirror )?(?:symmetric|symmetrical|mirrored){_IN}{_ABOUT}{_IN}"
-    f"|{_BE} an? (?:color )?palindrome{_IN}(?: of colors)?|{_BE} {_IMAGE}(?: of itself)?(?: left and right)?"
-    f"|(?:forms?|makes?|gives?|{MUST} (?:form|make|give)) an? (?:color )?palindrome|{_READS} {_SAME})"
+    f"(?:{_BE} (?:exactly |perfectly |fully )?(?:mirror )?(?:symmetric|symmetrical|mirrored){_IN}{_ABOUT}{_IN}|{_BE} "
+    f"an? (?:color )?palindrome{_IN}(?: of colors)?|{_BE} {_IMAGE}(?: of itself)?(?: left and right)?|(?:forms?|makes?|"
+    f"gives?|{MUST} (?:form|make|give)) an? (?:color )?palindrome|{_READS} {_SAME})"
 )
 _ALL = (
     f"(?:it|they|these|everything|all of it|the (?:whole )?{_LINE}|(?:the|its|their) (?:colors?|color sequence|order))"
@@ -60,13 +59,13 @@ _ITS = "(?:colors|color sequence|sequence of colors|color order|order|order of c
 _BLOCK = f"(?:the )?({COLOR}|\\w)(?: block| cube| one)?"
 _ENDS = "(?:(?:each|both|either)(?: (?:one )?of (?:its|the|both|the two|its two))?|the two|its two|both the)(?: two)?"
 _OF_LINE = "(?: of (?:it|the row|the line))?"
-_ON_ENDS = (f"(?:on top of {_ENDS} ends?(?: blocks?| cubes?)?{_OF_LINE}|on {_ENDS} end (?:blocks?|cubes?){_OF_LINE}"
-            f"|on (?:top of )?the (?:first|leftmost)(?: one| block| cube)? and (?:on )?(?:the )?(?:last|rightmost)"
-            "(?: one| block| cube)?)")  # fmt: skip
+_ON_ENDS = (f"(?:on top of {_ENDS} ends?(?: blocks?| cubes?)?{_OF_LINE}|on {_ENDS} end (?:blocks?|cubes?){_OF_LINE}|on "
+            "(?:top of )?the (?:first|leftmost)(?: one| block| cube)? and (?:on )?(?:the )?(?:last|rightmost)(?: one| "
+            "block| cube)?)")  # fmt: skip
 """On top of the blocks at both ends; "on each end" alone may be farther along the line."""
 _OUTER = "the (?:two (?:blocks |cubes |ones )?at the ends|(?:two )?end (?:blocks|cubes|ones)|outer two|two outer ones)"
 _CARRY = (f"(?:{MUST} )?(?:each |both )?(?:have|having|with|carry|carrying|bear|bearing|hold|holding|get|topped "
- f"(?:with|by)|capped (?:with|by))(?: each)?")  # fmt: skip
+ "(?:with|by)|capped (?:with|by))(?: each)?")  # fmt: skip
 _TOP_ONE = f"(?:(?:an?|one|two) )?({COLOR})s?(?: blocks?| cubes?| ones?)?"
 _TO_ENDS = f"^((?!.*\\b(?:front|column|two rows)\\b).*?\\b{_ROW_OR_LINE}\\b.+?)(?: ,)?"
 _ON_BOTH = "{1} with a {2} block on the leftmost one and another {2} block on the rightmost one"
@@ -91,8 +90,7 @@ def _between_ends() -> tuple[Turn, ...]:
                 (f"^{_PUT_IN}(?:an? |one )?(?:{line})(?: of| with| ,| :)? {told}",
                  f"{made} from {one} to {other} : {{1}} , {{2}} , {{3}}"),
                 (f"^(?:put |place |stack )?{told}", f"{'stack' if 'tower' in made else 'a row'} from {one} to {other} "
-                 f": "
-                 "{1} , {2} , {3}"),
+                 f": {{1}} , {{2}} , {{3}}"),
             ]  # fmt: skip
     return tuple(rows)
 
@@ -122,23 +120,23 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
     (f"{_TO_ENDS} and(?: then)? stack {_TOP_ONE} on (?:top of )?{_ENDS} ends?(?: blocks?| "
      f"cubes?)?{_OF_LINE}$", _ON_BOTH),
     (f"{_TO_ENDS}(?: with| in which| where| ,)* {_OUTER} (?:of it )?{_CARRY} {_TOP_ONE}(?: each)?(?: on top(?: of "
-     f"(?:it|them))?| on (?:it|them))?$", _ON_BOTH),
+     "(?:it|them))?| on (?:it|them))?$", _ON_BOTH),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     # the order
-    (f"(?: ,)? {_SORTED}(?:(?:exactly |just )?(?:like|as)|the way|in the way|in the (?:same )?order (?:in which|"
-     f"that)) (?:(?:the |its )?colors|they) {_COME} in {_SPECTRUM}", " in rainbow order"),
-    (f"(?: ,)? {_SORTED}(?:in the (?:same )?order (?:as|like) (?:in )?|(?:by|following|according to|in accordance "
-     f"with|based on|along|in keeping with) (?:the order of )?){_OF_IT}", " in rainbow order"),
+    (f"(?: ,)? {_SORTED}(?:(?:exactly |just )?(?:like|as)|the way|in the way|in the (?:same )?order (?:in which|that)) "
+     f"(?:(?:the |its )?colors|they) {_COME} in {_SPECTRUM}", " in rainbow order"),
+    (f"(?: ,)? {_SORTED}(?:in the (?:same )?order (?:as|like) (?:in )?|(?:by|following|according to|in accordance with|"
+     f"based on|along|in keeping with) (?:the order of )?){_OF_IT}", " in rainbow order"),
     (f"(?: ,)? {_SORTED}{_COLORS}(?:(?:in )?order )?(?:just )?(?:like|as) (?:in )?(?:(?:the )?colors of "
      f")?{_SPECTRUM}(?=$| ,| \\.| \\)| {WAY}| with| start| begin| on| in an? {_LINE})", " in rainbow order"),
     ("(?: ,)? (?:so|such|so that|such that|whose|where|in which|with)(?: that)? (?:the |its |their )?(?:colors|they|"
      f"it) (?:{MUST} )?(?:follow|follows|following|match|go through|run through) (?:the order of )?{_OF_IT}",
      " in rainbow order"),
     # lists of them, and of their places
-    (f"\\b((?:middle|center|top|bottom|left|right|first|last|corners|border|edges|inside|outside|ends|others|"
-     f"rest)(?: one| ones| block| blocks)?) = ({COLOR})\\b", "{1} {2}"),
+    ("\\b((?:middle|center|top|bottom|left|right|first|last|corners|border|edges|inside|outside|ends|others|rest)(?: "
+     f"one| ones| block| blocks)?) = ({COLOR})\\b", "{1} {2}"),
     (f"\\b(?:pattern|sequence) : ((?:{COLOR}(?: , and| ,| and)? )+)in an? ({_LINE})$", "{2} : {1}"),
     ("\\b(?:with|having) (?:the |their )?colors in (?:the )?(?:rainbow order|order of (?:the|a) rainbow)\\b",
      "in rainbow order"),
@@ -159,8 +157,8 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:lay out|lay|make|build|form|put|show|create|arrange) a rainbow(?: in an? ({_LINE}))? : (.+?)(?: in an? "
      f"(?:{_LINE}))?( {WAY})?$", "put {2} in a row in rainbow order {3}"),
     (f"\\b({_LINE}) (?:of|with|in) (?:the )?rainbow colors(?: ,)?( {WAY})? (?=[:,])", "rainbow {1} {2}"),
-    (f"^an? ({_LINE}) {MUST} be {_MADE}(?: ,)? (?:in which|where) (.+?) (?:follow (?:one another|each other)|are|"
-     "stand|come|are placed|are arranged|are laid) (in \\w+ order.*)$", "{2} must be in a {1} {3}"),
+    (f"^an? ({_LINE}) {MUST} be {_MADE}(?: ,)? (?:in which|where) (.+?) (?:follow (?:one another|each other)|are|stand|"
+     "come|are placed|are arranged|are laid) (in \\w+ order.*)$", "{2} must be in a {1} {3}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 MIRRORS_AT_ONCE: tuple[Turn, ...] = (
@@ -178,16 +176,16 @@ MIRRORS_AT_ONCE: tuple[Turn, ...] = (
      "(?:colors?|color (?:order|pattern|sequence|arrangement)|arrangement|sequence)\\b", "in mirrored order"),
     (f"\\b(?:symmetric|symmetrical|mirror symmetric) \\( (?:mirrored|symmetric|symmetrical|palindromic) \\) ({_LINE})",
      "mirrored {1}"),
-    (f"\\b(mirrored|symmetric|symmetrical|mirror symmetric|mirror) ({_LINE})(?: image)? (:|from) (.+?) , (?:and "
-     f")?(an?|one|1) {_IN_THE_MIDDLE}", "mirrored {2} of {4} and {5} {6}"),
+    (f"\\b(mirrored|symmetric|symmetrical|mirror symmetric|mirror) ({_LINE})(?: image)? (:|from) (.+?) , (?:and )?(an?|"
+     f"one|1) {_IN_THE_MIDDLE}", "mirrored {2} of {4} and {5} {6}"),
     (f"(that is mirrored :) (.+?) , (?:and )?(an?|one|1) {_IN_THE_MIDDLE}", "{1} {2} and {3} {4}"),
     (f"\\b(?:mirrored|symmetric|symmetrical|mirror symmetric) ({_LINE} (?:of \\S+ (?:blocks |cubes )?)?(?:,|with|:) "
      f"{COLOR} at (?:both|the) ends , {COLOR} in the (?:middle|center) and {COLOR} in between)$", "{1}"),
     # what is said of a line that stands before it
     (f"^the (?:colors?|color order|order|color sequence) (?:of|in) the ({_LINE}) {_MIRRORED}",
      "the {1} should be in mirrored order"),
-    (f"^((?:the|my|this) {_LINE}(?: (?:of|with|from|made of|made from|consisting of) .+?)?|it|they) {_MIRRORED}(?=$| "
-     f",| :)",
+    (f"^((?:the|my|this) {_LINE}(?: (?:of|with|from|made of|made from|consisting of) .+?)?|it|they) {_MIRRORED}(?=$| ,|"
+     " :)",
      "{1} should be in mirrored order"),
     (f"(?: ,)? and (it|they|the {_LINE}) {_MIRRORED}$", " . {1} should be in mirrored order"),
     (f"^(?:the|my|this) ({_LINE})(?: of blocks)? should be in mirrored order : (.+)$", "a mirrored {1} : {2}"),

@@ -43,8 +43,8 @@ _AROUND = "(?:surround|encircle|enclose|flank)"
 
 PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     # how the text is made up
-    *((f"^(?:the |my |our |this )?(?:goal|task|job|exercise|request|instruction)s? (?:has|have|consists? of|"
-       f"comprises?|is made up of|with) {MANY} {parts}", "")
+    *(("^(?:the |my |our |this )?(?:goal|task|job|exercise|request|instruction)s? (?:has|have|consists? of|comprises?|"
+       f"is made up of|with) {MANY} {parts}", "")
       for parts in ("(?:parts|conditions|things|points|requirements|goals)(?: :|$)",
                     f"(?:steps|stages) :(?= (?:first|{PUT}|stack|build)\\b)")),
     ("^(?:the |my |our )?goals(?: are)? :", "goal :"),
@@ -54,9 +54,8 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("^(?:starting|beginning) (?:from|at|on) the (?:table|ground|floor)(?: up)? , (.*\\b(?:stack|pile|tower)\\b.*)$",
      "{1} , from bottom to top"),
     ("\\bfrom down (?:to up|up|upwards)\\b", "from bottom to top"),
-    (f"\\b(all (?:the |of the )?(?:blocks|cubes) are )(?:in )?(?:one|a|a single) ({TOWER}) \\( (.+?)(?: ,)? (from "
-     f"\\w+ to "
-     "\\w+) \\)", "{1} in one {2} : {3} {4}"),
+    (f"\\b(all (?:the |of the )?(?:blocks|cubes) are )(?:in )?(?:one|a|a single) ({TOWER}) \\( (.+?)(?: ,)? (from \\w+ "
+     "to \\w+) \\)", "{1} in one {2} : {3} {4}"),
     # each for itself
     (f"\\b((?:each|every|all)(?: of)?(?: the)?(?: single)? (?:{_BLOCKS}|{CUBE}|one)(?: of (?:them|these))? (?:is|are|"
      f"stands?|lies?|{MUST} be|{MUST} stand|{MUST} lie)) (?:alone|on its own|on their own) (on the table)(?: again)?$",
@@ -67,8 +66,9 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:the )?sequence (?=(?:does not matter|is (?:free|irrelevant|unimportant|up to you|open)))", "the order "),
     (f"\\b({COLOR}) odd one(?: out)?\\b", "{1} stranger"),
     # one of two figures
-    (f"^(?:(?:we|i) (?:need|want|would like)|build|make|put up|there {MUST} be)? ?(?:me |us )?either (an? [^,]*?{_LINE}"
-     f"[^,]*?)(?<= )({COLOR})\\b([^,]*?){_OR} (an? (?!{_ALSO}|[^,]*\\b\\2\\b)[^,]*?{_LINE}[^,]*? {COLOR}\\b[^,]*?)$",
+    (f"^(?:(?:we|i) (?:need|want|would like)|build|make|put up|there {MUST} be)? ?(?:me |us )?either (an? "
+     f"[^,]*?{_LINE}[^,]*?)(?<= )({COLOR})\\b([^,]*?){_OR} (an? (?!{_ALSO}|[^,]*\\b\\2\\b)[^,]*?{_LINE}[^,]*? "
+     f"{COLOR}\\b[^,]*?)$",
      "either build {1} {2} {3} or build {4}"),
     # figures beside each other
     (f"^(two {_BOTH} of [^,:]+?)(?: ,| :| with)+ (?:the|an?|one) ({COLOR}){_ONE} {_LEFT}{_AND} (?:the|an?|one) "
@@ -84,20 +84,18 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
       for many, lots, more in (("two", f"{_LOT}{_AND} {_LOT}", ""),
                                ("three", f"{_LOT}{_AND} {_LOT}{_AND} {_LOT}", " , a {} of {{3}} blocks"))),
     (f"^((?:one|a) {_LINE} (?:with|of|from|for) all (?:the )?[^,:]+? and (?:one|a|another) {_LINE} (?:with|of|from|"
-     f"for) "
-     "all (?:the )?[^,:]+?) : ((?:\\S(?: ,| and)? )+\\S)$", "{2} : {1}"),
+     "for) all (?:the )?[^,:]+?) : ((?:\\S(?: ,| and)? )+\\S)$", "{2} : {1}"),
     (f"^(?:put |place )?the (?:biggest|largest)(?: {_ONLY})? {_FOOT}(?:{_AND} )(?:then )?the (?:middle|medium|middle "
      f"sized|medium sized|second largest|second biggest)(?: {_ONLY})?(?: on (?:it|that|top of (?:it|that))| in the "
-     f"middle)?(?:{_AND} )(?:then )?the smallest(?: {_ONLY})? "
-     f"(?:{_HEAD})$", "a tower of three blocks by size , the largest at the bottom"),
+     f"middle)?(?:{_AND} )(?:then )?the smallest(?: {_ONLY})? (?:{_HEAD})$",
+     "a tower of three blocks by size , the largest at the bottom"),
     # beside each other, and where
     (f"^(.*?\\b({THING}) and ({THING}) (?:next to|beside) each other)(?: ,| :| with)+ (\\2|\\3) (?:is |being )?(?:on "
-     f"the "
-     ")?(left|right)(?: side)?$", "{1} , {4} on the {5}"),
+     "the )?(left|right)(?: side)?$", "{1} , {4} on the {5}"),
     ("\\b(?:clear|visible|free|empty) gap of\\b", "gap of"),
     (f"^(every (?:second|third|other) (?:block|cube|one)) (?:of|in) (?:the|a) {_ROW} (?:is|{MUST} be) ({COLOR})(?: ,|"
      f"{_AND})? (?:and )?((?:all )?the (?:others|rest)) ({COLOR})(?: ,| :)+ ({MANY}) (?:blocks|cubes)(?: in total| in "
-     f"all)?$",
+     "all)?$",
      "a {2} of {6} blocks , {1} {3} , {4} {5}"),
     (f"^(?:i |we )?(?:only |just )?want (?:only |just )?one (?:block|cube) (on [^,]+?) ,(?: namely)? ({THING})$",
      "only {2} must be {1}"),
@@ -123,8 +121,7 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
      "{1} , {2} on each"),
     # in other words for a line
     (f"^(?:please )?(?:{PUT}|line up|arrange|line) ([^,]+?) (?:one )?behind (?:each other|one another|the (?:other|"
-     f"next))"
-     "((?: ,)? with .+)$", "put {1} in a column {2}"),
+     "next))((?: ,)? with .+)$", "put {1} in a column {2}"),
     ("^(?:please )?(?:stack|pile)(?: them| it| the blocks| the cubes| up)? (?:as follows|like this|like that|this way|"
      "in this way|the following way) [:,]", "a stack :"),
     # what is told in letters
@@ -133,16 +130,16 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
       for way in _WAYS for told, of in ((_FOR_LETTERS, {"a": "{1}", "b": "{2}"}), (_LETTERS_ARE, {"a": "{1}",
        "b": "{2}"}))),
     (f"\\b{_THOSE} (?:that|which|with) (?:have |show |bear |carry |has )?an? (vowel|consonant|letter|digit)(?: on "
-     f"(?:them|it))?\\b",
+     "(?:them|it))?\\b",
      "all {1s}"),
     # which way it goes
-    *((f"\\b(?:so that |such that |with )?(?:the )?(?:numbers?|digits|they) (?:count|counting|go|going|run|running) "
-       f"{down} as (?:you|it|they|we|the tower|the stack) (?:go|goes|move|climb|get) "
-       f"(?:{up})$", f"in {order} order from {way}")
+    *(("\\b(?:so that |such that |with )?(?:the )?(?:numbers?|digits|they) (?:count|counting|go|going|run|running) "
+       f"{down} as (?:you|it|they|we|the tower|the stack) (?:go|goes|move|climb|get) (?:{up})$",
+       f"in {order} order from {way}")
       for down, order in (("down", "descending"), ("up", "ascending"))
       for up, way in (("up|higher|upwards", "bottom to top"), ("down|lower|downwards", "top to bottom"))),
     (f"^(?:this (?:end|side) up : )?((?:the )?(\\w) (?:block|cube)) ({MUST}) have (?:its|it is) (?:letter|symbol|"
-     f"number|\\2) (?:on top|up|facing up|upwards|facing upwards|at the top)$",
+     "number|\\2) (?:on top|up|facing up|upwards|facing upwards|at the top)$",
      "{1} {3} face up"),
     # what stands where in the line
     ("^([^,]+ at (?:the|both)(?: two)? ends (?:and|,) [^,]+ between them)(?: ,)? (?:lined up|in (?:a|one) (?:row|"
@@ -154,10 +151,10 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("\\b4 (?:in|at) the (base|bottom|lowest)( layer| level| row)? \\( 2x2 \\)", "4 blocks in the base layer"),
     # what there was
     (f"^(?:i|we|somebody|someone|the kids|the children)(?: have| has)? (?:built|made|stacked) (an? {_LINE}(?: :| of| "
-     f"from| ,) .+)$",
+     "from| ,) .+)$",
      "there is {1}"),
-    ("\\b(?:(?:take|pull) it (?:down|apart) and (?:then )?)?(?:rebuild|restack|build|stack) it (?:again )?(?:the "
-     "other way (?:around|round)|upside down|in reverse|backwards|in reverse order)$", "reverse it"),
+    ("\\b(?:(?:take|pull) it (?:down|apart) and (?:then )?)?(?:rebuild|restack|build|stack) it (?:again )?(?:the other "
+     "way (?:around|round)|upside down|in reverse|backwards|in reverse order)$", "reverse it"),
     ("^use (?:every|all)(?: the| of the)? (?:blocks?|cubes?) : (.+)$", "there are {1}"),
     ("^(?:do not|never) stack (?:anything|any of them|any|any (?:blocks?|cubes?)|(?:the )?(?:blocks|cubes))$",
      "no block must be on another block"),
@@ -165,8 +162,7 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("^((?:please )?(?:write|spell) .+?)(?: ,)? so (?:that )?(?:he|she|they) can read it$", "{1}"),
     # what lies across two
     (f"\\bon(?: top of)? (two (?:{COLOR} )?(?:ones|{CUBE}s)) (?=(?:that|which) (?:are|stand|lie|sit) (?:next to|"
-     f"beside) (?:each other"
-     "|one another)\\b)", "across {1} "),
+     "beside) (?:each other|one another)\\b)", "across {1} "),
     # the row behind
     (f"^(?:two rows(?: ,| :) )?(?!two )(.+? in) the (?:front|near) row ({_WAY})(?: ,)?(?: and)? (.+?) in the (?:back "
      f"row|row behind(?: it| that)?)(?: ,)? (?!\\2)({_WAY})$", "{1} a row {2} , behind it a row of {3} {4}"),
@@ -185,8 +181,8 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
        f"a {line} of {{3}} blocks alternating {{1}} and {{2}} , {{4}} and ending with {{5}}")
       for line, begun in (("row", "line up "), *((x, f"(?:make |build |form )?a {x} of ") for x in ("row", "column",
        "tower")))),
-    ("\\b(?:spell(?: out)?|write|form) (?:the name of )?(?:my|our|his|her|their|the) \\w+ (?:'s (?:first |last "
-     ")?name )?, (\\S+)",
+    ("\\b(?:spell(?: out)?|write|form) (?:the name of )?(?:my|our|his|her|their|the) \\w+ (?:'s (?:first |last )?name "
+     ")?, (\\S+)",
      "spell {1}"),
     ("^(?:take )?the word (\\S+)(?: ,)? and (?:turn|change|make|rearrange) it (?:in)?to (?:the word )?(\\S+)$",
      "there is the word {1} . turn it into the word {2}"),
@@ -202,8 +198,7 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
      "put {1} at {2}"),
     # how it stands to others
     (f"^(?:the )?({MANY}) ({COLOR}) (?:blocks|cubes|ones) (?:{MUST} )?(?:enclose|surround|encircle) ({THING}) (?:from|"
-     f"on) (?:all|its|all "
-     "its)(?: four)? sides$", "{3} must be surrounded by {1} {2} blocks"),
+     "on) (?:all|its|all its)(?: four)? sides$", "{3} must be surrounded by {1} {2} blocks"),
     # which board
     ("^(?:this is |make |build |lay )?(?:the |a )?(?:corner|piece|part|bit|section) of a (chess board|chessboard|"
      "checkerboard|board of checkers) :", "a checkerboard :"),
@@ -215,7 +210,7 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     # what is changed, and what not
     (f"^({THING} and {THING}) swap (?:with each other|with one another|over|around|round|too|as well|also)$",
      "{1} swap places"),
-    (f"^(?:nobody|no one|no robot) (?:moves|touches|may move|may touch|should move|must move|is (?:allowed|permitted) "
+    ("^(?:nobody|no one|no robot) (?:moves|touches|may move|may touch|should move|must move|is (?:allowed|permitted) "
      f"to move) ({THING})$", "do not move {1}"),
     ("\\bthe table 's (left|right|near|far|front|back) (half|side|edge)\\b", "the {1} {2} of the table"),
     # what stays where it is
@@ -230,21 +225,21 @@ PLAIN_TALK: tuple[Turn, ...] = (
     (f"^(?:(?:i|we) (?:need|want|have|would like) )?(?:something |(?:an? |the |this )?{_ERRAND} )?(?:for|to (?:test|"
      f"train|try|check)) (?:my|our|the|this) (?:{_KIND} ){{0,2}}{_AGENT}(?: please)? :", ""),
     # one after the other
-    (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} )?({THING})"
-     f"(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING}){_LAST} ({THING})(?: goes there| there)?$",
+    (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} "
+     f")?({THING})(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING}){_LAST} ({THING})(?: goes there| there)?$",
      "first put {1} {2} . then put {3} {2} . finally put {4} {2}"),
-    (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} )?({THING})"
-     f"(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING})(?: goes there| there)?$", "first put {1} {2} . then put {3} {2}"),
+    (f"^(?:in (?:this|that|the following) order : )?(?:first|firstly)(?: ,)?(?: of all)?(?: ,)? (?:{PUT} "
+     f")?({THING})(?: {_GO})? ({PLACE} [^,]+?){_NEXT} ({THING})(?: goes there| there)?$",
+     "first put {1} {2} . then put {3} {2}"),
     # at both ends
-    (f"^(?:{PUT}|position|add|have) ((?:an?|one) {COLOR} (?:block|cube)) at each end of (?:the|a) {_ROW} of "
-     f"([^,]+)$", "{1} at each end of a {2} of {3}"),
+    (f"^(?:{PUT}|position|add|have) ((?:an?|one) {COLOR} (?:block|cube)) at each end of (?:the|a) {_ROW} of ([^,]+)$",
+     "{1} at each end of a {2} of {3}"),
     # where it may be
     (f"^(?:{PUT} )?({THING})(?: {MUST}(?: be| go| lie| stand)?)? (?:any|some)where (on the (?:table|desk))(?: ,)? "
      f"(?:except|but|other than)(?: for)? ((?:{PLACE}|at|not) .+)$", "{1} must be {2} . {1} must not be {3}"),
     # by colour
-    ("^(?!.*\\b(?:letters?|digits?|numbers?|big|small|large|sizes?|patch|mat)\\b)"
-     f"(?!.*\\b{COLOR}\\b)(.*\\b{MANY} {_BLOCKS}\\b.*?)(?: ,)?(?: any colors?)?(?: ,)?(?: but)? no two(?: of them)? "
-     f"(?:the same|alike|identical)$",
+    (f"^(?!.*\\b(?:letters?|digits?|numbers?|big|small|large|sizes?|patch|mat)\\b)(?!.*\\b{COLOR}\\b)(.*\\b{MANY} "
+     f"{_BLOCKS}\\b.*?)(?: ,)?(?: any colors?)?(?: ,)?(?: but)? no two(?: of them)? (?:the same|alike|identical)$",
      "{1} , all of different colors"),
     (f"^(?:please )?(?:tidy|clear|clean|put|pack|sort|straighten)(?: up| away| out)? {_ALL}(?: up| away| out)? by "
      "(color|colors|letter|number|kind)", "sort {1} by color"),

@@ -34,7 +34,7 @@ SPECIFIED_AT_ONCE: tuple[Turn, ...] = (
      "one\\b", "the {2} {1} block {3} the {4} {1} block"),
     (f"^(the [^,]+?) , (?:together|along) with ((?:the|an?|both|{_MANY}) [^,]+?) , ({MUST} .+)$", "{1} and {2} {3}"),
     (f"^in addition to (the [^,]+?) , (the [^,]+?) ({MUST} .+)$", "{1} and {2} {3}"),
-    (f"\\b((?:spell(?:ed)?|write|show|word|equation|sum)\\b[^,]*?)(?: ,)?(?: with)? (?:each|every) (?:letter|symbol|"
+    ("\\b((?:spell(?:ed)?|write|show|word|equation|sum)\\b[^,]*?)(?: ,)?(?: with)? (?:each|every) (?:letter|symbol|"
      f"digit|sign) (?:being |is )?on (?:its own|a separate|one) {CUBE}$", "{1}"),
     (f"^(.+?) ({MUST}) not (be \\w+ .+?) until (.+? (?:has|have) been .+)$", "{1} {2} {3} , but only after {4}"),
     ("^in a first step(?: ,)? (.+?)(?: ,)? (?:and )?(?:then )?in a second step(?: ,)? (.+)$",
@@ -96,8 +96,8 @@ SPECIFIED: tuple[Turn, ...] = (
      f"length)? of) ({_CM})(?: long)?(?: ,)?", "with an edge of {1}"),
     (f"\\b({_LINE}(?: of (?:\\w+ ){{1,3}}{CUBE}s)?)(?: ,)? (?:that|which) (?:runs|goes|extends|leads) ({WAY})",
      "{1} {2}"),
-    (f"^(.*?)\\b((?:(?!the |every |each )\\w+ )?)({_THINGS}) , of which there (?:are|is) ({_MANY})(?: in all| in "
-     "total| altogether)?(?: ,)?( .+)?$", "{1} {2} {3} {5} . there are {4} {2} {3s}"),
+    (f"^(.*?)\\b((?:(?!the |every |each )\\w+ )?)({_THINGS}) , of which there (?:are|is) ({_MANY})(?: in all| in total|"
+     " altogether)?(?: ,)?( .+)?$", "{1} {2} {3} {5} . there are {4} {2} {3s}"),
     (f"^(.+) the ((?:\\w+ )?)({_THING}) , ({_BESIDE}) which (.+?) ({MUST} {_STAND})( on the table)?$",
      "{1} the {2} {3} . {5} {6} {7} {4} the {2} {3}"),
     (f"^(.+ {MUST} be (?:built|formed|made|erected)) , ({_BESIDE}) which (.+?) ({MUST} {_STAND})( on the table)?$",
@@ -112,8 +112,8 @@ SPECIFIED: tuple[Turn, ...] = (
      "to the|in front|behind) [^,]+?) ,", ", which starts {1} ,"),
     (f"^(.+?) ({MUST} (?:lie|stand|be|be placed|be put)) (to the left|to the right|in front) , and (.+?) (to the left|"
      "to the right|in front) , of (.+)$", "{1} {2} {3} of {6} and {4} {5} of {6}"),
-    (f"(?:, )?the (corners|edges) of which {_IS} (\\w+)(?: and the (?:other|remaining) blocks(?: of which)?(?: "
-     f"{_IS})? (\\w+))$", "whose {1} are {2} and whose other blocks are {3}"),
+    (f"(?:, )?the (corners|edges) of which {_IS} (\\w+)(?: and the (?:other|remaining) blocks(?: of which)?(?: {_IS})? "
+     "(\\w+))$", "whose {1} are {2} and whose other blocks are {3}"),
     # what there is
     (f"^the height of the (tower|stack|wall|pyramid) ({MUST} be .+ {CUBE}s)$", "the {1} {2} high"),
     (f"^the number of ((?:\\w+ )?{CUBE}s) (on .+?) ({MUST} be) ((?:exactly |at least |at most ){_MANY})$",
@@ -179,12 +179,12 @@ REQUIRED_AT_ONCE: tuple[Turn, ...] = (
     ("^it is (?:needed|necessary|required|important) to (?=\\w+ )", ""),
     ("^(?:assert|verify|check)(?: that)? (?=.+\\b(?:above|below|on|behind|in|next|left|right|under)\\b)", ""),
     # how it begins
-    *((f"^(?:randomi[sz]e|shuffle|scramble) (?:the )?(?:start|beginning|starting positions?|initial (?:state|"
+    *(("^(?:randomi[sz]e|shuffle|scramble) (?:the )?(?:start|beginning|starting positions?|initial (?:state|"
        f"positions?|arrangement|configuration)){end}", said) for end, said in (("$", ""), (" : ", "start :"))),
     ("^(initially|at the start|at the beginning)(.*?) (?:stands?|lies?|sits?|is|rests?) (?:alone|by itself|on its own) "
      "(on the table)\\b", "{1} {2} is {3}"),
-    (f"^given (an? [^,]*?{TOWER} (?:with|of) [^,]+) , (?:invert|reverse|flip|turn)(?: over)? it(?: over)? (?:such|so)"
-     " that (.+)$", "there is {1} . at the end {2}"),
+    (f"^given (an? [^,]*?{TOWER} (?:with|of) [^,]+) , (?:invert|reverse|flip|turn)(?: over)? it(?: over)? (?:such|so) "
+     "that (.+)$", "there is {1} . at the end {2}"),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 REQUIRED: tuple[Turn, ...] = (
@@ -236,7 +236,7 @@ REQUIRED: tuple[Turn, ...] = (
     (f"^the {_SYMBOL} on (?:the )?top(?: face)? of the ({CUBE} \\w) (.+)$", "the {1} {2}"),
     # what is there, and how it begins
     (f"^spawn ({MANY} [^,]+?) (in an? (?:heap|pile|row|line|tower|stack)|on the [^,]+)(?= ,|$)", "{1} start {2}"),
-    (f"^(.*\\b(?:dismantle|unstack|take apart|disassemble|take down|break up)\\b [^,]+?) , (?:placing|putting|laying|"
+    ("^(.*\\b(?:dismantle|unstack|take apart|disassemble|take down|break up)\\b [^,]+?) , (?:placing|putting|laying|"
      f"setting) (?:each|all|every one)(?: one| of them| {CUBE}| of its {CUBE}s)? (?:down )?(?:on|onto) the table(?= ,)",
      "{1}"),
 )  # fmt: skip

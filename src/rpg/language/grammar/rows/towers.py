@@ -19,9 +19,8 @@ _OTHER = "(?:one|another|the other|a second|the second|a third|the third)(?: one
 _FIRST = "(?:one|the first)(?: one| tower| stack| of them)?"
 _AND = "(?:, and|, while|and|,|while)"
 _ASIDE = "(?:(?:to|on|at) )?(?:(?:the|its) )?(left|right)(?: side)?(?: of (?:it|that|this|that one))?"
-_BESIDE = ("(?:(?:directly |right |immediately )?(?:to the left of|to the right of|left of|right of|behind|in front "
-             "of|next to|"
-           "beside))")  # fmt: skip
+_BESIDE = ("(?:(?:directly |right |immediately )?(?:to the left of|to the right of|left of|right of|behind|in front of|"
+             "next to|beside))")  # fmt: skip
 _THING = f"(?:(?:an?|the|one) )?(?:{COLOR}|[b-z0-9])(?: (?:block|cube|one))?"
 _PILE = f"{_THING}(?: (?:on top of|on|over|above|atop) {_THING})+"
 _STACKED = f"({MANY} {COLOR}s?(?: {_BLOCKS})?)(?: stacked(?: up)?)?"
@@ -32,13 +31,13 @@ _GROUND = "(?:in|into|to)"
 _FOOT = ("(?:below|lowest|first|down below|touching the table|on the table|at the (?:very )?bottom|at the base|at the "
          "foot|as the base|as its base)")  # fmt: skip
 _ONE = f"(?:an? |the )?({COLOR})(?: block| cube| one)?"
-_BEGINS = (f"(?: ,)? (?:(?:and )?(?:starting|beginning) with|and begins with|and starts with|that (?:starts|begins) "
+_BEGINS = ("(?: ,)? (?:(?:and )?(?:starting|beginning) with|and begins with|and starts with|that (?:starts|begins) "
            f"with|with|and|,) {_ONE} (?:being |is )?{_FOOT}$")  # fmt: skip
 _LOT = f"({MANY} {COLOR})(?: {_BLOCKS})?"
 _TURNS = f"{_ONE}s? and {_ONE}s?"
 _CHANGING = (
-    "(?:with|in|of) (?:the |its )?(?:alternating|alternate) colors|(?:with |so that |and )?(?:the |their |its )?"
-    "colors (?:alternate|alternating|take turns|taking turns|changing alternately|alternating each time)"
+    "(?:with|in|of) (?:the |its )?(?:alternating|alternate) colors|(?:with |so that |and )?(?:the |their |its )?colors "
+    "(?:alternate|alternating|take turns|taking turns|changing alternately|alternating each time)"
 )
 _IS = f"(?:is|are|{MUST} be)"
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
@@ -52,10 +51,10 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     ("^([^,:]+?) , stacked(?: up)? , (?:all )?(?:standing|sitting|lying|resting|placed) (on [^,]+)$",
      "{1} , stacked , {2}"),
     # what is not on it
-    (f"^((?!stack\\b).*\\b({TOWER})\\b[^:]*?)(?: ,)? (?:(?:and|with) )?nothing(?: else)?(?: (?:{_IS}|may be|lies))? "
-     f"on (?:the )?top(?: of (?:it|that|the {TOWER}))?$", "{1} . nothing may be on top of the {2}"),
+    (f"^((?!stack\\b).*\\b({TOWER})\\b[^:]*?)(?: ,)? (?:(?:and|with) )?nothing(?: else)?(?: (?:{_IS}|may be|lies))? on "
+     f"(?:the )?top(?: of (?:it|that|the {TOWER}))?$", "{1} . nothing may be on top of the {2}"),
     (f"^((?:stack|put|place|set) ({_THING}) (?:on|onto|on top of) [^,]+?)(?: ,)? (?:(?:and|with) )?nothing(?: else)? "
-     f"on (?:the )?top$", "{1} with nothing on top of {2}"),
+     "on (?:the )?top$", "{1} with nothing on top of {2}"),
     (f"^({MANY})(?: blocks| cubes)? (?:high|tall) , all ({COLOR})(?: ones)?(?= ,|$)", "a tower of {1} {2} blocks"),
     # how high they are at least, and of which colour
     (f"\\b({TOWER})(?: ,)?(?: that is| which is)? (at least|at most) ({MANY})(?: blocks| cubes)? (?:high|tall)(?= |$)",
@@ -77,12 +76,12 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "top|at the bottom)$", "with {1} not {2}"),
     ("(?: ,)? with the (\\w+) group (in|on|to|behind|next|near|left|right) (.+?) and the (\\w+) group (in|on|to|behind|"
      "next|near|left|right) (.+)$", " . the {1} group must be {2} {3} . the {4} group must be {5} {6}"),
-    (f"^(?:start with |begin with )?({_THING}) ,(?: and)? (?:then )?(?:put |place |set |stack )?({_THING}) on "
-     f"(?:it|that|top of it|top of that)(?: ,| and| , and)+ (?:then )?({_THING}) on (?:it|that|that one|top|top of "
-     f"(?:it|that))$", "stack {1} , {2} and {3} from bottom to top"),
-    (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and "
-     f"then |next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on "
-     "(?:it|that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
+    (f"^(?:start with |begin with )?({_THING}) ,(?: and)? (?:then )?(?:put |place |set |stack )?({_THING}) on (?:it|"
+     f"that|top of it|top of that)(?: ,| and| , and)+ (?:then )?({_THING}) on (?:it|that|that one|top|top of (?:it|"
+     "that))$", "stack {1} , {2} and {3} from bottom to top"),
+    (f"^(?:stack|pile up|start with|begin with) (?:an? |the |one )?({COLOR})(?: block| cube| one)? , (?:then |and then "
+     f"|next |and )?(?:put |place |set |stack )?((?:an? |the |one |another )?{COLOR}(?: block| cube| one)? on (?:it|"
+     "that|top of it|that one)\\b.*)$", "there is a {1} block . put {2}"),
     (f"\\b({TOWER}) (?:made |built |consisting )?(?:out )?(?:of|from|with) {_LOT}(?: ,)? (?:and |and then |then |"
      f"followed by ){_LOT}(?: on)?(?: the)?(?: very)? top(?: of (?:it|them|that|those))?$",
      "{1} , from bottom to top : {2} blocks , then {3} blocks"),
@@ -92,8 +91,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^({MANY} [^,]+?) {MUST} be (?:distributed|divided|split|shared) (?:over|into|among|between) ({MANY} "
      f"{_TOWERS})\\b",
      "{1} in {2}"),
-    (f"\\b((?:an?|one) (?:\\w+ )?{TOWER}) (?:with|of|having|that has|which has) (?:exactly )?({MANY}) {_FLOORS}"
-     "(?! of| each of| with| , each (?:of|with|has|having|consisting))", "{1} of {2} blocks"),
+    (f"\\b((?:an?|one) (?:\\w+ )?{TOWER}) (?:with|of|having|that has|which has) (?:exactly )?({MANY}) {_FLOORS}(?! of| "
+     "each of| with| , each (?:of|with|has|having|consisting))", "{1} of {2} blocks"),
     (f"\\b({TOWER} of {MANY} blocks\\b.*?\\b(?:each|every|top|bottom|middle|lowest|highest|uppermost|second|third|"
      f"other)) {_FLOOR}\\b", "{1} block"),
     (f"\\b({TOWER} of {MANY} blocks\\b.*?) ground {_FLOOR}\\b", "{1} bottom block"),
@@ -104,8 +103,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "{1} of equal height"),
     (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH}$",
      "{1} , one {2} blocks high and one {3} blocks high"),
-    (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH} {_AND} "
-     f"{_OTHER} {_TALL}{_HIGH}$", "{1} , one {2} blocks high , one {3} blocks high and one {4} blocks high"),
+    (f"\\b((?:{FEW}) {_TOWERS}\\b.*?)(?: ,| :)? {_FIRST} {_TALL}{_HIGH} {_AND} {_OTHER} {_TALL}{_HIGH} {_AND} {_OTHER} "
+     f"{_TALL}{_HIGH}$", "{1} , one {2} blocks high , one {3} blocks high and one {4} blocks high"),
     # of so many colours
     (f"\\b({_TOWERS}\\b[^:]*?)(?: ,)? (?:each|every one)(?: one| tower| stack)?(?: of (?:them|these))? in (?:an?|its "
      "own) (?:(?:different|separate) )?color(?: of its own)?$", "{1} , each tower in its own color"),
@@ -148,8 +147,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:make |build )?(?:for (?:every|each) color)(?: ,)? (?:one|an?|its)(?: own| separate)? ({TOWER})$",
      "one {1} per color"),
     (f"^({MANY} {COLOR} {_BLOCKS})(?:(?: ,)? and an? ({COLOR}) (?:one|block|cube) on (?:top of )?each(?: of them| "
-     f"one)?$| {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({COLOR}) (?:one|block|cube)(?: on top| "
-     "on it)?)", "put a {2} {3} block on each of {1}"),
+     f"one)?$| {MUST} each (?:carry|hold|support|bear|have|get) (?:one|an?) ({COLOR}) (?:one|block|cube)(?: on top| on "
+     "it)?)", "put a {2} {3} block on each of {1}"),
     (f"\\b(?:a|one) ({TOWER}) (?:with|of) ({MANY})(?: {_BLOCKS})? and (?:a|one|another)(?: one| {TOWER})? (?:with|of) "
      f"({MANY})(?: {_BLOCKS})?(?: ,)? (?:everything|all of it)(?: in)? ({COLOR})$",
      "one {4} {1} of {2} and one {4} {1} of {3}"),
@@ -177,9 +176,9 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      f"{_STACKED}$", "two towers , the left one of {1} and the right one of {2}"),
     (f"\\b(?:two|2) {TOWER}s [:,] on the left ({_PILE})(?: ,)? (?:and )?(?:to|on) the right(?: of it)? ({_PILE})$",
      "two towers : {1} on the left and {2} on the right"),
-    (f"(?:^|(?<=: ))(?:(?:stack|sort)(?: them| the blocks)? by color [:,] )?(?:all )?(?:the )?({COLOR})(?: "
-     f"{_BLOCKS})? {_INTO}{_GROUND} (?:one|a) {TOWER} of ({MANY})(?: ,| and|, and) (?:all )?(?:the )?({COLOR})(?: "
-     f"{_BLOCKS})? {_INTO}{_GROUND} another(?: one| {TOWER})? of ({MANY})$",
+    (f"(?:^|(?<=: ))(?:(?:stack|sort)(?: them| the blocks)? by color [:,] )?(?:all )?(?:the )?({COLOR})(?: {_BLOCKS})? "
+     f"{_INTO}{_GROUND} (?:one|a) {TOWER} of ({MANY})(?: ,| and|, and) (?:all )?(?:the )?({COLOR})(?: {_BLOCKS})? "
+     f"{_INTO}{_GROUND} another(?: one| {TOWER})? of ({MANY})$",
      "one {1} tower of {2} and one {3} tower of {4}"),
     (f"(?:^|(?<=: ))(?:put |stack |build )?(?:all )?(?:of )?(the |my )?({COLOR}) ({_BLOCKS}) {_INTO}(?:{_GROUND} "
      f")?(?:one|a) ({TOWER}) (?:and|,|, and) (?:all )?(?:of )?(?:the )?({COLOR})(?: {_BLOCKS})? {_INTO}(?:{_GROUND} "
@@ -199,8 +198,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      "the same color)|all (?:three |four |two )?(?:of |in )?different(?: colors)?|(?:in )?different colors|all "
      "different)$",
      "each {1} of a different color"),
-    *((f"\\b(alternately|alternating) , (?:the |an? )?({COLOR}|\\w)(?: one| block)? (?:is |being )?(?:the )"
-       f"?(?:{end})(?: one)?$",
+    *((f"\\b(alternately|alternating) , (?:the |an? )?({COLOR}|\\w)(?: one| block)? (?:is |being )?(?:the "
+       f")?(?:{end})(?: one)?$",
        f"{{1}} , {{2}} {where}")
       for end, where in (("lowest|bottommost|undermost", "at the bottom"), ("uppermost|topmost|highest", "at the top"),
                          ("leftmost", "at the left end"), ("rightmost", "at the right end"))),
@@ -212,9 +211,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
                              ("stacked|piled up", "top", "tower from top to bottom"),
                              ("in a row|in a line", "left end", "row from left to right"),
                              ("in a row|in a line", "right end", "row from right to left"))),
-    (f"^stack(?: them| em| everything)?(?: :)? (?:the )?({COLOR}|\\w)(?: block| one)? (?:at |on )?(?:the )"
-     f"?bottom((?: ,(?: and)?(?: then)? (?:the )?(?:{COLOR}|\\w)(?: block| one)?)+) (?:at the top|on top|on the top|"
-     f"top|cap)$",
+    (f"^stack(?: them| em| everything)?(?: :)? (?:the )?({COLOR}|\\w)(?: block| one)? (?:at |on )?(?:the )?bottom((?: "
+     f",(?: and)?(?: then)? (?:the )?(?:{COLOR}|\\w)(?: block| one)?)+) (?:at the top|on top|on the top|top|cap)$",
      "a tower from bottom to top : {1} {2}"),
     (f"^every (?:other|second) (?:block|cube|one) (?:in|of) (?:the|a) ({LINE}) of (two|four|six|eight|ten|twelve)(?: "
      f"{_BLOCKS})? {_IS} ({COLOR})(?: ,| and)+ (?:the )?(?:rest|others|other ones)(?: {_IS})? ({COLOR})$",
@@ -222,12 +220,12 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:knock down|take apart|take down|dismantle|pull down|tear down) the ({TOWER}) of ({MANY}(?: {COLOR})?)(?: "
      f"{_BLOCKS})? and (?:then )?(?:build|make|form) an? (row|line|circle)(?: (?:of|from|with|out of) (?:it|them|its "
      "blocks|the blocks))?(?: instead)?$", "at the start there is a {1} of {2} blocks . put them in a {3}"),
-    (f"^(?:build |make )?an? ({TOWER}) of ({COLOR})(?: {_BLOCKS})? ?(?:,|and|, and|, then|then)? ({_SPOT}) (?:it|that)"
-     f"(?: ,)? an? (?:{TOWER}) of ({COLOR})(?: {_BLOCKS})?(?: ,)? (?:both|each)(?: of them)? ({MANY})(?: {_BLOCKS})? "
-     "(?:high|tall)$",
+    (f"^(?:build |make )?an? ({TOWER}) of ({COLOR})(?: {_BLOCKS})? ?(?:,|and|, and|, then|then)? ({_SPOT}) (?:it|"
+     f"that)(?: ,)? an? (?:{TOWER}) of ({COLOR})(?: {_BLOCKS})?(?: ,)? (?:both|each)(?: of them)? ({MANY})(?: "
+     f"{_BLOCKS})? (?:high|tall)$",
      "a {1} of {5} {2} blocks and {3} it a {1} of {5} {4} blocks"),
-    (f"^turn the ({TOWER}) (?:upside down|over|on its head)(?: :| ,|;)+ it (?:is|'s) (?:now|currently|at the moment)"
-     f" (.+)$",
+    (f"^turn the ({TOWER}) (?:upside down|over|on its head)(?: :| ,|;)+ it (?:is|'s) (?:now|currently|at the moment) "
+     "(.+)$",
      "at the start {2} . reverse the {1}"),
     (f"\\b(stack|tower|row)(.*?) , (the )?middle (?:one )?({COLOR})(?: ,| and)+ (?:the )?(?:other|others|rest)(?: "
      "ones)? (?:whatever|any|anything|any color|of any color|in any color|does not matter|do not matter)(?: you "
@@ -244,8 +242,8 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
      f"{_BLOCKS})$",
      "{1} and put {2} on top of them"),
     (f"^(exchange|swap|replace) the (top|bottom|middle) block of the ({TOWER}) ({COLOR}(?: ,)? {COLOR}(?:(?: ,)?(?: "
-     f"and)? {COLOR})*) (?:with|for|by) (the [^,]+)"
-     "$", "at the start there is a {3} from bottom to top : {4} . {1} the {2} block with "
+     f"and)? {COLOR})*) (?:with|for|by) (the [^,]+)$",
+     "at the start there is a {3} from bottom to top : {4} . {1} the {2} block with "
                                      "{5}"),
     (f"\\bone ({LINE}) only\\b", "one {1}"),
     ("(?: ,)? (?:with )?no (?:repeated|repeating|duplicate) colors?$", " , all in different colors"),

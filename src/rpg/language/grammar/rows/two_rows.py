@@ -29,8 +29,8 @@ _MADE = "(?:blocks|cubes)"
 _LOOK = "^(?:it should look like this : )?"
 _LISTED = "((?:\\S+ , )+(?:and )?\\S+|(?:\\S+ , )*\\S+ and \\S+)"
 _AT = "(?:back|far|rear|front|near)"
-_BARE = ("^(?!.*\\b(?:grid|square|rectangle|pyramid|wall|checkerboard|\\d+x\\d+|column|columns|rows|lines|words?|"
-             "spell|write|read|reads)\\b)")  # fmt: skip
+_BARE = ("^(?!.*\\b(?:grid|square|rectangle|pyramid|wall|checkerboard|\\d+x\\d+|column|columns|rows|lines|words?|spell|"
+             "write|read|reads)\\b)")  # fmt: skip
 _SYMBOLS = "((?:\\w(?: ,)?(?: and)? ?\\b)+)"
 _KINDS = (("odd(?: ones| numbers| digits| blocks)?", "odd numbers"),
           ("even(?: ones| numbers| digits| blocks)?", "even numbers"),
@@ -57,8 +57,8 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     *((f"^{_TWO_LINES}{lines}$", "write {1} in the far row and {2} in the near row")
       for lines in (" on (?:the|a) (?:next line|line (?:below|underneath|beneath|under it|below it))",
                     "(?: ,)? (?:like|as) (?:two )?lines (?:on|of) a (?:page|text|book|poem)")),
-    (f"^(?:{_WRITE} )?{_WORD} (?:on|in) the (?:first|upper|top) line{_AND}{_WORD} (?:on|in) the (?:second|lower|"
-     f"bottom|next) line$",
+    (f"^(?:{_WRITE} )?{_WORD} (?:on|in) the (?:first|upper|top) line{_AND}{_WORD} (?:on|in) the (?:second|lower|bottom|"
+     "next) line$",
      "write {1} in the far row and {2} in the near row"),
     # rows
     (f"^{_ROWS}the {_END} row {_SHOWS} {_LISTED}{_AND}the {_END} (?:row|one) {_SHOWS} {_LISTED}$",
@@ -76,8 +76,8 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
      "first (?:one |row )?(?:being|is) the (?:far|back) (?:one|row)$",
      "{1} {2} blocks in the far row and {1} {3} blocks in the near row"),
     # rows that are told by where the other one is
-    (f"^(.*\\b(?:two|2) rows\\b.*? (?:in|at) the (?:back|rear))(?: row)?{_ALSO} (.+?) (?:in front(?: of)?|before)"
-     f"(?: {_IT})?$",
+    (f"^(.*\\b(?:two|2) rows\\b.*? (?:in|at) the (?:back|rear))(?: row)?{_ALSO} (.+?) (?:in front(?: of)?|before)(?: "
+     f"{_IT})?$",
      "{1} and {2} in front"),
     (f"^(.*\\b(?:two|2) rows\\b.*? in)(?: the)? front(?: row)?{_ALSO} (.+?) behind(?: {_IT})?$", "{1} front and {2} "
      "in the back"),

@@ -160,6 +160,7 @@ def test_it_is_read_as_it_is_meant(text: str, meant: dict[str, Any]) -> None:
         "In a row I want first the even digits 2 and 4 in increasing order and then the odd digits 1 and 3.",
         "The odd digits 1, 3 and 4 in a row",
         "Scatter four red blocks. Put a blue one on a green one.",
+        "Put the primes 2, 3 and 4 in a row.",
     ],
 )
 def test_what_does_not_fit_is_refused(text: str) -> None:

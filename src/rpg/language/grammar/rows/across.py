@@ -8,8 +8,8 @@ from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import CUBE, MANY, MUST
 
 _NEXT = (
-    "(?=success\\b|the (?:task|goal|game|robot|player)\\b|goal\\b|it is\\b|now\\b|then\\b|at the end\\b|in the "
-    "end\\b|finally\\b)"
+    "(?=success\\b|the (?:task|goal|game|robot|player)\\b|goal\\b|it is\\b|now\\b|then\\b|at the end\\b|in the end\\b|"
+    "finally\\b)"
 )
 _ORDER = "(?: (?:all )?(?:in|exactly in) (?:that|this|the given) (?:order|sequence) \\.?)"
 _ABOUT = (
@@ -17,30 +17,31 @@ _ABOUT = (
 )
 _THERE = "(?:there|that way|like that|so)"
 
+_NUMBERED = ("one|1 \\.", "two|2 \\.", "three|3 \\.")
+
+
+def _in_steps(many: int) -> Turn:
+    """ "One: red on blue. Two: green on red. In that order."."""
+    steps = " ".join(f"(?:{number}) :? ?(.+?) \\." for number in _NUMBERED[:many])
+    told = " . then , ".join(f"{{{n}}}" for n in range(1, many + 1))
+    return f"^(?:(?:checklist|list|steps|plan|sequence) [.:] )?{steps}{_ORDER}$", f"first , {told} ."
+
+
 ACROSS: tuple[Turn, ...] = (
-    ("\\buse (?:one|a) color for (?:one|the \\S+) (row|line|column|tower|stack|layer) and (?:a different|another)"
-     "(?: color| one)? for "
-     "(?:the )?(?:\\S+ )?(?:\\1|one)(?= \\.|$)", "each {1} has a different color"),
-    (f"^is (the (?:(?!\\b{PLACE}\\b)[^?.])+?|[^ ]+) ({PLACE} (?:(?!\\b{PLACE}\\b)[^?.])+?) \\? if (?:not|it is not)"
-     " ,? ?(?:please )?(?:put|move|bring|place|"
-     f"make|set) it {_THERE}"
-     "(?: please)?(?= \\.| !|$)", "put {1} {2}"),
+    ("\\buse (?:one|a) color for (?:one|the \\S+) (row|line|column|tower|stack|layer) and (?:a different|another)(?: "
+     "color| one)? for (?:the )?(?:\\S+ )?(?:\\1|one)(?= \\.|$)", "each {1} has a different color"),
+    (f"^is (the (?:(?!\\b{PLACE}\\b)[^?.])+?|[^ ]+) ({PLACE} (?:(?!\\b{PLACE}\\b)[^?.])+?) \\? if (?:not|it is not) ,? "
+     f"?(?:please )?(?:put|move|bring|place|make|set) it {_THERE}(?: please)?(?= \\.| !|$)", "put {1} {2}"),
     (f"^(?:scatter|strew|randomize|distribute randomly|drop) ((?:the |all )?{MANY} [^.,]+?){_ABOUT} \\. {_NEXT}",
      "there are {1} . "),
     ("^(?:randomize|shuffle|jumble) the (?:start|scene|beginning|initial (?:state|positions?)) [:,.] (.+?) \\. "
      + _NEXT, "at the start : {1} . "),
-    (f"^(?:(?:checklist|list|steps|plan|sequence) [.:] )?(?:one|1 \\.) :? ?(.+?) \\. (?:two|2 \\.) :? ?(.+?) \\. "
-     f"(?:three|3 \\.) :? ?(.+?) \\.{_ORDER}$",
-     "first , {1} . then , {2} . then , {3} ."),
-    (f"^(?:(?:checklist|list|steps|plan|sequence) [.:] )?(?:one|1 \\.) :? ?(.+?) \\. (?:two|2 \\.) :? ?(.+?) "
-     f"\\.{_ORDER}$", "first , {1} . then , {2} ."),
+    *map(_in_steps, (3, 2)),
     (f"^(.*?\\b{MANY} (?:rows|columns|lines|towers|stacks|layers)(?: of {MANY}(?: {CUBE}s)?)?) \\. (?=each (?:row|"
-     f"column|line|tower|"
-     "stack|layer) (?:has|is|must|should) )", "{1} , "),
-    (f"^(the (?:numbers|digits|letters|words|blocks|cubes) [^.?]*?|{THING}) (?:got|are|were|have been|have got) "
-     f"(?:all )?(?:mixed up|"
-     "jumbled up|jumbled|messed up|scrambled|shuffled|out of order|in disorder|in a mess) \\. (?=.)", "there are "
-      "{1} . "),
+     "column|line|tower|stack|layer) (?:has|is|must|should) )", "{1} , "),
+    (f"^(the (?:numbers|digits|letters|words|blocks|cubes) [^.?]*?|{THING}) (?:got|are|were|have been|have got) (?:all "
+     ")?(?:mixed up|jumbled up|jumbled|messed up|scrambled|shuffled|out of order|in disorder|in a mess) \\. "
+     "(?=.)", "there are {1} . "),
     (f"^(.+?) \\. but (?=(?:{THING}|none|no|nothing|not|the) .*(?:{MUST}|may|can|is|are)\\b)", "{1} . "),
 )  # fmt: skip
 """What is looked for in a text, and what is said instead."""

@@ -147,6 +147,21 @@ def test_directions_of_groups_look_along_the_axis_alone() -> None:
     assert not judge("left_of", fields, {**blocks, "green": At(0.55, 0.02)})
 
 
+def test_directly_behind_a_group_is_not_past_its_ends() -> None:
+    near = {"red": At(0.5, 0.03), "blue": At(0.5, -0.03)}
+    pair = {"a": ["green", "yellow"], "b": ["red", "blue"], "directly": True}
+    assert judge("behind", pair, {**near, "green": At(0.6, 0.03), "yellow": At(0.6, -0.03)})
+    assert judge("behind", pair, {**near, "green": At(0.6, 0.0499), "yellow": At(0.6, -0.0499)})
+    assert not judge("behind", pair, {**near, "green": At(0.6, 0.0501), "yellow": At(0.6, -0.03)})
+    assert not judge("behind", pair, {**near, "green": At(0.6, 0.03), "yellow": At(0.53, -0.03)})
+    one = {"a": "green", "b": ["red", "blue"], "directly": True}
+    assert judge("behind", one, {**near, "green": At(0.6, 0.0)})
+    assert not judge("behind", one, {**near, "green": At(0.6, -0.0501)})
+    each = {"a": ["red", "blue"], "b": "green", "directly": True}
+    assert judge("in_front_of", each, {"red": At(0.5, 0.0), "blue": At(0.45, 0.01), "green": At(0.6, 0.0)})
+    assert not judge("in_front_of", each, {**near, "green": At(0.6, 0.0)})
+
+
 def test_direction_of_a_tower_is_that_of_its_foot() -> None:
     blocks = {"red": At(X, 0.1), "blue": At(X, 0.1 - 0.02, E), "green": At(X, 0.05)}
     assert judge("left_of", {"a": {"lowest": ["blue", "red"]}, "b": "green"}, blocks)

@@ -74,7 +74,8 @@ class Directional(Node):
 
     The offset along the axis is at least `min_edges`, and for single blocks not smaller than the offset across it
     unless `somewhere`. `directly`: across it at most half an edge. `immediate`: also a gap of at most half an edge.
-    Groups (more than one name) are compared along the axis alone.
+    Groups (more than one name) are compared along the axis alone; `directly` relative to a group, each block of the
+    smaller one is at most half an edge past the ends of the larger one.
     """
 
     a: Operand

@@ -145,7 +145,8 @@ def _parts(atom: g.Atom) -> Iterator[g.Atom]:
         case LeftOf() | RightOf() | InFrontOf() | Behind() | Apart():
             grouped = not isinstance(atom.a, Lowest | Highest) and not isinstance(atom.b, Lowest | Highest)
             pairs = [(a, b) for a in members(atom.a) for b in members(atom.b) if a != b] if grouped else []
-            if len(pairs) > 1 and not getattr(atom, "immediate", False):
+            whole = not isinstance(atom, Apart) and (atom.immediate or (atom.directly and len(members(atom.b)) > 1))
+            if len(pairs) > 1 and not whole:
                 loose = {} if isinstance(atom, Apart) else {"somewhere": True}
                 yield from (atom.model_copy(update={"a": (a,), "b": (b,), **loose}) for a, b in pairs)
         case Closer():

@@ -143,8 +143,11 @@ class Bounds:
     def _directional(self, atom: Aimed, axis: int, spare: float) -> Iterator[Edge]:
         direction = DIRECTIONS[atom.kind]
         empty = BlockState(self.world, {}, {})
-        for a in self._known(atom.a):
-            for b in self._known(atom.b):
+        left, right = self._known(atom.a), self._known(atom.b)
+        ranked = [sorted(names, key=lambda name: self._anchor(name, axis)[1]) for names in (left, right)]
+        pairs = {*product(left, right)} if len(right) == 1 else {*zip(*ranked, strict=False)}
+        for a in left:
+            for b in right:
                 edge = edge_between(empty, a, b)
                 if direction[axis] != 0.0:
                     least = least_offset(atom, a, b, empty) + (0.0 if frozenset((a, b)) in self.touching else spare)
@@ -153,7 +156,7 @@ class Bounds:
                     if atom.immediate and a in self.world.edge and b in self.world.edge:
                         reach = ROOT2 * (self.world.edge[a] + self.world.edge[b]) / 2 + atom.gap_edges * edge
                         yield from self._beyond(high, low, -reach, axis, atom)
-                elif atom.directly:
+                elif atom.directly and (a, b) in pairs:
                     yield from self._beyond(a, b, -atom.across_edges * edge, axis, atom)
                     yield from self._beyond(b, a, -atom.across_edges * edge, axis, atom)
 

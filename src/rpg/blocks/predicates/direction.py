@@ -45,6 +45,18 @@ def offsets(kind: str, a: str, b: str, state: BlockState) -> tuple[float, float]
     return dx * ux + dy * uy, abs(dx * uy - dy * ux)
 
 
+def _across(kind: str, a: str, b: str, state: BlockState) -> float:
+    """How far `a` is from `b` across the direction, to which side of it told by the sign."""
+    ux, uy = DIRECTIONS[kind]
+    (ax, ay, _), (bx, by, _) = state.where(a), state.where(b)
+    return (ax - bx) * uy - (ay - by) * ux
+
+
+def shadowed(left: tuple[str, ...], right: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Of two groups the smaller, of which each block has to be straight before or behind the other one."""
+    return (left, right) if len(left) <= len(right) else (right, left)
+
+
 def least_offset(node: Directional, a: str, b: str, state: BlockState) -> float:
     """The least offset along the axis: so many edges, and for a patch at least to its outline."""
     return _least(node, a, b, edge_between(state, a, b), state)
@@ -66,8 +78,7 @@ class DirectionalPredicate(Predicate[Directional]):
 
     def evaluate(self, node: Directional, state: BlockState) -> Verdict:
         left, right = state.resolve(node.a), state.resolve(node.b)
-        cone = not node.somewhere and len(left) == 1 and len(right) == 1
-        parts = [self._pair(node, a, b, cone, state) for a in left for b in right]
+        parts = self._parts(node, left, right, state)
         if node.immediate:
             gap, edge = min((footprint_gap(state, a, b), edge_between(state, a, b)) for a in left for b in right)
             parts.append(at_most(gap, node.gap_edges * edge))
@@ -76,9 +87,27 @@ class DirectionalPredicate(Predicate[Directional]):
     def holds(self, node: Directional, state: BlockState) -> bool:
         if node.immediate:
             return self.evaluate(node, state).value
-        left, right = state.resolve(node.a), state.resolve(node.b)
+        return all(part.value for part in self._parts(node, state.resolve(node.a), state.resolve(node.b), state))
+
+    def _parts(
+        self, node: Directional, left: tuple[str, ...], right: tuple[str, ...], state: BlockState
+    ) -> list[Verdict]:
+        """What has to hold of each pair, and of those that must not be off to a side of a group."""
         cone = not node.somewhere and len(left) == 1 and len(right) == 1
-        return all(self._pair(node, a, b, cone, state).value for a in left for b in right)
+        straight = node.directly and len(right) == 1
+        parts = [self._pair(node, a, b, cone, straight, state) for a in left for b in right]
+        if node.directly and not straight:
+            few, many = shadowed(left, right)
+            parts += [self._in_shadow(node, one, many, state) for one in few]
+        return parts
+
+    def _in_shadow(self, node: Directional, one: str, many: tuple[str, ...], state: BlockState) -> Verdict:
+        """Whether a block is not off to a side of a group: at most as far across as `directly` allows from its ends."""
+        apart = [_across(self.kind, one, other, state) for other in many]
+        allowed = [node.across_edges * edge_between(state, one, other) for other in many]
+        ends = (max(a + r for a, r in zip(apart, allowed, strict=True)),
+                max(r - a for a, r in zip(apart, allowed, strict=True)))  # fmt: skip
+        return holds(min(ends) / min(allowed))
 
     def perhaps(self, node: Directional, many: Centres) -> Mask:
         found = many.all()
@@ -96,17 +125,17 @@ class DirectionalPredicate(Predicate[Directional]):
             found &= (along >= node.min_edges * edge - ROOM).all(axis=1)
             if cone:
                 found &= (along - across >= -ROOM).all(axis=1)
-            if node.directly:
+            if node.directly and len(node.b) == 1:
                 found &= (across <= node.across_edges * edge + ROOM).all(axis=1)
         return found
 
-    def _pair(self, node: Directional, a: str, b: str, cone: bool, state: BlockState) -> Verdict:
+    def _pair(self, node: Directional, a: str, b: str, cone: bool, straight: bool, state: BlockState) -> Verdict:
         along, across = offsets(self.kind, a, b, state)
         edge = edge_between(state, a, b)
         margin = (along - _least(node, a, b, edge, state)) / edge
         if cone:
             margin = min(margin, (along - across) / edge)
-        if node.directly:
+        if straight:
             margin = min(margin, 1.0 - across / (node.across_edges * edge))
         return holds(margin)
 
@@ -132,13 +161,29 @@ class DirectionalPredicate(Predicate[Directional]):
         if not node.somewhere and len(pairs) == 1:
             along = least + 0.25 * edge
             yield self._placed(f"{a} more beside {b} than {WORDS[self.kind]} it", a, b, along, along + PAST, state)
-        if node.directly:
+        if node.directly and len(right) == 1:
             across = node.across_edges * edge + PAST
             yield self._placed(f"{a} not straight {WORDS[self.kind]} {b}", a, b, least + across, across, state)
+        if node.directly and len(right) > 1:
+            yield self._out_of_shadow(node, left, right, state)
         if node.immediate and len(pairs) == 1:
             k = 0 if DIRECTIONS[self.kind][0] else 1
             along = reach(state, a)[k] + reach(state, b)[k] + node.gap_edges * edge + PAST
             yield self._placed(f"{a} too far {WORDS[self.kind]} {b}", a, b, max(along, least), 0.0, state)
+
+    def _out_of_shadow(
+        self, node: Directional, left: tuple[str, ...], right: tuple[str, ...], state: BlockState
+    ) -> NearMiss:
+        """A block of the smaller group just past an end of the larger one."""
+        few, many = shadowed(left, right)
+        one = few[0]
+        end = max(many, key=lambda other: node.across_edges * edge_between(state, one, other)
+                  - _across(self.kind, one, other, state))  # fmt: skip
+        across = node.across_edges * edge_between(state, one, end) + PAST
+        along, _ = offsets(self.kind, one, end, state)
+        ux, uy = DIRECTIONS[self.kind]
+        moved = place_beside(state, one, end, along * ux + across * uy, along * uy - across * ux)
+        return NearMiss(f"{one} off to a side of what it is straight {WORDS[self.kind]}", moved)
 
     def _placed(self, what: str, a: str, b: str, along: float, across: float, state: BlockState) -> NearMiss:
         """`a` (or, where it is a patch, `b`) moved so that their offset is as given."""

@@ -14,6 +14,7 @@ from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
+from rpg.passes.schema.stock_told import check_stock
 
 _OPEN = frozenset({"anything", "everything", "all", "each", "any", "rest", "them", "one", "ones", "other", "others",
                    "another", "something", "cover", "uncover", "distractor", "distractors", "piece", "pieces",
@@ -39,7 +40,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _ones_beside_patches(words, task)
     if task.assumed(SYMBOLS_UNSAID):
         _ascending(words, task)
-    _only_so_many(words, task)
+    check_stock(words, task)
     _listed_in_turn(words, task)
     if task.assumed(_NUMBER_UNSAID):
         _lines_of_the_counted(words)
@@ -52,19 +53,6 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
         _of_the_counted(words, task)
         _of_those_left(words, task)
         _one_in_between(words, task)
-
-
-def _only_so_many(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "spell HELLO but use only one L cube" with both of its Ls."""
-    for n, (use, only, many, look) in enumerate(zip(words, words[1:], words[2:], words[3:], strict=False)):
-        told = lexicon.NUMBER.get(many.word, 0)
-        if use.word not in ("use", "using") or only.word not in ("only", "exactly", "just") or not told:
-            continue
-        label = look.raw if len(look.raw) == 1 and look.raw.isupper() else None
-        there = sum(label is not None and getattr(block, "label", None) == label for block in task.blocks)
-        if there > told:
-            raise refuse("count-mismatch", f"{there} of these blocks are needed", words[n + 3].span,
-                         f"say how many may be used: at least {there}")  # fmt: skip
 
 
 def _listed_in_turn(words: Sequence[Token], task: TaskSchema) -> None:

@@ -39,6 +39,19 @@ def no_more_no_fewer(tokens: list[Token], words: list[str]) -> list[Token] | Non
 
 
 _STOPS = frozenset({".", "!", "?", ";", ":"})
+EXACTLY = frozenset({"exactly", "precisely"})
+_BEGUN = frozenset({*_STOPS, ",", "and", "but", "that", "put", "place", "move", "bring", "end", "want", "have"})
+
+
+def exactly_those(tokens: list[Token], words: list[str]) -> list[Token] | None:
+    """ "Exactly the blue cubes are on the mat": these and no others; not "exactly the middle", "exactly the same"."""
+    for at in range(len(words) - 2):
+        begun = at == 0 or words[at - 1] in _BEGUN
+        if words[at] in EXACTLY and words[at + 1] in ("the", "those") and begun:
+            end = next((n for n in range(at + 2, len(words)) if words[n] not in _COUNTED), len(words))
+            if any(word in lexicon.BLOCK for word in words[at + 2 : end]):
+                return [*tokens[:at], tokens[at].saying("only"), *tokens[at + 1 :]]
+    return None
 
 
 MOST = (("at", "most"), ("at", "the", "most"), ("at", "the", "very", "most"), ("or", "fewer"), ("or", "less"),

@@ -25,8 +25,10 @@ from rpg.language.grammar.talk.each_of_its_color import (
 )
 from rpg.language.grammar.talk.exactly_so_many import (
     BOUNDS,
+    EXACTLY,
     MORE,
     NO_MORE,
+    exactly_those,
     no_more_no_fewer,
     none_of_so_many,
     number_there,
@@ -317,6 +319,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (no_more_no_fewer, NO_MORE),
     (none_of_so_many, frozenset({"no"})),
     (so_many_at_most, BOUNDS),
+    (exactly_those, EXACTLY),
     (over_so_many, frozenset(MORE)),
     (one_another, ANOTHER),
     (other_half, frozenset({"other"})),

@@ -35,12 +35,12 @@ def of_all_of_them(
     members = shape.members or (spec.usings[0].members if len(spec.usings) == 1 else None)
     items = members.items if isinstance(members, Coord) and members.op == "and" else (members,)
     amounts = [x.amount for x in items if isinstance(x, Noun) and x.amount is not None]
-    each = shape.each_size or shape.sizes or shape.dims or shape.kind == "stack"
+    each = shape.each_size or shape.sizes or shape.dims
     if theme is not None or each or members is None or len(amounts) < len(items):
         return shape, theme
     if any(x.low != x.high for x in amounts):
         return shape, theme
-    told = any(looks)
+    told = any(look is not None and not _mere(look) for look in looks)
     if told and not (isinstance(members, Noun) and members.traits == Traits() and all(map(_colored, looks))):
         return shape, theme
     spec.usings = [] if shape.members is None else spec.usings
@@ -53,6 +53,11 @@ def of_all_of_them(
     equal = len(amounts) == 1 and not left and (told or shape.kind in _LINES)
     sizes = (Size(what="size", amount=Amount(many, many), span=shape.span),) if equal else ()
     return replace(shape, members=None, sizes=sizes), theme
+
+
+def _mere(look: Look) -> bool:
+    """ "One (on the left)": of which neither a look nor a number is said."""
+    return isinstance(look, Noun) and look.amount is None and look.traits == Traits() and look.part_of is None
 
 
 def _colored(look: Look) -> bool:

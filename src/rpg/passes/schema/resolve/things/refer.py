@@ -20,7 +20,7 @@ from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
 from rpg.passes.schema.resolve.things.theirs import THEIRS, begun_on, in_their_colors, its_own
-from rpg.passes.schema.resolve.things.them import of_whom, sorted_out
+from rpg.passes.schema.resolve.things.them import of_whom, patches_of_each, sorted_out
 from rpg.passes.schema.resolve.things.things import alike, check_cubes, compared, looks_said, matching, note_premises
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
@@ -301,6 +301,9 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return refer(replace(noun, head="block", det="bare", part_of=None), scene, scope)  # "the cubes are 3 cm wide"
     whole = sorted_out(noun, refer(of_whom(noun), scene, scope), scene)
     scene.mentions.pop()
+    if noun.det == "no" and isinstance(noun.part_of, Pronoun) and scope.role == "landmark":
+        patches = patches_of_each(scene, scope, of_none=True)
+        whole = Ref(names=patches, patch=True, plural=True) if patches else whole
     check_both(noun, whole)
     amount = noun.amount
     if noun.det in ("all", "each", "both"):

@@ -36,7 +36,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         and (ends := two_lots(scene.clause - 1, scene) or _two_ends(word, own, scene)) is not None
     ):
         return ends
-    if scope.rel in ("on", "off", "not on") and (patches := _patches_of_each(scene)):
+    if patches := patches_of_each(scene, scope):
         return Ref(names=patches, patch=True, plural=True)
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     earlier = any(m.clause < scene.clause and m.ref.names for m in scene.mentions)
@@ -129,12 +129,15 @@ def _beside_blocks(word: Pronoun, patches: Mention, scene: Scene) -> bool:
     return given and bool(told) and verb in ("be", "place", "stack")
 
 
-def _patches_of_each(scene: Scene) -> tuple[str, ...]:
-    """ "A on the red patch, B on the blue one and C on neither of them": the patches that the clauses before put
-    something on, where each told its own; none where blocks were told together, or something else was said last."""
+def patches_of_each(scene: Scene, scope: Scope, of_none: bool = False) -> tuple[str, ...]:
+    """ "A on the red patch, B on the blue one and C on both": the patches that the clauses before put something on,
+    where each told its own; none where something else was said last, or blocks were told together, unless `of_none`
+    of them is spoken of: "two reds on the red patch, a blue one on the blue patch and the white one on neither"."""
+    if scope.rel not in ("on", "off", "not on"):
+        return ()
     told = {m.clause: m for m in scene.mentions if m.role == "landmark" and m.clause < scene.clause}
     each = [m for m in told.values() if m.ref.patch and m.rel == "on" and len(m.ref.names) == 1]
-    several = any(len(m.ref.names) > 1 for m in scene.mentions)
+    several = any(len(m.ref.names) > 1 for m in scene.mentions) and not of_none
     names = tuple(dict.fromkeys(n for m in each for n in m.ref.names))
     return names if len(names) > 1 and len(each) == len(told) and not several else ()
 

@@ -1,0 +1,85 @@
+"""What "neither", "exactly those" and numbers of a stock are told of, where a careless reading takes something else."""
+
+from __future__ import annotations
+
+import pytest
+
+from rpg.blocks.english import describe
+from rpg.passes.schema.frontend import BuiltinFrontEnd
+
+
+def _told(text: str) -> str:
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is not None, notes
+    return describe(task)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Two of the three blue blocks belong on the red patch, the third belongs on the yellow patch, and the white "
+        "block on neither.",
+        "Put two blue blocks on the red mat, a green block on the yellow mat and the white one on neither of them.",
+        "A and B on the red patch, C on the yellow patch, and the white block on neither.",
+    ],
+)
+def test_on_neither_is_on_none_of_the_patches(text: str) -> None:
+    told = _told(text)
+    assert "The white block must not be on the red patch." in told
+    assert "The white block must not be on the yellow patch." in told
+
+
+def test_neither_of_blocks_told_together_is_none_of_these() -> None:
+    told = _told("Stack red and green, and put white on neither.")
+    assert "The white block must not be on the red block." in told
+    assert "The white block must not be on the green block." in told
+
+
+@pytest.mark.parametrize("exactly", ["Exactly", "Precisely", "Only"])
+def test_exactly_those_are_there_and_no_others(exactly: str) -> None:
+    told = _told(f"{exactly} the blue cubes are on the mat. There are two blue cubes and a yellow one.")
+    assert "The two blue blocks must be on the gray patch." in told
+    assert "The yellow block must not be on the gray patch." in told
+
+
+def test_exactly_in_the_middle_is_no_count() -> None:
+    assert "distractor" not in _told("Put the red block exactly in the middle of the mat.")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Spell HELLO, but use only one block with an L on it.",
+        "Spell HELLO. Use one L block.",
+        "There is one O block. Spell NOON.",
+        "Spell NOON. There are two N blocks and one O block.",
+    ],
+)
+def test_more_letters_than_there_are_is_refused(text: str) -> None:
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is None
+    assert notes[0].code == "count-mismatch"
+
+
+def test_as_many_letters_as_there_are() -> None:
+    assert "spell the word NOON" in _told("There are two O blocks and two N blocks. Spell NOON.")
+
+
+@pytest.mark.parametrize(
+    ("text", "each"),
+    [
+        ("Two towers of the same height out of eight blocks, one red, the other blue.", "four"),
+        ("Build two towers from eight blocks, the left one red, the right one blue.", "four"),
+        ("Build two towers using six blocks, the left one red, the right one blue.", "three"),
+        ("Build two towers of four blocks, the left one red, the right one blue.", "four"),
+        ("Build two towers using four blocks each, the left one red, the right one blue.", "four"),
+    ],
+)
+def test_from_so_many_blocks_is_the_number_of_all_of_them(text: str, each: str) -> None:
+    assert f"There are {each} red blocks and {each} blue blocks." in _told(text)
+
+
+def test_two_towers_from_six_are_of_three() -> None:
+    assert _told("Build two towers from six red blocks, one on the left and one on the right.").startswith(
+        "There are six red blocks."
+    )

@@ -83,3 +83,20 @@ def test_two_towers_from_six_are_of_three() -> None:
     assert _told("Build two towers from six red blocks, one on the left and one on the right.").startswith(
         "There are six red blocks."
     )
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put A on the red mat and B on the blue mat. Put C on top of one of them.",
+        "A on the red patch, B on the blue patch and C on top of either of them.",
+    ],
+)
+def test_on_top_of_one_of_them_is_not_on_one_of_the_mats(text: str) -> None:
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is None
+    assert notes[0].code == "ambiguous"
+
+
+def test_on_top_of_a_mat_is_on_it() -> None:
+    assert "The red block must be on the gray patch." in _told("There is a mat. Put a red block on top of it.")

@@ -150,6 +150,12 @@ class SchemaPass:
         options = self.options
         reader = options.front_end or _builtin()
         schema, diagnostics = reader.read(item, name=options.name, seed=options.seed, author=options.author)
+        if schema is None and options.front_end is None:
+            from rpg.passes.schema.pinpoint import pinpointed
+
+            diagnostics = tuple(
+                pinpointed(item, one, lambda text: _read_plainly(text) is not None) for one in diagnostics
+            )
         return (schema and phrased(schema, options)), Report(diagnostics)
 
 

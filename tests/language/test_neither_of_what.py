@@ -100,3 +100,15 @@ def test_on_top_of_one_of_them_is_not_on_one_of_the_mats(text: str) -> None:
 
 def test_on_top_of_a_mat_is_on_it() -> None:
     assert "The red block must be on the gray patch." in _told("There is a mat. Put a red block on top of it.")
+
+
+@pytest.mark.parametrize("clear", ["First clear the patch", "Clear the patch", "First empty the blue patch"])
+def test_what_lies_on_a_patch_that_is_to_be_cleared_starts_there(clear: str) -> None:
+    told = _told(f"The red block is on the blue patch. {clear}, then put the green block on it.")
+    assert "At the start, the red block is on the blue patch." in told
+    assert "The red block must be on the blue patch." not in told
+
+
+def test_none_of_another_one_is_nothing() -> None:
+    text = "There are four blocks. Every one of them has to be on another one, none on the table."
+    assert BuiltinFrontEnd().read(text)[0] is None

@@ -200,10 +200,10 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     if isinstance(whole, Noun) and whole.amount is None:
         yield from counted_aside(p, i, j, whole)
         for some, k in amounts.amount(p, j + 1):
-            told = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those"))
-            if not told and whole.traits.labels and p.tokens[j + 1].kind == "number":
+            told = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those")) or k
+            if told == k and whole.traits.labels and p.tokens[j + 1].kind == "number":
                 continue
-            k = told or k
+            k = told
             yield (
                 replace(
                     whole,
@@ -214,7 +214,7 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
                 ),
                 k,
             )
-    if k := p.any_of(j + 1, ("none", "all", "each", "both")):
+    if (whole.plural or whole.amount != Amount(1, 1)) and (k := p.any_of(j + 1, ("none", "all", "each", "both"))):
         det = {"none": "no"}.get(p.words[k - 1], p.words[k - 1])
         yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k
 

@@ -256,8 +256,9 @@ def _looked_at(chains: tuple[Chain, ...], n: int, text: str) -> bool:
 
 
 def _undoes(chain: Chain) -> bool:
-    """Whether a sentence changes what is there, whatever it is: swaps it, takes it apart, turns it round."""
-    return any(isinstance(c, Clause) and c.verb in ("swap", "unstack", "reverse", "replace") for c in chain.clauses)
+    """Whether a sentence changes what is there: swaps it, takes it apart, turns it round, clears what it lies on."""
+    undoing = ("swap", "unstack", "reverse", "replace", "clear", "empty")
+    return any(isinstance(c, Clause) and not {c.verb, c.lemma}.isdisjoint(undoing) for c in chain.clauses)
 
 
 def _moved_next(before: Chain, after: Chain, text: str) -> bool:
@@ -384,9 +385,7 @@ def _indefinite(theme: Meaning | None) -> bool:
 def _commands(chain: Chain) -> bool:
     """Whether a sentence commands something about what was spoken of."""
     asked = [c for c in chain.clauses if isinstance(c, Clause) and (c.mode == "command" or _to_be_moved(c))]
-    if not any(not c.negated or isinstance(c.theme, Pronoun) for c in asked):
-        return False
-    return any(
+    return any(not c.negated or isinstance(c.theme, Pronoun) for c in asked) and any(
         isinstance(part, Pronoun) or (isinstance(part, Noun | Structure) and part.det in ("the", "its", "all", "other"))
         for part in parts_of(chain)
     )

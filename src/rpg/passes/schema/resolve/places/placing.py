@@ -91,7 +91,6 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
         raise refuse("misplaced", "it is said what these blocks are not, but not where they should be", clause.span,
                      "say where they should be")  # fmt: skip
     pass_over(refer(clause.theme if known(clause.theme, scene) else as_extra(clause.theme), scene, Scope()), scene)
-    scene.mentions.pop()
     about = [p for p in spec.places if isinstance(p, Loc) and isinstance(p.landmark, TableTop)]
     about = [p for p in about if p.rel not in ("left", "right", "front", "behind")]
     spec.places = [p for p in spec.places if p not in about]

@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import TypeGuard
 
 from rpg.ir import goal as g
+from rpg.ir.relations import Stayed
+from rpg.ir.walk import atoms
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, Pronoun, Structure, That, Traits, replace
 from rpg.passes.schema.resolve.things.refer import refer
@@ -176,11 +178,11 @@ def further(meaning: Meaning) -> bool:
 
 
 def none_ignored(goal: g.Goal, scene: Scene) -> None:
-    """Refuse a distractor of which the goal says something."""
+    """Refuse a distractor of which the goal says something, but that it stays where it is."""
     for dealt, refusal in scene.dealt:
         if not {*dealt} <= {*names_in(goal)}:
             raise refusal
-    for name in names_in(goal):
+    for name in (name for atom in atoms(goal) if not isinstance(atom, Stayed) for name in names_in(atom)):
         if name in scene.ignored:
             what = said(scene.things[name])
             raise refuse("contradiction", f"{what} is not to be used, and yet something is said of it",

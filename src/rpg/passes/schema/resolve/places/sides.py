@@ -296,7 +296,8 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     bunches = [ref.names for ref, _, _ in ats if len(ref.names) > 1]
     told = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
     paired = all(isinstance(at_, At) and at_.side in SYMMETRIC for _, at_, _ in loose)
-    ranks = tuple(told) if paired else by_symbols(tuple(told), node.blocks, scene)
+    in_turn = ats[0][0].names == node.blocks[:1]  # not "A, B, C and D, beginning with D and ending with A"
+    ranks = by_symbols(tuple(told), node.blocks, scene) if in_turn and not paired else tuple(told)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=ranks, first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):

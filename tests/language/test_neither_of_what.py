@@ -112,3 +112,38 @@ def test_what_lies_on_a_patch_that_is_to_be_cleared_starts_there(clear: str) -> 
 def test_none_of_another_one_is_nothing() -> None:
     text = "There are four blocks. Every one of them has to be on another one, none on the table."
     assert BuiltinFrontEnd().read(text)[0] is None
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put A on B. C is only a distractor and must not be moved.",
+        "Put A on B. C is a distractor, and it must not be touched.",
+        "C is a distractor and must not be moved. Put A on B.",
+    ],
+)
+def test_what_must_not_be_moved_is_the_distractor(text: str) -> None:
+    told = _told(text)
+    assert "The C block must stay where it is." in told
+    assert "The A block must stay where it is." not in told
+
+
+def test_distractors_that_are_counted_and_named_are_no_more_than_counted() -> None:
+    told = _told("Put red on blue. There are two distractors, one green and one yellow.")
+    assert "There are also a green block and a yellow block as distractors." in told
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put red on blue. Add three distractors, one green and one yellow.",
+        "Spell the word CAB with letter blocks. Use only the letters A and B.",
+    ],
+)
+def test_numbers_and_letters_that_do_not_add_up_are_refused(text: str) -> None:
+    assert BuiltinFrontEnd().read(text)[0] is None
+
+
+def test_a_line_that_begins_with_the_last_that_is_listed_is_in_no_order() -> None:
+    told = _told("Line up A, B, C and D so that the line begins with D and ends with A.")
+    assert "in a row with the D block at the left end and the A block at the right end" in told

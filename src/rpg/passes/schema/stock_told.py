@@ -17,7 +17,10 @@ _LED = frozenset({"a", "an", "the", "letter", "digit", "number"})
 
 
 def check_stock(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse a task with more cubes of a letter than are told of: "there is one O block. Spell NOON"."""
+    """Refuse a task with more cubes of a letter than are told of: "there is one O block. Spell NOON"; or with a letter
+    that is none of those that alone may be used: "spell CAB. Use only the letters A and B"."""
+    for label in _others(words, task):
+        raise refuse("count-mismatch", "these letters are not enough", label.span, "name each letter that is needed")
     told: Counter[str] = Counter()
     where: dict[str, Token] = {}
     for number, label in _numbered(words):
@@ -28,6 +31,17 @@ def check_stock(words: Sequence[Token], task: TaskSchema) -> None:
         if there > told[symbol]:
             raise refuse("count-mismatch", f"{there} of these blocks are needed", label.span,
                          f"say how many may be used: at least {there}")  # fmt: skip
+
+
+def _others(words: Sequence[Token], task: TaskSchema) -> Iterator[Token]:
+    """The last of the letters that alone may be used, where the task has another one."""
+    for begin, end in _of_stock(words):
+        only = next((n for n in range(begin, end) if words[n].word == "only"), end)
+        letters = [word for word in words[only:end] if _is_label(word)]
+        many = next((n for n in range(only, end) if words[n].word in ("letters", "digits", "numbers")), 0)
+        there = {label for block in task.blocks if (label := getattr(block, "label", None))}
+        if many and letters and not there <= {word.raw for word in letters}:
+            yield letters[-1]
 
 
 def _numbered(words: Sequence[Token]) -> Iterator[tuple[int, Token]]:

@@ -24,6 +24,7 @@ from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
 from rpg.passes.schema.resolve.structures.last_of_list import check_last
 from rpg.passes.schema.resolve.structures.told_of_each import told_of_each
 from rpg.passes.schema.resolve.things.members_later import members_later
+from rpg.passes.schema.resolve.things.named_extras import named_extras
 from rpg.passes.schema.resolve.things.one_in_each import one_in_each
 from rpg.passes.schema.resolve.things.recounted import recounted
 from rpg.passes.schema.resolve.things.tally_filled import tally_filled
@@ -39,7 +40,7 @@ def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     ):  # fmt: skip
         chains = together(chains)
     chains = tuple(told_of_each(chain, text) for chain in chains)
-    for each in (each_lot, checkered_grid, one_in_each, either_shape):
+    for each in (named_extras, each_lot, checkered_grid, one_in_each, either_shape):
         chains = tuple(map(each, chains))
     told = (shared_gaps(shared_sides(recounted(chain), text), text) for chain in chains)
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)

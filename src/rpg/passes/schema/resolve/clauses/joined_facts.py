@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from itertools import pairwise
 
 from rpg.language.meaning import (
@@ -137,6 +138,24 @@ def same_one(fact: Clause, order: Clause) -> bool:
     )
 
 
+def how_far_off(told: Sequence[Chain]) -> bool:
+    """Whether the second of two sentences says no more than how far off those beside each other are to be: "red is
+    right of white. The gap must be 2 cm"."""
+    if [len(chain.clauses) for chain in told[1:]] != [1]:
+        return False
+    fact, order = told[0].clauses[-1], told[1].clauses[0]
+    if not isinstance(fact, Clause) or not isinstance(order, Clause) or order.verb not in ("be", "keep"):
+        return False
+    far = [isinstance(a, Loc) and a.rel in _FAR and getattr(a.landmark, "word", "") == "each other"
+           for a in order.adjuncts]  # fmt: skip
+    beside = [isinstance(a, Loc) and a.rel in _BESIDE for a in fact.adjuncts]
+    return far == beside == [True]
+
+
+_FAR = ("distance", "touching")
+_BESIDE = ("left", "right", "front", "behind", "beside")
+
+
 def ends_elsewhere(before: Chain, after: Chain) -> bool:
     """ "The red block sits on the blue one. At the end it is on the mat": what bears a block, and what later."""
     ends = [asked_of(after), *after.clauses[1:]]
@@ -184,16 +203,22 @@ def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     return chains
 
 
-def facts_joined(chain: Chain) -> Chain:
-    """ "On the blue patch lies a red block, on the yellow one a green one": a fact without a verb of its own."""
+def facts_joined(chain: Chain, text: str) -> Chain:
+    """ "On the blue patch lies a red block, on the yellow one a green one": a fact without a verb of its own, which
+    nothing in front of it wishes, as in "red starts on blue, and I want blue on red"."""
     told: list[Meaning] = []
     for link, clause in zip(chain.links, chain.clauses, strict=True):
         before = told[-1] if told else None
-        fact = isinstance(before, Clause) and (before.lemma, before.mode) == ("fact", "goal") and not before.negated
-        if link == "and" and fact and isinstance(clause, Clause) and _verbless(clause):
+        between = text[before.span[1] : clause.span[0]] if before is not None else ""
+        fact = isinstance(before, Clause) and before.lemma == "fact" and before.mode in ("goal", "start")
+        told_so = fact and isinstance(before, Clause) and not before.negated and link == "and"
+        if told_so and isinstance(clause, Clause) and _verbless(clause) and _AND.fullmatch(between):
             clause = replace(clause, lemma="fact")
         told.append(clause)
     return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
+
+
+_AND = re.compile(r"\W*(?:and)?\W*", re.IGNORECASE)
 
 
 def borne_in_turn(chain: Chain) -> Chain:

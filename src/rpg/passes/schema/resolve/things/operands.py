@@ -71,14 +71,7 @@ def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
     if loc.rel not in (*LEVEL, "distance") or loc.rel == "apart" or mark.op != "and" or mark.patch:
         return [mark]
     whole = len(mark.built) == 1 and {*mark.built[0].members} == {*mark.names}  # "(stack A, B, C and put D) next to it"
-    loose = (
-        isinstance(loc.landmark, Pronoun) and loc.landmark.word in _THEM and scene.on_top.keys().isdisjoint(mark.names)
-    )
-    if (
-        loose
-        and not (whole or loc.negated or scene.denying or loc.rel not in ("beside", "adjacent"))
-        and len(mark.names) > 1
-    ):
+    if not (whole or scene.denying) and _beside_them(mark, loc, scene):
         raise _each_or_all(loc)
     if len(mark.parts) > 1 or mark.built:
         return [mark] if whole else list(mark.parts) or [mark]
@@ -96,6 +89,13 @@ def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
 
 
 _THEM = frozenset({"them", "these", "those"})
+
+
+def _beside_them(mark: Ref, loc: Loc, scene: Scene) -> bool:
+    """Whether something is to be next to "them", several blocks that lie on the table or a patch."""
+    them = isinstance(loc.landmark, Pronoun) and loc.landmark.word in _THEM and not loc.negated
+    flat = len(mark.names) > 1 and scene.on_top.keys().isdisjoint(mark.names)
+    return them and flat and loc.rel in ("beside", "adjacent")
 
 
 def _each_or_all(loc: Loc) -> Refusal:

@@ -236,7 +236,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
     if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in close) or among:
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
                      "say 'of the table', or of what")  # fmt: skip
-    if any(isinstance(a, r.OnPatch) and set(ref.names) & {*members(a.a)} for a in atoms(goal)) and at_.side != "middle":
+    patched = [a for a in atoms(goal) if isinstance(a, r.OnPatch)]
+    if any(_about(a, ref) or (at_.side == "middle" and a.span and a.span[0] < at_.span[0]) for a in patched):
         raise refuse("ambiguous", "this could be a side of the table or of the patch", at_.span, "say of what")
     ends = ("edge", *(("corner",) if at_.side != "middle" else ()))
     if any(isinstance(a, r.InRegion) and any(end in a.region for end in ends) for a in atoms(goal)):

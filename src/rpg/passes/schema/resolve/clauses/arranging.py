@@ -278,7 +278,7 @@ def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
 
 
 def _in_line(place: Meaning, inside: bool) -> bool:
-    """ "next to each other", "5 cm apart": of more than two blocks, a line; of those that touch, one may be `inside`."""
+    """ "next to each other", "5 cm apart": of more than two blocks a line; of those that touch one may be `inside`."""
     each_other = getattr(getattr(place, "landmark", None), "word", "") == "each other"
     return each_other and getattr(place, "rel", "") in ("touching", "side_by_side", "adjacent", "distance")[inside:]
 

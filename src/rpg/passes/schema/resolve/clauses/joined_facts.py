@@ -159,10 +159,11 @@ _BESIDE = ("left", "right", "front", "behind", "beside")
 def ends_elsewhere(before: Chain, after: Chain) -> bool:
     """ "The red block sits on the blue one. At the end it is on the mat": what bears a block, and what later."""
     ends = [asked_of(after), *after.clauses[1:]]
-    return any(_moves(fact, end) for fact in before.clauses for end in ends)
+    return any(moves(fact, end) for fact in before.clauses for end in ends)
 
 
-def _moves(fact: Meaning, end: Meaning) -> bool:
+def moves(fact: Meaning, end: Meaning) -> bool:
+    """Whether two clauses say of the very same thing that it is on different things."""
     if not isinstance(fact, Clause) or not isinstance(end, Clause) or end.negated:
         return False
     bases = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel == "on"] for c in (fact, end)]

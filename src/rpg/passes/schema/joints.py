@@ -337,6 +337,20 @@ def _parted(lot: list[Token], counts: set[int | None]) -> bool:
     return len(items) in counts and all(lot[n].kind == "number" or here[n] in lexicon.NUMBER for n in items)
 
 
+_MAY_NOT = frozenset({"allowed", "permitted"})
+
+
+def _who_may_not(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "(put red on the mat.) It is not allowed to touch blue" as an order not to move blue: it could be red that
+    must not lie against it."""
+    said = [token.word for token in words]
+    for n in range(1, len(said) - 5):
+        barred = said[n : n + 3] == ["it", "is", "not"] and said[n + 3] in _MAY_NOT and said[n + 5] == "touch"
+        if barred and any(isinstance(atom, Stayed) for atom in atoms(task.goal)):
+            raise refuse("ambiguous", "is the block spoken of before not to touch it, or is it to be left alone?",
+                         words[n].span, "name the block, or say 'do not move ...'")  # fmt: skip
+
+
 _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchema], None]], ...] = (
     (_TOWERS, _parted_lists),
     (None, _same_cubes),
@@ -352,5 +366,6 @@ _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchem
     (frozenset({"turn", "turns"}), _in_turn),
     (None, _letter_a),
     (frozenset({"or"}), _left_open),
+    (_MAY_NOT, _who_may_not),
 )
 """What is checked, and words without which there is nothing to check."""

@@ -171,8 +171,8 @@ _COUNTS = ("1 2 3 4 5 6 7 8 9", "a b c d e f g h", "i ii iii iv v")
 
 
 def _unnumbered(text: str) -> tuple[str, dict[int, str]]:
-    """ "(1) red on blue, and (2) ...", "(a) ...; (b) ...": each begins a sentence; and the numbers of the later ones, or
-    of all behind "the steps are:", by where they stand. Of these at least two in order."""
+    """ "(1) red on blue, and (2) ...", "(a) ...; (b) ...": each begins a sentence; and the numbers of the later ones,
+    or of all behind "the steps are:", by where they stand. Of these at least two in order."""
     marks = list(_MARK.finditer(text))
     told = [mark.group(1) for mark in marks]
     ordered = any(told == counted.split()[: len(told)] for counted in _COUNTS)

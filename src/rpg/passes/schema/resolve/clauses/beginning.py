@@ -71,7 +71,8 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     chains = lifted(kept_there(instead_of(put_back(other_way_round(chains), text)), text), text)
     chains = worded_first(lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
-    chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))
+    chains = (now, *map(_there_too, chains[1:]))
+    chains = tuple(all_begun(chain, text, len(chains) == 1) for chain in chains)
     if (picture := _pictured(chains, text)) is not None:
         return picture
     chains = before_orders(staying(chains, text), text)

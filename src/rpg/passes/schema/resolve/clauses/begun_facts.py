@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.language.meaning import (
     At,
@@ -107,16 +108,21 @@ def _empties(said: Meaning) -> bool:
     return bare or off or none or said.verb == "remove"
 
 
-def all_begun(chain: Chain) -> Chain:
+AND = re.compile(r"\W*(?:and)?\W*", re.IGNORECASE)
+"""What stands between facts that are told in one way."""
+
+
+def all_begun(chain: Chain, text: str, alone: bool) -> Chain:
     """ "Red is on the mat and blue on the patch at the start": what begins or ends the sentence is said of both facts;
-    and so is "blue starts on the patch"."""
+    and so is "blue starts on the patch", but for what a sentence that is `alone` wishes."""
     told = [c for c in chain.clauses if isinstance(c, Clause)]
     clauses = [c for c in told if c.lemma == "fact" and c.mode == "goal"]
     begun = sum(c.mode == "start" for c in told)
     if len(clauses) + begun < len(chain.clauses) or len(told) < 2 or {*chain.links} != {"and"}:
         return chain
     timed = any(isinstance(a, Manner) and a.kind == "time" for c in clauses for a in c.adjuncts)
-    if begun and clauses and not (timed or any(c.negated for c in clauses)):
+    wished = alone and not all(AND.fullmatch(text[a.span[1] : b.span[0]]) for a, b in pairwise(told))
+    if begun and clauses and not (wished or timed or any(c.negated for c in clauses)):
         return replace(chain, clauses=tuple(replace(c, mode="start") for c in told))
     if begun:
         return chain

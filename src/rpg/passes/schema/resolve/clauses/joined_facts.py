@@ -20,6 +20,7 @@ from rpg.language.meaning import (
     Traits,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.begun_facts import AND
 
 BESIDES = re.compile(r"\b(?:also|too|as well|both|in addition|additionally)\b", re.IGNORECASE)
 _DEMANDED = re.compile(
@@ -213,13 +214,10 @@ def facts_joined(chain: Chain, text: str) -> Chain:
         between = text[before.span[1] : clause.span[0]] if before is not None else ""
         fact = isinstance(before, Clause) and before.lemma == "fact" and before.mode in ("goal", "start")
         told_so = fact and isinstance(before, Clause) and not before.negated and link == "and"
-        if told_so and isinstance(clause, Clause) and _verbless(clause) and _AND.fullmatch(between):
+        if told_so and isinstance(clause, Clause) and _verbless(clause) and AND.fullmatch(between):
             clause = replace(clause, lemma="fact")
         told.append(clause)
     return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
-
-
-_AND = re.compile(r"\W*(?:and)?\W*", re.IGNORECASE)
 
 
 def borne_in_turn(chain: Chain) -> Chain:

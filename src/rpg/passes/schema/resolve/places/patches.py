@@ -29,6 +29,9 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
                          "say 'together on one of ...', or name the patch")  # fmt: skip
         if (theme.each and not theme.built) or theme.quant is not None:
             return _on_any(theme, patches, span)
+        if len(theme.names) > 1 and theme.det in _ANY_OR_ALL and scene.describing and not (theme.built or mark.parts):
+            raise refuse("ambiguous", "all on the same one, or each on any of them?", span,
+                         "say 'all on the same patch', or 'each of them'")  # fmt: skip
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:
         return _on_patch(theme, patches[0], span)
@@ -77,6 +80,9 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse("ambiguous", "it is not said how many patches there are, and which block goes on which", span,
                      "say how many, and 'one on each', or name the patch of each")  # fmt: skip
     return _on_any(replace(theme, built=()), patches, span)
+
+
+_ANY_OR_ALL = frozenset({"all", "bare"})
 
 
 def _each_or_together(theme: Ref, mark: Ref, span: Span) -> None:

@@ -121,13 +121,13 @@ def all_begun(chain: Chain, text: str, alone: bool) -> Chain:
     if len(clauses) + begun < len(chain.clauses) or len(told) < 2 or {*chain.links} != {"and"}:
         return chain
     timed = any(isinstance(a, Manner) and a.kind == "time" for c in clauses for a in c.adjuncts)
-    wished = alone and not all(AND.fullmatch(text[a.span[1] : b.span[0]]) for a, b in pairwise(told))
-    if begun and clauses and not (wished or timed or any(c.negated for c in clauses)):
+    plain = all(AND.fullmatch(text[a.span[1] : b.span[0]]) for a, b in pairwise(told))
+    if begun and clauses and (plain or not alone) and not (timed or any(c.negated for c in clauses)):
         return replace(chain, clauses=tuple(replace(c, mode="start") for c in told))
     if begun:
         return chain
     times = [[a.kind for a in c.adjuncts if isinstance(a, Manner) and a.kind in _TIMES] for c in clauses]
-    ahead = "start" in times[0] and _headed(clauses[0])
+    ahead = "start" in times[0] and plain and _headed(clauses[0])
     if any(times[:-1][ahead:]) or "start" not in times[0 if ahead else -1]:
         return chain
     return replace(chain, clauses=tuple(replace(c, mode="start") for c in clauses))

@@ -6,6 +6,8 @@ from typing import Any
 
 import pytest
 
+from rpg.ir.relations import Facing
+from rpg.ir.walk import atoms
 from rpg.passes.schema.frontend import BuiltinFrontEnd
 from tests.language.meaning import assert_means
 
@@ -69,6 +71,9 @@ ASKED = {
         "The word CAT on red blocks",
         "Spell CAT on the red blocks.",
         "Spell DOG on a row of blue blocks.",
+        # a big block of the same colour, or of any; the first of a row, or in front of it
+        "Put a small red block on a big one.",
+        "Put the blue block at the front of the row of red, green and white.",
         # it: the block spoken of before, or nobody
         "Put red on the mat. It is not allowed to touch the blue block.",
         # before an order, or after it
@@ -84,6 +89,7 @@ ASKED = {
     "contradiction": (
         "Put the red block between the blue and the green one, none of them red.",
         "A row of three red blocks, each of a different color.",
+        "Put red and blue on the mat. Stack them with green in between.",
     ),
     "no-goal": (
         "Initially C is on A and B is on the table.",
@@ -224,6 +230,15 @@ IN_TURN: dict[str, Any] = {
         ("Write CAT on red cubes.",
          {"assets": {"red:C": 1, "red:A": 1, "red:T": 1}, "hold": ["red:C red:A red:T"],
           "miss": ["red:T red:A red:C"]}),
+        ("Put red and blue on the mat and keep them next to each other.",
+         {"assets": {"red": 1, "blue": 1, "patch": 1}, "hold": ["red blue pitch=1 at=patch"],
+          "miss": ["red . blue at=patch", "red blue"], "start": ["red ; blue"]}),
+        ("Put red on the mat and keep blue next to green.",
+         {"assets": {"red": 1, "blue": 1, "green": 1, "patch": 1}, "start_miss": ["red ; blue ; green"]}),
+        ("Below the red block is a blue one and below that a green one.",
+         {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["green^blue^red"], "miss": ["blue^green^red"]}),
+        ("On the red block is a blue one and on that a green one.",
+         {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["red^blue^green"], "miss": ["red^green^blue"]}),
         ("Put all blocks on one of the patches.",
          {"assets": {"plain": 3, "patch": 2}}),
         ("Put A, B and C in a row, all upside down.",
@@ -232,3 +247,19 @@ IN_TURN: dict[str, Any] = {
 )  # fmt: skip
 def test_what_is_said_of_it(text: str, meant: dict[str, Any]) -> None:
     assert_means(text, meant)
+
+
+@pytest.mark.parametrize(
+    ("text", "ways"),
+    [
+        ("A faces left and B right.", {"A_block": "left", "B_block": "right"}),
+        ("Put A and B side by side, A facing left and B right.", {"A_block": "left", "B_block": "right"}),
+        ("The A faces left, the B right.", {"A_block": "left", "B_block": "right"}),
+        ("A faces left and B is on the right.", {"A_block": "left"}),
+        ("A faces left and B in the right half.", {"A_block": "left"}),
+    ],
+)
+def test_which_way_the_next_one_faces(text: str, ways: dict[str, str]) -> None:
+    schema, _ = BuiltinFrontEnd().read(text)
+    assert schema is not None
+    assert {x.block: x.toward for x in atoms(schema.goal) if isinstance(x, Facing)} == ways

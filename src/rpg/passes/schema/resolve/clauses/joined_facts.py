@@ -167,7 +167,7 @@ def moves(fact: Meaning, end: Meaning) -> bool:
     """Whether two clauses say of the very same thing that it is on different things."""
     if not isinstance(fact, Clause) or not isinstance(end, Clause) or end.negated:
         return False
-    bases = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel == "on"] for c in (fact, end)]
+    bases = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel in ("on", "in")] for c in (fact, end)]
     alone = all(len(base) == 1 for base in bases) and len(fact.adjuncts) == 1
     return alone and same_one(fact, end) and not _same_mark(bases[0][0], bases[1][0])
 

@@ -21,7 +21,7 @@ from rpg.passes.schema.resolve.clauses.joined_facts import moves
 from rpg.passes.schema.resolve.things.world import refuse
 
 _WHEN = re.compile(
-    r"\b(?:must|should|shall|has to|have to|needs? to|will|end|final|finally|then|afterwards|start|initially|now|"
+    r"\b(?:must|should|shall|has to|have to|needs? to|will|end|final|finally|then|afterwards|start|initially|"
     r"beginning|at first|currently|already|result|so that)\b",
     re.IGNORECASE,
 )

@@ -220,7 +220,7 @@ IN_TURN: dict[str, Any] = {
         ("Put red on the table, it is on the mat.", TO_THE_TABLE),
         ("Move the red block to the table. It is on the mat.", TO_THE_TABLE),
         ("Move red to the mat. It is now on the table.",
-         {"assets": {"red": 1, "patch": 1}, "hold": [["red", "red at=patch"]], "start_miss": ["red at=patch"]}),
+         {"assets": {"red": 1, "patch": 1}, "hold": [["red", "red at=patch"]], "start": ["red"]}),
         ("Put red on the mat. It is next to blue.",
          {"assets": {"red": 1, "blue": 1, "patch": 1}, "hold": ["red blue pitch=1 at=patch"],
           "miss": ["red at=patch ; blue"]}),

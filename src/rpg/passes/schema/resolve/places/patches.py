@@ -29,9 +29,7 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
                          "say 'together on one of ...', or name the patch")  # fmt: skip
         if (theme.each and not theme.built) or theme.quant is not None:
             return _on_any(theme, patches, span)
-        if len(theme.names) > 1 and theme.det in _ANY_OR_ALL and scene.describing and not (theme.built or mark.parts):
-            raise refuse("ambiguous", "all on the same one, or each on any of them?", span,
-                         "say 'all on the same patch', or 'each of them'")  # fmt: skip
+        _on_the_same(theme, mark, scene, span)
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:
         return _on_patch(theme, patches[0], span)
@@ -82,7 +80,11 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     return _on_any(replace(theme, built=()), patches, span)
 
 
-_ANY_OR_ALL = frozenset({"all", "bare"})
+def _on_the_same(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
+    """Refuse "all of them must be on one of the mats"."""
+    if len(theme.names) > 1 and theme.det in ("all", "bare") and scene.describing and not (theme.built or mark.parts):
+        raise refuse("ambiguous", "all on the same one, or each on any of them?", span,
+                     "say 'all on the same patch', or 'each of them'")  # fmt: skip
 
 
 def _each_or_together(theme: Ref, mark: Ref, span: Span) -> None:

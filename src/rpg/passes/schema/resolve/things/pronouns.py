@@ -165,12 +165,10 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     patched = scope.rel in ("off", "not on") and any(m.ref.patch for m in single if m.clause == last)  # "stay off it"
     if again and not patched and again[-1].sentence == scene.sentence and not single[-1].word and word.word == "it":
         return again[-1].ref
-    rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
-    if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
-        return parallel(word, list(rivals.values()), scene, scope) or _decide(
-            word, scene, [*rivals.values()], scope.rel
-        )
-    return _built_there(word, list(rivals.values()), scene, scope) or single[-1].ref
+    rivals = [*{m.ref.names: m for m in single if m.clause == last}.values()]
+    if len(rivals) > 1 and not any(m.ref.built for m in rivals):
+        return parallel(word, rivals, scene, scope) or _decide(word, scene, rivals, scope.rel)
+    return _built_there(word, rivals, scene, scope) or single[-1].ref
 
 
 def _check_listed(word: Pronoun, scene: Scene, single: list[Mention]) -> None:

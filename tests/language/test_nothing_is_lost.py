@@ -59,6 +59,7 @@ from tests.language.meaning import assert_means
         # ends of no line
         ("Red is at the left end, blue at the right end.", "ambiguous"),
         ("A row of red, blue and green, from above", "incomplete"),
+        ("Align x: red, green, blue", "misplaced-word"),
     ],
 )
 def test_what_would_be_lost_is_asked_about(text: str, code: str) -> None:
@@ -81,9 +82,21 @@ TAPERED = {
 }
 
 
+IN_STEPS = {"assets": {"red": 1, "blue": 1, "green": 1},
+            "hold": [["red blue green", "blue^red green", "blue^red^green"]],
+            "miss": [["red blue green", "red^green blue", "blue^red^green"]]}  # fmt: skip
+AT_ONCE = {**IN_STEPS, "hold": ["blue^red^green"], "miss": ["blue^green^red"]}
+
+
 @pytest.mark.parametrize(
     ("text", "meant"),
     [
+        ("The sequence is: (1) red on blue, (2) green on red.", IN_STEPS),
+        ("The sequence is: (1) Put red on blue. (2) Put green on red.", IN_STEPS),
+        ("(1) Put red on blue, (2) put green on red.", IN_STEPS),
+        ("Order: red on blue, green on red.", IN_STEPS),
+        ("Steps: 1) red on blue 2) green on red", IN_STEPS),
+        ("Requirements: (1) red is on blue, (2) green is on red.", AT_ONCE),
         ("2x2 grid: red, blue, green, white", FOUR),
         ("2x2 grid: red blue green white, please", FOUR),
         ("2x2 grid: red, blue; green, white", FOUR),

@@ -138,7 +138,8 @@ POSTURES = (
     "lay lays laying sleeps sleep sleeping stays stay stayed staying remains remain remained remaining seen shown "
     "visible come comes coming serve serves ends end goes go located positioned placed put found situated ending "
     "lounges lounge lounging camps camp camping naps napping dozes dozing snoozing relaxes relaxing sunbathing "
-    "resides reside belong belongs live lives appear appears hidden act acts finish finishes finished"
+    "resides reside belong belongs live lives appear appears hidden act acts finish finishes finished "
+    "wedged jammed tucked perched lodged squeezed nestled seated mounted balanced"
 )
 
 

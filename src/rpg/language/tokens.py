@@ -91,7 +91,8 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
     tokens: list[Token] = []
     strays: list[Stray] = []
     text, steps = _stepped(text)
-    text = _unnumbered(text)
+    text, more = _unnumbered(text)
+    steps |= more
     at = 0
     while at < len(text):
         found = _PIECES.match(text, at)
@@ -165,20 +166,28 @@ def _stepped(text: str) -> tuple[str, dict[int, str]]:
 
 
 _MARK = re.compile(r"(?:,?\s+and\s+|,\s+)?(?<![\w(])(?:\((?=\w+\)))?(\d{1,2}|[a-h]|i{1,3}|iv|v)\)(?=\s)")
+_ALONG = re.compile(r"(?i)\b(?:left|right|top|bottom|front|back|row|line|tower|stack)\b")
 _COUNTS = ("1 2 3 4 5 6 7 8 9", "a b c d e f g h", "i ii iii iv v")
 
 
-def _unnumbered(text: str) -> str:
-    """ "(1) red on blue, and (2) ...", "(a) ...; (b) ...": each begins a sentence. Of these at least two in order."""
+def _unnumbered(text: str) -> tuple[str, dict[int, str]]:
+    """ "(1) red on blue, and (2) ...", "(a) ...; (b) ...": each begins a sentence; and the numbers of the later ones,
+    or of all behind "the steps are:", by where they stand. Of these at least two in order."""
     marks = list(_MARK.finditer(text))
     told = [mark.group(1) for mark in marks]
     ordered = any(told == counted.split()[: len(told)] for counted in _COUNTS)
     if len(told) < 2 or not ordered or (told[0] == "1" and "(" not in marks[0].group()):  # "1) ..." are bullets
-        return text
+        return text, {}
+    begun, numbers = marks[0].start(), {}
+    ahead = text[:begun].rstrip()
+    stepped = told[0] == "1" and not _ALONG.search(ahead)
+    headed = stepped and ahead.endswith(":") and _IN_TURN.search(ahead) is not None
     for number, mark in enumerate(marks):
         begin, end = mark.span() if number else (mark.start(1) - (text[mark.start(1) - 1] == "("), mark.end())
-        text = text[:begin] + (";" if number else " ").ljust(end - begin) + text[end:]
-    return text
+        text = text[:begin] + (";" if number or headed else " ").ljust(end - begin) + text[end:]
+        if stepped and (number or headed):
+            numbers[begin] = f"({mark.group(1)})"
+    return text, numbers
 
 
 def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:

@@ -101,7 +101,7 @@ def build(
         except Refusal as refusal:
             if refusal.diagnostics[0].code in FINAL and best is None:
                 raise
-            if limit is None and (more := patience(refusal.diagnostics[0])) is not None:
+            if (more := patience(refusal.diagnostics[0])) is not None and (limit is None or more < 0):
                 limit, first = cost + more, first if first and aimless(first[0]) else (refusal, chosen)
             first = (refusal, chosen) if first is None or torn(first[0]) else first
             continue

@@ -10,7 +10,7 @@ from itertools import combinations, pairwise
 from rpg.ir import goal as g
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
-from rpg.ir.relations import InRegion, On, OnPatch, Stayed, Turned
+from rpg.ir.relations import Behind, InFrontOf, InRegion, On, OnPatch, Stayed, Turned
 from rpg.ir.schema import COLORS_BARRED, COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
 from rpg.ir.structures import Equation, Figure, Grid, GroupBy, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, children, names
@@ -337,6 +337,34 @@ def _parted(lot: list[Token], counts: set[int | None]) -> bool:
     return len(items) in counts and all(lot[n].kind == "number" or here[n] in lexicon.NUMBER for n in items)
 
 
+_MAY_NOT = frozenset({"allowed", "permitted"})
+
+
+def _who_may_not(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "(put red on the mat.) It is not allowed to touch blue" as an order not to move blue: it could be red that
+    must not lie against it."""
+    said = [token.word for token in words]
+    for n in range(1, len(said) - 5):
+        barred = said[n : n + 3] == ["it", "is", "not"] and said[n + 3] in _MAY_NOT and said[n + 5] == "touch"
+        if barred and any(isinstance(atom, Stayed) for atom in atoms(task.goal)):
+            raise refuse("ambiguous", "is the block spoken of before not to touch it, or is it to be left alone?",
+                         words[n].span, "name the block, or say 'do not move ...'")  # fmt: skip
+
+
+def _front_of_a_row(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "at the front of the row" as nearer than all of it: it may be its first block."""
+    if not any(isinstance(atom, InFrontOf | Behind) for atom in atoms(task.goal)):
+        return
+    for at, the, side, of, _, noun in zip(*(words[n:] for n in range(6)), strict=False):
+        ahead = [at.word, the.word, of.word] == ["at", "the", "of"] and side.word in _NEAR_OR_FAR
+        if ahead and lexicon.STRUCTURE.get(noun.word, ("", False))[0] in ("row", "line"):
+            raise refuse("ambiguous", "the first block of it, or in front of or behind all of it?", side.span,
+                         "say 'in front of the row', 'behind the row', or which end")  # fmt: skip
+
+
+_NEAR_OR_FAR = frozenset({"front", "back"})
+
+
 _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchema], None]], ...] = (
     (_TOWERS, _parted_lists),
     (None, _same_cubes),
@@ -352,5 +380,7 @@ _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchem
     (frozenset({"turn", "turns"}), _in_turn),
     (None, _letter_a),
     (frozenset({"or"}), _left_open),
+    (_MAY_NOT, _who_may_not),
+    (_NEAR_OR_FAR, _front_of_a_row),
 )
 """What is checked, and words without which there is nothing to check."""

@@ -37,6 +37,8 @@ def check_one_like_it(words: Sequence[Token], task: TaskSchema) -> None:
             token.word in lexicon.BLOCK and (before.word in lexicon.COLOR or not lexicon.BLOCK[token.word])
             for before, token in pairwise(after[:at])
         )
+        known = shape and words[max(index - 1, 0)].word == "the" == after[max(at - 2, 0)].word if at else False
+        blocks = blocks and not known  # "leave the red tower there and put a white block on the blue one"
         alone = color is not None and said[color] == 1 and (unsaid or _plain(task, color))
         if alone and not blocks and at > 1 and {x.word for x in after[max(at - 3, 0) : at]} & {"a", "the"}:
             where = (after[at - 1].span[0], after[at].span[1])

@@ -47,6 +47,7 @@ _OPEN = (
     "these could be the sides of the tower",
     "it is not clear how these alternate",
     "in a grid colours alternate, two of them",
+    "of the last two of these, or of all that were told?",
 )
 """Refusals of a reading that leaves open how many blocks there are, or how they lie: one as natural that does not see
 it guesses."""

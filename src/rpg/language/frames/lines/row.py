@@ -292,8 +292,8 @@ def check_lots(pieces: Sequence[Piece]) -> None:
         if again and not placed and again <= {piece.words for piece in pieces[:n] if piece.kind == "lot"}:
             raise Unclear
     for a, b, c in zip(pieces, pieces[1:], pieces[2:], strict=False):
-        if a.kind == c.kind == "lot" and b.kind == "glue":
-            raise Unclear
+        if a.kind == c.kind == "lot" and (b.kind == "glue" or b.words == ":"):
+            raise Unclear  # "x: red, green, blue" is no list of four
         colored = a.kind == "lot" and "noun" not in a.named and b.kind == "figure" and " " not in b.words
         if colored and c.words in ("of", "with", "from"):
             raise Unclear  # "a red row of blue blocks"

@@ -151,12 +151,20 @@ PATTERNS = [
     ),
 ]  # fmt: skip
 _VERB = re.compile("spel|read|say|writ")
+_WRITTEN = re.compile("writ|wrote|print|typed?$")
+_ON_BLOCKS = re.compile("on(to)? (?!.*letter).*(block|cube|brick)s?$")
 _NOUNS = frozenset({"word", "name", "text", "letters", "letter"})
 _WORDS = frozenset({"word", "name", "text"})
 _LETTERS_ALONE = re.compile("'?[A-Z]'?( ,)?( [A-Z]( ,)?)* [A-Z]")
 _INITIALS = frozenset("ROYGCBPKWV")
 """First letters of colours."""
 _FIRST = frozenset({"top", "highest", "uppermost", "topmost", "left", "leftmost", "first"})
+
+
+def _on_blocks(pieces: Sequence[Piece]) -> bool:
+    """Whether something is on blocks of a colour that are not said to be letters."""
+    said = [piece for piece in pieces if piece.words != "the"]
+    return any(b.kind == "tint" and _ON_BLOCKS.match(f"{a.words} {b.words}") for a, b in pairwise(said))
 
 
 def _gaps(match: re.Match[str]) -> str:
@@ -187,6 +195,8 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # a sentence was taken for talk: "the order does not matter" contradicts a word
     if where and any(piece.kind == "tint" and piece.words.startswith(("with", "using", "use")) for piece in pieces):
         raise Unclear  # "with red blocks on the mat", which are not those of the word
+    if _on_blocks(pieces) and not any(_WRITTEN.match(piece.words) for piece in pieces):
+        raise Unclear  # "the word CAT on red blocks": they could lie below its letters
     if (
         set(word.value) <= _INITIALS
         and "spell" not in kinds

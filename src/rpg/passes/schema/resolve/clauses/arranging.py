@@ -272,30 +272,30 @@ def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
     runs = [o for o in spec.orders if o.by == "run" and verb == "place"]
     if len(spec.orders) > len(runs) or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
         return True
-    return len(theme.names) > 2 and any(map(place_of, spec.absolutes)) and any(map(_in_line, spec.places))
+    parts = [x for x in map(place_of, spec.absolutes) if x is not None]
+    inside = all(x.side == "middle" for x in parts)
+    return len(theme.names) > 2 and bool(parts) and any(_in_line(x, inside) for x in spec.places)
 
 
-def _in_line(place: Meaning) -> bool:
-    """ "next to each other", "5 cm apart": of more than two blocks, a line."""
+def _in_line(place: Meaning, inside: bool) -> bool:
+    """ "next to each other", "5 cm apart": of more than two blocks a line; of those that touch one may be `inside`."""
     each_other = getattr(getattr(place, "landmark", None), "word", "") == "each other"
-    return each_other and getattr(place, "rel", "") in ("side_by_side", "adjacent", "touching", "distance")
+    return each_other and getattr(place, "rel", "") in ("touching", "side_by_side", "adjacent", "distance")[inside:]
 
 
 def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:
     into = spec.intos.pop(0)
     target = into.structure
     if spec.intos:
-        raise refuse(
-            "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
-        )
+        raise refuse("order-conflict", "two structures are named for the same blocks", spec.intos[0].span,
+                     "keep one of them")  # fmt: skip
     if isinstance(target, Coord):
         sorted_ = [x for x in target.items if isinstance(x, Structure) and x.kind == "pile"]
         if len(sorted_) == len(target.items):
             built_, goals_ = sort_into(theme.names, None, None, spec, scene, scope, target.span)
             return replace(theme, built=tuple(built_)), goals_
-        raise refuse(
-            "ambiguous", "it is not said which blocks go into which structure", target.span, "use a clause for each"
-        )
+        raise refuse("ambiguous", "it is not said which blocks go into which structure", target.span,
+                     "use a clause for each")  # fmt: skip
     if not isinstance(target, Structure):
         raise refuse("misplaced", "this is nothing that blocks can form", target.span)
     if target.det == "the":

@@ -23,12 +23,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.bare_starts import bare_starts
-from rpg.passes.schema.resolve.clauses.begun_facts import (
-    all_begun,
-    lined_up_first,
-    named_there,
-    wanted,
-)
+from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, lined_up_first, named_there, wanted
 from rpg.passes.schema.resolve.clauses.in_parts import before_orders, lie_so, says_where
 from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
@@ -38,6 +33,7 @@ from rpg.passes.schema.resolve.clauses.joined_facts import (
     demanded,
     ends_elsewhere,
     facts_joined,
+    how_far_off,
     instead_of,
     orders_something,
     same_one,
@@ -70,11 +66,13 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
-    chains = bare_starts(tuple(told_then_asked(facts_joined(moved_from(named_there(chain))), text) for chain in chains))
+    chains = tuple(facts_joined(moved_from(named_there(chain)), text) for chain in chains)
+    chains = bare_starts(tuple(told_then_asked(chain, text) for chain in chains))
     chains = lifted(kept_there(instead_of(put_back(other_way_round(chains), text)), text), text)
     chains = worded_first(lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
-    chains = tuple(all_begun(chain, len(chains) == 1) for chain in (now, *map(_there_too, chains[1:])))
+    chains = (now, *map(_there_too, chains[1:]))
+    chains = tuple(all_begun(chain, text, len(chains) == 1) for chain in chains)
     if (picture := _pictured(chains, text)) is not None:
         return picture
     chains = before_orders(staying(chains, text), text)
@@ -82,6 +80,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     final = [_of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]
     told = [fact and not end for fact, end in zip(told, final, strict=True)]
     commands = [n for n, chain in enumerate(chains) if _commands(chain) or (bold and not _facts(chain))]
+    commands = [n for n in commands if final[n] or not how_far_off(chains[n - 1 : n + 1])]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [
         x or (n < max(undone, default=0) and ((_facts(chains[n]) and not final[n]) or _looked_at(chains, n, text)))
@@ -104,6 +103,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
         later = _moved_next(chains[n], chains[n + 1], text) or _wanted_later(chains[n], chains[n + 1], text)
         later = later or wanted_elsewhere(chains[n], chains[n + 1], final[n + 1])
         later = later or (final[n + 1] and ends_elsewhere(chains[n], chains[n + 1]))
+        later = later and (final[n + 1] or not how_far_off(chains[n : n + 2]))
         if plain[n] and (later or (plain[n + 1] and n + 1 in heaped)):
             heaped.append(n)
     found = []

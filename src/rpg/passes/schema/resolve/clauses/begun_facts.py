@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.language.meaning import (
     At,
@@ -107,23 +108,35 @@ def _empties(said: Meaning) -> bool:
     return bare or off or none or said.verb == "remove"
 
 
-def all_begun(chain: Chain, alone: bool = False) -> Chain:
-    """ "Red is on the mat and blue on the patch at the start": what ends the sentence is said of both facts; so is
-    "blue starts on the patch", where the sentence is not `alone`."""
+AND = re.compile(r"\W*(?:and)?\W*", re.IGNORECASE)
+"""What stands between facts that are told in one way."""
+
+
+def all_begun(chain: Chain, text: str, alone: bool) -> Chain:
+    """ "Red is on the mat and blue on the patch at the start": what begins or ends the sentence is said of both facts;
+    and so is "blue starts on the patch", but for what a sentence that is `alone` wishes."""
     told = [c for c in chain.clauses if isinstance(c, Clause)]
     clauses = [c for c in told if c.lemma == "fact" and c.mode == "goal"]
     begun = sum(c.mode == "start" for c in told)
     if len(clauses) + begun < len(chain.clauses) or len(told) < 2 or {*chain.links} != {"and"}:
         return chain
     timed = any(isinstance(a, Manner) and a.kind == "time" for c in clauses for a in c.adjuncts)
-    if begun and clauses and not (alone or timed or any(c.negated for c in clauses)):
+    plain = all(AND.fullmatch(text[a.span[1] : b.span[0]]) for a, b in pairwise(told))
+    if begun and clauses and (plain or not alone) and not (timed or any(c.negated for c in clauses)):
         return replace(chain, clauses=tuple(replace(c, mode="start") for c in told))
     if begun:
         return chain
     times = [[a.kind for a in c.adjuncts if isinstance(a, Manner) and a.kind in _TIMES] for c in clauses]
-    if any(times[:-1]) or "start" not in times[-1]:
+    ahead = "start" in times[0] and plain and _headed(clauses[0])
+    if any(times[:-1][ahead:]) or "start" not in times[0 if ahead else -1]:
         return chain
     return replace(chain, clauses=tuple(replace(c, mode="start") for c in clauses))
+
+
+def _headed(clause: Clause) -> bool:
+    """ "At the start red is on the mat ...": words of time in front are said of all that follows."""
+    theme = clause.theme
+    return any(isinstance(a, Manner) and theme is not None and a.span < theme.span for a in clause.adjuncts)
 
 
 _TIMES = ("start", "finally", "time")

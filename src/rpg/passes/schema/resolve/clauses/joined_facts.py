@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from itertools import pairwise
 
 from rpg.language.meaning import (
@@ -19,6 +20,7 @@ from rpg.language.meaning import (
     Traits,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.begun_facts import AND
 
 BESIDES = re.compile(r"\b(?:also|too|as well|both|in addition|additionally)\b", re.IGNORECASE)
 _DEMANDED = re.compile(
@@ -137,16 +139,35 @@ def same_one(fact: Clause, order: Clause) -> bool:
     )
 
 
+def how_far_off(told: Sequence[Chain]) -> bool:
+    """Whether the second of two sentences says no more than how far off those beside each other are to be: "red is
+    right of white. The gap must be 2 cm"."""
+    if [len(chain.clauses) for chain in told[1:]] != [1]:
+        return False
+    fact, order = told[0].clauses[-1], told[1].clauses[0]
+    if not isinstance(fact, Clause) or not isinstance(order, Clause) or order.verb not in ("be", "keep"):
+        return False
+    far = [isinstance(a, Loc) and a.rel in _FAR and getattr(a.landmark, "word", "") == "each other"
+           for a in order.adjuncts]  # fmt: skip
+    beside = [isinstance(a, Loc) and a.rel in _BESIDE for a in fact.adjuncts]
+    return far == beside == [True]
+
+
+_FAR = ("distance", "touching")
+_BESIDE = ("left", "right", "front", "behind", "beside")
+
+
 def ends_elsewhere(before: Chain, after: Chain) -> bool:
     """ "The red block sits on the blue one. At the end it is on the mat": what bears a block, and what later."""
     ends = [asked_of(after), *after.clauses[1:]]
-    return any(_moves(fact, end) for fact in before.clauses for end in ends)
+    return any(moves(fact, end) for fact in before.clauses for end in ends)
 
 
-def _moves(fact: Meaning, end: Meaning) -> bool:
+def moves(fact: Meaning, end: Meaning) -> bool:
+    """Whether two clauses say of the very same thing that it is on different things."""
     if not isinstance(fact, Clause) or not isinstance(end, Clause) or end.negated:
         return False
-    bases = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel == "on"] for c in (fact, end)]
+    bases = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel in ("on", "in")] for c in (fact, end)]
     alone = all(len(base) == 1 for base in bases) and len(fact.adjuncts) == 1
     return alone and same_one(fact, end) and not _same_mark(bases[0][0], bases[1][0])
 
@@ -184,13 +205,16 @@ def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     return chains
 
 
-def facts_joined(chain: Chain) -> Chain:
-    """ "On the blue patch lies a red block, on the yellow one a green one": a fact without a verb of its own."""
+def facts_joined(chain: Chain, text: str) -> Chain:
+    """ "On the blue patch lies a red block, on the yellow one a green one": a fact without a verb of its own, which
+    nothing in front of it wishes, as in "red starts on blue, and I want blue on red"."""
     told: list[Meaning] = []
     for link, clause in zip(chain.links, chain.clauses, strict=True):
         before = told[-1] if told else None
-        fact = isinstance(before, Clause) and (before.lemma, before.mode) == ("fact", "goal") and not before.negated
-        if link == "and" and fact and isinstance(clause, Clause) and _verbless(clause):
+        between = text[before.span[1] : clause.span[0]] if before is not None else ""
+        fact = isinstance(before, Clause) and before.lemma == "fact" and before.mode in ("goal", "start")
+        told_so = fact and isinstance(before, Clause) and not before.negated and link == "and"
+        if told_so and isinstance(clause, Clause) and _verbless(clause) and AND.fullmatch(between):
             clause = replace(clause, lemma="fact")
         told.append(clause)
     return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain

@@ -4,8 +4,19 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir.walk import names
+from rpg.language.meaning import Clause
 from rpg.passes.schema.resolve.goals.logic import conj
-from rpg.passes.schema.resolve.things.world import Scene
+from rpg.passes.schema.resolve.things.world import Ref, Scene
+
+
+def put_so(clause: Clause, theme: Ref, scene: Scene) -> bool:
+    """ "Put red and blue on the mat and keep them 10 cm apart": how those are to be that are moved in the sentence, and
+    were nowhere before."""
+    ahead = [m for m in scene.mentions if m.role == "theme" and m.sentence == scene.sentence and not m.start]
+    moved = {name for m in ahead if m.clause < scene.clause for name in m.ref.names}
+    begun = {name for fact in scene.start_goals for name in names(fact)}
+    denied = any(getattr(place, "negated", False) for place in clause.adjuncts)
+    return {*theme.names} <= moved - begun and not denied
 
 
 def brought_about(goal: g.Goal, scene: Scene) -> g.Goal:

@@ -28,6 +28,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import as_begun
+from rpg.passes.schema.resolve.clauses.kept import put_so
 from rpg.passes.schema.resolve.clauses.left_alone import not_elsewhere
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.started import taken_out
@@ -59,7 +60,7 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         for item in spec.places:
             goals += place(theme, item, scene, scope, clause.span)
         spec.places = []
-        if clause.lemma == "keep" or ever:
+        if (clause.lemma == "keep" and not put_so(clause, theme, scene)) or ever:
             there = len(scene.start_goals)
             found = held_throughout(goals, scene, clause.span)
             scene.kept += [] if ever else [(always, scene.start_goals[there:]) for always in found]

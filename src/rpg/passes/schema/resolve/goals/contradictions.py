@@ -152,6 +152,8 @@ def _between_neighbours(parts: list[g.Goal]) -> None:
     """Nothing is between two blocks that lie right on each other."""
     direct: list[g.Goal] = [part for part in parts if not isinstance(part, r.Above)]
     touching = {frozenset((a, b)) for a, b, _ in _supports(direct)}
+    pairs = (part for part in parts if isinstance(part, s.Stack) and len(part.blocks) == 2 and not part.exact)
+    touching |= {frozenset(pair.blocks) for pair in pairs}
     for part in parts:
         if not isinstance(part, r.Between) or not isinstance(part.b, tuple) or not isinstance(part.c, tuple):
             continue

@@ -29,6 +29,7 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
                          "say 'together on one of ...', or name the patch")  # fmt: skip
         if (theme.each and not theme.built) or theme.quant is not None:
             return _on_any(theme, patches, span)
+        _on_the_same(theme, mark, scene, span)
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:
         return _on_patch(theme, patches[0], span)
@@ -77,6 +78,13 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse("ambiguous", "it is not said how many patches there are, and which block goes on which", span,
                      "say how many, and 'one on each', or name the patch of each")  # fmt: skip
     return _on_any(replace(theme, built=()), patches, span)
+
+
+def _on_the_same(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
+    """Refuse "all of them must be on one of the mats"."""
+    if len(theme.names) > 1 and theme.det in ("all", "bare") and scene.describing and not (theme.built or mark.parts):
+        raise refuse("ambiguous", "all on the same one, or each on any of them?", span,
+                     "say 'all on the same patch', or 'each of them'")  # fmt: skip
 
 
 def _each_or_together(theme: Ref, mark: Ref, span: Span) -> None:

@@ -24,7 +24,7 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
     clauses = list(chain.clauses)
     for n, clause in enumerate(clauses):
         _check_piled(clause, len(clauses) == 1)
-        told = _told_last(clause) if n and chain.links[n] == "and" and _placed(clauses[n - 1]) else None
+        told = _told_last(clause, clauses[n - 1]) if n and chain.links[n] == "and" else None
         if told is not None and _SET_OFF.search(text[: told.span[0] + 1]):
             raise _of_which(told)
         gap = _gap(clause)
@@ -50,21 +50,24 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
 _TURNS = frozenset({"turn", "by", "by?", "facing"})
 
 
-def _told_last(clause: Meaning) -> Meaning | None:
+def _told_last(clause: Meaning, before: Meaning) -> Meaning | None:
     """ "(A on B) and C on D, turned to the left", "..., 10 cm from the mat": what is told of a block that is put there
-    with no verb of its own."""
-    if not isinstance(clause, Clause) or clause.theme is None or len(clause.adjuncts) < 2:
+    with no verb of its own, behind one of which no more is said than where it goes."""
+    if not isinstance(clause, Clause) or not isinstance(before, Clause) or clause.theme is None:
         return None
-    told = clause.adjuncts[-1]
+    places = (*before.adjuncts, *clause.adjuncts[:1])
+    if len(clause.adjuncts) < 2 or len(places) != 2 or not all(isinstance(x, Loc | In) for x in places):
+        return None
+    told, piled = clause.adjuncts[-1], all(isinstance(x, Loc) and _on_block(x) for x in places)
     turned = isinstance(told, Manner) and told.kind in _TURNS
-    far = isinstance(told, Loc) and told.rel in ("distance", "near", "apart") and isinstance(told.landmark, Noun)
-    return told if (turned or far) and clause.span[0] >= clause.theme.span[0] else None
+    far = isinstance(told, Loc) and (piled or told.rel in ("distance", "near", "apart"))
+    far = far and isinstance(told, Loc) and isinstance(told.landmark, Noun)
+    own = clause.span[0] < clause.theme.span[0] and clause.word != before.word
+    return told if (turned or far) and not own else None
 
 
-def _placed(clause: Meaning) -> bool:
-    """Whether a clause says no more than where a block goes."""
-    places = clause.adjuncts if isinstance(clause, Clause) else ()
-    return len(places) == 1 and isinstance(places[0], Loc | In)
+def _on_block(place: Loc) -> bool:
+    return place.rel in ("on", "under") and isinstance(place.landmark, Noun) and place.landmark.head != "patch"
 
 
 def _of_which(told: Meaning) -> Refusal:

@@ -94,13 +94,15 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     if len(loose) > 1 and any(isinstance(at_, At) and at_.whole == "row" for _, at_, _ in loose):
         return _and(goal, _in_row(loose, scene))
     if all(side in ("top", "bottom", "middle") for side in sides) and len(loose) > 1:
-        other = next((b for b in scene.built if b.kind in UPRIGHT and not set(names) & set(b.members)), None)
+        other = next((b for b in scene.built if b.kind in UPRIGHT and not {*b.members} <= {*names}), None)
         if other is not None:
             raise refuse("ambiguous", f"these could be parts of the {other.kind} or a tower of their own", loose[0][2],
                          f"say it in the sentence that builds the {other.kind}")  # fmt: skip
         return _and(goal, _stack(loose, goal, scene))
     if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
         of_themselves(loose, goal)
+        if any(b.kind in ("row", "line", "column") and {*names} < {*b.members} for b in scene.built):
+            raise refuse("ambiguous", "of the row that is there, or of each other?", loose[0][2], "say 'of the row'")
         return _and(goal, _across(loose))
     if (related := _of_the_pair(loose, goal)) is not None:
         return _and(goal, related)
@@ -236,7 +238,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
     if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in close) or among:
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
                      "say 'of the table', or of what")  # fmt: skip
-    if any(isinstance(a, r.OnPatch) and set(ref.names) & {*members(a.a)} for a in atoms(goal)) and at_.side != "middle":
+    patched = [a for a in atoms(goal) if isinstance(a, r.OnPatch)]
+    if any(_about(a, ref) or (at_.side == "middle" and a.span and a.span[0] < at_.span[0]) for a in patched):
         raise refuse("ambiguous", "this could be a side of the table or of the patch", at_.span, "say of what")
     ends = ("edge", *(("corner",) if at_.side != "middle" else ()))
     if any(isinstance(a, r.InRegion) and any(end in a.region for end in ends) for a in atoms(goal)):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from rpg.core.diagnostics import Span
+from rpg.core.diagnostics import Refusal, Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH, Highest, Lowest, Operand
-from rpg.language.meaning import Amount, Loc, replace
+from rpg.language.meaning import Amount, Loc, Pronoun, replace
 from rpg.passes.schema.resolve.goals.logic import conj, disj, negation
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse, said
 
@@ -71,6 +71,8 @@ def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
     if loc.rel not in (*LEVEL, "distance") or loc.rel == "apart" or mark.op != "and" or mark.patch:
         return [mark]
     whole = len(mark.built) == 1 and {*mark.built[0].members} == {*mark.names}  # "(stack A, B, C and put D) next to it"
+    if not (whole or scene.denying) and _beside_them(mark, loc, scene):
+        raise _each_or_all(loc)
     if len(mark.parts) > 1 or mark.built:
         return [mark] if whole else list(mark.parts) or [mark]
     if mark.each or mark.det in ("all", "both") or loc.rel == "touching":
@@ -80,11 +82,25 @@ def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
         looks.setdefault((thing.color, thing.label, thing.size), []).append(thing.name)
     alike = any(len(names) > 1 for names in looks.values())
     if alike and loc.rel in ("beside", "adjacent"):
-        raise refuse("ambiguous", "next to each of these, or to them as a group?", loc.span,
-                     "say 'next to both', 'next to each of the ...', or 'next to one of the ...'")  # fmt: skip
+        raise _each_or_all(loc)
     if loc.rel == "near":
         return [Ref(names=(name,)) for name in mark.names]
     return [Ref(names=tuple(names)) for names in looks.values()] if len(looks) > 1 else [mark]
+
+
+_THEM = frozenset({"them", "these", "those"})
+
+
+def _beside_them(mark: Ref, loc: Loc, scene: Scene) -> bool:
+    """Whether something is to be next to "them", several blocks that lie on the table or a patch."""
+    them = isinstance(loc.landmark, Pronoun) and loc.landmark.word in _THEM and not loc.negated
+    flat = len(mark.names) > 1 and scene.on_top.keys().isdisjoint(mark.names)
+    return them and flat and loc.rel in ("beside", "adjacent")
+
+
+def _each_or_all(loc: Loc) -> Refusal:
+    return refuse("ambiguous", "next to each of these, or to them as a group?", loc.span,
+                  "say 'next to both', 'next to each of the ...', or 'next to one of the ...'")  # fmt: skip
 
 
 def far_from_any(mark: Ref, loc: Loc) -> Ref:

@@ -165,10 +165,10 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     patched = scope.rel in ("off", "not on") and any(m.ref.patch for m in single if m.clause == last)  # "stay off it"
     if again and not patched and again[-1].sentence == scene.sentence and not single[-1].word and word.word == "it":
         return again[-1].ref
-    rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
-    if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
-        return parallel(word, list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
-    return _built_there(word, list(rivals.values()), scene, scope) or single[-1].ref
+    rivals = [*{m.ref.names: m for m in single if m.clause == last}.values()]
+    if len(rivals) > 1 and not any(m.ref.built for m in rivals):
+        return parallel(word, rivals, scene, scope) or _decide(word, scene, rivals, scope.rel)
+    return _built_there(word, rivals, scene, scope) or single[-1].ref
 
 
 def _check_listed(word: Pronoun, scene: Scene, single: list[Mention]) -> None:
@@ -189,7 +189,7 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
     last = max((m.ref.span for m in rivals), default=(0, 0))
     fronted = next((m for m in rivals if m.ref.built and m.role == "landmark" and m.ref.span < last), None)
     if fronted is not None and not {fronted.rel, scope.rel} <= set().union(*ACROSS):
-        return _decide(word, scene, rivals)
+        return _decide(word, scene, rivals, scope.rel)
     built = [m for m in rivals if m.ref.built and m.role == "theme"]
     marks = [m for m in rivals if m.role == "landmark"]
     if len(built) != 1 or not marks or rivals[-1] is built[0]:
@@ -198,7 +198,7 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
         return built[0].ref
     if scope.rel == "off" and len(marks) == 1 and marks[0].ref.patch and marks[0].rel in ("on", "in"):
         return marks[0].ref  # and so off the structure as well
-    return _decide(word, scene, rivals)
+    return _decide(word, scene, rivals, scope.rel)
 
 
 def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
@@ -252,10 +252,12 @@ def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
     return found
 
 
-def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
-    """Two things were named in the clause before: the upper one of a stack stands for it; else it is ambiguous."""
+def _decide(word: Pronoun, scene: Scene, rivals: list[Mention], rel: str) -> Ref:
+    """Two things were named in the clause before: the upper one of a stack stands for it, or the lower one for what is
+    `rel` "under" it; else it is ambiguous."""
     names = [m.ref.names[0] for m in rivals]
-    tops = [m for m in rivals if m.ref.names[0] not in scene.on_top.values()]
+    covered = scene.on_top.keys() if rel == "under" else scene.on_top.values()
+    tops = [m for m in rivals if m.ref.names[0] not in covered]
     stacked = any(scene.on_top.get(a) == b for a in names for b in names)
     if stacked and len(tops) == 1:
         return tops[0].ref

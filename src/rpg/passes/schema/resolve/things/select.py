@@ -73,6 +73,7 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
             raise _too_few(noun, len(free), count)
         if noun.det == "a" and count == 1 and not scope.given and not patch:
             _one_more(noun, found, scene)
+            _of_no_color(noun, [t for t in scene.blocks() if noun.head == "any"])
         scene.new_batch()
         chosen = _marked([create(noun.traits, scene, patch) for _ in range(count)], noun, scene, patch)
         for thing in chosen:
@@ -263,15 +264,21 @@ def _known_one(noun: Noun, scene: Scene, scope: Scope) -> None:
     """Refuse "the big one" of no colour beside coloured blocks, and "the purple one" where all blocks were listed."""
     there = [t for t in scene.blocks() if not t.extra]
     look = noun.traits
-    sized = bool(look.size or look.edge) and look == Traits(size=look.size, edge=look.edge)
-    if sized and any(t.color or t.label for t in there):
-        raise refuse("ambiguous", "it is not said what colour this block has", noun.span, "name its colour")
+    _of_no_color(noun, there)
     begun = {name for goal in scene.start_goals for name in names_in(goal)}
     listed = [t for t in there if t.declared and t.name not in begun]
     before = any(m.role == "given" and m.ref.span[0] < noun.span[0] for m in scene.mentions)
     if look.colors and len(listed) > 1 and before and not scope.given:
         raise refuse("no-referent", "there is no such block among those that were listed", noun.span,
                      "name one of those, or list this one too")  # fmt: skip
+
+
+def _of_no_color(noun: Noun, there: list[Thing]) -> None:
+    """Refuse "the big one", "a big one" beside coloured blocks."""
+    look = noun.traits
+    sized = bool(look.size or look.edge) and look == Traits(size=look.size, edge=look.edge)
+    if sized and any(t.color or t.label for t in there):
+        raise refuse("ambiguous", "it is not said what colour this block has", noun.span, "name its colour")
 
 
 def _shown_on(noun: Noun, scene: Scene) -> str | None:

@@ -143,13 +143,15 @@ def _where_all_of_it_is(clause: Clause, spec: Spec, scope: Scope) -> Clause:
     higher = [x for x in spec.places if isinstance(x, Loc) and x.rel == "above" and "somewhere" in x.mods]
     if isinstance(shape, Structure) and shape.kind == "stack" and higher:
         raise refuse("ambiguous", "on top of it, or of more blocks?", higher[0].span, "say how many blocks each has")
-    if not isinstance(shape, Structure) or shape.det not in ("a", "bare", "some") or scope.given:
+    if not isinstance(shape, Structure) or shape.det not in ("a", "bare", "some", "the") or scope.given:
         return clause
     items = shape.members.items if isinstance(shape.members, Coord) else (shape.members,)
     last = items[-1]
     if not isinstance(last, Noun) or not last.conditions:
         return clause
     told = [x.clauses for x in last.conditions if isinstance(x, That) and x.kind == "whole"]
+    if shape.det == "the" and not (told and all("aside" in getattr(x, "mods", ()) for x in told)):
+        return clause
     if not told:
         if len(items) > 1 and last.det == "a" and not scope.start:
             raise refuse("ambiguous", "it is not clear whether this is of the block or of all of it",

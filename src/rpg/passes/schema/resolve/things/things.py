@@ -7,7 +7,20 @@ import string
 from rpg.blocks.traits import symbols_of
 from rpg.core.diagnostics import Span
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Amount, Coord, Loc, Manner, Meaning, Noun, Structure, That, Traits, parts_of, record, replace
+from rpg.language.meaning import (
+    Amount,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Structure,
+    That,
+    Traits,
+    parts_of,
+    record,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
 
 PATCH_SCALE = {"big": 1.5, "small": 0.7}

@@ -29,7 +29,25 @@ def one_by_one(tokens: list[Token]) -> list[Token] | None:
         firsts = [n for n in range(at + 2, stop) if words[n - 1] in _BETWEEN and _is_one(words, n, ones)]
         if begin >= 0 and len(firsts) == _many(tokens[begin]) and words[at][:-1] in lexicon.STRUCTURE:
             return _in_full(tokens, begin, at, firsts, stop)
-    return None
+    return _ones_named(tokens)
+
+
+def _ones_named(tokens: list[Token]) -> list[Token] | None:
+    """ "A red tower of three and a blue tower of two, the red one on the left": the red tower."""
+    words = [token.word for token in tokens]
+    ones = (n for n in range(2, len(words)) if words[n] == "one" and words[n - 1] in lexicon.COLOR)
+    first = next((n - 2 for n in ones if words[n - 2] == "the"), 0)
+    nouns = [n for n in range(first) if words[n] in lexicon.STRUCTURE]
+    starts = [max((m for m in range(n) if words[m] in ("a", "an")), default=-1) for n in nouns]
+    if len(nouns) < 2 or len({words[n] for n in nouns}) > 1 or len({*starts, -1}) <= len(nouns):
+        return None
+    told = [{*words[a:b]} & lexicon.COLOR.keys() for a, b in zip(starts, [*starts[1:], first], strict=True)]
+    if any(len(colors) != 1 for colors in told) or len(colors := set().union(*told)) < len(told):
+        return None
+    stop = next((n for n in range(first, len(words)) if words[n] in _STOPS), len(words))
+    tail = first - (words[first - 1] == ",")
+    behind = _named_so(tokens[tail:], colors, tokens[nouns[0]])
+    return tokens[:tail] + _beside_the_other(behind, stop - tail, sorted(colors))
 
 
 def _in_full(tokens: list[Token], begin: int, at: int, firsts: list[int], stop: int) -> list[Token] | None:

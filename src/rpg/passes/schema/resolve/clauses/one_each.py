@@ -31,7 +31,7 @@ def plainly(clause: Clause) -> Clause:
     """The clause without what says once more how many go where."""
     if clause.negated:
         return clause
-    clause = _told_inside(clause)
+    clause = _for_its_part(_told_inside(clause))
     kept = clause.adjuncts
     grouped = [a for a in kept if isinstance(a, OrderBy) and a.by == "grouped"]
     if grouped and _of_no_line(clause):
@@ -51,6 +51,14 @@ def plainly(clause: Clause) -> Clause:
     if amount is not None and amount.low > 1 and any(_as_many(a, amount) for a in kept):
         kept = tuple(a for a in kept if not (isinstance(a, Size) and a.what == "columns" and a.amount == Amount(1, 1)))
     return replace(clause, adjuncts=kept) if kept != clause.adjuncts else clause
+
+
+def _for_its_part(clause: Clause) -> Clause:
+    """ "The blue one, in turn, on the white one": of one block it says no more than that it is next."""
+    one = isinstance(clause.theme, Noun) and not clause.theme.plural and clause.theme.amount in (None, Amount(1, 1))
+    if not one or not any(isinstance(a, Loc) for a in clause.adjuncts):
+        return clause
+    return replace(clause, adjuncts=tuple(a for a in clause.adjuncts if a != OrderBy(by="alternating", span=a.span)))
 
 
 def _told_inside(clause: Clause) -> Clause:

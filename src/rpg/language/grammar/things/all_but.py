@@ -51,8 +51,8 @@ _OTHERWISE = (("but",), ("besides",))
 
 
 def _told_last(tokens: list[Token]) -> list[Token]:
-    """ "Except for the red one, which stays off it, all blocks go on the mat": what is told of the exception comes last,
-    where it stands ahead of all the others or of what "it" is."""
+    """ "Except for the red one, which stays off it, all go on the mat": what is told of the exception comes last, where
+    it stands ahead of all the others or of what "it" is."""
     words = [t.word for t in tokens]
     which = next((n for n in range(3, len(words)) if words[n] == "which" and words[n - 1] == ","), 0)
     leads = (x for x in _EXCEPT if x not in _OTHERWISE) if which else ()

@@ -17,7 +17,7 @@ _EACH_BEARS = tuple(
     for every, verbs in (
         (_EVERY, (*BEARING, "topped by", "topped with", "crowned by", "crowned with")),
         (("each of which", "every one of which", "of which each"), _BEARS),
-        (("that each", "which each"), _BEAR),
+        (("that each", "which each", "both of which", "all of which", "that both", "which both"), _BEAR),
     )
     for each in every
     for bears in verbs

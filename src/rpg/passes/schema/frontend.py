@@ -27,7 +27,7 @@ from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
-from rpg.language.spliced import in_sentences, run_together
+from rpg.language.spliced import in_one_sentence, in_sentences, run_together
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
@@ -99,7 +99,8 @@ class BuiltinFrontEnd:
                 if task is not None:
                     return task, notes
         chosen = isinstance(refusal, Repairable | TwoReadings)
-        for parted in (in_sentences(told[0]), run_together(told[0])) if found[0] is None and not chosen else ():
+        ways = (in_sentences, run_together, in_one_sentence) if found[0] is None and not chosen else ()
+        for parted in (way(told[0]) for way in ways):
             if parted is None:
                 continue
             with suppress(Refusal):

@@ -73,8 +73,8 @@ def in_one_sentence(tokens: list[Token]) -> list[Token] | None:
     """The words with a comma where a sentence follows that has no verb, and only tells in which order or line."""
     words = [token.word for token in tokens]
     stops = [n for n, word in enumerate(words) if word in _STOPS]
-    ends = dict(zip(stops, [*stops[1:], len(words)], strict=True))
-    thoughts = {n for n, end in ends.items() if _only_orders(words[n + 1 : end])}
+    ends = zip(stops, [*stops, len(words)][1:], strict=True)
+    thoughts = {n for n, end in ends if _only_orders(words[n + 1 : end])}
     comma = [replace(t, word=",", raw=",") if n in thoughts else t for n, t in enumerate(tokens)]
     return comma if thoughts else None
 

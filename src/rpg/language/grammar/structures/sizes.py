@@ -128,6 +128,7 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
                 "every one of them",
                 "all of them",
                 "both of them",
+                "both",
                 "with a size of",
                 "of size",
                 "measuring",

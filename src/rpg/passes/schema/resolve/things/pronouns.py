@@ -282,9 +282,8 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                     raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", word.span,
                                  "say 'one of them', or name its colour")  # fmt: skip
                 return Ref(names=(mention.ref.names[0],))
-        raise refuse(
-            "no-referent", "'one' refers to something, but nothing was mentioned before", word.span, "name the block"
-        )
+        raise refuse("no-referent", "'one' refers to something, but nothing was mentioned before", word.span,
+                     "name the block")  # fmt: skip
     found = them(word, scene, scope)
     if (towers := each_whole(word, found, scene)) is not None:
         return towers

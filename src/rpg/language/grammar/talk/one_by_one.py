@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -46,13 +47,15 @@ def _ones_named(tokens: list[Token]) -> list[Token] | None:
         return None
     stop = next((n for n in range(first, len(words)) if words[n] in _STOPS), len(words))
     tail = first - (words[first - 1] == ",")
-    behind = _named_so(tokens[tail:], colors, tokens[nouns[0]])
+    behind = _named_so(tokens[tail:], colors, tokens[nouns[0]]) if colors.isdisjoint(words[: starts[0]]) else []
+    if not behind:
+        return None
     return tokens[:tail] + _beside_the_other(behind, stop - tail, sorted(colors))
 
 
 def _in_full(tokens: list[Token], begin: int, at: int, firsts: list[int], stop: int) -> list[Token] | None:
     words = [token.word for token in tokens]
-    tail = next((n for n in range(firsts[-1], stop) if words[n] == "," and words[n + 1] in _TAIL), stop)
+    tail = next((n for n in range(firsts[-1], stop - 1) if words[n] == "," and words[n + 1] in _TAIL), stop)
     sizes = [t for t in tokens[at + 1 : firsts[0]] if t.word not in _BETWEEN]
     if any(t.word not in _OF_SIZE and t.kind != "number" and t.word not in lexicon.NUMBER for t in sizes):
         return None
@@ -75,12 +78,14 @@ def _in_full(tokens: list[Token], begin: int, at: int, firsts: list[int], stop: 
         colors |= {token.word for token in told if token.word in lexicon.COLOR}
         joint = [_word("and" if n == len(firsts) - 1 else ",", tokens[begin])] if n else []
         out += [*joint, _word("a", tokens[begin]), *looks, *shape, *rest]
-    behind = _named_so(tokens[tail:], colors, noun)
+    behind = _named_so(tokens[tail:], colors, noun) if colors.isdisjoint(words[:begin]) else tokens[tail:]
     return out + _beside_the_other(behind, stop - tail, sorted(colors))
 
 
 def _named_so(tokens: list[Token], colors: set[str], noun: Token) -> list[Token]:
-    """ "The red one" behind them is the red structure."""
+    """ "The red one" behind them is the red structure, if nothing else there is red."""
+    if any(t.word in colors and after.word not in ("one", noun.word) for t, after in pairwise(tokens)):
+        return tokens
     ones = {
         n for n in range(2, len(tokens))
         if tokens[n].word == "one" and tokens[n - 1].word in colors and tokens[n - 2].word == "the"

@@ -1,5 +1,6 @@
 """Sentences that only a comma parts, or nothing: "four cubes in a row, three white and one red, red is second from the
-left", "a tower of five blocks the top one is red and the rest are blue"."""
+left", "a tower of five blocks the top one is red and the rest are blue"; and those that are one: "red, then blue on the
+mat. In that order"."""
 
 from __future__ import annotations
 
@@ -59,6 +60,31 @@ def _tells_a_place(tokens: list[Token], n: int) -> bool:
     at += words[at] in _AT
     at += words[at] == "the"
     return words[at - 1] in (*_AT, "the") and words[at] in _ENDS
+
+
+_AFTERTHOUGHT = frozenset({"in", "from", "by", "all", "both", "with"})
+_ORDERLY = frozenset({"gap", "gaps", *lexicon.STRUCTURE})
+_SAID = frozenset({*lexicon.VERB, *lexicon.POSTURE, "is", "are", "be", "must", "should", "shall", "has", "have", "no",
+                   "not", "goes", "go"}) - {"order", "line", "row", "stack", "lines"}  # fmt: skip
+_STOPS = frozenset({".", "!", "?", ";"})
+
+
+def in_one_sentence(tokens: list[Token]) -> list[Token] | None:
+    """The words with a comma where a sentence follows that has no verb, and only tells in which order or line."""
+    words = [token.word for token in tokens]
+    stops = [n for n, word in enumerate(words) if word in _STOPS]
+    ends = zip(stops, [*stops, len(words)][1:], strict=True)
+    thoughts = {n for n, end in ends if _only_orders(words[n + 1 : end])}
+    comma = [replace(t, word=",", raw=",") if n in thoughts else t for n, t in enumerate(tokens)]
+    return comma if thoughts else None
+
+
+def _only_orders(words: list[str]) -> bool:
+    """ "In that order", "all in one row", "from left to right"."""
+    if not words or words[0] not in _AFTERTHOUGHT or not _SAID.isdisjoint(words):
+        return False
+    so = words[:3] in (["in", "that", "order"], ["in", "this", "order"])
+    return so or not _ORDERLY.isdisjoint(words) or (words[0] == "from" and "to" in words)
 
 
 _PARTS = frozenset({"top", "bottom", "middle", "center", "centre", "left", "right", "front", "back", "first", "last",

@@ -50,7 +50,7 @@ _OPENED = {",": "", ":": "", "(": ")"}
 _EACH_OF = (("each", "of"), ("each",), ("each", "in"), ("of", "each", "of"), ("of", "each", "color", ":"))
 _EACH = ((",", "one", "of", "each"), (",", "one", "each"), ("(", "one", "of", "each", ")"), (",", "one", "of", "each",
          "color"), ("(", "one", "each", ")"))  # fmt: skip
-_MARKS = frozenset({*lexicon.SIZE, *lexicon.SHAPE_ADJECTIVE})
+_MARKS = frozenset({*lexicon.SIZE, *lexicon.SHAPE_ADJECTIVE, "long", "elongated"})
 MOST_LOTS = 16
 
 

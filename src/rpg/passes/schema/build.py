@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from rpg.core.diagnostics import Refusal, Span
 from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile, reconciled
+from rpg.ir.relations import Above, OnTable
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, OrderBy, Pronoun, Traits, cost_of, parts_of, replace
@@ -291,6 +292,7 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
         | {n for x in scene.start_goals for n in names_in(x)}
         | {n for heap in scene.heaps for n in heap}
     )
+    some = some or _leaves_room(goal)
     for thing in scene.things.values():
         listed = thing.declared and (thing.name not in scene.tallied or some or thing.name in scene.stocked)
         if thing.name in told or thing.extra or listed or thing.name in scene.spare:
@@ -302,6 +304,13 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
             span,
             "say where it should be, or that it is a distractor",
         )
+
+
+def _leaves_room(goal: g.Goal) -> bool:
+    """ "(There are red and brown blocks.) No red one is on the table", "purple is somewhere above green": what is not
+    spoken of may be what these lie on."""
+    parts = goal.goals if isinstance(goal, g.All) else (goal,)
+    return any(isinstance(x, Above) or (isinstance(x, g.Not) and isinstance(x.goal, OnTable)) for x in parts)
 
 
 def _passed_over(traits: Traits, scene: Scene) -> int:

@@ -61,7 +61,7 @@ _PLAIN = {
     "groups": "group_by towers",
     "heap": "heaps group_by",
     "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored given",
-    "neither nor": "not count stayed turned empty clear",
+    "neither nor": "not count stayed turned empty clear on_table",
     "pyramid": "pyramid",
     "rainbow": "rainbow",
     "row": "row grid spells equation checkerboard pyramid",

@@ -17,6 +17,7 @@ from rpg.language.frames import retold
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.begun_with import with_beginnings
+from rpg.language.grammar.talk.one_by_one import one_by_one
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
@@ -26,7 +27,7 @@ from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
-from rpg.language.spliced import in_sentences, run_together
+from rpg.language.spliced import in_one_sentence, in_sentences, run_together
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
@@ -98,7 +99,8 @@ class BuiltinFrontEnd:
                 if task is not None:
                     return task, notes
         chosen = isinstance(refusal, Repairable | TwoReadings)
-        for parted in (in_sentences(told[0]), run_together(told[0])) if found[0] is None and not chosen else ():
+        ways = (in_sentences, run_together, in_one_sentence) if found[0] is None and not chosen else ()
+        for parted in (way(told[0]) for way in ways):
             if parted is None:
                 continue
             with suppress(Refusal):
@@ -144,7 +146,7 @@ class BuiltinFrontEnd:
             check_numbers(spoken, words, found)
             check_behind(typed, found.task)
         except Refusal as refusal:
-            for ahead, wanted in ((shape_ahead(words), ""), *stocks_ahead(words)):
+            for ahead, wanted in ((shape_ahead(words), ""), (one_by_one(words), ""), *stocks_ahead(words)):
                 if ahead is None:
                     continue
                 ahead, told = told_plainly(ahead)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from rpg.core.diagnostics import Diagnostic, Refusal
 
 FINAL = frozenset({"false-equation", "bad-equation", "too-many-blocks", "too-many-labels", "too-many-colors",
@@ -36,9 +38,13 @@ _UNFOUND = (
     "one block cannot lie on several blocks",
     "a block is named twice in this list",
     "a row has no room on one block",
+    "the blocks have other colours than the structure",
+    "what is on a block is not on the table",
 )
-"""Refusals that come of words joined that do not belong together, so that a pronoun or a place finds nothing to be
-of: a reading that joins them otherwise may be meant."""
+"""Refusals that come of words joined that do not belong together, so that a pronoun, a place or a colour finds nothing
+to be of: a reading that joins them otherwise may be meant."""
+_MORE_COLORS = re.compile(r"\d+ colours for \d+ objects")
+"""The same of colours that are more than the blocks."""
 _SOMEWHAT = 3
 _OPEN = (
     "one for all of them, or one for each?",
@@ -57,7 +63,7 @@ def patience(found: Diagnostic) -> int | None:
     """How much costlier than a reading that is refused so another may be; None: as much as it likes."""
     if found.message.startswith(_OPEN):
         return -1
-    if found.code in _TORN or found.message.startswith(_UNFOUND):
+    if found.code in _TORN or found.message.startswith(_UNFOUND) or _MORE_COLORS.match(found.message):
         return _SOMEWHAT
     return 0 if found.code in SENSIBLE or found.message.startswith(LOST) else None
 

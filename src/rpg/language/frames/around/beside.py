@@ -58,8 +58,8 @@ def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], 
             continue
         match = max(ends, key=lambda found: found.end())
         m = places.index(match.end())
-        if words[m : m + 1] and words[m] in _MORE:
-            return  # "a distractor block in black"
+        if words[m : m + 1] and (words[m] in _MORE or _named(words, m)):
+            return  # "a distractor block in black", "two distractors, one green and one yellow"
         rest = [*stopped(tokens[:n], tokens[n]), *stopped(tokens[m:], tokens[n])]
         if sum("distract" in word or "decoy" in word for word in words) == sum(
             "distract" in word or "decoy" in word for word in words[n:m]
@@ -77,6 +77,11 @@ def without_distractors(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], 
                 said = f"There are also {items}{noun}. {known.capitalize()} must stay where {stays}."
             yield rest, list(tokens[n:m]), said
         return
+
+
+def _named(words: Sequence[str], at: int) -> bool:
+    """Whether it is told behind a mark what they look like."""
+    return words[at] in (",", "(") and (words[at + 1 : at + 2] or [""])[0] in _ONE | lexicon.NUMBER.keys()
 
 
 def stopped(tokens: Sequence[Token], mark: Token) -> list[Token]:

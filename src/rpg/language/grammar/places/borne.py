@@ -17,7 +17,7 @@ _EACH_BEARS = tuple(
     for every, verbs in (
         (_EVERY, (*BEARING, "topped by", "topped with", "crowned by", "crowned with")),
         (("each of which", "every one of which", "of which each"), _BEARS),
-        (("that each", "which each"), _BEAR),
+        (("that each", "which each", "both of which", "all of which", "that both", "which both"), _BEAR),
     )
     for each in every
     for bears in verbs
@@ -28,7 +28,7 @@ _EACH_HAS = (
 )  # fmt: skip
 """Behind these it is still to be said that it lies on them."""
 _ON_TOP = ("on top of it", "on top of them", "on top", "on it", "on them", "sitting on it", "lying on it", "above it",
-           "stacked on it", "stacked on top", "standing on it", "resting on it", "on its top")  # fmt: skip
+           "stacked on it", "stacked on top", "standing on it", "resting on it", "on its top", "on itself")  # fmt: skip
 
 
 @choice
@@ -85,8 +85,10 @@ def and_bears(p: Parser, i: int, before: Clause) -> Results[Clause]:
 
 
 def has_it_too(p: Parser, j: int, before: Clause, item: Meaning) -> bool:
-    """ "(red must be behind blue) and have green on it" is no command: red has it."""
-    had = p.stands(j, ("have",)) and p.follows(j, ("and",)) and before.verb in ("be", "place")
+    """ "(red must be behind blue) and have green on it", "and carry nothing", is no command: red has it."""
+    nothing = isinstance(item, Clause) and isinstance(item.theme, Pronoun) and item.theme.word == "nothing"
+    has = ("have", *_BEAR) if nothing else ("have",)
+    had = p.stands(j, has) and p.follows(j, ("and",)) and before.verb in ("be", "place")
     had = had and before.mode == "goal"
     places = item.adjuncts if had and isinstance(item, Clause) else ()
     return had and not any(getattr(getattr(x, "landmark", None), "word", "") == "same" for x in places)
@@ -98,8 +100,11 @@ def _carried(p: Parser, i: int, k: int, owner: Meaning) -> list[tuple[Loc, Meani
     for theme, end in noun_phrase(p, k) if k and isinstance(owner, Noun | Pronoun) else ():
         blocks = theme.items if isinstance(theme, Coord) else (theme,)
         shown = UPHOLD.isdisjoint(p.words[i:k]) and _symbols(p, theme, end)
-        if all(isinstance(x, Noun) and x.head != "patch" for x in blocks) and not shown:
-            found.append((Loc(rel="on", landmark=owner, mods=("directly",), span=p.span(i, k)), theme, end))
+        nothing = isinstance(theme, Pronoun) and theme.word == "nothing" and isinstance(owner, Pronoun)
+        if nothing or (all(isinstance(x, Noun) and x.head != "patch" for x in blocks) and not shown):
+            mods = () if nothing else ("directly",)
+            end = p.any_of(end, _ON_TOP) or end
+            found.append((Loc(rel="on", landmark=owner, mods=mods, span=p.span(i, k)), theme, end))
     return found
 
 

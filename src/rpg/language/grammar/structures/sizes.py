@@ -128,6 +128,7 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
                 "every one of them",
                 "all of them",
                 "both of them",
+                "both",
                 "with a size of",
                 "of size",
                 "measuring",
@@ -183,6 +184,8 @@ _WITH = (
     "with", "of", "having", "that has", "which has", "that have", "containing", "in", "whose", "has", "on",
     "with each side", "the", "consists of", "consisting of", "that consists of",
 )  # fmt: skip
+_LOWEST = ("at the bottom", "at its base", "at its bottom", "in the base", "in the lowest row", "in the bottom layer",
+           "in the lowest layer")  # fmt: skip
 _COUNTED = (
     (("block base", "blocks base", "cube base", "wide base", "block wide base", "base", "blocks wide base",
       "blocks wide bottom"), "base", 0),
@@ -194,8 +197,7 @@ _COUNTED = (
     (("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row",
       "blocks at its base", "blocks in the base", "cubes at the bottom", "cubes in the bottom row",
       "blocks in the bottom layer", "blocks as its base", "at the base"), "base", 1),
-    (("at the bottom", "at its base", "at its bottom", "in the base", "in the lowest row", "in the bottom layer",
-      "in the lowest layer"), "base", 0),
+    (_LOWEST, "base", 0),
 )  # fmt: skip
 _SEVERAL = {*_PARTS, *(word for word, (_, many) in lexicon.STRUCTURE.items() if many)} - {"row", "column", "layer"}
 """With these words "two each" says how many each of them has."""
@@ -214,6 +216,8 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
         for part, end in p.standing(e, _PARTS):
             yield Size(what=_PARTS[part], amount=found, span=p.span(i, end)), p.opt(end, "only")
         for phrases, what, cost in _COUNTED:
+            if phrases is _LOWEST and p.follows(k, ("the",)):
+                continue  # "the 1 at the bottom" is a block
             if end := p.any_of(e, phrases):
                 of_looks = p.words[end - 1] == "each" and p.all.isdisjoint(_SEVERAL)  # "red and blue, two each"
                 of_looks = of_looks and sum(word in lexicon.STRUCTURE for word in p.words) < 2

@@ -26,7 +26,7 @@ _PART = 12
 
 def exceptions_first(tokens: list[Token]) -> list[Token]:
     """The tokens with such exceptions told as two parts."""
-    tokens = _behind_all(tokens)
+    tokens = _behind_all(_told_last(tokens))
     for start, token in enumerate(tokens):
         if token.word in _IN and (told := _but_one_letter(tokens, start)) is not None:
             return told
@@ -48,6 +48,26 @@ _STOPS = frozenset({".", "!", "?", ";"})
 _EVERY = frozenset({"all", "every", "everything", "each"})
 _OTHERWISE = (("but",), ("besides",))
 """In front of a sentence these say something else."""
+
+
+def _told_last(tokens: list[Token]) -> list[Token]:
+    """ "Except for the red one, which stays off it, all go on the mat": what is told of the exception comes last, where
+    it stands ahead of all the others or of what "it" is."""
+    words = [t.word for t in tokens]
+    which = next((n for n in range(3, len(words)) if words[n] == "which" and words[n - 1] == ","), 0)
+    leads = (x for x in _EXCEPT if x not in _OTHERWISE) if which else ()
+    found = ((n, n + len(x)) for x in leads for n in range(which) if tuple(words[n : n + len(x)]) == x)
+    start, named = max(found, default=(0, 0))
+    comma = next((n for n in range(which, len(words)) if words[n] in _STOPS | {","}), 0)
+    if not named or words[named] != "the" or "," in words[named : which - 1] or not comma or words[comma] != ",":
+        return tokens
+    first = start == 0 or words[start - 1] in _STOPS
+    if not first and "it" not in words[which:comma]:
+        return tokens
+    stop = next((n for n in range(comma, len(words)) if words[n] in _STOPS), len(words))
+    one, told = tokens[named : which - 1], tokens[which + 1 : comma]
+    kept = [*tokens[: which - 1], *tokens[comma + (not first) : stop]]
+    return [*kept, replace(tokens[comma], word=";", raw=";"), *one, *told, *tokens[stop:]]
 
 
 def _behind_all(tokens: list[Token]) -> list[Token]:

@@ -198,21 +198,26 @@ def _head(item: Meaning) -> str:
 
 
 def _shown(p: Parser, i: int) -> Results[Clause]:
-    """ "five cubes carry the letters A to E": which blocks these are."""
+    """ "five cubes carry the letters A to E", "two red cubes show letters, X and Y": which blocks these are."""
     for theme, j in noun_phrase(p, i):
         k = p.one(j, _SHOW)
-        if not k or not isinstance(theme, Noun) or theme.head != "block" or theme.traits != Traits() or theme.part_of:
+        if not k or not isinstance(theme, Noun) or theme.head != "block" or theme.part_of or theme.conditions:
             continue
         k = p.opt(k, "the")
-        kind = _KINDS.get(p.words[k]) if k < p.end else None
-        for (labels, more), end in label_list(p, k + 1 if kind else k, True) if kind or k > j + 1 else ():
+        kind, colors = _KINDS.get(p.words[k]) if k < p.end else None, theme.traits.colors[:1]
+        start = p.any_of(k + 1, _NAMELY) or k + 1 if kind else k
+        for (labels, more), end in label_list(p, start, True) if kind or k > j + 1 else ():
             many = theme.amount
-            if not more and (many is None or many == Amount(len(labels), len(labels), many.strict)):
-                marks = Traits(labels=labels, kind=kind if kind != "symbol" else None)
+            if theme.traits != Traits(colors=colors) or more:
+                continue
+            if many is None or many == Amount(len(labels), len(labels), many.strict):
+                marks = Traits(labels=labels, kind=kind if kind != "symbol" else None, colors=colors)
                 them = Noun(head="block", plural=len(labels) > 1, traits=marks, span=p.span(i, end))
                 yield replace(given(p, i, end, them, (), 0), lemma="stock"), end
 
 
+_NAMELY = (",", ":", "namely", ", namely", "on them ,", "on them :", "on them , namely")
+"""What may stand between "letters" and which these are."""
 _OF_BLOCKS = ("of the blocks", "of the cubes", "of our blocks", "of these blocks", "of my blocks", "of them",
               "of these", "of the bricks", "blocks", "cubes")  # fmt: skip
 _REST = ("the other", "the others", "the remaining", "the rest", "the other ones", "and", "another")

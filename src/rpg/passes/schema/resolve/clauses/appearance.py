@@ -151,7 +151,8 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
         raise refuse(
             "misplaced", "this is understood, but is no look that can be given", quality.span, "say it as a place"
         )
-    things = [scene.things[n] for n in theme.names]
+    told = len(traits.colors) if len(traits.colors) > 1 and not theme.patch else None  # "the cubes are red and blue"
+    things = [scene.things[n] for n in scene.fit(theme.names, told)]
     if any(not thing.patch for thing in things):
         check_cubes(traits, quality.span)
     if traits == Traits(scheme="some"):
@@ -167,7 +168,8 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
             quality.span,
             "name one colour for each",
         )
-    if len(traits.colors) > 1 and all(thing.patch and not thing.declared for thing in things):
+    before = any({*m.ref.names} & {*theme.names} for m in scene.mentions if m.clause < scene.clause)
+    if len(traits.colors) > 1 and before and all(thing.patch and not thing.declared for thing in things):
         raise refuse("ambiguous", "it is not said which of the patches has which of these colors", quality.span,
                      "name the color of each patch where you say what lies on it")  # fmt: skip
     for index, thing in enumerate(things):

@@ -34,7 +34,7 @@ from rpg.passes.schema.resolve.clauses.turning import moved_from
 from rpg.passes.schema.resolve.goals.logic import conj, negation
 from rpg.passes.schema.resolve.orders.orders import order_of
 from rpg.passes.schema.resolve.orders.parts import place_of
-from rpg.passes.schema.resolve.orders.positions import alternatives
+from rpg.passes.schema.resolve.orders.positions import all_told, alternatives
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.orders.reordered import kind_again, within
 from rpg.passes.schema.resolve.places.across_the_table import table_sides
@@ -325,8 +325,8 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
     if theme.quant is not None or theme.op == "or" or theme.mixed:
         raise refuse("ambiguous", "it is not said which of the blocks are stacked", theme.span, "name the blocks")
     items = next((o.items for o in spec.orders if o.items and o.by in ("given", "run", "read")), ())
-    if items and len(theme.names) != len(items):
-        theme = replace(theme, names=scene.fit(theme.names, len(items)))
+    if (told := len(items) or all_told(spec.absolutes)) and len(theme.names) != told:
+        theme = replace(theme, names=scene.fit(theme.names, told))
     base = _base(theme, spec, scene, scope)
     spec.listed = spec.listed or theme.listed
     counted = next((z for z in spec.sizes), None)

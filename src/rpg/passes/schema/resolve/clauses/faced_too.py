@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 from rpg.language.meaning import Absolute, At, Chain, Clause, In, Manner, Meaning, replace
 
+_PLACED = re.compile(r"\b(?:half|side|on|in|at)\b")
+"""A side told so is a place."""
 _REGIONS = {"left_half": "left", "right_half": "right"}
 
 
@@ -14,7 +18,7 @@ def faced_too(chain: Chain, text: str) -> Chain:
         before = clauses[n - 1]
         faces = _faces(before) if chain.links[n] == "and" else None
         verbless = isinstance(said, Clause) and said.word in (None, getattr(before, "word", None))
-        side = _bare_side(said) if verbless and "half" not in text[slice(*said.span)] else None
+        side = _bare_side(said) if verbless and not _PLACED.search(text[slice(*said.span)]) else None
         if faces is not None and side is not None and isinstance(said, Clause):
             too = replace(faces, value=side, span=said.adjuncts[0].span)
             clauses[n] = replace(said, adjuncts=(too,))

@@ -34,7 +34,7 @@ from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.clauses.there_later import standing_there
 from rpg.passes.schema.resolve.clauses.told_fully import told_fully
 from rpg.passes.schema.resolve.orders.above_it import others_beyond
-from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
+from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, between_in_line, in_a_line
 from rpg.passes.schema.resolve.orders.nothing_beyond import at_that_end
 from rpg.passes.schema.resolve.places.drawn import drawn, grounded
 from rpg.passes.schema.resolve.places.opposite import opposite_sides
@@ -54,9 +54,8 @@ from rpg.passes.schema.resolve.things.listed_after import built_first, filled, l
 from rpg.passes.schema.resolve.things.world import refuse
 
 _VERBS = ("stack", "arrange")
-
-
-_IN_OTHER_WORDS = (at_that_end, others_beyond, as_many_as_it_takes, left_alone, plainly, drawn, colors_told)
+_IN_OTHER_WORDS = (between_in_line, at_that_end, others_beyond, as_many_as_it_takes, left_alone, plainly, drawn,
+                   colors_told)  # fmt: skip
 """What a clause says for all of its blocks, as it is said elsewhere."""
 
 

@@ -15,7 +15,7 @@ def put_so(clause: Clause, theme: Ref, scene: Scene) -> bool:
     ahead = [m for m in scene.mentions if m.role == "theme" and m.sentence == scene.sentence and not m.start]
     moved = {name for m in ahead if m.clause < scene.clause for name in m.ref.names}
     begun = {name for fact in scene.start_goals for name in names(fact)}
-    denied = any(getattr(place, "negated", False) for place in clause.adjuncts)
+    denied = any(getattr(x, "negated", False) or getattr(x, "rel", "") == "off" for x in clause.adjuncts)
     return {*theme.names} <= moved - begun and not denied
 
 

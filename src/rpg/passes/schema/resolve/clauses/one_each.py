@@ -31,7 +31,7 @@ def plainly(clause: Clause) -> Clause:
     """The clause without what says once more how many go where."""
     if clause.negated:
         return clause
-    clause = _told_inside(clause)
+    clause = _as_written(_for_its_part(_told_inside(clause)))
     kept = clause.adjuncts
     grouped = [a for a in kept if isinstance(a, OrderBy) and a.by == "grouped"]
     if grouped and _of_no_line(clause):
@@ -51,6 +51,31 @@ def plainly(clause: Clause) -> Clause:
     if amount is not None and amount.low > 1 and any(_as_many(a, amount) for a in kept):
         kept = tuple(a for a in kept if not (isinstance(a, Size) and a.what == "columns" and a.amount == Amount(1, 1)))
     return replace(clause, adjuncts=kept) if kept != clause.adjuncts else clause
+
+
+def _as_written(clause: Clause) -> Clause:
+    """ "Write 6 - 2 = 4 in this order", "cubes in a row so that 6 - 2 = 4 can be read": it is so anyway."""
+    shapes = [a.structure for a in clause.adjuncts if isinstance(a, Into)]
+    if not any(
+        isinstance(x, Structure) and x.kind in ("word", "equation") and x.letter for x in (clause.theme, *shapes)
+    ):
+        return clause
+    return replace(clause, adjuncts=tuple(a for a in clause.adjuncts if not _so_anyway(a, len(shapes) > 1)))
+
+
+def _so_anyway(part: Meaning, several: bool) -> bool:
+    if isinstance(part, OrderBy):
+        return part.by == "given" and not part.items
+    row = part.structure if isinstance(part, Into) and several else None
+    return isinstance(row, Structure) and row == Structure(kind="row", amount=row.amount, span=row.span)
+
+
+def _for_its_part(clause: Clause) -> Clause:
+    """ "The blue one, in turn, on the white one": of one block it says no more than that it is next."""
+    one = isinstance(clause.theme, Noun) and not clause.theme.plural and clause.theme.amount in (None, Amount(1, 1))
+    if not one or not any(isinstance(a, Loc) for a in clause.adjuncts):
+        return clause
+    return replace(clause, adjuncts=tuple(a for a in clause.adjuncts if a != OrderBy(by="alternating", span=a.span)))
 
 
 def _told_inside(clause: Clause) -> Clause:

@@ -58,9 +58,10 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     of_each = [replace(z, what="size") for z in spec.sizes if z.what == "columns"] if len(shapes) > 1 else []
     lines = [x for x in shapes if isinstance(x, Structure) and x.kind in ("row", "line", "column")]
     ways = [] if len(lines) < 2 or len(lines) < len(shapes) else [*spec.toward]
-    apart, spacings = between_lines(shapes, spec), [*spec.spacings]
+    apart, spacings, sizes = between_lines(shapes, spec), [*spec.spacings], [*spec.sizes]
     for shape in shapes:
         spec.toward, spec.spacings = [*ways] or spec.toward, [*spacings]
+        spec.sizes = [*sizes] if isinstance(shape, Structure) and shape.sizes else spec.sizes
         if of_each:
             spec.sizes = [*(z for z in spec.sizes if z.what not in ("columns", "size")), *of_each]
         if is_extra(shape) and len(shapes) > 1:
@@ -71,13 +72,8 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         parts.append(part)
         goals += atoms
     built = [b for part in parts for b in part.built]
-    ref = Ref(
-        names=tuple(dict.fromkeys(n for p in parts for n in p.names)),
-        built=tuple(built),
-        plural=len(built) > 1,
-        parts=tuple(parts) if len(parts) > 1 else (),
-        span=clause.span,
-    )
+    ref = Ref(names=tuple(dict.fromkeys(n for p in parts for n in p.names)), built=tuple(built), plural=len(built) > 1,
+              parts=tuple(parts) if len(parts) > 1 else (), span=clause.span)  # fmt: skip
     scene.mention(ref, "theme")
     if spec.intos:
         raise refuse(
@@ -143,13 +139,15 @@ def _where_all_of_it_is(clause: Clause, spec: Spec, scope: Scope) -> Clause:
     higher = [x for x in spec.places if isinstance(x, Loc) and x.rel == "above" and "somewhere" in x.mods]
     if isinstance(shape, Structure) and shape.kind == "stack" and higher:
         raise refuse("ambiguous", "on top of it, or of more blocks?", higher[0].span, "say how many blocks each has")
-    if not isinstance(shape, Structure) or shape.det not in ("a", "bare", "some") or scope.given:
+    if not isinstance(shape, Structure) or shape.det not in ("a", "bare", "some", "the") or scope.given:
         return clause
     items = shape.members.items if isinstance(shape.members, Coord) else (shape.members,)
     last = items[-1]
     if not isinstance(last, Noun) or not last.conditions:
         return clause
     told = [x.clauses for x in last.conditions if isinstance(x, That) and x.kind == "whole"]
+    if shape.det == "the" and not (told and all("aside" in getattr(x, "mods", ()) for x in told)):
+        return clause
     if not told:
         if len(items) > 1 and last.det == "a" and not scope.start:
             raise refuse("ambiguous", "it is not clear whether this is of the block or of all of it",

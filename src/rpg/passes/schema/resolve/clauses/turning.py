@@ -11,6 +11,7 @@ from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.structures import GroupBy, Stack
 from rpg.ir.walk import atoms
+from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.meaning import (
     Amount,
     Chain,
@@ -155,7 +156,7 @@ def without(that: That, scene: Scene, turned: bool = False) -> Goals:
 
             if clause.verb == "use":
                 raise refuse("misplaced", "only blocks that are called for are used", that.span, "leave this out")
-            goals += clause_goals(replace(clause, negated=not clause.negated), scene, False)
+            goals += clause_goals(nothing_at_all(replace(clause, negated=not clause.negated)), scene, False)
         else:
             raise refuse("misplaced", "this cannot be forbidden here", clause.span, "say 'without moving ...'")
     return goals

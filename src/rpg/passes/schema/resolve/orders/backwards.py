@@ -7,7 +7,8 @@ from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, Noun, OrderBy
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.parts import place_of
-from rpg.passes.schema.resolve.things.world import Scene, refuse
+from rpg.passes.schema.resolve.orders.reordered import FIRST, lines_of_the_start
+from rpg.passes.schema.resolve.things.world import Built, Scene, refuse
 
 
 def last_first(spec: Spec, names: tuple[str, ...], scene: Scene) -> list[OrderBy]:
@@ -56,12 +57,22 @@ def turned_round(
     if found.by == "any" and ends:
         scene.assume("the opposite order is that in which the blocks are named, from the last to the first")
         return Order(by="given", ranks=tuple((n,) for n in reversed(names)), first=begin)  # type: ignore[arg-type]
+    if found.by == "any" and (there := _as_they_stood(names, begin, scene)) is not None:
+        return Order(by="given", ranks=tuple((n,) for n in reversed(there.members)), first=there.side or begin)  # type: ignore[arg-type]
     if found.by in ("any", "given"):
         which = "it is not said which order is to be reversed" if found.by == "any" else (
             "it is not clear whether the order that is named is the reversed one"
         )  # fmt: skip
         raise refuse("ambiguous", which, span, "name the order, such as 'in reverse alphabetical order'")
     return found.model_copy(update={"descending": not found.descending})
+
+
+def _as_they_stood(names: tuple[str, ...], begin: str, scene: Scene) -> Built | None:
+    """The one tower or line in which these blocks were so far, if it began where this one does."""
+    wholes = [
+        b for b in lines_of_the_start(scene) if b.ordered and {*b.members} == {*names} and FIRST.get(b.kind) == begin
+    ]
+    return wholes[0] if len(wholes) == 1 else None
 
 
 def _of_an_end(order: OrderBy) -> bool:

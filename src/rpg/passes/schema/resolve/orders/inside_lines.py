@@ -78,6 +78,33 @@ def _look(item: Meaning) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
     return look if plain and item.part_of is None and not item.conditions else None
 
 
+def between_in_line(clause: Clause) -> Clause:
+    """ "(Put) a black cube between two white ones in a row": a row of the three, with the black one in the middle."""
+    into, place = (next((a for a in clause.adjuncts if isinstance(a, kind)), None) for kind in (Into, Loc))
+    line = into.structure if isinstance(into, Into) else None
+    if clause.verb not in ("be", "place") or clause.negated or not isinstance(line, Structure) or line.kind == "stack":
+        return clause
+    if not isinstance(place, Loc) or place.rel != "between" or place.negated or place.mods or len(clause.adjuncts) != 2:
+        return clause
+    bare = line.kind in _LINES and not (line.plural or line.members or line.sizes or line.details)
+    ends = place.landmark.items if isinstance(place.landmark, Coord) else (place.landmark, place.second)
+    theme, blocks = clause.theme, [x for x in ends if x is not None]
+    if len(blocks) < 2 and getattr(blocks[0], "amount", None) != (2, 2, False):
+        return clause
+    if not bare or not isinstance(theme, Noun) or theme.plural or not all(map(_named_blocks, (theme, *blocks))):
+        return clause
+    inside = Absolute(theme=replace(theme, det="the", amount=None), adjuncts=(At(side="middle", span=place.span),),
+                      span=clause.span)  # fmt: skip
+    whole = Coord(op="and", items=(theme, *blocks), span=clause.span)
+    return replace(clause, verb="build", lemma="", theme=replace(line, members=whole), adjuncts=(inside,))
+
+
+def _named_blocks(item: Meaning) -> bool:
+    """Blocks of which a colour or a symbol is said."""
+    named = isinstance(item, Noun) and item.head != "patch" and bool(item.traits.colors or item.traits.labels)
+    return named and isinstance(item, Noun) and item.part_of is None and not item.conditions
+
+
 _BOARDS = ("grid", "square", "rectangle")
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language.meaning import (
     Absolute,
     At,
+    Chain,
     Clause,
     Coord,
     Into,
@@ -13,6 +14,7 @@ from rpg.language.meaning import (
     Noun,
     Pronoun,
     Structure,
+    That,
     Traits,
     replace,
 )
@@ -39,6 +41,9 @@ def at_that_end(clause: Clause) -> Clause:
 def _ended(part: Meaning, ends: tuple[str, ...]) -> Meaning:
     if isinstance(part, Coord) and part.op == "absolutes":
         return replace(part, items=tuple(_ended(x, ends) for x in part.items))
+    if isinstance(part, That) and (inside := _in_which(part)) is not None:
+        found = _ended(inside, ends)
+        return part if found is inside else found
     place = part.adjuncts[0] if isinstance(part, Absolute) and len(part.adjuncts) == 1 else None
     if not isinstance(part, Absolute) or not isinstance(place, Loc) or place.negated or place.low or place.high:
         return part
@@ -46,6 +51,15 @@ def _ended(part: Meaning, ends: tuple[str, ...]) -> Meaning:
     if end not in ends or not _nothing(part.theme) or not isinstance(mark, Noun) or mark.head == "patch":
         return part
     return replace(part, theme=mark, adjuncts=(At(side=end, span=place.span),))
+
+
+def _in_which(part: That) -> Absolute | None:
+    """ "(A row) in which nothing is to the left of the yellow one": as "with nothing to the left of it"."""
+    inside = part.clauses.clauses if part.kind == "so" and isinstance(part.clauses, Chain) else ()
+    told = inside[0] if len(inside) == 1 else None
+    if not isinstance(told, Clause) or told.verb != "be" or told.negated or told.theme is None:
+        return None
+    return Absolute(theme=told.theme, adjuncts=told.adjuncts, span=part.span)
 
 
 def _nothing(theme: Meaning) -> bool:

@@ -111,6 +111,13 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     return Placed(tuple(ranks_from(held, names, scene, bunches)), first, paired)
 
 
+def all_told(parts: Sequence[Absolute]) -> int:
+    """How many blocks a tower has of which the lowest, the middle and the top one are told; 0 where they are not."""
+    places = [x.adjuncts[0] for x in parts if len(x.adjuncts) == 1 and amount_of(x.theme) in (None, 1)]
+    single = [x.side for x in places if isinstance(x, At) and x.index is None and not x.whole]
+    return len(parts) if len(single) == len(parts) and sorted(single) == ["bottom", "middle", "top"] else 0
+
+
 def _at_ends(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> bool:
     """Give "one end" and "the other end" their names; whether the line may as well be the other way round."""
     told = [(item, place_of(item)) for item in spec.absolutes if belongs(item.theme, names, scene)]

@@ -46,14 +46,32 @@ def grounded(clause: Clause, chains: tuple[Chain, ...]) -> Clause:
     place = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
     mark = place.landmark if isinstance(place, Loc) and place.rel in ("on", "above") and not place.negated else None
     word = mark.word if isinstance(mark, Pronoun) else ""
-    denied = word in ("anything", "anything else") if clause.negated else word == "nothing"
-    if not denied or place is None or clause.verb not in ("be", "stack"):
+    theme, denied = _whom(clause)
+    if word not in (_ANYTHING if denied else ("nothing",)) or place is None or clause.verb not in _LYING:
         return clause
     patches = any(isinstance(part, Noun) and part.head == "patch" for chain in chains for part in parts_of(chain))
-    if patches and clause.verb == "be":
+    if patches and clause.verb != "stack":
         return clause
     table = Loc(rel="on", landmark=TableTop(span=place.span), span=place.span)
-    return replace(clause, verb="be", negated=False, adjuncts=(table,))
+    lemma = "" if clause.verb == "place" else clause.lemma
+    return replace(clause, verb="be", lemma=lemma, theme=theme, negated=False, adjuncts=(table,))
+
+
+_ANYTHING = ("anything", "anything else")
+_LYING = ("be", "stack", "place")
+
+
+def _whom(clause: Clause) -> tuple[Meaning | None, bool]:
+    """Of which blocks a clause says something, and whether it denies it of them: "neither red nor blue", "none of
+    them"."""
+    theme = clause.theme
+    if isinstance(theme, Coord) and theme.op == "nor":
+        return replace(theme, op="and"), not clause.negated
+    if isinstance(theme, Pronoun) and theme.word in ("none of them", "neither of them"):
+        return replace(theme, word="them" if theme.word == "none of them" else "both"), not clause.negated
+    if isinstance(theme, Noun) and theme.det == "no" and theme.part_of is not None:
+        return theme.part_of, not clause.negated
+    return theme, clause.negated
 
 
 def _bare(shape: Structure) -> bool:

@@ -223,12 +223,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         for a in (*atoms(goal), *(a for fact in scene.start_goals for a in atoms(fact)))
     )
     if at_.side != "middle" and related:
-        raise refuse(
-            "ambiguous",
-            "this could be a side of the table or of a block",
-            at_.span,
-            "say 'half of the table', or of what",
-        )
+        raise refuse("ambiguous", "this could be a side of the table or of a block", at_.span,
+                     "say 'half of the table', or of what")  # fmt: skip
     if any(isinstance(a, s.Row) and not set(ref.names) & set(a.blocks) for a in atoms(goal)):
         raise refuse("ambiguous", "this could be a place on the table or in the line", at_.span,
                      "say 'of the table', or name the block among those of the line")  # fmt: skip
@@ -299,8 +295,8 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     bunches = [ref.names for ref, _, _ in ats if len(ref.names) > 1]
     told = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
     paired = all(isinstance(at_, At) and at_.side in SYMMETRIC for _, at_, _ in loose)
-    in_turn = ats[0][0].names == node.blocks[:1]  # not "A, B, C and D, beginning with D and ending with A"
-    ranks = by_symbols(tuple(told), node.blocks, scene) if in_turn and not paired else tuple(told)
+    paired |= isinstance(node, s.Row) and ats[0][0].names != node.blocks[:1]  # "A, B and C, beginning with C"
+    ranks = tuple(told) if paired else by_symbols(tuple(told), node.blocks, scene)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=ranks, first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):

@@ -43,7 +43,11 @@ def _exceeded(them: Pronoun, shape: Structure, spec: Spec, scene: Scene) -> bool
     if size is None or size.high not in (None, size.low) or spec.usings[0].lead not in _FROM:
         return False
     there = [thing for thing in scene.things.values() if thing.declared and not thing.patch]
-    return them.word == "them" and size.low < len(there)
+    return them.word in _THEM and size.low < len(there)
+
+
+_THEM = ("them", "these", "those", "it")
+"""What a stock, or a heap, is called that was spoken of."""
 
 
 def _mere_size(shape: Structure, spec: Spec) -> bool:

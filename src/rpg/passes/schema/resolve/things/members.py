@@ -55,7 +55,7 @@ def members_of(
             Scope(start=scope.start, given=scope.start, need=count or default, role="member", share=count is not None),
         )
         _fix_parts(named)
-        named = certain(named, scene)
+        named = certain(_of_its_color_among(shape, source, named, scene), scene)
         _of_its_colors(shape, named, scene)
         _of_one_color(source, named, scene)
         spec.listed = spec.listed or named.listed
@@ -116,6 +116,14 @@ _PLACES = {
     "line": ("left", "right", "front", "back", "middle"),
     "column": ("front", "back", "middle"),
 }
+
+
+def _of_its_color_among(shape: Structure, source: Meaning, named: Ref, scene: Scene) -> Ref:
+    """ "A white row (and a purple one) out of them": the white ones of them."""
+    if not isinstance(source, Pronoun) or not shape.traits.colors:
+        return named
+    such = tuple(n for n in named.names if scene.things[n].color in shape.traits.colors)
+    return replace(named, names=such, parts=()) if such else named
 
 
 def _of_its_colors(shape: Structure, named: Ref, scene: Scene) -> None:

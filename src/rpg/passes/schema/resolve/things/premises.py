@@ -67,7 +67,7 @@ def _facts(premise: object, scene: Scene) -> list[g.Goal]:
         return [r.Stayed(a=premise.names, span=premise.span)]
     if not isinstance(premise.condition, Loc | In):
         raise refuse("misplaced", "it is not clear of what this is said", premise.span, "say it in its own sentence")
-    theme = Ref(names=premise.names, span=premise.span)
+    theme = Ref(names=premise.names, built=premise.built, span=premise.span)
     if isinstance(getattr(premise.condition, "landmark", None), Coord):
         raise refuse("ambiguous", "it is not clear which block is where", premise.span, "say it of each block")
     scene.describing = premise.when == "end"

@@ -16,9 +16,11 @@ from rpg.passes.schema.resolve.things.which import which
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
 
 if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.things.by_the_way import named_by_the_way
     from rpg.passes.schema.resolve.things.things import alike, create, further, matching
     from rpg.passes.schema.resolve.things.world import said
 else:
+    (named_by_the_way,) = later(__name__, "rpg.passes.schema.resolve.things.by_the_way", "named_by_the_way")
     alike, create, further, matching = later(
         __name__, "rpg.passes.schema.resolve.things.things", "alike", "create", "further", "matching"
     )
@@ -139,6 +141,8 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         current = [m for m in scene.mentions if m.clause == scene.clause and m.role in ("theme", "given")]
         own = {n for m in current for n in m.ref.names}
         single = [m for m in single if not own & set(m.ref.names)]
+    if not single and (named := named_by_the_way(scene, scope)) is not None:
+        return named
     if not single:
         several = them(word, scene, scope)
         none = any(m.ref.quant is not None and m.ref.quant.high == 0 for m in told if m.clause == scene.clause)
@@ -280,9 +284,8 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                     raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", word.span,
                                  "say 'one of them', or name its colour")  # fmt: skip
                 return Ref(names=(mention.ref.names[0],))
-        raise refuse(
-            "no-referent", "'one' refers to something, but nothing was mentioned before", word.span, "name the block"
-        )
+        raise refuse("no-referent", "'one' refers to something, but nothing was mentioned before", word.span,
+                     "name the block")  # fmt: skip
     found = them(word, scene, scope)
     if (towers := each_whole(word, found, scene)) is not None:
         return towers

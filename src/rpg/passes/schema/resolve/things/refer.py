@@ -21,7 +21,16 @@ from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
 from rpg.passes.schema.resolve.things.theirs import THEIRS, begun_on, in_their_colors, its_own
 from rpg.passes.schema.resolve.things.them import of_whom, patches_of_each, sorted_out
-from rpg.passes.schema.resolve.things.things import alike, check_cubes, compared, looks_said, matching, note_premises
+from rpg.passes.schema.resolve.things.things import (
+    alike,
+    check_cubes,
+    compared,
+    looks_said,
+    matching,
+    note_of_whole,
+    note_premises,
+    told_of_whole,
+)
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 if TYPE_CHECKING:
@@ -48,7 +57,9 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
         case PartOf():
             found = _part(meaning, scene, scope)
         case Structure():
-            found = refer_structure(meaning, scene, scope)
+            shape, told = told_of_whole(meaning)
+            found = refer_structure(shape, scene, scope)
+            note_of_whole(told, shape, found, scene, scope)
         case _:
             raise refuse("misplaced", "this is no description of blocks or patches", meaning.span)
     found = replace(found, span=meaning.span)

@@ -119,8 +119,10 @@ def ignore(clause: Clause, scene: Scene, scope: Scope) -> list[g.Goal]:
 
 
 def _of_no_others(theme: Meaning | None, scene: Scene) -> bool:
-    """ "the rest does not matter", where all blocks there are were spoken of: it asks for nothing."""
-    if getattr(theme, "word", "") not in ("the rest", "everything else"):
+    """ "the rest does not matter", where all blocks there are were spoken of: it asks for nothing, and neither does it
+    of "the others" behind "at least two of the three"."""
+    some = any(m.ref.quant is not None and m.ref.quant.low < len(m.ref.names) for m in scene.mentions)
+    if getattr(theme, "word", "") not in ("the rest", "everything else", *(("the others",) if some else ())):
         return False
     placed = {name for m in scene.mentions if m.role != "given" for name in m.ref.names}
     return bool(placed) and all(t.extra or t.name in placed for t in scene.blocks())

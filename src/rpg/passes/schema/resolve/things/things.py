@@ -7,8 +7,21 @@ import string
 from rpg.blocks.traits import symbols_of
 from rpg.core.diagnostics import Span
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Amount, Coord, Loc, Manner, Meaning, Noun, Traits, parts_of, record, replace
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
+from rpg.language.meaning import (
+    Amount,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Structure,
+    That,
+    Traits,
+    parts_of,
+    record,
+    replace,
+)
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
 
 PATCH_SCALE = {"big": 1.5, "small": 0.7}
 """How much larger a patch is than one of which nothing is said."""
@@ -185,6 +198,7 @@ class Premise(Meaning):
     names: tuple[str, ...]
     condition: Meaning
     when: str = "start"
+    built: tuple[Built, ...] = ()
 
 
 def note_premises(noun: Noun, found: Ref, scene: Scene, scope: Scope) -> None:
@@ -201,9 +215,37 @@ def note_premises(noun: Noun, found: Ref, scene: Scene, scope: Scope) -> None:
     for condition in noun.conditions:
         if isinstance(condition, Manner) and condition.kind == "staying":
             continue
-        if scope.start and scope.given and isinstance(condition, Loc) and "aside" in condition.mods:
-            condition = replace(condition, mods=tuple(m for m in condition.mods if m not in ("asserted", "aside")))
-        scene.premises.append(Premise(span=condition.span, names=found.names, condition=condition, when=when))
+        begun = _of_the_start(condition) if scope.start and scope.given else condition
+        scene.premises.append(Premise(span=condition.span, names=found.names, condition=begun, when=when))
+
+
+def _of_the_start(condition: Meaning) -> Meaning:
+    """What is told by the way of a start is told of it alone."""
+    if not isinstance(condition, Loc) or "aside" not in condition.mods:
+        return condition
+    return replace(condition, mods=tuple(m for m in condition.mods if m not in ("asserted", "aside")))
+
+
+def told_of_whole(shape: Structure) -> tuple[Structure, tuple[That, ...]]:
+    """A structure, and what a clause behind its blocks tells of all of it: "a tower of two, which is left of B"."""
+    blocks = shape.members
+    told = tuple(x for x in blocks.conditions if isinstance(x, That)) if isinstance(blocks, Noun) else ()
+    if not told or not isinstance(blocks, Noun):
+        return shape, ()
+    kept = tuple(x for x in blocks.conditions if x not in told)
+    return replace(shape, members=replace(blocks, conditions=kept)), told
+
+
+def note_of_whole(told: tuple[That, ...], shape: Structure, found: Ref, scene: Scene, scope: Scope) -> None:
+    """What is told of a structure by the way, or in a picture of the end, is so at the end; else it may be there."""
+    pictured = shape.det == "a" and scene.describing
+    if told and not (pictured or all("aside" in getattr(x.clauses, "mods", ()) for x in told)):
+        raise refuse("misplaced", "it is not clear of what this is said", told[0].span, "say it in its own sentence")
+    begun = scope.start or scope.given
+    for that in told:
+        so = _of_the_start(that.clauses) if begun else that.clauses
+        when = "start" if begun else "end"
+        scene.premises.append(Premise(span=that.span, names=found.names, condition=so, when=when, built=found.built))
 
 
 def looks_said(noun: Noun, names: tuple[str, ...], there: dict[str, bool], scene: Scene) -> None:

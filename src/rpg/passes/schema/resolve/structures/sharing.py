@@ -36,6 +36,7 @@ def of_all_of_them(
     items = members.items if isinstance(members, Coord) and members.op == "and" else (members,)
     amounts = [x.amount for x in items if isinstance(x, Noun) and x.amount is not None]
     each = shape.each_size or shape.sizes or shape.dims
+    each = each or (shape.kind == "stack" and not spec.usings and not any(looks))  # "stack two cubes on each patch"
     if theme is not None or each or members is None or len(amounts) < len(items):
         return shape, theme
     if any(x.low != x.high for x in amounts):

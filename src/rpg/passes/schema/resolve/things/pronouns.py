@@ -13,18 +13,16 @@ from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone
 from rpg.passes.schema.resolve.things.them import each_whole, them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
-from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
+from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse, said
 
 if TYPE_CHECKING:
     from rpg.passes.schema.resolve.things.by_the_way import named_by_the_way
     from rpg.passes.schema.resolve.things.things import alike, create, further, matching
-    from rpg.passes.schema.resolve.things.world import said
 else:
     (named_by_the_way,) = later(__name__, "rpg.passes.schema.resolve.things.by_the_way", "named_by_the_way")
     alike, create, further, matching = later(
         __name__, "rpg.passes.schema.resolve.things.things", "alike", "create", "further", "matching"
     )
-    (said,) = later(__name__, "rpg.passes.schema.resolve.things.world", "said")
 
 _EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
 _REST = frozenset({"the other ones", "the others", "the rest", "others", "the other two",

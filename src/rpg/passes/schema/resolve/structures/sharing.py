@@ -35,8 +35,8 @@ def of_all_of_them(
     members = shape.members or (spec.usings[0].members if len(spec.usings) == 1 else None)
     items = members.items if isinstance(members, Coord) and members.op == "and" else (members,)
     amounts = [x.amount for x in items if isinstance(x, Noun) and x.amount is not None]
-    each = shape.each_size or shape.sizes or shape.dims
-    each = each or (shape.kind == "stack" and not spec.usings and not any(looks))  # "stack two cubes on each patch"
+    stacked = shape.kind == "stack" and not spec.usings and not any(looks)  # "stack two cubes on each patch"
+    each = shape.each_size or shape.sizes or shape.dims or stacked
     if theme is not None or each or members is None or len(amounts) < len(items):
         return shape, theme
     if any(x.low != x.high for x in amounts):

@@ -66,8 +66,9 @@ CODES: tuple[Code, ...] = (
     ),
     Code(
         "incomplete",
-        "the sentence stops too early",
-        "All the words are known, but they do not add up to a statement of what should be done.",
+        "the sentence stops too early, or its words do not add up",
+        "All the words are known, but they do not add up to a statement of what should be done. Where the rest of the "
+        "sentence is understood, only the part that is not is underlined.",
         "the red block and",
         "put the red block on the blue block",
     ),

@@ -43,7 +43,9 @@ def test_exactly_those_are_there_and_no_others(exactly: str) -> None:
 
 
 def test_exactly_in_the_middle_is_no_count() -> None:
-    assert "distractor" not in _told("Put the red block exactly in the middle of the mat.")
+    told = _told("Put the red block exactly in the middle of the mat.")
+    assert told.startswith("There is a red block. There is a gray patch.")
+    assert "The red block must be at most 2 cm from the gray patch." in told
 
 
 @pytest.mark.parametrize(

@@ -32,9 +32,10 @@ def test_a_sentence_that_stops_too_early_is_told_so(text: str) -> None:
 
 
 def test_words_that_mean_nothing_together_are_told_so() -> None:
-    text = "Both towers tall and the other a black top."
+    text = "The white cube shall be the leftmost one of a row in which the three other cubes are black."
     (found,) = compile_instruction(text, CompileOptions(paraphrases=0)).diagnostics
-    assert found.span is not None
+    assert found.message == "the words of this are known, but not what they mean together"
+    assert found.span == (0, len(text) - 1)
 
 
 def test_the_hint_of_a_word_that_does_not_fit_names_its_part() -> None:

@@ -145,6 +145,7 @@ class Bounds:
         empty = BlockState(self.world, {}, {})
         left, right = self._known(atom.a), self._known(atom.b)
         ranked = [sorted(names, key=lambda name: self._anchor(name, axis)[1]) for names in (left, right)]
+        # Of two groups each block of the smaller one is put straight before or behind its like in the order across.
         pairs = {*product(left, right)} if len(right) == 1 else {*zip(*ranked, strict=False)}
         for a in left:
             for b in right:

@@ -52,7 +52,7 @@ def _across(kind: str, a: str, b: str, state: BlockState) -> float:
     return (ax - bx) * uy - (ay - by) * ux
 
 
-def shadowed(left: tuple[str, ...], right: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+def _shadowed(left: tuple[str, ...], right: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Of two groups the smaller, of which each block has to be straight before or behind the other one."""
     return (left, right) if len(left) <= len(right) else (right, left)
 
@@ -97,7 +97,7 @@ class DirectionalPredicate(Predicate[Directional]):
         straight = node.directly and len(right) == 1
         parts = [self._pair(node, a, b, cone, straight, state) for a in left for b in right]
         if node.directly and not straight:
-            few, many = shadowed(left, right)
+            few, many = _shadowed(left, right)
             parts += [self._in_shadow(node, one, many, state) for one in few]
         return parts
 
@@ -161,11 +161,11 @@ class DirectionalPredicate(Predicate[Directional]):
         if not node.somewhere and len(pairs) == 1:
             along = least + 0.25 * edge
             yield self._placed(f"{a} more beside {b} than {WORDS[self.kind]} it", a, b, along, along + PAST, state)
-        if node.directly and len(right) == 1:
-            across = node.across_edges * edge + PAST
-            yield self._placed(f"{a} not straight {WORDS[self.kind]} {b}", a, b, least + across, across, state)
         if node.directly and len(right) > 1:
             yield self._out_of_shadow(node, left, right, state)
+        elif node.directly:
+            across = node.across_edges * edge + PAST
+            yield self._placed(f"{a} not straight {WORDS[self.kind]} {b}", a, b, least + across, across, state)
         if node.immediate and len(pairs) == 1:
             k = 0 if DIRECTIONS[self.kind][0] else 1
             along = reach(state, a)[k] + reach(state, b)[k] + node.gap_edges * edge + PAST
@@ -175,7 +175,7 @@ class DirectionalPredicate(Predicate[Directional]):
         self, node: Directional, left: tuple[str, ...], right: tuple[str, ...], state: BlockState
     ) -> NearMiss:
         """A block of the smaller group just past an end of the larger one."""
-        few, many = shadowed(left, right)
+        few, many = _shadowed(left, right)
         one = few[0]
         end = max(many, key=lambda other: node.across_edges * edge_between(state, one, other)
                   - _across(self.kind, one, other, state))  # fmt: skip

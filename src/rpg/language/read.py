@@ -212,13 +212,21 @@ def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
         if out and announces(out[-1]):
             out[-1] = [*out[-1], replace(part[0], kind="punct", word=":", raw=":", value=None), *part]
             continue
-        own = part[0].word in _ASKING or any(token.word in _RELATIVE for token in part)
+        own = part[0].word in _ASKING or any(token.word in _RELATIVE for token in part) or _tells_before(part)
         if out and len(part) > 1 and part[-1].word in _BARE and not own:
             joint = replace(part[0], kind="word", word="and", raw="and", value=None)
             out[-1] = [*out[-1], joint, *part]
         else:
             out.append(part)
     return out
+
+
+def _tells_before(part: list[Token]) -> bool:
+    """ "One is on the mat, the other is not": what the end leaves out is told in the sentence itself."""
+    words = [token.word for token in part]
+    while words and words[-1] in _BARE:
+        words.pop()
+    return not _BARE.isdisjoint(words)
 
 
 def _read(tokens: list[Token]) -> Parts:

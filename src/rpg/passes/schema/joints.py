@@ -169,11 +169,11 @@ _PART = frozenset({"of", "in", "on", "with", "from", "at", "that", "which"})
 
 
 def _in_turn(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "put red and blue on the mat in turn" as a line in which colours alternate: no two are alike."""
+    """Refuse "put red and blue on the mat in turn" as a line in which colours alternate: no two are alike, or all."""
     turn = next((t for before, t in pairwise(words) if t.word in ("turn", "turns") and before.word in _TURNS), None)
     colors = {asset.name: asset.color for asset in task.blocks}
     for line in (x for x in atoms(task.goal) if isinstance(x, Row | Stack) and x.order.by == "alternating"):
-        if turn is not None and len({colors[n] for n in line.blocks}) == len(line.blocks):
+        if turn is not None and len({colors[n] for n in line.blocks}) in (1, len(line.blocks)):
             raise refuse("ambiguous", "in a line of alternating colours, or one after the other?", turn.span,
                          "say 'first ..., then ...'")  # fmt: skip
 

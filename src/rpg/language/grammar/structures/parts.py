@@ -188,6 +188,8 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
             one = isinstance(place, At) and (place.own or p.words[j - 1] == "end")
             if one and theme.plural and theme.amount is None:
                 continue  # "the left end consists of red blocks": of one block nothing such can be said
+            if p.follows(j, _A_BLOCK) and p.stands(j, _OWNS) and p.follows(k, _A_BLOCK):
+                continue  # "the left one has a red one (on it)": it is none
             if all(k != end for _, end in lines):
                 yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
         for word, k in _word(p, j) if isinstance(place, Places) else ():
@@ -197,6 +199,8 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
     yield from _place_first(p, i, unit)
 
 
+_OWNS = frozenset({"has", "have", "contains", "contain"})
+_A_BLOCK = frozenset({"one", "block", "cube", "brick"})
 _BLOCKS_OF = Patterns(
     "all|all_of? the|these? cubes|blocks|bricks|ones|those in|of|on|from|inside",
     "every|each cube|block|brick|one in|of|on",

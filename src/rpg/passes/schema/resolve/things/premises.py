@@ -7,13 +7,13 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.schema import NONE_BESIDES
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Coord, In, Loc, Manner
+from rpg.language.meaning import Coord, In, Loc, Manner, Noun, replace
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout
 from rpg.passes.schema.resolve.goals.conflicts import required
 from rpg.passes.schema.resolve.goals.logic import conj, denied
 from rpg.passes.schema.resolve.places.alone import beyond
 from rpg.passes.schema.resolve.places.relations import place
-from rpg.passes.schema.resolve.things.things import Premise
+from rpg.passes.schema.resolve.things.things import Premise, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
@@ -59,6 +59,17 @@ def _blocks(goal: s.Stack | s.Row | r.On) -> set[str]:
     return set(names_in(goal)) - {patch}
 
 
+def _named_since(condition: Loc | In, scene: Scene) -> Loc | In:
+    """ "Green, which is left of a blue block, is on the mat. Put red on blue": the blue block that is named behind."""
+    mark = condition.landmark if isinstance(condition, Loc) else None
+    if not isinstance(mark, Noun) or not isinstance(condition, Loc) or mark.det != "a" or mark.head == "patch":
+        return condition
+    there = matching(mark.traits, scene, False)
+    known = [m.ref for m in scene.mentions if len(there) == 1 and there[0].name in m.ref.names]
+    behind = all(ref.span > mark.span and ref.det in ("the", "bare") and len(ref.names) == 1 for ref in known)
+    return replace(condition, landmark=replace(mark, det="the")) if known and behind else condition
+
+
 def _facts(premise: object, scene: Scene) -> list[g.Goal]:
     """What a premise says of the end; what it says of the start is noted. Its landmark may have one of its own."""
     if not isinstance(premise, Premise):
@@ -71,7 +82,8 @@ def _facts(premise: object, scene: Scene) -> list[g.Goal]:
     if isinstance(getattr(premise.condition, "landmark", None), Coord):
         raise refuse("ambiguous", "it is not clear which block is where", premise.span, "say it of each block")
     scene.describing = premise.when == "end"
-    facts = place(theme, premise.condition, scene, Scope(start=premise.when != "end"), premise.span)
+    condition = _named_since(premise.condition, scene)
+    facts = place(theme, condition, scene, Scope(start=premise.when != "end"), premise.span)
     facts = [f for f in facts if not (isinstance(f, g.All) and not f.goals)]
     if premise.when == "always":
         return held_throughout(facts, scene, premise.span)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from rpg.language.later import later
 from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
+from rpg.passes.schema.resolve.things.left_of_them import of_the_last, the_like_of_it
 from rpg.passes.schema.resolve.things.off_it import check_off_it
 from rpg.passes.schema.resolve.things.others_open import made_up, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
@@ -310,7 +311,8 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if scene.whole and not noun.traits.colors:
         taken = set(scene.things) - (set(scene.whole) - scene.parted)
     left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken]
-    left = left or _of_the_last(noun, scene, patch) or of_the_start(noun, scene, patch)
+    left = left or of_the_last(noun, scene, patch) or of_the_start(noun, scene, patch)
+    left = the_like_of_it(noun, left, scene, patch) or left
     count = noun.amount.low if noun.amount else None
     if (open_ := made_up(noun.span, left, scene, patch)) is not None:
         return open_
@@ -362,19 +364,6 @@ def _of_all(noun: Noun, left: list[Thing], scene: Scene, patch: bool) -> None:
     if noun.det == "other" and noun.traits == Traits() and not patch and left and whole == {t.name for t in left}:
         raise refuse("no-referent", "of no block is anything said before, so that there are no others", noun.span,
                      "say first what becomes of the one that is no other")  # fmt: skip
-
-
-def _of_the_last(noun: Noun, scene: Scene, patch: bool) -> list[Thing]:
-    """ "Red, green and blue in a row, yellow on green, nothing on the others": those not named by themselves."""
-    if patch or noun.det != "other" or not noun.plural or noun.traits.colors or noun.traits.labels or noun.amount:
-        return []
-    told = [m for m in scene.mentions if m.ref.names and not m.ref.patch and m.ref.quant is None]
-    at = max((n for n, m in enumerate(told) if len(m.ref.names) > 2), default=-1)
-    if at < 0:
-        return []
-    since = {n for m in told[at + 1 :] for n in m.ref.names if len(m.ref.names) == 1}
-    whole = told[at].ref.names
-    return [scene.things[n] for n in whole if n not in since] if since & set(whole) else []
 
 
 def _some_other(noun: Noun, count: int | None, scene: Scene, patch: bool) -> None:

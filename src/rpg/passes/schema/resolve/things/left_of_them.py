@@ -1,0 +1,36 @@
+"""Who "the other" and "the others" are where more are left: those of the ones spoken of last."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Noun, Traits
+from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.world import Scene, Thing
+
+_TWO = 2
+
+
+def of_the_last(noun: Noun, scene: Scene, patch: bool) -> list[Thing]:
+    """ "Red, green and blue in a row, yellow on green, nothing on the others": those not named by themselves."""
+    if patch or noun.det != "other" or not noun.plural or noun.traits.colors or noun.traits.labels or noun.amount:
+        return []
+    told = [m for m in scene.mentions if m.ref.names and not m.ref.patch and m.ref.quant is None]
+    at = max((n for n, m in enumerate(told) if len(m.ref.names) > 2), default=-1)
+    if at < 0:
+        return []
+    since = {n for m in told[at + 1 :] for n in m.ref.names if len(m.ref.names) == 1}
+    whole = told[at].ref.names
+    return [scene.things[n] for n in whole if n not in since] if since & set(whole) else []
+
+
+def the_like_of_it(noun: Noun, left: list[Thing], scene: Scene, patch: bool) -> list[Thing]:
+    """ "(Two black and two white blocks.) One black block is on the mat, the other is not": the second of the two that
+    look like the one that the clause before told of."""
+    if patch or noun.det != "other" or noun.plural or noun.traits != Traits() or noun.amount or len(left) < _TWO:
+        return []
+    told = [m for m in scene.mentions if m.role == "theme" and m.ref.names]
+    if not told or told[-1].clause != scene.clause - 1 or told[-1].ref.patch or len(told[-1].ref.names) != 1:
+        return []
+    it = scene.things[told[-1].ref.names[0]]
+    like = matching(Traits(colors=(it.color,) if it.color else ()), scene, patch)
+    rest = [thing for thing in like if thing.name != it.name]
+    return rest if len(rest) == 1 and rest[0] in left else []

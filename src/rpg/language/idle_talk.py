@@ -122,7 +122,12 @@ def _plain(tokens: Sequence[Token]) -> list[str] | None:
     """The words, if each of them could be harmless."""
     if not 0 < len(tokens) <= _MOST or any(not _could_be(token, n == 0) for n, token in enumerate(tokens)):
         return None
-    return [token.word for token in tokens]
+    words = [token.word for token in tokens]
+    asked = words[0] == "so" and "read" in words and words[-1] in _WHAT_IS_READ  # that a word is spelled
+    return None if asked else words
+
+
+_WHAT_IS_READ = listed("it them word words that")
 
 
 def _could_be(token: Token, first: bool) -> bool:

@@ -29,6 +29,9 @@ _AND_THEN = (f"(?:first ?)?(?: ,|and|, and)+ {_THEN}(?:on )?(?:back )?"
 
 
 IN_STEPS: tuple[Turn, ...] = (
+    # one thing more
+    ("^(first .+?) , ((?:and )?then .+?)(?: ,)? and (?:at|in) the (?:very )?end (?!of |it |there )(.+)$",
+     "{1} , {2} , then {3}"),
     # what comes first told last
     (f"^before ({THING}) (?:is|are|{MUST} be) {_DONE} {_ON} , ({THING}) (?:{MUST} be|is) {_DONE} {_THERE}{_TOO}$",
      "first put {3} {2} , then put {1} {2}"),

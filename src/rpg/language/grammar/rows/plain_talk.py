@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, PUT, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, ME, MUST, PATCH, TOWER
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, ME, MUST, PATCH, READER, TOWER
 
 _BLOCKS = f"(?:{CUBE}s|bricks|ones|toys|pieces)"
 _ALL = f"((?:all )?(?:the |these |those |my |our )?(?:{COLOR} )?{_BLOCKS}|them|these|everything)"
@@ -159,7 +159,8 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("^(?:do not|never) stack (?:anything|any of them|any|any (?:blocks?|cubes?)|(?:the )?(?:blocks|cubes))$",
      "no block must be on another block"),
     # who reads it
-    ("^((?:please )?(?:write|spell) .+?)(?: ,)? so (?:that )?(?:he|she|they) can read it$", "{1}"),
+    (f"^((?:please )?(?:(?:write|spell) |(?:put|lay|place|lay out) the word ).+?)(?: ,)? so (?:that )?{READER} can "
+     "(?:easily |all )?read (?:it|the word)$", "{1}"),
     # what lies across two
     (f"\\bon(?: top of)? (two (?:{COLOR} )?(?:ones|{CUBE}s)) (?=(?:that|which) (?:are|stand|lie|sit) (?:next to|"
      "beside) (?:each other|one another)\\b)", "across {1} "),

@@ -4,7 +4,7 @@ that spell or write them."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, MUST, READER
 
 _CUBES = "(?:letter (?:cubes|blocks|tiles)|letters|the (?:letter )?(?:cubes|blocks|letters)|(?:the )?cubes|blocks)"
 _LETTERS = "((?:the )?(?:letters |letter cubes )(?:\\w (?:,|and|, and) )+\\w)"
@@ -52,9 +52,9 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(row|line) of (?:(?:letter )?(?:cubes|blocks|tiles)|letters)(?: ,)? (?=(?:(?:that|which) (?:spells|reads|"
      f"says)|"
      f"spelling|reading|saying) (?!(?:from|left|right|the|both|{COLOR})\\b)[a-z]{{2,}}(?: on | in |$))", "{1} "),
-    (f"^(?:lay out|lay|put|place|arrange|write)(?: out)? the letters of {_WORD} (?:in a row|side by side|next to each "
-     "other|in a line)(?: ,)? so(?: that)? (?:i can read (?:it|them)|one can read (?:it|them)|(?:it|they) can be read|"
-     "(?:it is|they are) (?:readable|legible))$", "spell {1} in a row"),
+    (f"^(?:please )?(?:lay out|lay|put|place|arrange|write)(?: out)? the letters of {_WORD} (?:in a row|side by side|"
+     f"next to each other|in a line)(?: ,)? so(?: that)? (?:{READER} can (?:easily |all )?read (?:it|them|the word)|"
+     "(?:it|they) can be read|(?:it is|they are) (?:readable|legible))$", "spell {1} in a row"),
     *(
         (f"^{head}(?: ,)? (?:backwards|in reverse(?: order)?|(?:from )?back to front){tail}$", f"spell {{1}} {said}")
         for head in (

@@ -239,7 +239,9 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
         return None
     if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
         if built.kind == "stack" and side == "top" and index is None:
-            return Ref(names=built.members[-1:], span=noun.span)  # whichever is moved, it was on top
+            *below, top = built.members  # whichever is moved is taken from the others
+            scene.taken[top] = tuple(below)
+            return Ref(names=(top,), span=noun.span)
         raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start",
                      noun.span, "give them colours, or say what is where at the end")  # fmt: skip
     if there and (index is not None or side not in _ENDS):

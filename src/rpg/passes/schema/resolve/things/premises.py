@@ -38,9 +38,25 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
     still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()
     if still:
         kept.append(r.Stayed(a=still))
+    kept += _without_their_top(goal, scene)
     goal = conj([goal, *kept]) if kept else goal
     scene.start_goals += [x for x in _lasting(goal, scene) if x not in scene.start_goals]
     return goal
+
+
+def _without_their_top(goal: g.Goal, scene: Scene) -> list[g.Goal]:
+    """ "(There is a tower of three red blocks.) Put the top one on the mat": it is parted from the others, which stay a
+    tower, if no more is said of them. Without that the whole tower on the mat would do, for they look alike."""
+    told = {n for x in required(goal) if not isinstance(x, g.Not) for n in names_in(x)}
+    found: list[g.Goal] = []
+    for top, below in scene.taken.items():
+        if top not in told or told & {*below}:
+            continue
+        if len(below) > 1:
+            found.append(s.Stack(blocks=below, exact=True))
+        else:
+            found += [g.Not(goal=r.Above(a=(a,), b=(b,))) for a, b in ((top, *below), (*below, top))]
+    return found
 
 
 def _lasting(goal: g.Goal, scene: Scene) -> list[g.Goal]:

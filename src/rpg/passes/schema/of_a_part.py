@@ -7,10 +7,13 @@ import re
 from collections.abc import Sequence
 
 from rpg.ir.assets import SemanticCube
+from rpg.ir.relations import InRegion
 from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import atoms
+from rpg.ir.walk import names as names_in
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
-from rpg.language.grammar.rows.vocabulary import COLOR
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -34,6 +37,10 @@ _ONES = rf"(?:{'|'.join(word for word, many in lexicon.BLOCK.items() if many)}|o
 _SEVERAL = re.compile(rf"\bthe {_SIDE} {_ONES} (?:(?:is|are|being|(?:should|must|shall) be) )?(?:all )?({COLOR})\b|"
                       rf"\b({COLOR}) {_SIDE} {_ONES}\b")  # fmt: skip
 _ONE = re.compile(rf"\b{_NAMED}(?: (?:one|block|letter|digit))? (?:(?:is|should be|must be) )?({COLOR})$")
+_LAST_OF_ALL = re.compile(
+    rf"^(?:an?|{'|'.join(lexicon.NUMBER)}|\d+) [^,;:]+ and (?:an?|one) (?:{COLOR}) (?:one|{CUBE}) in the "
+    r"(?:very )?(?:middle|center)$"
+)
 _REST = re.compile(rf"\bthe (?:others|rest|other (?:ones|blocks)) (?:are|is|should be|must be) (?:all )?({COLOR})\b")
 
 
@@ -60,6 +67,11 @@ def check_parts(tokens: list[Token], task: TaskSchema) -> None:
                 raise refuse("ambiguous", f"it is not said how many blocks '{part[0]}' are",
                              (sentence[0].span[0], sentence[-1].span[1]), "say 'the two ...'")  # fmt: skip
         _one(text, sentence, task)
+        several = any(isinstance(x, InRegion) and len(names_in(x)) > 1 for x in atoms(task.goal))
+        if several and _LAST_OF_ALL.search(text.rstrip(" .!")):
+            raise refuse("ambiguous", "is only the last one in the middle, or are all of them?",
+                         (sentence[0].span[0], sentence[-1].span[1]),
+                         "say 'all in the middle of the table', or 'in a row with ... in the middle'")  # fmt: skip
 
 
 def _one(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:

@@ -1,10 +1,10 @@
-"""Who "the other" and "the others" are where more are left: those of the ones spoken of last."""
+"""Who "the other", "the others" and "it" are where more are left: those of the ones spoken of last."""
 
 from __future__ import annotations
 
-from rpg.language.meaning import Noun, Traits
+from rpg.language.meaning import Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.things.things import matching
-from rpg.passes.schema.resolve.things.world import Scene, Thing
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
 
 _TWO = 2
 
@@ -34,3 +34,11 @@ def the_like_of_it(noun: Noun, left: list[Thing], scene: Scene, patch: bool) -> 
     like = matching(Traits(colors=(it.color,) if it.color else ()), scene, patch)
     rest = [thing for thing in like if thing.name != it.name]
     return rest if len(rest) == 1 and rest[0] in left else []
+
+
+def check_no_extra_since(word: Pronoun, found: Ref, scene: Scene) -> None:
+    """Refuse "Put A on B. C is a distractor. Put it on the mat.": C was spoken of last, and is not to be used."""
+    since = (m.ref for m in scene.mentions if found.span < m.ref.span < word.span and len(m.ref.names) == 1)
+    if any(scene.things[ref.names[0]].extra for ref in since):
+        raise refuse("ambiguous", f"{word.word!r} would be the distractor, which is not to be used", word.span,
+                     "name the block that is meant")  # fmt: skip

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from rpg.language.later import later
 from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
-from rpg.passes.schema.resolve.things.left_of_them import of_the_last, the_like_of_it
+from rpg.passes.schema.resolve.things.left_of_them import check_no_extra_since, of_the_last, the_like_of_it
 from rpg.passes.schema.resolve.things.off_it import check_off_it
 from rpg.passes.schema.resolve.things.others_open import made_up, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
@@ -156,6 +156,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         themes = [m for m in single if m.role in ("theme", "given")]
         found = (themes or single)[-1].ref
         _check_listed(word, scene, single)
+        check_no_extra_since(word, found, scene)
         if word.word == "the first one" and found.built:
             raise refuse("ambiguous", "the first structure, or the first of its blocks?", word.span, "name the block")
         return found

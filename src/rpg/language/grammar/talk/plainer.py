@@ -7,6 +7,7 @@ from collections.abc import Callable
 from rpg.language import lexicon
 from rpg.language.grammar.talk.ahead_of_others import AHEAD, ahead_of_others
 from rpg.language.grammar.talk.all_as_before import all_as_before
+from rpg.language.grammar.talk.along_with import ALONG, along_with
 from rpg.language.grammar.talk.answers_wanted import answers_wanted
 from rpg.language.grammar.talk.bare_sides import bare_sides, one_side_each
 from rpg.language.grammar.talk.by_again import by_again
@@ -299,6 +300,7 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
 
 _Change = Callable[[list[Token], list[str]], list[Token] | None]
 _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
+    (along_with, ALONG),
     (all_as_before, frozenset({"everything", "all"})),
     (answers_wanted, frozenset({"?", "=", "answer", "result", "solution", "missing"})),
     (respelling, RESPELT),

@@ -5,12 +5,14 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from itertools import islice
 from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
+from rpg.language.clauses_apart import MOST, clauses_apart
 from rpg.language.feelings import without_feelings
 from rpg.language.formulas import formulas_told
 from rpg.language.frames import retold
@@ -30,7 +32,7 @@ from rpg.language.spelling import read_words
 from rpg.language.spliced import in_one_sentence, in_sentences, run_together
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
-from rpg.passes.schema.ambiguity import TwoReadings
+from rpg.passes.schema.ambiguity import TwoReadings, same
 from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
@@ -107,9 +109,26 @@ class BuiltinFrontEnd:
                 task, notes = self._read_tokens((parted, told[1]), text, name, seed, author, mended)
                 if task is not None:
                     return task, notes
-        if refusal is not None:
+        code = refusal.diagnostics[0].code if refusal is not None else found[1][0].code if found[1] else ""
+        if found[0] is None and not chosen and code in _NOT_UNDERSTOOD:
+            found = self._apart(told, text, name, seed, author, mended) or found
+        if found[0] is None and refusal is not None:
             raise refusal
         return found
+
+    def _apart(
+        self, told: tuple[list[Token], list[Stray]], text: str, name: str | None, seed: int, author: str | None,
+        mended: list[str] | None,
+    ) -> Reading | None:  # fmt: skip
+        """The reading of a text of which a clause is told in a sentence of its own, if all such come to one task."""
+        found: list[Reading] = []
+        for parted in islice(clauses_apart(told[0]), MOST):
+            with suppress(Refusal):
+                task, notes = self._read_tokens((parted, told[1]), text, name, seed, author, mended, again=False)
+                if task is not None:
+                    found.append((task, notes))
+        tasks = [task for task, _ in found if task is not None]
+        return found[0] if tasks and all(same(tasks[0], task) for task in tasks[1:]) else None
 
     def _read_tokens(
         self,
@@ -211,6 +230,8 @@ def _undisturbed() -> Iterator[None]:
             gc.enable()
 
 
+_NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
+"""Why a text is refused that may be understood with its clauses told apart."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
     without_names, without_glosses, without_nicknames, without_feelings, in_centimetres, with_colors,
     without_materials, without_praise,

@@ -15,6 +15,7 @@ _WORDS = frozenset({
     *lexicon.NUMBER, *lexicon.LETTER, *lexicon.DIGIT, *lexicon.STRUCTURE, "of", *_JOINED,
 })  # fmt: skip
 """Of such words are lists of blocks, or of what is built of them."""
+_BUILT = frozenset(lexicon.STRUCTURE) - {"plus"}
 
 
 def along_with(tokens: list[Token], words: list[str]) -> list[Token] | None:
@@ -30,7 +31,7 @@ def along_with(tokens: list[Token], words: list[str]) -> list[Token] | None:
         if not all(part and all(map(_of_a_list, part)) for part in lists):
             continue
         before, added = lists
-        built = [any(token.word in lexicon.STRUCTURE for token in part) for part in lists]
+        built = [any(token.word in _BUILT for token in part) for part in lists]
         if built[0] != built[1]:
             continue  # "a tower of two red blocks, together with a blue one": in it, or near it?
         more = any(token.word == "and" for token in added)

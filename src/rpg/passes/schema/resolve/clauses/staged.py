@@ -20,7 +20,7 @@ _LEVEL = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Beside, r.Adjacent)
 
 def staged(goals: list[g.Goal], scene: Scene, span: Span) -> tuple[g.Stage, ...]:
     """The goals, each to be met after the one before; refused where what one of them says is not to be told then."""
-    steps = _put_down(exchanged_in_line(goals, scene))
+    steps = _without_their_tops(_put_down(exchanged_in_line(goals, scene)))
     _still_later(steps, scene, span)
     _swaps_later(steps, span)
     made = []
@@ -45,6 +45,31 @@ def _put_down(goals: list[g.Goal]) -> list[g.Goal]:
         down = [n for x in there_or_by for n in members(x.a) if n in carried - again]
         found.append(conj([goal, r.OnTable(a=tuple(dict.fromkeys(down)))]) if down else goal)
     return found
+
+
+def _without_their_tops(goals: list[g.Goal]) -> list[g.Goal]:
+    """ "Stack red, blue and green, then put green back on the table": what it was taken from is a stack still."""
+    found = goals[:1]
+    for index, goal in enumerate(goals[1:], 1):
+        down = {n for x in required(goal) if isinstance(x, r.OnTable) for n in members(x.a)}
+        moved = {n for after in goals[index:] for x in required(after) for n in names_in(x)}
+        before = [*required(goals[index - 1])]
+        stacks = [x for x in before if isinstance(x, s.Stack) and x.order.by == "given"]
+        left: list[g.Goal] = [kept for x in stacks if (kept := _without_top(x, down))]
+        left += [x for x in before if isinstance(x, r.On)] if any(_carried(x, down) for x in before) else []
+        left = [x for x in left if moved.isdisjoint(names_in(x))]
+        found.append(conj([goal, *left]) if left else goal)
+    return found
+
+
+def _without_top(stack: s.Stack, down: set[str]) -> s.Stack | None:
+    """A stack without the blocks on top of it that are put down, if two or more are left."""
+    ranks = stack.order.ranks[:: -1 if stack.order.first == "top" else 1]
+    kept = [rank for rank in ranks if down.isdisjoint(rank)]
+    if not 1 < len(kept) < len(ranks) or kept != list(ranks[: len(kept)]):
+        return None
+    order = stack.order.model_copy(update={"ranks": tuple(kept), "first": "bottom"})
+    return s.Stack(blocks=tuple(n for n in stack.blocks if n not in down), order=order)
 
 
 def _carried(told: g.Goal, put: set[str]) -> set[str]:
@@ -121,8 +146,7 @@ def _undone(later: g.Goal, earlier: g.Goal, scene: Scene) -> bool:
     back = {n for x in required(later) if isinstance(x, r.Stayed) for n in names_in(x)} & scene.returned
     gone = {n for x in required(earlier) for n in (names_in(x) if isinstance(x, r.Swapped) else _subjects(x))}
     down = {n for x in required(later) if isinstance(x, r.OnTable) for n in members(x.a)}
-    put = {n for x in required(later) if isinstance(x, r.OnPatch) for n in members(x.a) if n in down}
-    return undoes(later, earlier) or bool(back & gone) or any(_carried(x, put) for x in required(earlier))
+    return undoes(later, earlier) or bool(back & gone) or any(_carried(x, down) for x in required(earlier))
 
 
 def _subjects(atom: g.Goal) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Traits, repl
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.second_patch import the_only_patch
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, refuse
 
 MAX_SHARED = 3
@@ -129,6 +130,9 @@ def like_the_last(loc: Loc, scene: Scene) -> bool:
     told = [m for m in scene.mentions if m.clause < scene.clause]
     last = [m for m in told if m.clause == told[-1].clause]
     if isinstance(loc.landmark, Noun) and loc.landmark.det == "the" and loc.landmark.head == "any":
+        there = [m.ref.names for m in scene.mentions if m.ref.patch and m.ref.names]
+        if there and loc.landmark.traits.colors and len(there[-1]) == 1 and the_only_patch(there[-1][0], scene):
+            return False
         same = _other_patch(loc.landmark, [m for m in last if m.ref.span < loc.span], scene)
         if before and _with_another_verb(loc.landmark, scene):
             raise refuse("ambiguous", "this could be a block or a patch", loc.landmark.span, "say 'block' or 'patch'")

@@ -16,6 +16,7 @@ from rpg.passes.schema.resolve.things.excepted import excepted, none_but
 from rpg.passes.schema.resolve.things.extras import extras
 from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, one_more, quantified, repeats
 from rpg.passes.schema.resolve.things.pronouns import PAIR, others, pronoun
+from rpg.passes.schema.resolve.things.second_patch import the_only_patch
 from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
@@ -289,6 +290,8 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
             pool = [t for t in scene.things.values() if t.color in noun.traits.colors]
             last = next((m.ref.names for m in reversed(scene.mentions) if m.ref.patch and m.ref.names), ())
             if not pool and len(last) == 1 and all(scene.things[n].color is None for n in last):
+                if the_only_patch(last[0], scene):
+                    return False
                 raise refuse("ambiguous", "this could be a block or a patch", noun.span, "say 'block' or 'patch'")
             return all(t.patch for t in pool) if pool else True
         return scope.like_patch or (scope.role == "landmark" and _the_marked(noun, scene))

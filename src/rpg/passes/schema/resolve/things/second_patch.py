@@ -15,3 +15,11 @@ def one_alone(noun: Noun, scene: Scene, patch: bool) -> bool:
         return False
     definite = any(m.ref.det == "the" for m in scene.mentions if there[0].name in m.ref.names)
     return patch or not (definite or there[0].label or there[0].kind or there[0].edge or there[0].size)
+
+
+def the_only_patch(name: str, scene: Scene) -> bool:
+    """ "(Red is on the mat.) Put blue on the green one": a mat that has no colour and is "the" mat is the only one, so
+    that the green one is a block."""
+    patches = [thing for thing in scene.things.values() if thing.patch]
+    told = [m.ref.det for m in scene.mentions if name in m.ref.names]
+    return len(patches) == 1 and patches[0].color is None and "the" in told

@@ -51,6 +51,8 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
      _ALL_SIDES.format("{1}", "{2}")),
     ("^with (.+? (?:to|on) its (?:left|right)) and (.+? (?:to|on) its (?:left|right)) , (the .+?) (?:stands?|is|"
      f"{MUST} be|lies|sits)(?: in the middle| in between| between them)?$", "{3} must have {1} and {2}"),
+    (f"\\bflanked by (?:an?|one) ({_T}) (?:on|to) (?:its|the) left(?: side)?(?: ,)? and (?:by )?({_T}) (?:on|to) "
+     "(?:its|the) right(?: side)?(?=$| , and )", "between a {1} and {2} , the {1} on the left"),
     (f"\\bflanked by ({_T}) (?:on|to) (?:its|the) left(?: side)?(?: ,)? and (?:by )?({_T}) (?:on|to) (?:its|the) "
      "right(?: side)?$", "between {1} and {2} , {1} on the left"),
     (f"^(?:i (?:want|would like|need)(?: to see)? |there (?:is|{MUST} be) |put |place )?(an?|the) ({_T}) between two "

@@ -128,7 +128,13 @@ _WRITTEN_WITH = frozenset({"with", "using", "from"})
 
 
 def _blocks_or_marks(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "a red square next to a blue circle" as one of blocks beside a mark on the table."""
+    """Refuse "a red square next to a blue circle" as one of blocks beside a mark on the table, and "put eight blocks in
+    a circle, a white one outside it" as a circle that they lie on."""
+    several = any(isinstance(x, OnPatch) and len(members(x.a)) > 2 for x in atoms(task.goal))
+    for one, two, shape in zip(words, words[1:], words[2:], strict=False) if several else ():
+        if one.word == "in" and two.word in ("a", "one") and shape.word in _DRAWN:
+            raise refuse("ambiguous", "do the blocks form this, or is it a mark that they lie on?", shape.span,
+                         "say 'in the shape of a ...', or 'patch'")  # fmt: skip
     shapes = [token for look, token in pairwise(words) if look.word in lexicon.COLOR and token.word in _DRAWN]
     told = any(x.word in lexicon.BLOCK or (x.word in lexicon.PATCH and x.word not in _DRAWN) for x in words)
     built = any(isinstance(x, Figure | Grid) for x in atoms(task.goal))

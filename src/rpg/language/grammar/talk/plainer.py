@@ -74,6 +74,7 @@ from rpg.language.grammar.talk.short_turns import (
     without_stacking,
 )
 from rpg.language.grammar.talk.sizes_compared import TELLING, sizes_compared, sizes_listed
+from rpg.language.grammar.talk.start_last import START_LAST, start_last
 from rpg.language.grammar.talk.structures_listed import PLURALS, one_of_each_color, structures_listed
 from rpg.language.grammar.talk.told_short import any_other, but_turned, every_other, halves_told, in_pairs, no_two
 from rpg.language.grammar.talk.towers_bounded import HIGHER, towers_bounded
@@ -301,6 +302,7 @@ def _finished_off(tokens: list[Token], words: list[str]) -> list[Token] | None:
 _Change = Callable[[list[Token], list[str]], list[Token] | None]
 _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (along_with, ALONG),
+    (start_last, START_LAST),
     (all_as_before, frozenset({"everything", "all"})),
     (answers_wanted, frozenset({"?", "=", "answer", "result", "solution", "missing"})),
     (respelling, RESPELT),

@@ -48,6 +48,19 @@ def only_here(theme: Ref, region: In, scene: Scene) -> Ref:
     return replace(theme, op="and")
 
 
+def only_on_table(theme: Ref, loc: Loc, scene: Scene) -> Ref:
+    """ "only the red block is on the table": it is, and no other block lies there.
+
+    "Put only the red block on the table" may say no more than that no other one is to be moved.
+    """
+    if loc.negated or theme.quant is not None or not scene.describing:
+        raise refuse("ambiguous", "is no other block to lie on the table, or to be put there?", theme.span,
+                     "say which blocks should not be on the table")  # fmt: skip
+    there: Callable[[str], g.Goal] = lambda n: r.OnTable(a=(n,), span=loc.span)  # noqa: E731
+    scene.exclusive.append(Exclusive(theme.names, there, loc.span, Traits()))
+    return replace(theme, op="and")
+
+
 def alone_there(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -> tuple[Ref, Ref]:
     """ "only red is on the patch", "green touches only blue": so it is, and neither of other blocks nor to others."""
     if theme.op == "only":

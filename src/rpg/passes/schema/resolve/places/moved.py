@@ -15,7 +15,7 @@ from rpg.language.meaning import Clause, Loc, Pronoun
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.shifted import RELS, shifted, told_shift
-from rpg.passes.schema.resolve.things.operands import spread
+from rpg.passes.schema.resolve.things.operands import crown, spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
@@ -100,6 +100,17 @@ def put_there(upper: str, below: str, scene: Scene) -> bool:
     if stacked and not begun:
         return True
     return any(m.clause in on_it and m.role == "theme" and upper in m.ref.names for m in earlier)
+
+
+def begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
+    """ "get the red block off the blue one", or off the tower of two white ones: it starts there."""
+    if len(theme.names) == 1 and len(mark.built) == 1 and mark.built[0].kind == "stack":
+        new = theme.names[0] not in mark.names and not any(put_there(theme.names[0], b, scene) for b in mark.names)
+        scene.start_goals += [r.On(a=theme.names, b=crown(mark), span=span)] if new else []
+    for a, b in ((a, b) for a in theme.names for b in mark.names):
+        there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
+        if len(mark.names) == 1 and there not in scene.start_goals and not put_there(a, b, scene):
+            scene.start_goals.append(there)
 
 
 def taken_off(theme: Ref, below: str, span: Span) -> g.Goal:

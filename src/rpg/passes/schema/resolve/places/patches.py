@@ -134,7 +134,9 @@ def like_the_last(loc: Loc, scene: Scene) -> bool:
         if there and loc.landmark.traits.colors and len(there[-1]) == 1 and the_only_patch(there[-1][0], scene):
             return False
         same = _other_patch(loc.landmark, [m for m in last if m.ref.span < loc.span], scene)
-        if before and _with_another_verb(loc.landmark, scene):
+        one_of = any(not m.ref.patch and m.ref.quant is not None for m in told)
+        which = loc.landmark.traits == Traits() and one_of  # "One of them is on the mat. Put red on that one."
+        if before and (which or _with_another_verb(loc.landmark, scene)):
             raise refuse("ambiguous", "this could be a block or a patch", loc.landmark.span, "say 'block' or 'patch'")
         return before or same or (bool(last) and all(m.ref.patch and m.role == "theme" for m in last))
     if not before or any(m.ref.everything and m.ref.quant is not None for m in last):

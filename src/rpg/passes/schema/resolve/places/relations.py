@@ -12,7 +12,7 @@ from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.alls import all_others
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
-from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here
+from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here, only_on_table
 from rpg.passes.schema.resolve.places.any_patch import on_any_patch
 from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between
@@ -20,7 +20,7 @@ from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.compared import compared as compared_far
 from rpg.passes.schema.resolve.places.corners import corners, from_their_halves, in_region, of_something_else
 from rpg.passes.schema.resolve.places.flanks import flanked
-from rpg.passes.schema.resolve.places.moved import off_patches, off_what, put_there, taken_off
+from rpg.passes.schema.resolve.places.moved import begins_on, off_patches, off_what, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
     COMPARED,
     among_themselves,
@@ -220,6 +220,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if (pairs := one_and_all(theme, mark, loc, scene)) is not None:
         return [x for one, other in pairs for x in related(one, other, loc, scene, span)]
     if mark.table:
+        theme = only_on_table(theme, loc, scene) if theme.op == "only" else theme
         return [on_the_table(theme, loc, scene, span)]
     if (shared := each_its_own(theme, mark, loc, scene)) is not None:
         return [x for one, other in shared for x in related(one, other, loc, scene, span)]
@@ -242,7 +243,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if "outside" in loc.mods and not mark.patch and not any(b.kind == "stack" for b in mark.built):
         raise refuse("misplaced", "this is no patch that something could be out of", loc.span, "say 'not next to ...'")
     if loc.rel == "off" and "leaving" in loc.mods:
-        _begins_on(theme, mark, scene, span)
+        begins_on(theme, mark, scene, span)
     if "only" in (theme.op, mark.op):
         theme, mark = alone_there(theme, mark, loc, scene, _relate)
     if mark.matching and loc.rel == "off":
@@ -263,14 +264,6 @@ def _groups_or_blocks(theme: Ref, loc: Loc, scene: Scene) -> None:
     inside = [b for b in scene.built if b.kind == "pile" and set(b.members) < set(theme.names)]
     if not theme.built and loc.rel in ("distance", "apart") and len(inside) > 1:
         raise refuse("ambiguous", "the groups, or every two of the blocks?", loc.span, "say 'the groups'")
-
-
-def _begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
-    """ "get the red block off the blue one": it starts there."""
-    for a, b in ((a, b) for a in theme.names for b in mark.names):
-        there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
-        if len(mark.names) == 1 and there not in scene.start_goals and not put_there(a, b, scene):
-            scene.start_goals.append(there)
 
 
 def _check_self(theme: Ref, mark: Ref, loc: Loc) -> None:

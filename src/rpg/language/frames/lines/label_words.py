@@ -204,8 +204,8 @@ _LEFT, _RIGHT = (
 _RELATIONS = {
     "left of": f"(?:{_LEFT}|before)",
     "right of": f"(?:{_RIGHT}|after)",
-    "directly left of": f"{_JUST} (?:{_LEFT}|before)",
-    "directly right of": f"{_JUST} (?:{_RIGHT}|after)",
+    "immediately left of": f"{_JUST} (?:{_LEFT}|before)",
+    "immediately right of": f"{_JUST} (?:{_RIGHT}|after)",
     "next to": f"(?:{_JUST} )?(?:next to|beside|adjacent to)",
     "in front of": "in front of",
     "behind": "behind",

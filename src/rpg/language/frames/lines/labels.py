@@ -351,8 +351,8 @@ def _holds(order: Sequence[str], x: str, relation: str, y: str) -> bool:
     return {
         "left of": a < b,
         "right of": a > b,
-        "directly left of": a + 1 == b,
-        "directly right of": a == b + 1,
+        "immediately left of": a + 1 == b,
+        "immediately right of": a == b + 1,
         "next to": abs(a - b) == 1,
     }.get(relation, False)
 

@@ -11,6 +11,7 @@ _BLOCKS = "(?:blocks|cubes|ones)"
 _PEOPLE = (
     "(?:everyone|everybody|we|i|he|she|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
 )
+_DEEP = "(?:near|far|front|back|rear)"
 _ROW = "(?:far|near|front|back|first|second)"
 _BLOCK = "(?:block|cube|blocks|cubes)"
 _NTH = "(?:first|second|third|fourth|fifth|last)"
@@ -103,6 +104,16 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      f"now|first|initially|beginning)\\b)(?:(?:are|is) )?({PLACE} [^,]+|touch each other|touching each other)$",
      "{1} must be {2}"),
     (f"^((?:an?|{MANY}) [^,]+?) (?:that|which) (touch each other)$", "{1} must {2}"),
+    # where it is not
+    ("\\banywhere (?:else )?(?:but|except) there\\b", "not there"),
+    (f"\\bin (?:an?|any|one|some)(?: of the)? corners?(?: of the table)?(?: ,)? (?:but|except|other than)(?: for)?(?: "
+     f"not)?(?: in)? the ({_DEEP} (?:left|right)|(?:left|right) {_DEEP})(?: one| corner)?\\b",
+     "in a corner and not in the {1} corner"),
+    *((f"\\bin (?:one|any|either) of the (?:two )?({side}) corners(?: of the table)?\\b",
+       f"in a corner and in the {half} half of the table")
+      for side, half in (("near|front", "near"), ("far|back|rear", "far"), ("left", "left"), ("right", "right"))),
+    (f"\\b(together|next to each other)(?: ,)? (?:and|but|with) ({THING}) (?:all )?(?:by itself|alone|on its own)$",
+     "{1} , and {2} apart from them"),
     # nobody is no block
     ("\\bnobody (?=(?:is|sits|stands|lies|touches|(?:may|must|shall|should|can) (?:be|sit|stand|lie|go))\\b)",
      "no block "),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+
 from tests.language.meaning import assert_means
 
 A_CORNER = {

@@ -7,6 +7,7 @@ from rpg.ir.walk import transform
 from rpg.passes.schema.resolve.clauses.kept import brought_about
 from rpg.passes.schema.resolve.goals.inserted import into_their_tower
 from rpg.passes.schema.resolve.goals.lasting import beside_what_is_done
+from rpg.passes.schema.resolve.goals.left_out_of_line import none_left_out_in_line
 from rpg.passes.schema.resolve.goals.standing import none_left_out_on_top, still_standing
 from rpg.passes.schema.resolve.goals.two_ways import two_ways
 from rpg.passes.schema.resolve.orders.as_listed import both_as_listed
@@ -26,4 +27,4 @@ def with_what_is_meant(goal: g.Goal, scene: Scene) -> g.Goal:
     goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
     goal = into_their_tower(beside_what_is_done(goal, scene), scene)
     goal = no_two_in_one_line(still_standing(two_ways(goal), scene))
-    return none_left_out_on_top(goal, scene.left_out)
+    return none_left_out_in_line(none_left_out_on_top(goal, scene.left_out), scene)

@@ -36,6 +36,7 @@ def share_of(noun: Noun, whole: Ref, scene: Scene) -> Amount | None:
         left = total - (noun.amount.low if noun.amount else 0)
         if left < 1:
             raise refuse("too-many-asked", f"there are only {total} of these", noun.span, f"say at most {total - 1}")
+        scene.all_but.append(whole.names)
         return Amount(left, left, True)
     part, parts = _PARTS[noun.det]
     if total % parts:

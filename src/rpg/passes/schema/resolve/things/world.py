@@ -159,6 +159,7 @@ class Scene:
     `sized`: the size that is said of all blocks, with its words.
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
     `topped`: structures on top of which something goes that are not named there.
+    `all_but`: blocks of which all but some are spoken of.
     `taken`: the one on top of a tower of look-alikes that is there at first, with those under it.
     `regions`: the part of the table that a clause tells.
     `patch_sides`: patches by the side on which they lie, and where that was said last.
@@ -220,6 +221,7 @@ class Scene:
     held: dict[str, Span] = field(default_factory=dict)
     exclusive: list[Exclusive] = field(default_factory=list)
     topped: list[Built] = field(default_factory=list)
+    all_but: list[tuple[str, ...]] = field(default_factory=list)
     taken: dict[str, tuple[str, ...]] = field(default_factory=dict)
     returned: set[str] = field(default_factory=set)
     unstacked: set[str] = field(default_factory=set)

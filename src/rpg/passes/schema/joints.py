@@ -16,6 +16,7 @@ from rpg.ir.structures import Equation, Figure, Grid, GroupBy, Row, Spells, Stac
 from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
+from rpg.passes.schema.by_turns import ALTERNATE, alternating, in_turn
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.stacked_at_last import stacked_at_last
 from rpg.passes.schema.worked_out import asked_for
@@ -172,19 +173,6 @@ def _all_of_them(words: Sequence[Token], task: TaskSchema) -> None:
 
 
 _PART = frozenset({"of", "in", "on", "with", "from", "at", "that", "which"})
-
-
-def _in_turn(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "put red and blue on the mat in turn" as a line in which colours alternate: no two are alike, or all."""
-    turn = next((t for before, t in pairwise(words) if t.word in ("turn", "turns") and before.word in _TURNS), None)
-    colors = {asset.name: asset.color for asset in task.blocks}
-    for line in (x for x in atoms(task.goal) if isinstance(x, Row | Stack) and x.order.by == "alternating"):
-        if turn is not None and len({colors[n] for n in line.blocks}) in (1, len(line.blocks)):
-            raise refuse("ambiguous", "in a line of alternating colours, or one after the other?", turn.span,
-                         "say 'first ..., then ...'")  # fmt: skip
-
-
-_TURNS = frozenset({"in", "take", "takes", "by"})
 
 
 def _letter_a(words: Sequence[Token], task: TaskSchema) -> None:
@@ -383,7 +371,8 @@ _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchem
     (frozenset({"stacked", "tower", "stack", "pile"}), stacked_at_last),
     (None, _beside_a_chain),
     (frozenset({"all"}), _all_of_them),
-    (frozenset({"turn", "turns"}), _in_turn),
+    (frozenset({"turn", "turns"}), in_turn),
+    (ALTERNATE, alternating),
     (None, _letter_a),
     (frozenset({"or"}), _left_open),
     (_MAY_NOT, _who_may_not),

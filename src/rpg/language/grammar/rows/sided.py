@@ -33,7 +33,13 @@ _MOST = (f"(?:leftmost|rightmost|frontmost|(?:nearest|closest)(?: to {ME})?|{_FA
 _ONES = "(?: one| block| cube)?"
 _MUST_BE = f"(?:is|{MUST} be)"
 
+_MINE = "(?:on|to) my {side}(?: side| hand| hand side)?"
+
 SIDED_AT_ONCE: tuple[Turn, ...] = (
+    # each on one side of who looks on, where it is no side of one another
+    *((f"^(?!.*\\b(?:row|line|next|between|beside|side by side)\\b)(.+?) {_MINE.format(side=one)}(?: ,)?(?: and| "
+       f"while) (.+?) {_MINE.format(side=other)}$", f"{{1}} in the {one} half , and {{2}} in the {other} half")
+      for one, other in (("left", "right"), ("right", "left"))),
     # at the sides of the same block
     (f"^(?:put |place |set )?(?:an?|one) ({COLOR})(?: block| cube) to the left of (the [^,]+) , {_RIGHT_ON}{_BEHIND}",
      _ALL_SIDES.format("{2}", "{1}")),

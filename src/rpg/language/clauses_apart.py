@@ -18,7 +18,6 @@ _PLACES = frozenset({"on", "in", "at", "to", "next", "behind", "under", "above",
                      "farthest"})  # fmt: skip
 """What begins to tell where something is, or how."""
 _OF_THEM = frozenset({"all", "both", "none"})
-_OF_THE_LAST = frozenset({"the", "all", "both", "each", "none", "one", "no"})
 _FINITE = frozenset({"is", "are", "must", "should", "shall", "has", "have"})
 MOST = 8
 """So many places at most are tried."""
@@ -58,7 +57,7 @@ def _behind_a_mark(tokens: Sequence[Token], words: list[str], at: int) -> Iterat
         yield [*tokens[:at], tokens[at].saying("."), *tokens[at + 1 :]]
     if words[at] == "," and words[at + 1] == "and":
         yield [*tokens[:at], tokens[at].saying("."), *tokens[at + 2 :]]
-    if words[at] in _STOPS and words[at + 1] in _OF_THE_LAST:
+    if words[at] in _STOPS and words[at + 1] == "the":
         yield [*tokens[:at], tokens[at].saying(","), *tokens[at + 1 :]]
 
 

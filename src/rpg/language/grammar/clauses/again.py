@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language.grammar.clauses.denied_of_all import denied_of_all
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Clause, In, Loc, Manner, Meaning, Noun, Pronoun, Structure, That, replace
@@ -15,10 +16,11 @@ def said_too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Resul
     if (k := p.any_of(j, _SO)) and before.verb in ("be", "place") and before.adjuncts:
         negated = "not" in p.words[j:k]
         kept = tuple(a for a in _affirmed(before) if not isinstance(a, Manner | That))
-        said = replace(before, theme=theme, adjuncts=kept, negated=negated, span=p.span(i, k), cost=1)
+        told = replace(before, theme=theme, adjuncts=kept, negated=negated, span=p.span(i, k), cost=1)
+        said = denied_of_all(p, j, told)
         for end in dict.fromkeys((p.any_of(k, (", but not both", "but not both", ", not both")) or k, k)):
             both = Manner(kind="xor", span=p.span(k, end))
-            yield (replace(said, adjuncts=(*kept, both)) if end > k else said), end
+            yield (replace(said, adjuncts=(*said.adjuncts, both)) if end > k else said), end
 
 
 def _affirmed(before: Clause) -> tuple[Meaning, ...]:
@@ -52,8 +54,9 @@ def meant_again(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         if k and not unbuilt and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
             leave = p.words[k - 1] in ("may", "can") or p.words[k - 2] in ("may", "can")
             kept = tuple(a for a in _affirmed(before) if leave or not (isinstance(a, Manner) and a.kind == "allowed"))
-            yield replace(before, theme=theme, negated=p.words[k - 1] == "not" or p.words[k - 2] == "not",
-                          adjuncts=kept, span=p.span(i, k), cost=1), k  # fmt: skip
+            denied = p.words[k - 1] == "not" or p.words[k - 2] == "not"
+            told = replace(before, theme=theme, negated=denied, adjuncts=kept, span=p.span(i, k), cost=1)
+            yield denied_of_all(p, j, told), k
 
 
 def there_in_turn(before: Clause, link: str) -> bool:

@@ -21,7 +21,7 @@ from rpg.language.grammar.clauses.by_someone import by_someone
 from rpg.language.grammar.clauses.compared import measuring
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.dealt import one_for_each
-from rpg.language.grammar.clauses.denials import denied_of_all
+from rpg.language.grammar.clauses.denied_of_all import denied_of_all
 from rpg.language.grammar.clauses.each_kind import each_kind
 from rpg.language.grammar.clauses.given_own import given_own
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there

@@ -1,4 +1,4 @@
-"""How much "not" denies: each of several things, or all of them together."""
+"""What "not" denies, and what it leaves open: "nor does", "need not", "must not stay", "may"."""
 
 from __future__ import annotations
 
@@ -8,30 +8,11 @@ from rpg.language.grammar.core import Parser
 from rpg.language.meaning import Amount, Clause, Coord, In, Loc, Manner, Meaning, Noun, Pronoun, replace
 
 _NOT = frozenset({"not", "never"})
-_ALL = (["both"], ["all"])
 BARRED = (*(f"at no {time}{during}" for time in ("time", "point", "moment")
              for during in ("", *(f" {during} the {run}" for during in ("during", "throughout", "of", "in")
                                   for run in ("episode", "task", "run", "whole episode")))),
            "under no circumstances", "in no case", "in no event", "never")  # fmt: skip
 """What comes before a question's order of words: "at no time may the red block be on ..."."""
-REACH = 3
-"""So many words on "not" is looked for: "are not", "must not", "do not"."""
-
-
-def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
-    """ "are not both ...", "must not all be ...", "do not put both ...": it may be so of some of them."""
-    denial = next((k for k in range(j, min(j + REACH, p.end)) if p.words[k] in _NOT), None)
-    if denial is None or not found.negated:
-        return found
-    ahead = found.verb == "be" and found.theme is not None and found.theme.span[1] <= p.char(denial, 0)
-    if ahead and _so_many(found.theme):
-        some = Manner(kind="not all", value="of them", span=found.span)
-        return replace(found, adjuncts=(*found.adjuncts, some))
-    skipped = p.words[denial + 1 : denial + 2] in (["be"], *([word] for word in _verbs(found)))
-    at = denial + 1 + skipped
-    if p.words[at : at + 1] not in _ALL and not _of_both(p, at, found):
-        return found
-    return replace(found, adjuncts=(*found.adjuncts, Manner(kind="not all", span=found.span)))
 
 
 def of_none(theme: Meaning | None) -> bool:
@@ -71,29 +52,10 @@ def nor_there(item: Clause) -> Clause:
     return replace(item, adjuncts=tuple(denied))
 
 
-def _so_many(theme: Meaning | None) -> bool:
-    """ "at least one of the red blocks (is not)", "exactly two red blocks (are not)": so many are not, and no more is
-    said of the others."""
-    if not isinstance(theme, Noun) or theme.amount is None or theme.det in ("no", "any", "all", "both", "the"):
-        return False
-    many = theme.amount
-    return (many.low > 0 or bool(many.high)) and (many.strict or theme.part_of is not None)
-
-
 def needless(words: set[str]) -> bool:
     """ "need not", "does not have to": neither asked for nor forbidden."""
     denied = bool(words & _NOT)
     return denied and (bool(words & {"need", "needs"}) or ({"have", "to"} <= words and bool(words & {"do", "does"})))
-
-
-def _of_both(p: Parser, at: int, found: Clause) -> bool:
-    """ "is not left of both red and blue", "is not on both patches"."""
-    end = next((k for k in range(at, p.end) if p.tokens[k].span[0] >= found.span[1]), p.end)
-    return "both" in p.words[at:end] and any(isinstance(a, Loc) and a.landmark is not None for a in found.adjuncts)
-
-
-def _verbs(clause: Clause) -> tuple[str, ...]:
-    return tuple(clause.lemma.split()[:1])
 
 
 def stays(found: Clause, allowed: bool) -> Clause:

@@ -8,7 +8,8 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
-from rpg.language.grammar.clauses.denials import BARRED, denied_of_all, leave, needless, stays
+from rpg.language.grammar.clauses.denials import BARRED, leave, needless, stays
+from rpg.language.grammar.clauses.denied_of_all import denied_of_all
 from rpg.language.grammar.clauses.just_moved import just_moved
 from rpg.language.grammar.clauses.keeping_away import keeps_away
 from rpg.language.grammar.clauses.made import MADE, drawn, made, under

@@ -170,7 +170,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     _at_a_distance(spec)
     clause = heaped_up(clause, spec)
     clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)
-    if clause.lemma in LEAVING and clause.verb in ("place", "use") and not clause.negated:
+    if clause.lemma in LEAVING and clause.verb in ("place", "use"):
         spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]
     if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
         return pairs

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -14,7 +16,7 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.ends import two_ends
 from rpg.passes.schema.resolve.places.stacking import sandwich
 from rpg.passes.schema.resolve.things.operands import foot, spread
-from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Exclusive, Ref, Scene, refuse
 
 HALFWAY_GAP = 10.0
 """How far apart two blocks with one halfway between them, or on the line through them, may be, in edges: as far as the
@@ -23,6 +25,15 @@ workspace allows."""
 
 _APART = ("distance", "apart", "left", "right", "front", "behind")
 """What blocks with nothing else between them may be to each other, not close."""
+
+
+def only_between(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
+    """ "only the green block is between the two red ones": it is, and no other block of the task."""
+    if loc.rel != "between" or loc.negated or theme.quant is not None:
+        raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
+    there: Callable[[str], g.Goal] = lambda n: between(Ref(names=(n,)), mark, loc, scene, loc.span)  # noqa: E731
+    scene.exclusive.append(Exclusive((*theme.names, *mark.names), there, loc.span, Traits()))
+    return replace(theme, op="and")
 
 
 def between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:

@@ -17,6 +17,7 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.shifted import RELS, shifted, told_shift
 from rpg.passes.schema.resolve.things.operands import crown, spread
 from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
@@ -95,7 +96,7 @@ def put_there(upper: str, below: str, scene: Scene) -> bool:
     earlier = [m for m in scene.mentions if m.clause < scene.clause]
     on_it = {m.clause for m in earlier if m.role == "landmark" and m.rel in ("on", "in") and below in m.ref.names}
     both = {upper, below}
-    begun = any(isinstance(x, s.Stack) and both <= {*x.blocks} for x in scene.start_goals)
+    begun = any(isinstance(x, s.Stack | r.On) and both <= {*names_in(x)} for x in scene.start_goals)
     stacked = any(b.kind == "stack" and both <= {*b.members} and b.ordered for b in scene.built)
     if stacked and not begun:
         return True
@@ -111,6 +112,13 @@ def begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
         there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
         if len(mark.names) == 1 and there not in scene.start_goals and not put_there(a, b, scene):
             scene.start_goals.append(there)
+
+
+def note_taken(theme: Ref, mark: Ref, scene: Scene) -> None:
+    """ "Take two blocks off the tower of four red ones": of blocks that look alike the others stay a tower."""
+    tower = len(mark.built) == 1 and mark.built[0].kind == "stack" and {*theme.names} < {*mark.names}
+    if tower and theme.quant is None and alike([scene.things[name] for name in mark.names]):
+        scene.taken[theme.names[0]] = tuple(name for name in mark.names if name not in theme.names)
 
 
 def taken_off(theme: Ref, below: str, span: Span) -> g.Goal:

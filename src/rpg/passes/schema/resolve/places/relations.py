@@ -15,12 +15,12 @@ from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, neg
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here, only_on_table
 from rpg.passes.schema.resolve.places.any_patch import on_any_patch
 from rpg.passes.schema.resolve.places.bare_table import on_the_table
-from rpg.passes.schema.resolve.places.between import between
+from rpg.passes.schema.resolve.places.between import between, only_between
 from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.compared import compared as compared_far
 from rpg.passes.schema.resolve.places.corners import corners, from_their_halves, in_region, of_something_else
 from rpg.passes.schema.resolve.places.flanks import flanked
-from rpg.passes.schema.resolve.places.moved import begins_on, off_patches, off_what, taken_off
+from rpg.passes.schema.resolve.places.moved import begins_on, note_taken, off_patches, off_what, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
     COMPARED,
     among_themselves,
@@ -225,6 +225,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if (shared := each_its_own(theme, mark, loc, scene)) is not None:
         return [x for one, other in shared for x in related(one, other, loc, scene, span)]
     if loc.rel in ("between", "sandwiched", "flank"):
+        theme = only_between(theme, mark, loc, scene) if theme.op == "only" else theme
         return [(flanked if loc.rel == "flank" else between)(theme, mark, loc, scene, span)]
     if (
         theme.quant is not None
@@ -348,6 +349,7 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
 
         return spread(theme, level, span, together=together)
     if loc.rel == "off":
+        note_taken(theme, mark, scene)
         return conj([taken_off(theme, n, span) for n in mark.names if n not in theme.names], span)
     if loc.rel == "together":
         return s.GroupBy(groups=((*theme.names, *mark.names),), span=span)

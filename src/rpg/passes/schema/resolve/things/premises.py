@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.node import members
 from rpg.ir.schema import NONE_BESIDES
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Coord, In, Loc, Manner, Noun, replace
@@ -47,10 +48,12 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
 def _without_their_top(goal: g.Goal, scene: Scene) -> list[g.Goal]:
     """ "(There is a tower of three red blocks.) Put the top one on the mat": it is parted from the others, which stay a
     tower, if no more is said of them. Without that the whole tower on the mat would do, for they look alike."""
-    told = {n for x in required(goal) if not isinstance(x, g.Not) for n in names_in(x)}
+    parts = [*required(goal)]
+    told = {n for x in parts if not isinstance(x, g.Not) for n in names_in(x)}
+    off = {n for x in parts if isinstance(x, g.Not) and isinstance(x.goal, r.Above) for n in members(x.goal.a)}
     found: list[g.Goal] = []
     for top, below in scene.taken.items():
-        if top not in told or told & {*below}:
+        if top not in told | off or told & {*below}:
             continue
         if len(below) > 1:
             found.append(s.Stack(blocks=below, exact=True))

@@ -19,6 +19,8 @@ _PLACES = frozenset({"on", "in", "at", "to", "next", "behind", "under", "above",
 """What begins to tell where something is, or how."""
 _OF_THEM = frozenset({"all", "both", "none"})
 _FINITE = frozenset({"is", "are", "must", "should", "shall", "has", "have"})
+_OF_THEIRS = frozenset({"the", "only", "all", "both", "each", "every", "no", "none"})
+"""What begins to tell of blocks that are listed in front of a colon."""
 MOST = 8
 """So many places at most are tried."""
 
@@ -53,7 +55,7 @@ def _so_that(tokens: Sequence[Token], words: list[str], at: int) -> Iterator[lis
 
 def _behind_a_mark(tokens: Sequence[Token], words: list[str], at: int) -> Iterator[list[Token]]:
     """Behind a colon, a comma with "and", or what tells of a part in a sentence that follows."""
-    if words[at] == ":":
+    if words[at] == ":" and words[at + 1] in _OF_THEIRS:
         yield [*tokens[:at], tokens[at].saying("."), *tokens[at + 1 :]]
     if words[at] == "," and words[at + 1] == "and":
         yield [*tokens[:at], tokens[at].saying("."), *tokens[at + 2 :]]

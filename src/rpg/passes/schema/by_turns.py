@@ -46,11 +46,14 @@ def _looks(asset: Block) -> tuple[object, ...]:
     symbol = asset.symbol(FACES[0]) if isinstance(asset, SemanticCube) else ""
     kind = "letter" if symbol.isalpha() else "digit" if symbol.isdigit() else symbol
     sort = symbol in VOWELS if symbol.isalpha() else int(symbol) % 2 if symbol.isdigit() else symbol
-    return asset.color, kind, sort, asset.size
+    return asset.color, kind, (kind, sort), asset.size
 
 
 def _alternates(values: Sequence[object]) -> bool:
-    return all(one != two for one, two in pairwise(values)) and len(set(values)) > 1
+    """Whether the same few come again and again in one order."""
+    few = len(set(values))
+    again = all(value == values[n - few] for n, value in enumerate(values) if n >= few)
+    return 1 < few < len(values) and again and len(set(values[:few])) == few
 
 
 ALTERNATE = frozenset({"alternate", "alternates", "alternating", "alternately"})

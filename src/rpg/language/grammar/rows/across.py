@@ -37,6 +37,8 @@ ACROSS: tuple[Turn, ...] = (
     ("^(?:randomize|shuffle|jumble) the (?:start|scene|beginning|initial (?:state|positions?)) [:,.] (.+?) \\. "
      + _NEXT, "at the start : {1} . "),
     *map(_in_steps, (3, 2)),
+    ("^the (circle|ring|row|line|column|tower|stack|square|pyramid|wall|grid) (?:has|contains|consists of|is made(?: "
+     f"up)? of) (?=(?:an?|{MANY}) (?:\\w+ )+(?:and|,) [^.]+ \\.?$)", "a {1} of "),
     (f"^(.*?\\b{MANY} (?:rows|columns|lines|towers|stacks|layers)(?: of {MANY}(?: {CUBE}s)?)?) \\. (?=each (?:row|"
      "column|line|tower|stack|layer) (?:has|is|must|should) )", "{1} , "),
     (f"^(the (?:numbers|digits|letters|words|blocks|cubes) [^.?]*?|{THING}) (?:got|are|were|have been|have got) (?:all "

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir import structures as s
 from rpg.ir.schema import EXCHANGED
+from rpg.ir.walk import names as names_in
 from rpg.language.grammar.clauses.shared import are_patches
 from rpg.language.meaning import Clause, Coord, Loc, Meaning, Noun, Structure, replace
 from rpg.passes.schema.resolve.clauses.replacing import replace_there
@@ -44,7 +47,22 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
         )
     if any(p.patch for p in parts):
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
-    return [r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)]
+    swap = r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)
+    return [swap, *_on_each_others(parts[0], parts[1], scene, clause.span)]
+
+
+def _on_each_others(one: Ref, other: Ref, scene: Scene, span: Span) -> list[g.Goal]:
+    """ "(Red on blue, green on yellow.) Swap red and green": each lies on what the other lay on; that whole towers
+    change places is none of it."""
+    if len(one.names) != 1 or len(other.names) != 1 or one.built or other.built:
+        return []
+    a, b = one.names[0], other.names[0]
+    below = [scene.on_top.get(name) for name in (b, a)]
+    begun = [{*names_in(x)} for x in scene.start_goals if isinstance(x, r.On | s.Stack)]
+    there = all(low is not None and any({up, low} <= x for x in begun) for up, low in zip((b, a), below, strict=True))
+    if not there or {a, b} & {*below} or below[0] == below[1]:
+        return []
+    return [r.On(a=(up,), b=(low,), span=span) for up, low in zip((a, b), below, strict=True) if low is not None]
 
 
 def _one_on_each(theme: Ref, clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> None:

@@ -73,7 +73,8 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return named
     if word.word in ("it", "that", "this", "the first one"):
         check_off_it(word, scene, scope)
-        return _it(word, scene, scope)
+        found = _it(word, scene, scope)
+        return replace(found, op="and") if found.op == "only" else found
     if word.word == "neither of them" and scope.role == "theme":
         two = them(replace(word, word="both"), scene, scope)
         return replace(two, quant=Amount(0, 0, True), plural=True, op="and")

@@ -87,7 +87,7 @@ THREE_STEPS = {
         ("At least one yellow block is on the white patch, and at least one green block is not. There are two of each.",
          {"assets": {"yellow": 2, "green": 2, "white_patch": 1},
           "hold": ["yellow . green at=white_patch ; yellow ; green", "yellow at=white_patch"],
-          "miss": ["green . green . yellow at=white_patch ; yellow", "green at=white_patch ; yellow ; yellow ; green"]}),
+          "miss": ["green . green . yellow at=white_patch", "green at=white_patch ; yellow ; yellow ; green"]}),
         ("Put the red block on my right and the blue one on my left.",
          {"assets": {"red": 1, "blue": 1}, "hold": ["red at=0,-4 ; blue at=0,4"],
           "miss": ["red at=0,-4 ; blue at=0,-2", "red at=0,4 ; blue at=0,-4"]}),

@@ -15,6 +15,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences, text_of
 from rpg.language.grammar.rows.vocabulary import MANY
 from rpg.language.grammar.talk.exactly_so_many import so_many_at
+from rpg.language.inventories.colors_behind import colors_behind
 from rpg.language.inventories.frames import Stock, counted, stock_of
 from rpg.language.inventories.lots import Lot, lots_at, several_at, with_nouns
 from rpg.language.inventories.plain import STOPS, bare, in_words, lots_in_words
@@ -40,6 +41,8 @@ def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
             yield [*in_words(stock, part), *rest], "look" if stock_of(bare(part)) is None else ""
         if (idle := _idle(part)) is not None:
             yield [*idle, *rest], ""
+        if (colors := colors_behind(part, rest)) is not None:
+            yield [*colors, *rest], ""
         if (each := _so_many_of_each(part, rest)) is not None:
             yield [*each, *rest], ""
         for stock, asked, wanted in _apart(part):

@@ -91,6 +91,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
                    "none of them", "that", "this", "those", "these", "each one", "any other one", "any other",
                    "any of the others", "each", "all others", "all the others", "all the rest",
                    "all")):  # fmt: skip
+        if phrase == "the other" and p.number(j) is not None:
+            continue  # "the other four"
         yield Pronoun(word=phrase, span=p.span(i, j), cost=int(phrase in ("none of them", "either of them"))), j
 
 

@@ -81,6 +81,8 @@ def _listed() -> tuple[Turn, ...]:
 
 
 PATCHES_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b((?:exactly )?({MANY}) (?:{COLOR} )?{_BLOCKS}) on one {PATCH}(?: ,)? and (?:exactly )?\\2(?: more| others)? "
+     f"on the other(?: one| {PATCH})?(?=$| ,)", "{1} on each of the two patches"),
     *_listed(),
     # the colours told once more
     (f"^((?:put|place|set|move) (?:the|all|all the|each|every) {BLOCK}s? on the (?:matching {PATCHES}?|{PATCHES}? "

@@ -104,7 +104,14 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      f"now|first|initially|beginning)\\b)(?:(?:are|is) )?({PLACE} [^,]+|touch each other|touching each other)$",
      "{1} must be {2}"),
     (f"^((?:an?|{MANY}) [^,]+?) (?:that|which) (touch each other)$", "{1} must {2}"),
+    # who is not
+    ("^neither (.+?) nor (.+?) (?:may|can) (?:be )?moved?$", "{1} and {2} must stay where they are"),
+    (f"^some of (.+?) ({MUST} be|are|is|{MUST} lie|{MUST} stand) (.+?)(?: ,)? but not all(?: of (?:them|these))?$",
+     "some but not all of {1} {2} {3}"),
+    ("\\b(touch(?:es)?|next to|near|beside|on) neither$", "{1} neither of them"),
+    ("\\beverything (?=(?:except|but) the \\w+ (?:blocks|cubes|ones)\\b)", "all blocks "),
     # where it is not
+    ("\\b(not) (?:to the )?(?:left|right)(?: of it)? but (?=(?:to the )?(?:left|right) of\\b)", ""),
     ("\\banywhere (?:else )?(?:but|except) there\\b", "not there"),
     (f"\\bin (?:an?|any|one|some)(?: of the)? corners?(?: of the table)?(?: ,)? (?:but|except|other than)(?: for)?(?: "
      f"not)?(?: in)? the ({_DEEP} (?:left|right)|(?:left|right) {_DEEP})(?: one| corner)?\\b",

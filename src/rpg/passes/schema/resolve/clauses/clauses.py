@@ -37,6 +37,7 @@ from rpg.passes.schema.resolve.clauses.heights_bounded import bounded_heights
 from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
 from rpg.passes.schema.resolve.clauses.numbers_compared import compared_numbers
 from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_its_noun
+from rpg.passes.schema.resolve.clauses.out_of_line import out_of_line
 from rpg.passes.schema.resolve.clauses.shaped import all_it_has, shaped
 from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
@@ -200,6 +201,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if (goals := _in_a_manner(clause, spec, scene, scope)) is not None:
         return goals
     by_verb(clause, spec)
+    if (line := out_of_line(clause, spec, scene, scope)) is not None:
+        return line
     if (line := mixed_line(clause, spec, scene, scope)) is not None:
         return line
     if is_shape(clause.theme) or (clause.theme is None and spec.intos):

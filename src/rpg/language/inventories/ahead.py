@@ -36,15 +36,28 @@ def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
     parts = sentences(tokens, STOPS)
     for n, part in enumerate(parts):
         rest = [token for other in (*parts[:n], *parts[n + 1 :]) for token in other]
-        if len(parts) > 1 and (stock := _told(part)) is not None:
+        if len(parts) > 1 and (stock := _told(part)) is not None and not (n and any(map(_of_these, parts[n + 1 :][:1]))):
             yield [*in_words(stock, part), *rest], "look" if stock_of(bare(part)) is None else ""
         if (idle := _idle(part)) is not None:
             yield [*idle, *rest], ""
         if (each := _so_many_of_each(part, rest)) is not None:
             yield [*each, *rest], ""
         for stock, asked, wanted in _apart(part):
+            if n and _of_these(asked):
+                continue
             yield [*in_words(stock, part), *(t for p in (*parts[:n], asked, *parts[n + 1 :]) for t in p)], wanted
     yield from ((named, "") for named in _one_by_one(tokens))
+
+
+def _of_these(told: list[Token]) -> bool:
+    """ "(No red block is on the mat. There are two blue blocks.) They must be in a row.": what stands behind a stock
+    speaks of it, and would speak of others with the stock in front of all."""
+    for token in told:
+        if token.word in _THEM:
+            return True
+        if any(token.word in table for table in _NAMED):
+            return False
+    return False
 
 
 def _so_many_of_each(part: list[Token], rest: list[Token]) -> list[Token] | None:
@@ -61,6 +74,7 @@ def _so_many_of_each(part: list[Token], rest: list[Token]) -> list[Token] | None
 
 
 _THEM = frozenset({"they", "them", "these", "those", "it", "all", "everything", "both"})
+_NAMED = (lexicon.COLOR, lexicon.BLOCK, lexicon.PATCH, lexicon.STRUCTURE, lexicon.COLOR_PLURAL)
 _OF_EACH = re.compile(
     f"^(?:there are |we have |i have |use )?({MANY}) (?:blocks |cubes )?of (?:each|every|both)(?: color| kind)?"
     "(?: [.;!])?$"

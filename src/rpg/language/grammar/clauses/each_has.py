@@ -61,8 +61,7 @@ def said_of_each(theme: Meaning, places: tuple[Meaning, ...], owner: Meaning) ->
         return _nothing(theme, place, owner)
     if not isinstance(place, Loc) or not isinstance(owner, Noun) or not isinstance(theme, Noun):
         return theme, places
-    several = owner.det in ("each", "all", "no", "both") or (owner.amount is not None and owner.amount.strict)
-    if owner.head == "patch" or not several or theme.det not in ("a", "bare", "any", "some"):
+    if owner.head == "patch" or not each_of(owner) or theme.det not in ("a", "bare", "any", "some"):
         return theme, places
     if theme.head == "patch" or (theme.amount is None and theme.det == "bare") or len(theme.traits.labels) == 1:
         return theme, places
@@ -73,6 +72,13 @@ def said_of_each(theme: Meaning, places: tuple[Meaning, ...], owner: Meaning) ->
         return theme, places
     mods = ("directly",) if told == "under" else place.mods
     return owner, (replace(place, rel=told, landmark=theme, mods=mods),)
+
+
+def each_of(owner: Meaning) -> bool:
+    """Whether what is said of these is said of each of them: of all, of none, or of so many."""
+    if not isinstance(owner, Noun):
+        return False
+    return owner.det in ("each", "all", "no", "both") or (owner.amount is not None and owner.amount.strict)
 
 
 def _nothing(theme: Pronoun, place: Loc, owner: Noun) -> tuple[Meaning, tuple[Meaning, ...]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
-from rpg.language.grammar.clauses.each_has import denied, is_owner, may_have, said_of_each
+from rpg.language.grammar.clauses.each_has import denied, each_of, is_owner, may_have, said_of_each
 from rpg.language.grammar.clauses.shared import all_patches, are_patches
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import part_list
@@ -124,10 +124,11 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
             yield _stated(p, i, end, none, (Loc(rel="on", landmark=owner, span=p.span(i, j)),), mode), end
         if k := p.any_of(j, _CARRIES):
             for theme, start in noun_phrase(p, k) if not _symbols(p, k) else ():
-                for found, end in adjuncts(p, start):
+                for found, end in adjuncts(p, p.opt(start, "each", "apiece") if each_of(owner) else start):
                     if not found or _owned(found, owner) is not None:
                         place = Loc(rel="on", landmark=owner, span=p.span(i, j))
-                        yield replace(_stated(p, i, end, theme, (place,), mode), subject=owner), end
+                        said, places = said_of_each(theme, (place,), owner)
+                        yield replace(_stated(p, i, end, said, places, mode), subject=owner), end
 
 
 def _each_of_both(owner: Meaning, both: bool) -> Meaning:

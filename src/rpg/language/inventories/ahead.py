@@ -36,7 +36,8 @@ def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
     parts = sentences(tokens, STOPS)
     for n, part in enumerate(parts):
         rest = [token for other in (*parts[:n], *parts[n + 1 :]) for token in other]
-        if len(parts) > 1 and (stock := _told(part)) is not None and not (n and any(map(_of_these, parts[n + 1 :][:1]))):
+        pointed = n > 0 and any(map(_of_these, parts[n + 1 : n + 2]))
+        if len(parts) > 1 and not pointed and (stock := _told(part)) is not None:
             yield [*in_words(stock, part), *rest], "look" if stock_of(bare(part)) is None else ""
         if (idle := _idle(part)) is not None:
             yield [*idle, *rest], ""
@@ -64,9 +65,8 @@ def _so_many_of_each(part: list[Token], rest: list[Token]) -> list[Token] | None
     """ "(No red block may touch a blue block.) Three of each.": three red and three blue ones, if of such is told."""
     match = _OF_EACH.match(text_of(part))
     colored = [(a.word, b.word) for a, b in pairwise(rest) if match and a.word in lexicon.COLOR]
-    looks = dict.fromkeys(color for color, noun in colored if noun in lexicon.BLOCK or noun in _ONES)
-    nouns = {noun for _, noun in colored}
-    if match is None or len(looks) < 2 or not all(n in lexicon.BLOCK or n in lexicon.PATCH or n in _ONES for n in nouns):
+    looks = dict.fromkeys(color for color, noun in colored if noun in _BLOCKS)
+    if match is None or len(looks) < 2 or any(noun not in _BLOCKS | {*lexicon.PATCH} for _, noun in colored):
         return None
     if not _THEM.isdisjoint(token.word for token in rest):
         return None  # whom that means depends on where it is told how many there are
@@ -76,7 +76,7 @@ def _so_many_of_each(part: list[Token], rest: list[Token]) -> list[Token] | None
 
 _THEM = frozenset({"they", "them", "these", "those", "it", "all", "everything", "both"})
 _NAMED = (lexicon.COLOR, lexicon.BLOCK, lexicon.PATCH, lexicon.STRUCTURE, lexicon.COLOR_PLURAL)
-_ONES = frozenset({"one", "ones"})
+_BLOCKS = frozenset({*lexicon.BLOCK, "one", "ones"})
 _OF_EACH = re.compile(
     f"^(?:there are |we have |i have |use )?({MANY}) (?:blocks |cubes )?of (?:each|every|both)(?: color| kind)?"
     "(?: [.;!])?$"

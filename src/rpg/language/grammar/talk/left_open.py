@@ -17,17 +17,19 @@ _WHICH = f"which|what {_NUMBERS}? {_ONES}? {_THEM}? {_YOU}? it_is|they_are|that_
 _MINE = "really|entirely|completely|totally|quite|all? up_to_you|up_to_the_robot|your_choice|your_decision|left_to_you"
 _VAIN = (f"{_MINE}|irrelevant|unimportant|immaterial|not_important|not_relevant|of_no_importance|all_the_same|all_one|"
          "no_matter|open|left_open|free to_me|to_us|for_me|here?")  # fmt: skip
-_MATTERS = "do|does not really|actually|particularly? matter|make_a_difference|make_any_difference to_me|to_us|here|at_all?"
+_MATTERS = (
+    "do|does not really|actually|particularly? matter|make_a_difference|make_any_difference to_me|to_us|here|at_all?"
+)
 _DOES = ("will|would do|do_just_fine|do_fine|work|be_fine|be_ok|be_okay|suit_me",
-         "is|are|be perfectly|just? fine|ok|okay|good|acceptable|allowed|possible|all_right|alright|welcome with|by|for? "
-         "me|us?", "works|work|does|do|counts|count|suits|suit for_me|for_us|me?")  # fmt: skip
+         "is|are|be perfectly|just? fine|ok|okay|good|acceptable|allowed|all_right|alright with|by|for? me|us?",
+         "works|work|does|do|counts|count|suits|suit for_me|for_us|me?")  # fmt: skip
 WHICHEVER = Patterns(
     f"it|that|this really|actually? {_MATTERS} {_WHICH}",
     f"it|that makes|make really? no difference to_me|to_us|here|at_all? {_WHICH}",
     f"it|that is|remains {_VAIN} {_WHICH}",
-    f"no_matter|never_mind|regardless_of|irrespective_of|independent_of|does_not_matter|do_not_mind|do_not_care {_WHICH}",
+    f"no_matter|never_mind|regardless_of|irrespective_of|does_not_matter|do_not_mind|do_not_care {_WHICH}",
     f"i|we really|honestly? do not really|particularly|much? care|mind about? {_WHICH}",
-    f"you|the_robot can|may|get_to|are_free_to|is_free_to? choose|chooses|pick|decide|decides|select|say freely? {_WHICH}",
+    f"you|the_robot can|may|get_to|are_free_to|is_free_to? choose|chooses|pick|decide|decides|select freely? {_WHICH}",
     f"{_WHICH} really|actually? {_MATTERS}",
     f"{_WHICH} really? makes|make no difference to_me|to_us|here|at_all?",
     f"{_WHICH} is|are|remains {_VAIN}",

@@ -27,7 +27,7 @@ from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
-from rpg.language.grammar.rows.not_at_end import not_at_end
+from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
 from rpg.language.grammar.rows.palindromes import palindromes
@@ -104,6 +104,7 @@ _OF_ALL = (
     *REWORDED_AT_ONCE,
     *WORDIER_AT_ONCE,
     *ASKED_ALOUD_AT_ONCE,
+    *NOT_THERE_AT_ONCE,
     *ROWS_PLACED,
 )
 """The rows of every sentence."""
@@ -132,6 +133,7 @@ _OF_THE_UNREAD = (
     *GAPPED,
     *RELATED,
     *BORNE_FIRST,
+    *NOT_THERE,
     *UTMOST_TOLD,
     *TOWERS,
     *UPWARD,

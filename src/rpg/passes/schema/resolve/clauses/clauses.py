@@ -128,7 +128,7 @@ def _deny(loose: int, goals: Goals, scene: Scene, span: Span, whole: bool) -> No
     """ "the red one is not at the top": it is denied when it is settled. `whole`: "not both", else none of them."""
     if len(scene.loose) > loose + 1 or any(not isinstance(x, g.All) or x.goals for x in goals):
         raise refuse("ambiguous", "it is not clear how much of this is denied", span, "say it in two sentences")
-    scene.denied += [one for x in scene.loose[loose:] for one in ([x] if whole else each_alone(x, scene))]
+    scene.denied += [one for x in scene.loose[loose:] for one in ([x] if whole else each_alone(x))]
     del scene.loose[loose:]
 
 

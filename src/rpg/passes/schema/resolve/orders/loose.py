@@ -8,7 +8,6 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.language.later import later
 from rpg.language.meaning import At, Meaning, replace
-from rpg.passes.schema.resolve.orders.positions import looks
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 if TYPE_CHECKING:
@@ -37,14 +36,12 @@ def _at_their_times(scene: Scene) -> None:
                      "say 'to the left half of the table', or of what")  # fmt: skip
 
 
-def each_alone(item: tuple[Ref, Meaning, Span], scene: Scene) -> list[tuple[Ref, Meaning, Span]]:
-    """ "No red block", "the red blocks (not)" at a place: none of them is there; of those that look alike one stands
-    for all, for an order is told by looks."""
+def each_alone(item: tuple[Ref, Meaning, Span]) -> list[tuple[Ref, Meaning, Span]]:
+    """ "No red block", "the red blocks (not)" at a place: none of them is there."""
     ref, at_, span = item
     if ref.op == "nor":
         return [(part, at_, span) for part in ref.parts]
     if ref.op != "and" or len(ref.names) < 2 or ref.built:
         return [item]
     at_ = replace(at_, side="end") if isinstance(at_, At) and at_.side == "ends" else at_
-    kinds = {looks(scene.things[name]) if scene.things[name].color else name: name for name in reversed(ref.names)}
-    return [(Ref(names=(name,), span=ref.span), at_, span) for name in reversed(kinds.values())]
+    return [(Ref(names=(name,), span=ref.span), at_, span) for name in ref.names]

@@ -253,7 +253,7 @@ def loose_ats(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> G
     if (ref.op not in ("and", "nor") and not one_of_them) or (ref.quant is not None and not none):
         raise refuse("ambiguous", "it is not clear which block is meant", ref.span, "name one block")
     if ref.op == "nor" or none:
-        scene.denied += [one for at_ in spec.ats for one in each_alone((ref, at_, span), scene)]
+        scene.denied += [one for at_ in spec.ats for one in each_alone((ref, at_, span))]
     else:
         scene.loose += [(ref, at_, span) for at_ in spec.ats]
     spec.ats = []

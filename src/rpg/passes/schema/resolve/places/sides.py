@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Hashable
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -34,8 +35,14 @@ Loose = tuple[Ref, Meaning, tuple[int, int]]
 def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
     """Refine the order of a structure in `goal`, or make goals of their own; then what is denied."""
     goal = _stated(goal, scene) if scene.loose else goal
+    told: set[Hashable] = set()
     for item in scene.denied:
-        goal = _denied(goal, item, scene)
+        ref, at_, _ = item
+        lines = frozenset(frozenset(n.blocks) for n in _lines(goal) if set(ref.names) <= set(n.blocks))
+        same = (tuple(looks(scene.things[name]) for name in ref.names), at_, lines)
+        if not lines or same not in told:  # an order is told by looks: one stands for all that look alike
+            goal = _denied(goal, item, scene)
+        told.add(same)
     return goal
 
 

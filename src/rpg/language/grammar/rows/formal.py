@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.across import ACROSS
+from rpg.language.grammar.rows.alternatives import ALTERNATIVES
 from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
@@ -134,6 +135,7 @@ _OF_THE_UNREAD = (
     *RELATED,
     *BORNE_FIRST,
     *NOT_THERE,
+    *ALTERNATIVES,
     *UTMOST_TOLD,
     *TOWERS,
     *UPWARD,

@@ -13,8 +13,9 @@ def either_shape(chain: Chain) -> Chain:
 def _in_ways(clause: Meaning) -> Meaning:
     if not isinstance(clause, Clause) or clause.negated:
         return clause
-    if clause.verb == "build" and (shapes := _shapes(clause.theme)):
-        ways = [replace(clause, theme=shape) for shape in shapes]
+    there = clause.verb == "exist" and clause.mode == "goal"
+    if (clause.verb == "build" or there) and (shapes := _shapes(clause.theme)):
+        ways = [replace(clause, verb="build", theme=shape) for shape in shapes]
     elif found := [(n, shapes) for n, a in enumerate(clause.adjuncts) if isinstance(a, Into)
                    and (shapes := _shapes(a.structure))]:  # fmt: skip
         n, shapes = found[0]

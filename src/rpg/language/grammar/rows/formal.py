@@ -32,6 +32,7 @@ from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, n
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
+from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
@@ -107,6 +108,7 @@ _OF_ALL = (
     *WORDIER_AT_ONCE,
     *ASKED_ALOUD_AT_ONCE,
     *NOT_THERE_AT_ONCE,
+    *OWN_COLOR_AT_ONCE,
     *ROWS_PLACED,
 )
 """The rows of every sentence."""
@@ -137,6 +139,7 @@ _OF_THE_UNREAD = (
     *BORNE_FIRST,
     *NOT_THERE,
     *ALTERNATIVES,
+    *OWN_COLOR,
     *UTMOST_TOLD,
     *TOWERS,
     *UPWARD,

@@ -12,7 +12,9 @@ from rpg.language.tokens import Token
 _LOTS = re.compile(f"\\b(?:{MANY}|an?|some|several) ({COLOR})\\b(?! {PATCH}\\b)")
 _HUES = re.compile(f"\\b({COLOR})\\b(?! (?:{PATCH}|one on)\\b)")
 _SO_MANY = f"((?:exactly |just |only |at least |at most |(?:no|not) (?:more|fewer|less) than )?{MANY})"
-_OF_EACH = "(?: (?:block|cube|brick|box|boxes|one)s?)? (?:of|in|from) (?:each|every|both)(?: of the)?(?: two| three)? colors?"
+_OF_EACH = (
+    "(?: (?:block|cube|brick|box|boxes|one)s?)? (?:of|in|from) (?:each|every|both)(?: of the)?(?: two| three)? colors?"
+)
 _BE = f"(?:is|are|lies?|stands?|sits?|(?:{MUST}|may|can) (?:be|go|lie|stand|sit|end up))"
 _ON = f"((?:on|in) (?:the|a) (?:{COLOR} )?{PATCH})"
 _HOLDS = f"(?:(?:{MUST} )?(?:have|hold|carry|contain|bear)|has|holds|carries|contains|bears)"

@@ -44,7 +44,9 @@ def _shapes(told: Meaning | None) -> list[Structure]:
 def _as_told(one: Meaning, other: Meaning) -> bool:
     """Whether the blocks of one shape are told in the words of the other's: "a row of four red blocks or a tower of
     four red blocks" needs no more than four."""
-    return isinstance(one, Noun) and not one.conditions and one.part_of is None and replace(one, span=other.span) == other
+    return (
+        isinstance(one, Noun) and not one.conditions and one.part_of is None and replace(one, span=other.span) == other
+    )
 
 
 def _of_the_same(way: Clause) -> Clause:

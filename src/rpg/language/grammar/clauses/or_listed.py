@@ -1,5 +1,5 @@
-"""Clauses of a list with "or" ahead of the last one: "A is on B, B is on C, or C is on D", "red is on blue, on green, or
-on white", of which one is to be so."""
+"""Clauses of a list with "or" ahead of the last one, of which one is to be so: "A is on B, B is on C, or C is on D",
+"red is on blue, on green, or on white"."""
 
 from __future__ import annotations
 

@@ -192,8 +192,8 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 _CHANGES = (
     announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
-    other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again, not_at_end,
-    of_the_figure,
+    other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
+    not_at_end, of_the_figure,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -21,8 +21,8 @@ _SAME = f"(?:of|in|with) (?:each of )?(?:the same|these|those|the|matching|their
 _THERE = "(?:there (?:is|are) |(?:we|i|you) have |given |with |on the table (?:is|are|lie) )?"
 _AND = "(?: ,| and| , and| plus)"
 _OTHER = ("(?:(?:of|in|with|that has) (?:(?:another|the wrong|some other) color(?: than its(?: own)?)?|an? (?:color )?"
-          "(?:other|different)(?: color)? (?:than|from) its(?: own)?(?: color)?)|(?:that|which) (?:does not match(?: its("
-          "?: own)? color| it)?|is not (?:of |in )?its(?: own)? color|(?:has|is of) (?:another|a different) color (?:"
+          "(?:other|different)(?: color)? (?:than|from) its(?: own)?(?: color)?)|(?:that|which) (?:does not match(?: "
+          "its(?: own)? color| it)?|is not (?:of |in )?its(?: own)? color|(?:has|is of) (?:another|a different) color (?:"
           "than|from) it(?:s own)?)|not of its(?: own)? color)")  # fmt: skip
 _NONE = "no block may be on the patch of its own color"
 
@@ -49,7 +49,7 @@ def _stocks() -> tuple[Turn, ...]:
 
 OWN_COLOR_AT_ONCE: tuple[Turn, ...] = (
     (f"^{PUT} (?:exactly )?(?:one|an?) {_BLOCK} on (?:each|every) {PATCH}(?: ,)? (?:but|and) (?:none|not one)(?: of "
-     f"them)? on (?:(?:the|an?) {PATCH} of )?its own color$", f"each patch must have exactly one block . {_NONE}"),
+     f"them)? on (?:(?:the|an?) {PATCH} of )?its own color$", f"each patch gets exactly one block . {_NONE}"),
 )  # fmt: skip
 """The same in every sentence."""
 OWN_COLOR: tuple[Turn, ...] = (
@@ -57,7 +57,7 @@ OWN_COLOR: tuple[Turn, ...] = (
     (f"^(?:{PUT} )?(?:each|every)(?: one)?(?: of the)? {_BLOCKS}(?: {IS})? on (?:an?|some) {PATCH} {_OTHER}$",
      f"every block must be on a patch . {_NONE}"),
     (f"^(?:each|every) {PATCH} (?:(?:{MUST} )?(?:gets?|has|have|holds?|carry|carries|receives?|bears?)) (?:exactly )?"
-     f"(?:one|an?) {_BLOCK} {_OTHER}(?: on it)?$", f"each patch must have exactly one block . {_NONE}"),
+     f"(?:one|an?) {_BLOCK} {_OTHER}(?: on it)?$", f"each patch gets exactly one block . {_NONE}"),
     (f"^(.*\\b{PATCH}.*?)(?: ,)? (?:but|and|so that|with) (?:no colors? (?:may |must |should )?match(?:es|ing)?|the "
      "colors (?:may|must|should) not match|no matching colors)$", f"{{1}} . {_NONE}"),
 )  # fmt: skip

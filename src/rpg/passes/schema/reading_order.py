@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from rpg.language.grammar.clauses.heights_bounded import BOUNDED
 from rpg.language.meaning import (
     Chain,
     Clause,
@@ -142,6 +143,8 @@ def _sizes(clause: Clause) -> bool:
 def _of_no_block(clause: Clause) -> bool:
     """ "No block is in the middle of the table", "the right half stays empty": whichever blocks there are."""
     theme = clause.theme
+    if clause.verb == BOUNDED:
+        return True  # "no stack may be higher than two"
     if clause.adjuncts and all(getattr(getattr(x, "landmark", None), "word", "") in WHATEVER for x in clause.adjuncts):
         return True
     if isinstance(theme, Noun) and theme.det == "no" and theme.amount and not (theme.part_of or theme.traits.colors):

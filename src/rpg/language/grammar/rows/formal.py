@@ -38,6 +38,7 @@ from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNRE
 from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
+from rpg.language.grammar.rows.quantified import EACH_THERE, QUANTIFIED
 from rpg.language.grammar.rows.rainbow_told import announced_rainbow
 from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
 from rpg.language.grammar.rows.result_told import result_told
@@ -109,6 +110,7 @@ _OF_ALL = (
     *ASKED_ALOUD_AT_ONCE,
     *NOT_THERE_AT_ONCE,
     *OWN_COLOR_AT_ONCE,
+    *EACH_THERE,
     *ROWS_PLACED,
 )
 """The rows of every sentence."""
@@ -140,6 +142,7 @@ _OF_THE_UNREAD = (
     *NOT_THERE,
     *ALTERNATIVES,
     *OWN_COLOR,
+    *QUANTIFIED,
     *UTMOST_TOLD,
     *TOWERS,
     *UPWARD,

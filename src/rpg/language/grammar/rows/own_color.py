@@ -22,8 +22,8 @@ _THERE = "(?:there (?:is|are) |(?:we|i|you) have |given |with |on the table (?:i
 _AND = "(?: ,| and| , and| plus)"
 _OTHER = ("(?:(?:of|in|with|that has) (?:(?:another|the wrong|some other) color(?: than its(?: own)?)?|an? (?:color )?"
           "(?:other|different)(?: color)? (?:than|from) its(?: own)?(?: color)?)|(?:that|which) (?:does not match(?: "
-          "its(?: own)? color| it)?|is not (?:of |in )?its(?: own)? color|(?:has|is of) (?:another|a different) color (?:"
-          "than|from) it(?:s own)?)|not of its(?: own)? color)")  # fmt: skip
+          "its(?: own)? color| it)?|is not (?:of |in )?its(?: own)? color|(?:has|is of) (?:another|a different) color "
+          "(?:than|from) it(?:s own)?)|not of its(?: own)? color)")  # fmt: skip
 _NONE = "no block may be on the patch of its own color"
 
 

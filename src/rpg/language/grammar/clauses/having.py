@@ -63,7 +63,7 @@ _CARRIES = (
     "is to carry", "is to support", "needs to carry", "shall carry", "shall hold", "shall support", "shall contain",
     "shall bear", "is carrying", "is supporting", "is holding",
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
-    "must support", "bears", "should bear", "must contain", "should contain", "contains",
+    "must support", "support", "bear", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip
 _NONE = ("none at all", "none")
 _OF_TWO = ("the former", "the latter")

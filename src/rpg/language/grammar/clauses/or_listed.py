@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Chain, Clause, replace
+from rpg.language.meaning import Absolute, Chain, Clause, replace
 
 _OR = ([",", "or"], ["or"])
 
@@ -24,7 +24,7 @@ def or_listed(p: Parser, chain: Chain) -> Chain | None:
         return chain
     themes = [clause.theme and clause.theme.span for clause in clauses]
     ways = _in_ways(p, clauses[at - 1], clauses[at]) if themes[at] == themes[at - 1] else []
-    if ways is None:
+    if ways is None or _listed_inside(p, clauses[at - 1]):
         return None
     if ways:
         links = (*chain.links[:at], *("or" for _ in ways[1:]), *chain.links[at:])
@@ -51,6 +51,13 @@ def _in_ways(p: Parser, first: Clause, last: Clause) -> list[Clause] | None:
     if not gaps or inside.count(",") > len(gaps) or any(gap != [","] for gap in gaps):
         return None
     return [replace(first, adjuncts=first.adjuncts[:1]), *(replace(last, adjuncts=(x,)) for x in first.adjuncts[1:])]
+
+
+def _listed_inside(p: Parser, first: Clause) -> bool:
+    """ "A is on B, B on C (or C is on D)" with what stands behind the comma as a part of the first clause."""
+    parts = first.adjuncts if first.verb in ("be", "place") else ()
+    gaps = [_between(p, one.span[1], two.span[0]) for one, two in pairwise(parts)]
+    return any(gap == [","] and isinstance(part, Absolute) for gap, part in zip(gaps, parts[1:], strict=True))
 
 
 def one_of_which(p: Parser) -> Diagnostic:

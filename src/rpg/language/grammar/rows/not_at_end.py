@@ -24,7 +24,7 @@ _OF_IT = f"(?: of (?:(?:the|that|this) {LINE}|it))?"
 _THERE = f"(?:at|on|in) (?!the end )(?:the |either |an |any |both |one of the )?{_SIDE}{_OF_IT}"
 _WHERES = ((f"({_THERE})", "{{{}}}"), (f"(at the end){_OF_IT}", "at an end"))
 """Places as they are told, and as they are said again; what is "at the end" alone may be so finally."""
-_NOT = f"(?:(?:{MUST}|may|can) (?:not|never)|cannot|(?:is|are) (?:not|never) (?:allowed|permitted|supposed) to)"
+_NOT = f"(?:(?:{MUST}|may|can) (?:not|never)|cannot|(?:is|are) (?:not|never) (?:allowed|permitted|supposed)(?: to)?)"
 _STAND = "(?: be| stand| sit| lie| go| come| end up)?(?: placed| put)?"
 _AND = "(?: (?:,|:)(?: but| and| where| yet| with)?| (?:but|and|where|yet|with|without|so that|such that))"
 _SOME = "(?:the |an? |any )?"
@@ -58,7 +58,7 @@ def _turns(colors: tuple[str, ...]) -> Turns:
             rows += [
                 (f"{begun}(?:the (?:block|one|cube|brick)s? )?{there} (?:there )?{_NOT} be {look}$",
                  f"{stop}no {{2}} block may be {again.format(1)}"),
-                (f"{begun}({'|'.join(colors)}) {_NOT}(?: be| stand| lie| go) {there}$",
+                (f"{begun}({'|'.join(colors)}) {_NOT}{_STAND} {there}$",
                  f"{stop}no {{1}} block may be {again.format(2)}"),
                 (f"{begun}(?:there (?:{MUST}|may|can) be (?:no|never)|there {_NOT} be) {look} {there}$",
                  f"{stop}no {{1}} block may be {again.format(2)}"),

@@ -187,8 +187,8 @@ OTHER_COLORS: Meant = {
         "no box may sit on its own colour.",
         "Red, green and blue patches, one block each of the same three colours. Every block lies on a patch, but none "
         "on the patch of its own colour.",
-        "There are a red, a green and a blue block and three mats of the same colours. Put each block on a mat of "
-        "another colour and just one on each mat.",
+        "There are a red, a green and a blue block and three mats of the same colours. Each mat gets one block of "
+        "another colour.",
         "There are red, green and blue patches and one block of each of these colors. Each patch gets a block that "
         "does not match it.",
         "There are three patches (red, green, blue) and three blocks in the same colors. Put a block on each patch, "

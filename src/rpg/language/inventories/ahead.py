@@ -53,8 +53,8 @@ def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
 def _of_these(told: list[Token]) -> bool:
     """ "(No red block is on the mat. There are two blue blocks.) They must be in a row.": what stands behind a stock
     speaks of it, and would speak of others with the stock in front of all."""
-    for token in told:
-        if token.word in _THEM:
+    for token, after in pairwise(told):
+        if token.word in _POINTED or (token.word in ("all", "both", "each") and after.word not in _TAKING):
             return True
         if any(token.word in table for table in _NAMED):
             return False
@@ -75,6 +75,9 @@ def _so_many_of_each(part: list[Token], rest: list[Token]) -> list[Token] | None
 
 
 _THEM = frozenset({"they", "them", "these", "those", "it", "all", "everything", "both"})
+_POINTED = frozenset({"they", "them", "these", "those", "it"})
+_TAKING = frozenset({"of", "the", "my", *lexicon.NUMBER, *lexicon.COLOR, *lexicon.BLOCK})
+"""With one of these behind it "all" is said of what is named, or "of them" tells of whom."""
 _NAMED = (lexicon.COLOR, lexicon.BLOCK, lexicon.PATCH, lexicon.STRUCTURE, lexicon.COLOR_PLURAL)
 _BLOCKS = frozenset({*lexicon.BLOCK, "one", "ones"})
 _OF_EACH = re.compile(

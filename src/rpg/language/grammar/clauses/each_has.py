@@ -66,7 +66,8 @@ def said_of_each(theme: Meaning, places: tuple[Meaning, ...], owner: Meaning) ->
     if theme.head == "patch" or (theme.amount is None and theme.det == "bare") or len(theme.traits.labels) == 1:
         return theme, places
     told = _TURNED.get(place.rel)
-    if place.rel == "on" and owner.det not in ("each", "all", "both"):
+    so_many = theme.amount is not None and theme.amount.strict and theme.amount.low > 0
+    if place.rel == "on" and (so_many or owner.det not in ("each", "all", "both")):
         told = "under"
     if told is None:
         return theme, places
@@ -78,7 +79,8 @@ def each_of(owner: Meaning) -> bool:
     """Whether what is said of these is said of each of them: of all, of none, or of so many."""
     if not isinstance(owner, Noun):
         return False
-    return owner.det in ("each", "all", "no", "both") or (owner.amount is not None and owner.amount.strict)
+    counted = owner.amount is not None and (owner.amount.strict or owner.part_of is not None)
+    return owner.det in ("each", "all", "no", "both") or counted
 
 
 def _nothing(theme: Pronoun, place: Loc, owner: Noun) -> tuple[Meaning, tuple[Meaning, ...]]:

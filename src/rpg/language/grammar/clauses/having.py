@@ -350,7 +350,9 @@ def finally_there(p: Parser, i: int, there: Meaning, end: bool = False) -> Meani
         return there
     if with_more(there.theme, there.adjuncts):
         return replace(there, verb="be", mode="goal")
-    told = end and there.mode == "given" and (there.adjuncts or isinstance(there.theme, Structure))
+    shapes = there.theme.items if isinstance(there.theme, Coord) and there.theme.op == "or" else (there.theme,)
+    shaped = all(isinstance(shape, Structure) for shape in shapes)
+    told = end and there.mode == "given" and (there.adjuncts or shaped)
     return replace(there, mode="goal") if told else there
 
 

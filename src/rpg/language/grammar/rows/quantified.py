@@ -19,6 +19,12 @@ _AS_MANY = "(?:(?:just |exactly )?as many|the same number of|an equal number of)
 _TWO = f"(?:the (?:two )?{PATCHES}|two {PATCHES}|an? {PATCH}|one of (?:the )?(?:two |these )?{PATCHES})"
 _A = f"(?:the|an?) ({COLOR})(?: one| {PATCH})?"
 _LOT = f"{MANY} (?:{COLOR} )?{_BLOCKS}"
+_LINES = "towers|stacks|rows|lines|columns"
+_SHARE = (
+    "(?:sharing|having|of|in|with|(?:may |must |should |can )?(?:share|have|be of|be in)) (?:the same|a|one|an?) color"
+)
+_APART = (f"(?:{MUST}|may|can) not (?:be (?:next to|beside|neighbors of)|touch|stand next to|lie next to) (?:each other|"
+          "one another)")  # fmt: skip
 _WITH = "(?: ,| and| but| , with)"
 _MORE = "(more|fewer)(?: of them)?"
 _EITHER = "must be on the {{{}}} or the {{{}}} patch"
@@ -26,6 +32,11 @@ _ALL = f"((?:both|all|all the|the|all {MANY}|the {MANY}) ({COLOR}) {_BLOCKS})"
 _ON = f"(on the (?:{COLOR} )?{PATCH})"
 
 EACH_THERE: tuple[Turn, ...] = (
+    # no two alike
+    (f"^(?:the )?(?:same colors|{_BLOCKS} (?:of|in|with) (?:one|the same|a|equal) colors?) {_APART}$",
+     "no two blocks of the same color may be next to each other"),
+    (f"^(.+?)(?: ,| and| , and| but) (?:the )?(?:same colors|{_BLOCKS} (?:of|in|with) (?:one|the same|a|equal) colors?) "
+     f"{_APART}$", "{1} . no two blocks of the same color may be next to each other"),
     # of each of them
     (f"^{_SIDE} (each|every) ((?:of the )?(?:{MANY} )?{COLOR} \\w+) {_THERE} {_ONE}$",
      "{2} {3} must have {4} {1} it"),
@@ -51,6 +62,14 @@ QUANTIFIED: tuple[Turn, ...] = (
      "put {1} {3} . there must be as many {4} blocks as {2} blocks {3}"),
     (f"^{_ALL} {_GO} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
      "{1} must be {3} . there must be as many {4} blocks as {2} blocks {3}"),
+    # no two alike
+    (f"^(.+?)(?: ,| and| , and| but|,? so that)? no two ({_LINES}) {_SHARE}$", "{1} . all {2} must be of different colors"),
+    (f"^no two ({_LINES}) {_SHARE}$", "all {1} must be of different colors"),
+    (f"^(.+?)(?: ,| and| , and| but) the (?:{MANY} )?({_LINES}) {MUST} not {_SHARE}$",
+     "{1} . all {2} must be of different colors"),
+    (f"^(.+?)(?: ,| and| , and| with)? (?:the )?same colors {MUST} (?:be|go|lie|stand) (?:on (?:the |a )?diagonals?|"
+     "diagonally)$", "{1} with the same colors on the diagonal"),
+    (f"\\b({MUST}) (?:both|all) be$", "{1} be"),
     # more than one
     ("^(.*\\b(?:at least (?:two|2|three|3)|two or more|several) (?:towers|stacks|rows|lines)\\b.*?)(?: ,)? (?:and )?"
      "not (?:just |only )?(?:a single|one)(?: big| large| tall| high)?(?: one| tower| stack| row| line)?$", "{1}"),

@@ -29,6 +29,7 @@ from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
+from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
@@ -196,7 +197,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 _CHANGES = (
     announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
-    not_at_end, of_the_figure,
+    not_at_end, of_the_figure, not_consecutive,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

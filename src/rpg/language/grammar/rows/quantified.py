@@ -23,8 +23,8 @@ _LINES = "towers|stacks|rows|lines|columns"
 _SHARE = (
     "(?:sharing|having|of|in|with|(?:may |must |should |can )?(?:share|have|be of|be in)) (?:the same|a|one|an?) color"
 )
-_APART = (f"(?:{MUST}|may|can) not (?:be (?:next to|beside|neighbors of)|touch|stand next to|lie next to) (?:each other|"
-          "one another)")  # fmt: skip
+_APART = f"(?:{MUST}|may|can) not (?:(?:be|stand|lie) (?:next to|beside)|touch) (?:each other|one another)"
+_ALIKE = f"(?:the )?(?:same colors|{_BLOCKS} (?:of|in|with) (?:one|the same|a|equal) colors?)"
 _WITH = "(?: ,| and| but| , with)"
 _MORE = "(more|fewer)(?: of them)?"
 _EITHER = "must be on the {{{}}} or the {{{}}} patch"
@@ -33,10 +33,9 @@ _ON = f"(on the (?:{COLOR} )?{PATCH})"
 
 EACH_THERE: tuple[Turn, ...] = (
     # no two alike
-    (f"^(?:the )?(?:same colors|{_BLOCKS} (?:of|in|with) (?:one|the same|a|equal) colors?) {_APART}$",
-     "no two blocks of the same color may be next to each other"),
-    (f"^(.+?)(?: ,| and| , and| but) (?:the )?(?:same colors|{_BLOCKS} (?:of|in|with) (?:one|the same|a|equal) colors?) "
-     f"{_APART}$", "{1} . no two blocks of the same color may be next to each other"),
+    (f"^{_ALIKE} {_APART}$", "no two blocks of the same color may be next to each other"),
+    (f"^(.+?)(?: ,| and| , and| but| , but) {_ALIKE} {_APART}$",
+     "{1} . no two blocks of the same color may be next to each other"),
     # of each of them
     (f"^{_SIDE} (each|every) ((?:of the )?(?:{MANY} )?{COLOR} \\w+) {_THERE} {_ONE}$",
      "{2} {3} must have {4} {1} it"),
@@ -63,7 +62,10 @@ QUANTIFIED: tuple[Turn, ...] = (
     (f"^{_ALL} {_GO} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
      "{1} must be {3} . there must be as many {4} blocks as {2} blocks {3}"),
     # no two alike
-    (f"^(.+?)(?: ,| and| , and| but|,? so that)? no two ({_LINES}) {_SHARE}$", "{1} . all {2} must be of different colors"),
+    (f"\\beach ({MANY} (?:blocks|cubes) (?:high|tall)) and (?:of|in) (?:a single|one) color",
+     "each {1} and each of a single color"),
+    (f"^(.+?)(?: ,| and| , and| but| , but)? no two ({_LINES}) {_SHARE}$",
+     "{1} . all {2} must be of different colors"),
     (f"^no two ({_LINES}) {_SHARE}$", "all {1} must be of different colors"),
     (f"^(.+?)(?: ,| and| , and| but) the (?:{MANY} )?({_LINES}) {MUST} not {_SHARE}$",
      "{1} . all {2} must be of different colors"),

@@ -211,7 +211,7 @@ THREE_WAYS: Meant = {
     [
         ("Either A is on B, B is on C, or C is on A.", THREE_WAYS),
         ("Put A on B, B on C, or C on A.", THREE_WAYS),
-        ("One of the following must be true: A is on B, B is on C, or C is on A.", THREE_WAYS),
+        ("At least one of the following must be true: A is on B, B is on C, or C is on A.", THREE_WAYS),
         ("Red must be on blue, on green, or on white.",
          {"assets": {"red": 1, "blue": 1, "green": 1, "white": 1},
           "hold": ["blue^red", "green^red", "white^red"], "miss": ["red^blue"]}),
@@ -237,6 +237,7 @@ def test_one_of_several_ways(text: str, meant: Meant) -> None:
         ("Put two of the five blue blocks on the mat, no matter which three.", "misplaced-word"),
         ("Put the red block on the blue or the green block, whichever is closer.", "misplaced-word"),
         ("Exactly two of the four yellow cubes have a green cube on top of them.", "ambiguous"),
+        ("One of the following shall hold: A is on B, or C is on D.", "misplaced-word"),
         ("A is on B, B is on C or C is on D.", "ambiguous"),
         ("A is on B and B is on C, or C is on D.", "ambiguous"),
         ("Exactly one of these must hold: A is left of B, B is left of C, or C is left of A.", "misplaced-word"),

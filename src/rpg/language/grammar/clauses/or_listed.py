@@ -16,9 +16,9 @@ def or_listed(p: Parser, chain: Chain) -> Chain | None:
     """The chain with "or" between all of them, where nothing but commas stands between those ahead of the last one;
     None where it is not clear whether one of all these is to be so, or of the last two."""
     clauses = [clause for clause in chain.clauses if isinstance(clause, Clause)]
-    if "or" not in chain.links or len(clauses) < len(chain.clauses):
+    at = chain.links.index("or") if "or" in chain.links[1:] else 0
+    if at == 0 or len(clauses) < len(chain.clauses):
         return chain
-    at = chain.links.index("or")
     told = [_between(p, one.span[1], two.span[0]) for one, two in pairwise(clauses)]
     if told[at - 1] not in _OR:
         return chain

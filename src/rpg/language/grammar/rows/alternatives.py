@@ -29,8 +29,8 @@ ALTERNATIVES: tuple[Turn, ...] = (
     (f"^{_WHICH} {_OF_THEM} {_IS} {_PLACED}{_BUT} {_NEEDED}$", "{3} of {1} must be {2}"),
     (f"^{_OF_THEM} {_IS} {_PLACED} {_OPEN}{_BUT} {_NEEDED}$", "{3} of {1} must be {2}"),
     (f"^{_ONE} {_OF} {_HOLDS} : (?:either )?{_THIS}{_OR} {_THIS}$", "either {1} or {2} , but not both"),
-    (f"^(?:one|at least one|any) {_OF} {_HOLDS} : (?:either )?{_THIS}{_OR} {_THIS}$", "{1} or {2}"),
-    (f"^(?:one|at least one|any) {_OF} {_HOLDS} : (?:either )?{_THIS}(?: ,|{_OR}) {_THIS}{_OR} {_THIS}$",
+    (f"^at least one {_OF} {_HOLDS} : (?:either )?{_THIS}{_OR} {_THIS}$", "{1} or {2}"),
+    (f"^at least one {_OF} {_HOLDS} : (?:either )?{_THIS}(?: ,|{_OR}) {_THIS}{_OR} {_THIS}$",
      "{1} or {2} or {3}"),
     ("^(?:i |we )?(?:will |would )?(?:accept|allow|count|take) (?:either )?(an? .+ or an? .+?)(?: as (?:a |the )?"
      "(?:solution|result|success|goal|done|solved|right|correct))?$", "build {1}"),

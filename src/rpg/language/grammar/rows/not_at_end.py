@@ -22,13 +22,14 @@ _ONE = "(?: ones?| blocks?| cubes?| bricks?)?"
 _SIDE = "(?:(?:left|right|top|bottom|front|back|far|near) end|top|bottom|middle|center|ends?)"
 _OF_IT = f"(?: of (?:(?:the|that|this) {LINE}|it))?"
 _THERE = f"(?:at|on|in) (?!the end )(?:the |either |an |any |both |one of the )?{_SIDE}{_OF_IT}"
-_WHERES = ((f"({_THERE})", "{{{}}}"), (f"(at the end){_OF_IT}", "at an end"))
+_WHERES = ((f"({_THERE})", "{{{}}}"), (f"(at the end{_OF_IT}|on the outside)", "at an end"))
 """Places as they are told, and as they are said again; what is "at the end" alone may be so finally."""
 _NOT = f"(?:(?:{MUST}|may|can) (?:not|never)|cannot|(?:is|are) (?:not|never) (?:allowed|permitted|supposed)(?: to)?)"
+_MAY = f"(?:{MUST}|may|can)"
 _STAND = "(?: be| stand| sit| lie| go| come| end up)?(?: placed| put)?"
 _AND = "(?: (?:,|:)(?: but| and| where| yet| with)?| (?:but|and|where|yet|with|without|so that|such that))"
 _SOME = "(?:the |an? |any )?"
-_DENYING = frozenset({"not", "no", "never", "cannot", "without"})
+_DENYING = frozenset({"not", "no", "neither", "never", "cannot", "without"})
 _LINES = frozenset({"row", "line", "tower", "stack", "column", "pile", "rows", "lines", "towers", "stacks", "columns"})
 
 
@@ -56,13 +57,16 @@ def _turns(colors: tuple[str, ...]) -> Turns:
             ]  # fmt: skip
         for there, again in _WHERES:
             rows += [
-                (f"{begun}(?:the (?:block|one|cube|brick)s? )?{there} (?:there )?{_NOT} be {look}$",
+                (f"{begun}(?:the (?:block|one|cube|brick)s? )?{there} (?:(?:there )?{_NOT} be|is not|are not) {look}$",
                  f"{stop}no {{2}} block may be {again.format(1)}"),
-                (f"{begun}({'|'.join(colors)}) {_NOT}{_STAND} {there}$",
-                 f"{stop}no {{1}} block may be {again.format(2)}"),
-                (f"{begun}(?:there (?:{MUST}|may|can) be (?:no|never)|there {_NOT} be) {look} {there}$",
+                (f"{begun}(?:there {_MAY} be (?:no|never)|there {_NOT} be) {look} {there}$",
                  f"{stop}no {{1}} block may be {again.format(2)}"),
             ]  # fmt: skip
+        rows.append((f"{begun}(?:neither|no) end (?:is|{_MAY} be) {look}$", f"{stop}no {{1}} block may be at an end"))
+    rows += [
+        (f"^({'|'.join(colors)}) {_NOT}{_STAND} {there}$", f"no {{1}} block may be {again.format(2)}")
+        for there, again in _WHERES
+    ]
     rows += [
         (f"(?<=\\w)(?:{_AND})? whose (?:{side}){_ONE} (?:is|are) not {look}$", f". no {{1}} block may be {where}")
         for side, where in _PLACES
@@ -76,7 +80,7 @@ def _turns(colors: tuple[str, ...]) -> Turns:
 
 NOT_THERE_AT_ONCE: tuple[Turn, ...] = (
     (f"^((?!no ).+? {_NOT} (?:be|stand|lie|sit|go)(?: placed)?|no .+? (?:may|can|{MUST}) (?:be|stand|lie|sit|go)(?: "
-     f"placed)?) at the end{_OF_IT}$", "{1} at an end"),
+     f"placed)?) (?:at the end{_OF_IT}|on the outside)$", "{1} at an end"),
 )  # fmt: skip
 """What is looked for, and what is said instead, in every sentence: of a line, for nothing is denied of a time."""
 NOT_THERE: tuple[Turn, ...] = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import LABEL, PUT
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES
+from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH, PATCHES
 
 _BLOCKS = "(?:blocks|cubes|bricks|boxes|ones)"
 _GO = f"(?:{MUST} (?:all )?(?:be|go|lie|stand)(?: put| placed)?|go|goes|lie|are|is|stand|belong)"
@@ -32,6 +32,10 @@ _ALL = f"((?:both|all|all the|the|all {MANY}|the {MANY}) ({COLOR}) {_BLOCKS})"
 _ON = f"(on the (?:{COLOR} )?{PATCH})"
 
 EACH_THERE: tuple[Turn, ...] = (
+    # of a line that is told ahead
+    (f"^in (?:an?|the) ({LINE}) (?:of|with|made of|from) ({MANY} {COLOR}(?: (?:,|and) {MANY} {COLOR})*(?: {_BLOCKS})?)"
+     f"(?: ,)? ((?:no|neither|none) .+|(?:the|an?) .+? (?:{MUST}|may|can) (?:not|never) .+)$",
+     "make a {1} of {2} . {3}"),
     # no two alike
     (f"^{_ALIKE} {_APART}$", "no two blocks of the same color may be next to each other"),
     (f"^(.+?)(?: ,| and| , and| but| , but) {_ALIKE} {_APART}$",

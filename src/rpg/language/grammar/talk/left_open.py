@@ -30,6 +30,7 @@ WHICHEVER = Patterns(
     f"no_matter|never_mind|regardless_of|irrespective_of|does_not_matter|do_not_mind|do_not_care {_WHICH}",
     f"i|we really|honestly? do not really|particularly|much? care|mind about? {_WHICH}",
     f"you|the_robot can|may|get_to|are_free_to|is_free_to? choose|chooses|pick|decide|decides|select freely? {_WHICH}",
+    f"i|we will|gladly? leave|leaves it to_you|up_to_you|open {_WHICH}",
     f"{_WHICH} really|actually? {_MATTERS}",
     f"{_WHICH} really? makes|make no difference to_me|to_us|here|at_all?",
     f"{_WHICH} is|are|remains {_VAIN}",

@@ -79,8 +79,8 @@ def _turns(colors: tuple[str, ...]) -> Turns:
 
 
 NOT_THERE_AT_ONCE: tuple[Turn, ...] = (
-    (f"^((?!no ).+? {_NOT} (?:be|stand|lie|sit|go)(?: placed)?|no .+? (?:may|can|{MUST}) (?:be|stand|lie|sit|go)(?: "
-     f"placed)?) (?:at the end{_OF_IT}|on the outside)$", "{1} at an end"),
+    (f"^((?!no ).+? (?:is not|are not|{_NOT} (?:be|stand|lie|sit|go)(?: placed)?)|no .+? (?:is|are|{_MAY} (?:be|stand|"
+     f"lie|sit|go)(?: placed)?)) (?:at the end{_OF_IT}|on the outside)$", "{1} at an end"),
 )  # fmt: skip
 """What is looked for, and what is said instead, in every sentence: of a line, for nothing is denied of a time."""
 NOT_THERE: tuple[Turn, ...] = (

@@ -33,7 +33,7 @@ def _shapes(told: Meaning | None) -> list[Structure]:
         return []
     shapes = [shape for shape in told.items if isinstance(shape, Structure)]
     owned = [shape.members for shape in shapes if shape.members is not None]
-    if len(owned) == len(shapes) and all(_as_told(owned[0], other) for other in owned[1:]):
+    if owned and len(owned) == len(shapes) and all(_as_told(owned[0], other) for other in owned[1:]):
         owned, shapes = owned[:1], [*shapes[:-1], replace(shapes[-1], members=owned[0])]
     if len(shapes) < len(told.items) or len(owned) > 1 or (owned and shapes[-1].members is None):
         return []

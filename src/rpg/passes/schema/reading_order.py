@@ -55,8 +55,9 @@ def stock_apart(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str],
 
 def _counts_again(first: Meaning, before: tuple[Chain, ...]) -> bool:
     """Whether a clause says how many there are of a look that some block without a number was said to have."""
-    theme = first.theme if isinstance(first, Clause) and first.verb == "exist" and _brings_up(first) else None
-    if not isinstance(theme, Noun) or theme.det != "bare" or theme.amount is None or theme.part_of or first.adjuncts:
+    there = isinstance(first, Clause) and first.verb == "exist" and _brings_up(first) and not first.adjuncts
+    theme = first.theme if there and isinstance(first, Clause) else None
+    if not isinstance(theme, Noun) or theme.det != "bare" or theme.amount is None or theme.part_of:
         return False
     some = (part for chain in before for part in parts_of(chain) if isinstance(part, Noun))
     return any(part.det in ("a", "any", "no") and part.traits == theme.traits and part.head == theme.head

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from typing import TYPE_CHECKING
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.language.later import later
 from rpg.language.meaning import At, Meaning, replace
+from rpg.passes.schema.resolve.orders.positions import looks
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 if TYPE_CHECKING:
@@ -45,3 +47,16 @@ def each_alone(item: tuple[Ref, Meaning, Span]) -> list[tuple[Ref, Meaning, Span
         return [item]
     at_ = replace(at_, side="end") if isinstance(at_, At) and at_.side == "ends" else at_
     return [(Ref(names=(name,), span=ref.span), at_, span) for name in ref.names]
+
+
+def once_of_each_look(scene: Scene, lines: list[frozenset[str]]) -> list[tuple[Ref, Meaning, Span]]:
+    """What is denied, told of one of those that look alike in a line: its order is told by looks."""
+    found: list[tuple[Ref, Meaning, Span]] = []
+    told: set[Hashable] = set()
+    for ref, at_, span in scene.denied:
+        inside = frozenset(line for line in lines if line.issuperset(ref.names))
+        same = (tuple(looks(scene.things[name]) for name in ref.names), at_, inside)
+        if not inside or same not in told:
+            found.append((ref, at_, span))
+        told.add(same)
+    return found

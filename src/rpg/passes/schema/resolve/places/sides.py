@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Hashable
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -17,6 +16,7 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
 from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
+from rpg.passes.schema.resolve.orders.loose import once_of_each_look
 from rpg.passes.schema.resolve.orders.positions import SIDES, SYMMETRIC, alternatives, looks, places_of, ranks_from
 from rpg.passes.schema.resolve.places.across_the_table import REGION, across_the_table
 from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
@@ -35,14 +35,8 @@ Loose = tuple[Ref, Meaning, tuple[int, int]]
 def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
     """Refine the order of a structure in `goal`, or make goals of their own; then what is denied."""
     goal = _stated(goal, scene) if scene.loose else goal
-    told: set[Hashable] = set()
-    for item in scene.denied:
-        ref, at_, _ = item
-        lines = frozenset(frozenset(n.blocks) for n in _lines(goal) if set(ref.names) <= set(n.blocks))
-        same = (tuple(looks(scene.things[name]) for name in ref.names), at_, lines)
-        if not lines or same not in told:  # an order is told by looks: one stands for all that look alike
-            goal = _denied(goal, item, scene)
-        told.add(same)
+    for item in once_of_each_look(scene, [frozenset(node.blocks) for node in _lines(goal)]):
+        goal = _denied(goal, item, scene)
     return goal
 
 

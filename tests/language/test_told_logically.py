@@ -170,6 +170,34 @@ def test_how_many(text: str, meant: Meant) -> None:
     assert_means(text, meant)
 
 
+ONE_WHITE: Meant = {
+    "assets": {"red": 3, "white": 3},
+    "hold": ["red^red^white^red", "white^red^red^red"],
+    "miss": ["red^white^red^white", "red^red^red", "red^red^red^white^white"],
+}
+TWO_RED: Meant = {
+    "assets": {"red": 3, "white": 3},
+    "hold": ["red^white^red^white", "red^red^red^white"],
+    "miss": ["red^white^white^white", "white^white^white ; red^red", "red^red^white^white^white"],
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("We have three red and three white blocks. Make a tower of 4 with at most one white block in it.", ONE_WHITE),
+        ("From three red and three white blocks build a tower of four with exactly one white block in it.", ONE_WHITE),
+        ("There are three red and three white blocks. Build a stack of 4 containing only one white one.", ONE_WHITE),
+        ("There are three red and three white blocks. Build a tower of four that has at least two red ones.", TWO_RED),
+        ("There are three red and three white blocks. Make a tower of four with no fewer than 2 red cubes.", TWO_RED),
+        ("There are two red blocks. Stack two red blocks or put two red blocks in a row.",
+         {"assets": {"red": 2}, "hold": ["red^red", "red red"], "miss": ["red ; red"]}),
+    ],
+)  # fmt: skip
+def test_a_limit_inside_of_a_line(text: str, meant: Meant) -> None:
+    assert_means(text, meant)
+
+
 OTHER_COLORS: Meant = {
     "assets": {"red": 1, "green": 1, "blue": 1, "red_patch": 1, "green_patch": 1, "blue_patch": 1},
     "hold": ["at=red_patch green ; at=green_patch blue ; at=blue_patch red"],
@@ -237,12 +265,15 @@ def test_one_of_several_ways(text: str, meant: Meant) -> None:
         ("Put two of the five blue blocks on the mat, no matter which three.", "misplaced-word"),
         ("Put the red block on the blue or the green block, whichever is closer.", "misplaced-word"),
         ("Exactly two of the four yellow cubes have a green cube on top of them.", "ambiguous"),
+        ("There are three red, one green and three blue blocks. Build a tower of three with at least two red ones.",
+         "ambiguous"),
         ("One of the following shall hold: A is on B, or C is on D.", "misplaced-word"),
         ("A is on B, B is on C or C is on D.", "ambiguous"),
         ("A is on B and B is on C, or C is on D.", "ambiguous"),
         ("Exactly one of these must hold: A is left of B, B is left of C, or C is left of A.", "misplaced-word"),
         ("Make a tower of three white blocks or a row of four white blocks.", "ambiguous"),
         ("There are two red blocks. At least one of each color is on the mat.", "misplaced-word"),
+        ("There are three red and three blue blocks. Build a tower of three with at least 4 red ones.", "count-mismatch"),
         ("Make a row of two red and three white blocks. The middle one must not be green.", "no-referent"),
         ("None of the four red cubes may stand on a blue cube. There are two blue cubes. They are on the mat.",
          "ambiguous"),

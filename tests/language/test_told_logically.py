@@ -273,7 +273,7 @@ def test_one_of_several_ways(text: str, meant: Meant) -> None:
         ("Exactly one of these must hold: A is left of B, B is left of C, or C is left of A.", "misplaced-word"),
         ("Make a tower of three white blocks or a row of four white blocks.", "ambiguous"),
         ("There are two red blocks. At least one of each color is on the mat.", "misplaced-word"),
-        ("There are three red and three blue blocks. Build a tower of three with at least 4 red ones.", "count-mismatch"),
+        ("There are three red and three blue blocks. Build a tower of 3 with at least 4 red ones.", "count-mismatch"),
         ("Make a row of two red and three white blocks. The middle one must not be green.", "no-referent"),
         ("None of the four red cubes may stand on a blue cube. There are two blue cubes. They are on the mat.",
          "ambiguous"),

@@ -16,7 +16,7 @@ _YOU = "|".join(
 _WHICH = f"which|what {_NUMBERS}? {_ONES}? {_THEM}? {_YOU}? it_is|they_are|that_is|those_are?"
 _MINE = "really|entirely|completely|totally|quite|all? up_to_you|up_to_the_robot|your_choice|your_decision|left_to_you"
 _VAIN = (f"{_MINE}|irrelevant|unimportant|immaterial|not_important|not_relevant|of_no_importance|all_the_same|all_one|"
-         "no_matter|left_open to_me|to_us|for_me|here?")  # fmt: skip
+         "no_matter to_me|to_us|for_me|here?")  # fmt: skip
 _MATTERS = (
     "do|does not really|actually|particularly? matter|make_a_difference|make_any_difference to_me|to_us|here|at_all?"
 )

@@ -158,6 +158,13 @@ EACH_OF_BOTH: Meant = {
         ("There are three red and two blue blocks. Put both blue ones on the mat and just as many red ones.",
          {"assets": {"red": 3, "blue": 2, "patch": 1}, "hold": ["at=patch red^red^blue^blue"],
           "miss": ["at=patch red^red^red^blue^blue", "at=patch red^blue", "at=patch blue^blue"]}),
+        ("Put both green blocks on the mat and as many red ones. There are three red blocks.",
+         {"assets": {"red": 3, "green": 2, "patch": 1}, "hold": ["at=patch red^red^green^green"],
+          "miss": ["at=patch red^red^red^green^green", "at=patch red^green", "at=patch green^green"]}),
+        ("There are five red cubes. In the end there is exactly one tower, it is made of exactly three of them, and the "
+         "other two are on the table.",
+         {"assets": {"red": 5}, "hold": ["red^red^red ; red ; red"],
+          "miss": ["red^red^red^red ; red", "red^red^red ; red^red"]}),
         ("At the end every vowel among the cubes A, E, K and T rests on a consonant.",
          {"assets": {"A": 1, "E": 1, "K": 1, "T": 1}, "hold": ["K^A ; T^E", "T^A ; K^E"],
           "miss": ["K^A ; T ; E", "A^K ; E^T", "K^A^E ; T"]}),

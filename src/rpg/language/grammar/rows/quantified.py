@@ -43,6 +43,11 @@ EACH_THERE: tuple[Turn, ...] = (
     # of each of them
     (f"^{_SIDE} (each|every) ((?:of the )?(?:{MANY} )?{COLOR} \\w+) {_THERE} {_ONE}$",
      "{2} {3} must have {4} {1} it"),
+    # as many as of others
+    (f"^{PUT} {_ALL} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
+     "put {1} {3} . there must be as many {4} blocks as {2} blocks {3}"),
+    (f"^{_ALL} {_GO} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
+     "{1} must be {3} . there must be as many {4} blocks as {2} blocks {3}"),
     # among those that are listed
     (f"^(.*?)\\b((?:each|every|all|the) {_KINDS}) (?:among|of|out of) the ({_BLOCKS}|letters|numbers|digits) "
      f"({_LABELS}) (?=(?:{_GO}|rests?|sits?|lies?|has|have)\\b)(.+)$", "there are {3} {4} . {1} {2} {5}"),
@@ -60,11 +65,6 @@ QUANTIFIED: tuple[Turn, ...] = (
     # for each of them
     (f"^for (each|every) ((?:of the )?(?:{MANY} )?{COLOR} \\w+)(?: ,)? {_THERE} {_ONE} {_SIDE} it$",
      "{1} {2} must have {3} {4} it"),
-    # as many as of others
-    (f"^{PUT} {_ALL} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
-     "put {1} {3} . there must be as many {4} blocks as {2} blocks {3}"),
-    (f"^{_ALL} {_GO} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
-     "{1} must be {3} . there must be as many {4} blocks as {2} blocks {3}"),
     # no two alike
     (f"\\beach ({MANY} (?:blocks|cubes) (?:high|tall)) and (?:of|in) (?:a single|one) color",
      "each {1} and each of a single color"),

@@ -161,8 +161,8 @@ EACH_OF_BOTH: Meant = {
         ("Put both green blocks on the mat and as many red ones. There are three red blocks.",
          {"assets": {"red": 3, "green": 2, "patch": 1}, "hold": ["at=patch red^red^green^green"],
           "miss": ["at=patch red^red^red^green^green", "at=patch red^green", "at=patch green^green"]}),
-        ("There are five red cubes. In the end there is exactly one tower, it is made of exactly three of them, and the "
-         "other two are on the table.",
+        ("There are five red cubes. In the end there is exactly one tower, it is made of exactly three of them, and "
+         "the other two are on the table.",
          {"assets": {"red": 5}, "hold": ["red^red^red ; red ; red"],
           "miss": ["red^red^red^red ; red", "red^red^red ; red^red"]}),
         ("At the end every vowel among the cubes A, E, K and T rests on a consonant.",

@@ -153,7 +153,7 @@ def test_what_comes_with_it_is_read_or_left_out(text: str, meant: Meant) -> None
 @pytest.mark.parametrize(
     ("text", "code"),
     [
-        ("either a row of 4 green cubes or a tower of 4 green cubes", "ambiguous"),
+        ("either a row of 4 green cubes or a tower of 3 green cubes", "ambiguous"),
         (
             "build either a tower of 3 red blocks or a tower of 3 blue blocks and put the green block next to it",
             "ambiguous",

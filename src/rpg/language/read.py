@@ -13,6 +13,7 @@ from rpg.language.grammar.clauses.chains import chain
 from rpg.language.grammar.clauses.clauses import tail
 from rpg.language.grammar.clauses.links import emphasised, next_step, now_again
 from rpg.language.grammar.clauses.numbers_denied import denies_a_number
+from rpg.language.grammar.clauses.or_listed import one_of_which, or_listed
 from rpg.language.grammar.core import Parser, TooMuchWork
 from rpg.language.grammar.rows.formal import plainly
 from rpg.language.grammar.structures.copies import in_one_sentence
@@ -319,9 +320,12 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
     if link == "and" and (j := max(AFTER_THAT.matches(p, start), default=0)):
         link, start = "then", emphasised(p, p.opt(j, ",", ":"))
     try:
-        found = [(cost_of(c), n, c) for n, (c, j) in enumerate(chain(p, start)) if _ends(p, j)]
+        read = [(cost_of(c), n, or_listed(p, c)) for n, (c, j) in enumerate(chain(p, start)) if _ends(p, j)]
     except TooMuchWork:
         raise Refusal([stuck(p) if thorough else _tangled(p)]) from None
+    found = [(cost, n, c) for cost, n, c in read if c is not None]
+    if read and not found:
+        raise Refusal([one_of_which(p)])
     if not found and any(t.value == SOFT for t in tokens):
         return read_sentence([t for t in tokens if t.value != SOFT], thorough)
     if not found and (listed := with_commas(tokens)) is not None:

@@ -37,7 +37,8 @@ def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
     parts = sentences(tokens, STOPS)
     for n, part in enumerate(parts):
         rest = [token for other in (*parts[:n], *parts[n + 1 :]) for token in other]
-        if len(parts) > 1 and (stock := _told(part)) is not None:
+        pointed = n > 0 and any(map(_of_these, parts[n + 1 : n + 2]))
+        if len(parts) > 1 and not pointed and (stock := _told(part)) is not None:
             yield [*in_words(stock, part), *rest], "look" if stock_of(bare(part)) is None else ""
         if (idle := _idle(part)) is not None:
             yield [*idle, *rest], ""
@@ -46,16 +47,29 @@ def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
         if (each := _so_many_of_each(part, rest)) is not None:
             yield [*each, *rest], ""
         for stock, asked, wanted in _apart(part):
+            if n and _of_these(asked):
+                continue
             yield [*in_words(stock, part), *(t for p in (*parts[:n], asked, *parts[n + 1 :]) for t in p)], wanted
     yield from ((named, "") for named in _one_by_one(tokens))
+
+
+def _of_these(told: list[Token]) -> bool:
+    """ "(No red block is on the mat. There are two blue blocks.) They must be in a row.": what stands behind a stock
+    speaks of it, and would speak of others with the stock in front of all."""
+    for token, after in pairwise(told):
+        if token.word in _POINTED or (token.word in ("all", "both", "each") and after.word not in _TAKING):
+            return True
+        if any(token.word in table for table in _NAMED):
+            return False
+    return False
 
 
 def _so_many_of_each(part: list[Token], rest: list[Token]) -> list[Token] | None:
     """ "(No red block may touch a blue block.) Three of each.": three red and three blue ones, if of such is told."""
     match = _OF_EACH.match(text_of(part))
     colored = [(a.word, b.word) for a, b in pairwise(rest) if match and a.word in lexicon.COLOR]
-    looks = dict.fromkeys(color for color, noun in colored if noun in lexicon.BLOCK)
-    if match is None or len(looks) < 2 or any(noun not in lexicon.BLOCK | lexicon.PATCH for _, noun in colored):
+    looks = dict.fromkeys(color for color, noun in colored if noun in _BLOCKS)
+    if match is None or len(looks) < 2 or any(noun not in _BLOCKS | {*lexicon.PATCH} for _, noun in colored):
         return None
     if not _THEM.isdisjoint(token.word for token in rest):
         return None  # whom that means depends on where it is told how many there are
@@ -64,6 +78,11 @@ def _so_many_of_each(part: list[Token], rest: list[Token]) -> list[Token] | None
 
 
 _THEM = frozenset({"they", "them", "these", "those", "it", "all", "everything", "both"})
+_POINTED = frozenset({"they", "them", "these", "those", "it"})
+_TAKING = frozenset({"of", "the", "my", *lexicon.NUMBER, *lexicon.COLOR, *lexicon.BLOCK})
+"""With one of these behind it "all" is said of what is named, or "of them" tells of whom."""
+_NAMED = (lexicon.COLOR, lexicon.BLOCK, lexicon.PATCH, lexicon.STRUCTURE, lexicon.COLOR_PLURAL)
+_BLOCKS = frozenset({*lexicon.BLOCK, "one", "ones"})
 _OF_EACH = re.compile(
     f"^(?:there are |we have |i have |use )?({MANY}) (?:blocks |cubes )?of (?:each|every|both)(?: color| kind)?"
     "(?: [.;!])?$"

@@ -26,7 +26,7 @@ from rpg.passes.schema.invented import check_invented
 from rpg.passes.schema.joints import check_joints
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, aimless, patience, torn
-from rpg.passes.schema.reading_order import THEM, as_they_are_read, of_everything
+from rpg.passes.schema.reading_order import THEM, as_they_are_read, of_everything, stock_apart
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of, start_first
 from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
@@ -211,7 +211,7 @@ def _resolved(
     scene = Scene(lenient=lenient)
     for note in notes:
         scene.assume(note)
-    links, chains = counted_later(links, each_later(chains))
+    links, chains = counted_later(*stock_apart(links, each_later(chains)))
     links, chains = sized(links, all_plainly(chains, scene), scene)
     scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
     note_named(chains, scene)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from rpg.language.grammar.clauses.heights_bounded import BOUNDED
 from rpg.language.meaning import (
     Chain,
     Clause,
@@ -17,10 +18,12 @@ from rpg.language.meaning import (
     Size,
     Traits,
     parts_of,
+    replace,
 )
 from rpg.passes.schema.resolve.clauses.between_two import of_a_line
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
 from rpg.passes.schema.resolve.things.spare import definite, leaves_out
+from rpg.passes.schema.resolve.things.world import refuse
 
 
 def as_they_are_read(chains: tuple[Chain, ...], late: Collection[int]) -> list[int]:
@@ -31,6 +34,34 @@ def as_they_are_read(chains: tuple[Chain, ...], late: Collection[int]) -> list[i
         return n in late, later, not _counts_each(chains[n]), n
 
     return sorted(range(len(chains)), key=first)
+
+
+def stock_apart(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
+    """ "Red is on a blue block. There are two blue blocks, and green is next to red.": what there is as a sentence of
+    its own where blocks like these were spoken of before, for it counts those as well."""
+    found: list[tuple[str, Chain]] = []
+    for n, chain in enumerate(chains):
+        first, *rest = chain.clauses
+        if n == 0 or not rest or links[n] != "and" or not _counts_again(first, chains[:n]):
+            found.append((links[n], chain))
+            continue
+        if any(isinstance(part, Pronoun) and part.word in _POINTING for part in parts_of(tuple(rest))):
+            raise refuse("ambiguous", "it is not clear whether such a block that was spoken of before is one of these",
+                         first.span, "say first how many blocks there are")  # fmt: skip
+        found.append(("and", replace(chain, clauses=(first,), links=chain.links[:1])))
+        found.append((chain.links[1], replace(chain, clauses=tuple(rest), links=("and", *chain.links[2:]))))
+    return [link for link, _ in found], tuple(chain for _, chain in found)
+
+
+def _counts_again(first: Meaning, before: tuple[Chain, ...]) -> bool:
+    """Whether a clause says how many there are of a look that some block without a number was said to have."""
+    there = isinstance(first, Clause) and first.verb == "exist" and _brings_up(first) and not first.adjuncts
+    theme = first.theme if there and isinstance(first, Clause) else None
+    if not isinstance(theme, Noun) or theme.det != "bare" or theme.amount is None or theme.part_of:
+        return False
+    some = (part for chain in before for part in parts_of(chain) if isinstance(part, Noun))
+    return any(part.det in ("a", "any", "no") and part.traits == theme.traits and part.head == theme.head
+               for part in some)  # fmt: skip
 
 
 def _told_besides(at: int, chains: tuple[Chain, ...]) -> bool:
@@ -113,6 +144,8 @@ def _sizes(clause: Clause) -> bool:
 def _of_no_block(clause: Clause) -> bool:
     """ "No block is in the middle of the table", "the right half stays empty": whichever blocks there are."""
     theme = clause.theme
+    if clause.verb == BOUNDED:
+        return True  # "no stack may be higher than two"
     if clause.adjuncts and all(getattr(getattr(x, "landmark", None), "word", "") in WHATEVER for x in clause.adjuncts):
         return True
     if isinstance(theme, Noun) and theme.det == "no" and theme.amount and not (theme.part_of or theme.traits.colors):

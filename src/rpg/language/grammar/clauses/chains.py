@@ -104,6 +104,8 @@ def _alternatives(p: Parser, i: int, had: tuple[Chain, ...]) -> Results[Chain]:
     for part, j in chain(p, i):
         if set(part.links) != {"and"} or any(p.words[at : at + 2] == [",", "and"] for at in range(i, j)):
             continue
+        if "," in p.words[i:j] and "and" not in p.words[i:j]:
+            continue  # "either A, B, or C": one of three
         found = (*had, part)
         if k := p.seq(j, ", or"):
             yield from _alternatives(p, k, found)

@@ -61,18 +61,26 @@ def said_of_each(theme: Meaning, places: tuple[Meaning, ...], owner: Meaning) ->
         return _nothing(theme, place, owner)
     if not isinstance(place, Loc) or not isinstance(owner, Noun) or not isinstance(theme, Noun):
         return theme, places
-    several = owner.det in ("each", "all", "no", "both") or (owner.amount is not None and owner.amount.strict)
-    if owner.head == "patch" or not several or theme.det not in ("a", "bare", "any", "some"):
+    if owner.head == "patch" or not each_of(owner) or theme.det not in ("a", "bare", "any", "some"):
         return theme, places
     if theme.head == "patch" or (theme.amount is None and theme.det == "bare") or len(theme.traits.labels) == 1:
         return theme, places
     told = _TURNED.get(place.rel)
-    if place.rel == "on" and owner.det not in ("each", "all", "both"):
+    so_many = theme.amount is not None and theme.amount.strict and theme.amount.low > 0
+    if place.rel == "on" and (so_many or owner.det not in ("each", "all", "both")):
         told = "under"
     if told is None:
         return theme, places
     mods = ("directly",) if told == "under" else place.mods
     return owner, (replace(place, rel=told, landmark=theme, mods=mods),)
+
+
+def each_of(owner: Meaning) -> bool:
+    """Whether what is said of these is said of each of them: of all, of none, or of so many."""
+    if not isinstance(owner, Noun):
+        return False
+    counted = owner.amount is not None and (owner.amount.strict or owner.part_of is not None)
+    return owner.det in ("each", "all", "no", "both") or counted
 
 
 def _nothing(theme: Pronoun, place: Loc, owner: Noun) -> tuple[Meaning, tuple[Meaning, ...]]:

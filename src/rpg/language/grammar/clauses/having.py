@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
-from rpg.language.grammar.clauses.each_has import denied, is_owner, may_have, said_of_each
+from rpg.language.grammar.clauses.each_has import denied, each_of, is_owner, may_have, said_of_each
 from rpg.language.grammar.clauses.shared import all_patches, are_patches
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import part_list
@@ -63,7 +63,7 @@ _CARRIES = (
     "is to carry", "is to support", "needs to carry", "shall carry", "shall hold", "shall support", "shall contain",
     "shall bear", "is carrying", "is supporting", "is holding",
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
-    "must support", "bears", "should bear", "must contain", "should contain", "contains",
+    "must support", "support", "bear", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip
 _NONE = ("none at all", "none")
 _OF_TWO = ("the former", "the latter")
@@ -124,10 +124,11 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
             yield _stated(p, i, end, none, (Loc(rel="on", landmark=owner, span=p.span(i, j)),), mode), end
         if k := p.any_of(j, _CARRIES):
             for theme, start in noun_phrase(p, k) if not _symbols(p, k) else ():
-                for found, end in adjuncts(p, start):
+                for found, end in adjuncts(p, p.opt(start, "each", "apiece") if each_of(owner) else start):
                     if not found or _owned(found, owner) is not None:
                         place = Loc(rel="on", landmark=owner, span=p.span(i, j))
-                        yield replace(_stated(p, i, end, theme, (place,), mode), subject=owner), end
+                        said, places = said_of_each(theme, (place,), owner)
+                        yield replace(_stated(p, i, end, said, places, mode), subject=owner), end
 
 
 def _each_of_both(owner: Meaning, both: bool) -> Meaning:
@@ -349,7 +350,9 @@ def finally_there(p: Parser, i: int, there: Meaning, end: bool = False) -> Meani
         return there
     if with_more(there.theme, there.adjuncts):
         return replace(there, verb="be", mode="goal")
-    told = end and there.mode == "given" and (there.adjuncts or isinstance(there.theme, Structure))
+    shapes = there.theme.items if isinstance(there.theme, Coord) and there.theme.op == "or" else (there.theme,)
+    shaped = all(isinstance(shape, Structure) for shape in shapes)
+    told = end and there.mode == "given" and (there.adjuncts or shaped)
     return replace(there, mode="goal") if told else there
 
 

@@ -27,6 +27,8 @@ def _in_steps(many: int) -> Turn:
     return f"^(?:(?:checklist|list|steps|plan|sequence) [.:] )?{steps}{_ORDER}$", f"first , {told} ."
 
 
+_ON = "(?: \\.| ,| and| , and)"
+"""How a sentence goes on, or the next one does."""
 ACROSS: tuple[Turn, ...] = (
     ("\\buse (?:one|a) color for (?:one|the \\S+) (row|line|column|tower|stack|layer) and (?:a different|another)(?: "
      "color| one)? for (?:the )?(?:\\S+ )?(?:\\1|one)(?= \\.|$)", "each {1} has a different color"),
@@ -44,6 +46,10 @@ ACROSS: tuple[Turn, ...] = (
     (f"^(the (?:numbers|digits|letters|words|blocks|cubes) [^.?]*?|{THING}) (?:got|are|were|have been|have got) (?:all "
      ")?(?:mixed up|jumbled up|jumbled|messed up|scrambled|shuffled|out of order|in disorder|in a mess) \\. "
      "(?=.)", "there are {1} . "),
+    (f"\\b(?:(?:in|at) the end ,? ?)?there (?:is|{MUST} be) exactly one (tower|stack)(?: (?:in|at) the end)?{_ON} it "
+     f"(?:is made of|is built of|consists of|has) (?:exactly )?({MANY})(?: of them| {CUBE}s)?{_ON} (?=the (?:other|"
+     f"remaining) {MANY} .*on the table\\b)",
+     "exactly {2} of them must form a {1} . "),
     (f"^(.+?) \\. but (?=(?:{THING}|none|no|nothing|not|the) .*(?:{MUST}|may|can|is|are)\\b)", "{1} . "),
 )  # fmt: skip
 """What is looked for in a text, and what is said instead."""

@@ -121,6 +121,9 @@ COUNTED: tuple[Turn, ...] = (
 SHARED_OUT: tuple[Turn, ...] = (
     (f"^(?:out )?(?:of|from) (?:the )?({_SO_MANY}) , ({MANY} {_THERE} .+? {_OTHERS})$", "{1} : {2}"),
     (f"^({MANY}) of (?:the )?({_SO_MANY}) ({_THERE} .+? {_OTHERS})$", "{2} : {1} {3}"),
+    (f"^(?:{PUT} )?((?:half|{MANY}) of (?:the )?{_SO_MANY}) (?:{_GO} )?({_WHERE}?)(?: ,| and| , and| , while) "
+     f"(?:the )?(other half|other {MANY})(?: (?:{_GO}))? in(?:to)? (an?|one) ({LINE})$",
+     "put {1} {2} and make {4} {5} of the {3}"),
     (f"^(the (?:\\w+ )?({LINE})(?: with [^,]+?)? {IS} {PLACE} the other)(?: one)?$", "{1} {2}"),
-)
+)  # fmt: skip
 """What is looked for, and what is said instead; in every sentence."""

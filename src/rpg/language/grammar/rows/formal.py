@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.across import ACROSS
+from rpg.language.grammar.rows.alternatives import ALTERNATIVES
 from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
@@ -27,14 +28,18 @@ from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
-from rpg.language.grammar.rows.not_at_end import not_at_end
+from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
+from rpg.language.grammar.rows.not_consecutive import not_consecutive
+from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
+from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
+from rpg.language.grammar.rows.quantified import EACH_THERE, QUANTIFIED
 from rpg.language.grammar.rows.rainbow_told import announced_rainbow
 from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
 from rpg.language.grammar.rows.result_told import result_told
@@ -44,6 +49,7 @@ from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
 from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
+from rpg.language.grammar.rows.so_many_inside import so_many_inside
 from rpg.language.grammar.rows.some_letters import some_of_the_letters
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
@@ -104,6 +110,9 @@ _OF_ALL = (
     *REWORDED_AT_ONCE,
     *WORDIER_AT_ONCE,
     *ASKED_ALOUD_AT_ONCE,
+    *NOT_THERE_AT_ONCE,
+    *OWN_COLOR_AT_ONCE,
+    *EACH_THERE,
     *ROWS_PLACED,
 )
 """The rows of every sentence."""
@@ -132,6 +141,10 @@ _OF_THE_UNREAD = (
     *GAPPED,
     *RELATED,
     *BORNE_FIRST,
+    *NOT_THERE,
+    *ALTERNATIVES,
+    *OWN_COLOR,
+    *QUANTIFIED,
     *UTMOST_TOLD,
     *TOWERS,
     *UPWARD,
@@ -184,8 +197,8 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 _CHANGES = (
     announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
-    other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, corners_again, not_at_end,
-    of_the_figure,
+    other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
+    not_at_end, of_the_figure, not_consecutive, so_many_inside,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

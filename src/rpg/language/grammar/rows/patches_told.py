@@ -165,7 +165,7 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 PATCHES_UNREAD: tuple[Turn, ...] = (
     (f"(?<!with )\\b({_HERE}) (?:is |to be )?(?:left|kept) (?:empty|clear|free)\\b", "{1} must be empty"),
-    (f"\\b(?:is|are) (not )?(?:allowed|permitted)(?: to be)? (?={PLACE} )", "may {1} be "),
+    (f"\\b(?:is|are) (not )?(?:allowed|permitted)(?: to be)? (?=(?:{PLACE}|at) )", "may {1} be "),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("vacate namely",)

@@ -139,7 +139,9 @@ ROUNDABOUT: tuple[Turn, ...] = (
     (f"^(.+? and .+?) (?:{MUST} )?(?:make|be in) contact(?: with each other)?$", "{1} must touch each other"),
     ("^will (the .+? and .+?) (?:please )?(?:swap|change|trade|exchange|switch) (?:places|positions)$", "swap {1}"),
     ("^(an? .+?) tops (an? [^,]+)$", "{1} must be on {2}"),
-    ("^(.+?) anywhere (?:except|but) on (.+)$", "{1} must not be on {2}"),
+    *((f"^(.+?)(?: (?:may|can|could|{MUST}) (?:be|stand|sit|lie|go))? (?:anywhere|everywhere)(?: ,)? (?:except|but|"
+       f"other than|only not|just not)(?: for)? {there}$", f"{{1}} must not be {where}")
+      for there, where in (("at the end", "at an end"), ("((?:on|at|in) .+)", "{2}"))),
     (f"^(.+?) , (?:which|that) (?:has|carries|bears) (.+?) on (?:it|top|top of it) , ({_IS} .+)$",
      "{2} must be on {1} and {1} {3}"),
     (f"^underneath (the [^,]+?) there {MUST} be ([^,]+?) , in direct contact$", "{2} must be directly under {1}"),

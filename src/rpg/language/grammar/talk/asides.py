@@ -12,7 +12,7 @@ from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
 from rpg.language.grammar.talk.framing import VIEW
 from rpg.language.grammar.talk.in_short import begins_thing, meant
-from rpg.language.grammar.talk.left_open import ANY_OF_THEM, FOREIGN, FREE, LOOSE
+from rpg.language.grammar.talk.left_open import ANY_OF_THEM, ANYPLACE, FOREIGN, FREE, LOOSE, left_to_choose
 from rpg.language.grammar.talk.list_marks import lists_in_one
 from rpg.language.grammar.talk.people import TITLES
 from rpg.language.grammar.talk.plainer import plainer
@@ -60,8 +60,6 @@ _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy
              "nice and neat", "nice and tidy", "good", "proper", "dead", "smack", "bang", "slap bang",
              "smack bang", "plumb", "right smack")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""
-_ANYPLACE = ("anywhere", "anywhere you like", "anywhere you want", "wherever", "wherever you like", "wherever you want",
-             "no matter where", "it does not matter where", "does not matter where")  # fmt: skip
 _LINES = frozenset({"row", "line", "tower", "stack", "towers", "stacks", "column", "rows", "columns", "layers"})
 _STOPS, _ENDED = frozenset({"…", ";", ".", "!", "?", ":"}), frozenset({".", "!"})
 _BREAKS, _PAUSES = _STOPS | {","}, _STOPS | {",", *_HESITATIONS}
@@ -92,6 +90,8 @@ def without_asides(tokens: list[Token]) -> list[Token]:
                 continue
         if words[at] in VIEW.firsts:
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
+        if (chosen := left_to_choose(p, at)) > end and _set_off(words, at, chosen):
+            end = chosen
         if words[at] in ("left", "right") and at and words[at - 1] in _ENDED and words[at] in _before(words, at - 1):
             views = (j for j in VIEW.matches(p, at + 1) if j == len(words) or words[j] in _ENDED)
             end = max(views, default=end)  # "Left as I see it.", where something was said to be left
@@ -378,7 +378,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (ANY_OF_THEM, _of_so_many),
     (FOREIGN, lambda words, first, last: True),
     (LOOSE, lambda words, first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
-    (_ANYPLACE, _anyplace),
+    (ANYPLACE, _anyplace),
     (_ANY_CASE, _in_any_case),
     (_ALL_OVER, _all_over),
     (_AT_ONCE, lambda words, first, last: _DENYING.isdisjoint(words) and words[last : last + 1] != ["as"]),

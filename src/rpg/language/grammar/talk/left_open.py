@@ -1,5 +1,57 @@
 """Phrases that leave open what is open anyway: "in any order", "whichever you like", "it does not matter where"."""
 
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser
+from rpg.language.grammar.talk.slots import Patterns
+
+_NUMBERS = "two|three|four|five|six|2|3|4|5|6"
+_THEM = "of_them|of_these|of_those|of_the_two|of_the_three|of_the_four|of_the_five|of_both"
+_ONES = "one|ones|blocks|cubes|bricks|boxes|block|cube|brick|box"
+_YOU = "|".join(
+    f"{who}_{like}"
+    for who in ("you", "we", "they")
+    for like in ("take", "pick", "choose", "use", "move", "like", "want", "please", "prefer", "fancy", "wish", "select")
+)
+_WHICH = f"which|what {_NUMBERS}? {_ONES}? {_THEM}? {_YOU}? it_is|they_are|that_is|those_are?"
+_MINE = "really|entirely|completely|totally|quite|all? up_to_you|up_to_the_robot|your_choice|your_decision|left_to_you"
+_VAIN = (f"{_MINE}|irrelevant|unimportant|immaterial|not_important|not_relevant|of_no_importance|all_the_same|all_one|"
+         "no_matter to_me|to_us|for_me|here?")  # fmt: skip
+_MATTERS = (
+    "do|does not really|actually|particularly? matter|make_a_difference|make_any_difference to_me|to_us|here|at_all?"
+)
+_DOES = ("will|would do|do_just_fine|do_fine|work|be_fine|be_ok|be_okay|suit_me",
+         "is|are|be perfectly|just? fine|ok|okay|good|acceptable|allowed|all_right|alright with|by|for? me|us?",
+         "works|work|does|do|counts|count|suits|suit for_me|for_us|me?")  # fmt: skip
+WHICHEVER = Patterns(
+    f"it|that|this really|actually? {_MATTERS} {_WHICH}",
+    f"it|that makes|make really? no difference to_me|to_us|here|at_all? {_WHICH}",
+    f"it|that is|remains {_VAIN} {_WHICH}",
+    f"no_matter|never_mind|regardless_of|irrespective_of|does_not_matter|do_not_mind|do_not_care {_WHICH}",
+    f"i|we really|honestly? do not really|particularly|much? care|mind about? {_WHICH}",
+    f"you|the_robot can|may|get_to|are_free_to|is_free_to? choose|chooses|pick|decide|decides|select freely? {_WHICH}",
+    f"i|we will|gladly? leave|leaves it to_you|up_to_you|open {_WHICH}",
+    f"{_WHICH} really|actually? {_MATTERS}",
+    f"{_WHICH} really? makes|make no difference to_me|to_us|here|at_all?",
+    f"{_WHICH} is|are|remains {_VAIN}",
+    f"whichever|whatever|any {_NUMBERS}? {_ONES}? {_THEM}? {_YOU}|is_easier|is_easiest|are_easiest|comes_to_hand",
+    f"i|we am|are really|quite? indifferent|easy|not_fussed|not_fussy as_to|about|about_that? {_WHICH}",
+    f"i|we have no preference as_to|about? {_WHICH}",
+    "i|we am|are really|quite? indifferent|easy|not_fussed|not_fussy about_that?",
+    *(f"{which} {_NUMBERS}? {_ONES}? {_THEM}? {does}" for which in ("any", "either|anyone") for does in _DOES),
+)
+"""What leaves open which of several it is, wherever it is set off."""
+
+
+def left_to_choose(p: Parser, at: int) -> int:
+    """The position behind words that leave open which ones; not where they speak of another number than the rest."""
+    for end in reversed([*WHICHEVER.matches(p, at)]) if p.stands(at, WHICHEVER.firsts) else ():
+        told = {p.number(n) for n in range(at, end) if p.words[n - 1] != "the"} - {None, 1}
+        if not told or told <= {p.number(n) for n in (*range(at), *range(end, p.end))}:
+            return end
+    return 0
+
+
 FREE = (
     *(
         f"{lead}{which} order{free}"
@@ -33,6 +85,10 @@ FREE = (
     "whichever", "whatever", "your pick", "you pick", "take your pick", "your call", "you decide", "you can decide",
     "whatever is easier", "whichever is easier", "whatever is easiest", "go", "easy one first", "next level", "today",
     "i do not care which of the others is on top", "please do one thing", "not even a bit", "not one bit",
+    "i have no preference", "we have no preference", "no preference", "not fussy", "not fussed", "all the same to me",
+    "it is all the same to me", "it is all the same to us", "it is all one to me", "it makes no difference",
+    "makes no difference", "it makes no difference to me", "makes no difference to me", "i really do not care",
+    "i do not really care", "i really do not mind", "either way works", "either way suits me",
     "that will do", "that will do fine", "that will be fine", "that would do", "either will do", "either one will do",
     "i could not care less", "i could not care less which", "either side will do", "either way will do",
     *(f"{lead}{both}{free}" for lead in ("", "and ") for both in ("both count", "either counts", "either one counts")
@@ -84,22 +140,6 @@ FREE = (
         for free in ("", " you like", " you want", " you have", " you please", " you prefer", " is fine", " are fine",
                      " will do", " there are", " at all", " will be fine", " is ok")
     ),
-    *(f"{mind}{which}"
-      for mind in ("it is all the same to me", "it is all the same to us", "all the same to me", "it is all one to me",
-                   "it makes no difference", "makes no difference", "it makes no difference to me",
-                   "makes no difference to me", "i am not fussed", "i really do not care", "i do not really care",
-                   "i really do not mind", "i am indifferent", "we are indifferent", "i have no preference",
-                   "we have no preference", "no preference", "i am easy", "i am not fussy", "not fussy")
-      for which in ("", " which", " which one", " which of them", " which of the two", " as to which",
-                    " as to which one", " as to which of them", " about which", " about which one", " about that")),
-    *(f"{which} {free}"
-      for which in ("which", "which one", "which of them", "which of the two", "which of these")
-      for free in ("is immaterial", "is irrelevant", "is unimportant", "is of no importance", "is not important",
-                   "is up to you", "is your choice", "is left to you", "does not matter", "makes no difference")),
-    *(f"{either} {suits}"
-      for either in ("either", "either one", "either of them", "either way")
-      for suits in ("suits me", "will suit me", "works", "works for me", "pleases me", "is fine with me",
-                    "is fine by me", "is good for me", "is all right with me")),
     "i leave it to you", "i leave that to you", "i will leave that to you", "i leave the choice to you",
     "i leave it up to you", "i leave which to you", "that is up to you", "the choice is yours",
     *(f"{lead}{choice}" for lead in ("with the ", "with ", "the ", "") for choice in (
@@ -114,6 +154,9 @@ ANY_OF_THEM = tuple(
     for free in ("", " you like", " you want", " will do", " are fine", " do")
 )
 """Behind so many blocks, at the end of their sentence, that it may be any."""
+ANYPLACE = ("anywhere", "anywhere you like", "anywhere you want", "wherever", "wherever you like", "wherever you want",
+            "no matter where", "it does not matter where", "does not matter where")  # fmt: skip
+"""The same of the place of what is built or put down."""
 FOREIGN = (
     "grazie", "grazie mille", "merci", "merci beaucoup", "merci bien", "danke", "danke schon", "vielen dank",
     "bitte", "gracias", "muchas gracias", "por favor", "obrigado", "obrigada", "muito obrigado", "per favore",

@@ -44,7 +44,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         return chain_goals(untimed(chain), scene, start)
     chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(chain))))
     stages: list[Goals] = [[]]
-    towers, later = Towers.of(scene), scene.later
+    towers, free, later = Towers.of(scene), {*scene.used}, scene.later
     pairs = _given_first(chain)
     before: Clause | None = None
     for (link, clause), after in zip(pairs, [*(link for link, _ in pairs[1:]), ""], strict=True):
@@ -59,13 +59,16 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         starts = start or clause.mode in ("start", "given")
         one_or_all(clause, before)
         before = clause
-        towers = Towers.of(scene) if link != "or" else towers
+        towers, free = (Towers.of(scene), {*scene.used}) if link != "or" else (towers, free)
+        used = {*scene.used}
         if link == "or":
             towers.after(scene, start=False, denied=True)
+            scene.used = {*free}  # of a stock, each alternative may take the same ones
         loose, scene.later = len(scene.loose), later or link == "then"
         goals = clause_goals(clause, scene, starts)
         if link == "or":
             towers.after(scene, start=False, denied=True)
+            scene.used |= used
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
         at_their_times((link, after), goals, loose, scene)
         if clause.mode == "given" and "before" in (link, after):

@@ -48,6 +48,7 @@ from rpg.passes.schema.resolve.clauses.swapped import mere_result, swap
 from rpg.passes.schema.resolve.clauses.the_same_ones import of_the_same
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
 from rpg.passes.schema.resolve.goals.logic import forbids
+from rpg.passes.schema.resolve.orders.loose import each_alone
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
 from rpg.passes.schema.resolve.places.alone import kept_away, none_further, told_alone
@@ -95,8 +96,9 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     goals = of_the_same(_dispatch(clause, spec, scene, scope), clause, scene)
     scene.denying = False
     towers.after(scene, start=start, denied=clause.negated)
+    together = spec.manner("not all")
     if clause.negated and len(scene.loose) > loose:
-        _deny(loose, goals, scene, clause.span)
+        _deny(loose, goals, scene, clause.span, whole=together is not None)
     was_so(goals, clause, spec, scene)
     built = scene.goals.pop(number, [])
     if not clause.negated:
@@ -114,7 +116,6 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     always = spec.manner("always") is not None
     if spec.manner("only") is not None:
         scene.only += [n for m in scene.mentions if m.clause == number and m.role == "theme" for n in m.ref.names]
-    together = spec.manner("not all")
     none_further(spec, scene)
     nothing_left(spec, clause)
     if clause.negated:
@@ -124,11 +125,11 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     return [*built, *goals, *later]
 
 
-def _deny(loose: int, goals: Goals, scene: Scene, span: Span) -> None:
-    """ "the red one is not at the top": what is settled later is denied then."""
+def _deny(loose: int, goals: Goals, scene: Scene, span: Span, whole: bool) -> None:
+    """ "the red one is not at the top": it is denied when it is settled. `whole`: "not both", else none of them."""
     if len(scene.loose) > loose + 1 or any(not isinstance(x, g.All) or x.goals for x in goals):
         raise refuse("ambiguous", "it is not clear how much of this is denied", span, "say it in two sentences")
-    scene.denied += scene.loose[loose:]
+    scene.denied += [one for x in scene.loose[loose:] for one in ([x] if whole else each_alone(x))]
     del scene.loose[loose:]
 
 

@@ -19,6 +19,8 @@ Side = tuple[tuple[str, ...], g.Goal]
 
 def compared_numbers(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """The numbers that go together, any of them; two that are equal are not both none, or nothing was to be done."""
+    if len(spec.manners) != 1:
+        raise refuse("misplaced", "what else is told of the blocks has no place here", clause.span, "use two sentences")
     (how,), spec.manners, spec.places = [*spec.manners], [], []
     lots = clause.theme.items if isinstance(clause.theme, Coord) else (clause.theme,)
     spots = [_there(x, scene, scope) for x in clause.adjuncts if x is not how]

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from typing import TYPE_CHECKING
 
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.language.later import later
-from rpg.passes.schema.resolve.things.world import Scene, refuse
+from rpg.language.meaning import At, Meaning, replace
+from rpg.passes.schema.resolve.orders.positions import looks
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 if TYPE_CHECKING:
     from rpg.passes.schema.resolve.places.sides import place_loose
@@ -32,3 +36,27 @@ def _at_their_times(scene: Scene) -> None:
     if late and all(getattr(place, "side", "") != "next" for _, place, _ in scene.loose):
         raise refuse("ambiguous", "this could be a side of the table or of what is spoken of before", late[0],
                      "say 'to the left half of the table', or of what")  # fmt: skip
+
+
+def each_alone(item: tuple[Ref, Meaning, Span]) -> list[tuple[Ref, Meaning, Span]]:
+    """ "No red block", "the red blocks (not)" at a place: none of them is there."""
+    ref, at_, span = item
+    if ref.op == "nor":
+        return [(part, at_, span) for part in ref.parts]
+    if ref.op != "and" or len(ref.names) < 2 or ref.built:
+        return [item]
+    at_ = replace(at_, side="end") if isinstance(at_, At) and at_.side == "ends" else at_
+    return [(Ref(names=(name,), span=ref.span), at_, span) for name in ref.names]
+
+
+def once_of_each_look(scene: Scene, lines: list[frozenset[str]]) -> list[tuple[Ref, Meaning, Span]]:
+    """What is denied, told of one of those that look alike in a line: its order is told by looks."""
+    found: list[tuple[Ref, Meaning, Span]] = []
+    told: set[Hashable] = set()
+    for ref, at_, span in scene.denied:
+        inside = frozenset(line for line in lines if line.issuperset(ref.names))
+        same = (tuple(looks(scene.things[name]) for name in ref.names), at_, inside)
+        if not inside or same not in told:
+            found.append((ref, at_, span))
+        told.add(same)
+    return found

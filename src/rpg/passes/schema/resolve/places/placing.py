@@ -26,6 +26,7 @@ from rpg.passes.schema.resolve.clauses.between_two import so_many_between
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.goals.logic import negation
+from rpg.passes.schema.resolve.orders.loose import each_alone
 from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.across_the_table import table_sides
 from rpg.passes.schema.resolve.places.centred import centred
@@ -248,13 +249,13 @@ def loose_ats(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> G
         spec.ats = []
         return [goal for region in regions for goal in place(ref, region, scene, scope, span)]
     one_of_them = ref.op in ("or", "xor") and all(len(part.names) == 1 for part in ref.parts) and len(spec.ats) == 1
-    if (ref.op not in ("and", "nor") and not one_of_them) or ref.quant is not None:
+    none = ref.quant is not None and ref.quant.high == 0 and not (scene.denying or ref.built or ref.everything)
+    if (ref.op not in ("and", "nor") and not one_of_them) or (ref.quant is not None and not none):
         raise refuse("ambiguous", "it is not clear which block is meant", ref.span, "name one block")
-    for at_ in spec.ats:
-        if ref.op == "nor":
-            scene.denied += [(part, at_, span) for part in ref.parts]
-        else:
-            scene.loose.append((ref, at_, span))
+    if ref.op == "nor" or none:
+        scene.denied += [one for at_ in spec.ats for one in each_alone((ref, at_, span))]
+    else:
+        scene.loose += [(ref, at_, span) for at_ in spec.ats]
     spec.ats = []
     return [g.All(goals=())]
 

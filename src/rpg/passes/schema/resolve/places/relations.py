@@ -292,7 +292,8 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
     if first_of_all(theme, mark, loc):
         return spread(theme, lambda a: _landmarks(Ref(names=tuple(a)), mark, loc, scene, span), span)  # type: ignore[arg-type]
     if (quant := mark.quant) is not None:
-        check_one_on_many(theme, quant, loc)
+        if loc.rel == "on":
+            check_one_on_many(theme, quant)
         return count(mark.names, quant, lambda b: _relate(theme, Ref(names=tuple(b)), loc, scene, span), span)  # type: ignore[arg-type]
     each = getattr(loc.landmark, "word", "") in ("each", "each one", "each of them")
     if each and loc.rel == "on" and len(mark.built) == 1 and mark.built[0].kind == "stack":

@@ -16,6 +16,7 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols
 from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
+from rpg.passes.schema.resolve.orders.loose import once_of_each_look
 from rpg.passes.schema.resolve.orders.positions import SIDES, SYMMETRIC, alternatives, looks, places_of, ranks_from
 from rpg.passes.schema.resolve.places.across_the_table import REGION, across_the_table
 from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
@@ -34,7 +35,7 @@ Loose = tuple[Ref, Meaning, tuple[int, int]]
 def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
     """Refine the order of a structure in `goal`, or make goals of their own; then what is denied."""
     goal = _stated(goal, scene) if scene.loose else goal
-    for item in scene.denied:
+    for item in once_of_each_look(scene, [frozenset(node.blocks) for node in _lines(goal)]):
         goal = _denied(goal, item, scene)
     return goal
 

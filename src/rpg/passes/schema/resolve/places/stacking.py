@@ -14,7 +14,7 @@ from rpg.ir.order import Order, Pattern
 from rpg.language.meaning import Loc, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj, disj
-from rpg.passes.schema.resolve.things.operands import crown, foot, spread
+from rpg.passes.schema.resolve.things.operands import check_one_on_many, crown, foot, spread
 from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
@@ -187,6 +187,8 @@ def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     direct = {"directly", "immediate"} & set(loc.mods)
     if theme.quant is not None or theme.op != "and" or theme.mixed:
         above = r.On if direct else r.Above
+        if direct and theme.quant is not None:
+            check_one_on_many(mark, theme.quant)
         marks = [foot(mark)] if mark.built else [(b,) for b in mark.names]
         return spread(theme, lambda a: conj([above(a=b, b=a, span=span) for b in marks], span), span)
     lower = crown(theme) if theme.built else theme.names

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Chain, Clause, Coord, Into, Meaning, Pronoun, Structure, Using, replace
+from rpg.language.meaning import Chain, Clause, Coord, Into, Meaning, Noun, Pronoun, Structure, Using, replace
 
 
 def either_shape(chain: Chain) -> Chain:
@@ -13,8 +13,9 @@ def either_shape(chain: Chain) -> Chain:
 def _in_ways(clause: Meaning) -> Meaning:
     if not isinstance(clause, Clause) or clause.negated:
         return clause
-    if clause.verb == "build" and (shapes := _shapes(clause.theme)):
-        ways = [replace(clause, theme=shape) for shape in shapes]
+    there = clause.verb == "exist" and clause.mode == "goal"
+    if (clause.verb == "build" or there) and (shapes := _shapes(clause.theme)):
+        ways = [replace(clause, verb="build", theme=shape) for shape in shapes]
     elif found := [(n, shapes) for n, a in enumerate(clause.adjuncts) if isinstance(a, Into)
                    and (shapes := _shapes(a.structure))]:  # fmt: skip
         n, shapes = found[0]
@@ -32,10 +33,20 @@ def _shapes(told: Meaning | None) -> list[Structure]:
         return []
     shapes = [shape for shape in told.items if isinstance(shape, Structure)]
     owned = [shape.members for shape in shapes if shape.members is not None]
+    if owned and len(owned) == len(shapes) and all(_as_told(owned[0], other) for other in owned[1:]):
+        owned, shapes = owned[:1], [*shapes[:-1], replace(shapes[-1], members=owned[0])]
     if len(shapes) < len(told.items) or len(owned) > 1 or (owned and shapes[-1].members is None):
         return []
     plain = [replace(shape, members=None) for shape in shapes]
     return [replace(plain[0], members=owned[0]), *plain[1:]] if owned else plain
+
+
+def _as_told(one: Meaning, other: Meaning) -> bool:
+    """Whether the blocks of one shape are told in the words of the other's: "a row of four red blocks or a tower of
+    four red blocks" needs no more than four."""
+    return (
+        isinstance(one, Noun) and not one.conditions and one.part_of is None and replace(one, span=other.span) == other
+    )
 
 
 def _of_the_same(way: Clause) -> Clause:

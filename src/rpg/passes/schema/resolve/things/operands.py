@@ -119,9 +119,9 @@ def one_on_one(theme: Ref, mark: Ref, loc: Loc) -> Ref:
     return replace(mark, quant=ANY) if close and theme.quant == mark.quant == _ONE else mark
 
 
-def check_one_on_many(theme: Ref, quant: Amount, loc: Loc) -> None:
+def check_one_on_many(theme: Ref, quant: Amount) -> None:
     """Refuse "two of the three blue blocks carry a red block": a single one lies on no two."""
-    if loc.rel == "on" and quant.low > 1 and len(theme.names) == 1 and not theme.built:
+    if quant.low > 1 and len(theme.names) == 1 and not theme.built:
         raise refuse("ambiguous", f"one block cannot lie on {quant.low} blocks, and how many there are is not said",
                      theme.span, "say: 'two of the three red blocks are on any of the three blue blocks'")  # fmt: skip
 

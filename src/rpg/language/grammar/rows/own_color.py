@@ -1,0 +1,66 @@
+"""Patches and blocks of the same colors, and blocks that are on no patch of their own: "three patches, red, green and
+blue, and a block of each of these colors", "put each block on a patch of a color other than its own"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import IS, PUT
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES
+
+_BLOCK = "(?:block|cube|brick|box)"
+_BLOCKS = "(?:blocks|cubes|bricks|boxes|block|cube|brick|box)"
+_MATS = f"(?:{PATCHES}|{PATCH})"
+_A = f"(?:an? |one |the )?({COLOR})"
+_LISTS = (
+    (f"{_A} and {_A}", "a {0} and a {1}"),
+    (f"{_A} , {_A}(?: ,| and| , and) {_A}", "a {0} , a {1} and a {2}"),
+    (f"{_A} , {_A} , {_A}(?: ,| and| , and) {_A}", "a {0} , a {1} , a {2} and a {3}"),
+)
+"""Colors that are told, and one thing of each."""
+_SAME = f"(?:of|in|with) (?:each of )?(?:the same|these|those|the|matching|their)(?: {MANY})? colors?(?: each)?"
+_THERE = "(?:there (?:is|are) |(?:we|i|you) have |given |with |on the table (?:is|are|lie) )?"
+_AND = "(?: ,| and| , and| plus)"
+_OTHER = ("(?:(?:of|in|with|that has) (?:(?:another|the wrong|some other) color(?: than its(?: own)?)?|an? (?:color )?"
+          "(?:other|different)(?: color)? (?:than|from) its(?: own)?(?: color)?)|(?:that|which) (?:does not match(?: "
+          "its(?: own)? color| it)?|is not (?:of |in )?its(?: own)? color|(?:has|is of) (?:another|a different) color "
+          "(?:than|from) it(?:s own)?)|not of its(?: own)? color)")  # fmt: skip
+_NONE = "no block may be on the patch of its own color"
+
+
+def _stocks() -> tuple[Turn, ...]:
+    """What there is, told of the ones by the colors of the others."""
+    rows: list[Turn] = []
+    for listed, each in _LISTS:
+        for one, ones, others in (("patch", _MATS, _BLOCKS), ("block", _BLOCKS, _MATS)):
+            other = "block" if one == "patch" else "patch"
+            so_many = f"(?:an?|one|{MANY}) (?:{others})(?: each)? {_SAME}"
+            for begun, ahead, nth in (("^", "", 0), ("^(.+) : ", "{1} . ", 1)):
+                hues = [f"{{{n + nth + 1}}}" for n in range(each.count("{"))]
+                lots = each.format(*hues)
+                rest = f"{{{len(hues) + nth + 1}}}"
+                for lot in (f"(?:{MANY} )?{ones} (?:,|:|\\() {listed}(?: \\))?", f"{listed} {ones}"):
+                    told = f"{ahead}there are {lots} {one} and {lots} {other}"
+                    rows += [
+                        (f"{begun}{_THERE}{lot}{_AND} {so_many}$", told),
+                        (f"{begun}{_THERE}{lot}{_AND} {so_many} , (?:but |and )?(.+)$", f"{told} . {rest}"),
+                    ]  # fmt: skip
+    return tuple(rows)
+
+
+OWN_COLOR_AT_ONCE: tuple[Turn, ...] = (
+    (f"^{PUT} (?:exactly )?(?:one|an?) {_BLOCK} on (?:each|every) {PATCH}(?: ,)? (?:but|and) (?:none|not one)(?: of "
+     f"them)? on (?:(?:the|an?) {PATCH} of )?its own color$", f"each patch gets exactly one block . {_NONE}"),
+)  # fmt: skip
+"""The same in every sentence."""
+OWN_COLOR: tuple[Turn, ...] = (
+    *_stocks(),
+    (f"^(?:{PUT} )?(?:each|every)(?: one)?(?: of the)? {_BLOCKS}(?: {IS})? on (?:an?|some) {PATCH} {_OTHER}$",
+     f"every block must be on a patch . {_NONE}"),
+    (f"^(?:each|every) {PATCH} (?:(?:{MUST} )?(?:gets?|has|have|holds?|carry|carries|receives?|bears?)) (?:exactly )?"
+     f"(?:one|an?) {_BLOCK} {_OTHER}(?: on it)?$", f"each patch gets exactly one block . {_NONE}"),
+    (f"^(.*\\b{PATCH}.*?)(?: ,)? (?:but|and|so that|with) (?:no colors? (?:may |must |should )?match(?:es|ing)?|the "
+     "colors (?:may|must|should) not match|no matching colors)$", f"{{1}} . {_NONE}"),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+WORDS = ("matching match wrong matches",)
+"""Words that these take besides those that are read anyway."""

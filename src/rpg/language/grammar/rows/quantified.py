@@ -1,0 +1,85 @@
+"""What is said of each of several, of those of a kind among several, of as many as others and of more here than there,
+as rows that say it in the words of the grammar."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import LABEL, PUT
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH, PATCHES
+
+_BLOCKS = "(?:blocks|cubes|bricks|boxes|ones)"
+_GO = f"(?:{MUST} (?:all )?(?:be|go|lie|stand)(?: put| placed)?|go|goes|lie|are|is|stand|belong)"
+_SIDE = ("((?:directly |immediately |right |just )?(?:behind|in front of|next to|beside|(?:to the |on the )?"
+         "(?:left|right) of))")  # fmt: skip
+_THERE = f"there (?:is|{MUST} be|{MUST} stand|{MUST} lie|stands|lies|are)"
+_ONE = f"((?:exactly one|one|an?) (?:{COLOR} )?(?:\\w+))"
+_KINDS = "(?:vowels?|consonants?|letters?|digits?|(?:odd|even) (?:ones?|numbers?|digits?|blocks?|cubes?))"
+_LABELS = f"(?:{LABEL} to {LABEL}|{LABEL}(?:(?: , and| ,| and)? {LABEL})*)"
+_AS_MANY = "(?:(?:just |exactly )?as many|the same number of|an equal number of)"
+_TWO = f"(?:the (?:two )?{PATCHES}|two {PATCHES}|an? {PATCH}|one of (?:the )?(?:two |these )?{PATCHES})"
+_A = f"(?:the|an?) ({COLOR})(?: one| {PATCH})?"
+_LOT = f"{MANY} (?:{COLOR} )?{_BLOCKS}"
+_LINES = "towers|stacks|rows|lines|columns"
+_SHARE = (
+    "(?:sharing|having|of|in|with|(?:may |must |should |can )?(?:share|have|be of|be in)) (?:the same|a|one|an?) color"
+)
+_APART = f"(?:{MUST}|may|can) not (?:(?:be|stand|lie) (?:next to|beside)|touch) (?:each other|one another)"
+_ALIKE = f"(?:the )?(?:same colors|{_BLOCKS} (?:of|in|with) (?:one|the same|a|equal) colors?)"
+_WITH = "(?: ,| and| but| , with)"
+_MORE = "(more|fewer)(?: of them)?"
+_EITHER = "must be on the {{{}}} or the {{{}}} patch"
+_ALL = f"((?:both|all|all the|the|all {MANY}|the {MANY}) ({COLOR}) {_BLOCKS})"
+_ON = f"(on the (?:{COLOR} )?{PATCH})"
+
+EACH_THERE: tuple[Turn, ...] = (
+    # of a line that is told ahead
+    (f"^in (?:an?|the) ({LINE}) (?:of|with|made of|from) ({MANY} {COLOR}(?: (?:,|and) {MANY} {COLOR})*(?: {_BLOCKS})?)"
+     f"(?: ,)? ((?:no|neither|none) .+|(?:the|an?) .+? (?:{MUST}|may|can) (?:not|never) .+)$",
+     "make a {1} of {2} . {3}"),
+    # no two alike
+    (f"^{_ALIKE} {_APART}$", "no two blocks of the same color may be next to each other"),
+    (f"^(.+?)(?: ,| and| , and| but| , but) {_ALIKE} {_APART}$",
+     "{1} . no two blocks of the same color may be next to each other"),
+    # of each of them
+    (f"^{_SIDE} (each|every) ((?:of the )?(?:{MANY} )?{COLOR} \\w+) {_THERE} {_ONE}$",
+     "{2} {3} must have {4} {1} it"),
+    # as many as of others
+    (f"^{PUT} {_ALL} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
+     "put {1} {3} . there must be as many {4} blocks as {2} blocks {3}"),
+    (f"^{_ALL} {_GO} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
+     "{1} must be {3} . there must be as many {4} blocks as {2} blocks {3}"),
+    # among those that are listed
+    (f"^(.*?)\\b((?:each|every|all|the) {_KINDS}) (?:among|of|out of) the ({_BLOCKS}|letters|numbers|digits) "
+     f"({_LABELS}) (?=(?:{_GO}|rests?|sits?|lies?|has|have)\\b)(.+)$", "there are {3} {4} . {1} {2} {5}"),
+    # more here than there
+    (f"^all of (them|(?:the )?{_LOT}) {_GO} on {_TWO}{_WITH} {_MORE} on {_A} than on {_A}$",
+     f"each of {{1}} {_EITHER.format(3, 4)} . put {{2}} of them on the {{3}} patch than on the {{4}} patch"),
+    (f"^all ({_LOT}) {_GO} on {_TWO}{_WITH} {_MORE} on {_A} than on {_A}$",
+     f"each of the {{1}} {_EITHER.format(3, 4)} . put {{2}} of them on the {{3}} patch than on the {{4}} patch"),
+    (f"^(?:{PUT} )?(?:all |the )?({_LOT})(?: {_GO})? on two {PATCHES} ?[,:] {_A} and {_A}{_WITH} {_MORE} on the \\2"
+     "(?: one)?$",
+     f"each of the {{1}} {_EITHER.format(2, 3)} . put {{4}} of them on the {{2}} patch than on the {{3}} patch"),
+)  # fmt: skip
+"""What is looked for, and what is said instead; in every sentence."""
+QUANTIFIED: tuple[Turn, ...] = (
+    # for each of them
+    (f"^for (each|every) ((?:of the )?(?:{MANY} )?{COLOR} \\w+)(?: ,)? {_THERE} {_ONE} {_SIDE} it$",
+     "{1} {2} must have {3} {4} it"),
+    # no two alike
+    (f"\\beach ({MANY} (?:blocks|cubes) (?:high|tall)) and (?:of|in) (?:a single|one) color",
+     "each {1} and each of a single color"),
+    (f"^(.+?)(?: ,| and| , and| but| , but)? no two ({_LINES}) {_SHARE}$",
+     "{1} . all {2} must be of different colors"),
+    (f"^no two ({_LINES}) {_SHARE}$", "all {1} must be of different colors"),
+    (f"^(.+?)(?: ,| and| , and| but) the (?:{MANY} )?({_LINES}) {MUST} not {_SHARE}$",
+     "{1} . all {2} must be of different colors"),
+    (f"^(.+?)(?: ,| and| , and| with)? (?:the )?same colors {MUST} (?:be|go|lie|stand) (?:on (?:the |a )?diagonals?|"
+     "diagonally)$", "{1} with the same colors on the diagonal"),
+    (f"\\b({MUST}) (?:both|all) be$", "{1} be"),
+    # more than one
+    ("^(.*\\b(?:at least (?:two|2|three|3)|two or more|several) (?:towers|stacks|rows|lines)\\b.*?)(?: ,)? (?:and )?"
+     "not (?:just |only )?(?:a single|one)(?: big| large| tall| high)?(?: one| tower| stack| row| line)?$", "{1}"),
+)  # fmt: skip
+"""What is looked for, and what is said instead, where a sentence cannot be read as it stands."""
+WORDS = ("among fewer plus",)
+"""Words that these take besides those that are read anyway."""

@@ -18,6 +18,7 @@ from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.begun_with import with_beginnings
 from rpg.language.grammar.talk.one_by_one import one_by_one
+from rpg.language.grammar.talk.one_or_other import one_or_the_other
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
@@ -146,7 +147,12 @@ class BuiltinFrontEnd:
             check_numbers(spoken, words, found)
             check_behind(typed, found.task)
         except Refusal as refusal:
-            for ahead, wanted in ((shape_ahead(words), ""), (one_by_one(words), ""), *stocks_ahead(words)):
+            for ahead, wanted in (
+                (shape_ahead(words), ""),
+                (one_by_one(words), ""),
+                (one_or_the_other(words), ""),
+                *stocks_ahead(words),
+            ):
                 if ahead is None:
                     continue
                 ahead, told = told_plainly(ahead)

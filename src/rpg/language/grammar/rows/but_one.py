@@ -18,6 +18,7 @@ _STAY = f"(?:(?:{MUST} )?(?:stays?|remains?|be left|be kept)|is left|are left|is
 _GOING = f"(?:goes|go|belongs?|comes?|ends? up|{MUST})"
 _GOES = f"({_GOING} .+)"
 _MOVES = f"(?:moves?|(?:may|can|{MUST}) (?:move|be moved|be touched)|is (?:to be )?(?:moved|touched)|gets? moved)"
+_TAKE = "(?:take|get|clear|move|lift|pull|bring|push)"
 
 _BESIDE = "(?:touching|next to|beside|adjacent to|near|close to)"
 _IS = f"(?:(?:{MUST}|may|can) (?:be|stand|lie|sit|go|rest)|is|sits|stands|lies|rests)"
@@ -43,5 +44,11 @@ BUT_ONE: tuple[Turn, ...] = (
      "all blocks except {1} must stay where they are"),
     (f"^(?:nothing|no {CUBE}) {_MOVES} {_EXCEPT} ({THING})(?: ,)? (?:which|that) {_GOES}$",
      "all blocks except {1} must stay where they are . {1} {2}"),
+    # all but one are taken off what they lie on
+    (f"^(?:{_TAKE} ({_ALL})|{_TAKE} them (all))(?: ,)? (off(?: .+?)?)(?: ,)? {_EXCEPT} ({THINGS})$",
+     "take {1} {2} except {4} {3}"),
+    (f"^(?:discard|get rid of) ({_ALL} {_EXCEPT} {THINGS}|{_ALL}|{THINGS}|them|it)$", "remove {1}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
+WORDS = ("rid discard",)
+"""Words that these take besides those that are read anyway."""

@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.retold import none_of, shares_head, universal
 from rpg.language.later import later
-from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits, replace
+from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, TableTop, Traits, replace
 
 if TYPE_CHECKING:
     from rpg.language.grammar.things.nouns import noun_phrase, simple
@@ -45,6 +45,8 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int, op: st
             named = ("the", "all", "bare") if taken == "none but" and not _so_many(item) else ("the", "all")
             if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in named):
                 yield Coord(op=str(taken), items=(*items, item), span=p.span(i, j)), j
+    if isinstance(items[0], TableTop):
+        return  # "(all go to the left side of) the table except the red one": out of all of them
     if (k := p.any_of(comma, _EXCEPT)) and op != "or" and not any(map(_any_of, items)):
         for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
             closed = p.opt(j, ",") if p.words[comma - 1] == "," else j

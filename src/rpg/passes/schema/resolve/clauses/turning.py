@@ -310,12 +310,12 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if clause.verb == "unstack":
         scene.unstacked.update(names)
         _there_already(scene) if theme.built else None
-    if not landmarks and clause.lemma == "remove" and (below := _under(theme, scene)):
+    if not landmarks and clause.lemma in _AWAY and (below := _under(theme, scene)):
         scene.assume("a block that is removed is put on the table")
         goals.append(g.Not(goal=r.On(a=theme.names, b=below, span=clause.span), span=clause.span))
-    elif not landmarks and clause.lemma == "remove" and (gone := _off_its_patch(theme, scene, clause.span)):
+    elif not landmarks and clause.lemma in _AWAY and (gone := _off_its_patch(theme, scene, clause.span)):
         return gone
-    elif not landmarks and clause.lemma in ("remove", "clear"):
+    elif not landmarks and clause.lemma in _AWAY:
         raise refuse(
             "no-goal",
             "blocks cannot leave the table; it is not said where they should go",
@@ -331,6 +331,9 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     return goals
 
 
+_AWAY = ("remove", "clear")
+
+
 def _lies_on(place: Meaning) -> bool:
     """ "(Remove the block) on top of the red block": where it lies."""
     on_it = isinstance(place, Loc) and place.rel == "on" and not place.negated
@@ -340,10 +343,12 @@ def _lies_on(place: Meaning) -> bool:
 def _off_its_patch(theme: Ref, scene: Scene, span: Span) -> Goals:
     """ "There are a red and a blue block on the mat. Remove red.": off the patch on which it starts."""
     begun = {n: x.patch for x in scene.start_goals if isinstance(x, r.OnPatch) for n in members(x.a)}
-    if theme.quant is not None or theme.op != "and" or not all(name in begun for name in theme.names):
+    left = theme.parts[-1].names if theme.op == "except" else ()
+    if theme.quant is not None or theme.op not in ("and", "except") or not begun.keys() >= {*theme.names, *left}:
         return []
     scene.assume("a block that is removed is put beside the patch on which it was")
-    return [g.Not(goal=r.OnPatch(a=(n,), patch=begun[n], span=span), span=span) for n in theme.names]
+    gone = [g.Not(goal=r.OnPatch(a=(n,), patch=begun[n], span=span), span=span) for n in theme.names]
+    return [*gone, *(r.OnPatch(a=(n,), patch=begun[n], span=span) for n in left)]
 
 
 def _under(theme: Ref, scene: Scene) -> tuple[str, ...]:

@@ -55,6 +55,7 @@ from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
 from rpg.language.grammar.rows.vocabulary import MUST
+from rpg.language.grammar.rows.word_again import word_again
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
 from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
 from rpg.language.tokens import Token
@@ -185,7 +186,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 _CHANGES = (
     announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, corners_again, not_at_end,
-    of_the_figure,
+    of_the_figure, word_again,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

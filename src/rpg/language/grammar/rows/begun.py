@@ -196,6 +196,7 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise as it stands."""
 
 BEGUN: tuple[Turn, ...] = (
+    (f"^(an?|one) ({LINE}) has ({_LAYERS})$", "there is {1} {2} with {3}"),
     (f"^({ONE}) {_LAY} ({_ON_IT}) (?:by mistake|by accident|accidentally|mistakenly|wrongly)$",
      "at the start , {1} is {2}"),
     (f"^({ONE}) {_LAY} ({_ON_IT})(?: ,)? but(?: it)? (?:really |actually )?belongs ({_ON_IT})$",

@@ -24,6 +24,8 @@ _BESIDE = "(?:touching|next to|beside|adjacent to|near|close to)"
 _IS = f"(?:(?:{MUST}|may|can) (?:be|stand|lie|sit|go|rest)|is|sits|stands|lies|rests)"
 
 BUT_ONE_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:(?:take|get|lift) only|only (?:take|get|lift)) ({THING}) ((?:off|away|down)(?: .+)?)$",
+     "take {1} {2} . all blocks except {1} must stay where they are"),
     (f"\\b({MUST}) only (touch|have|hold|carry|bear|contain|be {_BESIDE}) ", "{1} {2} only "),
     (f"\\b({MUST} be) only ({_BESIDE}) ", "{1} {2} only "),
     (f"^(?:no (?:other )?{CUBE}|nothing|none) {_IS} ({PLACE} .+?)(?: ,)? "

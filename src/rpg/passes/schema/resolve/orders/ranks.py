@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from rpg.core.diagnostics import Span
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, At, Noun, Traits, replace
@@ -48,6 +50,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=there[:1])
     if (found_ := _among_alike(noun, rank, scene)) is not None:
         return found_
+    if rank == "top" and noun.traits.colors and (top := _top_of_alike(noun, scene.built, scene)) is not None:
+        return top
     if (told := _in_the_list(noun, rank, scene)) is not None:
         return told
     if rank.isdigit() or rank == "last":
@@ -68,6 +72,8 @@ def of_the_whole(noun: Noun, whole: Ref, scene: Scene, scope: Scope) -> Ref:
     scene.mentions.pop()
     plain = replace(noun, part_of=None)
     found = ranked(plain, scene, scope) if len(scene.built) == 1 else None
+    if found is None and noun.traits.rank == "top":
+        found = _top_of_alike(plain, whole.built, scene)
     known = whole.built[0] if len(whole.built) == 1 else None
     if found is None and known is not None:
         known = known if known.ordered else begun_in_order(known, scene)
@@ -250,6 +256,17 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     place = At(side=side, index=index, span=noun.span)
     scene.loose.append((Ref(names=(name,), span=noun.span), place, noun.span))
     return Ref(names=(name,))
+
+
+def _top_of_alike(noun: Noun, towers: Iterable[Built], scene: Scene) -> Ref | None:
+    """ "The top red block" of the only tower of red ones at the start: whichever is moved, it was on top."""
+    begun = [
+        b for b in towers
+        if b.kind == "stack" and not b.ordered and _all_alike(b, scene)
+        and (not noun.traits.colors or scene.things[b.members[0]].color in noun.traits.colors)
+        and any(set(b.members) <= {*names_in(fact)} for fact in scene.start_goals)
+    ]  # fmt: skip
+    return Ref(names=begun[0].members[-1:], span=noun.span) if len(begun) == 1 else None
 
 
 def _wholes(scene: Scene) -> list[Built]:

@@ -3,6 +3,7 @@ Success if they form a row.", "One: ... Two: ... In that order.", as rows over a
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.begun import HEAP
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import CUBE, MANY, MUST
@@ -42,6 +43,7 @@ ACROSS: tuple[Turn, ...] = (
     (f"^(the (?:numbers|digits|letters|words|blocks|cubes) [^.?]*?|{THING}) (?:got|are|were|have been|have got) (?:all "
      ")?(?:mixed up|jumbled up|jumbled|messed up|scrambled|shuffled|out of order|in disorder|in a mess) \\. "
      "(?=.)", "there are {1} . "),
+    (f"^((?:(?!\\b{HEAP}\\b).)*?(?:from|out of) )the ({HEAP}) of (?={MANY} )", "{1} a {2} of "),
     (f"^(.+?) \\. but (?=(?:{THING}|none|no|nothing|not|the) .*(?:{MUST}|may|can|is|are)\\b)", "{1} . "),
 )  # fmt: skip
 """What is looked for in a text, and what is said instead."""

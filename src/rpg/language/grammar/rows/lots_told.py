@@ -50,6 +50,8 @@ def _of_their_kind() -> tuple[Turn, ...]:
 _PLACE = "(?:zone|patch|mat|area|target|region)"
 
 LOTS_AT_ONCE: tuple[Turn, ...] = (
+    # "a red a green and a blue block"
+    (f"\\b(an? {COLOR}) (?=an? {COLOR}\\b)", "{1} , "),
     (f"^(.*\\b{_GROUPS}\\b.* (?:and|,)) 1 (with|of|for|has) ", "{1} one {2} "),
     *_of_their_kind(),
     (f"\\bone (?:with|of|for|has|having) (?:the )?(odd|even){_NUMBERED}?(?: ,| and| , and)+ (?:one|the other|"

@@ -6,7 +6,7 @@ from __future__ import annotations
 from rpg.language.grammar.rows.begun import HEAP
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import CUBE, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST, PATCH, PATCHES
 
 _NEXT = (
     "(?=success\\b|the (?:task|goal|game|robot|player)\\b|goal\\b|it is\\b|now\\b|then\\b|at the end\\b|in the end\\b|"
@@ -19,6 +19,14 @@ _ABOUT = (
 _THERE = "(?:there|that way|like that|so)"
 
 _NUMBERED = ("one|1 \\.", "two|2 \\.", "three|3 \\.")
+
+
+def _of_two(one: str, both: str) -> str:
+    """ "One mat is blue and the other white"."""
+    return (
+        f"one (?:of the (?:two )?{both}|{one}) is ({COLOR})(?: ,| and| , and)+ the other(?: one| {one})?(?: is)? "
+        f"({COLOR})(?= \\.|$)"
+    )
 
 
 def _in_steps(many: int) -> Turn:
@@ -43,6 +51,10 @@ ACROSS: tuple[Turn, ...] = (
     (f"^(the (?:numbers|digits|letters|words|blocks|cubes) [^.?]*?|{THING}) (?:got|are|were|have been|have got) (?:all "
      ")?(?:mixed up|jumbled up|jumbled|messed up|scrambled|shuffled|out of order|in disorder|in a mess) \\. "
      "(?=.)", "there are {1} . "),
+    # "one mat is blue, the other is white"
+    (f"^(.*\\btwo {PATCHES}) \\. {_of_two(PATCH, PATCHES)}", "{1} , one is {2} , the other is {3}"),
+    (f"^(.*\\. )?{_of_two(PATCH, PATCHES)}", "{1} there are a {2} patch and a {3} patch"),
+    (f"^(.*\\. )?{_of_two(CUBE, f'{CUBE}s')}", "{1} one is {2} , the other is {3}"),
     (f"^((?:(?!\\b{HEAP}\\b).)*?(?:from|out of) )the ({HEAP}) of (?={MANY} )", "{1} a {2} of "),
     (f"^(.+?) \\. but (?=(?:{THING}|none|no|nothing|not|the) .*(?:{MUST}|may|can|is|are)\\b)", "{1} . "),
 )  # fmt: skip

@@ -27,7 +27,7 @@ _ENDS = f"(?:{MUST} end up|ends up|{MUST} be|is|ends|{MUST} end)"
 _TRADED = "(?:changed|switched|swapped|exchanged|traded)"
 _TRADE = "(?:change|switch|swap|exchange|trade)"
 _BACK = "(?:then|after that|afterwards|and then)"
-_STAYING = f"(?:{'|'.join(f'(?<=\\b{verb} )' for verb in ('stay', 'stays', 'remain', 'remains'))})"
+_STAYING = "(?:(?<=stay )|(?<=stays )|(?<=remain )|(?<=remains ))"
 
 BECOME_AT_ONCE: tuple[Turn, ...] = (
     # "it starts in the left half and must stay in that half", "and must leave it"

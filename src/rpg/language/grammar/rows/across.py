@@ -4,6 +4,7 @@ Success if they form a row.", "One: ... Two: ... In that order.", as rows over a
 from __future__ import annotations
 
 from rpg.language.grammar.rows.begun import HEAP
+from rpg.language.grammar.rows.contrasted import WRONG_WAY_ROUND
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST, PATCH, PATCHES
@@ -51,6 +52,7 @@ ACROSS: tuple[Turn, ...] = (
     (f"^(the (?:numbers|digits|letters|words|blocks|cubes) [^.?]*?|{THING}) (?:got|are|were|have been|have got) (?:all "
      ")?(?:mixed up|jumbled up|jumbled|messed up|scrambled|shuffled|out of order|in disorder|in a mess) \\. "
      "(?=.)", "there are {1} . "),
+    *WRONG_WAY_ROUND,
     # "one mat is blue, the other is white"
     (f"^(.*\\btwo {PATCHES}) \\. {_of_two(PATCH, PATCHES)}", "{1} , one is {2} , the other is {3}"),
     (f"^(.*\\. )?{_of_two(PATCH, PATCHES)}", "{1} there are a {2} patch and a {3} patch"),

@@ -18,7 +18,7 @@ else:
 
 def _of_another_kind(whole: Meaning, out: Meaning) -> bool:
     """ "the letters apart from the digits": these are no exception, for they are none of those."""
-    if not isinstance(whole, Noun) or not isinstance(out, Noun):
+    if not isinstance(whole, Noun) or not isinstance(out, Noun) or whole.head == "patch":
         return False
     one, two = whole.traits, out.traits
     told = [(one.kind, two.kind), (one.colors, two.colors), (one.quality, two.quality)]
@@ -70,7 +70,8 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int, op: st
 
 def _of_its_kind(whole: Meaning, item: Meaning) -> Meaning:
     """ "Any patch but the red one": the red patch."""
-    if isinstance(whole, Noun) and whole.head == "patch" and isinstance(item, Noun) and item.head == "any":
+    marks = isinstance(whole, Noun) and whole.head == "patch" and universal(whole)
+    if marks and isinstance(item, Noun) and item.head == "any":
         return replace(item, head="patch")
     return item
 

@@ -36,6 +36,7 @@ from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
 from rpg.language.grammar.rows.rainbow_told import announced_rainbow
+from rpg.language.grammar.rows.range_but import range_but
 from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
 from rpg.language.grammar.rows.result_told import result_told
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
@@ -186,7 +187,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 _CHANGES = (
     announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, corners_again, not_at_end,
-    of_the_figure, word_again,
+    of_the_figure, word_again, range_but,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -29,7 +29,7 @@ from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
-from rpg.language.spliced import in_one_sentence, in_sentences, run_together
+from rpg.language.spliced import in_one_sentence, in_sentences, run_together, stock_last
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
@@ -220,7 +220,7 @@ _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (
-    shape_ahead, one_by_one, one_or_the_other, digits_named,
+    shape_ahead, one_by_one, one_or_the_other, digits_named, stock_last,
 )  # fmt: skip
 """How what makes no sense as it stands is told again, if it is of such a kind."""
 _STRAY_HINTS = {

@@ -65,7 +65,7 @@ IN_STEPS: tuple[Turn, ...] = (
      "been)?(?: moved)?$", "{1} must be moved . {2} must stay where it is"),
     ("^(?:subject to|under) the (?:constraint|condition|restriction|proviso) that (.+?) , (.+)$", "{1} . {2}"),
     # changing places
-    (f"^({_SWAP}) (?:its|the) ({_END})(?: {BLOCK})? (?:and|with) (?:its|the) ({_END}) {BLOCK}s?$",
+    (f"^({_SWAP}) (?:its|the) ({_END})(?: {BLOCK})? (?:and|with) (?:its|the) ({_END}) (?:{BLOCK}|one)$",
      "swap the {2} block and the {3} block"),
     (f"^({_SWAP}) its ({_END}) and ({_END}) {BLOCK}s$", "swap the {2} block and the {3} block"),
     (f"^({_SWAP}) ({_EITHER}) (?:with|and|for) ({_EITHER})(?: ,)? and ({_EITHER}) (?:with|for) ({_EITHER})$",

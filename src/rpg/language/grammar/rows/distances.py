@@ -59,7 +59,9 @@ DISTANCES: tuple[Turn, ...] = (
 DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     # "to the left a little bit, about 5 cm"
     (f"^((?:please )?(?:move|shift|push|slide|nudge|drag|bring|pull) [^,]+?)(?: {_A_BIT})? (to the (?:left|right|front|"
-     f"back))(?: {_A_BIT})?(?: ,)? (?:(?:by|say|like|maybe|so)(?: ,)? )?{_LONG}( or so)?$", "{1} {3} {2} {4}"),
+     f"back))(?:(?: ,)?(?: but)?(?: only)? {_A_BIT})?(?: ,)? (?:(?:by|say|like|maybe|so)(?: ,)? )?{_LONG}( or so)?"
+     "(?: say)?$",
+     "{1} {3} {2} {4}"),
     # of every two
     (f"\\b({LENGTH})(?: (apart|away|from each other|from one another) or (?:more|farther|further)| or (?:more|farther|"
      "further) (apart))\\b", "at least {1} {2} {3}"),

@@ -18,6 +18,7 @@ _BACK = frozenset({"it", "they", "them", "this", "that", "these", "those", "one"
                    "both"})  # fmt: skip
 """Behind them these may mean whichever was chosen."""
 _BEGINS = frozenset({"one", "either", "the"})
+_VERBS = frozenset({"is", "goes", "should", "must", "has", "stands", "lies", "needs", "belongs", "ends", "shall"})
 _JOINS = frozenset({"and", ",", "but", "while", "with", "whereas"})
 Pair = tuple[list[Token], list[Token]]
 
@@ -80,6 +81,9 @@ def _new(token: Token) -> bool:
 def _one_of(tokens: list[Token], at: int) -> tuple[int, Pair] | None:
     """Where "one of A and B", "either A or B" that begins here ends, and the two."""
     words = [token.word for token in tokens]
+    if words[at] == "one" and at and words[at - 1] in STOPS and words[at + 1] in _VERBS:
+        pairs = [pair for part in sentences(tokens[:at])[-1:] for pair in _listed(part)]
+        return (at + 1, pairs[0]) if len(pairs) == 1 else None
     if words[at : at + 2] != ["one", "of"]:
         return _two(tokens, at + (words[at] == "either"), ("or",)) if words[at] != "one" else None
     if (told := _two(tokens, at + 2, ("and",))) is not None:

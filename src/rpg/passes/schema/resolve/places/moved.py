@@ -17,6 +17,7 @@ from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.shifted import RELS, shifted, told_shift
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
@@ -72,6 +73,10 @@ def off_what(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
     while below is not None and below not in under:
         under.append(below)
         below = scene.on_top.get(below)
+    if not under and len(theme.names) == 1:
+        towers = [x.blocks for x in scene.start_goals if isinstance(x, s.Stack) and theme.names[0] in x.blocks]
+        tower = towers[0] if len(towers) == 1 and alike([scene.things[n] for n in towers[0]]) else ()
+        under = [name for name in tower if name != theme.names[0]]
     if under:
         return Ref(names=tuple(under), plural=len(under) > 1, span=loc.span)
     return _off_its_patch(theme, loc, scene)
@@ -102,9 +107,13 @@ def put_there(upper: str, below: str, scene: Scene) -> bool:
     return any(m.clause in on_it and m.role == "theme" and upper in m.ref.names for m in earlier)
 
 
-def taken_off(theme: Ref, below: str, span: Span) -> g.Goal:
-    """Nothing of it is above this block any more."""
-    return spread(theme, lambda a: g.Not(goal=r.Above(a=a, b=(below,), span=span), span=span), span)
+def taken_off(theme: Ref, below: str, scene: Scene, span: Span) -> g.Goal:
+    """Nothing of it is above this block any more; nor the other way round, where it is not told by its looks which of
+    them was on top."""
+    off = spread(theme, lambda a: g.Not(goal=r.Above(a=a, b=(below,), span=span), span=span), span)
+    if not alike([scene.things[n] for n in (*theme.names, below)]):
+        return off
+    return conj([off, spread(theme, lambda a: g.Not(goal=r.Above(a=(below,), b=a, span=span), span=span), span)], span)
 
 
 def off_patches(a: Operand, patches: Sequence[str], span: Span) -> g.Goal:

@@ -355,7 +355,7 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
 
         return spread(theme, level, span, together=together)
     if loc.rel == "off":
-        return conj([taken_off(theme, n, span) for n in mark.names if n not in theme.names], span)
+        return conj([taken_off(theme, n, scene, span) for n in mark.names if n not in theme.names], span)
     if loc.rel == "together":
         return s.GroupBy(groups=((*theme.names, *mark.names),), span=span)
     raise refuse("misplaced", "this relation does not fit here", loc.span)

@@ -129,7 +129,11 @@ def _two(tokens: list[Token], at: int, *joints: tuple[str, ...]) -> tuple[int, P
 def _named(tokens: list[Token], at: int) -> tuple[int, Token, Token | None] | None:
     """Where the name of a thing ends, the colour or the symbol in it, and its noun."""
     words = [token.word for token in tokens[at : at + 3]]
-    if len(words) > 1 and words[0] in _ARTICLES and (words[1] in lexicon.COLOR or words[1] in _NOUNS):
+    if (
+        len(words) > 1
+        and words[0] in _ARTICLES
+        and (words[1] in lexicon.COLOR or words[1] in _NOUNS or _shown(tokens[at + 1].raw))
+    ):
         at, words = at + 1, words[1:]
     ahead = tokens[at] if len(words) > 1 and words[0] in _BLOCKS else None
     at += ahead is not None

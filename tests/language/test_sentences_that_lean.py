@@ -252,6 +252,8 @@ def test_what_there_is_and_what_is_done(text: str, meant: Meant) -> None:
         ("First put one of A and B on the mat, then put the other on it.", "ambiguous"),
         ("Put either A or B on the mat and the other next to C. It must be upright.", "no-referent"),
         ("Put one of A and B on the mat and two red blocks on the other.", "ambiguous"),
+        ("Put red or blue on one mat and green on the other.", "ambiguous"),
+        ("Put A or B on the left side and C on the other side.", "ambiguous"),
         (
             "Put red on the mat and leave blue where it is or put blue on the mat and leave red where it is.",
             "ambiguous",

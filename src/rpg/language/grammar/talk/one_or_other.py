@@ -18,6 +18,11 @@ _BACK = frozenset({"it", "they", "them", "this", "that", "these", "those", "one"
                    "both"})  # fmt: skip
 """Behind them these may mean whichever was chosen."""
 _BEGINS = frozenset({"one", "either", "the"})
+_PLACES = frozenset({"on", "onto", "in", "into", "to", "of", "off", "beside", "behind", "under", "above", "near", "from",
+                     "touching", "at", "with", "below", "against", "inside"})  # fmt: skip
+_ELSE = frozenset({"side", "half", "end", "corner", "way", "hand", "order", "ones", *lexicon.STRUCTURE,
+                   *lexicon.NUMBER}) - {"one", "square"}  # fmt: skip
+"""Behind "the other" these are none of the two."""
 _VERBS = frozenset({"is", "goes", "should", "must", "has", "stands", "lies", "needs", "belongs", "ends", "shall"})
 _JOINS = frozenset({"and", ",", "but", "while", "with", "whereas"})
 Pair = tuple[list[Token], list[Token]]
@@ -26,14 +31,23 @@ Pair = tuple[list[Token], list[Token]]
 def one_or_the_other(tokens: list[Token]) -> list[Token] | None:
     """The words with both ways to choose told in full; None where no one of two different blocks is chosen."""
     words = [token.word for token in tokens]
-    if "other" not in words:
+    if "other" not in words or any(n and words[n - 1] == "other" for n, word in enumerate(words) if word in _ELSE):
         return None
     last = len(words) - 1 - words[::-1].index("other")
     for at, word in enumerate(words[:last]):
         found = _one_of(tokens, at) if word in _BEGINS or words[at + 1] == "or" else None
         if found is not None:
-            return _told(tokens, at, *found, last)
+            meant = all(_meant(words, n, found[1]) for n in range(found[0], last + 1) if words[n] == "other")
+            return _told(tokens, at, *found, last) if meant else None
     return None
+
+
+def _meant(words: list[str], at: int, pair: Pair) -> bool:
+    """Whether "the other" is one of the two: what something is put on is not, unless they are patches."""
+    noun = words[at + 1] if at + 1 < len(words) else ""
+    if noun in _NOUNS:
+        return (noun in lexicon.PATCH) == _patch(pair[0][-1])
+    return _patch(pair[0][-1]) or words[at - 2] not in _PLACES
 
 
 def _told(tokens: list[Token], at: int, end: int, pair: Pair, last: int) -> list[Token] | None:

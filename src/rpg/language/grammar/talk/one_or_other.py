@@ -18,8 +18,8 @@ _BACK = frozenset({"it", "they", "them", "this", "that", "these", "those", "one"
                    "both"})  # fmt: skip
 """Behind them these may mean whichever was chosen."""
 _BEGINS = frozenset({"one", "either", "the"})
-_PLACES = frozenset({"on", "onto", "in", "into", "to", "of", "off", "beside", "behind", "under", "above", "near", "from",
-                     "touching", "at", "with", "below", "against", "inside"})  # fmt: skip
+_PLACES = frozenset({"on", "onto", "in", "into", "to", "of", "off", "beside", "behind", "under", "above", "near", "at",
+                     "from", "touching", "with", "below", "against", "inside"})  # fmt: skip
 _ELSE = frozenset({"side", "half", "end", "corner", "way", "hand", "order", "ones", *lexicon.STRUCTURE,
                    *lexicon.NUMBER}) - {"one", "square"}  # fmt: skip
 """Behind "the other" these are none of the two."""

@@ -310,18 +310,15 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if clause.verb == "unstack":
         scene.unstacked.update(names)
         _there_already(scene) if theme.built else None
-    if not landmarks and clause.lemma in _AWAY and (below := _under(theme, scene)):
-        scene.assume("a block that is removed is put on the table")
-        goals.append(g.Not(goal=r.On(a=theme.names, b=below, span=clause.span), span=clause.span))
-    elif not landmarks and clause.lemma in _AWAY and (gone := _off_its_patch(theme, scene, clause.span)):
-        return gone
-    elif not landmarks and clause.lemma in _AWAY:
-        raise refuse(
-            "no-goal",
-            "blocks cannot leave the table; it is not said where they should go",
-            clause.span,
-            "say 'take the red block off the blue block'",
-        )
+    if not landmarks and clause.lemma in _AWAY:
+        if below := _under(theme, scene):
+            scene.assume("a block that is removed is put on the table")
+            goals.append(g.Not(goal=r.On(a=theme.names, b=below, span=clause.span), span=clause.span))
+        elif gone := _off_its_patch(theme, scene, clause.span):
+            return gone
+        else:
+            raise refuse("no-goal", "blocks cannot leave the table; it is not said where they should go", clause.span,
+                         "say 'take the red block off the blue block'")  # fmt: skip
     if len(names) > 1 and not landmarks and not _stacked_at_start(names, scene) and not _built_before(theme, scene):
         from rpg.ir import structures as s
 

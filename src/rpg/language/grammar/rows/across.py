@@ -13,6 +13,7 @@ _NEXT = (
     "(?=success\\b|the (?:task|goal|game|robot|player)\\b|goal\\b|it is\\b|now\\b|then\\b|at the end\\b|in the end\\b|"
     "finally\\b)"
 )
+_TAKE = "(?:take|pull|get|pick|remove|bring|fetch|grab|lift|move|put|place|carry)"
 _ORDER = "(?: (?:all )?(?:in|exactly in) (?:that|this|the given) (?:order|sequence) \\.?)"
 _ABOUT = (
     "(?: randomly| at random)?(?: all)?(?: (?:on|over|around|across|about)(?: the table)?)?(?: randomly| at random)?"
@@ -57,7 +58,7 @@ ACROSS: tuple[Turn, ...] = (
     (f"^(.*\\btwo {PATCHES}) \\. {_of_two(PATCH, PATCHES)}", "{1} , one is {2} , the other is {3}"),
     (f"^(.*\\. )?{_of_two(PATCH, PATCHES)}", "{1} there are a {2} patch and a {3} patch"),
     (f"^(.*\\. )?{_of_two(CUBE, f'{CUBE}s')}", "{1} one is {2} , the other is {3}"),
-    (f"^((?:(?!\\b{HEAP}\\b).)*?(?:from|out of) )the ({HEAP}) of (?={MANY} )", "{1} a {2} of "),
+    (f"^((?:(?!\\b(?:{HEAP}|{_TAKE})\\b).)*?(?:from|out of) )the ({HEAP}) of (?={MANY} )", "{1} a {2} of "),
     (f"^(.+?) \\. but (?=(?:{THING}|none|no|nothing|not|the) .*(?:{MUST}|may|can|is|are)\\b)", "{1} . "),
 )  # fmt: skip
 """What is looked for in a text, and what is said instead."""

@@ -26,7 +26,7 @@ def all_as_before(tokens: list[Token], words: list[str]) -> list[Token] | None:
         begun = so + (words[so : so + 1] == [","]) if so else 0
         but = behind(words, begun, _BUT) if so else 0
         end = next((n for n in range(begun, len(words)) if words[n] in _STOPS), len(words))
-        if not but or end - but < 3:
+        if not but or end - but < 3 or words[but] == "for":
             continue
         told = [t.saying(_CHANGED.get(t.word, t.word)) if t.word in _CHANGED else t for t in tokens[but:end]]
         rest = [tokens[start].saying(word) for word in (",", *_OTHERS)]

@@ -272,6 +272,7 @@ def test_what_there_is_and_what_is_done(text: str, meant: Meant) -> None:
         ("There are two towers of three red blocks. Put the top red block on the mat.", "no-referent"),
         ("There are three red blocks and two blue ones. Put the three on the two.", "ambiguous"),
         ("Put the two on the left.", "no-referent"),
+        ("Build a tower of three from the four red blocks. The last one goes on top of a white block.", "ambiguous"),
         ("There are two red blocks and a blue one. Clear away the blue one.", "no-goal"),
         ("Put A, B, C but B in a row.", "no-goal"),
         ("Put red left of blue. In any other order it is wrong.", "misplaced-word"),

@@ -230,6 +230,10 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     colors = noun.traits.colors
     if not _all_alike(built, scene, *there.values()) or (colors and scene.things[built.members[0]].color not in colors):
         return None
+    over = [t for t in scene.blocks() if t.name not in built.members and alike([t, scene.things[built.members[0]]])]
+    if rank == "last" and over:
+        raise refuse("ambiguous", "the last one in it, or the one that is left over?", noun.span,
+                     "say 'the remaining one', or at which end it is")  # fmt: skip
     count, _, told = rank.partition(" ")
     if built.kind in _CROSSES:
         return _in_the_grid(noun, rank, built, scene) if rank == "middle" and len(built.members) % 2 else None

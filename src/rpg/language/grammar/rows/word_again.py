@@ -29,6 +29,8 @@ def word_again(tokens: list[Token]) -> list[Token]:
             out += [token.saying("the"), token.saying("word")]
             token = replace(token, kind="literal", value=token.raw)
             spelt[token.word] = token
+        if token.word == "of" and n and tokens[n - 1].kind == "literal" and words[n + 1 : n + 2] in (["it"], ["them"]):
+            out.append(token.saying("out"))  # "make NOT of it"
         out.append(token)
     return _again(out, *spelt.values()) if len(spelt) == 1 else out
 

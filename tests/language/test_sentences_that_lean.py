@@ -136,7 +136,8 @@ def test_exceptions_that_are_told_last(text: str, meant: Meant) -> None:
           "hold": ["red^blue^green"], "miss": ["green^blue^red", "red^blue ; green"]}),
         *((text, BACKWARDS) for text in (
             "At the start the blocks spell POT, at the end they should spell it backwards.",
-            "The letters start as POT and should end as TOP.", "The word is POT. Make TOP of it.", "Start with POT and end with TOP.",
+            "The letters start as POT and should end as TOP.", "The word is POT. Make TOP of it.",
+            "Start with POT and end with TOP.",
             "The letters start out as POT. They should end up as TOP.")),
         *((text, OFF_THE_TOP) for text in (
             "There is a tower of three white blocks. Take the top block off.",

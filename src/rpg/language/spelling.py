@@ -78,7 +78,7 @@ SHORT_FORMS = {
     "btwn": "between", "betw": "between", "abt": "about", "dist": "distance", "horiz": "horizontal", "vert": "vertical",
     "alt": "alternating", "seq": "sequence", "rect": "rectangle", "tri": "triangle", "pyr": "pyramid",
     "num": "number", "nums": "numbers", "nbr": "number", "ltr": "letter", "ltrs": "letters", "ppl": "people",
-    "rn": "now", "outta": "from", "vs": "and", "versus": "and",
+    "cw": "clockwise", "ccw": "counterclockwise", "rn": "now", "outta": "from", "vs": "and", "versus": "and",
 }  # fmt: skip
 """Words typed in short, in small letters."""
 

@@ -69,6 +69,17 @@ _SAID = frozenset({*lexicon.VERB, *lexicon.POSTURE, "is", "are", "be", "must", "
 _STOPS = frozenset({".", "!", "?", ";"})
 
 
+def stock_last(tokens: list[Token]) -> list[Token] | None:
+    """The words with a full stop where only a comma parts what there is from what is asked: "..., there are three"."""
+    words = [token.word for token in tokens]
+    commas = [n for n in range(2, len(words) - 3) if words[n] == "," and length_at(words, n + 1, _THERE_IS)]
+    last = commas[-1] if commas else 0
+    return [*tokens[:last], tokens[last].saying("."), *tokens[last + 1 :]] if last else None
+
+
+_THERE_IS = (("there", "are"), ("there", "is"), ("we", "have"), ("i", "have"), ("you", "have"))
+
+
 def in_one_sentence(tokens: list[Token]) -> list[Token] | None:
     """The words with a comma where a sentence follows that has no verb, and only tells in which order or line."""
     words = [token.word for token in tokens]

@@ -19,7 +19,10 @@ from rpg.language.frames import retold
 from rpg.language.glosses import without_glosses
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.begun_with import with_beginnings
+from rpg.language.grammar.talk.line_told_behind import line_told_behind
+from rpg.language.grammar.talk.numbers_told import digits_named
 from rpg.language.grammar.talk.one_by_one import one_by_one
+from rpg.language.grammar.talk.one_or_other import one_or_the_other
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
@@ -29,7 +32,7 @@ from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
-from rpg.language.spliced import in_one_sentence, in_sentences, run_together
+from rpg.language.spliced import in_one_sentence, in_sentences, run_together, stock_last
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings, same
@@ -165,7 +168,8 @@ class BuiltinFrontEnd:
             check_numbers(spoken, words, found)
             check_behind(typed, found.task)
         except Refusal as refusal:
-            for ahead, wanted in ((shape_ahead(words), ""), (one_by_one(words), ""), *stocks_ahead(words)):
+            otherwise = ((way(words), "") for way in _OTHERWISE)
+            for ahead, wanted in (*otherwise, *stocks_ahead(words)):
                 if ahead is None:
                     continue
                 ahead, told = told_plainly(ahead)
@@ -237,6 +241,11 @@ _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
     without_materials, without_praise,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
+_OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (
+    shape_ahead, one_by_one, one_or_the_other, digits_named, stock_last,
+    line_told_behind,
+)  # fmt: skip
+"""How what makes no sense as it stands is told again, if it is of such a kind."""
 _STRAY_HINTS = {
     "<": "say in words what is meant, as in 'red is to the left of green' or 'smaller than'",
     ">": "say in words what is meant, as in 'red is to the right of green' or 'larger than'",

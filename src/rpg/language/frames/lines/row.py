@@ -237,8 +237,8 @@ def check_words(pieces: Sequence[Piece]) -> None:
     """Words that tell of what stands beside them.
 
     Raises:
-        Unclear: "then" is no list, "all but two" are not all, or a number of blocks has a place ("the three "
-        "blocks in the middle").
+        Unclear: "then" is no list, "all but two" or "A to E but C" are not all of these, or a number of blocks
+        has a place ("the three blocks in the middle").
     """
     of_all = False
     for piece in pieces:
@@ -249,6 +249,9 @@ def check_words(pieces: Sequence[Piece]) -> None:
     for piece, after in pairwise([*bound, Piece("end", "")]):
         if {piece.kind, after.kind} == {"total", "place"} and after.words != "middle":
             raise Unclear
+    ahead = zip(bound, bound[1:], [*bound[2:], Piece("end", "")], strict=False)
+    if any(but.words == "but" and lot.kind == "lot" and after.kind != "place" for but, lot, after in ahead):
+        raise Unclear
     bound = [piece for piece in bound if piece.kind != "break"]
     for piece, after in pairwise([*bound, Piece("end", "")]):
         if piece.value == "now" and after.kind not in ("lot", "place"):

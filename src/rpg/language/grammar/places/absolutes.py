@@ -19,7 +19,7 @@ from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.printed import shown
 from rpg.language.grammar.things.retold import begins_anew
 from rpg.language.grammar.things.standby import AS_EXTRAS
-from rpg.language.lexicon import COLOR
+from rpg.language.lexicon import COLOR, STRUCTURE
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -73,8 +73,8 @@ def _at_end(p: Parser, i: int, leads: tuple[str, ...]) -> Results[Absolute]:
     """What is first, or last, or where it is said to be."""
     j, first = p.any_of(p.opt(i, ","), leads), leads is _STARTS
     for theme, k in simple(p, j) if j else ():
-        if not isinstance(theme, Noun) or theme.head == "patch":
-            continue
+        if not isinstance(theme, Noun) or theme.head == "patch" or not STRUCTURE.keys().isdisjoint(p.words[k : k + 1]):
+            continue  # nor "starting with a red tower"
         sides = at(p, k)
         if not sides:
             place = Places(side="first" if first else "last", unit="block", index=1 if first else None, span=theme.span)

@@ -3,14 +3,17 @@ Success if they form a row.", "One: ... Two: ... In that order.", as rows over a
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.begun import HEAP
+from rpg.language.grammar.rows.contrasted import WRONG_WAY_ROUND
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import CUBE, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST, PATCH, PATCHES
 
 _NEXT = (
     "(?=success\\b|the (?:task|goal|game|robot|player)\\b|goal\\b|it is\\b|now\\b|then\\b|at the end\\b|in the end\\b|"
     "finally\\b)"
 )
+_TAKE = "(?:take|pull|get|pick|remove|bring|fetch|grab|lift|move|put|place|carry)"
 _ORDER = "(?: (?:all )?(?:in|exactly in) (?:that|this|the given) (?:order|sequence) \\.?)"
 _ABOUT = (
     "(?: randomly| at random)?(?: all)?(?: (?:on|over|around|across|about)(?: the table)?)?(?: randomly| at random)?"
@@ -18,6 +21,14 @@ _ABOUT = (
 _THERE = "(?:there|that way|like that|so)"
 
 _NUMBERED = ("one|1 \\.", "two|2 \\.", "three|3 \\.")
+
+
+def _of_two(one: str, both: str) -> str:
+    """ "One mat is blue and the other white"."""
+    return (
+        f"one (?:of the (?:two )?{both}|{one}) is ({COLOR})(?: ,| and| , and)+ the other(?: one| {one})?(?: is)? "
+        f"({COLOR})(?= \\.|$)"
+    )
 
 
 def _in_steps(many: int) -> Turn:
@@ -50,6 +61,12 @@ ACROSS: tuple[Turn, ...] = (
      f"(?:is made of|is built of|consists of|has) (?:exactly )?({MANY})(?: of them| {CUBE}s)?{_ON} (?=the (?:other|"
      f"remaining) {MANY} .*on the table\\b)",
      "exactly {2} of them must form a {1} . "),
+    *WRONG_WAY_ROUND,
+    # "one mat is blue, the other is white"
+    (f"^(.*\\btwo {PATCHES}) \\. {_of_two(PATCH, PATCHES)}", "{1} , one is {2} , the other is {3}"),
+    (f"^(.*\\. )?{_of_two(PATCH, PATCHES)}", "{1} there are a {2} patch and a {3} patch"),
+    (f"^(.*\\. )?{_of_two(CUBE, f'{CUBE}s')}", "{1} one is {2} , the other is {3}"),
+    (f"^((?:(?!\\b(?:{HEAP}|{_TAKE})\\b).)*?(?:from|out of) )the ({HEAP}) of (?={MANY} )", "{1} a {2} of "),
     (f"^(.+?) \\. but (?=(?:{THING}|none|no|nothing|not|the) .*(?:{MUST}|may|can|is|are)\\b)", "{1} . "),
 )  # fmt: skip
 """What is looked for in a text, and what is said instead."""

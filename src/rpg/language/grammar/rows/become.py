@@ -18,7 +18,7 @@ from rpg.language.grammar.rows.begun import (
     UP,
 )
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, LINE, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, LINE, MANY, MUST, PATCH
 
 _LED = f"({END} (?:, )?)?"
 _BOTH = f"(?:they|both|the two|both {BRICK}s|both of them|the two {BRICK}s)"
@@ -27,8 +27,12 @@ _ENDS = f"(?:{MUST} end up|ends up|{MUST} be|is|ends|{MUST} end)"
 _TRADED = "(?:changed|switched|swapped|exchanged|traded)"
 _TRADE = "(?:change|switch|swap|exchange|trade)"
 _BACK = "(?:then|after that|afterwards|and then)"
+_STAYING = "(?:(?<=stay )|(?<=stays )|(?<=remain )|(?<=remains ))"
 
 BECOME_AT_ONCE: tuple[Turn, ...] = (
+    # "it starts in the left half and must stay in that half", "and must leave it"
+    (f"({MUST})(?: all| both)? (?:leave|get out of) it$", "{1} not be there"),
+    (f"{_STAYING}(?:in|on) (?:that|this) (?:half|side|corner|part|area|region|{PATCH})\\b", "there"),
     (f"\\bwhen (?:you are|everything is|all is) (?:done|finished)\\b(?!(?: ,)? (?:please )?{COMMAND}\\b)",
      "at the end"),
     ("\\bfrom (?:its|their) (?:starting|start|original|initial|first) (?:place|position|spot|point|location)\\b",
@@ -113,7 +117,7 @@ BECOME: tuple[Turn, ...] = (
      "the end)?$", "{1} . at the end they must be {2}"),
     ("^(.+?) (form|make|are in|are|become) (an? (?:tower|stack|row|line))(?: ,)? and so (?:do|are|must) (.+)$",
      "{1} {2} {3} and {4} {2} {3}"),
-    (f"({MUST})(?: all| both)? leave (it|the {BRICK}|{MARK})$", "{1} not be on {2}"),
+    (f"({MUST})(?: all| both)? leave (the {BRICK}|{MARK})$", "{1} not be on {2}"),
     (f"^(?:take|move|remove|clear) (?:some|any|several|so many|as many)(?: of them| {BRICK}s)?(?: away| off)? until "
      f"(at most {MANY}) "
      "(?:is|are)(?: still)? left (on .+)$", "at the end {1} of them may be {2}"),

@@ -77,8 +77,11 @@ _OF_EACH = (
     f" , ({MANY})(?: of them)? ({COLOR})(?: ones)?(?: ,| and| , and) ({MANY})(?: of them)? ({COLOR})(?: ones)?\\b"
 )
 _ONE_OF_TWO = f"(?:the|an?|both|all) [^,]+? {STARTS} [^,]+? and (?:go(?:es)?|ends?|moves?|{MUST}) [^,]+?"
+_BEFORE = "(?:in front of|before) (?:you|us|me|the robot)(?: there)?"
 
 BEGUN_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:you (?:will )?(?:find|see|encounter|be given)|{_BEFORE} (?:is|are|stands?|lies?|(?:you|we) (?:find|see))) "
+     f"(?=(?:an?|two|three) (?:\\w+ )?{_SHAPE}s?\\b)", "at the start there is "),
     (f"\\b(?:(?:at|on|upon) reset|when (?:the|this|an|each|every) {EVENT} (?:starts|begins)|when (?:we|you) "
      "(?:start|begin)(?= [,:]|$))\\b", "at the start"),
     ("^(start|end|goal|initial state|start state|final state) , (?!then\\b|at last\\b)", "{1} : "),
@@ -196,6 +199,7 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise as it stands."""
 
 BEGUN: tuple[Turn, ...] = (
+    (f"^(an?|one) ({LINE}) has ({_LAYERS})$", "there is {1} {2} with {3}"),
     (f"^({ONE}) {_LAY} ({_ON_IT}) (?:by mistake|by accident|accidentally|mistakenly|wrongly)$",
      "at the start , {1} is {2}"),
     (f"^({ONE}) {_LAY} ({_ON_IT})(?: ,)? but(?: it)? (?:really |actually )?belongs ({_ON_IT})$",

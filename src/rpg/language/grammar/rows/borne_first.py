@@ -19,6 +19,9 @@ BORNE_FIRST: tuple[Turn, ...] = (
     (f"\\bthe (?:(?:{FEW}) )?({PATCH}s|patches) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})(?! (?:{BLOCK}s?|ones?)\\b)",
      "the {2} {1}"),
     (f"\\b(the|an?) ({PATCH}) ({COLOR})(?= [,.]| and |$)", "{1} {3} {2}"),
+    # what it bears at the end as well
+    (f"(?: ,)? (?:with |while )?({THING})(?: (?:is|{MUST} be|stays?|remains?))? still (?:on top(?: of it)?|on it)$",
+     "with {1} on it"),
     # any posture, where only another is known in that place
     ("\\b(?:sits|rests|lies)\\b", "stands"), ("\\b(?:sit|rest|lie)\\b(?!$)", "stand"),
 )  # fmt: skip

@@ -15,14 +15,17 @@ _ALL = (
 _EXCEPT = "(?:except(?: for)?|but(?: for| not)?|apart from|other than|save(?: for)?|with the exception of)"
 _THERE = "(?:(?:right |exactly |just )?where (?:they are|it is)|in (?:its |their )?places?|put|as (?:they are|it is))"
 _STAY = f"(?:(?:{MUST} )?(?:stays?|remains?|be left|be kept)|is left|are left|is kept|are kept)"
-_GOING = f"(?:goes|go|belongs?|comes?|ends? up|{MUST})"
+_GOING = f"(?:goes|go|moves?|belongs?|comes?|ends? up|{MUST})"
 _GOES = f"({_GOING} .+)"
 _MOVES = f"(?:moves?|(?:may|can|{MUST}) (?:move|be moved|be touched)|is (?:to be )?(?:moved|touched)|gets? moved)"
+_TAKE = "(?:take|get|clear|move|lift|pull|bring|push)"
 
 _BESIDE = "(?:touching|next to|beside|adjacent to|near|close to)"
 _IS = f"(?:(?:{MUST}|may|can) (?:be|stand|lie|sit|go|rest)|is|sits|stands|lies|rests)"
 
 BUT_ONE_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:(?:take|get|lift) only|only (?:take|get|lift)) ({THING}) ((?:off|away|down)(?: .+)?)$",
+     "take {1} {2} . all blocks except {1} must stay where they are"),
     (f"\\b({MUST}) only (touch|have|hold|carry|bear|contain|be {_BESIDE}) ", "{1} {2} only "),
     (f"\\b({MUST} be) only ({_BESIDE}) ", "{1} {2} only "),
     (f"^(?:no (?:other )?{CUBE}|nothing|none) {_IS} ({PLACE} .+?)(?: ,)? "
@@ -30,6 +33,7 @@ BUT_ONE_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What could be meant in several ways as it stands."""
 BUT_ONE: tuple[Turn, ...] = (
+    (f"\\b(all but (?:{FEW}))(?=$| ,| and\\b)", "{1} of them"),
     *((f"^(leave|keep) ({_ALL}) ({_THERE})(?: ,)? {_EXCEPT} ({THINGS}){tail}$",
        f"{{1}} {{2}} except {{4}} {{3}} {more}")
       for tail, more in (("", ""), (f"(?: ,)? (?:which|that) {_GOES}", ". {4} {5}"))),
@@ -43,5 +47,11 @@ BUT_ONE: tuple[Turn, ...] = (
      "all blocks except {1} must stay where they are"),
     (f"^(?:nothing|no {CUBE}) {_MOVES} {_EXCEPT} ({THING})(?: ,)? (?:which|that) {_GOES}$",
      "all blocks except {1} must stay where they are . {1} {2}"),
+    # all but one are taken off what they lie on
+    (f"^(?:{_TAKE} ({_ALL})|{_TAKE} them (all))(?: ,)? (off(?: .+?)?)(?: ,)? {_EXCEPT} ({THINGS})$",
+     "take {1} {2} except {4} {3}"),
+    (f"^(?:discard|get rid of) ({_ALL} {_EXCEPT} {THINGS}|{_ALL}|{THINGS}|them|it)$", "remove {1}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
+WORDS = ("rid discard",)
+"""Words that these take besides those that are read anyway."""

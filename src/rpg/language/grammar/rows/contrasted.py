@@ -35,5 +35,19 @@ CONTRASTED: tuple[Turn, ...] = (
      "be) another of (.+)$", "{1} {2} there must be a tower of {3}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("versa vice mixing necessarily nowhere",)
+_ORDER_TOLD = "(?=.*\\b(?:first|then|before|after)\\b)"
+_CONTRARY = (
+    "(?:doing (?:it|this|that|so) )?(?:the other way (?:round|around)|"
+    "in (?:the reverse|the other|the opposite|any other|a different|another) order)(?: it)?"
+)
+_WRONG = (
+    "(?:is|are|would be|will be|would|will|does|counts? as|means?|must|may|can|should)(?: be)? (?:(?:a|an|the) )?"
+    "(?:wrong|failure|mistake|error|forbidden|invalid|cheating|"
+    "not (?:allowed|okay|ok|permitted|valid|right|correct|count|do|acceptable|good))"
+)
+WRONG_WAY_ROUND: tuple[Turn, ...] = (
+    (f"^({_ORDER_TOLD}.+?)(?: [.;,])?(?: (?:and|but))? {_CONTRARY} {_WRONG}(?= \\.|$)", "{1}"),
+)
+"""What is said of a text in which one thing comes after another, and is so anyway: that the contrary is wrong."""
+WORDS = ("versa vice mixing necessarily nowhere failure mistake invalid cheating",)
 """Words that these take besides those that are read anyway."""

@@ -30,6 +30,7 @@ _MOST_OFF = "(?:by )?(?:no more than|not more than|at most|less than|up to)"
 _ROW = f"((?:an?|the|one) (?:row|line|column) of (?:(?:{FEW}|\\d+) )?(?:\\w+ )?(?:blocks|cubes|ones))"
 _THERE = f"there (?:is|are|{MUST} be)"
 _SAME = "(?:(?:always|everywhere|all) )?(?:the same|equal|identical|equally (?:large|big|wide))(?: everywhere| size)?"
+_A_BIT = "(?:(?:just )?(?:a (?:little|tiny|small) bit|a bit|a little|a touch|a tad|slightly|somewhat))"
 _GAPS = "(?:gaps?|distances?|spaces?|spacing|intervals?)"
 _FACES = "(?:(?:their|the|its) )?(?:facing |adjacent |neighboring )?(?:faces|sides|surfaces)"
 _BARE = f"(?:(?! is | {MUST} | be | measured ).)"
@@ -56,6 +57,11 @@ DISTANCES: tuple[Turn, ...] = (
 )  # fmt: skip
 """What makes no sense as it stands, and what is said instead."""
 DISTANCES_AT_ONCE: tuple[Turn, ...] = (
+    # "to the left a little bit, about 5 cm"
+    (f"^((?:please )?(?:move|shift|push|slide|nudge|drag|bring|pull) [^,]+?)(?: {_A_BIT})? (to the (?:left|right|front|"
+     f"back))(?:(?: ,)?(?: but)?(?: only)? {_A_BIT})?(?: ,)? (?:(?:by|say|like|maybe|so)(?: ,)? )?{_LONG}( or so)?"
+     "(?: say)?$",
+     "{1} {3} {2} {4}"),
     # of every two
     (f"\\b({LENGTH})(?: (apart|away|from each other|from one another) or (?:more|farther|further)| or (?:more|farther|"
      "further) (apart))\\b", "at least {1} {2} {3}"),

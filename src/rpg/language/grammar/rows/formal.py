@@ -41,6 +41,7 @@ from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
 from rpg.language.grammar.rows.quantified import EACH_THERE, QUANTIFIED
 from rpg.language.grammar.rows.rainbow_told import announced_rainbow
+from rpg.language.grammar.rows.range_but import range_but
 from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
 from rpg.language.grammar.rows.result_told import result_told
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
@@ -61,6 +62,7 @@ from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
 from rpg.language.grammar.rows.vocabulary import MUST
+from rpg.language.grammar.rows.word_again import word_again
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
 from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
 from rpg.language.tokens import Token
@@ -198,7 +200,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 _CHANGES = (
     announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
-    not_at_end, of_the_figure, not_consecutive, so_many_inside,
+    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -17,6 +17,7 @@ _THEN = "(?:then |next |after that |afterwards |from there |finally |lastly |las
 _SHOWN = "(upside - down|upside down|upright|sideways)"
 _SELF = "(?:is|are|appears?|stands?|reads?|lies?)"
 _SWAP = "(?:trade|swap|switch|change|exchange)"
+_END = "(?:top|bottom|left|right|first|last|leftmost|rightmost|middle|front|back|lowest|highest|uppermost)"
 _ASKED = "(?:let|can|could|may|is it possible (?:that|for)|(?:i|we) (?:want|need|would like))"
 _WHOLE = "(?:thing|time|process|operation|task|episode|procedure|job)"
 _NAMED = f"(?:{THING}|{LABEL})"
@@ -67,6 +68,9 @@ IN_STEPS: tuple[Turn, ...] = (
      "been)?(?: moved)?$", "{1} must be moved . {2} must stay where it is"),
     ("^(?:subject to|under) the (?:constraint|condition|restriction|proviso) that (.+?) , (.+)$", "{1} . {2}"),
     # changing places
+    (f"^({_SWAP}) (?:its|the) ({_END})(?: {BLOCK})? (?:and|with) (?:its|the) ({_END}) (?:{BLOCK}|one)$",
+     "swap the {2} block and the {3} block"),
+    (f"^({_SWAP}) its ({_END}) and ({_END}) {BLOCK}s$", "swap the {2} block and the {3} block"),
     (f"^({_SWAP}) ({_EITHER}) (?:with|and|for) ({_EITHER})(?: ,)? and ({_EITHER}) (?:with|for) ({_EITHER})$",
      "swap {2} and {3} . swap {4} and {5}"),
     (f"^({_NAMED} and {_NAMED}) ((?:{MUST} )?{_SWAP} (?:their )?(?:places|positions))(?: ,)? and so {{must}} "

@@ -104,6 +104,9 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
        f"{{4}} block")
       for n, between in (("two|2", "one block"), ("three|3", "two blocks"))),
     *_between_ends(),
+    # "next to each other in a row", of which one thing more may be said behind it
+    (f"\\bnext to (?:each other|one another)(?: ,)? (in an? {_ROW_OR_LINE})\\b", "side by side {1}"),
+    (f"\\b(in an? {_ROW_OR_LINE})(?: ,)? next to (?:each other|one another)\\b", "side by side {1}"),
     # what there is, ahead of what is done with it
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)? : ({_DO} {_THEM} .+)$",
      "there are {1} blocks . {2}"),

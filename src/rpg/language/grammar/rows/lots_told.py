@@ -50,6 +50,8 @@ def _of_their_kind() -> tuple[Turn, ...]:
 _PLACE = "(?:zone|patch|mat|area|target|region)"
 
 LOTS_AT_ONCE: tuple[Turn, ...] = (
+    # "a red a green and a blue block"
+    (f"\\b(an? {COLOR}) (?=an? {COLOR}\\b)", "{1} , "),
     (f"^(.*\\b{_GROUPS}\\b.* (?:and|,)) 1 (with|of|for|has) ", "{1} one {2} "),
     *_of_their_kind(),
     (f"\\bone (?:with|of|for|has|having) (?:the )?(odd|even){_NUMBERED}?(?: ,| and| , and)+ (?:one|the other|"
@@ -105,6 +107,13 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 LOTS: tuple[Turn, ...] = (
+    # "the other two are blue and go on the right half"
+    (f"^(?:({MANY}) of (?:the {MANY} (?:blocks|cubes)|them)|(?:the (?:other|remaining) )({MANY}))(?: blocks| cubes| "
+     f"ones)? are ({COLOR}) and ((?:go|belong|lie|stand|sit|{MUST}|end) .+)$",
+     "there are {1} {2} {3} blocks . the {3} blocks {4}"),
+    (f"^(?:one(?: of (?:the {MANY} (?:blocks|cubes)|them)| block| cube)?|the (?:other|remaining|last|second|third|"
+     f"fourth|fifth)(?: one| block| cube)?) is ({COLOR}) and ((?:goes|belongs|lies|stands|sits|{MUST}|ends) .+)$",
+     "there is a {1} block . the {1} block {2}"),
     (f"^(?!.*{_EVERY_PATCH})(.+?) [,:] there (?:is|are) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})$",
      "{1} . there are {2}"),
     (f"^(?:i|we) (?:only|just) (?:want|need|would like) (?:exactly )?({MANY}) of (them|these|those) (on|in) (.+)$",

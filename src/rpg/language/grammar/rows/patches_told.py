@@ -33,6 +33,10 @@ _EVERYTHING_OFF = "(?:clear|take|get|remove|move) (?:everything|anything|all of 
 _AWAY = ("(?:go|leave|go away|be removed|be taken off|be taken away|come off|disappear|get off|be moved away|get out "
 "of "
          "there)")  # fmt: skip
+_DEAL = "(?:put|place|set|move|bring|distribute|spread|share|divide|deal)"
+_OVER = "(?:out )?(?:on|onto|over|among|between|across|in|into|to)"
+_ON_EACH = f"(?:(?:on|in|onto|to) (?:each|every)(?: one| {PATCH}| of them)?|per {PATCH})"
+_ALL_OF = "(?:all )?(?:of )?(?:the |these |my )?"
 _ANYWHERE = "(?:can|may|could) (?:go|be|be put|be moved|lie)(?: to)? (?:anywhere|wherever)\\b.*"
 
 
@@ -90,6 +94,13 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      f".*?)\\b(?<!the )({COLOR}) on (?:the )?\\2(?= ,|$| and)", "{1} the {2} block on the {2} patch"),
     (f"^(?:put|place|set|move) (?:the|all|all the|each|every) {BLOCK}s? on the [^:]+ : (the {COLOR} block on the "
      f"{COLOR} patch.*)$", "put {1}"),
+    # so many of them on each
+    *((f"^(?:{_DEAL} )?({_ALL_OF}((?:{MANY} )?(?:{COLOR} )?{BLOCK}s))(?: (?:{IS}|go|belong))? {_OVER} {marks} [,:] "
+       f"({_SO}{MANY})(?: of them| {BLOCK}s?)? {_ON_EACH}$",
+       f"{{1}} must be on {{3}} . {last} of the {{2}} must be on each of {each}")
+      for marks, each, last in ((f"((?:(?:the|both|all)(?: of)?(?: the)? )?(?:{MANY} )?({PATCHES}))", "the {4}", "{5}"),
+                                (f"(the .+ and .+?(?: {PATCH}| {PATCHES})?)", "{3}", "{4}"))),
+    (f"^({MANY} (?:{COLOR} )?{BLOCK}s) , ({_SO}{MANY} {_ON_EACH})$", "there are {1} . put {2}"),
     # the same patch, and the one and the other
     (f"^(?:put |place |set |bring )?(.+?)(?: go| goes| lie| are|(?: {MUST} (?:be|go|lie)))? on the same {PATCH}(?: "
      f",)? (?:(?:either|be it|whether|namely either) )?(?:on )?the ({COLOR})(?: {PATCH}| one)? or (?:on )?the "

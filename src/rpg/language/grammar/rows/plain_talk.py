@@ -39,6 +39,11 @@ _LEFT = "(?:stands? |is |being |goes )?(?:on|at|to) the (left|right)(?: side)?"
 _TWO = "(?:two|any two|2) (?:blocks|cubes|ones)"
 _DOWN = "(?:down|apart|to pieces|back down)"
 _WITHOUT = "without (?:moving|shifting|disturbing|displacing)"
+_UNTOUCHED = "(?: ,| :)(?: but)? (?:do not|never) (?:move|touch)(?: them| it| these)?"
+_UNMOVED = (
+    "(?:(?:with )?(?:its|the) )?(?:position|place|location) (?:(?:is|stays|remains|kept|must stay|must remain) )?"
+    "(?:unchanged|the same|fixed)"
+)
 _AROUND = "(?:surround|encircle|enclose|flank)"
 
 PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
@@ -215,6 +220,11 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
      f"to move) ({THING})$", "do not move {1}"),
     ("\\bthe table 's (left|right|near|far|front|back) (half|side|edge)\\b", "the {1} {2} of the table"),
     # what stays where it is
+    (f"^({MANY} {COLOR})(?: {CUBE}s?)?(?: (?:are |is )?on (?:the )?table)?{_UNTOUCHED}$",
+     "the {1} blocks must stay where they are"),
+    (f"^({THING}|(?:the )?{COLOR}){_UNTOUCHED}$", "do not move {1}"),
+    (f"^{_UNMOVED}$", "it must stay where it is"),
+    (f"^(.+?) , {_UNMOVED}$", "{1} . it must stay where it is"),
     (f"^{_WITHOUT} ({THING})(?: ,)? ({_AROUND}) (?:it|this|that)(?: one)? ((?:with|by) .+)$",
      "{2} {1} {3} . {1} must not be moved"),
     (f"^({_AROUND}) ({THING}) ((?:with|by) .+?)(?: ,)? {_WITHOUT} (?:it|this|that)(?: one)?$",

@@ -104,15 +104,7 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
     # "neither may be on the other"
     (f"(?: ,)?(?: but| and| with)? {_NEITHER} (on top of|on|touching|next to|beside|near|above) the other(?: one)?$",
      ". they must not be {1} each other"),
-    # "one of them here, the other there"
-    *((f"^(?:{PUT} )?(?:exactly )?one of (?:the (?:two )?\\w+s )?{two} (?:{IS} )?({PLACE} {THING})"
-       f"(?: ,)?(?: and)? the other(?: one)?(?: {IS})? ({PLACE} {THING})$",
-       f"either {one} must be {{3}} and {other} must be {{4}} , or {other} must be {{3}} and {one} "
-       f"must be {{4}}") for two, one, other in _PAIRS),
-    *((f"^(?:{PUT} )?({_KNOWN}) ({OVER}) either the ({COLOR}) or (?:the )?({COLOR}) ({noun})(?: ,)? and ({_KNOWN}) "
-       "on the other(?: one)?$",
-       "either {1} must be {2} the {3} {5} and {6} must be {2} the {4} {5} , or {1} must be {2} the {4} {5} and {6} "
-       "must be {2} the {3} {5}") for noun in (BLOCK, PATCH)),
+    # "of the two, one is on the other"
     (f"^of {_PAIRS[0][0]} ,? ?(?:exactly )?one (?:{IS} )?({PLACE}) the other(?: one)?$",
      "the {1} one must be {3} the {2} one or the {2} one must be {3} the {1} one"),
     # "move red first and then green, both onto the mat"

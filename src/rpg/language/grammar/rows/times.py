@@ -24,13 +24,17 @@ _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"
 _REGION = "(the (?:(?:left|right|near|far) half|(?:(?:near|far|front|back|left|right) ){2}corner))(?: of the table)?"
 
 OFF_FIRST: tuple[Turn, ...] = (
+    (f"^(?:(?:do|take|begin with|start with) )?({THING})(?: (?:goes|comes))? first : ({_STEP}) (?:it|that one) (.+)$",
+     "first {2} {1} {3}"),
+    (f"^(?:build|make|put together) (?:the|a) {LINE} in (?:this|that|the following) order : "
+     "(?=.* (?:on|onto) (?!top|the (?:left|right|bottom))\\w+.*\\b(?:then|after that)\\b)", ""),
     (f"^(?:please )?(?:first )?remove ({THING}|it)(?: first)?(?: ,| and| , and)? then (?={_STEP}\\b)",
      "first take {1} off , then"),
     (f"^(?:please )?({_LIFT}) ({THING}|it|them) (off|away|down) first(?: ,| and| , and)? then (?={_STEP}\\b)",
      "first {1} {2} {3} , then"),
     (f"^(?:please )?({_LIFT}) ({THING}|it|them) (off|away|down) first$", "first {1} {2} {3}"),
 )  # fmt: skip
-"""What is taken off before anything else, of which the order would be lost; in every sentence."""
+"""What is done before anything else, of which the order would be lost; in every sentence."""
 AT_TIMES: tuple[Turn, ...] = (
     # never
     (f"\\b{_NEVER} (touch|touches|lie|lies|put|place|let|move|take|stack|leave|leaves|lift|allow)\\b", "never {1}"),
@@ -54,7 +58,11 @@ AT_TIMES: tuple[Turn, ...] = (
     (f"^(.+?)(?: ,)? (?:but )?(?:as soon as|once|only when|but not until) ([^,]+? {_SO} .+)$", "once {2} , {1}"),
     (f"^(.+?) ({MUST}|may) not be (?:put|placed|moved|stacked) (on .+?) (?:before|until) ([^,]+? {_SO} .+)$",
      "once {4} , put {1} {3}"),
-    ("^(.+?) (first|at first) and (.+?) (?:after that|at last|last of all)$", "first {1} , then {3}"),
+    ("^(.+?) (first|at first)(?: and| ,| , and) ([^,]+?) (?:after that|afterwards|thereafter|at last|last of all)$",
+     "first {1} , then {3}"),
+    ("^(?:first(?: ,)? )?(.+?)(?: and| ,| , and) ([^,]+?) (?:after that|afterwards|thereafter|at last|last of all)$",
+     "first {1} , then {2}"),
+    (f"^before (?:anything|everything|all) else (?={_STEP}\\b)", "before anything else , "),
     ("^(?:the )?first (?:thing (?:to do )?|step )?is to (.+?) ,(?: and)? (?:the )?(?:second|next|last)(?: thing| "
      "step)? is to (.+)$", "first {1} , then {2}"),
 )  # fmt: skip

@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import cached_property, lru_cache
 
 from rpg.language.grammar.rows.parting import STOPS
+from rpg.language.lexicon import COMMANDS
 from rpg.language.tokens import Token
 
 Turn = tuple[str, str]
@@ -100,7 +101,7 @@ def turned(tokens: list[Token], turns: Turns, parted: Callable[[list[Token]], Sp
         number = waiting.pop(0)
         row, said = turns.rows[number]
         for _ in range(_MOST):
-            changed = _once(tokens, told, _compiled(row), said)
+            changed = _once(tokens, told, _compiled(row), said, parted)
             if changed is None:
                 break
             tokens, told = changed, _told(changed, parted)
@@ -186,17 +187,27 @@ def _told(tokens: list[Token], parted: Callable[[list[Token]], Spans]) -> Told:
     return [(begin, end, words[begin:end], " ".join(words[begin:end])) for begin, end in parted(tokens)]
 
 
-def _once(tokens: list[Token], told: Told, pattern: re.Pattern[str], said: str) -> list[Token] | None:
+def _once(
+    tokens: list[Token], told: Told, pattern: re.Pattern[str], said: str, parted: Callable[[list[Token]], Spans]
+) -> list[Token] | None:
     """The tokens with the first fitting sentence turned."""
     for begin, end, words, text in told:
         match = pattern.search(text)
-        if match is None or not match.group():
+        if match is None or not match.group() or (" . " in said and parted is sentences_of and _chooses(words)):
             continue
         starts = _starts(words)
         first, last = _covered(starts, match.span())
         plain = list(_said(tokens[begin:end], match, said, starts))
         return [*tokens[: begin + first], *plain, *tokens[begin + last :]]
     return None
+
+
+def _chooses(words: list[str]) -> bool:
+    """Whether one or another thing is to be done, so that what is done in one of them is no sentence of its own."""
+    return any(
+        after in COMMANDS and word == "or" and before not in COMMANDS
+        for before, word, after in zip(words, words[1:], words[2:], strict=False)
+    )
 
 
 def _starts(words: list[str]) -> list[int]:

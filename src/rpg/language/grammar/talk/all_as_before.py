@@ -6,13 +6,15 @@ from rpg.language.phrases import behind
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
-_STAYS = (("stays",), ("remains",), ("looks",), ("is",), ("should", "stay"), ("must", "stay"), ("should", "remain"),
-          ("must", "remain"), ("should", "be"), ("should", "look"))  # fmt: skip
+_STAYS = (("stays",), ("remains",), ("stay",), ("remain",), ("looks",), ("is",), ("should", "stay"), ("must", "stay"),
+          ("should", "remain"), ("must", "remain"), ("should", "be"), ("should", "look"))  # fmt: skip
 _LEFT = (("leave",), ("keep",), ("please", "leave"))
-_SO = (("where", "it", "is"), ("as", "it", "is"), ("as", "it", "was"), ("the", "same"), ("the", "same", "as", "before"),
-       ("as", "before"), ("in", "place"), ("the", "way", "it", "is"), ("exactly", "as", "it", "is"))  # fmt: skip
+_SO = (("where", "it", "is"), ("where", "they", "are"), ("as", "they", "are"), ("put",), ("as", "it", "is"),
+       ("as", "it", "was"), ("the", "same"), ("the", "same", "as", "before"), ("as", "before"), ("in", "place"),
+       ("the", "way", "it", "is"), ("exactly", "as", "it", "is"))  # fmt: skip
 _BUT = (("except", "that"), ("only", "that"), ("just",), ("only",), ("but",), ("apart", "from", "that"))
-_EVERYTHING = ("everything", "all")
+_EVERYTHING = (("everything",), *(("all", *the, *noun) for the in ((), ("the",), ("of", "the"), ("of", "them"))
+                                  for noun in (("blocks",), ("cubes",), ("bricks",), ("ones",), ())))  # fmt: skip
 _OTHERS = ("everything", "else", "stays", "where", "it", "is")
 _CHANGED = {"changed": "change", "swapped": "swap", "traded": "trade", "exchanged": "exchange", "switched": "switch"}
 
@@ -24,7 +26,7 @@ def all_as_before(tokens: list[Token], words: list[str]) -> list[Token] | None:
         begun = so + (words[so : so + 1] == [","]) if so else 0
         but = behind(words, begun, _BUT) if so else 0
         end = next((n for n in range(begun, len(words)) if words[n] in _STOPS), len(words))
-        if not but or end - but < 3:
+        if not but or end - but < 3 or words[but] == "for":
             continue
         told = [t.saying(_CHANGED.get(t.word, t.word)) if t.word in _CHANGED else t for t in tokens[but:end]]
         rest = [tokens[start].saying(word) for word in (",", *_OTHERS)]
@@ -34,8 +36,9 @@ def all_as_before(tokens: list[Token], words: list[str]) -> list[Token] | None:
 
 def _all_so(words: list[str], start: int) -> int:
     """The position behind "everything stays as it is", "leave everything as it is", or 0."""
-    if words[start : start + 1] and words[start] in _EVERYTHING:
-        stays = behind(words, start + 1, _STAYS)
+    if every := behind(words, start, _EVERYTHING):
+        stays = behind(words, every, _STAYS)
         return behind(words, stays, _SO) if stays else 0
     left = behind(words, start, _LEFT)
-    return behind(words, left + 1, _SO) if left and words[left : left + 1] == ["everything"] else 0
+    every = behind(words, left, _EVERYTHING) if left else 0
+    return behind(words, every, _SO) if every else 0

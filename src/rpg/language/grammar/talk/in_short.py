@@ -1,4 +1,4 @@
-"""Words typed in short, which one letter may be as well: "red n blue", "can u", "so its behind"."""
+"""Words typed in short, which one letter may be as well: "red n blue", "can u", "there r two", "so its behind"."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ _POSED = {"sat": "sitting", "stood": "standing"}
 _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "need", "when", "once", "should", "must"})
 _THINGS = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.NUMBER)
 _DETERMINERS = frozenset({"the", "a", "an", "two", "both", "its", "one", "each", "every", "no"})
+_PLURAL = frozenset({"there", "they", "these", "those"})
 _PLACES = frozenset({"top", "bottom", "left", "right", "middle"})
 _SHOWN = frozenset({"letter", "letters", "spell", "word", "and", "cube", "cubes", "block", "blocks", "symbol", "name"})
 """Before a "w" that is a letter."""
@@ -48,6 +49,8 @@ def meant(tokens: list[Token], at: int) -> list[Token]:
         return []
     if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):
         return [replace(token, word="you")]
+    if token.raw == "r" and at and tokens[at - 1].word in _PLURAL and after:
+        return [replace(token, word="are")]
     if token.raw == "w" and 0 < at < len(tokens) - 1 and len(tokens[at - 1].word) > 2 and begins_thing(tokens[at + 1]):
         return [replace(token, word="with")] if tokens[at - 1].word not in _SHOWN else [token]
     if token.word == "do" and after in ("me", "us") and at + 2 < len(tokens) and begins_thing(tokens[at + 2]):

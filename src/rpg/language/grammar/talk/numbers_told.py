@@ -1,6 +1,9 @@
-"""Numbers and ends told as nouns: "the number of red cubes on the mat is two", "both of three blocks", "on the tip"."""
+"""Numbers and ends told as nouns: "the number of red cubes on the mat is two", "both of three blocks", "on the tip",
+"the three on the five"."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.phrases import length_at
@@ -53,6 +56,29 @@ def both_of_so_many(tokens: list[Token], words: list[str]) -> list[Token] | None
         if after and (tokens[number].kind == "number" or words[number] in lexicon.NUMBER):
             return [*tokens[:at], tokens[at].saying("each"), *tokens[at + 1 :]]
     return None
+
+
+def digits_named(tokens: list[Token]) -> list[Token] | None:
+    """ "The three on the five": the 3 on the 5, where no number is how many there are of something."""
+    at = [n for n, token in enumerate(tokens) if token.many]
+    named = [n for n in at if n and tokens[n - 1].word == "the" and not _counts(tokens[n + 1 : n + 2])]
+    if len({tokens[n].word for n in named}) < 2 or len(named) < len(at) or any(tokens[n].many > 9 for n in at):
+        return None
+    return [
+        replace(token, kind="number", word=str(token.many), raw=str(token.many), value=float(token.many))
+        if n in named else token
+        for n, token in enumerate(tokens)
+    ]  # fmt: skip
+
+
+def _counts(after: list[Token]) -> bool:
+    """Whether a number in front of it is how many of these there are."""
+    return any(t.word in _COUNTED or t.word in lexicon.COLOR or t.word in lexicon.COLOR_PLURAL for t in after)
+
+
+_COUNTED = lexicon.BLOCK.keys() | lexicon.PATCH.keys() | lexicon.LETTER.keys() | lexicon.STRUCTURE.keys() | {
+    "of", "ones", "others", "other", "more", "remaining", "small", "big", "large",
+}  # fmt: skip
 
 
 def on_the_tip(tokens: list[Token], words: list[str]) -> list[Token] | None:

@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.retold import none_of, shares_head, universal
 from rpg.language.later import later
-from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits, replace
+from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, TableTop, Traits, replace
 
 if TYPE_CHECKING:
     from rpg.language.grammar.things.nouns import noun_phrase, simple
@@ -18,7 +18,7 @@ else:
 
 def _of_another_kind(whole: Meaning, out: Meaning) -> bool:
     """ "the letters apart from the digits": these are no exception, for they are none of those."""
-    if not isinstance(whole, Noun) or not isinstance(out, Noun):
+    if not isinstance(whole, Noun) or not isinstance(out, Noun) or whole.head == "patch":
         return False
     one, two = whole.traits, out.traits
     told = [(one.kind, two.kind), (one.colors, two.colors), (one.quality, two.quality)]
@@ -42,11 +42,15 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int, op: st
     whole = len(items) == 1 and universal(items[0]) and (taken := _but(items[0])) is not None
     if whole and p.words[comma : comma + 1] == ["but"] and p.words[comma + 1] not in ("not", "only", "first"):
         for item, j in noun_phrase(p, p.reach(comma + 1)):
+            item = _of_its_kind(items[0], item)
             named = ("the", "all", "bare") if taken == "none but" and not _so_many(item) else ("the", "all")
             if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in named):
                 yield Coord(op=str(taken), items=(*items, item), span=p.span(i, j)), j
+    if isinstance(items[0], TableTop):
+        return  # "(all go to the left side of) the table except the red one": out of all of them
     if (k := p.any_of(comma, _EXCEPT)) and op != "or" and not any(map(_any_of, items)):
         for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
+            item = _of_its_kind(items[0], item)
             closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
             if p.words[comma] == "apart" and _of_another_kind(items[0], item):
                 continue
@@ -62,6 +66,14 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int, op: st
                 cost = 2 * (parted or any(map(shares_head, items, items[1:])))  # "red, green and blue cubes" are one
                 those = Coord(op=taken, items=(*items, item), span=p.span(i, j), cost=cost)
                 yield from ((those, end) for end in {j: None, closed: None})
+
+
+def _of_its_kind(whole: Meaning, item: Meaning) -> Meaning:
+    """ "Any patch but the red one": the red patch."""
+    marks = isinstance(whole, Noun) and whole.head == "patch" and universal(whole)
+    if marks and isinstance(item, Noun) and item.head == "any":
+        return replace(item, head="patch")
+    return item
 
 
 _WITHOUT = ("without using", "without")

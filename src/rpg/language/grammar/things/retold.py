@@ -73,7 +73,7 @@ def the_other(first: Meaning, item: Meaning) -> Noun | None:
 def universal(item: Meaning) -> bool:
     """ "all blocks", "everything", "nothing": what "but" takes something from."""
     if isinstance(item, Pronoun):
-        return item.word in ("everything", "all", "nothing")
+        return item.word in ("everything", "all", "all of them", "nothing")
     any_patch = isinstance(item, Noun) and item.head == "patch" and item.det == "any"
     return any_patch or (isinstance(item, Noun) and item.det in ("all", "each", "no") and item.amount is None)
 

@@ -43,6 +43,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     if timed(chain):
         return chain_goals(untimed(chain), scene, start)
     chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(chain))))
+    _check_sides(chain)
     stages: list[Goals] = [[]]
     towers, free, later = Towers.of(scene), {*scene.used}, scene.later
     pairs = _given_first(chain)
@@ -87,6 +88,18 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if both:
             stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
     return _sequence(stages, scene, chain)
+
+
+def _check_sides(chain: Chain) -> None:
+    """Refuse "A on the mat and B on red, or B on the mat and A on red" unless "either" tells what each side has."""
+    links, clauses = chain.links, chain.clauses
+    for n in range(2, len(clauses) - 1):
+        one, other = clauses[n - 1], clauses[n]
+        if links[n - 1 : n + 2] != ("and", "or", "and") or not (isinstance(one, Clause) and isinstance(other, Clause)):
+            continue
+        if other.theme is not None and one.theme != other.theme and not (one.negated or other.negated):
+            raise refuse("ambiguous", "it is not clear which of these belong together on each side of 'or'", other.span,
+                         "say 'either ... and ..., or ... and ...'")  # fmt: skip
 
 
 def at_their_times(links: Collection[str], goals: Collection[object], loose: int, scene: Scene) -> None:

@@ -92,9 +92,10 @@ def _as_told(fact: Clause, kept: Clause, text: str) -> tuple[Meaning, ...] | Non
 
 
 def _there(part: Meaning, place: Meaning, text: str) -> bool:
-    """ "there", "on it", "on that mat", behind a place."""
+    """ "there", "on it", "in that half", behind a place."""
     if isinstance(part, Manner):
-        return part.kind == "idle" and text[slice(*part.span)].lower() == "there"
+        told = text[slice(*part.span)].lower().split()
+        return part.kind == "idle" and (told[-1] == "there" or told[-2:-1] in (["that"], ["this"]))
     if not isinstance(part, Loc) or part.negated:
         return False
     mark, known = part.landmark, place.landmark if isinstance(place, Loc) else None

@@ -3,7 +3,7 @@ of the other one."""
 
 from __future__ import annotations
 
-from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, replace
+from rpg.language.meaning import At, Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, replace
 
 
 def other_way_round(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
@@ -13,7 +13,8 @@ def other_way_round(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         (n, k), facts = said[at], said[at - 2 : at]
         turned = chains[n].clauses[k]
         told = [chains[m].clauses[j] for m, j in facts]
-        places = [_placed(fact) for fact in told]
+        begun = any(_starts(x) for fact in told if isinstance(fact, Clause) for x in fact.adjuncts)
+        places = [_placed(fact, begun) for fact in told]
         if not isinstance(turned, Clause) or not _turns(turned) or not _alike(places[0], places[1]):
             continue
         ends = [_ends_at(turned, fact, place) for fact, place in zip(told, reversed(places), strict=True)]
@@ -32,36 +33,53 @@ def _turns(clause: Clause) -> bool:
     """Whether nothing is said but that something is the other way round."""
     manners = [x.kind for x in clause.adjuncts if isinstance(x, Manner)]
     whole = isinstance(clause.theme, Pronoun) and clause.theme.word in ("it", "they", "them", "that", "everything")
-    bare = (clause.verb, clause.mode, clause.negated) == ("be", "goal", False) and len(manners) == len(clause.adjuncts)
-    return whole and bare and "backwards" in manners and {*manners} <= {"backwards", "finally"}
+    ends = clause.mode in ("goal", "command") and not clause.negated
+    return (
+        whole
+        and ends
+        and len(manners) == len(clause.adjuncts)
+        and "backwards" in manners
+        and {*manners} <= {"backwards", "finally"}
+    )
 
 
-def _placed(fact: Meaning) -> Meaning | None:
-    """The place of a single thing."""
-    if not isinstance(fact, Clause) or fact.negated or len(fact.adjuncts) != 1 or not isinstance(fact.theme, Noun):
+def _starts(adjunct: Meaning) -> bool:
+    return isinstance(adjunct, Manner) and adjunct.kind == "start"
+
+
+def _placed(fact: Meaning, begun: bool) -> Meaning | None:
+    """The place of a single thing. `begun`: it is said of one of the two that it is so at the start."""
+    if not isinstance(fact, Clause) or fact.negated or not isinstance(fact.theme, Noun):
         return None
-    told = fact.mode in ("start", "given") or (fact.lemma, fact.mode) == ("fact", "goal")
-    place = fact.adjuncts[0]
-    return place if told and isinstance(place, In | Loc) and not place.negated else None
+    places = [x for x in fact.adjuncts if not _starts(x)]
+    told = begun or fact.mode in ("start", "given") or (fact.lemma, fact.mode) == ("fact", "goal")
+    place = places[0] if told and len(places) == 1 else None
+    return place if isinstance(place, At) or (isinstance(place, In | Loc) and not place.negated) else None
 
 
 def _alike(one: Meaning | None, other: Meaning | None) -> bool:
-    """Whether two things may change these places: halves or corners of the table, patches."""
+    """Whether two things may change these places: halves or corners of the table, sides, patches."""
     if isinstance(one, In) and isinstance(other, In):
         return one.region != other.region
+    if isinstance(one, At) and isinstance(other, At):
+        return one.whole is None and {one.side, other.side} in _ACROSS
     if not isinstance(one, Loc) or not isinstance(other, Loc) or (one.rel, other.rel) != ("on", "on"):
         return False
     marks = [x for x in (one.landmark, other.landmark) if isinstance(x, Noun) and x.head == "patch"]
     return len(marks) == 2 and marks[0].traits != marks[1].traits
 
 
+_ACROSS = ({"left", "right"}, {"front", "back"}, {"top", "bottom"})
+
+
 def _ends_at(turned: Clause, fact: Meaning, place: Meaning | None) -> Clause:
-    assert isinstance(fact, Clause) and isinstance(place, In | Loc)
+    assert isinstance(fact, Clause) and isinstance(place, In | Loc | At)
     if isinstance(place, Loc) and isinstance(place.landmark, Noun):
         place = replace(place, landmark=_known(place.landmark))
     theme = _known(fact.theme) if isinstance(fact.theme, Noun) else fact.theme
     last = tuple(x for x in turned.adjuncts if isinstance(x, Manner) and x.kind == "finally")
-    return replace(turned, theme=theme, adjuncts=(replace(place, span=turned.adjuncts[0].span), *last))
+    place = replace(place, span=turned.adjuncts[0].span)
+    return replace(turned, verb="be", mode="goal", theme=theme, adjuncts=(place, *last))
 
 
 def _known(noun: Noun) -> Noun:
@@ -73,6 +91,7 @@ def _begun(chains: tuple[Chain, ...], facts: list[tuple[int, int]]) -> tuple[Cha
     for n, k in facts:
         fact = chains[n].clauses[k]
         if isinstance(fact, Clause) and fact.mode == "goal":
-            clauses = tuple(replace(fact, mode="start") if c is fact else c for c in chains[n].clauses)
+            begun = replace(fact, mode="start", adjuncts=tuple(x for x in fact.adjuncts if not _starts(x)))
+            clauses = tuple(begun if c is fact else c for c in chains[n].clauses)
             chains = (*chains[:n], replace(chains[n], clauses=clauses), *chains[n + 1 :])
     return chains

@@ -310,18 +310,15 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if clause.verb == "unstack":
         scene.unstacked.update(names)
         _there_already(scene) if theme.built else None
-    if not landmarks and clause.lemma == "remove" and (below := _under(theme, scene)):
-        scene.assume("a block that is removed is put on the table")
-        goals.append(g.Not(goal=r.On(a=theme.names, b=below, span=clause.span), span=clause.span))
-    elif not landmarks and clause.lemma == "remove" and (gone := _off_its_patch(theme, scene, clause.span)):
-        return gone
-    elif not landmarks and clause.lemma in ("remove", "clear"):
-        raise refuse(
-            "no-goal",
-            "blocks cannot leave the table; it is not said where they should go",
-            clause.span,
-            "say 'take the red block off the blue block'",
-        )
+    if not landmarks and clause.lemma in _AWAY:
+        if below := _under(theme, scene):
+            scene.assume("a block that is removed is put on the table")
+            goals.append(g.Not(goal=r.On(a=theme.names, b=below, span=clause.span), span=clause.span))
+        elif gone := _off_its_patch(theme, scene, clause.span):
+            return gone
+        else:
+            raise refuse("no-goal", "blocks cannot leave the table; it is not said where they should go", clause.span,
+                         "say 'take the red block off the blue block'")  # fmt: skip
     if len(names) > 1 and not landmarks and not _stacked_at_start(names, scene) and not _built_before(theme, scene):
         from rpg.ir import structures as s
 
@@ -329,6 +326,9 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         scene.assume("what is unstacked starts as a stack")
     goals.append(r.OnTable(a=names, span=clause.span))
     return goals
+
+
+_AWAY = ("remove", "clear")
 
 
 def _lies_on(place: Meaning) -> bool:
@@ -340,10 +340,12 @@ def _lies_on(place: Meaning) -> bool:
 def _off_its_patch(theme: Ref, scene: Scene, span: Span) -> Goals:
     """ "There are a red and a blue block on the mat. Remove red.": off the patch on which it starts."""
     begun = {n: x.patch for x in scene.start_goals if isinstance(x, r.OnPatch) for n in members(x.a)}
-    if theme.quant is not None or theme.op != "and" or not all(name in begun for name in theme.names):
+    left = theme.parts[-1].names if theme.op == "except" else ()
+    if theme.quant is not None or theme.op not in ("and", "except") or not begun.keys() >= {*theme.names, *left}:
         return []
     scene.assume("a block that is removed is put beside the patch on which it was")
-    return [g.Not(goal=r.OnPatch(a=(n,), patch=begun[n], span=span), span=span) for n in theme.names]
+    gone = [g.Not(goal=r.OnPatch(a=(n,), patch=begun[n], span=span), span=span) for n in theme.names]
+    return [*gone, *(r.OnPatch(a=(n,), patch=begun[n], span=span) for n in left)]
 
 
 def _under(theme: Ref, scene: Scene) -> tuple[str, ...]:

@@ -120,11 +120,23 @@ def check_all(goal: g.Goal, scene: Scene) -> None:
     check(goal, scene)
     _begun_just_so(goal, scene)
     _never_as_begun(goal, scene)
+    _put_though_it_stays(goal, scene)
     try:
         check(g.All(goals=tuple(scene.start_goals)), scene)
     except Refusal as refusal:
         told = {"code": "contradiction", "message": "what is told of the start cannot all be so"}
         raise Refusal([refusal.diagnostics[0].model_copy(update=told)]) from None
+
+
+def _put_though_it_stays(goal: g.Goal, scene: Scene) -> None:
+    """Refuse "all the blocks stay where they are, and red goes on the mat", unless it is told where red starts."""
+    parts = goal.goals if isinstance(goal, g.All) else ()
+    stay = {n for x in parts if isinstance(x, r.Stayed) for n in members(x.a)}
+    stay -= {n for start in scene.start_goals for n in names_in(start)}
+    for there in (x for x in parts if isinstance(x, r.On | r.OnPatch)) if stay else ():
+        if stay & {*members(there.a)}:
+            raise refuse("contradiction", "this block is to stay where it is, and to be put somewhere", there.span,
+                         "say 'all the others stay where they are'")  # fmt: skip
 
 
 def _never_as_begun(goal: g.Goal, scene: Scene) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from rpg.core.diagnostics import Span
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, At, Noun, Traits, replace
@@ -48,6 +50,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=there[:1])
     if (found_ := _among_alike(noun, rank, scene)) is not None:
         return found_
+    if rank == "top" and noun.traits.colors and (top := _top_of_alike(noun, scene.built, scene)) is not None:
+        return top
     if (told := _in_the_list(noun, rank, scene)) is not None:
         return told
     if rank.isdigit() or rank == "last":
@@ -68,6 +72,8 @@ def of_the_whole(noun: Noun, whole: Ref, scene: Scene, scope: Scope) -> Ref:
     scene.mentions.pop()
     plain = replace(noun, part_of=None)
     found = ranked(plain, scene, scope) if len(scene.built) == 1 else None
+    if found is None and noun.traits.rank == "top":
+        found = _top_of_alike(plain, whole.built, scene)
     known = whole.built[0] if len(whole.built) == 1 else None
     if found is None and known is not None:
         known = known if known.ordered else begun_in_order(known, scene)
@@ -224,6 +230,10 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     colors = noun.traits.colors
     if not _all_alike(built, scene, *there.values()) or (colors and scene.things[built.members[0]].color not in colors):
         return None
+    over = [t for t in scene.blocks() if t.name not in built.members and alike([t, scene.things[built.members[0]]])]
+    if rank == "last" and over:
+        raise refuse("ambiguous", "the last one in it, or the one that is left over?", noun.span,
+                     "say 'the remaining one', or at which end it is")  # fmt: skip
     count, _, told = rank.partition(" ")
     if built.kind in _CROSSES:
         return _in_the_grid(noun, rank, built, scene) if rank == "middle" and len(built.members) % 2 else None
@@ -239,9 +249,7 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
         return None
     if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
         if built.kind == "stack" and side == "top" and index is None:
-            *below, top = built.members  # whichever is moved is taken from the others
-            scene.taken[top] = tuple(below)
-            return Ref(names=(top,), span=noun.span)
+            return _taken_from_top(built, noun, scene)
         raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start",
                      noun.span, "give them colours, or say what is where at the end")  # fmt: skip
     if there and (index is not None or side not in _ENDS):
@@ -252,6 +260,24 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     place = At(side=side, index=index, span=noun.span)
     scene.loose.append((Ref(names=(name,), span=noun.span), place, noun.span))
     return Ref(names=(name,))
+
+
+def _top_of_alike(noun: Noun, towers: Iterable[Built], scene: Scene) -> Ref | None:
+    """ "The top red block" of the only tower of red ones at the start: whichever is moved, it was on top."""
+    begun = [
+        b for b in towers
+        if b.kind == "stack" and not b.ordered and _all_alike(b, scene)
+        and (not noun.traits.colors or scene.things[b.members[0]].color in noun.traits.colors)
+        and any(set(b.members) <= {*names_in(fact)} for fact in scene.start_goals)
+    ]  # fmt: skip
+    return _taken_from_top(begun[0], noun, scene) if len(begun) == 1 else None
+
+
+def _taken_from_top(tower: Built, noun: Noun, scene: Scene) -> Ref:
+    """One of blocks that look alike: whichever is moved was on top, and is taken from the others."""
+    *below, top = tower.members
+    scene.taken[top] = tuple(below)
+    return Ref(names=(top,), span=noun.span)
 
 
 def _wholes(scene: Scene) -> list[Built]:

@@ -80,17 +80,26 @@ def _the_other_way(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Go
 
 
 def _other_pair(clause: Clause, spec: Spec, scene: Scene) -> Goals | None:
-    """ "Red starts on blue. I want it the other way round.": blue on red."""
+    """ "Red starts on blue. I want it the other way round.": blue on red; and "red is on blue and blue is on green" """
     told = [m for m in spec.manners if m.kind == "backwards" and m.value is None]
-    fact = scene.start_goals[-1]
-    if not told or not isinstance(fact, r.On | r.LeftOf | r.RightOf | r.InFrontOf | r.Behind):
+    if not told or isinstance(clause.theme, Structure) or not isinstance(scene.start_goals[-1], _SIDED):
         return None
-    if len(scene.start_goals) > 1:
+    facts = [x for x in scene.start_goals if isinstance(x, _SIDED) and x.kind == scene.start_goals[-1].kind]
+    if len(facts) < len(scene.start_goals) or not all(map(_follow, facts, facts[1:])):
         raise refuse("ambiguous", "which of these should be the other way round?", clause.span, "name the blocks")
-    if not (isinstance(fact.a, tuple) and isinstance(fact.b, tuple) and len(fact.a) == len(fact.b) == 1):
+    if not all(isinstance(x, tuple) and len(x) == 1 for fact in facts for x in (fact.a, fact.b)):
         return None
     spec.orders, spec.manners = [], [m for m in spec.manners if m not in told]
-    return [fact.model_copy(update={"a": fact.b, "b": fact.a, "span": clause.span})]
+    return [fact.model_copy(update={"a": fact.b, "b": fact.a, "span": clause.span}) for fact in facts]
+
+
+_SIDED = (r.On, r.LeftOf, r.RightOf, r.InFrontOf, r.Behind)
+_Sided = r.On | r.LeftOf | r.RightOf | r.InFrontOf | r.Behind
+
+
+def _follow(one: _Sided, other: _Sided) -> bool:
+    """Whether two relations join three things to one line."""
+    return one.b == other.a or one.a == other.b
 
 
 def _over(manner: Manner) -> bool:

@@ -73,6 +73,10 @@ def off_what(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
     while below is not None and below not in under:
         under.append(below)
         below = scene.on_top.get(below)
+    if not under and len(theme.names) == 1:
+        towers = [x.blocks for x in scene.start_goals if isinstance(x, s.Stack) and theme.names[0] in x.blocks]
+        tower = towers[0] if len(towers) == 1 and alike([scene.things[n] for n in towers[0]]) else ()
+        under = [name for name in tower if name != theme.names[0]]
     if under:
         return Ref(names=tuple(under), plural=len(under) > 1, span=loc.span)
     return _off_its_patch(theme, loc, scene)

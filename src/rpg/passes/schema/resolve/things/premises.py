@@ -39,7 +39,7 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
     still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()
     if still:
         kept.append(r.Stayed(a=still))
-    kept += _without_their_top(goal, scene)
+    kept += _without_their_top(conj([goal, *kept]), scene)
     goal = conj([goal, *kept]) if kept else goal
     scene.start_goals += [x for x in _lasting(goal, scene) if x not in scene.start_goals]
     return goal

@@ -5,6 +5,7 @@ from __future__ import annotations
 import string
 
 from rpg.core.diagnostics import Refusal
+from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.walk import names as names_in
 from rpg.language import lexicon
@@ -194,6 +195,7 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
     some = noun.det in ("all", "each") or (noun.det == "any" and len(found) > 1)
     single = not noun.plural and amount in (None, 1) and not some
     if single:
+        found = _left_empty(noun, found, scene) if patch and noun.traits.empty else found
         if len(found) == 1:
             return (found[0].name,)
         if len(found) > 1:
@@ -328,6 +330,16 @@ def _last_named(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> T
         return None
     single = last.role == "landmark" and len(last.ref.names) == 1 and not last.ref.built and last.ref.quant is None
     return next((t for t in found if t.name == last.ref.names[0]), None) if single else None
+
+
+def _left_empty(noun: Noun, found: list[Thing], scene: Scene) -> list[Thing]:
+    """ "The empty patch": the one on which nothing starts, or was put in what was said before."""
+    begun = {x.patch for x in scene.start_goals if isinstance(x, r.OnPatch)}
+    put = {n for m in scene.mentions if m.ref.patch and m.rel == "on" for n in m.ref.names}
+    free = [t for t in found if t.name not in (begun or put)]
+    if found and not free:
+        raise refuse("no-referent", "there is something on this patch", noun.span, "name its colour")
+    return free
 
 
 def _pick(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> Thing:

@@ -9,10 +9,9 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import OTHER_END, far_end
 from rpg.language.grammar.structures.parity import every_other
-from rpg.language.grammar.structures.part_there import ONE_OR_MORE, line_there, told_there
+from rpg.language.grammar.structures.part_there import ONE_OR_MORE, line_there, rest_beyond, told_there
 from rpg.language.grammar.structures.part_words import (
     BETWEEN,
-    BEYOND,
     FROM,
     IS,
     LEADS,
@@ -43,8 +42,8 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         yield Places(side="ends", unit="block", several=1, span=p.span(i, k)), k
         return
     if k := p.any_of(i, REST):
-        beyond = next((way for word, way in BEYOND.items() if word in p.words[i:k]), None)
-        yield Places(side="rest", unit="block", index=beyond, span=p.span(i, k)), k
+        yield Places(side="rest", unit="block", span=p.span(i, k)), k
+    yield from rest_beyond(p, i)
     j, each, owned = p.opt(i, "only", "just"), False, False
     while k := p.one(j, OWN):
         each = each or p.words[j] in ("each", "every", "either")

@@ -11,15 +11,26 @@ from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
-def all_left(place: At | Places | None, left: Sequence[int], told: Sequence[int]) -> None:
+_WAYS = {"above": 1, "right": 1, "behind": 1, "below": -1, "left": -1, "front": -1}
+ALONG = {"above": ("bottom", "top"), "right": ("left", "right"), "behind": ("front", "back")}
+ALONG |= {"below": ALONG["above"], "left": ALONG["right"], "front": ALONG["behind"]}
+"""Between which ends a line runs in which there is something on that side."""
+
+
+def all_left(place: At | Places | None, left: Sequence[int], told: Collection[int]) -> None:
     """ "the other two": so many places have to be left. "everything above it": above all that were told, by levels."""
     several = place.several if isinstance(place, Places) and place.unit in ("", "block", "cell") else None
     if place is not None and several not in (None, len(left)):
         raise refuse("count-mismatch", f"{len(left)} places are left for these, but {several} are told", place.span,
                      f"say {len(left)}", places=len(left), named=several)  # fmt: skip
-    way = place.index if isinstance(place, Places) else None
-    if place is not None and way and not all(way * (here - there) > 0 for here in left for there in told):
+    if place is not None and not all(lies_beyond(place, here, told) for here in left):
         raise refuse("contradiction", "not all that is left is there", place.span, "say 'everything else'")
+
+
+def lies_beyond(place: At | Places | None, here: int, told: Collection[int]) -> bool:
+    """ "the two above it": whether a place is on that side of all that were told, if a side is named."""
+    way = _WAYS.get(place.beyond or "", 0) if isinstance(place, Places) else 0
+    return not way or all(way * (here - there) > 0 for there in told)
 
 
 def lines_left(place: Places, left: Sequence[Cell], told: Sequence[Cell], stands: bool) -> None:

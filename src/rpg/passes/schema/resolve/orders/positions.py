@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
 from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.left_over import all_left, one_or_all
+from rpg.passes.schema.resolve.orders.left_over import ALONG, all_left, lies_beyond, one_or_all
 from rpg.passes.schema.resolve.orders.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.places.either_end import at_an_end, ends_named
 from rpg.passes.schema.resolve.things.refer import refer
@@ -99,13 +99,17 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         bunches += [found] if free or len({looks(scene.things[n]) for n in found}) == 1 else []
         parts.append(place)
         spec.absolutes.remove(item)
+    told, beyond = tuple(held), ""
     for item in rest:
-        _fill(item, held, names, kind, scene)
+        beyond = _check_way(item, parts, kind) or beyond
+        _fill(item, held, told, names, scene)
         spec.absolutes.remove(item)
+    if rest and len(held) < len(names):
+        raise refuse("contradiction", "not all that is left is there", rest[-1].span, "say 'everything else'")
     if not held:
         return None
-    paired = all(p.side in SYMMETRIC for p in parts)
-    first = None if turned or paired else _side_of(parts, kind)
+    paired = not beyond and all(p.side in SYMMETRIC for p in parts)
+    first = beyond or (None if turned or paired else _side_of(parts, kind))
     if {"odd", "even"} & {p.side for p in parts} and len(names) % 2 == 0:
         scene.assume(f"places are counted from the {first}")
     return Placed(tuple(ranks_from(held, names, scene, bunches)), first, paired)
@@ -137,6 +141,17 @@ def _side_of(parts: list[At | Places], kind: str) -> str:
     if kind == "line" and sides & {"front", "back"}:
         return "front"
     return {"stack": "bottom", "column": "front"}.get(kind, "left")
+
+
+def _check_way(item: Absolute, parts: list[At | Places], kind: str) -> str:
+    """ "(the left one red,) the two to its right white": the side where the line begins, if the rest tells one."""
+    ends = ALONG.get(getattr(place_of(item), "beyond", None) or "")
+    if ends is None:
+        return ""
+    along = _side_of([*parts, At(side=ends[0], span=item.span)], kind) == ends[0]
+    if not along or not {p.side for p in parts} & {*SIDES["line"], *SIDES["stack"]} <= {*ends}:
+        raise refuse("contradiction", "this line does not run that way", item.span, "say 'the others'")
+    return ends[0]
 
 
 FAR_ENDS = ("top", "right", "back")
@@ -239,12 +254,15 @@ def _refer(
     return ref.names
 
 
-def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ...], kind: str, scene: Scene) -> None:
-    """ "and red in between": all the places that are left."""
-    left = [k for k in range(len(names)) if k not in held]
+def _fill(
+    item: Absolute, held: dict[int, tuple[str, ...]], told: Collection[int], names: tuple[str, ...], scene: Scene
+) -> None:
+    """ "and red in between": all the places that are left, or those on one side of all that were `told`."""
+    place = place_of(item)
+    left = [k for k in range(len(names)) if k not in held and lies_beyond(place, k, told)]
     if not left or not held:
         raise refuse("misplaced", "nothing is left for this", item.span, "leave it out")
-    all_left(place_of(item), *([k * (kind == "stack") for k in some] for some in (left, held)))
+    all_left(place, left, told)
     free = tuple(n for n in names if (n,) not in held.values())
     found = standing(item, Places(side="rest", unit="block", span=item.span), [left], free, scene)
     if len(found) != len(left):

@@ -10,21 +10,19 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.language.meaning import (
-    Absolute,
     Amount,
-    At,
     Coord,
     Loc,
     Meaning,
     Noun,
     OrderBy,
-    Places,
     Size,
     Structure,
     Traits,
     replace,
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.looks_of_each import beside_others, sided, told_looks, whole
 from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line, on_the_table, own_unit, too_alike
 from rpg.passes.schema.resolve.structures.sharing import (
     Look,
@@ -60,7 +58,8 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
     if any(z.what == "heights" for z in shape.sizes):
         return False  # which are told apart by these
     apart = _to_each_other(spec) or ((spec.lined or _own_patches(spec)) and not spec.patterns)
-    return _sided(spec) is not None or any(map(_whole, spec.absolutes)) or apart
+    told = any(whole(x) is not None or beside_others(x) for x in spec.absolutes)
+    return sided(spec) is not None or told or apart
 
 
 def _own_patches(spec: Spec) -> bool:
@@ -79,31 +78,6 @@ def _to_each_other(spec: Spec) -> bool:
     return related and not spec.patterns and not any(m.kind == "equal" for m in spec.manners)
 
 
-def _sided(spec: Spec) -> OrderBy | None:
-    """ "from left to right red, white and blue": the order in which several structures stand."""
-    directed = spec.first("left", "right", "front", "back") is not None
-    return next((o for o in spec.orders if o.items and (directed or o.first in _AXES)), None)
-
-
-_AXES = {"left": "y", "right": "y", "front": "x", "back": "x"}
-
-
-def _whole(item: Absolute) -> Places | None:
-    """Which of the structures an absolute speaks of, if it speaks of one as a whole."""
-    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
-    if isinstance(place, At) and place.side in ("left", "right", "front", "back") and place.index is None:
-        return Places(side=place.side, unit="whole", span=place.span)
-    named = isinstance(place, Places) and (place.unit in ("row", "column") or place.unit.startswith("whole"))
-    return place if named and isinstance(place, Places) else None
-
-
-def _middle(item: Absolute) -> Places | None:
-    """ "red at the back, white in the middle, blue in front": one of three lines, where the others are told so too."""
-    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
-    middle = isinstance(place, At) and place.side == "middle"
-    return Places(side="middle", unit="whole", span=item.span) if middle else None
-
-
 def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene: Scene, scope: Scope) -> Made:
     """So many structures, each with its own blocks."""
     count = shape.amount.low if shape.amount else 2
@@ -118,9 +92,9 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
                      f"name each {shape.kind} by itself")  # fmt: skip
     _one_gap(shape, spec)
     shape, theme = several_from_stock(shape, count, spec, theme, scene)
-    for place in filter(None, map(_whole, spec.absolutes)):
+    for place in filter(None, map(whole, spec.absolutes)):
         own_unit(shape, place)
-    looks, axis = told_looks(spec, count)
+    looks, axis = told_looks(spec, count, shape.kind)
     shape = as_long_as_listed(shared_out(shape, looks, spec), looks, scene)
     shape, theme = of_all_of_them(shape, looks, spec, theme, scene)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
@@ -337,63 +311,3 @@ def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], s
 
 def _there(scene: Scene) -> bool:
     return bool(declared(Traits(), scene))
-
-
-def told_looks(spec: Spec, count: int) -> tuple[list[Look], str | None]:
-    """What is said of each, and the axis along which they are then told apart."""
-    found: list[Look] = [None] * count
-    axis: str | None = None
-    if (order := _sided(spec)) is not None:
-        return _in_order(order, spec, count)
-    said = [(a, w) for a in spec.absolutes if (w := _whole(a)) is not None]
-    if len(spec.absolutes) == count > len(said) > 0:
-        said = [(a, w) for a in spec.absolutes if (w := _whole(a) or _middle(a)) is not None]
-    spec.absolutes = [a for a in spec.absolutes if all(a is not b for b, _ in said)]
-    for number, (item, place) in enumerate(said):
-        theme = in_turn(item.theme)
-        index = number if place.side == "one" else _index(place, count)
-        if (
-            not isinstance(theme, Noun | Coord | Structure)
-            or index is None
-            or index >= count
-            or found[index] is not None
-            or place.several not in (None, 1)
-        ):
-            raise refuse("count-mismatch", f"there are {count} of them", item.span, "say one thing of each")
-        found[index] = theme
-        if place.side not in ("one", "first", "last", "middle"):
-            along = "x" if place.side in ("front", "back") else "y"
-            if axis not in (None, along):
-                raise refuse("misplaced", "they lie in one line", item.span, "say 'left' and 'right'")
-            axis = along
-    if said and None in found:
-        raise refuse("ambiguous", "it is not said of each of them", said[0][0].span, "say one thing of each")
-    if axis is not None and any(place.side in ("one", "first", "last") for _, place in said):
-        raise refuse("misplaced", "it is not clear which one this is", said[0][0].span, "say 'left' and 'right'")
-    return found, axis
-
-
-def _in_order(order: OrderBy, spec: Spec, count: int) -> tuple[list[Look], str | None]:
-    """The looks of structures that stand in an order, from the left or from the front."""
-    first = order.first or spec.first(*_AXES) or "left"
-    items = [item for item in order.items if isinstance(item, Noun) and len(item.traits.colors) == 1]
-    if len(items) != count or len(items) != len(order.items) or any(item.amount for item in items):
-        raise refuse("count-mismatch", f"there are {count} of them", order.span, "say one thing of each")
-    spec.orders.remove(order)
-    spec.toward = []
-    return list(items if first in ("left", "front") else items[::-1]), _AXES[first]
-
-
-def _index(place: Places, count: int) -> int | None:
-    match place.side:
-        case "left" | "front":
-            return 0
-        case "right" | "back" | "last":
-            return count - 1
-        case "first":
-            return (place.index or 1) - 1
-        case "middle" if count % 2:
-            return count // 2
-        case "rest" if count == 2:
-            return 1
-    return None

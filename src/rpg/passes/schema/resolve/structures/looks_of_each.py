@@ -99,15 +99,14 @@ def _in_order(order: OrderBy, spec: Spec, count: int) -> tuple[list[Look], str |
 
 def _indices(place: Places, count: int, left: list[int]) -> list[int]:
     """Which of so many a part names, counted from the left or from the front; `left`: those not told of yet."""
-    many = place.several or 1
+    many, at = place.several or 1, (place.index or 1) - 1
+    if at > 0 and (many > 1 or at >= count):
+        return []
     match place.side:
-        case "left" | "front":
-            return [*range(many)]
+        case "left" | "front" | "first":
+            return [*range(at, at + many)]
         case "right" | "back" | "last":
-            return [*range(count - many, count)]
-        case "first":
-            at = (place.index or 1) - 1
-            return [*range(at, at + many)] if at == 0 or many == 1 else []
+            return [*range(count - at - many, count - at)]
         case "middle" if (count - many) % 2 == 0:
             return [*range((count - many) // 2, (count + many) // 2)]
         case "outer" if place.several in (None, 2):

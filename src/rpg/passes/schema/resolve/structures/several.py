@@ -100,7 +100,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     told = all(isinstance(look, Structure) for look in looks)  # words are as long as they are
     if not told and not any(isinstance(look, Noun) and look.amount is not None for look in looks):
-        shape = _fresh(shape, scene)
+        shape = _fresh(shape, theme, count, scene)
     lots = named_lots(theme, looks, scene) or lots_of(theme, count, shape, scene)
     built: list[Built] = []
     goals: list[g.Goal] = []
@@ -242,12 +242,16 @@ def _copied(spec: Spec) -> Spec:
     return own
 
 
-def _fresh(shape: Structure, scene: Scene) -> Structure:
-    """ "two rows of red blocks": blocks of which no number is said are others for each."""
+def _fresh(shape: Structure, theme: Ref | None, count: int, scene: Scene) -> Structure:
+    """ "two rows of red blocks": blocks of which no number is said are others for each. "Twelve blocks in three rows":
+    as many in each."""
     source = shape.members
     if isinstance(source, Noun) and _plain(source) and shape.traits in (Traits(), source.traits):
         shape = replace(shape, members=None, traits=source.traits)
-    if shape.kind in ("row", "line", "column") and shape.members is None and not shape.sizes:
+    many = len(theme.names) // count if theme is not None and not len(theme.names) % count else 0
+    if shape.kind in ("row", "line", "column") and shape.members is None and not shape.sizes and many > 1:
+        shape = replace(shape, sizes=(Size(what="size", amount=Amount(many, many), span=shape.span),))
+    elif shape.kind in ("row", "line", "column") and shape.members is None and not shape.sizes:
         scene.assume(f"the length of the {shape.kind}s is not said: {LENGTH} blocks each")
         shape = replace(shape, sizes=(Size(what="size", amount=Amount(LENGTH, LENGTH), span=shape.span),))
     return shape

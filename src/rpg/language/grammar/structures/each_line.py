@@ -98,7 +98,7 @@ def each_line(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _run_along(p: Parser, start: int) -> Iterator[tuple[str, str, int]]:
-    """ "From left to right the columns are", "the rows, from back to front, are": where they begin, and what they are."""
+    """ "From left to right the columns are", "the rows, from back to front, are": where they begin, what they are."""
     units = {**_UNITS, **_WHOLES}
     for way, j in toward(p, start):
         if isinstance(way, Toward) and way.first is not None and (are := p.any_of(p.opt(j, ","), _THE_LINES)):

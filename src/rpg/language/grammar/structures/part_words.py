@@ -95,7 +95,8 @@ _MUST = ("should", "must", "shall", "has to", "have to", "will", "is to", "are t
 _MADE = tuple(f"{made} {of}" for made in ("made", "made up", "built", "composed", "formed", "constructed")
               for of in ("of", "from", "out of"))  # fmt: skip
 IS = (
-    *_BE, *(f"{be} {all_}" for be in (*_BE, "being") for all_ in ("all", "both", "entirely", "completely", "only", *_MADE)),
+    *_BE, *(f"{be} {all_}" for be in (*_BE, "being")
+            for all_ in ("all", "both", "entirely", "completely", "only", *_MADE)),
     *(f"{must} {word}" for must in _MUST for word in ("all be", "both be", "only be", "consist of", "contain", "have",
                                                       "consist only of", "consist entirely of")),
     "consists of", "consist of", "consists only of", "consist only of", "contains", "contain", "being", "in", "of",

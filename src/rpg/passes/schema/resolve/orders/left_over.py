@@ -10,7 +10,6 @@ from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
-
 _WAYS = {"above": 1, "right": 1, "behind": 1, "below": -1, "left": -1, "front": -1}
 ALONG = {"above": ("bottom", "top"), "right": ("left", "right"), "behind": ("front", "back")}
 ALONG |= {"below": ALONG["above"], "left": ALONG["right"], "front": ALONG["behind"]}

@@ -260,6 +260,8 @@ def _fill(
     """ "and red in between": all the places that are left, or those on one side of all that were `told`."""
     place = place_of(item)
     left = [k for k in range(len(names)) if k not in held and lies_beyond(place, k, told)]
+    if not left and len(held) < len(names):
+        raise refuse("contradiction", "nothing is left there", item.span, "say 'the others'")
     if not left or not held:
         raise refuse("misplaced", "nothing is left for this", item.span, "leave it out")
     all_left(place, left, told)

@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.blocks.figures import FEWEST, NATURAL, takes
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Manner, Noun, Structure, replace
+from rpg.language.meaning import Absolute, At, Manner, Noun, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.parts import place_of, widened

@@ -30,8 +30,8 @@ def whole(item: Absolute) -> Places | None:
 
 
 def _of_them(item: Absolute) -> Places | None:
-    """ "(the left one red, the right one blue,) the middle one white", "the others white": where one is told as a whole,
-    these are such too."""
+    """ "(the left one red,) the middle one white", "the others white": where one is told as a whole, these are such
+    too."""
     place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
     if isinstance(place, At) and place.side == "middle" and place.index is None:
         return Places(side="middle", unit="whole", span=item.span)
@@ -79,7 +79,9 @@ def _axis(said: list[tuple[Absolute, Places]], kind: str) -> str | None:
     inside = any(place.side in _INSIDE for _, place in said)
     if any(place.side in ("first", "last") and (place.several or 1) > 1 for _, place in said):
         if kind in _LIE_ALONG:
-            raise refuse("misplaced", "it is not clear which ones these are", said[0][0].span, "say 'the two back rows'")
+            raise refuse(
+                "misplaced", "it is not clear which ones these are", said[0][0].span, "say 'the two back rows'"
+            )
         return "y"
     if (told or inside) and any(place.side in ("one", "first", "last") for _, place in said):
         raise refuse("misplaced", "it is not clear which one this is", said[0][0].span, "say 'left' and 'right'")

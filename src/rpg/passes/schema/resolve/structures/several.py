@@ -27,7 +27,6 @@ from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_li
 from rpg.passes.schema.resolve.structures.sharing import (
     Look,
     as_long_as_listed,
-    in_turn,
     lots_of,
     named_lots,
     of_all_of_them,

@@ -97,6 +97,7 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
             yield len({*members(atom.a), *members(atom.b)})  # "swap the top two"
         if isinstance(atom, GroupBy):
             yield from (len(group) - atom.outliers for group in atom.groups)
+            yield from (many for group in atom.groups for many in Counter(map(colors.get, group)).values())
         if isinstance(atom, Figure) and atom.shape == "T" and atom.sides is not None:
             yield from (side - 1 for side in atom.sides)  # its stem, without the middle of the bar
         if isinstance(atom, Figure) and atom.shape in ("plus", "X"):

@@ -8,8 +8,9 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.as_many_each import as_many_each
+from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, replace
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits, replace
 
 _LEADS = (
     *(f"{each} {made}"
@@ -43,7 +44,7 @@ _EVERY = (
     *(f"{each}{one}" for each in ("both", "each") for one in ("", " one", " tower", " stack", " of them")),
     "both towers", "both stacks", "every one of them", "each one of them", "every one", "every tower", "every stack",
 )  # fmt: skip
-_NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "of them", "one of them", "of the towers",
+_NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "cluster", "heap", "bunch", "of them", "one of them", "of the towers",
           "of the stacks", "of the rows", "of these", "of the columns", "of the lines")  # fmt: skip
 _HAS = (
     "has", "should have", "must have", "contains", "should contain", "must contain", "consists of",
@@ -120,6 +121,7 @@ def made_of(p: Parser, i: int, j: int) -> Results[OrderBy]:
     yield from _lot(p, i, j)
     yield from _layered(p, i, j)
     yield from _by_layers(p, i, j)
+    yield from _some_and_some(p, i, j)
     for below, k in simple(p, j):
         with_ = p.any_of(k, _TOPPED)
         for above, end in simple(p, with_) if with_ and _of_one_look(below) else ():
@@ -169,6 +171,23 @@ def _lot(p: Parser, i: int, j: int) -> Results[OrderBy]:
                     pair = (*two, *one) if _ON[phrase] else (*one, *two)
                     yield OrderBy(by="each", items=pair, first="bottom", span=p.span(i, end)), end
 
+
+def _some_and_some(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """ "(in each group) three are red and one is blue": so many of each look."""
+    items: list[Noun] = []
+    while (many := p.number(j)) is not None and (k := p.any_of(p.any_of(j + 1, _OF_THEM) or j + 1, _ARE)):
+        look, end = next(iter(color(p, k)), ("", 0))
+        if not end:
+            return
+        one = Noun(head="block", det="a", amount=Amount(1, 1), traits=Traits(colors=(look,)), span=p.span(j, end))
+        items += [one] * many
+        if len(set(map(_look, items))) > 1:
+            yield OrderBy(by="each", items=tuple(items), span=p.span(i, end)), end
+        j = p.any_of(end, (", and", ",", "and", ", while", "while"))
+
+
+_OF_THEM = ("of them", "of the blocks", "of the cubes", "of its blocks", "blocks", "block", "cubes", "cube", "ones")
+_ARE = ("are", "is", "should be", "must be", "shall be", "being", "has to be", "have to be")
 
 _AT = {
     **dict.fromkeys(

@@ -1,0 +1,178 @@
+"""Structures told with their parts: what is above or beside a part, some of several, lots in rows, groups alike."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.language.meaning import assert_means
+
+TOWER = {
+    "assets": {"yellow": 1, "black": 3},
+    "hold": ["black^black^black^yellow"],
+    "miss": ["yellow^black^black^black", "black^black^yellow^black", "black^black^yellow"],
+}
+ROW = {
+    "assets": {"red": 1, "blue": 3},
+    "hold": ["red blue blue blue"],
+    "miss": ["blue blue blue red", "blue red blue blue"],
+}
+AROUND = {
+    "assets": {"yellow": 1, "white": 2, "black": 2},
+    "hold": ["white white yellow black black"],
+    "miss": ["black black yellow white white", "white black yellow white black"],
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("A tower of four: the top one yellow, the three below it all black.", TOWER),
+        ("There is a tower of four blocks; its top is yellow while the three under it are all black.", TOWER),
+        ("Build a tower of four. The top block is yellow and the blocks below it are black.", TOWER),
+        ("A tower of four blocks with a yellow top; the three beneath it are black.", TOWER),
+        ("In a tower of four the top block is yellow and all those underneath are black.", TOWER),
+        ("A row of four blocks: the left one red, the three to its right blue.", ROW),
+        ("A row of four blocks. The leftmost is red and the three to the right of it are blue.", ROW),
+        ("A row of five, the middle one yellow, the two to its left white and the two to its right black.", AROUND),
+        (
+            "A tower of five: the middle one red, the two above it blue and the two below it green.",
+            {
+                "assets": {"red": 1, "blue": 2, "green": 2},
+                "hold": ["green^green^red^blue^blue"],
+                "miss": ["blue^blue^red^green^green", "green^blue^red^blue^green"],
+            },
+        ),
+        (
+            "Three blocks in a line: the nearest is red and the two behind it are white.",
+            {"assets": {"red": 1, "white": 2}, "hold": ["white | white | red"], "miss": ["red | white | white"]},
+        ),
+        (
+            "We end with six blocks forming a two-by-three rectangle, the front row yellow and the back row purple.",
+            {
+                "assets": {"yellow": 3, "purple": 3},
+                "hold": ["purple purple purple | yellow yellow yellow"],
+                "miss": [
+                    "yellow yellow yellow | purple purple purple",
+                    "purple yellow | purple yellow | purple yellow",
+                ],
+            },
+        ),
+    ],
+)
+def test_the_rest_is_told_by_where_it_is(text: str, meant: dict[str, Any]) -> None:
+    assert_means(text, meant)
+
+
+OUTER = {
+    "assets": {"red": 6, "yellow": 3},
+    "hold": ["red yellow red | red yellow red | red yellow red pitch=2,1.25"],
+    "miss": [
+        "yellow red red | yellow red red | yellow red red pitch=2,1.25",
+        "red red red | yellow yellow yellow | red red red pitch=1.25,2",
+    ],
+}
+LINED = {
+    "assets": {"red": 4, "white": 4, "blue": 4},
+    "hold": ["red red red red | white white white white | blue blue blue blue pitch=1.25,2"],
+    "miss": ["white white white white | red red red red | blue blue blue blue pitch=1.25,2"],
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("Set up 3 columns with 3 blocks each; the outer columns red, the centre column yellow.", OUTER),
+        ("Three columns of three blocks: the middle column is yellow and the other two columns are red.", OUTER),
+        ("Twelve blocks in three rows; the rows, from the back to the front, are red, white and blue.", LINED),
+        ("Three rows of four blocks. From front to back the rows are blue, white and red.", LINED),
+        ("Twelve blocks in three rows, the back row red, the middle row white and the front row blue.", LINED),
+        (
+            "Three towers of two blocks in a row: the left one red, the other two blue.",
+            {
+                "assets": {"red": 2, "blue": 4},
+                "hold": ["red^red blue^blue blue^blue"],
+                "miss": ["blue^blue red^red blue^blue", "red^blue red^blue blue^blue"],
+            },
+        ),
+        (
+            "Three towers of two blocks each, the outer ones red and the middle one blue.",
+            {
+                "assets": {"red": 4, "blue": 2},
+                "hold": ["red^red blue^blue red^red"],
+                "miss": ["blue^blue red^red red^red", "red^blue red^red red^blue"],
+            },
+        ),
+        (
+            "Two towers of three blocks each. From left to right the towers are red and white.",
+            {"assets": {"red": 3, "white": 3}, "hold": ["red^red^red white^white^white"],
+             "miss": ["white^white^white red^red^red"]},
+        ),
+        (
+            "A grid of 2 rows and 3 columns. Each column has one colour, namely red, white, blue from left to right.",
+            {"assets": {"red": 2, "white": 2, "blue": 2}, "hold": ["red white blue | red white blue"],
+             "miss": ["blue white red | blue white red"]},
+        ),
+    ],
+)  # fmt: skip
+def test_some_of_several_structures_are_told_together(text: str, meant: dict[str, Any]) -> None:
+    assert_means(text, meant)
+
+
+ODD_BEHIND = {
+    "assets": {str(n): 1 for n in range(1, 7)},
+    "hold": ["1 3 5 | 2 4 6", "5 1 3 | 4 2 6"],
+    "miss": ["2 4 6 | 1 3 5", "1 2 3 | 4 5 6"],
+}
+ALIKE = {
+    "assets": {"white": 4, "black": 2},
+    "hold": ["white black white ; black white white"],
+    "miss": ["white white white ; black black white", "white white ; white white ; black black"],
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("put the blocks 1 to 6 in two rows, the odd ones behind the even ones", ODD_BEHIND),
+        ("Put the numbers 1 to 6 into two rows with the even numbers in front of the odd numbers.", ODD_BEHIND),
+        ("Arrange the digits 1 to 6 in two rows of three. The odd digits are behind the even digits.", ODD_BEHIND),
+        (
+            "Put three red and three blue blocks into two stacks, the blue ones to the right of the red ones.",
+            {"assets": {"red": 3, "blue": 3}, "hold": ["red^red^red blue^blue^blue"],
+             "miss": ["blue^blue^blue red^red^red", "red^blue^red blue^red^blue"]},
+        ),
+        ("Make two groups of three blocks, each with two white ones and one black one.", ALIKE),
+        ("Make two clusters of three blocks. In each cluster two are white and one is black.", ALIKE),
+        ("Make two piles of three blocks. Each consists of two white ones and a black one.", ALIKE),
+        ("Sort six cubes into two groups of three; each group has two white cubes and one black cube.", ALIKE),
+    ],
+)  # fmt: skip
+def test_lots_and_groups_are_told_by_what_they_have(text: str, meant: dict[str, Any]) -> None:
+    assert_means(text, meant)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A row of four blocks: the left one red, the three to its left blue.",
+        "A row of four blocks: the left one red, the three behind it blue.",
+        "A tower of five: the middle one red, the two above it blue.",
+        "A tower of five: the middle one red, the three above it blue.",
+        "A tower of four: the top one red, the three above it blue.",
+        "Three towers of two blocks: the middle one red, the first blue, the last green.",
+        "Four rows of two blocks, the middle row red, the others blue.",
+        "Four rows of three blocks. From back to front the rows are red, white and blue.",
+        "Eleven blocks in two rows, the front one red and the back one blue.",
+        "Put the numbers 1 to 8 into two rows of three, the odd numbers in front of the even numbers.",
+        "Put three red, three blue and three green blocks in two rows, the red ones behind the blue ones.",
+        "Make two groups of five, each with two white ones and one black one.",
+        "Make two groups of four cubes. In each group three are red.",
+        "Divide five red and two blue blocks into two groups, each with two red ones and one blue one.",
+    ],
+)
+def test_parts_that_are_not_there_are_refused(text: str) -> None:
+    schema, _ = BuiltinFrontEnd().read(text)
+    assert schema is None

@@ -44,8 +44,9 @@ _EVERY = (
     *(f"{each}{one}" for each in ("both", "each") for one in ("", " one", " tower", " stack", " of them")),
     "both towers", "both stacks", "every one of them", "each one of them", "every one", "every tower", "every stack",
 )  # fmt: skip
-_NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "cluster", "heap", "bunch", "of them", "one of them", "of the towers",
-          "of the stacks", "of the rows", "of these", "of the columns", "of the lines")  # fmt: skip
+_NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "cluster", "heap", "bunch", "of them",
+          "one of them", "of the towers", "of the stacks", "of the rows", "of these", "of the columns",
+          "of the lines")  # fmt: skip
 _HAS = (
     "has", "should have", "must have", "contains", "should contain", "must contain", "consists of",
     "should consist of", "must consist of", "is made of", "should be made of", "must be made of", "is built of",

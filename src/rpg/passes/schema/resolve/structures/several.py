@@ -12,6 +12,7 @@ from rpg.ir import structures as s
 from rpg.language.meaning import (
     Amount,
     Coord,
+    In,
     Loc,
     Meaning,
     Noun,
@@ -56,15 +57,20 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
         return shape.kind not in APART
     if any(z.what == "heights" for z in shape.sizes):
         return False  # which are told apart by these
-    apart = _to_each_other(spec) or ((spec.lined or _own_patches(spec)) and not spec.patterns)
+    apart = _to_each_other(spec) or ((spec.lined or _own_places(spec)) and not spec.patterns)
     told = any(whole(x) is not None or beside_others(x) for x in spec.absolutes)
     return sided(spec) is not None or told or apart
 
 
-def _own_patches(spec: Spec) -> bool:
-    """ "Three stacks of two, each on its own patch": each of them is somewhere else."""
+def _own_places(spec: Spec) -> bool:
+    """ "Three stacks of two, each on its own patch", "in each corner": each of them is somewhere else."""
     marks = [p.landmark for p in spec.places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
-    return any(isinstance(m, Noun) and (m.det == "each" or _own(m)) and m.head == "patch" for m in marks)
+    mats = any(isinstance(m, Noun) and (m.det == "each" or _own(m)) and m.head == "patch" for m in marks)
+    return mats or _in_corners(spec)
+
+
+def _in_corners(spec: Spec) -> bool:
+    return any(isinstance(p, In) and p.region.startswith("each_corner") and not p.negated for p in spec.places)
 
 
 def _own(mark: Noun) -> bool:
@@ -103,8 +109,9 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     lots = named_lots(theme, looks, scene) or lots_of(theme, count, shape, scene)
     built: list[Built] = []
     goals: list[g.Goal] = []
+    color: tuple[str, ...] = ()
     for index in range(count):
-        color = _color(shape, spec, theme, looks, scene)
+        color = color if color and _in_corners(spec) else _color(shape, spec, theme, looks, scene)
         own = _copied(spec)
         look = _spelling(shape, said_of) if isinstance(said_of := looks[index], Structure) else said_of
         if isinstance(look, Noun) and _listed(look):

@@ -190,7 +190,8 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
             if p.follows(j, _A_BLOCK) and p.stands(j, _OWNS) and p.follows(k, _A_BLOCK):
                 continue  # "the left one has a red one (on it)": it is none
             if all(k != end for _, end in lines):
-                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
+                end = p.one(k, ("instead",)) or k
+                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
         for word, k in _word(p, j) if isinstance(place, Places) else ():
             yield Absolute(theme=word, adjuncts=(place,), span=p.span(i, k)), k
     yield from _coloured(p, i)

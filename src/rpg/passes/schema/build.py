@@ -47,7 +47,7 @@ from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.only_denied import still_ahead
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.goals.untouched import left_as_they_are
-from rpg.passes.schema.resolve.orders.but_a_part import but_a_part
+from rpg.passes.schema.resolve.orders.parts_behind import parts_behind
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
@@ -158,7 +158,7 @@ def resolve(
     check_each(chains, text)
     check_tower_or_block(chains)
     chains = from_heaps(readied(chains, text), text)
-    links, chains = lots_related(*in_told_order(*left_out_behind(*but_a_part(links, chains, text)), text))
+    links, chains = lots_related(*in_told_order(*left_out_behind(*parts_behind(links, chains, text)), text))
     links, chains = hoisted(*places_told(*words_in_rows(links, chains)))
     told = begun_of_stock(begun(chains, text), text)
     links, every = links_left(links, chains, told), links

@@ -56,6 +56,11 @@ DISTANCES: tuple[Turn, ...] = (
 )  # fmt: skip
 """What makes no sense as it stands, and what is said instead."""
 DISTANCES_AT_ONCE: tuple[Turn, ...] = (
+    # lines, which have gaps of their own
+    *((f"^(.*\\b(?:rows|columns|lines)\\b.*?)(?: ,)? (?:(?:with|leaving|and) )?{told} between (?:the|these) (?:two "
+       "|three )?(rows|columns|lines)$", f"{{1}} . the {what} between the {{3}} must be {{2}}")
+      for told, what in ((f"(?:an? )?{_SPACE} of {_LONG}", "gap"), (f"{_LONG} of {_SPACE}", "gap"),
+                         (f"(?:an? )?{_LONG} {_SPACE}", "gap"), (f"(?:an? )?distance of {_LONG}", "distance"))),
     # of every two
     (f"\\b({LENGTH})(?: (apart|away|from each other|from one another) or (?:more|farther|further)| or (?:more|farther|"
      "further) (apart))\\b", "at least {1} {2} {3}"),

@@ -1,5 +1,5 @@
-""" "A row of five red blocks, but the middle one is blue", "... The top one is blue instead.": a part that is not as
-all are said to be."""
+"""What is told of a part behind the line that it is of: "a row of five red blocks, but the middle one is blue", "three
+blocks one behind the other. The front one is red."."""
 
 from __future__ import annotations
 
@@ -7,13 +7,17 @@ import re
 
 from rpg.language.meaning import (
     Absolute,
+    Amount,
     At,
     Chain,
     Clause,
     Coord,
+    Into,
+    Loc,
     Meaning,
     Noun,
     Places,
+    Pronoun,
     Size,
     Structure,
     Traits,
@@ -24,20 +28,43 @@ _LINES = ("stack", "row", "line", "column")
 _BUT = re.compile(r"\b(?:but|except|only|save|though|however|instead)\b", re.IGNORECASE)
 
 
-def but_a_part(links: list[str], chains: tuple[Chain, ...], text: str) -> tuple[list[str], tuple[Chain, ...]]:
-    """The sentences, with the line as one of so many blocks, this part so and the others as all were said to be."""
+_IN_LINE = ("one_behind", "side_by_side")
+"""How blocks stand to each other that are in one line."""
+
+
+def parts_behind(links: list[str], chains: tuple[Chain, ...], text: str) -> tuple[list[str], tuple[Chain, ...]]:
+    """The sentences, with each such part told with its line."""
     told, found = list(links), list(chains)
     for n, chain in enumerate(chains):
         first, rest = chain.clauses[0], chain.clauses[1:]
-        if isinstance(first, Clause) and (whole := _excepted(first, text)) is not None:
+        if isinstance(first, Clause) and (whole := _whole(first, text)) is not None:
             found[n] = replace(chain, clauses=(whole, *rest))
         last = chains[n - 1].clauses[-1] if n else None
         if isinstance(last, Clause) and isinstance(first, Clause) and first.verb == "part" and links[n] == "and":
             joined = replace(last, adjuncts=(*last.adjuncts, *first.adjuncts), span=(last.span[0], first.span[1]))
-            if first.theme is None and not rest and (whole := _excepted(joined, text)) is not None:
+            if first.theme is None and not rest and (whole := _whole(joined, text)) is not None:
                 found[n - 1] = replace(found[n - 1], clauses=(*found[n - 1].clauses[:-1], whole))
                 return told[:n] + told[n + 1 :], tuple(found[:n] + found[n + 1 :])
     return told, tuple(found)
+
+
+def _whole(clause: Clause, text: str) -> Clause | None:
+    return _excepted(clause, text) or _lined(clause)
+
+
+def _lined(clause: Clause) -> Clause | None:
+    """ "Three blocks one behind the other, the front one red": a column of three."""
+    place, *parts = clause.adjuncts or (None,)
+    rel = place.rel if isinstance(place, Loc) and isinstance(place.landmark, Pronoun) else ""
+    told = [x for part in parts for x in (part.items if isinstance(part, Coord) else (part,))]
+    counted = isinstance(clause.theme, Noun) and clause.theme.amount is not None and clause.theme.plural
+    if rel not in _IN_LINE or not told or not counted or clause.negated or not isinstance(place, Loc) or place.mods:
+        return None
+    if place.negated or not all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At | Places) for x in told):
+        return None
+    line = Structure(kind="column", det="a", amount=Amount(1, 1), span=place.span)
+    ahead: Meaning = Into(structure=line, span=place.span) if rel == "one_behind" else place
+    return replace(clause, adjuncts=(ahead, *told))
 
 
 def _excepted(clause: Clause, text: str) -> Clause | None:

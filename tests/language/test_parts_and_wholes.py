@@ -154,6 +154,105 @@ def test_lots_and_groups_are_told_by_what_they_have(text: str, meant: dict[str, 
     assert_means(text, meant)
 
 
+CORNERS = "{0} at=3.2,5.5 ; {0} at=3.2,-5.5 ; {0} at=-3.2,5.5 ; {0} at=-3.2,-5.5"
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        (
+            "Build a tower of two blue blocks in each corner of the table.",
+            {"assets": {"blue": 8}, "hold": [CORNERS.format("blue^blue")], "miss": [CORNERS.format("blue blue")]},
+        ),
+        (
+            "In every corner of the table stands a tower of a red and a blue block.",
+            {"assets": {"red": 4, "blue": 4}, "hold": [CORNERS.format("red^blue"), CORNERS.format("blue^red")],
+             "miss": ["red^red at=3.2,5.5 ; blue^blue at=3.2,-5.5 ; red^blue at=-3.2,5.5 ; red^blue at=-3.2,-5.5"]},
+        ),
+        (
+            "Put a tower of two red blocks in both far corners.",
+            {"assets": {"red": 4}, "hold": ["red^red at=3.2,5.5 ; red^red at=3.2,-5.5"],
+             "miss": ["red^red at=3.2,5.5 ; red^red at=-3.2,-5.5"]},
+        ),
+        (
+            "Boxes A through F should be put in two rows of three, alphabetical, back row first.",
+            {"assets": dict.fromkeys("ABCDEF", 1), "hold": ["A B C | D E F"], "miss": ["D E F | A B C"]},
+        ),
+        (
+            "Letters A to F go into two rows of three, alphabetically, the front row first.",
+            {"assets": dict.fromkeys("ABCDEF", 1), "hold": ["D E F | A B C"], "miss": ["A B C | D E F"]},
+        ),
+        (
+            "Two rows of three red blocks each with a gap of at least 10 cm between the two rows.",
+            {"assets": {"red": 6}, "hold": ["red red red | red red red pitch=1.25,4"],
+             "miss": ["red red red | red red red pitch=1.25,2"]},
+        ),
+        (
+            "Two towers of 2 and 3 green blocks in a row from left to right.",
+            {"assets": {"green": 5}, "hold": ["green^green green^green^green"],
+             "miss": ["green^green^green green^green"]},
+        ),
+    ],
+)  # fmt: skip
+def test_several_structures_have_their_places(text: str, meant: dict[str, Any]) -> None:
+    assert_means(text, meant)
+
+
+BUT_MIDDLE = {
+    "assets": {"red": 4, "blue": 1},
+    "hold": ["red red blue red red"],
+    "miss": ["blue red red red red", "red red red red ; blue"],
+}
+NOT_BELOW = {
+    "assets": {"red": 3, "blue": 2},
+    "hold": ["blue^red^red^red^blue", "blue^blue^red^red^red"],
+    "miss": ["red^blue^blue^red^red", "red^red^red ; blue^blue"],
+}
+NEAREST = {"assets": {"red": 1, "gray": 2}, "hold": ["gray | gray | red"], "miss": ["red | gray | gray"]}
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("A row of five red blocks, but the middle one is blue.", BUT_MIDDLE),
+        ("A row of five red blocks, only the middle one is blue.", BUT_MIDDLE),
+        ("A row of five red blocks. The middle one is blue instead.", BUT_MIDDLE),
+        ("A row of five red blocks, except that the middle one is blue.", BUT_MIDDLE),
+        (
+            "A stack of six green cubes, but the two at the bottom are white.",
+            {"assets": {"green": 4, "white": 2}, "hold": ["white^white^green^green^green^green"],
+             "miss": ["green^green^green^green^white^white"]},
+        ),
+        (
+            "Make a filled 3x3 square of blue blocks. The one in the middle is yellow instead.",
+            {"assets": {"blue": 8, "yellow": 1}, "hold": ["blue blue blue | blue yellow blue | blue blue blue"],
+             "miss": ["yellow blue blue | blue blue blue | blue blue blue"]},
+        ),
+        ("Stack three red and two blue blocks in one tower without a red one at the bottom.", NOT_BELOW),
+        ("Stack three red and two blue blocks in one tower, but no red one at the bottom.", NOT_BELOW),
+        ("Stack three red and two blue blocks in one tower, the bottom one not red.", NOT_BELOW),
+        ("Stack three red and two blue blocks in one tower. There must be no red block at the bottom.", NOT_BELOW),
+        (
+            "A row of two red and three blue blocks with no red one at an end.",
+            {"assets": {"red": 2, "blue": 3}, "hold": ["blue red red blue blue"], "miss": ["blue red blue blue red"]},
+        ),
+        ("Three blocks one behind the other. The front one is red, the other two are gray.", NEAREST),
+        ("Three blocks stand one behind the other; the nearest is red and the others are gray.", NEAREST),
+        (
+            "Three blocks side by side. The left one is red, the other two are gray.",
+            {"assets": {"red": 1, "gray": 2}, "hold": ["red gray gray"], "miss": ["gray red gray"]},
+        ),
+        (
+            "A tower of three green and two brown blocks, no brown one directly on another brown one.",
+            {"assets": {"green": 3, "brown": 2}, "hold": ["green^brown^green^brown^green"],
+             "miss": ["green^brown^brown^green^green"]},
+        ),
+    ],
+)  # fmt: skip
+def test_parts_that_differ_from_what_is_said_of_all(text: str, meant: dict[str, Any]) -> None:
+    assert_means(text, meant)
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -171,6 +270,13 @@ def test_lots_and_groups_are_told_by_what_they_have(text: str, meant: dict[str, 
         "Make two groups of five, each with two white ones and one black one.",
         "Make two groups of four cubes. In each group three are red.",
         "Divide five red and two blue blocks into two groups, each with two red ones and one blue one.",
+        "A row of five red blocks. The middle one is blue.",
+        "Three red, two blue and a green block in one tower, but no red one at the bottom.",
+        "A tower of two red and three blue blocks, but no green one at the bottom.",
+        "Put a tower of the two red blocks in each corner of the table.",
+        "Two rows of three red blocks with a gap of 5 cm between them.",
+        "Put the blocks 1 to 6 in two columns of three in ascending order.",
+        "Line up A, B, C and E with a vowel on the far left and on the far right.",
     ],
 )
 def test_parts_that_are_not_there_are_refused(text: str) -> None:

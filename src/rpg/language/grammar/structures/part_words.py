@@ -104,6 +104,9 @@ IS = (
     "must be in", "being in", "all being", "both being", "both", "both in", "entirely", *_MADE,
 )  # fmt: skip
 """What joins a part and its look."""
+NOT = ("not", "is not", "are not", *(f"{must} not be" for must in ("should", "must", "may", "can", "shall")),
+       *(f"{must} never be" for must in ("should", "must", "may", "can")))  # fmt: skip
+"""What joins a part and a look that it does not have."""
 NEAREST = tuple(f"{near} {me}".strip() for near in ("nearest", "closest") for me in (
     "to me", "to the robot", "to the viewer", "to the camera", "to us", "to you", "me", ""))  # fmt: skip
 FARTHEST = tuple(f"{far} {me}".strip() for far in ("farthest", "furthest") for me in (

@@ -15,6 +15,7 @@ from rpg.language.grammar.structures.part_words import (
     FROM,
     IS,
     LEADS,
+    NOT,
     NOUNS,
     OWN,
     PAIRS,
@@ -29,7 +30,7 @@ from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits, replace
 
 
 @rule
@@ -192,6 +193,9 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
             if all(k != end for _, end in lines):
                 end = p.one(k, ("instead",)) or k
                 yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+        for theme, k in _looks(p, never) if (never := p.any_of(j, NOT)) else ():
+            if isinstance(theme, Noun) and theme.amount is None and p.stands(never, lexicon.COLOR):
+                yield Absolute(theme=replace(theme, det="no"), adjuncts=(place,), span=p.span(i, k)), k
         for word, k in _word(p, j) if isinstance(place, Places) else ():
             yield Absolute(theme=word, adjuncts=(place,), span=p.span(i, k)), k
     yield from _coloured(p, i)

@@ -9,6 +9,7 @@ from itertools import pairwise
 from rpg.language import lexicon
 from rpg.language.meaning import (
     Absolute,
+    At,
     Chain,
     Clause,
     Coord,
@@ -29,8 +30,10 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
     for chain in chains:
         for one in (part for part in parts_of(chain) if isinstance(part, Coord)):
             _check_looks(one, text)
+            _check_none(one)
         for clause in chain.clauses:
             _check_either(clause, text)
+            _check_sides(clause)
         for order in (part for part in parts_of(chain) if isinstance(part, OrderBy)):
             _check_count(order, text)
         for head, rest in _cuts(chain):
@@ -50,6 +53,32 @@ def _check_looks(listed: Coord, text: str) -> None:
         if one.head == "any" and one.det == "a" and text[one.span[1] : other.span[0]].strip() == "and":
             raise refuse("ambiguous", "are these two looks of one thing, or two things?", one.span,
                          "say 'block' behind the first, and 'a' ahead of the second")  # fmt: skip
+
+
+def _check_none(listed: Coord) -> None:
+    """Refuse "a tower of green blocks, no red one on ..." as a list of these and of none."""
+    denied = [isinstance(item, Noun) and item.det == "no" for item in listed.items]
+    if listed.op == "and" and any(denied) and not all(denied):
+        none = listed.items[denied.index(True)]
+        raise refuse("misplaced", "none is no part of a list", none.span, "say it in a sentence of its own")
+
+
+_OPPOSITE = ({"left", "right"}, {"front", "back"}, {"top", "bottom"})
+
+
+def _check_sides(clause: Meaning) -> None:
+    """Refuse "with a vowel on the left and on the right" as a vowel on the left, and everything on the right."""
+    parts = clause.adjuncts if isinstance(clause, Clause) else ()
+    placed = [(x.adjuncts[0] if isinstance(x, Absolute) else x, isinstance(x, Absolute)) for x in parts]
+    for (one, inside), (other, told) in pairwise(placed):
+        if (
+            inside
+            and not told
+            and isinstance(one, At)
+            and isinstance(other, At)
+            and {one.side, other.side} in _OPPOSITE
+        ):
+            raise refuse("misplaced", "what this is said of is not clear", other.span, "say it of each side")
 
 
 def _check_count(order: OrderBy, text: str) -> None:

@@ -34,22 +34,53 @@ _IN_LINE = ("one_behind", "side_by_side")
 
 def parts_behind(links: list[str], chains: tuple[Chain, ...], text: str) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with each such part told with its line."""
-    told, found = list(links), list(chains)
-    for n, chain in enumerate(chains):
-        first, rest = chain.clauses[0], chain.clauses[1:]
-        if isinstance(first, Clause) and (whole := _whole(first, text)) is not None:
-            found[n] = replace(chain, clauses=(whole, *rest))
-        last = chains[n - 1].clauses[-1] if n else None
-        if isinstance(last, Clause) and isinstance(first, Clause) and first.verb == "part" and links[n] == "and":
-            joined = replace(last, adjuncts=(*last.adjuncts, *first.adjuncts), span=(last.span[0], first.span[1]))
-            if first.theme is None and not rest and (whole := _whole(joined, text)) is not None:
-                found[n - 1] = replace(found[n - 1], clauses=(*found[n - 1].clauses[:-1], whole))
-                return told[:n] + told[n + 1 :], tuple(found[:n] + found[n + 1 :])
+    told: list[str] = []
+    found: list[Chain] = []
+    for link, chain in zip(links, chains, strict=True):
+        clauses: list[Meaning] = []
+        inner: list[str] = []
+        for n, clause in enumerate(chain.clauses):
+            ahead = clauses if clauses else list(found[-1].clauses) if found else []
+            then = chain.links[n] if n else link
+            joined = _joined(ahead[-1], clause) if ahead and then == "and" else None
+            if joined is not None and (whole := _whole(joined, text)) is not None:
+                if clauses:
+                    clauses[-1] = whole
+                else:
+                    found[-1] = replace(found[-1], clauses=(*ahead[:-1], whole))
+                continue
+            alone = _whole(clause, text) if isinstance(clause, Clause) else None
+            clauses.append(alone or clause)
+            inner.append(chain.links[n])
+        if clauses:
+            told.append(link)
+            found.append(replace(chain, clauses=tuple(clauses), links=tuple(inner)))
     return told, tuple(found)
 
 
+def _joined(ahead: Meaning, clause: Meaning) -> Clause | None:
+    """A clause with what the next one tells of parts, if that is all that it tells."""
+    if not isinstance(ahead, Clause) or not isinstance(clause, Clause) or clause.negated:
+        return None
+    parts = clause.adjuncts if clause.verb == "part" and clause.theme is None else ()
+    none = isinstance(clause.theme, Noun) and clause.theme.det == "no" and len(clause.adjuncts) == 1
+    if none and clause.theme is not None and isinstance(clause.adjuncts[0], At | Places):
+        parts = (Absolute(theme=clause.theme, adjuncts=clause.adjuncts, span=clause.span),)
+    return replace(ahead, adjuncts=(*ahead.adjuncts, *parts), span=(ahead.span[0], clause.span[1])) if parts else None
+
+
 def _whole(clause: Clause, text: str) -> Clause | None:
-    return _excepted(clause, text) or _lined(clause)
+    return _excepted(clause, text) or _lined(clause) or _without(clause)
+
+
+def _without(clause: Clause) -> Clause | None:
+    """ "Stack three red and two blue blocks, but no red one at the bottom": told of the tower."""
+    *ahead, last = clause.adjuncts or (None,)
+    none = last.theme if isinstance(last, Absolute) else None
+    shapes = [clause.theme, *(x.structure for x in ahead if isinstance(x, Into))]
+    lines = any(isinstance(x, Structure) and x.kind in _LINES and not x.plural for x in shapes)
+    denied = isinstance(none, Noun) and none.det == "no"
+    return clause if denied and (lines or clause.verb == "stack") and not clause.negated else None
 
 
 def _lined(clause: Clause) -> Clause | None:

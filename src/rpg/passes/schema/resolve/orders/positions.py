@@ -9,7 +9,7 @@ from itertools import combinations
 from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.left_over import ALONG, all_left, lies_beyond, one_or_all
+from rpg.passes.schema.resolve.orders.left_over import ALONG, all_left, lies_beyond, not_so, one_or_all
 from rpg.passes.schema.resolve.orders.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.places.either_end import at_an_end, ends_named
 from rpg.passes.schema.resolve.things.refer import refer
@@ -78,6 +78,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     bunches: list[tuple[str, ...]] = []
     last: int | None = None
     way = 1
+    spec.absolutes = [x if place_of(x) is None else not_so(x, names, scene) for x in spec.absolutes]
     one_or_all(spec, names, scene)
     turned = _at_ends(spec, names, kind, scene)
     sides = [place.side for item in spec.absolutes if (place := place_of(item)) is not None]

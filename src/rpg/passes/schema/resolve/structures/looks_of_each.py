@@ -60,6 +60,8 @@ def told_looks(spec: Spec, count: int, kind: str = "") -> tuple[list[Look], str 
         left = [n for n, look in enumerate(found) if look is None]
         these = [number] if place.side == "one" else _indices(place, count, left)
         alike = isinstance(theme, Noun) and theme.amount is None and not theme.traits.labels
+        if (place.index or 0) > count:
+            raise refuse("misplaced", f"there are {count} of them", item.span, "say which of these this is")
         if not these or not {*these} <= {*left} or not isinstance(theme, Noun | Coord | Structure):
             raise refuse("count-mismatch", f"there are {count} of them", item.span, "say one thing of each")
         if len(these) > 1 and not alike:

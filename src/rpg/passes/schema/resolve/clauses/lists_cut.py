@@ -34,6 +34,7 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
         for clause in chain.clauses:
             _check_either(clause, text)
             _check_sides(clause)
+            _check_standing(clause)
         for order in (part for part in parts_of(chain) if isinstance(part, OrderBy)):
             _check_count(order, text)
         for head, rest in _cuts(chain):
@@ -79,6 +80,15 @@ def _check_sides(clause: Meaning) -> None:
             and {one.side, other.side} in _OPPOSITE
         ):
             raise refuse("misplaced", "what this is said of is not clear", other.span, "say it of each side")
+
+
+def _check_standing(clause: Meaning) -> None:
+    """Refuse "four towers, each two high, stand in a row" as an order to stand something else there."""
+    if isinstance(clause, Clause) and clause.lemma in _STANDING and clause.theme is None and clause.mode == "command":
+        raise refuse("misplaced", "it is not said what stands there", clause.span, "say it in a sentence of its own")
+
+
+_STANDING = ("stand", "sit", "lie", "rest")
 
 
 def _check_count(order: OrderBy, text: str) -> None:

@@ -70,7 +70,17 @@ def _joined(ahead: Meaning, clause: Meaning) -> Clause | None:
 
 
 def _whole(clause: Clause, text: str) -> Clause | None:
-    return _excepted(clause, text) or _lined(clause) or _without(clause)
+    return _excepted(clause, text) or _lined(clause) or _without(clause) or _of_several(clause)
+
+
+def _of_several(clause: Clause) -> Clause | None:
+    """ "Four towers stand in a row. The two outer ones are black.": the outer towers."""
+    shape, told = clause.theme, clause.adjuncts[-1] if clause.adjuncts else None
+    parts = told.items if isinstance(told, Coord) and told.op == "absolutes" else (told,)
+    places = [x.adjuncts[0] for x in parts if isinstance(x, Absolute)]
+    several = isinstance(shape, Structure) and shape.plural and shape.kind in _LINES and not clause.negated
+    some = any(isinstance(x, Places) and x.side in ("outer", "inner") for x in places)
+    return clause if several and some and len(places) == len(parts) else None
 
 
 def _without(clause: Clause) -> Clause | None:

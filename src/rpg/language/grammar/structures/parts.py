@@ -287,7 +287,7 @@ def _plain(theme: Meaning) -> bool:
     if not isinstance(theme, Noun) or theme.head == "patch" or theme.part_of is not None or theme.conditions:
         return False
     marks = theme.traits
-    return bool(marks.colors or marks.labels or marks.size) and marks.rank is None and not marks.extra
+    return bool(marks.colors or marks.labels or marks.size or marks.quality) and marks.rank is None and not marks.extra
 
 
 @choice

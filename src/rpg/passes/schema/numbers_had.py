@@ -15,7 +15,7 @@ from rpg.ir.goal import All, Count, Not
 from rpg.ir.node import members
 from rpg.ir.relations import Above, Clear, InRegion, On, Ranged, Shifted, Swapped
 from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
-from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Staircase
+from rpg.ir.structures import Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Staircase
 from rpg.ir.walk import atoms, names
 
 UNITS = (1.0, 10.0, 100.0, 1000.0, 1 / 0.0254, 1 / EDGE)
@@ -92,6 +92,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     for atom in atoms(task.goal):
         if isinstance(atom, Figure) and atom.gap is not None:
             yield from _how_large(atom, max(asset.size for asset in task.blocks if asset.name in atom.blocks))
+        if isinstance(atom, Grid) and atom.gap is not None:  # "7 cm between centres"
+            yield from _inside(atom.gap + max(asset.size for asset in task.blocks if asset.name in atom.blocks))
         yield from Counter(colors.get(name) for name in set(names(atom))).values()  # "three of the six red blocks"
         if isinstance(atom, Swapped):
             yield len({*members(atom.a), *members(atom.b)})  # "swap the top two"

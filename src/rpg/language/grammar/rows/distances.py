@@ -56,6 +56,8 @@ DISTANCES: tuple[Turn, ...] = (
 )  # fmt: skip
 """What makes no sense as it stands, and what is said instead."""
 DISTANCES_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b({LENGTH}(?: of {_SPACE})?|{_SPACE} of {LENGTH}) between (?:every|any|each) two$",
+     "{1} between neighboring blocks"),
     # lines, which have gaps of their own
     *((f"^(.*\\b(?:rows|columns|lines)\\b.*?)(?: ,)? (?:(?:with|leaving|and) )?{told} between (?:the|these) (?:two "
        "|three )?(rows|columns|lines)$", f"{{1}} . the {what} between the {{3}} must be {{2}}")

@@ -44,7 +44,7 @@ _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|n
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
     # which one is meant
-    (f"\\b((?:on top of|on|onto|upon|atop|over|above|beside|next to|behind|in front of|left of|right of) the "
+    ("\\b((?:on top of|on|onto|upon|atop|over|above|beside|next to|behind|in front of|left of|right of) the "
      "(?:taller|shorter|tallest|shortest)) one(?: of (?:them|these|the two))?\\b(?! of)", "{1} tower"),
     # until it is so high
     (f"^keep (?:piling|stacking|putting) ({COLOR} )?{_BLOCKS} (?:onto|on top of|on) (?:each other|one another) until "

@@ -70,7 +70,7 @@ _ITEM_SIDES = {
     "middle": "middle", "center": "middle",
 }  # fmt: skip
 _MARKED = frozenset({"each", "every", "row", "rows", "column", "columns", "layer", "layers", "level", "levels",
-                     "towers", "stacks"})  # fmt: skip
+                     "towers", "stacks", "they"})  # fmt: skip
 
 
 @rule
@@ -102,7 +102,8 @@ def _run_along(p: Parser, start: int) -> Iterator[tuple[str, str, int]]:
     units = {**_UNITS, **_WHOLES}
     for way, j in toward(p, start):
         if isinstance(way, Toward) and way.first is not None and (are := p.any_of(p.opt(j, ","), _THE_LINES)):
-            yield way.first, next(u for w, u in units.items() if f"{w}s" in p.words[j:are]), are
+            they = "row" if way.first in _FIRST["row"][:2] else "whole"
+            yield way.first, next((u for w, u in units.items() if f"{w}s" in p.words[j:are]), they), are
     named = p.any_of(start, _NAMED)
     for way, j in toward(p, named + 1) if named and p.one(named, (",",)) else ():
         if isinstance(way, Toward) and way.first is not None and (are := p.any_of(p.opt(j, ","), _ARE)):
@@ -160,7 +161,7 @@ _SET_OFF = frozenset({",", ":", "-"})
 _SET_APART = (":", ",", "-", ", namely", ": namely", "namely", ", i.e.", ", that is")
 _ARE = ("are", "should be", "must be", "are colored", "have the colors", ":", "being", "shall be")
 _NAMED = tuple(f"{the}{unit}s" for the in ("the ", "its ", "") for unit in (*_UNITS, *_WHOLES))
-_THE_LINES = tuple(f"{named} {are}" for named in _NAMED for are in _ARE)
+_THE_LINES = tuple(f"{named} {are}" for named in (*_NAMED, "they") for are in _ARE)
 Told = tuple[tuple[Noun, str, tuple[int, int]], ...]
 """Colours, each with the side where it is said to be, or with none."""
 

@@ -30,11 +30,12 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
     for chain in chains:
         for one in (part for part in parts_of(chain) if isinstance(part, Coord)):
             _check_looks(one, text)
-            _check_none(one)
         for clause in chain.clauses:
             _check_either(clause, text)
             _check_sides(clause)
             _check_standing(clause)
+        for built in (part for part in parts_of(chain) if isinstance(part, Structure | Clause)):
+            _check_none(built)
         for order in (part for part in parts_of(chain) if isinstance(part, OrderBy)):
             _check_count(order, text)
         for head, rest in _cuts(chain):
@@ -56,10 +57,11 @@ def _check_looks(listed: Coord, text: str) -> None:
                          "say 'block' behind the first, and 'a' ahead of the second")  # fmt: skip
 
 
-def _check_none(listed: Coord) -> None:
-    """Refuse "a tower of green blocks, no red one on ..." as a list of these and of none."""
-    denied = [isinstance(item, Noun) and item.det == "no" for item in listed.items]
-    if listed.op == "and" and any(denied) and not all(denied):
+def _check_none(built: Structure | Clause) -> None:
+    """Refuse "a tower of green blocks, no red one on ..." as built of these and of none."""
+    listed = built.members if isinstance(built, Structure) else built.theme if built.verb == "build" else None
+    denied = [isinstance(x, Noun) and x.det == "no" for x in listed.items] if isinstance(listed, Coord) else []
+    if isinstance(listed, Coord) and listed.op == "and" and any(denied) and not all(denied):
         none = listed.items[denied.index(True)]
         raise refuse("misplaced", "none is no part of a list", none.span, "say it in a sentence of its own")
 

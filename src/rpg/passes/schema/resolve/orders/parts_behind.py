@@ -25,7 +25,8 @@ from rpg.language.meaning import (
 )
 
 _LINES = ("stack", "row", "line", "column")
-_BUT = re.compile(r"\b(?:but|except|only|save|though|however|instead)\b", re.IGNORECASE)
+_FIGURES = ("plus", "square", "rectangle", "grid", "wall", "pyramid", "triangle", "circle", "T", "L", "U", "V", "X")
+_BUT = re.compile(r"\b(?:but|except|only|save|though|however|instead|being)\b", re.IGNORECASE)
 
 
 _IN_LINE = ("one_behind", "side_by_side")
@@ -109,27 +110,35 @@ def _lined(clause: Clause) -> Clause | None:
 
 
 def _excepted(clause: Clause, text: str) -> Clause | None:
-    shape, part = clause.theme, clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
-    if isinstance(part, Coord) and part.op == "absolutes" and len(part.items) == 1:
-        part = part.items[0]
-    if not isinstance(shape, Structure) or shape.kind not in _LINES or shape.plural or not isinstance(part, Absolute):
+    shape, sizes = clause.theme, [x for x in clause.adjuncts if isinstance(x, Size)]
+    told = [x for x in clause.adjuncts if not isinstance(x, Size)]
+    parts = [x for part in told for x in (part.items if isinstance(part, Coord) else (part,))]
+    if not isinstance(shape, Structure) or shape.plural or not parts or clause.negated or clause.verb != "build":
         return None
-    blocks, place = shape.members, part.adjuncts[0]
-    if not isinstance(blocks, Noun) or shape.details or shape.sizes or clause.negated or clause.verb != "build":
+    blocks, lines = shape.members, shape.kind in _LINES
+    if not isinstance(blocks, Noun) or shape.details or shape.kind not in (*_LINES, *_FIGURES):
         return None
     color = shape.traits.colors or blocks.traits.colors
     plain = {replace(x, colors=()) for x in (shape.traits, blocks.traits)} == {Traits()}
     alone = blocks.det == "bare" and blocks.amount is not None and blocks.amount.low == blocks.amount.high
-    if not plain or not alone or len(color) != 1 or not _other_look(part.theme, color[0]):
+    if not plain or not alone or len(color) != 1 or (lines and (shape.sizes or sizes)):
         return None
-    said = isinstance(place, At) or (isinstance(place, Places) and place.side != "rest")
-    if not said or _BUT.search(text[shape.span[1] : clause.span[1]]) is None:
+    if not all(isinstance(x, Absolute) and _in_part(x) and _other_look(x.theme, color[0]) for x in parts):
+        return None
+    if _BUT.search(text[shape.span[1] : clause.span[1]]) is None:
         return None
     others = Noun(head="any", traits=Traits(colors=color), span=blocks.span)
     rest = Absolute(theme=others, adjuncts=(Places(side="rest", unit="block", span=blocks.span),), span=blocks.span)
-    size = Size(what="size", amount=blocks.amount, span=blocks.span)
-    bare = replace(shape, members=None, traits=Traits(), sizes=(size,))
-    return replace(clause, theme=bare, adjuncts=(part, rest))
+    bare = replace(shape, members=replace(blocks, traits=Traits()), traits=Traits())
+    if lines:
+        size = Size(what="size", amount=blocks.amount, span=blocks.span)
+        bare = replace(bare, members=None, sizes=(size,))
+    return replace(clause, theme=bare, adjuncts=(*sizes, *parts, rest))
+
+
+def _in_part(item: Absolute) -> bool:
+    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
+    return isinstance(place, At) or (isinstance(place, Places) and place.side != "rest")
 
 
 def _other_look(look: Meaning, color: str) -> bool:

@@ -24,6 +24,9 @@ _LEADS = (
       for has in ("has", "should have", "must have", "is to have", "has to have", "contains", "consists of",
                   "is made of", "is built of", "is made up of")),
 )  # fmt: skip
+_SO = ("so that", "such that", "and", "where", "with", "in such a way that")
+_SO_THAT = frozenset({"that", "where", "and", "with"})
+_OF = ("of", "with", "made of", "built of")
 _COLON = ("that is", "is")
 _ALIKE = tuple(
     f"{lead}{same}{end}"
@@ -94,6 +97,10 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
         named = p.opt(p.any_of(j, _COLON) or j, ":")
         every = p.stands(named, lexicon.COLOR) and not p.anywhere(_STACKS)  # "each red on a blue": every red one
         yield from (x for x in made_of(p, i, named) if x[0].first and not every)
+    each = p.one(p.any_of(comma, _SO) or comma, ("each", "every"))
+    noun = p.any_of(each, _NOUNS) or each if each and (comma > i or p.follows(each - 1, _SO_THAT)) else 0
+    for has in (p.any_of(noun, _HAS), p.any_of(noun, (*_OF, "being", "having"))) if noun else ():
+        yield from made_of(p, i, has) if has else ()
     if j := p.any_of(comma, _ALIKE):
         yield from (x for x in made_of(p, i, j) if x[0].first)
     for found, j in _lot(p, i, comma) if comma > i and p.anywhere(_TIMES_WORDS) else ():

@@ -8,9 +8,11 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.as_many_each import as_many_each
+from rpg.language.grammar.structures.part_words import IS
+from rpg.language.grammar.structures.parts import part
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits, replace
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Places, Structure, Traits, replace
 
 _LEADS = (
     *(f"{each} {made}"
@@ -114,7 +116,8 @@ def each_clause(p: Parser, i: int) -> Results[Clause]:
     inside = p.one(i, "in")
     yield from _of_so_many(p, i)
     each = p.one(inside or i, ("each", "every"))
-    j = (p.any_of(each, _NOUNS) or (each if not inside else 0)) if each else 0
+    alone = not inside or p.stands(each, ("the", ",", "there"))
+    j = (p.any_of(each, _NOUNS) or (each if alone else 0)) if each else 0
     if both := p.any_of(inside, ("both", "both of them", "both towers", "both stacks")) if inside else 0:
         j = both
     if not j:
@@ -130,6 +133,7 @@ def made_of(p: Parser, i: int, j: int) -> Results[OrderBy]:
     yield from _layered(p, i, j)
     yield from _by_layers(p, i, j)
     yield from _some_and_some(p, i, j)
+    yield from _end_and_rest(p, i, j)
     for below, k in simple(p, j):
         with_ = p.any_of(k, _TOPPED)
         for above, end in simple(p, with_) if with_ and _of_one_look(below) else ():
@@ -192,6 +196,27 @@ def _some_and_some(p: Parser, i: int, j: int) -> Results[OrderBy]:
         if len(set(map(_look, items))) > 1:
             yield OrderBy(by="each", items=tuple(items), span=p.span(i, end)), end
         j = p.any_of(end, (", and", ",", "and", ", while", "while"))
+
+
+def _end_and_rest(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """ "(in each of them) the top one is red and the two below it are white": one at an end, and so many others."""
+    at = p.opt(j, "the", "its")
+    level = p.lex(at, _LEVELS)
+    k = p.opt(at + 1, "block", "cube", "one") if level in ("top", "bottom") else 0
+    look, end = next(iter(color(p, p.any_of(k, _ARE) or k)), ("", 0)) if k else ("", 0)
+    joint = p.any_of(end, (", and", ",", "and", ", while", "while")) if end else 0
+    for place, after in part(p, joint) if joint else ():
+        if not isinstance(place, Places) or place.side != "rest" or place.several is None:
+            continue
+        if place.beyond not in (None, "below" if level == "top" else "above"):
+            continue
+        other, last = next(iter(color(p, p.any_of(after, IS) or after)), ("", 0))
+        if last and other != look:
+            one = Noun(head="block", det="a", amount=Amount(1, 1), span=p.span(j, last))
+            others = (replace(one, traits=Traits(colors=(other,))),) * place.several
+            first = replace(one, traits=Traits(colors=(look,)))
+            items = (*others, first) if level == "top" else (first, *others)
+            yield OrderBy(by="each", items=items, first="bottom", span=p.span(i, last)), last
 
 
 _OF_THEM = ("of them", "of the blocks", "of the cubes", "of its blocks", "blocks", "block", "cubes", "cube", "ones")

@@ -81,6 +81,7 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     yield _piles(task)
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()
+    yield from Counter((line.kind, *map(colors.get, line.blocks)) for line in lines).values()  # "the last three red"
     yield sum(isinstance(atom, Spells) for atom in atoms(task.goal))  # "two words, CAT and DOG"
     alone = [atom for atom in atoms(task.goal) if isinstance(atom, Clear) and len(members(atom.a)) == 1]
     yield len(alone) + sum(isinstance(line, Stack) for line in lines)  # "three towers: 1, 2 and 4 blocks high"

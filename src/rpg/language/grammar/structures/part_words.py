@@ -65,7 +65,8 @@ _SIDE_OF_IT = {
     **{f"{word}{it}": way for way, words in (("above", ("above", "over")), ("behind", ("behind",)),
                                              ("below", ("below", "under", "beneath", "underneath")))
        for word in words for it in (" it", " that", " that one", " them", " those")},
-    **{f"{of} it": way for way in ("left", "right") for of in (f"to the {way} of", f"{way} of")},
+    **{f"{of} {it}": way for way in ("left", "right") for of in (f"to the {way} of", f"{way} of")
+       for it in ("it", "that", "them", "those")},
     **{f"{on} its {way}": way for way in ("left", "right") for on in ("to", "on")},
     **dict.fromkeys(("on top of it", "higher up", "on it"), "above"), **dict.fromkeys(("lower down",), "below"),
     **dict.fromkeys(("in front of it",), "front"),

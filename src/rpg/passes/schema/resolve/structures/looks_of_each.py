@@ -8,7 +8,7 @@ from rpg.passes.schema.resolve.structures.sharing import Look, in_turn
 from rpg.passes.schema.resolve.things.world import refuse
 
 _AXES = {"left": "y", "right": "y", "front": "x", "back": "x"}
-_INSIDE = ("middle", "outer", "inner")
+_INSIDE = ("middle", "outer", "inner", "ends")
 """Which of them these are is only clear where they lie in one line."""
 _LIE_ALONG = {"row": "x", "line": "x"}
 """How structures lie in such a line: rows behind each other, all others side by side."""
@@ -35,7 +35,7 @@ def _of_them(item: Absolute) -> Places | None:
     place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
     if isinstance(place, At) and place.side == "middle" and place.index is None:
         return Places(side="middle", unit="whole", span=item.span)
-    some = isinstance(place, Places) and place.unit == "block" and place.side in (*_INSIDE, "rest", "first", "last")
+    some = isinstance(place, Places) and place.unit == "block" and place.side in (*_INSIDE[:3], "rest", "first", "last")
     return place if some and isinstance(place, Places) and not place.beyond else None
 
 
@@ -113,7 +113,7 @@ def _indices(place: Places, count: int, left: list[int]) -> list[int]:
             return [*range(count - at - many, count - at)]
         case "middle" if (count - many) % 2 == 0:
             return [*range((count - many) // 2, (count + many) // 2)]
-        case "outer" if place.several in (None, 2):
+        case "outer" | "ends" if place.several in (None, 2):
             return [0, count - 1]
         case "inner" if place.several in (None, count - 2):
             return [*range(1, count - 1)]

@@ -9,7 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import OTHER_END, far_end
 from rpg.language.grammar.structures.parity import every_other
-from rpg.language.grammar.structures.part_there import ONE_OR_MORE, line_there, rest_beyond, told_there
+from rpg.language.grammar.structures.part_there import ONE_OR_MORE, line_there, next_to_it, rest_beyond, told_there
 from rpg.language.grammar.structures.part_words import (
     BETWEEN,
     FROM,
@@ -198,6 +198,10 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
                 yield Absolute(theme=replace(theme, det="no"), adjuncts=(place,), span=p.span(i, k)), k
         for word, k in _word(p, j) if isinstance(place, Places) else ():
             yield Absolute(theme=word, adjuncts=(place,), span=p.span(i, k)), k
+    for where, j in next_to_it(p, i):
+        for theme, k in _looks(p, p.any_of(j, IS) or j):
+            if not theme.plural and theme.amount is None:
+                yield Absolute(theme=theme, adjuncts=(where,), span=p.span(i, k)), k
     yield from _coloured(p, i)
     yield from _put(p, i, unit)
     yield from _place_first(p, i, unit)

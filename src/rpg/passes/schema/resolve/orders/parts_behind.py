@@ -102,7 +102,9 @@ def _lined(clause: Clause) -> Clause | None:
     counted = isinstance(clause.theme, Noun) and clause.theme.amount is not None and clause.theme.plural
     if rel not in _IN_LINE or not told or not counted or clause.negated or not isinstance(place, Loc) or place.mods:
         return None
-    if place.negated or not all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At | Places) for x in told):
+    first = told[0].adjuncts[0] if isinstance(told[0], Absolute) else None
+    placed = (At, Places, Loc) if isinstance(first, At) else (At, Places)  # "the one behind it"
+    if place.negated or not all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], placed) for x in told):
         return None
     line = Structure(kind="column", det="a", amount=Amount(1, 1), span=place.span)
     ahead: Meaning = Into(structure=line, span=place.span) if rel == "one_behind" else place

@@ -170,7 +170,7 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 UPWARD: tuple[Turn, ...] = (
-    (f"\\b(?:without (?:having )?(?:an?|any)|with neither of the|with neither) ({COLOR}) (?:ones?|blocks?|cubes?) ("
+    (f"\\bwithout (?:having )?(?:an?|any) ({COLOR}) (?:ones?|blocks?|cubes?) ("
      "(?:at|on) (?:the |its )?(?:very )?(?:bottom|top|base|left end|right end))\\b", "with no {1} block {2}"),
     *_SPELT,
     ("^((?:the|an?) (?:\\w+ )+?(?:block|cube)) (?:forms|makes|is) the (?:base|bottom)(?: of (?:the|an?) (?:tower|"

@@ -253,6 +253,76 @@ def test_parts_that_differ_from_what_is_said_of_all(text: str, meant: dict[str, 
     assert_means(text, meant)
 
 
+ORANGE = "orange orange orange | orange orange orange | orange orange orange"
+UPWARDS = {"assets": {"green": 1, "white": 1, "brown": 1}, "hold": ["green^white^brown"],
+           "miss": ["brown^white^green", "green^brown^white"]}  # fmt: skip
+TOPPED = {
+    "assets": {"red": 2, "white": 4},
+    "hold": ["white^white^red ; white^white^red"],
+    "miss": ["red^white^white ; red^white^white", "white^white^white ; white^red^red"],
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("A tower of three: the bottom one is green, the one above it is white and the top one is brown.", UPWARDS),
+        ("Build a tower of three. The bottom block is green, the one above it is white, and the top one is brown.",
+         UPWARDS),
+        (
+            "Three cubes one behind the other: the nearest is green, the one behind it white, and the farthest brown.",
+            {"assets": {"green": 1, "white": 1, "brown": 1}, "hold": ["brown | white | green"],
+             "miss": ["green | white | brown"]},
+        ),
+        (
+            "A row of four: the left one is red, the one next to it white, the others blue.",
+            {"assets": {"red": 1, "white": 1, "blue": 2}, "hold": ["red white blue blue"],
+             "miss": ["red blue white blue", "blue blue white red"]},
+        ),
+        ("Two towers of three blocks; in each the top one is red and the two below it are white.", TOPPED),
+        ("Two towers of three blocks each. In each tower the top block is red and the other two are white.", TOPPED),
+        (
+            "Make a row out of A, B, C and E with a vowel at each end.",
+            {"assets": dict.fromkeys("ABCE", 1), "hold": ["A C B E", "E B C A"], "miss": ["A E B C", "B A E C"]},
+        ),
+        (
+            "Line up A, B, C, D and E with the vowels at the ends.",
+            {"assets": dict.fromkeys("ABCDE", 1), "hold": ["A D C B E"], "miss": ["A E B C D"]},
+        ),
+        (
+            "A plus sign made of five white cubes, the one in the centre being black.",
+            {"assets": {"white": 4, "black": 1}, "hold": [". white . | white black white | . white ."],
+             "miss": [". black . | white white white | . white ."]},
+        ),
+        (
+            "A tower of five white blocks; only the top one is red and the bottom one blue.",
+            {"assets": {"white": 3, "red": 1, "blue": 1}, "hold": ["blue^white^white^white^red"],
+             "miss": ["red^white^white^white^blue"]},
+        ),
+        (
+            "Three rows of two blocks; from the back to the front they are red, white and blue.",
+            {"assets": {"red": 2, "white": 2, "blue": 2}, "hold": ["red red | white white | blue blue pitch=1.25,2"],
+             "miss": ["blue blue | white white | red red pitch=1.25,2"]},
+        ),
+        (
+            "Build a tower of two red blocks and a tower of three blue ones, with a green block on the shorter one.",
+            {"assets": {"red": 2, "blue": 3, "green": 1}, "hold": ["red^red^green ; blue^blue^blue"],
+             "miss": ["red^red ; blue^blue^blue^green"]},
+        ),
+        (
+            "A 3x3 grid of orange cubes, 7 cm from centre to centre.",
+            {"assets": {"orange": 9}, "hold": [f"{ORANGE} pitch=1.75"], "miss": [f"{ORANGE} pitch=1.25"]},
+        ),
+        (
+            "An equilateral triangle whose sides consist of three green blocks each, corners shared, interior empty.",
+            {"assets": {"green": 6}},
+        ),
+    ],
+)  # fmt: skip
+def test_parts_are_told_one_after_the_other(text: str, meant: dict[str, Any]) -> None:
+    assert_means(text, meant)
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -276,6 +346,11 @@ def test_parts_that_differ_from_what_is_said_of_all(text: str, meant: dict[str, 
         "Put a tower of the two red blocks in each corner of the table.",
         "Two rows of three red blocks with a gap of 5 cm between them.",
         "Put the blocks 1 to 6 in two columns of three in ascending order.",
+        "A row of A, B, C, D and E with a vowel at the left end.",
+        "A row of the digits 1 to 5 with an odd digit at each end.",
+        "A tower of three cubes: the top one is green, the one above it is white and the bottom one is brown.",
+        "Two towers of three blocks; in each the top one is red and the two above it are white.",
+        "Four towers, each two high, stand in a row; the two in the middle are white and the two at the ends are black.",
         "Line up A, B, C and E with a vowel on the far left and on the far right.",
     ],
 )

@@ -350,7 +350,7 @@ def test_parts_are_told_one_after_the_other(text: str, meant: dict[str, Any]) ->
         "A row of the digits 1 to 5 with an odd digit at each end.",
         "A tower of three cubes: the top one is green, the one above it is white and the bottom one is brown.",
         "Two towers of three blocks; in each the top one is red and the two above it are white.",
-        "Four towers, each two high, stand in a row; the two in the middle are white and the two at the ends are black.",
+        "Four towers, each two high, stand in a row; the two in the middle are white, the two at the ends are black.",
         "Line up A, B, C and E with a vowel on the far left and on the far right.",
     ],
 )

@@ -263,6 +263,9 @@ def _fill(
     left = [k for k in range(len(names)) if k not in held and lies_beyond(place, k, told)]
     if not left and len(held) < len(names):
         raise refuse("contradiction", "nothing is left there", item.span, "say 'the others'")
+    many = place.several if isinstance(place, Places) and place.beyond else None
+    if many is not None and many < len(left):  # "the two below them", and others below those
+        left = sorted(sorted(left, key=lambda k: min(abs(k - there) for there in held))[:many])
     if not left or not held:
         raise refuse("misplaced", "nothing is left for this", item.span, "leave it out")
     all_left(place, left, told)

@@ -341,6 +341,8 @@ def test_parts_are_told_one_after_the_other(text: str, meant: dict[str, Any]) ->
         "Make two groups of four cubes. In each group three are red.",
         "Divide five red and two blue blocks into two groups, each with two red ones and one blue one.",
         "A row of five red blocks. The middle one is blue.",
+        "Build a tower of a red, a green and a blue block. The top one is green instead.",
+        "Stack red on blue. The top one is green instead.",
         "Three red, two blue and a green block in one tower, but no red one at the bottom.",
         "A tower of two red and three blue blocks, but no green one at the bottom.",
         "Put a tower of the two red blocks in each corner of the table.",

@@ -21,8 +21,10 @@ from rpg.language.meaning import (
     Size,
     Structure,
     Traits,
+    parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.things.world import refuse
 
 _LINES = ("stack", "row", "line", "column")
 _FIGURES = ("plus", "square", "rectangle", "grid", "wall", "pyramid", "triangle", "circle", "T", "L", "U", "V", "X")
@@ -56,7 +58,17 @@ def parts_behind(links: list[str], chains: tuple[Chain, ...], text: str) -> tupl
         if clauses:
             told.append(link)
             found.append(replace(chain, clauses=tuple(clauses), links=tuple(inner)))
+    if "instead" in text.lower():
+        _check_instead(found, text)
     return told, tuple(found)
+
+
+def _check_instead(chains: list[Chain], text: str) -> None:
+    """Refuse "a tower of red, green and blue. The top one is white instead." as one of them, or a further one."""
+    for part in (x for chain in chains for x in parts_of(chain) if isinstance(x, Absolute)):
+        if text[part.span[0] : part.span[1]].lower().endswith("instead"):
+            raise refuse("misplaced", "it is not said of what this is there instead", part.span,
+                         "say it at once, as in 'five red blocks, but the middle one is blue'")  # fmt: skip
 
 
 def _joined(ahead: Meaning, clause: Meaning) -> Clause | None:
@@ -122,18 +134,22 @@ def _excepted(clause: Clause, text: str) -> Clause | None:
         return None
     color = shape.traits.colors or blocks.traits.colors
     plain = {replace(x, colors=()) for x in (shape.traits, blocks.traits)} == {Traits()}
-    alone = blocks.det == "bare" and blocks.amount is not None and blocks.amount.low == blocks.amount.high
+    many = blocks.amount
+    alone = blocks.det == "bare" and (many.low == many.high if many is not None else not lines)
     if not plain or not alone or len(color) != 1 or (lines and (shape.sizes or sizes)):
         return None
     if not all(isinstance(x, Absolute) and _in_part(x) and _other_look(x.theme, color[0]) for x in parts):
         return None
     if _BUT.search(text[shape.span[1] : clause.span[1]]) is None:
         return None
+    parts = [replace(x, span=x.theme.span) for x in parts if isinstance(x, Absolute)]
+    if many is None:  # of a grid: as many as it takes
+        return replace(clause, adjuncts=(*sizes, *parts))
     others = Noun(head="any", traits=Traits(colors=color), span=blocks.span)
     rest = Absolute(theme=others, adjuncts=(Places(side="rest", unit="block", span=blocks.span),), span=blocks.span)
     bare = replace(shape, members=replace(blocks, traits=Traits()), traits=Traits())
     if lines:
-        size = Size(what="size", amount=blocks.amount, span=blocks.span)
+        size = Size(what="size", amount=many, span=blocks.span)
         bare = replace(bare, members=None, sizes=(size,))
     return replace(clause, theme=bare, adjuncts=(*sizes, *parts, rest))
 

@@ -290,6 +290,10 @@ TOPPED = {
             {"assets": dict.fromkeys("ABCDE", 1), "hold": ["A D C B E"], "miss": ["A E B C D"]},
         ),
         (
+            "A row of A, B, C, D and E: the consonants in the middle, the vowels at the ends.",
+            {"assets": dict.fromkeys("ABCDE", 1), "hold": ["A D C B E", "E B C D A"], "miss": ["A E B C D"]},
+        ),
+        (
             "A plus sign made of five white cubes, the one in the centre being black.",
             {"assets": {"white": 4, "black": 1}, "hold": [". white . | white black white | . white ."],
              "miss": [". black . | white white white | . white ."]},

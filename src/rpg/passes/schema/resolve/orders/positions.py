@@ -103,7 +103,8 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     told, beyond = tuple(held), ""
     for item in rest:
         beyond = _check_way(item, parts, kind) or beyond
-        _fill(item, held, told, names, scene)
+        filled = _fill(item, held, told, names, scene)
+        bunches += [filled] if _of_a_kind(item.theme) else []
         spec.absolutes.remove(item)
     if rest and len(held) < len(names):
         raise refuse("contradiction", "not all that is left is there", rest[-1].span, "say 'everything else'")
@@ -257,8 +258,9 @@ def _refer(
 
 def _fill(
     item: Absolute, held: dict[int, tuple[str, ...]], told: Collection[int], names: tuple[str, ...], scene: Scene
-) -> None:
-    """ "and red in between": all the places that are left, or those on one side of all that were `told`."""
+) -> tuple[str, ...]:
+    """ "and red in between": all the places that are left, or those on one side of all that were `told`; which blocks
+    are there."""
     place = place_of(item)
     left = [k for k in range(len(names)) if k not in held and lies_beyond(place, k, told)]
     if not left and len(held) < len(names):
@@ -274,6 +276,12 @@ def _fill(
     if len(found) != len(left):
         raise refuse("count-mismatch", f"{len(left)} places are left for this", item.span, f"say {len(left)}")
     held.update({k: (name,) for k, name in zip(left, found, strict=True)})
+    return found
+
+
+def _of_a_kind(theme: Meaning) -> bool:
+    """ "(Vowels at the ends,) consonants in the middle": in any order among themselves."""
+    return isinstance(theme, Noun) and bool(theme.traits.quality or theme.traits.kind) and not theme.traits.labels
 
 
 def ranks_from(

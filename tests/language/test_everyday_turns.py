@@ -199,7 +199,7 @@ def test_it_is_read_as_it_is_meant(text: str, meant: dict[str, Any]) -> None:
         "put the white block in the middle of the table, the red one next to it and six orange blocks around it.",
         "Put one block in each corner of the table. The red one goes in the middle.",
         "There are two red and two green blocks. No red block may touch a green block. They form a row.",
-        "Line up A, B, C, D and E with the vowels at the ends.",
+        "Line up A, B, C, I and E with the vowels at the ends.",
         "Make a palindrome out of the letters L, E and V.",
         "tetris T piece out of 5 orange blocks",
         "Two (3) red blocks must be stacked",

@@ -239,9 +239,8 @@ class At(Meaning):
 class Places(Meaning):
     """Some places of a structure: "the first row" (`side` "first", `index` 1), "the two middle blocks", "each corner".
 
-    `side` is a side, "first", "last", or "ends", "corners", "edge", "inner", "rest"; `unit` what is counted: "block",
-    "row", "column", "layer", "half", "third"; `several`: how many of them; `of`: how many such units there are.
-    """
+    `side` is a side, "first", "last", or "ends", "corners", "edge", "inner", "rest" (`beyond`: on this side of what was
+    told); `unit` what is counted: "block", "row", "column", "half"; `several` of them, `of` so many such units."""
 
     side: str
     unit: str
@@ -249,6 +248,7 @@ class Places(Meaning):
     several: int | None = None
     each: bool = False
     of: int | None = None
+    beyond: str | None = None
 
 
 @record

@@ -47,9 +47,11 @@ from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.only_denied import still_ahead
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.goals.untouched import left_as_they_are
+from rpg.passes.schema.resolve.orders.parts_behind import parts_behind
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
+from rpg.passes.schema.resolve.structures.lots_related import lots_related
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.structures.unbuilt import check_known
 from rpg.passes.schema.resolve.things import finish
@@ -156,7 +158,8 @@ def resolve(
     check_each(chains, text)
     check_tower_or_block(chains)
     chains = from_heaps(readied(chains, text), text)
-    links, chains = hoisted(*places_told(*words_in_rows(*in_told_order(*left_out_behind(links, chains), text))))
+    links, chains = lots_related(*in_told_order(*left_out_behind(*parts_behind(links, chains, text)), text))
+    links, chains = hoisted(*places_told(*words_in_rows(links, chains)))
     told = begun_of_stock(begun(chains, text), text)
     links, every = links_left(links, chains, told), links
     facts = cleared_of(told, links)

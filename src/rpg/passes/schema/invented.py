@@ -9,7 +9,7 @@ from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.relations import Between
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack
+from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -273,9 +273,20 @@ def _as_many_as_said(words: Sequence[Token], task: TaskSchema) -> None:
         blocks = sum(block.color == look for block in task.blocks)
         patches = sum(patch.color == look for patch in task.patches)
         made_up = any(note.startswith(_MADE_UP) for note in task.assumptions)
+        if blocks and _but_a_part(words[index + 2 :], task, many):
+            continue
         if max(blocks, patches) < many or (made_up and blocks > many):
             raise refuse("ambiguous", f"it is not clear which the {many:g} {color.word} ones are", number.span,
                          "say of all blocks how many there are of each colour")  # fmt: skip
+
+
+def _but_a_part(behind: Sequence[Token], task: TaskSchema, many: float) -> bool:
+    """ "(Five red) blocks in a row, but the middle one is blue": five are in it."""
+    whole = any(isinstance(x, Row | Stack | Cells) and len(x.blocks) == many for x in atoms(task.goal))
+    return whole and not _BUT.isdisjoint(token.word for token in behind)
+
+
+_BUT = frozenset({"but", "except", "only", "instead", "save", "though", "however", "being"})
 
 
 def _made_up_beside(words: Sequence[Token], task: TaskSchema) -> None:

@@ -15,7 +15,7 @@ from rpg.ir.goal import All, Count, Not
 from rpg.ir.node import members
 from rpg.ir.relations import Above, Clear, InRegion, On, Ranged, Shifted, Swapped
 from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
-from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Staircase
+from rpg.ir.structures import Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Staircase
 from rpg.ir.walk import atoms, names
 
 UNITS = (1.0, 10.0, 100.0, 1000.0, 1 / 0.0254, 1 / EDGE)
@@ -81,6 +81,7 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     yield _piles(task)
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()
+    yield from Counter((line.kind, *map(colors.get, line.blocks)) for line in lines).values()  # "the last three red"
     yield sum(isinstance(atom, Spells) for atom in atoms(task.goal))  # "two words, CAT and DOG"
     alone = [atom for atom in atoms(task.goal) if isinstance(atom, Clear) and len(members(atom.a)) == 1]
     yield len(alone) + sum(isinstance(line, Stack) for line in lines)  # "three towers: 1, 2 and 4 blocks high"
@@ -92,11 +93,14 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     for atom in atoms(task.goal):
         if isinstance(atom, Figure) and atom.gap is not None:
             yield from _how_large(atom, max(asset.size for asset in task.blocks if asset.name in atom.blocks))
+        if isinstance(atom, Grid) and atom.gap is not None:  # "7 cm between centres"
+            yield from _inside(atom.gap + max(asset.size for asset in task.blocks if asset.name in atom.blocks))
         yield from Counter(colors.get(name) for name in set(names(atom))).values()  # "three of the six red blocks"
         if isinstance(atom, Swapped):
             yield len({*members(atom.a), *members(atom.b)})  # "swap the top two"
         if isinstance(atom, GroupBy):
             yield from (len(group) - atom.outliers for group in atom.groups)
+            yield from (many for group in atom.groups for many in Counter(map(colors.get, group)).values())
         if isinstance(atom, Figure) and atom.shape == "T" and atom.sides is not None:
             yield from (side - 1 for side in atom.sides)  # its stem, without the middle of the bar
         if isinstance(atom, Figure) and atom.shape in ("plus", "X"):

@@ -113,7 +113,11 @@ COLORS: list[Pattern] = [
         "book| order)"),
     *patterns("reading", "ordered",
         "(?:(?:read|reads|reading|sorted|go|run) )?(?:in )?(?:alphabetical|numerical|numeric|ascending|increasing|"
-        "counting|natural|rising)(?: numerical)? order", "(?:both |all |each )?in order", "alphabetically"),
+        "counting|natural|rising)(?: numerical)? order", "(?:both |all |each )?in order", "alphabetically|"
+        "alphabetical|numerically"),
+    *(pattern for side, words in (("told", _FAR), ("near", _NEAR)) for pattern in patterns("reading", side,
+        f"(?:with |starting with |beginning with )?(?:the )?(?:{words}) row (?:(?:comes|goes|being|is) )?first",
+        f"(?:starting|beginning) (?:with|in|at) the (?:{words}) row")),
 ]  # fmt: skip
 """Kinds "each", "lines" (an axis), "direction", "alternating"; "labels" and "digits" (symbols), "symbols" (some are
 meant), "reading" (in which order)."""

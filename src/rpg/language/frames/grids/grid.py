@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from math import isqrt
 
 from rpg.language.frames.grids.colors import COLORS
@@ -221,8 +221,11 @@ def _filled(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Piece]) 
             raise Unclear
         free = [replace(item, count=len(figure.cells) // 2) if item.half else item for item in free]
     reading = {piece.value for piece in pieces if piece.kind == "reading"}
+    down = any(piece.kind == "size" and "columns of" in piece.words for piece in pieces)
+    if down and "ordered" in reading:
+        raise Unclear  # "two columns of three in ascending order" may be read down the columns
     if reading - {"verb"} or (reading and any(item.label for item in free) and not filling.looks):
-        return _read(figure, free, total, ordered="ordered" in reading, filled=bool(filling.looks))
+        return _read(figure, free, total, reading, filled=bool(filling.looks))
     if parts.each and free and all(item.count is None for item in free) and not filling.looks:
         lines = filling.lines(parts.each)
         if len({len(line) for line in lines}) > 1 or len(lines) != len(free):
@@ -258,13 +261,20 @@ def _check_layers(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Pi
         raise Unclear  # "a pyramid: three red, two blue, one green"
 
 
-def _read(figure: Figure, free: Sequence[Blocks], total: int | None, *, ordered: bool, filled: bool) -> str:
+def _read(figure: Figure, free: Sequence[Blocks], total: int | None, reading: Collection[str], *, filled: bool) -> str:
     """Blocks listed in the order in which the places are read."""
+    ordered = "ordered" in reading
     listed = [item.look for item in free for _ in range(item.count or 1)]
     if len(listed) != len(figure.cells) or total not in (None, len(listed)) or filled:
         raise Unclear
     if ordered and (not all(item.label for item in free) or listed != sorted(listed)):
         raise Unclear
+    if "near" in reading:  # "the front row first"
+        ends = [*accumulate(figure.widths)]
+        lines = [listed[end - width : end] for end, width in zip(ends, figure.widths, strict=True)]
+        if not figure.flat or "told" in reading:
+            raise Unclear
+        return f"Build {figure.told} from far to near: {', then '.join(map(', '.join, reversed(lines)))}."
     return f"Build {figure.told}, in reading order: {', '.join(listed)}."
 
 

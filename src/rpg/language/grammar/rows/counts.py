@@ -45,6 +45,7 @@ COUNTED: tuple[Turn, ...] = (
      "{1} . there are {2}"),
     ("^(.*\\bat least .*\\bof (?:the|my|these|those) .+?)(?: ,| and| , and| , while) the (?:others|rest|other ones|"
      "remaining ones) (?:may|can) (?:be|go|lie|stay|stand) (?:anywhere|wherever(?: you like| they like)?)$", "{1}"),
+    (f"\\b(?:an?|one) ({COLOR}) pair(?! of)\\b", "two {1} blocks"),
     # symbols of two colors
     (f"^(?:{PUT} )?(?:the )?({_SHOWN}) ({_LABELS}) (?:are )?({COLOR})(?: ,| and| , and) (?:(?:the )?{_SHOWN} )?"
      f"({_LABELS}) (?:are )?({COLOR})(?: ,)? (?:all )?(in an? {LINE})$",

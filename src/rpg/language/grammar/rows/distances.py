@@ -62,6 +62,13 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
      f"back))(?:(?: ,)?(?: but)?(?: only)? {_A_BIT})?(?: ,)? (?:(?:by|say|like|maybe|so)(?: ,)? )?{_LONG}( or so)?"
      "(?: say)?$",
      "{1} {3} {2} {4}"),
+    (f"\\b({LENGTH}(?: of {_SPACE})?|{_SPACE} of {LENGTH}) between (?:every|any|each) two$",
+     "{1} between neighboring blocks"),
+    # lines, which have gaps of their own
+    *((f"^(.*\\b(?:rows|columns|lines)\\b.*?)(?: ,)? (?:(?:with|leaving|and) )?{told} between (?:the|these) (?:two "
+       "|three )?(rows|columns|lines)$", f"{{1}} . the {what} between the {{3}} must be {{2}}")
+      for told, what in ((f"(?:an? )?{_SPACE} of {_LONG}", "gap"), (f"{_LONG} of {_SPACE}", "gap"),
+                         (f"(?:an? )?{_LONG} {_SPACE}", "gap"), (f"(?:an? )?distance of {_LONG}", "distance"))),
     # of every two
     (f"\\b({LENGTH})(?: (apart|away|from each other|from one another) or (?:more|farther|further)| or (?:more|farther|"
      "further) (apart))\\b", "at least {1} {2} {3}"),

@@ -159,8 +159,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # rows and towers told in parts
     ("(\\brow\\b.+?)(?: ,)? both(?: rows)? from left to right$", "{1}"),
     (f"\\b(in {MANY} (?:rows|lines)(?: of {MANY})?) , (?!with\\b)(.+? in the {_ROW} (?:row|one)\\b)", "{1} : {2}"),
-    (f"\\b(in {MANY} (?:rows|lines)(?: of {MANY})?) , (?:the )?({_ROW}) row (?!of\\b)(.+?)(?: ,)? and (?:the "
-     f")?({_ROW}) row (.+?)(?= ,|$)", "{1} : {3} in the {2} row and {5} in the {4} row"),
+    (f"\\b(in {MANY} (?:rows|lines)(?: of {MANY})?) , (?:the )?({_ROW}) row (?!of\\b)((?:(?!row\\b).)+?)(?: ,)? and "
+     f"(?:the )?({_ROW}) row (.+?)(?= ,|$)", "{1} : {3} in the {2} row and {5} in the {4} row"),
     (f"^({MANY} {_BLOCKS} (?:on top of (?:each other|one another)|on each other|stacked)) , ({COLOR} (?:uppermost|on "
      "top|at the top|topmost|at the bottom|lowest) , .+)$", "{1} : {2}"),
     (f"^({MANY}) (in a (?:row|line|tower|stack|column|circle))\\b", "{1} blocks {2}"),

@@ -50,6 +50,10 @@ _WHICH = (
 )
 
 FIGURES: tuple[Turn, ...] = (
+    # how long their sides are
+    (f"\\b(triangle|square|outline)(?: ,)? (?:whose|the|its|with(?: the)?|and its) sides(?: each)? (?:{MUST} )?(?:"
+     f"consist of|consisting of|are made of|made of|are built of|have|having|contain|are|of) ({MANY}(?: {COLOR})? "
+     f"{_BLOCKS})(?: each)?\\b(?! long)", "{1} with {2} on each side"),
     # letters by what people call them
     ("\\b([tl]) (?:junction|bend)(?= (?:of|out|from|made|with|using)\\b)", "{1} shape"),
     ("\\b(?:tetris ([tl]) (?:piece|block|shape)|([tl]) tetromino)(?:$| (?:out of|of|from|with|made of|made from) (?:4 "

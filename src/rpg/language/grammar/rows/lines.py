@@ -27,7 +27,8 @@ _ABOUT = (
     "center block|middle one|midpoint|axis)| like (?:in|with|through) a mirror| left (?:and|to) right| left - right| "
     "as in a mirror| from left to right)?"
 )
-_FROM = f"from (?:the )?{END}(?: end| side)?(?: to (?:the )?{END})?"
+_NOWHERE = "|".join(f"{end} to (?:the )?{end}" for end in ("left", "right", "top", "bottom", "front", "back"))
+_FROM = f"from (?:the )?(?!{_NOWHERE}){END}(?: end| side)?(?: to (?:the )?{END})?"
 _EACH_WAY = (
     "(?:from (?:both|either) (?:ends?|sides?|directions?)|both ways|either way|in both directions|in either direction|"
     f"forwards? (?:and|as) backwards?|backwards? (?:and|as) forwards?|{_FROM} (?:as|and|or) (?:when )?(?:read "

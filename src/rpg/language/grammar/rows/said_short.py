@@ -96,10 +96,6 @@ SHORT_AT_ONCE: tuple[Turn, ...] = (
     (f"^({THINGS}) (?:{MUST} )?(?:make up|form|make) (?:an?|one) ({LINE})(?: ,)?(?: and)? ({THINGS})(?: make up| form|"
      " make)? another(?: one)?$", "{1} form a {2} and {3} form another {2}"),
     ("^(?:separate|sort|divide|split) [^:]+ : (.+ in one (group|pile|bunch)\\b.+ in another(?: \\2| one)?)$", "{1}"),
-    # what is so of all but one
-    (f"^((?:build|make|form|stack) )?(an? {LINE} of (?:\\d+|{FEW})) ({COLOR}) (\\w+)(?: ,)? except that the (top|"
-     f"bottom|leftmost|rightmost|middle)(?: one| {BLOCK})? (?:is|{MUST} be) ({COLOR})$",
-     "{1} {2} {4} , the {5} one {6} and the others {3}"),
     ("^(.+ at the ends(?: ,)? and .+) inside$", "{1} in the middle"),
     # "neither may be on the other"
     (f"(?: ,)?(?: but| and| with)? {_NEITHER} (on top of|on|touching|next to|beside|near|above) the other(?: one)?$",

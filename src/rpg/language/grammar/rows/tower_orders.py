@@ -170,6 +170,8 @@ UPWARD_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 UPWARD: tuple[Turn, ...] = (
+    (f"\\bwithout (?:having )?(?:an?|any) ({COLOR}) (?:ones?|blocks?|cubes?) ("
+     "(?:at|on) (?:the |its )?(?:very )?(?:bottom|top|base|left end|right end))\\b", "with no {1} block {2}"),
     *_SPELT,
     ("^((?:the|an?) (?:\\w+ )+?(?:block|cube)) (?:forms|makes|is) the (?:base|bottom)(?: of (?:the|an?) (?:tower|"
      "stack))?(?: ,)? and ((?:the|an?) (?:\\w+ )+?(?:block|cube|one)) (?:is placed|is put|is stacked|is|sits|stands|"

@@ -43,6 +43,9 @@ _IS = f"(?:is|are|{MUST} be)"
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # which one is meant
+    ("\\b((?:on top of|on|onto|upon|atop|over|above|beside|next to|behind|in front of|left of|right of) the "
+     "(?:taller|shorter|tallest|shortest)) one(?: of (?:them|these|the two))?\\b(?! of)", "{1} tower"),
     # until it is so high
     (f"^keep (?:piling|stacking|putting) ({COLOR} )?{_BLOCKS} (?:onto|on top of|on) (?:each other|one another) until "
      f"(?:the {TOWER}|it) is ({MANY})(?: {_BLOCKS})? (?:high|tall)$", "stack {2} {1} blocks"),

@@ -8,8 +8,11 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.as_many_each import as_many_each
+from rpg.language.grammar.structures.part_words import IS
+from rpg.language.grammar.structures.parts import part
+from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, replace
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Places, Structure, Traits, replace
 
 _LEADS = (
     *(f"{each} {made}"
@@ -23,6 +26,9 @@ _LEADS = (
       for has in ("has", "should have", "must have", "is to have", "has to have", "contains", "consists of",
                   "is made of", "is built of", "is made up of")),
 )  # fmt: skip
+_SO = ("so that", "such that", "and", "where", "with", "in such a way that")
+_SO_THAT = frozenset({"that", "where", "and", "with"})
+_OF = ("of", "with", "made of", "built of")
 _COLON = ("that is", "is")
 _ALIKE = tuple(
     f"{lead}{same}{end}"
@@ -43,8 +49,9 @@ _EVERY = (
     *(f"{each}{one}" for each in ("both", "each") for one in ("", " one", " tower", " stack", " of them")),
     "both towers", "both stacks", "every one of them", "each one of them", "every one", "every tower", "every stack",
 )  # fmt: skip
-_NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "of them", "one of them", "of the towers",
-          "of the stacks", "of the rows", "of these", "of the columns", "of the lines")  # fmt: skip
+_NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "cluster", "heap", "bunch", "of them",
+          "one of them", "of the towers", "of the stacks", "of the rows", "of these", "of the columns",
+          "of the lines")  # fmt: skip
 _HAS = (
     "has", "should have", "must have", "contains", "should contain", "must contain", "consists of",
     "should consist of", "must consist of", "is made of", "should be made of", "must be made of", "is built of",
@@ -92,6 +99,10 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
         named = p.opt(p.any_of(j, _COLON) or j, ":")
         every = p.stands(named, lexicon.COLOR) and not p.anywhere(_STACKS)  # "each red on a blue": every red one
         yield from (x for x in made_of(p, i, named) if x[0].first and not every)
+    each = p.one(p.any_of(comma, _SO) or comma, ("each", "every"))
+    noun = p.any_of(each, _NOUNS) or each if each and (comma > i or p.follows(each - 1, _SO_THAT)) else 0
+    for has in (p.any_of(noun, _HAS), p.any_of(noun, (*_OF, "being", "having"))) if noun else ():
+        yield from made_of(p, i, has) if has else ()
     if j := p.any_of(comma, _ALIKE):
         yield from (x for x in made_of(p, i, j) if x[0].first)
     for found, j in _lot(p, i, comma) if comma > i and p.anywhere(_TIMES_WORDS) else ():
@@ -105,7 +116,8 @@ def each_clause(p: Parser, i: int) -> Results[Clause]:
     inside = p.one(i, "in")
     yield from _of_so_many(p, i)
     each = p.one(inside or i, ("each", "every"))
-    j = (p.any_of(each, _NOUNS) or (each if not inside else 0)) if each else 0
+    alone = not inside or p.stands(each, ("the", ",", "there"))
+    j = (p.any_of(each, _NOUNS) or (each if alone else 0)) if each else 0
     if both := p.any_of(inside, ("both", "both of them", "both towers", "both stacks")) if inside else 0:
         j = both
     if not j:
@@ -120,6 +132,8 @@ def made_of(p: Parser, i: int, j: int) -> Results[OrderBy]:
     yield from _lot(p, i, j)
     yield from _layered(p, i, j)
     yield from _by_layers(p, i, j)
+    yield from _some_and_some(p, i, j)
+    yield from _end_and_rest(p, i, j)
     for below, k in simple(p, j):
         with_ = p.any_of(k, _TOPPED)
         for above, end in simple(p, with_) if with_ and _of_one_look(below) else ():
@@ -169,6 +183,44 @@ def _lot(p: Parser, i: int, j: int) -> Results[OrderBy]:
                     pair = (*two, *one) if _ON[phrase] else (*one, *two)
                     yield OrderBy(by="each", items=pair, first="bottom", span=p.span(i, end)), end
 
+
+def _some_and_some(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """ "(in each group) three are red and one is blue": so many of each look."""
+    items: list[Noun] = []
+    while (many := p.number(j)) is not None and (k := p.any_of(p.any_of(j + 1, _OF_THEM) or j + 1, _ARE)):
+        look, end = next(iter(color(p, k)), ("", 0))
+        if not end:
+            return
+        one = Noun(head="block", det="a", amount=Amount(1, 1), traits=Traits(colors=(look,)), span=p.span(j, end))
+        items += [one] * many
+        if len(set(map(_look, items))) > 1:
+            yield OrderBy(by="each", items=tuple(items), span=p.span(i, end)), end
+        j = p.any_of(end, (", and", ",", "and", ", while", "while"))
+
+
+def _end_and_rest(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """ "(in each of them) the top one is red and the two below it are white": one at an end, and so many others."""
+    at = p.opt(j, "the", "its")
+    level = p.lex(at, _LEVELS)
+    k = p.opt(at + 1, "block", "cube", "one") if level in ("top", "bottom") else 0
+    look, end = next(iter(color(p, p.any_of(k, _ARE) or k)), ("", 0)) if k else ("", 0)
+    joint = p.any_of(end, (", and", ",", "and", ", while", "while")) if end else 0
+    for place, after in part(p, joint) if joint else ():
+        if not isinstance(place, Places) or place.side != "rest" or place.several is None:
+            continue
+        if place.beyond not in (None, "below" if level == "top" else "above"):
+            continue
+        other, last = next(iter(color(p, p.any_of(after, IS) or after)), ("", 0))
+        if last and other != look:
+            one = Noun(head="block", det="a", amount=Amount(1, 1), span=p.span(j, last))
+            others = (replace(one, traits=Traits(colors=(other,))),) * place.several
+            first = replace(one, traits=Traits(colors=(look,)))
+            items = (*others, first) if level == "top" else (first, *others)
+            yield OrderBy(by="each", items=items, first="bottom", span=p.span(i, last)), last
+
+
+_OF_THEM = ("of them", "of the blocks", "of the cubes", "of its blocks", "blocks", "block", "cubes", "cube", "ones")
+_ARE = ("are", "is", "should be", "must be", "shall be", "being", "has to be", "have to be")
 
 _AT = {
     **dict.fromkeys(

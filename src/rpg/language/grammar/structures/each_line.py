@@ -26,6 +26,8 @@ from rpg.language.meaning import (
 )
 
 _UNITS = {"row": "row", "column": "column", "layer": "layer", "level": "layer"}
+_WHOLES = {"tower": "whole", "stack": "whole"}
+"""Several structures that may be told of in the same way."""
 _WHERE = "with|where|and|so_that|such_that|having|in_which|whose|while?"
 _ONE = "one|a|a_single|its_own|own|a_different|the_same|one_single|a_separate|a_distinct|only_one|just_one|another"
 
@@ -57,7 +59,8 @@ EACH = Patterns(f"each|every being|is|has|having|with? in|of|with? {_ONE} color 
 
 _OPENINGS = {unit: _openings(unit) for unit in _UNITS}
 _COLON = ("- from", ": from", ", from", ", namely", ": namely", ":", ",", "-", "from", "namely", "in")
-_FIRST = {"row": ("back", "front", "top", "bottom"), "column": ("left", "right"), "layer": ("bottom", "top")}
+_FIRST = {"row": ("back", "front", "top", "bottom"), "column": ("left", "right"), "layer": ("bottom", "top"),
+          "whole": ("left", "right")}  # fmt: skip
 """Where a count of lines may begin, the side of the first one in front."""
 _LEADS = ("in the", "at the", "on the", "for the", "is the", "in", "at", "on", "the", "is in the", "goes to the", "is")
 _NEXT = ("and then", "then", "and finally", "finally", "and last", "and", "followed by")
@@ -66,7 +69,8 @@ _ITEM_SIDES = {
     "nearest": "front", "closest": "front", "farthest": "back", "furthest": "back", "upper": "top", "lower": "bottom",
     "middle": "middle", "center": "middle",
 }  # fmt: skip
-_MARKED = frozenset({"each", "every", "row", "rows", "column", "columns", "layer", "layers", "level", "levels"})
+_MARKED = frozenset({"each", "every", "row", "rows", "column", "columns", "layer", "layers", "level", "levels",
+                     "towers", "stacks", "they"})  # fmt: skip
 
 
 @rule
@@ -75,11 +79,9 @@ def each_line(p: Parser, i: int) -> Results[Meaning]:
     start = p.opt(i, ",", ":")
     if not p.anywhere(_MARKED):
         return
-    for way, j in toward(p, start):
-        if isinstance(way, Toward) and way.first is not None and (are := p.any_of(p.opt(j, ","), _THE_LINES)):
-            unit = next(u for w, u in _UNITS.items() if f"{w}s" in p.words[j:are])
-            told, end = _told(p, p.opt(are, ":"), unit)
-            yield from _whole(p, i, end, told, unit, way.first)
+    for first, unit, are in _run_along(p, start):
+        told, end = _told(p, p.opt(are, ":"), unit)
+        yield from _whole(p, i, end, told, unit, first)
     for word, unit in _UNITS.items():
         for k in _OPENINGS[word].matches(p, start):
             bare = p.words[k - 1] == f"{word}s"
@@ -88,11 +90,24 @@ def each_line(p: Parser, i: int) -> Results[Meaning]:
                 continue
             closed = p.words[k - 1] in (":", "are", "being", "in", "colored") or p.any_of(k, _COLON)
             if led or p.one(i, ",") or closed:
-                yield from _colors(p, i, k if p.words[k - 1] == ":" else p.any_of(k, (":", ",", "-")) or k, unit)
+                yield from _colors(p, i, k if p.words[k - 1] == ":" else p.any_of(k, _SET_APART) or k, unit)
     behind = _UNITS.get(p.words[start - 1].removesuffix("s")) if start > 0 and p.words[start] == "each" else None
     for k in EACH.matches(p, start) if behind else ():
-        if end := p.any_of(k, (":", ",", "-")):
+        if end := p.any_of(k, _SET_APART):
             yield from _colors(p, i, end, behind or "")
+
+
+def _run_along(p: Parser, start: int) -> Iterator[tuple[str, str, int]]:
+    """ "From left to right the columns are", "the rows, from back to front, are": where they begin, what they are."""
+    units = {**_UNITS, **_WHOLES}
+    for way, j in toward(p, start):
+        if isinstance(way, Toward) and way.first is not None and (are := p.any_of(p.opt(j, ","), _THE_LINES)):
+            they = "row" if way.first in _FIRST["row"][:2] else "whole"
+            yield way.first, next((u for w, u in units.items() if f"{w}s" in p.words[j:are]), they), are
+    named = p.any_of(start, _NAMED)
+    for way, j in toward(p, named + 1) if named and p.one(named, (",",)) else ():
+        if isinstance(way, Toward) and way.first is not None and (are := p.any_of(p.opt(j, ","), _ARE)):
+            yield way.first, units[p.words[named - 1].removesuffix("s")], are
 
 
 _GRIDS = ("grid", "wall", "square", "rectangle")
@@ -143,12 +158,10 @@ _EVERY = frozenset({"each", "every", "per", "color"})
 _BEGUN = ("from the", "starting from the", "starting at the", "starting with the", "beginning with the",
           "beginning at the", "starting in the", "counted from the", "beginning from the")  # fmt: skip
 _SET_OFF = frozenset({",", ":", "-"})
-_THE_LINES = tuple(
-    f"{the}{unit}s {are}"
-    for the in ("the ", "its ", "")
-    for unit in _UNITS
-    for are in ("are", "should be", "must be", "are colored", "have the colors", ":", "being", "shall be")
-)
+_SET_APART = (":", ",", "-", ", namely", ": namely", "namely", ", i.e.", ", that is")
+_ARE = ("are", "should be", "must be", "are colored", "have the colors", ":", "being", "shall be")
+_NAMED = tuple(f"{the}{unit}s" for the in ("the ", "its ", "") for unit in (*_UNITS, *_WHOLES))
+_THE_LINES = tuple(f"{named} {are}" for named in (*_NAMED, "they") for are in _ARE)
 Told = tuple[tuple[Noun, str, tuple[int, int]], ...]
 """Colours, each with the side where it is said to be, or with none."""
 

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.sides import extreme, far_end
-from rpg.language.grammar.structures.part_words import BETWEEN, SIDES, THERE, UNITS
+from rpg.language.grammar.structures.part_words import ALL_BEYOND, BETWEEN, BEYOND, SIDES, THERE, UNITS
 from rpg.language.later import later
-from rpg.language.meaning import At, Meaning, Places, replace
+from rpg.language.meaning import At, Loc, Meaning, Places, Pronoun, replace
 
 if TYPE_CHECKING:
     from rpg.language.grammar.structures.parts import part
@@ -48,6 +48,31 @@ def told_there(p: Parser, i: int, j: int, unit: str) -> Results[Meaning]:
             yield At(side=side, span=p.span(i, end)), end
         else:
             yield Places(side=side, unit="block", several=several, span=p.span(i, end)), end
+
+
+def rest_beyond(p: Parser, i: int) -> Results[Places]:
+    """ "The four below it", "everything above", "the other two to its right": all that is left, on that side."""
+    several, k = None, p.any_of(i, ALL_BEYOND)
+    if not k and (j := p.any_of(i, ("the", "the other", "all"))) and p.words[j] not in ("one", "ones"):
+        several = p.number(j)
+        k = p.opt(j + 1, *ONE_OR_MORE) if several is not None else 0
+    for phrase, end in p.standing(k, BEYOND) if k else ():
+        yield Places(side="rest", unit="block", several=several, beyond=BEYOND[phrase], span=p.span(i, end)), end
+
+
+_NEXT_TO_IT = {**BEYOND, **dict.fromkeys(("next to it", "beside it", "next to that", "beside that"), "beside")}
+_RELS = {"above": "above", "below": "under"}
+_ONE = ("the one", "the block", "the cube", "the next one", "the brick")
+_BROAD = frozenset({"grid", "square", "wall", "rectangle", "pyramid", "towers", "stacks", "rows", "columns", "stairs"})
+
+
+def next_to_it(p: Parser, i: int) -> Results[Loc]:
+    """ "(The bottom one is green,) the one above it": where it is to the one before, in a line."""
+    k = p.any_of(i, _ONE)
+    for phrase, end in p.standing(k, _NEXT_TO_IT) if k and p.all.isdisjoint(_BROAD) else ():
+        way = _NEXT_TO_IT[phrase]
+        it = Pronoun(word="it", span=p.span(k, end))
+        yield Loc(rel=_RELS.get(way, way), landmark=it, span=p.span(i, end)), end
 
 
 _LINES = frozenset(unit for unit, kind in UNITS.items() if kind in ("row", "column", "layer", "step"))

@@ -61,9 +61,20 @@ PAIRS = tuple(
     for the in ("", "the ", "its ")
 )
 """Both ends of a line, named one by one."""
+_SIDE_OF_IT = {
+    **{f"{word}{it}": way for way, words in (("above", ("above", "over")), ("behind", ("behind",)),
+                                             ("below", ("below", "under", "beneath", "underneath")))
+       for word in words for it in (" it", " that", " that one", " them", " those")},
+    **{f"{of} {it}": way for way in ("left", "right") for of in (f"to the {way} of", f"{way} of")
+       for it in ("it", "that", "them", "those")},
+    **{f"{on} its {way}": way for way in ("left", "right") for on in ("to", "on")},
+    **dict.fromkeys(("on top of it", "higher up", "on it"), "above"), **dict.fromkeys(("lower down",), "below"),
+    **dict.fromkeys(("in front of it",), "front"),
+}  # fmt: skip
+BEYOND = {**_SIDE_OF_IT, **{way: way for way in ("above", "below")}, "beneath": "below", "underneath": "below"}
+"""On which side of what is told before the rest is: "the four below it"."""
 REST = (
-    "everything else", "everything below", "everything below it", "everything above", "everything above it",
-    "all else", "all the rest", "all the others", "all others", "every other block",
+    "everything else", "all else", "all the rest", "all the others", "all others", "every other block",
     *(
         f"{rest} {between}"
         for rest in ("everything", "all", "the ones", "all those", "all blocks", "the blocks", "all the blocks",
@@ -71,8 +82,9 @@ REST = (
         for between in ("between them", "in between", "in between them", "between", "between the ends")
     ),
 )  # fmt: skip
-BEYOND = {"above": 1, "below": -1}
-"""On which side of what is told before "everything above" is: the `index` of such a rest."""
+ALL_BEYOND = ("everything", "all", "all those", "all blocks", "all the blocks", "the blocks", "the others", "the rest",
+              "the ones", "all the others", "every block", "those")  # fmt: skip
+"""What is told with its side is all of the rest."""
 BETWEEN = (
     "around it", "all around it", "around the outside", "round it", "around the middle", "around the center",
     "around that", "in between", "anywhere in between", "somewhere in between", "between them", "elsewhere",
@@ -84,14 +96,18 @@ _MUST = ("should", "must", "shall", "has to", "have to", "will", "is to", "are t
 _MADE = tuple(f"{made} {of}" for made in ("made", "made up", "built", "composed", "formed", "constructed")
               for of in ("of", "from", "out of"))  # fmt: skip
 IS = (
-    *_BE, *(f"{be} {all_}" for be in _BE for all_ in ("all", "both", "entirely", "completely", "only", *_MADE)),
+    *_BE, *(f"{be} {all_}" for be in (*_BE, "being")
+            for all_ in ("all", "both", "entirely", "completely", "only", *_MADE)),
     *(f"{must} {word}" for must in _MUST for word in ("all be", "both be", "only be", "consist of", "contain", "have",
                                                       "consist only of", "consist entirely of")),
     "consists of", "consist of", "consists only of", "consist only of", "contains", "contain", "being", "in", "of",
-    "all", "is a", ":", "has", "has only", "to be", "being all", "all in", "is in", "are in", "should be in",
-    "must be in", "being in", *_MADE,
+    "all", "is a", ":", "has", "has only", "to be", "all in", "is in", "are in", "should be in",
+    "must be in", "being in", "all being", "both being", "both", "both in", "entirely", *_MADE,
 )  # fmt: skip
 """What joins a part and its look."""
+NOT = ("not", "is not", "are not", *(f"{must} not be" for must in ("should", "must", "may", "can", "shall")),
+       *(f"{must} never be" for must in ("should", "must", "may", "can")))  # fmt: skip
+"""What joins a part and a look that it does not have."""
 NEAREST = tuple(f"{near} {me}".strip() for near in ("nearest", "closest") for me in (
     "to me", "to the robot", "to the viewer", "to the camera", "to us", "to you", "me", ""))  # fmt: skip
 FARTHEST = tuple(f"{far} {me}".strip() for far in ("farthest", "furthest") for me in (

@@ -9,13 +9,13 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import OTHER_END, far_end
 from rpg.language.grammar.structures.parity import every_other
-from rpg.language.grammar.structures.part_there import ONE_OR_MORE, line_there, told_there
+from rpg.language.grammar.structures.part_there import ONE_OR_MORE, line_there, next_to_it, rest_beyond, told_there
 from rpg.language.grammar.structures.part_words import (
     BETWEEN,
-    BEYOND,
     FROM,
     IS,
     LEADS,
+    NOT,
     NOUNS,
     OWN,
     PAIRS,
@@ -30,7 +30,7 @@ from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits, replace
 
 
 @rule
@@ -43,8 +43,8 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         yield Places(side="ends", unit="block", several=1, span=p.span(i, k)), k
         return
     if k := p.any_of(i, REST):
-        beyond = next((way for word, way in BEYOND.items() if word in p.words[i:k]), None)
-        yield Places(side="rest", unit="block", index=beyond, span=p.span(i, k)), k
+        yield Places(side="rest", unit="block", span=p.span(i, k)), k
+    yield from rest_beyond(p, i)
     j, each, owned = p.opt(i, "only", "just"), False, False
     while k := p.one(j, OWN):
         each = each or p.words[j] in ("each", "every", "either")
@@ -191,9 +191,17 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
             if p.follows(j, _A_BLOCK) and p.stands(j, _OWNS) and p.follows(k, _A_BLOCK):
                 continue  # "the left one has a red one (on it)": it is none
             if all(k != end for _, end in lines):
-                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
+                end = p.one(k, ("instead",)) or k
+                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+        for theme, k in _looks(p, never) if (never := p.any_of(j, NOT)) else ():
+            if isinstance(theme, Noun) and theme.amount is None and p.stands(never, lexicon.COLOR):
+                yield Absolute(theme=replace(theme, det="no"), adjuncts=(place,), span=p.span(i, k)), k
         for word, k in _word(p, j) if isinstance(place, Places) else ():
             yield Absolute(theme=word, adjuncts=(place,), span=p.span(i, k)), k
+    for where, j in next_to_it(p, i):
+        for theme, k in _looks(p, p.any_of(j, IS) or j):
+            if not theme.plural and theme.amount is None:
+                yield Absolute(theme=theme, adjuncts=(where,), span=p.span(i, k)), k
     yield from _coloured(p, i)
     yield from _put(p, i, unit)
     yield from _place_first(p, i, unit)
@@ -283,7 +291,7 @@ def _plain(theme: Meaning) -> bool:
     if not isinstance(theme, Noun) or theme.head == "patch" or theme.part_of is not None or theme.conditions:
         return False
     marks = theme.traits
-    return bool(marks.colors or marks.labels or marks.size) and marks.rank is None and not marks.extra
+    return bool(marks.colors or marks.labels or marks.size or marks.quality) and marks.rank is None and not marks.extra
 
 
 @choice

@@ -9,6 +9,7 @@ from itertools import pairwise
 from rpg.language import lexicon
 from rpg.language.meaning import (
     Absolute,
+    At,
     Chain,
     Clause,
     Coord,
@@ -31,6 +32,10 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
             _check_looks(one, text)
         for clause in chain.clauses:
             _check_either(clause, text)
+            _check_sides(clause)
+            _check_standing(clause)
+        for built in (part for part in parts_of(chain) if isinstance(part, Structure | Clause)):
+            _check_none(built)
         for order in (part for part in parts_of(chain) if isinstance(part, OrderBy)):
             _check_count(order, text)
         for head, rest in _cuts(chain):
@@ -50,6 +55,42 @@ def _check_looks(listed: Coord, text: str) -> None:
         if one.head == "any" and one.det == "a" and text[one.span[1] : other.span[0]].strip() == "and":
             raise refuse("ambiguous", "are these two looks of one thing, or two things?", one.span,
                          "say 'block' behind the first, and 'a' ahead of the second")  # fmt: skip
+
+
+def _check_none(built: Structure | Clause) -> None:
+    """Refuse "a tower of green blocks, no red one on ..." as built of these and of none."""
+    listed = built.members if isinstance(built, Structure) else built.theme if built.verb == "build" else None
+    denied = [isinstance(x, Noun) and x.det == "no" for x in listed.items] if isinstance(listed, Coord) else []
+    if isinstance(listed, Coord) and listed.op == "and" and any(denied) and not all(denied):
+        none = listed.items[denied.index(True)]
+        raise refuse("misplaced", "none is no part of a list", none.span, "say it in a sentence of its own")
+
+
+_OPPOSITE = ({"left", "right"}, {"front", "back"}, {"top", "bottom"})
+
+
+def _check_sides(clause: Meaning) -> None:
+    """Refuse "with a vowel on the left and on the right" as a vowel on the left, and everything on the right."""
+    parts = clause.adjuncts if isinstance(clause, Clause) else ()
+    placed = [(x.adjuncts[0] if isinstance(x, Absolute) else x, isinstance(x, Absolute)) for x in parts]
+    for (one, inside), (other, told) in pairwise(placed):
+        if (
+            inside
+            and not told
+            and isinstance(one, At)
+            and isinstance(other, At)
+            and {one.side, other.side} in _OPPOSITE
+        ):
+            raise refuse("misplaced", "what this is said of is not clear", other.span, "say it of each side")
+
+
+def _check_standing(clause: Meaning) -> None:
+    """Refuse "four towers, each two high, stand in a row" as an order to stand something else there."""
+    if isinstance(clause, Clause) and clause.lemma in _STANDING and clause.theme is None and clause.mode == "command":
+        raise refuse("misplaced", "it is not said what stands there", clause.span, "say it in a sentence of its own")
+
+
+_STANDING = ("stand", "sit", "lie", "rest")
 
 
 def _check_count(order: OrderBy, text: str) -> None:

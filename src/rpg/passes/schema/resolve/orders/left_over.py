@@ -5,21 +5,53 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from rpg.blocks.figures import Cell
-from rpg.language.meaning import Absolute, Amount, At, Noun, Places, replace
+from rpg.language.meaning import Absolute, Amount, At, Noun, Places, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.places.either_end import at_an_end
 from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
+_WAYS = {"above": 1, "right": 1, "behind": 1, "below": -1, "left": -1, "front": -1}
+ALONG = {"above": ("bottom", "top"), "right": ("left", "right"), "behind": ("front", "back")}
+ALONG |= {"below": ALONG["above"], "left": ALONG["right"], "front": ALONG["behind"]}
+"""Between which ends a line runs in which there is something on that side."""
 
-def all_left(place: At | Places | None, left: Sequence[int], told: Sequence[int]) -> None:
+
+def all_left(place: At | Places | None, left: Sequence[int], told: Collection[int]) -> None:
     """ "the other two": so many places have to be left. "everything above it": above all that were told, by levels."""
     several = place.several if isinstance(place, Places) and place.unit in ("", "block", "cell") else None
     if place is not None and several not in (None, len(left)):
         raise refuse("count-mismatch", f"{len(left)} places are left for these, but {several} are told", place.span,
                      f"say {len(left)}", places=len(left), named=several)  # fmt: skip
-    way = place.index if isinstance(place, Places) else None
-    if place is not None and way and not all(way * (here - there) > 0 for here in left for there in told):
+    if place is not None and not all(lies_beyond(place, here, told) for here in left):
         raise refuse("contradiction", "not all that is left is there", place.span, "say 'everything else'")
+
+
+def lies_beyond(place: At | Places | None, here: int, told: Collection[int]) -> bool:
+    """ "the two above it": whether a place is on that side of all that were told, if a side is named."""
+    way = _WAYS.get(place.beyond or "", 0) if isinstance(place, Places) else 0
+    return not way or all(way * (here - there) > 0 for there in told)
+
+
+def not_so(item: Absolute, names: Collection[str], scene: Scene) -> Absolute:
+    """ "(Three red and two blue blocks in one tower,) no red one at the bottom": a blue one, where all others are."""
+    theme = item.theme
+    color = theme.traits.colors if isinstance(theme, Noun) and theme.det == "no" and theme.part_of is None else ()
+    if not isinstance(theme, Noun) or len(color) != 1 or theme.traits != Traits(colors=color):
+        return item
+    shown = {(t.color, t.label) for t in (scene.things[n] for n in names)}
+    others = [x for x in shown if x[0] != color[0]]
+    if len(others) == len(shown):
+        raise refuse("misplaced", f"none of these is {color[0]}", item.span, "leave it out")
+    look, label = others[0] if len(others) == 1 else (None, None)
+    if look is None or label is not None:
+        raise refuse("ambiguous", "it is not said which of the others is there", item.span, "say what it looks like")
+    place = item.adjuncts[0]
+    if isinstance(place, At | Places) and at_an_end(place):  # at neither of them
+        place = Places(side="ends", unit="block", span=place.span)
+    one = Amount(1, 1) if isinstance(place, At) else None
+    other = Noun(head="any", det="a" if one else "bare", amount=one, traits=Traits(colors=(look,)), span=theme.span)
+    return replace(item, theme=other, adjuncts=(place,))
 
 
 def lines_left(place: Places, left: Sequence[Cell], told: Sequence[Cell], stands: bool) -> None:

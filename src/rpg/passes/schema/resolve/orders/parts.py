@@ -389,4 +389,7 @@ def so_many(theme: Meaning, names: tuple[str, ...], scene: Scene) -> tuple[str, 
         return ()
     alike = {t.name for t in matching(theme.traits, scene, False)}
     inside = tuple(n for n in names if n in alike)
+    looks = {(t.color, t.label, t.size) for t in (scene.things[n] for n in inside)}
+    if len(inside) > count and len(looks) > 1 and theme.traits != Traits():
+        raise refuse("ambiguous", f"{len(inside)} of these blocks are such", theme.span, "name the block")
     return inside[:count] if len(inside) >= count and theme.traits != Traits() else ()

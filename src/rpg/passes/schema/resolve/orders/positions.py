@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
 from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.left_over import all_left, one_or_all
+from rpg.passes.schema.resolve.orders.left_over import ALONG, all_left, lies_beyond, not_so, one_or_all
 from rpg.passes.schema.resolve.orders.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.places.either_end import at_an_end, ends_named
 from rpg.passes.schema.resolve.things.refer import refer
@@ -78,6 +78,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     bunches: list[tuple[str, ...]] = []
     last: int | None = None
     way = 1
+    spec.absolutes = [x if place_of(x) is None else not_so(x, names, scene) for x in spec.absolutes]
     one_or_all(spec, names, scene)
     turned = _at_ends(spec, names, kind, scene)
     sides = [place.side for item in spec.absolutes if (place := place_of(item)) is not None]
@@ -99,13 +100,18 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         bunches += [found] if free or len({looks(scene.things[n]) for n in found}) == 1 else []
         parts.append(place)
         spec.absolutes.remove(item)
+    told, beyond = tuple(held), ""
     for item in rest:
-        _fill(item, held, names, kind, scene)
+        beyond = _check_way(item, parts, kind) or beyond
+        filled = _fill(item, held, told, names, scene)
+        bunches += [filled] if _of_a_kind(item.theme) else []
         spec.absolutes.remove(item)
+    if rest and len(held) < len(names):
+        raise refuse("contradiction", "not all that is left is there", rest[-1].span, "say 'everything else'")
     if not held:
         return None
-    paired = all(p.side in SYMMETRIC for p in parts)
-    first = None if turned or paired else _side_of(parts, kind)
+    paired = not beyond and all(p.side in SYMMETRIC for p in parts)
+    first = beyond or (None if turned or paired else _side_of(parts, kind))
     if {"odd", "even"} & {p.side for p in parts} and len(names) % 2 == 0:
         scene.assume(f"places are counted from the {first}")
     return Placed(tuple(ranks_from(held, names, scene, bunches)), first, paired)
@@ -137,6 +143,17 @@ def _side_of(parts: list[At | Places], kind: str) -> str:
     if kind == "line" and sides & {"front", "back"}:
         return "front"
     return {"stack": "bottom", "column": "front"}.get(kind, "left")
+
+
+def _check_way(item: Absolute, parts: list[At | Places], kind: str) -> str:
+    """ "(the left one red,) the two to its right white": the side where the line begins, if the rest tells one."""
+    ends = ALONG.get(getattr(place_of(item), "beyond", None) or "")
+    if ends is None:
+        return ""
+    along = _side_of([*parts, At(side=ends[0], span=item.span)], kind) == ends[0]
+    if not along or not {p.side for p in parts} & {*SIDES["line"], *SIDES["stack"]} <= {*ends}:
+        raise refuse("contradiction", "this line does not run that way", item.span, "say 'the others'")
+    return ends[0]
 
 
 FAR_ENDS = ("top", "right", "back")
@@ -239,17 +256,32 @@ def _refer(
     return ref.names
 
 
-def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ...], kind: str, scene: Scene) -> None:
-    """ "and red in between": all the places that are left."""
-    left = [k for k in range(len(names)) if k not in held]
+def _fill(
+    item: Absolute, held: dict[int, tuple[str, ...]], told: Collection[int], names: tuple[str, ...], scene: Scene
+) -> tuple[str, ...]:
+    """ "and red in between": all the places that are left, or those on one side of all that were `told`; which blocks
+    are there."""
+    place = place_of(item)
+    left = [k for k in range(len(names)) if k not in held and lies_beyond(place, k, told)]
+    if not left and len(held) < len(names):
+        raise refuse("contradiction", "nothing is left there", item.span, "say 'the others'")
+    many = place.several if isinstance(place, Places) and place.beyond else None
+    if many is not None and many < len(left):  # "the two below them", and others below those
+        left = sorted(sorted(left, key=lambda k: min(abs(k - there) for there in held))[:many])
     if not left or not held:
         raise refuse("misplaced", "nothing is left for this", item.span, "leave it out")
-    all_left(place_of(item), *([k * (kind == "stack") for k in some] for some in (left, held)))
+    all_left(place, left, told)
     free = tuple(n for n in names if (n,) not in held.values())
     found = standing(item, Places(side="rest", unit="block", span=item.span), [left], free, scene)
     if len(found) != len(left):
         raise refuse("count-mismatch", f"{len(left)} places are left for this", item.span, f"say {len(left)}")
     held.update({k: (name,) for k, name in zip(left, found, strict=True)})
+    return found
+
+
+def _of_a_kind(theme: Meaning) -> bool:
+    """ "(Vowels at the ends,) consonants in the middle": in any order among themselves."""
+    return isinstance(theme, Noun) and bool(theme.traits.quality or theme.traits.kind) and not theme.traits.labels
 
 
 def ranks_from(

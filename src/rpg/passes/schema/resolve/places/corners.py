@@ -25,8 +25,7 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     """ "a red block in each corner": as many again for every corner; "four blocks in the four corners": one in each."""
     if meaning.region.startswith("opposite"):
         return _opposite_corners(theme, meaning, scene, span)
-    told = meaning.region.removesuffix("?").partition(":")[2]
-    there = [where for where in CORNERS if told in where]  # "both far corners"
+    there = corners_of(meaning.region)
     if indefinite(theme) and not theme.quant:  # "red blocks in the corners": one in each
         theme = replace(theme, names=scene.fit(theme.names, len(there)))
     theme = _but_the_rest(theme, meaning, len(there), scene)
@@ -34,10 +33,13 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     one_of_four = theme.quant is not None and (theme.quant.low, theme.quant.high) == (1, 1) and not theme.parts
     if one_of_four and len(names) == len(there):
         theme = replace(theme, quant=None)  # "one of them in each corner": of four, so that each has a corner
-    if theme.quant is not None or theme.op != "and" or theme.built or theme.patch or meaning.negated or not names:
-        raise refuse("ambiguous", "it is not clear which blocks go into the corners", span, "say what each corner gets")
-    if meaning.region.endswith("?") and (scene.built or any(t.patch for t in scene.things.values())):
+    others = [b for b in scene.built if b not in theme.built]
+    if meaning.region.endswith("?") and (others or any(t.patch for t in scene.things.values())):
         raise refuse("ambiguous", "it is not clear of what these are the corners", meaning.span, "say 'of the table'")
+    if theme.built:
+        return _each_structure(theme, there, meaning, scene, span)
+    if theme.quant is not None or theme.op != "and" or theme.patch or meaning.negated or not names:
+        raise refuse("ambiguous", "it is not clear which blocks go into the corners", span, "say what each corner gets")
     if len(names) == len(there):
         things = [scene.things[n] for n in names]
         if all(t.color is None and t.label is None and t.kind is None for t in things):
@@ -62,6 +64,21 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
         raise refuse("count-mismatch", f"{len(names)} blocks cannot be in each of {len(there)} corners", span,
                      f"name {len(there)} blocks, or say 'a red block in each corner'")  # fmt: skip
     return [r.InRegion(a=lot, region=where, span=span) for lot, where in zip(lots, there, strict=True)]  # type: ignore[arg-type]
+
+
+def corners_of(region: str) -> list[str]:
+    """ "Each corner", "both far corners": which ones these are."""
+    told = region.removesuffix("?").partition(":")[2]
+    return [where for where in CORNERS if told in where]
+
+
+def _each_structure(theme: Ref, there: list[str], meaning: In, scene: Scene, span: Span) -> Atoms:
+    """ "A tower of two red blocks in each corner": one in each, which have to look alike."""
+    shown = [sorted((t.color or "", t.label or "") for t in (scene.things[n] for n in b.members)) for b in theme.built]
+    standing = all(b.kind == "stack" for b in theme.built) and not meaning.negated and theme.quant is None
+    if not standing or len(theme.built) != len(there) or any(look != shown[0] for look in shown):
+        raise refuse("ambiguous", "it is not clear which blocks go into the corners", span, "say what each corner gets")
+    return [r.InRegion(a=b.members, region=where, span=span) for b, where in zip(theme.built, there, strict=True)]  # type: ignore[arg-type]
 
 
 def _but_the_rest(theme: Ref, meaning: In, many: int, scene: Scene) -> Ref:

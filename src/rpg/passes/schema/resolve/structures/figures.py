@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.blocks.figures import FEWEST, NATURAL, takes
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Manner, Noun, Structure, replace
+from rpg.language.meaning import Absolute, At, Manner, Noun, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
@@ -47,7 +47,8 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     hub = hub_of(shape, spec, theme, scene) if not shape.filled else None
     if hub is not None:
         spec.absolutes.remove(hub)
-    if shape.kind == "rectangle" and shape.dims and shape.filled is not False and not spec.patterns and not spec.orders:
+    turned = not spec.patterns and not spec.orders and not any(map(_of_lines, spec.absolutes))
+    if shape.kind == "rectangle" and shape.dims and shape.filled is not False and turned:
         return _rectangle(shape, spec, theme, scene, scope)
     if shape.kind in ("square", "rectangle") and shape.filled is not False and hub is None:
         square = (
@@ -124,6 +125,11 @@ def _wide_and_long(shape: Structure) -> Structure:
         return shape
     rest = tuple(size for size in shape.sizes if size not in sides)
     return replace(shape, dims=(wide, long_), sizes=rest)
+
+
+def _of_lines(item: Absolute) -> bool:
+    """ "The front row yellow": what has rows lies as a grid does."""
+    return getattr(place_of(item), "unit", "") in ("row", "column")
 
 
 def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:

@@ -22,8 +22,8 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.looks_of_each import told_looks
 from rpg.passes.schema.resolve.structures.lots import one_of
-from rpg.passes.schema.resolve.structures.several import told_looks
 from rpg.passes.schema.resolve.structures.sharing import Look
 from rpg.passes.schema.resolve.things.things import alike, amount_of, matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Thing, refuse

@@ -50,7 +50,8 @@ def lined_up(shape: Structure, spec: Spec) -> Structure:
         return shape
     if line.members or line.traits != Traits() or (shape.sizes and line.sizes):
         return shape
-    if heights := next((z for z in shape.sizes if z.what == "heights"), None):
+    heights = next((z for z in shape.sizes if z.what == "heights"), None)
+    if heights is not None and spec.first("left", "right") is None:
         raise refuse("ambiguous", "it is not said which of the towers in the row has which height", heights.span,
                      "say how high each is 'from left to right', or of which blocks each tower is")  # fmt: skip
     spec.intos = []

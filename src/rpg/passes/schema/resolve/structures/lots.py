@@ -5,6 +5,7 @@ from __future__ import annotations
 from copy import copy
 
 from rpg.ir import goal as g
+from rpg.ir import structures as s
 from rpg.language.grammar.structures.copies import ALIKE, LISTED, SHARED
 from rpg.language.meaning import Amount, Noun, OrderBy, Pronoun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
@@ -16,7 +17,7 @@ from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thi
 
 Made = tuple[list[Built], list[g.Goal]]
 _ENDS = {"bottom": "top", "left": "right", "front": "back", "top": "bottom", "right": "left", "back": "front"}
-KINDS = ("stack", "row", "line", "column")
+KINDS = ("stack", "row", "line", "column", "pile")
 
 
 def each_made_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene: Scene, scope: Scope) -> Made:
@@ -24,7 +25,8 @@ def each_made_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, 
     said = [o for o in spec.orders if o.by == "each"]
     lot = said[0]
     spec.orders = [o for o in spec.orders if o.by != "each"]
-    if len(said) > 1 or shape.kind not in KINDS or spec.absolutes or spec.patterns:
+    heaped = shape.kind == "pile" and (scope.start or lot.first)
+    if len(said) > 1 or shape.kind not in KINDS or heaped or spec.absolutes or spec.patterns:
         raise refuse("misplaced", "this does not go together with what else is said", lot.span, "say it of each alone")
     if not lot.items:
         raise refuse("ambiguous", "it is not said which blocks each of these has", lot.span,
@@ -62,6 +64,8 @@ def each_made_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, 
         raise refuse("count-mismatch", f"{len(left)} of the blocks are in none of them", lot.span,
                      "say what each has so that all are used", left=len(left))  # fmt: skip
     spec.orders, spec.toward, spec.spacings = [], [], []
+    if shape.kind == "pile":
+        return built, [s.GroupBy(groups=tuple(b.members for b in built), span=shape.span)]
     return built, in_one_order(goals, scene) if lot.attribute == ALIKE else goals
 
 

@@ -1,9 +1,11 @@
-"""A structure on each of several patches: "build a stack of two on each patch" are as many stacks as patches."""
+"""A structure on each of several patches, or in each corner: "build a stack of two on each patch" are as many stacks as
+patches."""
 
 from __future__ import annotations
 
-from rpg.language.meaning import Amount, Clause, Loc, Meaning, Noun, Pronoun, Structure, replace
+from rpg.language.meaning import Amount, Clause, In, Loc, Meaning, Noun, Pronoun, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.places.corners import corners_of
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
@@ -13,17 +15,19 @@ _UNSAID = 3
 
 
 def on_each_patch(clause: Clause, places: list[Meaning], scene: Scene) -> Clause:
-    """The clause, whose theme is so many structures where one of them is on each patch."""
+    """The clause, whose theme is so many structures where one of them is on each patch, or in each corner."""
     theme = clause.theme
     if not isinstance(theme, Structure) or theme.plural or theme.det not in ("a", "bare", "some"):
         return clause
     marks = [p.landmark for p in places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
-    many = next((n for n in (_as_many(mark, scene) for mark in marks) if n > 1), 0)
+    regions = [p.region for p in places if isinstance(p, In) and not p.negated]
+    corners = next((len(corners_of(told)) for told in regions if told.startswith("each_corner")), 0)
+    many = next((n for n in (corners, *(_as_many(mark, scene) for mark in marks)) if n > 1), 0)
     if not many:
         return clause
     if _of_known_blocks(theme.members):
-        raise refuse("ambiguous", "these blocks cannot be on each of several patches at once", theme.span,
-                     "say of what blocks the structure on each patch is")  # fmt: skip
+        raise refuse("ambiguous", "these blocks cannot be in each of several places at once", theme.span,
+                     "say of what blocks the structure in each place is")  # fmt: skip
     each = theme.det == "a" and theme.span != getattr(theme.members, "span", None)  # "a tower of two": two each
     return replace(clause, theme=replace(theme, plural=True, det="bare", each_size=each, amount=Amount(many, many)))
 

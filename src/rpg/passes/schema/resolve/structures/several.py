@@ -10,26 +10,24 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.language.meaning import (
-    Absolute,
     Amount,
-    At,
     Coord,
+    In,
     Loc,
     Meaning,
     Noun,
     OrderBy,
-    Places,
     Size,
     Structure,
     Traits,
     replace,
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.looks_of_each import beside_others, sided, told_looks, whole
 from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line, on_the_table, own_unit, too_alike
 from rpg.passes.schema.resolve.structures.sharing import (
     Look,
     as_long_as_listed,
-    in_turn,
     lots_of,
     named_lots,
     of_all_of_them,
@@ -59,14 +57,20 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
         return shape.kind not in APART
     if any(z.what == "heights" for z in shape.sizes):
         return False  # which are told apart by these
-    apart = _to_each_other(spec) or ((spec.lined or _own_patches(spec)) and not spec.patterns)
-    return _sided(spec) is not None or any(map(_whole, spec.absolutes)) or apart
+    apart = _to_each_other(spec) or ((spec.lined or _own_places(spec)) and not spec.patterns)
+    told = any(whole(x) is not None or beside_others(x) for x in spec.absolutes)
+    return sided(spec) is not None or told or apart
 
 
-def _own_patches(spec: Spec) -> bool:
-    """ "Three stacks of two, each on its own patch": each of them is somewhere else."""
+def _own_places(spec: Spec) -> bool:
+    """ "Three stacks of two, each on its own patch", "in each corner": each of them is somewhere else."""
     marks = [p.landmark for p in spec.places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
-    return any(isinstance(m, Noun) and (m.det == "each" or _own(m)) and m.head == "patch" for m in marks)
+    mats = any(isinstance(m, Noun) and (m.det == "each" or _own(m)) and m.head == "patch" for m in marks)
+    return mats or _in_corners(spec)
+
+
+def _in_corners(spec: Spec) -> bool:
+    return any(isinstance(p, In) and p.region.startswith("each_corner") and not p.negated for p in spec.places)
 
 
 def _own(mark: Noun) -> bool:
@@ -77,31 +81,6 @@ def _to_each_other(spec: Spec) -> bool:
     """Whether several towers stand in a relation to each other, so that they must be told apart."""
     related = any(getattr(getattr(p, "landmark", None), "word", "") == "each other" for p in spec.places)
     return related and not spec.patterns and not any(m.kind == "equal" for m in spec.manners)
-
-
-def _sided(spec: Spec) -> OrderBy | None:
-    """ "from left to right red, white and blue": the order in which several structures stand."""
-    directed = spec.first("left", "right", "front", "back") is not None
-    return next((o for o in spec.orders if o.items and (directed or o.first in _AXES)), None)
-
-
-_AXES = {"left": "y", "right": "y", "front": "x", "back": "x"}
-
-
-def _whole(item: Absolute) -> Places | None:
-    """Which of the structures an absolute speaks of, if it speaks of one as a whole."""
-    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
-    if isinstance(place, At) and place.side in ("left", "right", "front", "back") and place.index is None:
-        return Places(side=place.side, unit="whole", span=place.span)
-    named = isinstance(place, Places) and (place.unit in ("row", "column") or place.unit.startswith("whole"))
-    return place if named and isinstance(place, Places) else None
-
-
-def _middle(item: Absolute) -> Places | None:
-    """ "red at the back, white in the middle, blue in front": one of three lines, where the others are told so too."""
-    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
-    middle = isinstance(place, At) and place.side == "middle"
-    return Places(side="middle", unit="whole", span=item.span) if middle else None
 
 
 def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene: Scene, scope: Scope) -> Made:
@@ -118,20 +97,21 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
                      f"name each {shape.kind} by itself")  # fmt: skip
     _one_gap(shape, spec)
     shape, theme = several_from_stock(shape, count, spec, theme, scene)
-    for place in filter(None, map(_whole, spec.absolutes)):
+    for place in filter(None, map(whole, spec.absolutes)):
         own_unit(shape, place)
-    looks, axis = told_looks(spec, count)
+    looks, axis = told_looks(spec, count, shape.kind)
     shape = as_long_as_listed(shared_out(shape, looks, spec), looks, scene)
     shape, theme = of_all_of_them(shape, looks, spec, theme, scene)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     told = all(isinstance(look, Structure) for look in looks)  # words are as long as they are
     if not told and not any(isinstance(look, Noun) and look.amount is not None for look in looks):
-        shape = _fresh(shape, scene)
+        shape = _fresh(shape, theme, count, scene)
     lots = named_lots(theme, looks, scene) or lots_of(theme, count, shape, scene)
     built: list[Built] = []
     goals: list[g.Goal] = []
+    color: tuple[str, ...] = ()
     for index in range(count):
-        color = _color(shape, spec, theme, looks, scene)
+        color = color if color and _in_corners(spec) else _color(shape, spec, theme, looks, scene)
         own = _copied(spec)
         look = _spelling(shape, said_of) if isinstance(said_of := looks[index], Structure) else said_of
         if isinstance(look, Noun) and _listed(look):
@@ -268,12 +248,16 @@ def _copied(spec: Spec) -> Spec:
     return own
 
 
-def _fresh(shape: Structure, scene: Scene) -> Structure:
-    """ "two rows of red blocks": blocks of which no number is said are others for each."""
+def _fresh(shape: Structure, theme: Ref | None, count: int, scene: Scene) -> Structure:
+    """ "two rows of red blocks": blocks of which no number is said are others for each. "Twelve blocks in three rows":
+    as many in each."""
     source = shape.members
     if isinstance(source, Noun) and _plain(source) and shape.traits in (Traits(), source.traits):
         shape = replace(shape, members=None, traits=source.traits)
-    if shape.kind in ("row", "line", "column") and shape.members is None and not shape.sizes:
+    many = len(theme.names) // count if theme is not None and not len(theme.names) % count else 0
+    if shape.kind in ("row", "line", "column") and shape.members is None and not shape.sizes and many > 1:
+        shape = replace(shape, sizes=(Size(what="size", amount=Amount(many, many), span=shape.span),))
+    elif shape.kind in ("row", "line", "column") and shape.members is None and not shape.sizes:
         scene.assume(f"the length of the {shape.kind}s is not said: {LENGTH} blocks each")
         shape = replace(shape, sizes=(Size(what="size", amount=Amount(LENGTH, LENGTH), span=shape.span),))
     return shape
@@ -337,63 +321,3 @@ def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], s
 
 def _there(scene: Scene) -> bool:
     return bool(declared(Traits(), scene))
-
-
-def told_looks(spec: Spec, count: int) -> tuple[list[Look], str | None]:
-    """What is said of each, and the axis along which they are then told apart."""
-    found: list[Look] = [None] * count
-    axis: str | None = None
-    if (order := _sided(spec)) is not None:
-        return _in_order(order, spec, count)
-    said = [(a, w) for a in spec.absolutes if (w := _whole(a)) is not None]
-    if len(spec.absolutes) == count > len(said) > 0:
-        said = [(a, w) for a in spec.absolutes if (w := _whole(a) or _middle(a)) is not None]
-    spec.absolutes = [a for a in spec.absolutes if all(a is not b for b, _ in said)]
-    for number, (item, place) in enumerate(said):
-        theme = in_turn(item.theme)
-        index = number if place.side == "one" else _index(place, count)
-        if (
-            not isinstance(theme, Noun | Coord | Structure)
-            or index is None
-            or index >= count
-            or found[index] is not None
-            or place.several not in (None, 1)
-        ):
-            raise refuse("count-mismatch", f"there are {count} of them", item.span, "say one thing of each")
-        found[index] = theme
-        if place.side not in ("one", "first", "last", "middle"):
-            along = "x" if place.side in ("front", "back") else "y"
-            if axis not in (None, along):
-                raise refuse("misplaced", "they lie in one line", item.span, "say 'left' and 'right'")
-            axis = along
-    if said and None in found:
-        raise refuse("ambiguous", "it is not said of each of them", said[0][0].span, "say one thing of each")
-    if axis is not None and any(place.side in ("one", "first", "last") for _, place in said):
-        raise refuse("misplaced", "it is not clear which one this is", said[0][0].span, "say 'left' and 'right'")
-    return found, axis
-
-
-def _in_order(order: OrderBy, spec: Spec, count: int) -> tuple[list[Look], str | None]:
-    """The looks of structures that stand in an order, from the left or from the front."""
-    first = order.first or spec.first(*_AXES) or "left"
-    items = [item for item in order.items if isinstance(item, Noun) and len(item.traits.colors) == 1]
-    if len(items) != count or len(items) != len(order.items) or any(item.amount for item in items):
-        raise refuse("count-mismatch", f"there are {count} of them", order.span, "say one thing of each")
-    spec.orders.remove(order)
-    spec.toward = []
-    return list(items if first in ("left", "front") else items[::-1]), _AXES[first]
-
-
-def _index(place: Places, count: int) -> int | None:
-    match place.side:
-        case "left" | "front":
-            return 0
-        case "right" | "back" | "last":
-            return count - 1
-        case "first":
-            return (place.index or 1) - 1
-        case "middle" if count % 2:
-            return count // 2
-        case "rest" if count == 2:
-            return 1
-    return None

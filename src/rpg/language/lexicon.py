@@ -47,12 +47,12 @@ UNITS = {
 DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
-LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen element"
+LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen element toy"
 PATCH_NOUNS = (
     "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster "
     "placemat napkin cloth towel sticker dropzone dot destination paper strip tray marking"
 )
-TABLE_NOUNS = "table tabletop workspace desk surface"
+TABLE_NOUNS = "table tabletop workspace desk surface counter"
 LETTER_NOUNS = "letter character"
 DIGIT_NOUNS = "number digit numeral"
 SYMBOL_NOUNS = "symbol sign"

@@ -37,6 +37,9 @@ relative, which_also = later(__name__, "rpg.language.grammar.things.relatives", 
 
 _APART = frozenset({"own", "separate", "distinct"})
 """Before patches: none is shared."""
+_MASSES = frozenset({"stock", "cargo", "freight", "merchandise"})
+_STORED = _MASSES | {"unit", "units", "goods", "component", "components"}
+"""Blocks where a colour stands in front of them."""
 _OUTLINES = {word + end: (word, bool(end)) for word in ("square", "circle", "rectangle") for end in ("", "s")}
 """Figures by which a patch is called as well: the word, its shape, whether it is a plural."""
 _SINGLE = Quantity("bare")
@@ -228,8 +231,8 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     start = p.one(i, ("random", "arbitrary", "other")) or i
     if j := p.one(start, ("distractor", "distractors")):
         yield ("block", p.words[start] == "distractors", {"extra": True}), j
-    if p.follows(i, lexicon.COLOR) and (j := p.one(i, STRANGERS)):
-        yield ("block", p.words[i].endswith("s"), {}), j
+    if p.follows(i, lexicon.COLOR) and (j := p.one(i, STRANGERS | _STORED)):
+        yield ("block", p.words[i].endswith("s") or p.words[i] in _MASSES, {}), j
     if j := p.one(i, ("one", "ones")):
         odd = p.follows(i, ("odd",)) and p.follows(i - 1, ("the",))
         yield ("any", p.words[i] == "ones", {}), (p.opt(j, "out") if odd else j)

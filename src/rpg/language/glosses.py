@@ -57,7 +57,6 @@ def _glossed(tokens: list[Token], at: int) -> Iterator[_Gloss]:
     words = [token.word for token in tokens]
     yield from _kind(tokens, words, at)
     yield from _named_first(tokens, words, at)
-    yield from _name_is(tokens, words, at)
     thing = thing_at(words, at)
     if thing > at and words[thing : thing + 1] == ["("]:
         name = thing + 1 + length_at(words, thing + 1, _CALLED)
@@ -81,17 +80,6 @@ def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gl
         told = definite(tokens[begin:thing])
         last = thing + (mark == "(" or words[thing : thing + 1] == [","])
         yield _Gloss(at, last, words[name:end], told, told)
-
-
-def _name_is(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
-    """ "the queen is the red cube": there is such a cube, where the queen is spoken of again."""
-    name = at + (words[at] in _ARTICLES)
-    end = _name(tokens, name) if at == 0 or words[at - 1] in _BEFORE else name
-    thing = thing_at(words, end + 1) if end > name and words[end : end + 1] == ["is"] else 0
-    if thing > end + 1 and _elsewhere(words, name, end) and (thing == len(words) or words[thing] in _CLOSED | {"and"}):
-        told = definite(tokens[end + 1 : thing])
-        there = [tokens[at].saying(word) for word in ("there", "is", "a")]
-        yield _Gloss(at, thing, words[name:end], [*there, *told[1:]], told)
 
 
 def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:

@@ -20,9 +20,9 @@ from rpg.language.grammar.talk.begun_with import with_beginnings
 from rpg.language.grammar.talk.one_by_one import one_by_one
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
+from rpg.language.introduced import with_names
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
 from rpg.language.materials import without_materials
-from rpg.language.nicknames import without_nicknames
 from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
@@ -212,7 +212,7 @@ def _undisturbed() -> Iterator[None]:
 
 
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
-    without_names, without_glosses, without_nicknames, without_feelings, in_centimetres, with_colors,
+    without_names, with_names, without_glosses, without_feelings, in_centimetres, with_colors,
     without_materials, without_praise,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.language import lexicon
-from rpg.language.nicknames import again, definite, said, strange, thing_at
+from rpg.language.nicknames import again, definite, names_at, said, strange, thing_at
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -67,15 +67,18 @@ def _glossed(tokens: list[Token], at: int) -> Iterator[_Gloss]:
 
 
 def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
-    """ "the lava (the red patch)", "the grass, that is the green patch," """
+    """ "the lava (the red patch)", "the grass, that is the green patch,", "the target, a yellow cube,"."""
     name = at + (words[at] in _ARTICLES)
-    end = _name(tokens, name)
+    end = next((end for end, _ in names_at(tokens, words, name)), name)
     mark = words[end] if name < end < len(words) else ""
     begin = end + 1 + length_at(words, end + 1, _IS) if mark in ("(", ",") else 0
-    if not begin or (mark == "," and begin == end + 1):
+    bare = mark == "," and begin == end + 1
+    if not begin or begin >= len(words) or (bare and (words[begin] not in ("a", "an") or name == at)):
         return
     thing = thing_at(words, begin)
     closed = words[thing : thing + 1] == [")"] if mark == "(" else thing == len(words) or words[thing] in _CLOSED
+    if bare and words[thing : thing + 2] == [",", "and"]:
+        return  # a list of things
     if thing > begin and closed:
         told = definite(tokens[begin:thing])
         last = thing + (mark == "(" or words[thing : thing + 1] == [","])

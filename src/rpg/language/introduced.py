@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from rpg.language import lexicon
-from rpg.language.nicknames import ROLES, labels, named_behind, said, strange, thing_at
+from rpg.language.nicknames import PLACES, labels, named_behind, names_at, said, thing_at
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -24,14 +24,11 @@ _PARTING = frozenset({",", "and"})
 _ARTICLES = frozenset({"the", "a", "an", "my", "our", "your"})
 _DETERMINED = frozenset({"a", "an", "all", "each", "every", "any", "one", "no", "both", "these", "those", "this",
                          "that", *lexicon.NUMBER})  # fmt: skip
-_PLACES = lexicon.PATCH.keys() | {"station", "slot", "bay", "section", "region", "location", "dock", "site", "position"}
 _LOOKS = lexicon.COLOR.keys() | lexicon.SIZE.keys()
 _OF_LETTERS = _CLOSED | {"is", "=", ":", "be", "are", "goes", "on", "onto", "should", "must", "to", "in", "into",
                          "behind", "left", "right", "next", "beside", "under", "above", "has", "will", "stays",
                          "between", "means", "denotes"}  # fmt: skip
 """Behind an "A" that is a name, and no article."""
-_LONGEST = 2
-
 
 @dataclass(frozen=True)
 class _Naming:
@@ -93,44 +90,31 @@ def _named(tokens: list[Token], words: list[str], at: int, found: Sequence[_Nami
         yield _Naming(at, end, tokens[name:end], _look(tokens[own:behind]), True)
     letter = labels(tokens[at]) and words[at + 1 : at + 2] != [] and words[at + 1] in _OF_LETTERS
     name = at + (words[at] in _ARTICLES and not letter)
-    for end, labelled in _names(tokens, words, name):
+    for end, labelled in names_at(tokens, words, name):
         verb = length_at(words, end, _IS)
         begin = end + verb
         if begin >= len(words) or not (verb or (found and labelled)):
             continue
         thing = _thing(words, begin)
-        if thing > begin and (thing == len(words) or words[thing] in _CLOSED):
+        if thing > begin and (thing == len(words) or words[thing] in _CLOSED) and not _listed(words, thing):
             own = begin + (words[begin] in _ARTICLES)
             yield _Naming(at, thing, tokens[name:end], _look(tokens[own:thing]))
-        elif verb and labelled and words[name] in _PLACES and words[begin] in _LOOKS:
+        elif verb and labelled and words[name] in PLACES and words[begin] in _LOOKS:
             closed = begin + 1 == len(words) or words[begin + 1] in _CLOSED
             noun = tokens[name].saying(words[name] if words[name] in lexicon.PATCH else "patch")
             if closed:
                 yield _Naming(at, begin + 1, tokens[name:end], [tokens[begin], noun])
 
 
+def _listed(words: list[str], at: int) -> bool:
+    """Whether more things follow, "a red cube, a blue cube and ...": what is to be made, and no name."""
+    begin = at + (words[at : at + 1] == [","]) + (words[at : at + 1] == ["and"] or words[at : at + 2] == [",", "and"])
+    return begin > at and begin < len(words) and words[begin] in _ARTICLES and thing_at(words, begin) > begin
+
+
 def _look(thing: list[Token]) -> list[Token]:
     """A thing without its article; "blue one" as a block."""
     return [*thing[:-1], thing[-1].saying("block")] if thing[-1].word == "one" else thing
-
-
-def _names(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[int, bool]]:
-    """The positions behind the names that may begin here, and whether it is a letter or has a label: "landmark",
-    "bin 1", "A", "the drop point"."""
-    if at >= len(tokens):
-        return
-    labelled = at + 1 < len(tokens) and labels(tokens[at + 1])
-    if labelled and (words[at] in _PLACES or words[at] in lexicon.BLOCK or strange(tokens[at])):
-        yield at + 2, True
-    elif labels(tokens[at]) and tokens[at].kind == "word" and tokens[at].raw != "I":
-        yield at + 1, True
-    elif words[at] in ROLES:
-        yield at + 1, False
-    end = at
-    while end < len(tokens) and end < at + _LONGEST and strange(tokens[end]):
-        end += 1
-    if end > at:
-        yield end, False
 
 
 def _thing(words: list[str], at: int) -> int:

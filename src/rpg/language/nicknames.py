@@ -10,6 +10,7 @@ from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.not_here import HINTS
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
+from rpg.language.telling import may_tell, tells
 from rpg.language.tokens import Token
 
 _IS = (("is", "called"), ("is", "named"), ("is",), ("represents",), ("stands", "for"), ("plays",), ("will", "be"),
@@ -55,14 +56,46 @@ def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) 
         yield at + call, thing, name, end
 
 
-ROLES = frozenset({"landmark", "target", "base", "home", "keep", "marker", "reference", "key", "guard", "distractor",
-                   "point"})  # fmt: skip
+ROLES = frozenset({"landmark", "target", "base", "home", "marker", "reference", "key", "distractor"})
 """Words with a meaning of their own, by which a thing may be called as well."""
 
 
 def labels(token: Token) -> bool:
     """Whether a token is a number or a letter by which a thing may be called."""
     return token.kind == "number" or (token.kind == "word" and len(token.raw) == 1 and token.raw.isupper())
+
+
+PLACES = lexicon.PATCH.keys() - {"goal"} | {"station", "slot", "bay", "section", "region", "location", "dock", "site",
+                                            "position", "point"}  # fmt: skip
+_LONGEST = 2
+
+
+def names_at(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[int, bool]]:
+    """The positions behind the names that may begin here, and whether it is a letter or has a label: "landmark",
+    "bin 1", "A", "the drop point"."""
+    if at >= len(tokens):
+        return
+    labelled = at + 1 < len(tokens) and labels(tokens[at + 1])
+    if labelled and (words[at] in PLACES or words[at] in lexicon.BLOCK or strange(tokens[at])):
+        yield at + 2, True
+    elif labels(tokens[at]) and tokens[at].kind == "word" and tokens[at].raw != "I":
+        yield at + 1, True
+    called = at + 1
+    while called < len(tokens) and tokens[called].joined:
+        called += 1
+    further = called < len(tokens) and words[called] in ROLES | PLACES
+    if words[at] in ROLES | PLACES or (further and (called > at + 1 or _plain(tokens[at]))):
+        yield called + further, False
+    end = at
+    while end < len(tokens) and end < at + _LONGEST and strange(tokens[end]):
+        end += 1
+    if end > at:
+        yield end, False
+
+
+def _plain(token: Token) -> bool:
+    """Whether a word tells nothing of what is named: "drop point"."""
+    return token.kind == "word" and token.word.isalpha() and not (tells(token) or may_tell(token.word))
 
 
 def thing_at(words: list[str], at: int) -> int:

@@ -99,9 +99,10 @@ def _named(tokens: list[Token], words: list[str], at: int, found: Sequence[_Nami
         if thing > begin and (thing == len(words) or words[thing] in _CLOSED) and not _listed(words, thing):
             own = begin + (words[begin] in _ARTICLES)
             yield _Naming(at, thing, tokens[name:end], _look(tokens[own:thing]))
-        elif verb and labelled and words[name] in PLACES and words[begin] in _LOOKS:
+        listed = words[name] in lexicon.BLOCK and words[end] in (":", "=")
+        if verb and labelled and (listed or words[name] in PLACES) and words[begin] in _LOOKS:
             closed = begin + 1 == len(words) or words[begin + 1] in _CLOSED
-            noun = tokens[name].saying(words[name] if words[name] in lexicon.PATCH else "patch")
+            noun = tokens[name].saying(words[name] if listed or words[name] in lexicon.PATCH else "patch")
             if closed:
                 yield _Naming(at, begin + 1, tokens[name:end], [tokens[begin], noun])
 

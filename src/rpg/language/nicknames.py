@@ -35,7 +35,7 @@ def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) 
     thing = thing_at(words, at + call)
     if thing <= at + call:
         return
-    verb = length_at(words, thing, _AS if call else _IS)
+    verb = length_at(words, thing, _AS if call else (*_IS, *_AS) if goes_on else _IS)
     if not (call or verb or goes_on) or (words[at] == "let" and call == 1 and words[thing : thing + 1] != ["be"]):
         return
     begin = thing + verb

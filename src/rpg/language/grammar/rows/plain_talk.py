@@ -196,9 +196,6 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
      "{1} between the {2} patch and the {3} patch"),
     ("^(?:align|line up) ([^,]+?) (?:with|along|to|at) (the (?:near|far|left|right|front|back) edge of the table)$",
      "put {1} at {2}"),
-    # how it stands to others
-    (f"^(?:the )?({MANY}) ({COLOR}) (?:blocks|cubes|ones) (?:{MUST} )?(?:enclose|surround|encircle) ({THING}) (?:from|"
-     "on) (?:all|its|all its)(?: four)? sides$", "{3} must be surrounded by {1} {2} blocks"),
     # which board
     ("^(?:this is |make |build |lay )?(?:the |a )?(?:corner|piece|part|bit|section) of a (chess board|chessboard|"
      "checkerboard|board of checkers) :", "a checkerboard :"),

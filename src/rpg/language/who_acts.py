@@ -86,7 +86,7 @@ def _who(tokens: list[Token], words: list[str], at: int, known: Collection[str])
     bound = not _BINDING.isdisjoint(links) or ("to" in links and not _BINDING_TO.isdisjoint(links))
     wished = words[at] in _WISHING and (words[at] != "like" or bool(links))
     several = words[end - 1] not in ("boss", "class") and (words[end - 1].endswith("s") or words[end - 1] in _MANY)
-    agreeing = determined and not links and words[at].endswith("s") is not several
+    agreeing = (determined or (person and several)) and not links and words[at].endswith("s") is not several
     if not (let or begin == 0 or words[begin - 1] in _AHEAD) or not (let or bound or wished or agreeing):
         return at, at, ()
     if (each and words[at + 1] not in ("the", "all")) or not (determined or several or tokens[begin].raw[0].isupper()):

@@ -11,6 +11,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
+from rpg.language.chat import as_typed
 from rpg.language.feelings import without_feelings
 from rpg.language.formulas import formulas_told
 from rpg.language.frames import retold
@@ -85,7 +86,8 @@ class BuiltinFrontEnd:
         A text that is not understood is read without the remarks in it, if that is.
         """
         guard(text)
-        told = formulas_told(*tokenize(text))
+        tokens, strays = tokenize(text)
+        told = formulas_told(as_typed(tokens), strays)
         try:
             found = self._read_tokens(told, text, name, seed, author, mended)
             refusal = None

@@ -1,4 +1,4 @@
-"""As people type in a hurry and talk into a microphone: "u shud put it on the blue 1 b4 u stop", "like five centimeters".
+"""As people type in a hurry and talk into a microphone: "u shud put it on the blue 1", "like five centimeters".
 
 A letter or a digit that is typed for a word may be one that is on a block: it is a word only where a word must stand.
 """
@@ -19,18 +19,18 @@ _TYPED = {
     "tht": "that", "ths": "this", "th": "the", "frnt": "front", "kk": "okay",
 }  # fmt: skip
 """Words without some of their letters."""
-_HURRIED = frozenset({*_TYPED, "u", "ur", "r", "pls", "plz", "thx", "ty", "gimme", "lemme", "lol", "dont", "gonna", "em",
-                      "wanna", "cant", "idk"})  # fmt: skip
+_HURRIED = frozenset({*_TYPED, "u", "ur", "r", "pls", "plz", "thx", "ty", "gimme", "lemme", "lol", "dont", "gonna",
+                      "em", "wanna", "cant", "idk"})  # fmt: skip
 """Who types these types "1" for "one" as well."""
 _GLUED = {("b", "4"): "before", ("2", "gether"): "together", ("m", "8"): "mate", ("2", "day"): "today"}
 _MODALS = frozenset({"should", "must", "shall", "will", "can", "could", "would", "may", "to", "not"})
 _TO_BE = frozenset({"be", "go", "stand", "sit", "lie", "see", "have", "rest"})
 _SPOKEN_TO = frozenset({"u", "you", "they", "we"})
 _ASKING = frozenset({"can", "could", "would", "will", "do", "if", "when", "thank", "are", "r", "before", "after"})
-_PLACES = frozenset({"on", "onto", "in", "into", "behind", "next", "beside", "under", "above", "below", "near", "between",
-                     "left", "right", "around", "against", "at"})  # fmt: skip
-_LIKED = frozenset({"i", "we", "you", "u", "they", "would", "'d", "look", "looks", "looking", "just", "do", "not", "the",
-                    "to", "arranged", "shaped", "s"})  # fmt: skip
+_PLACES = frozenset({"on", "onto", "in", "into", "behind", "next", "beside", "under", "above", "below", "near",
+                     "between", "left", "right", "around", "against", "at"})  # fmt: skip
+_LIKED = frozenset({"i", "we", "you", "u", "they", "would", "'d", "look", "looks", "looking", "just", "do", "not",
+                    "the", "to", "arranged", "shaped", "s"})  # fmt: skip
 """Behind these "like" is no filler."""
 _MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sort", "mean", "bit", *_TYPED,
                     *(word for pair in _GLUED for word in pair)})  # fmt: skip

@@ -30,6 +30,7 @@ _OF_LETTERS = _CLOSED | {"is", "=", ":", "be", "are", "goes", "on", "onto", "sho
                          "between", "means", "denotes"}  # fmt: skip
 """Behind an "A" that is a name, and no article."""
 
+
 @dataclass(frozen=True)
 class _Naming:
     """Where a naming stands; the name in it; the look and the noun of what it is; and whether that is told first."""

@@ -30,7 +30,7 @@ _CAPITAL = 2
 
 def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) -> Iterator[tuple[int, int, int, int]]:
     """Where a thing begins and ends that is given a name here, and where the name does: "the red cube is the queen",
-    "call the red cube Bob", "let the red cube be the anchor". `goes_on`: behind another one, "and the blue one Bill"."""
+    "call the red cube Bob", "let the red cube be the anchor". `goes_on`: behind another, "and the blue one Bill"."""
     call = length_at(words, at, _CALL)
     thing = thing_at(words, at + call)
     if thing <= at + call:

@@ -241,7 +241,7 @@ def clause(tokens: Sequence[Token]) -> int:
 
 def purpose(tokens: Sequence[Token]) -> int:
     """How many of the first words say what for, up to a comma, to who wishes it or to the command: "for the big finish
-    (I'd like ...)", "as a little warm-up exercise, (put ...)", "to celebrate our win, (...)", "in condition B, (...)"."""
+    (I'd like ...)", "as a little warm-up exercise, (put ...)", "to celebrate our win, (...)", "in condition B, ..."."""
     words = [token.word for token in tokens]
     if words[:1] not in (["for"], ["as"], ["to"], ["in"], ["during"]) or len(words) < 5:
         return 0

@@ -25,8 +25,8 @@ _AROUND = (
     "a?round)"
 )
 _CIRCLE = (
-    "(?:ring(?:ing)?|circl(?:e|ing)|(?:form|make|build) a (?:ring|circle) a?round|(?:gather|stand|sit|lie|dance|be) in a "
-    "(?:ring|circle) a?round|dance a?round)"
+    "(?:ring(?:ing)?|circl(?:e|ing)|(?:form|make|build) a (?:ring|circle) a?round|(?:gather|stand|sit|lie|dance|be) in "
+    "a (?:ring|circle) a?round|dance a?round)"
 )
 _REACH = "(?:arrive (?:at|on|in)|reach|enter|make it to|head (?:to|for)|travel to|dock at|park (?:at|on|in)|inhabit)"
 _FORM = "(?:constitutes?|makes? up|yields?|shapes?|amounts? to|results? in|adds? up to)"
@@ -57,8 +57,8 @@ VERBS_OF_PLACE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = (
-    "underpin underpins underlie underlies abut props prop surmount surmounts encompass encompassing envelop enveloping "
-    "embrace embracing hem fence dance inhabit rides roost roosts squat squats recline reclines lurk lurks crouch "
+    "underpin underpins underlie underlies abut props prop surmount surmounts encompass encompassing envelop "
+    "enveloping embrace embracing hem fence dance inhabit rides roost roosts squat squats recline reclines lurk lurks crouch "
     "crouches linger lingers dwell dwells loiter loiters wind shun shuns snuggle cuddle constitute",
 )
 """Words that these take besides those that are read anyway."""

@@ -29,9 +29,8 @@ _SPOKEN_TO = frozenset({"u", "you", "they", "we"})
 _ASKING = frozenset({"can", "could", "would", "will", "do", "if", "when", "thank", "are", "r", "before", "after"})
 _PLACES = frozenset({"on", "onto", "in", "into", "behind", "next", "beside", "under", "above", "below", "near",
                      "between", "left", "right", "around", "against", "at"})  # fmt: skip
-_LIKED = frozenset({"i", "we", "you", "u", "they", "would", "'d", "look", "looks", "looking", "just", "do", "not",
-                    "the", "to", "arranged", "shaped", "s"})  # fmt: skip
-"""Behind these "like" is no filler."""
+_TOLD = lexicon.BLOCK.keys() | lexicon.PATCH.keys() | {"one", "it", "them", "be", "is", "and", "then", "um", "uh"}
+"""Behind these "like" may be a filler."""
 _MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sort", "mean", "bit", *_TYPED,
                     *(word for pair in _GLUED for word in pair)})  # fmt: skip
 
@@ -92,13 +91,11 @@ def _letter(letter: str, before: str, behind: str, ahead: list[str]) -> list[str
 def _filling(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[list[str], int]]:
     """ "(a little bit) like five centimeters", "sort of on top of it", "(and then) like green on red"."""
     before, behind = words[at - 1] if at else "", words[at + 1 : at + 4]
-    if words[at] == "like" and behind and before not in _LIKED:
+    if words[at] == "like" and behind and before in _TOLD | {"about", "maybe", "move"}:
         many = tokens[at + 1].kind == "number" or behind[0] in lexicon.NUMBER
         if many and behind[1:2] and behind[1] in lexicon.UNIT:
             yield ["about"], at + 1
-        elif (behind[0] in _PLACES and before not in (",", "")) or (
-            behind[0] in lexicon.COLOR and before in ("and", "then")
-        ):
+        elif behind[0] in _PLACES - {"in"} or (behind[0] in lexicon.COLOR and before in ("and", "then")):
             yield [], at + 1
     elif words[at : at + 2] in (["sort", "of"], ["kind", "of"]):
         if words[at + 2 : at + 3] and words[at + 2] in _PLACES | {"like", "to"}:

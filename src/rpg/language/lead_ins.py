@@ -173,7 +173,8 @@ _FOR_WHOM = tuple(
     for lead in ("as part of", "on behalf of", "in the name of", "in line with", "in honor of", "in honour of",
                  "in memory of", "on the occasion of", "in preparation for", "in preparation of", "in view of",
                  "in the context of", "in the course of", "in the framework of", "for the purpose of",
-                 "for the sake of", "for purposes of", "with a view to", "at the request of", "by order of", "by request of")
+                 "for the sake of", "for purposes of", "with a view to", "at the request of", "by order of",
+                 "by request of")
 )  # fmt: skip
 """Behind these no place is told, so that they may be called as one likes."""
 

@@ -58,7 +58,7 @@ VERBS_OF_PLACE: tuple[Turn, ...] = (
 """What makes no sense as it stands."""
 WORDS = (
     "underpin underpins underlie underlies abut props prop surmount surmounts encompass encompassing envelop "
-    "enveloping embrace embracing hem fence dance inhabit rides roost roosts squat squats recline reclines lurk lurks crouch "
-    "crouches linger lingers dwell dwells loiter loiters wind shun shuns snuggle cuddle constitute",
+    "enveloping embrace embracing hem fence dance inhabit rides roost roosts squat squats recline reclines lurk lurks "
+    "crouch crouches linger lingers dwell dwells loiter loiters wind shun shuns snuggle cuddle constitute",
 )
 """Words that these take besides those that are read anyway."""

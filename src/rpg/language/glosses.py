@@ -69,7 +69,9 @@ def _glossed(tokens: list[Token], at: int) -> Iterator[_Gloss]:
 def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
     """ "the lava (the red patch)", "the grass, that is the green patch,", "the target, a yellow cube,"."""
     name = at + (words[at] in _ARTICLES)
-    end = next((end for end, _ in names_at(tokens, words, name)), name)
+    end, labelled = next(names_at(tokens, words, name), (name, False))
+    if end > name and name == at and not labelled and not strange(tokens[end - 1]):
+        return
     mark = words[end] if name < end < len(words) else ""
     begin = end + 1 + length_at(words, end + 1, _IS) if mark in ("(", ",") else 0
     bare = mark == "," and begin == end + 1

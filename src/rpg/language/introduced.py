@@ -94,7 +94,13 @@ def _named(tokens: list[Token], words: list[str], at: int, found: Sequence[_Nami
     for end, labelled in names_at(tokens, words, name):
         verb = length_at(words, end, _IS)
         begin = end + verb
-        if begin >= len(words) or not (verb or (found and labelled)):
+        letter = end == name + 1 and labels(tokens[name])
+        if letter and (
+            (words[at - 1 : at] == ["and"] and labels(tokens[at - 2]))
+            or words[end : end + 2] in (["is", "a"], ["is", "an"], ["are", "the"])
+        ):
+            continue  # it shows that letter
+        if begin >= len(words) or not (verb or (found and (labelled or words[begin] in _ARTICLES))):
             continue
         thing = _thing(words, begin)
         if thing > begin and (thing == len(words) or words[thing] in _CLOSED) and not _listed(words, thing):

@@ -179,12 +179,16 @@ _FOR_WHOM = tuple(
 """Behind these no place is told, so that they may be called as one likes."""
 
 
+def _for_them(word: str) -> bool:
+    return word in ("'s", "display", "exhibit") or (word.isalpha() and not may_tell(word))
+
+
 def set_in(words: Sequence[str]) -> int:
     """How many of the first words are a setting that nothing hangs on: "as part of the demonstration", "according to
     the manual", "using your arm", "on behalf of the whole class"."""
     whom = max((len(lead) for lead in _FOR_WHOM if tuple(words[: len(lead)]) == lead), default=0)
     behind = next((n for n in range(whom, len(words)) if words[n] in (",", ":")), len(words)) if whom else 0
-    if behind > whom and all(word == "'s" or (word.isalpha() and not may_tell(word)) for word in words[whom:behind]):
+    if behind > whom and all(map(_for_them, words[whom:behind])):
         return behind
     if words[:1] in (["with"], ["using"]):
         at = 1

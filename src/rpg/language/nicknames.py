@@ -84,7 +84,7 @@ def names_at(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[i
     while called < len(tokens) and tokens[called].joined:
         called += 1
     further = called < len(tokens) and words[called] in ROLES | PLACES
-    if words[at] in ROLES | PLACES or (further and (called > at + 1 or _plain(tokens[at]))):
+    if words[at] in ROLES | PLACES or (further and (called > at + 1 or named_so(tokens[at]))):
         yield called + further, False
     end = at
     while end < len(tokens) and end < at + _LONGEST and strange(tokens[end]):
@@ -93,9 +93,10 @@ def names_at(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[i
         yield end, False
 
 
-def _plain(token: Token) -> bool:
+def named_so(token: Token) -> bool:
     """Whether a word tells nothing of what is named: "drop point"."""
-    return token.kind == "word" and token.word.isalpha() and not (tells(token) or may_tell(token.word))
+    shouted = token.raw.isupper() and len(token.raw) >= _CAPITAL
+    return token.kind == "word" and token.word.isalpha() and not (shouted or tells(token) or may_tell(token.word))
 
 
 def thing_at(words: list[str], at: int) -> int:

@@ -257,7 +257,7 @@ def purpose(tokens: Sequence[Token]) -> int:
     begun = words[0] == "for" or words[1] in DET
     kept = words[1] in ("keep", "make", "get") and not _GLAD.isdisjoint(words[:end])
     aimed = words[0] == "to" and (kept or words[1] not in lexicon.VERB) and words[end] in (",", ":")
-    known = (begun or aimed) and of_words(tokens[:end]) and all(map(tells_nothing, words[1:end]))
+    known = (begun or aimed) and of_words(tokens[:end]) and all(map(_of_an_aim, words[1:end]))
     return end + (words[end] in (",", ":")) if end and known and len(words) > end + 3 else 0
 
 
@@ -278,7 +278,7 @@ def for_what(tokens: Sequence[Token], at: int) -> bool:
     if words[at] != "for" or len(words) < at + 2 or words[at + 1] in _SINGLY or not _FOR_IT.isdisjoint(words[:at]):
         return False
     lasting = words[-1] in harmless.TIMES and words[-1] not in ("day", "night", "today", "tonight", "tomorrow")
-    plain = of_words(tokens[at:]) and all(tells_nothing(word) or word in _LATER for word in words[at + 1 :])
+    plain = of_words(tokens[at:]) and all(map(_of_an_aim, words[at + 1 :]))
     plain = plain and not lasting
     return plain and len(words) <= at + LONGEST
 
@@ -288,7 +288,12 @@ _FOR_IT = listed(
     "room space place gap spot slot use using used take find look search choose pick swap exchange trade substitute "
     "switch replace wait reserve save keep leave mistake account stand stands"
 )
-_LATER = listed("later next transport transportation display shipping shift loading")
+_NO_PARTS = listed("later next transport display shipping shift loading safety inventory stock background setup window")
+"""Of an aim, and of nothing that there is."""
+
+
+def _of_an_aim(word: str) -> bool:
+    return word in _NO_PARTS or tells_nothing(word)
 
 
 def _goes_on(words: Sequence[str], n: int) -> bool:

@@ -25,9 +25,9 @@ _DOING = _forms(listed(
     "spell write set position lay move transfer relocate deliver produce design craft fashion classify"
 ))  # fmt: skip
 """What nothing does to a thing but somebody."""
-_DOING_ALSO = _forms(lexicon.COMMANDS - listed("touch bump knock jostle ignore use get")) - _DOING
+_DOING_ALSO = _forms(lexicon.COMMANDS - listed("touch bump knock jostle ignore use get find")) - _DOING
 """What people do as well, and blocks may do by themselves: "they should form a row"."""
-_LOOKING = _forms(listed("see observe view"))
+_LOOKING = _forms(listed("see observe view find"))
 _READING = _forms(listed("read"))
 _WISHING = listed("wants want expects expect like")
 _DONE = _DOING | _DOING_ALSO | _LOOKING | _READING | _WISHING

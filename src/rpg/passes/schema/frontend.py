@@ -13,6 +13,7 @@ from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
 from rpg.language.chat import as_typed
 from rpg.language.feelings import without_feelings
+from rpg.language.figures_called import with_figures
 from rpg.language.formulas import formulas_told
 from rpg.language.frames import retold
 from rpg.language.glosses import without_glosses
@@ -214,7 +215,7 @@ def _undisturbed() -> Iterator[None]:
 
 
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
-    without_names, with_names, without_glosses, without_feelings, in_centimetres, with_colors,
+    with_names, without_names, with_figures, without_glosses, without_feelings, in_centimetres, with_colors,
     without_materials, without_praise,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""

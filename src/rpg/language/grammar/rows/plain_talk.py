@@ -159,7 +159,6 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("^(?:do not|never) stack (?:anything|any of them|any|any (?:blocks?|cubes?)|(?:the )?(?:blocks|cubes))$",
      "no block must be on another block"),
     # who reads it
-    ("^((?:please )?(?:write|spell) .+?)(?: ,)? so (?:that )?(?:he|she|they) can read it$", "{1}"),
     # what lies across two
     (f"\\bon(?: top of)? (two (?:{COLOR} )?(?:ones|{CUBE}s)) (?=(?:that|which) (?:are|stand|lie|sit) (?:next to|"
      "beside) (?:each other|one another)\\b)", "across {1} "),
@@ -207,8 +206,9 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     # what is changed, and what not
     (f"^({THING} and {THING}) swap (?:with each other|with one another|over|around|round|too|as well|also)$",
      "{1} swap places"),
-    ("^(?:nobody|no one|no robot) (?:moves|touches|may move|may touch|should move|must move|is (?:allowed|permitted) "
-     f"to move) ({THING})$", "do not move {1}"),
+    (f"^(?:nobody|no one|no robot) (?:ever )?(?:moves|touches|disturbs|has (?:moved|touched|disturbed)|"
+     f"(?:may|can|{MUST}|has ever|is (?:allowed|permitted) to) (?:ever )?(?:have )?(?:move|touch|disturb)(?:d|ed)?) "
+     f"({THING})$", "do not move {1}"),
     ("\\bthe table 's (left|right|near|far|front|back) (half|side|edge)\\b", "the {1} {2} of the table"),
     # what stays where it is
     (f"^{_WITHOUT} ({THING})(?: ,)? ({_AROUND}) (?:it|this|that)(?: one)? ((?:with|by) .+)$",

@@ -51,13 +51,14 @@ VERBS_OF_PLACE: tuple[Turn, ...] = (
     *((f"{_LET}(.+?) (?:{MUST} )?{do} themselves(?: up)? (.+)$", f"{{1}} must be {done} {{2}}")
       for do, done in _THEMSELVES),
     (f"{_LET}({THING}) {MUST} {_STAY} ({PLACE} .+)$", "{1} must be {2}"),
+    (f"^let ({THING}) {_STAY} ({PLACE} .+)$", "let {1} be {2}"),
     (f"^({THING}) {_STAY}(?:e?s)? ({PLACE} .+)$", "{1} is {2}"),
     (f"\\b(?:wind|finish|land|turn) up (?={PLACE} )", "end up "),
     ("\\b(?:crowned|surmounted) (?:by|with)\\b", "topped by"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = (
-    "underpin underpins underlie underlies abut props prop surmount surmounts encompass encompassing envelop "
+    "underpin underpins underlie underlies shoulders abut props prop surmount surmounts encompass encompassing envelop "
     "enveloping embrace embracing hem fence dance inhabit rides roost roosts squat squats recline reclines lurk lurks "
     "crouch crouches linger lingers dwell dwells loiter loiters wind shun shuns snuggle cuddle constitute",
 )

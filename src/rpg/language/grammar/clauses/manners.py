@@ -220,7 +220,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "in the target orientation": ("turn", 0.0), "in the right orientation": ("turn", 0.0), "readable": ("turn", 0.0),
     "in the correct orientation": ("turn", 0.0), "the right way around": ("turn", 0.0),
     **{f"{so}{can_read}": ("idle", "view") for so in ("so ", "so that ")
-       for can_read in ("it is readable", *(f"{who} can read it" for who in ("i", "you", "he", "she", "they", "we")))},
+       for can_read in ("i can read it", "you can read it", "it is readable")},
     "readable upright": ("turn", 0.0), "readable from above": ("idle", "view"), ", letters on top": ("idle", None),
     "with the letters facing up": ("idle", None), "with letters facing up": ("idle", None),
     ", letters facing up": ("idle", None), ", letters readable from above": ("turn", 0.0),

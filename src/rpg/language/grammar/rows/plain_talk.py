@@ -159,6 +159,7 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("^(?:do not|never) stack (?:anything|any of them|any|any (?:blocks?|cubes?)|(?:the )?(?:blocks|cubes))$",
      "no block must be on another block"),
     # who reads it
+    ("^(.*\\b(?:write|spell|the word|the name)\\b .+?)(?: ,)? so (?:that )?(?:he|she|they|we) can read it$", "{1}"),
     # what lies across two
     (f"\\bon(?: top of)? (two (?:{COLOR} )?(?:ones|{CUBE}s)) (?=(?:that|which) (?:are|stand|lie|sit) (?:next to|"
      "beside) (?:each other|one another)\\b)", "across {1} "),

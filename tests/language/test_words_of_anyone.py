@@ -58,9 +58,33 @@ def test_whoever_is_made_to_do_it(text: str) -> None:
     assert_means(text, PLACED)
 
 
+WISHES = ("wants", "has asked for", "insists on", "requests", "would like", "proposes", "decided on", "expects")
+TELLING_MORE = ("The zookeeper", "A friend of mine", "The person at the table", "The member of staff on duty", "Team B",
+                "One of the students", "The machine operator")  # fmt: skip
+
+
+@pytest.mark.parametrize("wishes", WISHES)
+@pytest.mark.parametrize("who", TELLING_MORE)
+def test_whoever_it_is_wishes_it(who: str, wishes: str) -> None:
+    assert_means(f"{who} {wishes} a row of three red cubes.", ROW)
+
+
+@pytest.mark.parametrize("who", ["The glorp", "The interns", "The machine operator", "A friend of mine"])
+def test_what_somebody_has_done_is_so_at_the_start(who: str) -> None:
+    has = "have" if who.endswith("s") else "has"
+    meant = {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["green^red blue"], "miss": ["blue^red green"],
+             "start": ["blue^red green"], "start_miss": ["red blue green"]}  # fmt: skip
+    assert_means(f"{who} {has} put the red cube on the blue cube. Put the red cube on the green cube.", meant)
+
+
 @pytest.mark.parametrize(
     "text",
     [
+        "An observer standing at the back should see the red cube left of the blue cube.",
+        "A person opposite should see the red cube left of the blue cube.",
+        "The children with the red cubes should build a tower of three.",
+        "The landmark asks for a row.",
+        "My teacher never asks for a row of three red cubes.",
         "The glossy cube must put the red cube on the blue cube.",
         "The glorp should get a red cube on its top.",
         "The glorp needs a red cube on its top.",

@@ -53,9 +53,9 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(row|line) of (?:(?:letter )?(?:cubes|blocks|tiles)|letters)(?: ,)? (?=(?:(?:that|which) (?:spells|reads|"
      f"says)|"
      f"spelling|reading|saying) (?!(?:from|left|right|the|both|{COLOR})\\b)[a-z]{{2,}}(?: on | in |$))", "{1} "),
-    (f"^(?:lay out|lay|put|place|arrange|write|stick|set|line)(?: out| up)? the letters of {_WORD} (?:in a row|side by "
-     f"side|next to each other|in a line)(?: ,)? so(?: that)? (?:{_READER} can read (?:it|them)|(?:it|they) can be read|"
-     "(?:it is|they are) (?:readable|legible))$", "spell {1} in a row"),
+    (f"^(?:lay out|lay|put|place|arrange|write|stick|set|line)(?: out| up)? the letters of {_WORD} (?:in a row|side "
+     f"by side|next to each other|in a line)(?: ,)? so(?: that)? (?:{_READER} can read (?:it|them)|(?:it|they) can be "
+     "read|(?:it is|they are) (?:readable|legible))$", "spell {1} in a row"),
     *(
         (f"^{head}(?: ,)? (?:backwards|in reverse(?: order)?|(?:from )?back to front){tail}$", f"spell {{1}} {said}")
         for head in (

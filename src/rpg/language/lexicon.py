@@ -47,7 +47,7 @@ UNITS = {
 DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
-LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen element toy"
+LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen element toy component module die"
 PATCH_NOUNS = (
     "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster "
     "placemat napkin cloth towel sticker dropzone dot destination paper strip tray marking"
@@ -207,7 +207,7 @@ NUMBER = {word: n for n, word in NUMBERS.items()}
 ORDINAL = {word: n for n, words in ORDINALS.items() for word in words.split()}
 UNIT = {word: float(factor) for factor, words in UNITS.items() for word in words.split()}
 BLOCK = _nouns(BLOCK_NOUNS)
-LOOSE_BLOCK = _nouns(LOOSE_BLOCK_NOUNS)
+LOOSE_BLOCK = _nouns(LOOSE_BLOCK_NOUNS) | {"dice": True}
 PATCH = _nouns(PATCH_NOUNS)
 TABLE = _nouns(TABLE_NOUNS)
 LETTER = _nouns(LETTER_NOUNS) | {"initials": True}

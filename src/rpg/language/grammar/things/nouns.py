@@ -38,8 +38,8 @@ relative, which_also = later(__name__, "rpg.language.grammar.things.relatives", 
 _APART = frozenset({"own", "separate", "distinct"})
 """Before patches: none is shared."""
 _MASSES = frozenset({"stock", "cargo", "freight", "merchandise"})
-_STORED = _MASSES | {"unit", "units", "goods", "component", "components"}
-"""Blocks where a colour stands in front of them."""
+_STORED = _MASSES | {"unit", "units", "goods"}
+"""Blocks where a colour stands in front of them; goods of any colour are as well."""
 _OUTLINES = {word + end: (word, bool(end)) for word in ("square", "circle", "rectangle") for end in ("", "s")}
 """Figures by which a patch is called as well: the word, its shape, whether it is a plural."""
 _SINGLE = Quantity("bare")
@@ -213,8 +213,10 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
 def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     """The noun itself: (head, plural, traits it brings)."""
     for table in (lexicon.BLOCK, lexicon.LOOSE_BLOCK):
-        if (plural := p.lex(i, table)) is not None:
+        if (plural := p.lex(i, table)) is not None and not _may_be_one(p, i):
             yield ("block", plural, {}), i + 1
+    if p.follows(i, ("the", "all", "these", "those")) and (j := p.one(i, ("goods", "cargo", "freight"))):
+        yield ("block", True, {}), j
     start = p.one(i, _APART) or i
     j, plural = patch_noun(p, start)
     if j > start:
@@ -238,6 +240,14 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
         yield ("any", p.words[i] == "ones", {}), (p.opt(j, "out") if odd else j)
     if several := p.peek(i, lexicon.COLOR_PLURAL):
         yield ("block", True, {"colors": (several,)}), p.reach(i + 1)
+
+
+def _may_be_one(p: Parser, i: int) -> bool:
+    """ "The red dice": people say so of one."""
+    at = i - 1
+    while p.stands(at, lexicon.COLOR):
+        at -= 1
+    return p.stands(i, ("dice",)) and at < i - 1 and p.stands(at, ("the", "a", "an"))
 
 
 def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]:

@@ -15,7 +15,18 @@ _FOR_WHAT = ("drop off", "dropoff", "drop", "delivery", "landing", "docking", "p
              "unloading", "charging", "assembly", "marked", "painted", "floor")  # fmt: skip
 _REGION = {
     word: word.endswith("s")
-    for place in ("region", "location", "sector", "station", "slot", "bay", "section", "compartment", "dock")
+    for place in (
+        "region",
+        "location",
+        "sector",
+        "station",
+        "slot",
+        "bay",
+        "section",
+        "compartment",
+        "dock",
+        "container",
+    )
     for word in (place, f"{place}s")
 }
 """Patches where a colour stands in front of them."""

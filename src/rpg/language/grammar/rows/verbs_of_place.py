@@ -31,6 +31,8 @@ _CIRCLE = (
 _REACH = "(?:arrive (?:at|on|in)|reach|enter|make it to|head (?:to|for)|travel to|dock at|park (?:at|on|in)|inhabit)"
 _FORM = "(?:constitutes?|makes? up|yields?|shapes?|amounts? to|results? in|adds? up to)"
 _STAY = "(?:ride|roost|squat|recline|lurk|crouch|linger|dwell|wait|park|dock|loiter)"
+_COME = "(?:arrives?|comes?(?: in)?|enters?)"
+_LEAVE = "(?:leaves?|exits?|departs?|(?:go|goes|ships?) out)"
 _THEMSELVES = (("arrange", "arranged"), ("organize", "organized"), ("line", "lined"), ("sort", "sorted"),
                ("order", "ordered"), ("stack", "stacked"), ("group", "grouped"), ("rearrange", "rearranged"),
                ("pile", "piled"), ("spread", "spread"), ("assemble", "assembled"))  # fmt: skip
@@ -45,7 +47,7 @@ VERBS_OF_PLACE: tuple[Turn, ...] = (
      "{1} must be directly to the {3} of {2}"),
     (f"{_LET}{_LOT} {_DO}{_AROUND} ({THING})(?: (?:from|on) (?:all|its|all its)(?: four)? sides)?$",
      "{3} must be surrounded by {1} {2} blocks"),
-    (f"{_LET}{_LOT} {_DO}{_CIRCLE} ({THING})$", "surround {3} with {1} {2} blocks in a circle"),
+    (f"{_LET}{_LOT} {_DO}{_CIRCLE} ({THING})$", "{3} must be surrounded by {1} {2} blocks in a circle"),
     (f"{_LET}({THING}) {MUST} {_REACH} {_WHAT}$", "{1} must go to {2}"),
     (f"{_LET}(.+?) {_DO}{_FORM} (an? .+)$", "{1} must form {2}"),
     *((f"{_LET}(.+?) (?:{MUST} )?{do} themselves(?: up)? (.+)$", f"{{1}} must be {done} {{2}}")
@@ -54,12 +56,15 @@ VERBS_OF_PLACE: tuple[Turn, ...] = (
     (f"^let ({THING}) {_STAY} ({PLACE} .+)$", "let {1} be {2}"),
     (f"^({THING}) {_STAY}(?:e?s)? ({PLACE} .+)$", "{1} is {2}"),
     (f"\\b(?:wind|finish|land|turn) up (?={PLACE} )", "end up "),
+    (f"^(.+?) {_COME} ((?:in|as) .+?)(?: ,)? (?:and|but) (?:then )?(?:{MUST} )?{_LEAVE} ((?:in|as) .+)$",
+     "{1} start {2} and must end up {3}"),
     ("\\b(?:crowned|surmounted) (?:by|with)\\b", "topped by"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = (
     "underpin underpins underlie underlies shoulders abut props prop surmount surmounts encompass encompassing envelop "
     "enveloping embrace embracing hem fence dance inhabit rides roost roosts squat squats recline reclines lurk lurks "
-    "crouch crouches linger lingers dwell dwells loiter loiters wind shun shuns snuggle cuddle constitute",
+    "crouch crouches linger lingers dwell dwells loiter loiters wind shun shuns snuggle cuddle constitute arrives exits depart "
+    "departs",
 )
 """Words that these take besides those that are read anyway."""

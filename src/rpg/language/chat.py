@@ -98,7 +98,7 @@ def _filling(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[l
         elif behind[0] in _PLACES - {"in"} or (behind[0] in lexicon.COLOR and before in ("and", "then")):
             yield [], at + 1
     elif words[at : at + 2] in (["sort", "of"], ["kind", "of"]):
-        if words[at + 2 : at + 3] and words[at + 2] in _PLACES | {"like", "to"}:
+        if words[at + 2 : at + 3] and words[at + 2] in _PLACES | {"like", "to", "a", "an"}:
             yield [], at + 2
     elif words[at : at + 4] == ["a", "little", "bit", "like"] or words[at : at + 3] == ["a", "bit", "like"]:
         long = 4 if words[at + 1] == "little" else 3

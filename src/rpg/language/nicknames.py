@@ -66,7 +66,7 @@ def labels(token: Token) -> bool:
 
 
 PLACES = lexicon.PATCH.keys() - {"goal"} | {"station", "slot", "bay", "section", "region", "location", "dock", "site",
-                                            "position", "point"}  # fmt: skip
+                                            "shelf", "rack", "position", "point"}  # fmt: skip
 _LONGEST = 2
 
 

@@ -35,7 +35,7 @@ _ASKING = {
     **dict.fromkeys(("insists", "insist", "insisted", "decided", "settled", "agreed"), "on"),
     **dict.fromkeys(("asks", "ask", "asked", "hopes", "hope", "longs", "long", "calls", "wishes", "wish"), "for"),
     **dict.fromkeys(("requests", "requested", "proposes", "propose", "proposed", "demands", "demanded", "ordered",
-                     "prefers", "suggests", "suggest", "suggested", "chose", "desires"), ""),
+                     "prefers", "suggests", "suggest", "suggested", "chose", "desires", "accepts", "accept"), ""),
 }  # fmt: skip
 """What comes to wanting it, with the word behind it."""
 _PAST = frozenset(
@@ -54,7 +54,7 @@ _LINKS = _BINDING | _BINDING_TO | listed(
 )  # fmt: skip
 """What may stand between who it is and what is done."""
 _SO_FAR = listed("has have already just now")
-_MERELY = listed("has have would 'd will also really just already")
+_MERELY = listed("has have would 'd will also really just already only")
 _WHEN = listed("then now first finally next")
 _LETTING = listed("have let make get ask tell want wants need needs like expect allow invite instruct require for")
 _AHEAD = listed(". ! ? ; : , ( - and but so then that please now first finally afterwards today later next")
@@ -70,7 +70,7 @@ _PERSONS = PEOPLE | _ANYBODY | listed(
 _BEHIND = listed("of at to from in on with by standing sitting seated working")
 """What tells more of them stands behind these."""
 _THERE = listed("table desk front")
-_LIKE = FINE | PERSONAL | NAMES | OCCASIONS | THINGS | listed("little young younger older old new other whole 's")
+_LIKE = FINE | PERSONAL | NAMES | OCCASIONS | THINGS | listed("little young younger older old new other whole shift 's")
 _OBJECTS = _DETS | _EACH | lexicon.NUMBER.keys() | lexicon.COLOR.keys() | lexicon.SIZE.keys() | lexicon.BLOCK.keys() | {
     "them", "it", "both", "everything", "exactly", "together", "up"}  # fmt: skip
 _OUT_OF = listed("of from with out using")
@@ -120,6 +120,8 @@ def _who(tokens: list[Token], words: list[str], at: int, known: Collection[str])
     wished = words[at] in _WISHING and (words[at] != "like" or bool(links))
     if not (let or wished or agreeing or _bound(links, words[at])):
         return at, at, ()
+    if words[at] == "shown" and "not" not in links and "never" not in links:
+        return begin, at + 1, ("we", "see")
     if several and not let:
         return begin, end, ("we",)
     who = "user" if words[at] in _LOOKING | _READING | _WISHING | {"shown"} else "robot"

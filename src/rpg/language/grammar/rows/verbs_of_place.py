@@ -21,7 +21,7 @@ _AGAINST = (
 _AWAY = "(?:steers? clear of|shuns?|gives? a wide berth to)"
 _AROUND = (
     "(?:surround(?:ing)?|encircl(?:e|ing)|enclos(?:e|ing)|encompass(?:ing)?|envelop(?:ing)?|fram(?:e|ing)|"
-    "embrac(?:e|ing)|(?:hem|fence|box|wall) in|(?:gather|stand|sit|huddle|cluster|crowd|lie|go|be|group) (?:all )?"
+    "embrac(?:e|ing)|(?:hem|box|wall) in|(?:gather|stand|sit|huddle|cluster|crowd|lie|go|be|group) (?:all )?"
     "a?round)"
 )
 _CIRCLE = (
@@ -30,7 +30,7 @@ _CIRCLE = (
 )
 _REACH = "(?:arrive (?:at|on|in)|reach|enter|make it to|head (?:to|for)|travel to|dock at|park (?:at|on|in)|inhabit)"
 _FORM = "(?:constitutes?|makes? up|yields?|shapes?|amounts? to|results? in|adds? up to)"
-_STAY = "(?:ride|roost|squat|recline|lurk|crouch|linger|dwell|wait|park|dock|loiter)"
+_STAY = "(?:ride|roost|squat|recline|lurk|shelter|crouch|linger|dwell|wait|park|dock|loiter)"
 _COME = "(?:arrives?|comes?(?: in)?|enters?)"
 _LEAVE = "(?:leaves?|exits?|departs?|(?:go|goes|ships?) out)"
 _THEMSELVES = (("arrange", "arranged"), ("organize", "organized"), ("line", "lined"), ("sort", "sorted"),
@@ -63,8 +63,8 @@ VERBS_OF_PLACE: tuple[Turn, ...] = (
 """What makes no sense as it stands."""
 WORDS = (
     "underpin underpins underlie underlies shoulders abut props prop surmount surmounts encompass encompassing envelop "
-    "enveloping embrace embracing hem fence dance inhabit rides roost roosts squat squats recline reclines lurk lurks "
-    "crouch crouches linger lingers dwell dwells loiter loiters wind shun shuns snuggle cuddle constitute arrives exits depart "
-    "departs",
+    "enveloping embrace embracing hem dance inhabit rides roost roosts squat squats recline reclines lurk lurks "
+    "shelters crouch crouches linger lingers dwell dwells loiter loiters wind shun shuns snuggle cuddle constitute "
+    "arrives exits depart departs",
 )
 """Words that these take besides those that are read anyway."""

@@ -173,6 +173,11 @@ def test_names_in_front_of_what_they_are(told: str, a: str, b: str) -> None:
         "Put the target, a red cube, on the landmark, a blue cube.",
         "Put the red cube on the base, which is the blue cube.",
         "Block X: red, block Y: blue. Put block X on block Y.",
+        "The target cube is red, the landmark cube is blue. Put the target cube on the landmark cube.",
+        "The blue cube serves as the landmark. Put the red cube on the landmark.",
+        "There is a red cube (R) and a blue cube (B). Put R on B.",
+        "Put A on B, where A is the red cube and B is the blue cube.",
+        "Suppose the red cube is called R and the blue cube B. R must be on B.",
     ],
 )
 def test_names_behind_what_they_are(text: str) -> None:

@@ -11,7 +11,7 @@ from rpg.language import lexicon
 from rpg.language.tokens import Token
 
 _TYPED = {
-    "shld": "should", "shud": "should", "shoud": "should", "shd": "should", "wud": "would", "wld": "would",
+    "shld": "should", "shud": "should", "shd": "should", "wud": "would", "wld": "would",
     "cud": "could", "cld": "could", "ya": "you", "yall": "you", "da": "the", "dis": "this", "dat": "that",
     "dem": "them", "cuz": "because", "bcs": "because", "bcuz": "because", "nxt": "next", "bhnd": "behind",
     "sry": "sorry", "tho": "though", "frm": "from", "evry": "every", "othr": "other", "wth": "with",

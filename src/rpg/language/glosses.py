@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.language import lexicon
-from rpg.language.nicknames import again, definite, names_at, said, strange, thing_at
+from rpg.language.nicknames import again, definite, labels, names_at, said, strange, thing_at
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -29,9 +29,13 @@ class _Gloss:
 
     begin: int
     end: int
-    name: list[str]
+    named: list[Token]
     here: list[Token]
     thing: list[Token]
+
+    @property
+    def name(self) -> list[str]:
+        return [token.word for token in self.named]
 
 
 def without_glosses(tokens: list[Token]) -> tuple[list[Token], list[str]]:
@@ -48,7 +52,7 @@ def without_glosses(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     for gloss in found:
         out += [*again(tokens[at : gloss.begin], names), *gloss.here]
         at = gloss.end
-    notes = [f"'{' '.join(gloss.name)}' {_MEANS[len(gloss.thing) > 1]} {said(gloss.thing)}" for gloss in found]
+    notes = [f"'{said(gloss.named)}' {_MEANS[len(gloss.thing) > 1]} {said(gloss.thing)}" for gloss in found]
     return ([*out, *again(tokens[at:], names)], notes) if found else (tokens, [])
 
 
@@ -61,9 +65,10 @@ def _glossed(tokens: list[Token], at: int) -> Iterator[_Gloss]:
     if thing > at and words[thing : thing + 1] == ["("]:
         name = thing + 1 + length_at(words, thing + 1, _CALLED)
         name += words[name : name + 1] != [] and words[name] in _ARTICLES
-        end = _name(tokens, name)
+        letter = words[name + 1 : name + 2] == [")"] and labels(tokens[name]) and words[name] not in ("a", "i")
+        end = name + 1 if letter else _name(tokens, name)
         if end > name and words[end : end + 1] == [")"] and _elsewhere(words, name, end):
-            yield _Gloss(at, end + 1, words[name:end], tokens[at:thing], definite(tokens[at:thing]))
+            yield _Gloss(at, end + 1, tokens[name:end], tokens[at:thing], definite(tokens[at:thing]))
 
 
 def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
@@ -84,7 +89,7 @@ def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gl
     if thing > begin and closed:
         told = definite(tokens[begin:thing])
         last = thing + (mark == "(" or words[thing : thing + 1] == [","])
-        yield _Gloss(at, last, words[name:end], told, told)
+        yield _Gloss(at, last, tokens[name:end], told, told)
 
 
 def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
@@ -106,7 +111,7 @@ def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
         end += words[end : end + 1] != []
         there = [tokens[at].saying(word) for word in ("there", "are")]
         here = [*there, tokens[many], tokens[noun], tokens[noun].saying(".")] if many is not None else []
-        yield _Gloss(at, end, words[name : name + 1], here, [tokens[noun]])
+        yield _Gloss(at, end, tokens[name : name + 1], here, [tokens[noun]])
 
 
 def _several(gloss: _Gloss) -> Iterator[tuple[list[str], list[Token]]]:

@@ -17,8 +17,9 @@ from rpg.language.tokens import Token
 
 _BEFORE = frozenset({".", ",", ";", ":", "!", "?", "and", "let", "where", "(", "suppose", "say"})
 """What a naming stands behind."""
+_LED = frozenset({"let", "where", "suppose", "say"})
 _IS = (("is",), (":",), ("=",), ("be",), ("means",), ("will", "be"), ("shall", "be"), ("stands", "for"), ("are",),
-       ("refers", "to"), ("denotes",))  # fmt: skip
+       ("refers", "to"), ("denotes",), ("denote",))  # fmt: skip
 _CLOSED = frozenset({",", ".", ";", "!", "?", "and", ")"})
 _PARTING = frozenset({",", "and"})
 _ARTICLES = frozenset({"the", "a", "an", "my", "our", "your"})
@@ -70,7 +71,10 @@ def with_names(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     for n, naming in enumerate(found):
         first = tokens[naming.begin]
         there = ("there", "are") if naming.plural else ("there", "is", "a")
-        out += _again(tokens, words, at, naming.begin - (words[naming.begin - 1 : naming.begin] == ["let"]), names)
+        led = naming.begin - (naming.begin > 0 and words[naming.begin - 1] in _LED)
+        set_off = led < naming.begin and led > at and words[led - 1] == ","
+        out += _again(tokens, words, at, led - set_off, names)
+        out += [first.saying(".")] if set_off else []
         out += [*map(first.saying, there), *naming.thing] if n not in used or not naming.plural else []
         at = naming.end
         if words[at : at + 1] and words[at] in _PARTING:
@@ -106,12 +110,20 @@ def _named(tokens: list[Token], words: list[str], at: int, found: Sequence[_Nami
         if thing > begin and (thing == len(words) or words[thing] in _CLOSED) and not _listed(words, thing):
             own = begin + (words[begin] in _ARTICLES)
             yield _Naming(at, thing, tokens[name:end], _look(tokens[own:thing]))
-        listed = words[name] in lexicon.BLOCK and words[end] in (":", "=")
-        if verb and labelled and (listed or words[name] in PLACES) and words[begin] in _LOOKS:
+        noun = _noun(words, name, end)
+        if verb and labelled and noun and words[begin] in _LOOKS:
             closed = begin + 1 == len(words) or words[begin + 1] in _CLOSED
-            noun = tokens[name].saying(words[name] if listed or words[name] in lexicon.PATCH else "patch")
             if closed:
-                yield _Naming(at, begin + 1, tokens[name:end], [tokens[begin], noun])
+                yield _Naming(at, begin + 1, tokens[name:end], [tokens[begin], tokens[name].saying(noun)])
+
+
+def _noun(words: list[str], name: int, end: int) -> str:
+    """Of what a name is, where its look alone is told: "zone 1 is red", "block X: blue", "the target cube is green"."""
+    if words[end - 1] in lexicon.BLOCK:
+        return words[end - 1]
+    if words[name] in lexicon.BLOCK:
+        return words[name] if words[end] in (":", "=") else ""
+    return words[name] if words[name] in lexicon.PATCH else "patch" if words[name] in PLACES else ""
 
 
 def _listed(words: list[str], at: int) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.people import PEOPLE
+from rpg.language.harmless import ANIMALS, PEOPLE
 from rpg.language.not_here import HINTS
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
@@ -14,7 +14,8 @@ from rpg.language.telling import may_tell, tells
 from rpg.language.tokens import Token
 
 _IS = (("is", "called"), ("is", "named"), ("is",), ("represents",), ("stands", "for"), ("plays",), ("will", "be"),
-       ("shall", "be", "called"), ("should", "be", "called"))  # fmt: skip
+       ("shall", "be", "called"), ("should", "be", "called"), ("serves", "as"), ("acts", "as"), ("functions", "as"),
+       ("is", "used", "as"), ("=",))  # fmt: skip
 _CALL = tuple((*who, *call) for who in ((), ("let", "us"), ("we",), ("i",), ("i", "will"), ("we", "will"))
               for call in (("call",), ("name",), ("label",), ("refer", "to"), ("denote",), ("let",))
               if who == () or call != ("let",))  # fmt: skip
@@ -23,7 +24,7 @@ _OWN = frozenset({"the", "my", "our", "your"})
 _ONE = frozenset({"a", "an"})
 _BREAKS = frozenset({".", "!", "?", ";", ",", "and", ":", "-", "…"})
 _LOOKS: tuple[Collection[str], ...] = (lexicon.COLOR, lexicon.SIZE)
-_PERSONS = frozenset({*PEOPLE.split("|"), "baby", "queen", "king"})
+_PERSONS = PEOPLE | ANIMALS
 _CAPITAL = 2
 """A name in capitals of so many letters or more is a word to be spelt."""
 
@@ -44,13 +45,14 @@ def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) 
     end = name
     while end < len(words) and end < name + 2 and strange(tokens[end]):
         end += 1
-    known = end == name < len(words) and (words[end] in ROLES or (bool(call) and labels(tokens[end])))
+    told = bool(call) or goes_on or verb > 1
+    known = end == name < len(words) and (words[end] in ROLES or (told and labels(tokens[end])))
     end += known
     if end == name or (end < len(words) and words[end] not in _BREAKS):
         return
     called = bool(call) or (goes_on and not verb) or verb > 1 or tokens[name].raw[0].isupper()
     again = any(words[n : n + end - name] == words[name:end] for n in range(len(words)) if n != name)
-    if known and not again:
+    if known and not again and words[name] not in _MERELY:
         return
     if called or article in _OWN or (article in _ONE and again and HINTS.keys().isdisjoint(words[name:end])):
         yield at + call, thing, name, end
@@ -58,6 +60,8 @@ def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) 
 
 ROLES = frozenset({"landmark", "target", "base", "home", "marker", "reference", "key", "distractor"})
 """Words with a meaning of their own, by which a thing may be called as well."""
+_MERELY = frozenset({"landmark", "target", "marker", "reference"})
+"""Nothing follows for a thing that is one of them."""
 
 
 def labels(token: Token) -> bool:
@@ -84,7 +88,9 @@ def names_at(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[i
     while called < len(tokens) and tokens[called].joined:
         called += 1
     further = called < len(tokens) and words[called] in ROLES | PLACES
-    if words[at] in ROLES | PLACES or (further and (called > at + 1 or named_so(tokens[at]))):
+    if words[at] in ROLES and lexicon.BLOCK.get(words[called] if called < len(words) else "") is False:
+        yield called + 1, True
+    elif words[at] in ROLES | PLACES or (further and (called > at + 1 or named_so(tokens[at]))):
         yield called + further, False
     end = at
     while end < len(tokens) and end < at + _LONGEST and strange(tokens[end]):

@@ -14,6 +14,7 @@ from rpg.language.grammar.things.at_an_end import at_an_end
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
 from rpg.language.grammar.things.excepted import alone_in_this
+from rpg.language.grammar.things.goods import goods
 from rpg.language.grammar.things.had_relatives import told_traits, wished_of_new
 from rpg.language.grammar.things.in_line import in_line, unnamed_ends
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
@@ -26,7 +27,6 @@ from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
 from rpg.language.grammar.things.so_many import so_many
 from rpg.language.grammar.things.standby import further_extras
-from rpg.language.grammar.things.strangers import STRANGERS
 from rpg.language.grammar.things.theirs import as_many_colors, of_patch
 from rpg.language.grammar.things.told_symbols import both_parities, told_symbols
 from rpg.language.later import later
@@ -37,9 +37,6 @@ relative, which_also = later(__name__, "rpg.language.grammar.things.relatives", 
 
 _APART = frozenset({"own", "separate", "distinct"})
 """Before patches: none is shared."""
-_MASSES = frozenset({"stock", "cargo", "freight", "merchandise"})
-_STORED = _MASSES | {"unit", "units", "goods"}
-"""Blocks where a colour stands in front of them; goods of any colour are as well."""
 _OUTLINES = {word + end: (word, bool(end)) for word in ("square", "circle", "rectangle") for end in ("", "s")}
 """Figures by which a patch is called as well: the word, its shape, whether it is a plural."""
 _SINGLE = Quantity("bare")
@@ -212,11 +209,8 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
 @choice
 def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     """The noun itself: (head, plural, traits it brings)."""
-    for table in (lexicon.BLOCK, lexicon.LOOSE_BLOCK):
-        if (plural := p.lex(i, table)) is not None and not _may_be_one(p, i):
-            yield ("block", plural, {}), i + 1
-    if p.follows(i, ("the", "all", "these", "those")) and (j := p.one(i, ("goods", "cargo", "freight"))):
-        yield ("block", True, {}), j
+    for many, j in goods(p, i):
+        yield ("block", many, {}), j
     start = p.one(i, _APART) or i
     j, plural = patch_noun(p, start)
     if j > start:
@@ -233,21 +227,11 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     start = p.one(i, ("random", "arbitrary", "other")) or i
     if j := p.one(start, ("distractor", "distractors")):
         yield ("block", p.words[start] == "distractors", {"extra": True}), j
-    if p.follows(i, lexicon.COLOR) and (j := p.one(i, STRANGERS | _STORED)):
-        yield ("block", p.words[i].endswith("s") or p.words[i] in _MASSES, {}), j
     if j := p.one(i, ("one", "ones")):
         odd = p.follows(i, ("odd",)) and p.follows(i - 1, ("the",))
         yield ("any", p.words[i] == "ones", {}), (p.opt(j, "out") if odd else j)
     if several := p.peek(i, lexicon.COLOR_PLURAL):
         yield ("block", True, {"colors": (several,)}), p.reach(i + 1)
-
-
-def _may_be_one(p: Parser, i: int) -> bool:
-    """ "The red dice": people say so of one."""
-    at = i - 1
-    while p.stands(at, lexicon.COLOR):
-        at -= 1
-    return p.stands(i, ("dice",)) and at < i - 1 and p.stands(at, ("the", "a", "an"))
 
 
 def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]:

@@ -216,9 +216,8 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     if j > start:
         yield ("patch", plural, {"scheme": "different"} if start > i else {}), j
     for table, kind in ((lexicon.LETTER, "letter"), (lexicon.DIGIT, "digit"), (lexicon.SYMBOL, "symbol")):
-        plural = p.lex(i, table)
-        if plural is not None:
-            yield ("block", plural, {"kind": kind}), i + 1
+        if (named := p.lex(i, table)) is not None:
+            yield ("block", named, {"kind": kind}), i + 1
     for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
         if j := p.one(i, frozenset({words, words + "s"})):
             yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j

@@ -271,6 +271,8 @@ def test_what_is_typed_in_a_hurry(text: str) -> None:
     ("text", "meant"),
     [
         ("put n on b", {"assets": {"N": 1, "B": 1}, "hold": ["B^N"], "miss": ["N^B"]}),
+        ("u must be on b", {"assets": {"U": 1, "B": 1}, "hold": ["B^U"], "miss": ["U^B"]}),
+        ("can b go on c", {"assets": {"B": 1, "C": 1}, "hold": ["C^B"], "miss": ["B^C"]}),
         ("put u on top of a", {"assets": {"U": 1, "A": 1}, "hold": ["A^U"], "miss": ["U^A"]}),
         ("put the red 1 on the blue 1",
          {"assets": {"red:1": 1, "blue:1": 1}, "hold": ["blue:1^red:1"], "miss": ["blue:1 red:1"]}),

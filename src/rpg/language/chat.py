@@ -29,6 +29,9 @@ _SPOKEN_TO = frozenset({"u", "you", "they", "we"})
 _ASKING = frozenset({"can", "could", "would", "will", "do", "if", "when", "thank", "are", "r", "before", "after"})
 _PLACES = frozenset({"on", "onto", "in", "into", "behind", "next", "beside", "under", "above", "below", "near",
                      "between", "left", "right", "around", "against", "at"})  # fmt: skip
+_BEING = _PLACES | lexicon.COLOR.keys() | {"the", "a", "placed", "put", "stacked", "touching", "sorted", "lined"}
+_SEEN = lexicon.NUMBER.keys() | {"a", "an", "the"}
+"""Behind these letters they are "be" and "see"."""
 _TOLD = lexicon.BLOCK.keys() | lexicon.PATCH.keys() | {"one", "it", "them", "be", "is", "and", "then", "um", "uh"}
 """Behind these "like" may be a filler."""
 _MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sort", "mean", "bit", *_TYPED,
@@ -67,21 +70,28 @@ def _meant(tokens: list[Token], words: list[str], at: int, hurried: bool) -> Ite
         bound = before in ("need", "needs", "has", "have", "wants", "want", "got", "going", "able", "ought")
         if (beside and not counted) or (bound and (behind in _TO_BE or behind in lexicon.COMMANDS or behind == "b")):
             yield ["to"], at + 1
+    elif words[at] == "u" and small and behind in _MODALS and words[at + 2 : at + 3] != [] and _done(words[at + 2]):
+        yield ["you"], at + 1
     elif small and len(token.raw) == 1 and (meant := _letter(token.word, before, behind, words[:at])) is not None:
         yield meant, at + 1
     else:
         yield from _filling(tokens, words, at)
 
 
+def _done(word: str) -> bool:
+    """Whether it is something that only somebody does: a block may stand and lie as well."""
+    return word in lexicon.COMMANDS and word not in lexicon.POSTURE
+
+
 def _letter(letter: str, before: str, behind: str, ahead: list[str]) -> list[str] | None:
     """The word that a letter stands for."""
     if letter == "r" and (behind in _SPOKEN_TO or before in _SPOKEN_TO):
         return ["are"]
-    if letter == "b" and (before in _MODALS or before in _TYPED or before == "2"):
+    if letter == "b" and (before in _MODALS or before in _TYPED or before == "2") and behind in _BEING:
         return ["be"]
-    if letter == "c" and before in _MODALS | _SPOKEN_TO:
+    if letter == "c" and before in _MODALS | _SPOKEN_TO and (behind in _SEEN or behind.isdigit()):
         return ["see"]
-    if letter == "u" and (behind in lexicon.COMMANDS | _MODALS | {"guys", "are", "r"} or before in _ASKING):
+    if letter == "u" and (behind in lexicon.COMMANDS | {"guys", "are", "r"} or before in _ASKING):
         return ["you"]
     if letter == "n" and (before in ("pls", "plz", "please", "thx", "thanks") or before in lexicon.BLOCK):
         return ["and"]

@@ -65,7 +65,8 @@ def _glossed(tokens: list[Token], at: int) -> Iterator[_Gloss]:
     if thing > at and words[thing : thing + 1] == ["("]:
         name = thing + 1 + length_at(words, thing + 1, _CALLED)
         name += words[name : name + 1] != [] and words[name] in _ARTICLES
-        letter = words[name + 1 : name + 2] == [")"] and labels(tokens[name]) and words[name] not in ("a", "i")
+        letter = words[name + 1 : name + 2] == [")"] and labels(tokens[name]) and words[name].isalpha()
+        letter = letter and words[name] not in ("a", "i")
         end = name + 1 if letter else _name(tokens, name)
         if end > name and words[end : end + 1] == [")"] and _elsewhere(words, name, end):
             yield _Gloss(at, end + 1, tokens[name:end], tokens[at:thing], definite(tokens[at:thing]))

@@ -197,6 +197,19 @@ def test_places_with_names(text: str) -> None:
     assert_means(text, MAT | {"assets": {"red": 1, "blue_patch": 1, "green_patch": 1}, "miss": ["at=green_patch red"]})
 
 
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("What you see at the end is the word OK and, in front of the O, a green block.",
+         {"assets": {"O": 1, "K": 1, "green": 1}, "hold": ["O K | green ."], "miss": ["green . | O K"]}),
+        ("On the target, a red cube.",
+         {"assets": {"red": 1, "patch": 1}, "hold": ["at=patch red"], "miss": ["red"]}),
+    ],
+)  # fmt: skip
+def test_what_lies_at_a_place_is_not_the_place(text: str, meant: dict[str, Any]) -> None:
+    assert_means(text, meant)
+
+
 def test_several_with_one_name() -> None:
     assert_means("Sheep are white cubes. Put three sheep in a row.",
                  {"assets": {"white": 3}, "hold": ["white white white"], "miss": ["white^white^white"]})  # fmt: skip

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.language import lexicon
-from rpg.language.nicknames import again, definite, labels, names_at, said, strange, thing_at
+from rpg.language.nicknames import PLACES, ROLES, again, definite, labels, names_at, said, strange, thing_at
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -85,12 +85,30 @@ def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gl
         return
     thing = thing_at(words, begin)
     closed = words[thing : thing + 1] == [")"] if mark == "(" else thing == len(words) or words[thing] in _CLOSED
-    if bare and words[thing : thing + 2] == [",", "and"]:
-        return  # a list of things
+    if bare and (words[thing : thing + 2] == [",", "and"] or not _apposed(tokens, words, (at, name, end), thing)):
+        return
     if thing > begin and closed:
         told = definite(tokens[begin:thing])
         last = thing + (mark == "(" or words[thing : thing + 1] == [","])
         yield _Gloss(at, last, tokens[name:end], told, told)
+
+
+def _apposed(tokens: list[Token], words: list[str], name: tuple[int, int, int], thing: int) -> bool:
+    """Whether a thing is what is named in front of its comma: "(put it on) the anchor, a red cube"; but not where it is
+    what lies at a place that is told first, "on the mat, a red cube", nor behind a letter, which blocks show."""
+    at, begin, end = name
+    place = words[end - 1] in PLACES - ROLES
+    while at and words[at - 1] in _PLACED:
+        at -= 1
+    closed = any(words[n] == "," and thing_at(words, n + 1) == at - 1 for n in range(max(0, at - _NEAR), at - 1))
+    fronted = at < name[0] and (at == 0 or words[at - 1] in _BEFORE) and not closed
+    letter = end == begin + 1 and labels(tokens[begin])
+    return not fronted and not letter and (not place or words[thing - 1] in lexicon.PATCH)
+
+
+_NEAR = 8
+_PLACED = frozenset({"on", "onto", "in", "into", "at", "to", "front", "of", "behind", "left", "right", "next", "beside",
+                     "above", "below", "under", "near", "around", "between", "top", "the", "with", "from"})  # fmt: skip
 
 
 def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:

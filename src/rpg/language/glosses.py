@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.language import lexicon
-from rpg.language.nicknames import again, definite, said, strange, thing_at
+from rpg.language.nicknames import PLACES, ROLES, again, definite, labels, names_at, said, strange, thing_at
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -29,9 +29,13 @@ class _Gloss:
 
     begin: int
     end: int
-    name: list[str]
+    named: list[Token]
     here: list[Token]
     thing: list[Token]
+
+    @property
+    def name(self) -> list[str]:
+        return [token.word for token in self.named]
 
 
 def without_glosses(tokens: list[Token]) -> tuple[list[Token], list[str]]:
@@ -48,7 +52,7 @@ def without_glosses(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     for gloss in found:
         out += [*again(tokens[at : gloss.begin], names), *gloss.here]
         at = gloss.end
-    notes = [f"'{' '.join(gloss.name)}' {_MEANS[len(gloss.thing) > 1]} {said(gloss.thing)}" for gloss in found]
+    notes = [f"'{said(gloss.named)}' {_MEANS[len(gloss.thing) > 1]} {said(gloss.thing)}" for gloss in found]
     return ([*out, *again(tokens[at:], names)], notes) if found else (tokens, [])
 
 
@@ -57,41 +61,54 @@ def _glossed(tokens: list[Token], at: int) -> Iterator[_Gloss]:
     words = [token.word for token in tokens]
     yield from _kind(tokens, words, at)
     yield from _named_first(tokens, words, at)
-    yield from _name_is(tokens, words, at)
     thing = thing_at(words, at)
     if thing > at and words[thing : thing + 1] == ["("]:
         name = thing + 1 + length_at(words, thing + 1, _CALLED)
         name += words[name : name + 1] != [] and words[name] in _ARTICLES
-        end = _name(tokens, name)
+        letter = words[name + 1 : name + 2] == [")"] and labels(tokens[name]) and words[name].isalpha()
+        letter = letter and words[name] not in ("a", "i")
+        end = name + 1 if letter else _name(tokens, name)
         if end > name and words[end : end + 1] == [")"] and _elsewhere(words, name, end):
-            yield _Gloss(at, end + 1, words[name:end], tokens[at:thing], definite(tokens[at:thing]))
+            yield _Gloss(at, end + 1, tokens[name:end], tokens[at:thing], definite(tokens[at:thing]))
 
 
 def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
-    """ "the lava (the red patch)", "the grass, that is the green patch," """
+    """ "the lava (the red patch)", "the grass, that is the green patch,", "the target, a yellow cube,"."""
     name = at + (words[at] in _ARTICLES)
-    end = _name(tokens, name)
+    end, labelled = next(names_at(tokens, words, name), (name, False))
+    if end > name and name == at and not labelled and not strange(tokens[end - 1]):
+        return
     mark = words[end] if name < end < len(words) else ""
     begin = end + 1 + length_at(words, end + 1, _IS) if mark in ("(", ",") else 0
-    if not begin or (mark == "," and begin == end + 1):
+    bare = mark == "," and begin == end + 1
+    if not begin or begin >= len(words) or (bare and (words[begin] not in ("a", "an") or name == at)):
         return
     thing = thing_at(words, begin)
     closed = words[thing : thing + 1] == [")"] if mark == "(" else thing == len(words) or words[thing] in _CLOSED
+    if bare and (words[thing : thing + 2] == [",", "and"] or not _apposed(tokens, words, (at, name, end), thing)):
+        return
     if thing > begin and closed:
         told = definite(tokens[begin:thing])
         last = thing + (mark == "(" or words[thing : thing + 1] == [","])
-        yield _Gloss(at, last, words[name:end], told, told)
+        yield _Gloss(at, last, tokens[name:end], told, told)
 
 
-def _name_is(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
-    """ "the queen is the red cube": there is such a cube, where the queen is spoken of again."""
-    name = at + (words[at] in _ARTICLES)
-    end = _name(tokens, name) if at == 0 or words[at - 1] in _BEFORE else name
-    thing = thing_at(words, end + 1) if end > name and words[end : end + 1] == ["is"] else 0
-    if thing > end + 1 and _elsewhere(words, name, end) and (thing == len(words) or words[thing] in _CLOSED | {"and"}):
-        told = definite(tokens[end + 1 : thing])
-        there = [tokens[at].saying(word) for word in ("there", "is", "a")]
-        yield _Gloss(at, thing, words[name:end], [*there, *told[1:]], told)
+def _apposed(tokens: list[Token], words: list[str], name: tuple[int, int, int], thing: int) -> bool:
+    """Whether a thing is what is named in front of its comma: "(put it on) the anchor, a red cube"; but not where it is
+    what lies at a place that is told first, "on the mat, a red cube", nor behind a letter, which blocks show."""
+    at, begin, end = name
+    place = words[end - 1] in PLACES - ROLES
+    while at and words[at - 1] in _PLACED:
+        at -= 1
+    closed = any(words[n] == "," and thing_at(words, n + 1) == at - 1 for n in range(max(0, at - _NEAR), at - 1))
+    fronted = at < name[0] and (at == 0 or words[at - 1] in _BEFORE) and not closed
+    letter = end == begin + 1 and labels(tokens[begin])
+    return not fronted and not letter and (not place or words[thing - 1] in lexicon.PATCH)
+
+
+_NEAR = 8
+_PLACED = frozenset({"on", "onto", "in", "into", "at", "to", "front", "of", "behind", "left", "right", "next", "beside",
+                     "above", "below", "under", "near", "around", "between", "top", "the", "with", "from"})  # fmt: skip
 
 
 def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
@@ -113,7 +130,7 @@ def _kind(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gloss]:
         end += words[end : end + 1] != []
         there = [tokens[at].saying(word) for word in ("there", "are")]
         here = [*there, tokens[many], tokens[noun], tokens[noun].saying(".")] if many is not None else []
-        yield _Gloss(at, end, words[name : name + 1], here, [tokens[noun]])
+        yield _Gloss(at, end, tokens[name : name + 1], here, [tokens[noun]])
 
 
 def _several(gloss: _Gloss) -> Iterator[tuple[list[str], list[Token]]]:

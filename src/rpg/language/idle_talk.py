@@ -14,6 +14,7 @@ from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.lead_ins import set_in
 from rpg.language.reasons import meanwhile, reason_or_aim
 from rpg.language.smalltalk import is_strange, small_talk
+from rpg.language.spoken_wishes import for_what
 from rpg.language.talk_forms import by_form, polite_condition, takes_care
 from rpg.language.tokens import Token
 from rpg.language.ways_of_working import way_of_working
@@ -114,6 +115,7 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     timely = words[0] not in ("when", "once", "by") and TIMELY.whole(words)
     wanted = words[0] in ("for", "as", "according", "per", "with", "using") and set_in(words) == len(words)
     careful = words[0] in ("with", "without", "in") and takes_care(words)
+    wanted = wanted or for_what(tokens, at)
     formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful or wanted
     return said or timely or formed or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
 

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import is_strange
+from rpg.language.telling import may_tell
 from rpg.language.word_lists import listed
 
 _WHO = (harmless.PEOPLE - listed("nobody")) | listed(
@@ -167,9 +168,28 @@ _SET = (
 )
 
 
+_FOR_WHOM = tuple(
+    tuple(lead.split())
+    for lead in ("as part of", "on behalf of", "in the name of", "in line with", "in honor of", "in honour of",
+                 "in memory of", "on the occasion of", "in preparation for", "in preparation of", "in view of",
+                 "in the context of", "in the course of", "in the framework of", "for the purpose of",
+                 "for the sake of", "for purposes of", "with a view to", "at the request of", "by order of",
+                 "by request of")
+)  # fmt: skip
+"""Behind these no place is told, so that they may be called as one likes."""
+
+
+def _for_them(word: str) -> bool:
+    return word in ("'s", "display", "exhibit") or (word.isalpha() and not may_tell(word))
+
+
 def set_in(words: Sequence[str]) -> int:
     """How many of the first words are a setting that nothing hangs on: "as part of the demonstration", "according to
     the manual", "using your arm", "on behalf of the whole class"."""
+    whom = max((len(lead) for lead in _FOR_WHOM if tuple(words[: len(lead)]) == lead), default=0)
+    behind = next((n for n in range(whom, len(words)) if words[n] in (",", ":")), len(words)) if whom else 0
+    if behind > whom and all(map(_for_them, words[whom:behind])):
+        return behind
     if words[:1] in (["with"], ["using"]):
         at = 1
         while at < len(words) and words[at] in listed(

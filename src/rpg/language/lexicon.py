@@ -47,12 +47,12 @@ UNITS = {
 DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
-LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen element"
+LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen element toy component module die"
 PATCH_NOUNS = (
     "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster "
     "placemat napkin cloth towel sticker dropzone dot destination paper strip tray marking"
 )
-TABLE_NOUNS = "table tabletop workspace desk surface"
+TABLE_NOUNS = "table tabletop workspace desk surface counter"
 LETTER_NOUNS = "letter character"
 DIGIT_NOUNS = "number digit numeral"
 SYMBOL_NOUNS = "symbol sign"
@@ -93,8 +93,9 @@ VERBS = {
     "locate seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich "
     "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
     "heave hoist install wedge fit slot squeeze center pack squish squash cram jam plonk toss plunk land lodge situate "
-    "station nestle dock post deploy ferry haul lug guide send ship convey reposition store assign allocate serve",
-    "pick": "pick grab grasp lift take find choose select fish dig",
+    "station nestle dock post deploy ferry haul lug guide send ship convey reposition store assign allocate serve "
+    "transport transplant shuttle dispatch maneuver manoeuvre steer escort rehome relegate banish exile",
+    "pick": "pick grab grasp lift take find choose select fish dig retrieve snatch seize",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape craft fabricate "
     "complete generate design fashion raise realize realise manufacture sculpt implement provide reproduce recreate "
@@ -206,7 +207,7 @@ NUMBER = {word: n for n, word in NUMBERS.items()}
 ORDINAL = {word: n for n, words in ORDINALS.items() for word in words.split()}
 UNIT = {word: float(factor) for factor, words in UNITS.items() for word in words.split()}
 BLOCK = _nouns(BLOCK_NOUNS)
-LOOSE_BLOCK = _nouns(LOOSE_BLOCK_NOUNS)
+LOOSE_BLOCK = _nouns(LOOSE_BLOCK_NOUNS) | {"dice": True}
 PATCH = _nouns(PATCH_NOUNS)
 TABLE = _nouns(TABLE_NOUNS)
 LETTER = _nouns(LETTER_NOUNS) | {"initials": True}

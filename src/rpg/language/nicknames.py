@@ -1,75 +1,43 @@
-"""What blocks and patches are called: "the red cube is the queen; put the queen on the blue cube", "call it Bob".
-
-A name means nothing here; where it stands again, the thing itself is put in its place, and the naming only says that
-there is such a thing.
-"""
+"""What blocks and patches are called behind what they are: "the red cube is the queen", "call the red cube Bob"."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.talk.people import PEOPLE
+from rpg.language.harmless import ANIMALS, PEOPLE
 from rpg.language.not_here import HINTS
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
+from rpg.language.telling import may_tell, tells
 from rpg.language.tokens import Token
 
 _IS = (("is", "called"), ("is", "named"), ("is",), ("represents",), ("stands", "for"), ("plays",), ("will", "be"),
-       ("shall", "be", "called"), ("should", "be", "called"))  # fmt: skip
-_CALL = (("call",), ("let", "us", "call"), ("name",), ("we", "call"), ("i", "call"), ("i", "will", "call"))
+       ("shall", "be", "called"), ("should", "be", "called"), ("serves", "as"), ("acts", "as"), ("functions", "as"),
+       ("is", "used", "as"), ("=",))  # fmt: skip
+_CALL = tuple((*who, *call) for who in ((), ("let", "us"), ("we",), ("i",), ("i", "will"), ("we", "will"))
+              for call in (("call",), ("name",), ("label",), ("refer", "to"), ("denote",), ("let",))
+              if who == () or call != ("let",))  # fmt: skip
+_AS = (("as",), ("be",), ("by",))
 _OWN = frozenset({"the", "my", "our", "your"})
 _ONE = frozenset({"a", "an"})
 _BREAKS = frozenset({".", "!", "?", ";", ",", "and", ":", "-", "…"})
 _LOOKS: tuple[Collection[str], ...] = (lexicon.COLOR, lexicon.SIZE)
-_PERSONS = frozenset({*PEOPLE.split("|"), "baby", "queen", "king"})
+_PERSONS = PEOPLE | ANIMALS
 _CAPITAL = 2
 """A name in capitals of so many letters or more is a word to be spelt."""
 
 
-@dataclass(frozen=True)
-class _Naming:
-    """Where a naming stands: the thing that is named, the name, and the end."""
-
-    begin: int
-    thing: tuple[int, int]
-    name: tuple[int, int]
-    end: int
-
-
-def without_nicknames(tokens: list[Token]) -> tuple[list[Token], list[str]]:
-    """The tokens with the things themselves for what they are called, and notes of the names."""
-    words = [token.word for token in tokens]
-    found: list[_Naming] = []
-    at = 0
-    while at < len(tokens):
-        naming = next(_named(tokens, words, at), None) if at == 0 or words[at - 1] in _BREAKS else None
-        found += [naming] if naming is not None else []
-        at = naming.end if naming is not None else at + 1
-    if not found:
-        return tokens, []
-    names = [([t.word for t in tokens[slice(*x.name)]], definite(tokens[slice(*x.thing)])) for x in found]
-    out: list[Token] = []
-    notes: list[str] = []
-    at = 0
-    for naming in found:
-        thing = definite(tokens[slice(*naming.thing)])
-        notes.append(f"'{said(tokens[slice(*naming.name)])}' is {said(thing)}")
-        there = [tokens[naming.begin].saying(word) for word in ("there", "is", "a")]
-        out += [*again(tokens[at : naming.begin], names), *there, *thing[1:]]
-        at = naming.end
-    return [*out, *again(tokens[at:], names)], notes
-
-
-def _named(tokens: list[Token], words: list[str], at: int) -> Iterator[_Naming]:
-    """A naming that begins here: "the red cube is the queen", "call the red cube Bob"."""
+def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) -> Iterator[tuple[int, int, int, int]]:
+    """Where a thing begins and ends that is given a name here, and where the name does: "the red cube is the queen",
+    "call the red cube Bob", "let the red cube be the anchor". `goes_on`: behind another, "and the blue one Bill"."""
     call = length_at(words, at, _CALL)
     thing = thing_at(words, at + call)
     if thing <= at + call:
         return
-    verb = 0 if call else length_at(words, thing, _IS)
-    if not (call or verb):
+    verb = length_at(words, thing, _AS if call else (*_IS, *_AS) if goes_on else _IS)
+    if not (call or verb or goes_on) or (words[at] == "let" and call == 1 and words[thing : thing + 1] != ["be"]):
         return
     begin = thing + verb
     article = words[begin] if begin < len(words) and words[begin] in _OWN | _ONE else ""
@@ -77,12 +45,64 @@ def _named(tokens: list[Token], words: list[str], at: int) -> Iterator[_Naming]:
     end = name
     while end < len(words) and end < name + 2 and strange(tokens[end]):
         end += 1
+    told = bool(call) or goes_on or verb > 1
+    known = end == name < len(words) and (words[end] in ROLES or (told and labels(tokens[end])))
+    end += known
     if end == name or (end < len(words) and words[end] not in _BREAKS):
         return
-    called = bool(call) or verb > 1 or tokens[name].raw[0].isupper()
+    called = bool(call) or (goes_on and not verb) or verb > 1 or tokens[name].raw[0].isupper()
     again = any(words[n : n + end - name] == words[name:end] for n in range(len(words)) if n != name)
+    if known and not again and words[name] not in _MERELY:
+        return
     if called or article in _OWN or (article in _ONE and again and HINTS.keys().isdisjoint(words[name:end])):
-        yield _Naming(at, (at + call, thing), (name, end), end)
+        yield at + call, thing, name, end
+
+
+ROLES = frozenset({"landmark", "target", "base", "home", "marker", "reference", "key", "distractor"})
+"""Words with a meaning of their own, by which a thing may be called as well."""
+_MERELY = frozenset({"landmark", "target", "marker", "reference"})
+"""Nothing follows for a thing that is one of them."""
+
+
+def labels(token: Token) -> bool:
+    """Whether a token is a number or a letter by which a thing may be called."""
+    return token.kind == "number" or (token.kind == "word" and len(token.raw) == 1 and token.raw.isupper())
+
+
+PLACES = lexicon.PATCH.keys() - {"goal"} | {"station", "slot", "bay", "section", "region", "location", "dock", "site",
+                                            "shelf", "rack", "position", "point"}  # fmt: skip
+_LONGEST = 2
+
+
+def names_at(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[int, bool]]:
+    """The positions behind the names that may begin here, and whether it is a letter or has a label: "landmark",
+    "bin 1", "A", "the drop point"."""
+    if at >= len(tokens):
+        return
+    labelled = at + 1 < len(tokens) and labels(tokens[at + 1])
+    if labelled and (words[at] in PLACES or words[at] in lexicon.BLOCK or strange(tokens[at])):
+        yield at + 2, True
+    elif labels(tokens[at]) and tokens[at].kind == "word" and tokens[at].raw != "I":
+        yield at + 1, True
+    called = at + 1
+    while called < len(tokens) and tokens[called].joined:
+        called += 1
+    further = called < len(tokens) and words[called] in ROLES | PLACES
+    if words[at] in ROLES and lexicon.BLOCK.get(words[called] if called < len(words) else "") is False:
+        yield called + 1, True
+    elif words[at] in ROLES | PLACES or (further and (called > at + 1 or named_so(tokens[at]))):
+        yield called + further, False
+    end = at
+    while end < len(tokens) and end < at + _LONGEST and strange(tokens[end]):
+        end += 1
+    if end > at:
+        yield end, False
+
+
+def named_so(token: Token) -> bool:
+    """Whether a word tells nothing of what is named: "drop point"."""
+    shouted = token.raw.isupper() and len(token.raw) >= _CAPITAL
+    return token.kind == "word" and token.word.isalpha() and not (shouted or tells(token) or may_tell(token.word))
 
 
 def thing_at(words: list[str], at: int) -> int:

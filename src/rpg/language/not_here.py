@@ -4,9 +4,8 @@ from __future__ import annotations
 
 _THINGS = """
     apple apples ball balls banana bananas basket baskets bottle bottles bowl bowls cans cap cone cones cup cups
-    cylinder cylinders dice dish disc discs disk disks doll door drawer fork glass hammer handle knife lid lids mug mugs
-    nut pan peg pegs pen pencil plate plates pot prism prisms rod rods screw sphere spheres spoon tomato toy toys tray
-    trays wheel
+    cylinder cylinders dish disc discs disk disks doll door drawer fork glass hammer handle knife lid lids mug mugs
+    nut pan peg pegs pen pencil plate plates pot prism prisms rod rods screw sphere spheres spoon tomato wheel
 """
 _BUILT = """
     bridge bridges castle castles gate gates house houses smiley face heart arch arches tunnel roof church temple snake

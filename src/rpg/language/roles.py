@@ -1,4 +1,5 @@
-"""In whose place somebody speaks: "as a bricklayer I ask for a wall" asks for what anybody would get."""
+"""In whose place somebody speaks, and whose name it is: "as a bricklayer I ask for a wall" asks for what anybody would
+get, and "my niece's name, OLA," is a word like any other."""
 
 from __future__ import annotations
 
@@ -31,3 +32,26 @@ def as_anyone(tokens: list[Token], known: Collection[str]) -> list[Token]:
     if any(t.kind != "word" for t in tokens[2:end]) or not (told[-1] in _PERSONS or told[-1] not in known):
         return tokens
     return [*tokens[:2], replace(tokens[end - 1], word="user", raw="user"), *tokens[end:]]
+
+
+_MARKS = {",": ",", "(": ")", ":": ""}
+"""What sets a name off, and what closes it."""
+_OWN = frozenset({"my", "our", "your", "his", "her", "their", "the"})
+_LONGEST = 4
+
+
+def names_as_words(tokens: list[Token]) -> list[Token]:
+    """The tokens with "the word" for whosever name is told in capitals: "my little niece's name, OLA,"."""
+    words = [token.word for token in tokens]
+    at = words.index("name") if "name" in words else 0
+    if at < 3 or words[at - 1] != "'s":
+        return tokens
+    mark = at + 1 + (words[at + 1 : at + 2] != [] and words[at + 1] in _MARKS)
+    begin = next((n for n in range(at - 2, max(at - 2 - _LONGEST, -1), -1) if words[n] in _OWN), at)
+    shown = mark < len(tokens) and tokens[mark].kind == "word" and tokens[mark].raw.isupper() and len(words[mark]) > 1
+    if begin == at or not shown or any(word in table for word in words[begin:at] for table in _THINGS):
+        return tokens
+    end = mark + 1
+    end += mark > at + 1 and words[end : end + 1] == [_MARKS[words[at + 1]]]
+    the, word = tokens[begin].saying("the"), tokens[at].saying("word")
+    return [*tokens[:begin], the, word, tokens[mark], *tokens[end:]]

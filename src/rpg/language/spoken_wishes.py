@@ -241,16 +241,59 @@ def clause(tokens: Sequence[Token]) -> int:
 
 def purpose(tokens: Sequence[Token]) -> int:
     """How many of the first words say what for, up to a comma, to who wishes it or to the command: "for the big finish
-    (I'd like ...)", "as a little warm-up exercise, (put ...)", "to celebrate our win, (...)"."""
+    (I'd like ...)", "as a little warm-up exercise, (put ...)", "to celebrate our win, (...)", "in condition B, ..."."""
     words = [token.word for token in tokens]
-    if words[:1] not in (["for"], ["as"], ["to"]) or len(words) < 5:
+    if words[:1] not in (["for"], ["as"], ["to"], ["in"], ["during"]) or len(words) < 5:
+        return 0
+    if (comma := next((n for n in range(2, LONGEST) if words[n : n + 1] in ([","], [":"])), 0)) and words[0] != "to":
+        labelled = tokens[comma - 1].kind == "number" or len(tokens[comma - 1].raw) == 1
+        head = comma - 1 - labelled
+        plain = of_words(tokens[:head]) and all(word in _TRIED_SO or tells_nothing(word) for word in words[1:head])
+        if words[head] in _TRIALS and plain and len(words) > comma + 3:
+            return comma + 1
+    if words[0] in ("in", "during"):
         return 0
     end = next((n for n in range(2, min(LONGEST + 1, len(words) - 1)) if _goes_on(words, n)), 0)
     begun = words[0] == "for" or words[1] in DET
     kept = words[1] in ("keep", "make", "get") and not _GLAD.isdisjoint(words[:end])
     aimed = words[0] == "to" and (kept or words[1] not in lexicon.VERB) and words[end] in (",", ":")
-    known = (begun or aimed) and of_words(tokens[:end]) and all(map(tells_nothing, words[1:end]))
+    known = (begun or aimed) and of_words(tokens[:end]) and all(map(_of_an_aim, words[1:end]))
     return end + (words[end] in (",", ":")) if end and known and len(words) > end + 3 else 0
+
+
+_TRIALS = TESTS - listed("building stacking sorting spelling counting arranging ordering grouping placing") | listed(
+    "condition study session round lecture version stimulus item"
+)
+"""What a task is one of: its number or letter is no block."""
+_TRIED_SO = listed("background warm up odd one out control first second third last next fourth fifth")
+"""Which of them it is."""
+
+
+def for_what(tokens: Sequence[Token], at: int) -> bool:
+    """Whether all that stands from here on says what it is for: "(stack them) for quality control", "as a warm-up
+    exercise"; but not what has to be found, kept free or given for what is named behind "for"."""
+    words = [token.word for token in tokens]
+    if words[at] == "as" and words[-1] in _TRIALS and words[at + 1] in DET:
+        return of_words(tokens[at:]) and all(word in _TRIED_SO or tells_nothing(word) for word in words[at + 1 :])
+    if words[at] != "for" or len(words) < at + 2 or words[at + 1] in _SINGLY or not _FOR_IT.isdisjoint(words[:at]):
+        return False
+    lasting = words[-1] in harmless.TIMES and words[-1] not in ("day", "night", "today", "tonight", "tomorrow")
+    plain = of_words(tokens[at:]) and all(map(_of_an_aim, words[at + 1 :]))
+    plain = plain and not lasting
+    return plain and len(words) <= at + LONGEST
+
+
+_SINGLY = listed("each every all both any some it them that this these those")
+_FOR_IT = listed(
+    "room space place gap spot slot use using used take find look search choose pick swap exchange trade substitute "
+    "switch replace wait reserve save keep leave mistake account stand stands"
+)
+_NO_PARTS = listed("later next transport display shipping shift loading safety inventory stock background setup window")
+"""Of an aim, and of nothing that there is."""
+
+
+def _of_an_aim(word: str) -> bool:
+    return word in _NO_PARTS or tells_nothing(word)
 
 
 def _goes_on(words: Sequence[str], n: int) -> bool:

@@ -196,7 +196,11 @@ def _title(tokens: list[Token], at: int) -> int:
         return end + 1
     if mark.raw == ",":
         return at
-    if mark.raw in _MARKS and len(words) == 1 and (head.word in _CALLS or (mark.word == ":" and _speaks(head))):
+    if (
+        mark.raw in _MARKS
+        and len(words) == 1
+        and (head.word in _CALLS or (mark.word == ":" and _speaks(head) and not _spoken_of(tokens, head)))
+    ):
         return end + 1
     if [word.word for word in words] in _ERRANDS and mark.word == ":":
         return end + 1
@@ -254,6 +258,12 @@ def _one_name(token: Token) -> bool:
     """ "PushCube - ...": several words written as one."""
     inside = token.raw[1:]
     return token.raw[:1].isupper() and inside != inside.lower() and not token.raw.isupper() and _strange(token)
+
+
+def _spoken_of(tokens: list[Token], name: Token) -> bool:
+    """Whether a name stands where it is no title: what it is may be told behind it, "Alpha: red cube"."""
+    return any(t.word == name.word and tokens[n + 1 : n + 2] != [] and tokens[n + 1].word != ":"
+               for n, t in enumerate(tokens)) or tokens[-1].word == name.word  # fmt: skip
 
 
 def _speaks(token: Token) -> bool:

@@ -41,6 +41,9 @@ AMERICAN = {
     "upto": "up to",
     "invert": "reverse", "inverts": "reverses", "inverted": "reversed", "inverting": "reversing",
     "box": "block", "boxes": "blocks", "brick": "block", "bricks": "blocks",
+    **{form + end: f"block{'s' * bool(end)}" for form in ("crate", "carton", "parcel", "package") for end in ("", "s")},
+    "bin": "patch", "bins": "patches", "pallet": "patch", "pallets": "patches",
+    "bench": "table", "workbench": "table", "worktop": "table", "countertop": "table",
     "policy": "agent", "controller": "agent", "planner": "agent", "learner": "agent",
 }  # fmt: skip
 """Spellings that are read as one."""

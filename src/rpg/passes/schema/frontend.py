@@ -12,8 +12,10 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
+from rpg.language.chat import as_typed
 from rpg.language.clauses_apart import MOST, clauses_apart
 from rpg.language.feelings import without_feelings
+from rpg.language.figures_called import with_figures
 from rpg.language.formulas import formulas_told
 from rpg.language.frames import retold
 from rpg.language.glosses import without_glosses
@@ -25,9 +27,9 @@ from rpg.language.grammar.talk.one_by_one import one_by_one
 from rpg.language.grammar.talk.one_or_other import one_or_the_other
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
+from rpg.language.introduced import with_names
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
 from rpg.language.materials import without_materials
-from rpg.language.nicknames import without_nicknames
 from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
@@ -90,7 +92,8 @@ class BuiltinFrontEnd:
         A text that is not understood is read without the remarks in it, if that is.
         """
         guard(text)
-        told = formulas_told(*tokenize(text))
+        tokens, strays = tokenize(text)
+        told = formulas_told(as_typed(tokens), strays)
         try:
             found = self._read_tokens(told, text, name, seed, author, mended)
             refusal = None
@@ -237,7 +240,7 @@ def _undisturbed() -> Iterator[None]:
 _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused that may be understood with its clauses told apart."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
-    without_names, without_glosses, without_nicknames, without_feelings, in_centimetres, with_colors,
+    with_names, without_names, with_figures, without_glosses, without_feelings, in_centimetres, with_colors,
     without_materials, without_praise,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""

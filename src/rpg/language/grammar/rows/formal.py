@@ -61,6 +61,7 @@ from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWA
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
+from rpg.language.grammar.rows.verbs_of_place import VERBS_OF_PLACE
 from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.grammar.rows.word_again import word_again
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
@@ -142,6 +143,7 @@ _OF_THE_UNREAD = (
     *REQUIRED,
     *GAPPED,
     *RELATED,
+    *VERBS_OF_PLACE,
     *BORNE_FIRST,
     *NOT_THERE,
     *ALTERNATIVES,

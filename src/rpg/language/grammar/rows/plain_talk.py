@@ -164,8 +164,8 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("^(?:do not|never) stack (?:anything|any of them|any|any (?:blocks?|cubes?)|(?:the )?(?:blocks|cubes))$",
      "no block must be on another block"),
     # who reads it
-    (f"^((?:please )?(?:(?:write|spell) |(?:put|lay|place|lay out) the word ).+?)(?: ,)? so (?:that )?{READER} can "
-     "(?:easily |all )?read (?:it|the word)$", "{1}"),
+    (f"^(.*\\b(?:write|spell|(?<!of )the word|the name)\\b .+?)(?: ,)? so (?:that )?{READER} can (?:easily |all )?read "
+     "(?:it|the word)$", "{1}"),
     # what lies across two
     (f"\\bon(?: top of)? (two (?:{COLOR} )?(?:ones|{CUBE}s)) (?=(?:that|which) (?:are|stand|lie|sit) (?:next to|"
      "beside) (?:each other|one another)\\b)", "across {1} "),
@@ -202,9 +202,6 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
      "{1} between the {2} patch and the {3} patch"),
     ("^(?:align|line up) ([^,]+?) (?:with|along|to|at) (the (?:near|far|left|right|front|back) edge of the table)$",
      "put {1} at {2}"),
-    # how it stands to others
-    (f"^(?:the )?({MANY}) ({COLOR}) (?:blocks|cubes|ones) (?:{MUST} )?(?:enclose|surround|encircle) ({THING}) (?:from|"
-     "on) (?:all|its|all its)(?: four)? sides$", "{3} must be surrounded by {1} {2} blocks"),
     # which board
     ("^(?:this is |make |build |lay )?(?:the |a )?(?:corner|piece|part|bit|section) of a (chess board|chessboard|"
      "checkerboard|board of checkers) :", "a checkerboard :"),
@@ -216,8 +213,9 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     # what is changed, and what not
     (f"^({THING} and {THING}) swap (?:with each other|with one another|over|around|round|too|as well|also)$",
      "{1} swap places"),
-    ("^(?:nobody|no one|no robot) (?:moves|touches|may move|may touch|should move|must move|is (?:allowed|permitted) "
-     f"to move) ({THING})$", "do not move {1}"),
+    (f"^(?:nobody|no one|no robot) (?:ever )?(?:moves|touches|disturbs|has (?:moved|touched|disturbed)|"
+     f"(?:may|can|{MUST}|has ever|is (?:allowed|permitted) to) (?:ever )?(?:have )?(?:move|touch|disturb)(?:d|ed)?) "
+     f"({THING})$", "do not move {1}"),
     ("\\bthe table 's (left|right|near|far|front|back) (half|side|edge)\\b", "the {1} {2} of the table"),
     # what stays where it is
     (f"^({MANY} {COLOR})(?: {CUBE}s?)?(?: (?:are |is )?on (?:the )?table)?{_UNTOUCHED}$",

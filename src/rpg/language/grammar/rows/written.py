@@ -52,9 +52,11 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(row|line) of (?:(?:letter )?(?:cubes|blocks|tiles)|letters)(?: ,)? (?=(?:(?:that|which) (?:spells|reads|"
      f"says)|"
      f"spelling|reading|saying) (?!(?:from|left|right|the|both|{COLOR})\\b)[a-z]{{2,}}(?: on | in |$))", "{1} "),
-    (f"^(?:please )?(?:lay out|lay|put|place|arrange|write)(?: out)? the letters of {_WORD} (?:in a row|side by side|"
-     f"next to each other|in a line)(?: ,)? so(?: that)? (?:{READER} can (?:easily |all )?read (?:it|them|the word)|"
-     "(?:it|they) can be read|(?:it is|they are) (?:readable|legible))$", "spell {1} in a row"),
+    (f"^(?:please )?(?:lay out|lay|put|place|arrange|write|stick|set|line)(?: out| up)? the letters of {_WORD} (?:in a "
+     f"row|side by side|next to each other|in a line)(?: ,)? so(?: that)? (?:{READER} can (?:easily |all )?read (?:it|"
+     "them|the word)|(?:it|they) can be read|(?:it is|they are) (?:readable|legible))$", "spell {1} in a row"),
+    (f"^(.*\\bletters (?:\\w (?:,|and|, and) )+\\w (?:in a row|side by side|in a line))(?: ,)? so(?: that)? {READER} "
+     "can (?:easily |all )?read (?:it|the word)$", "{1} in this order from left to right"),
     *(
         (f"^{head}(?: ,)? (?:backwards|in reverse(?: order)?|(?:from )?back to front){tail}$", f"spell {{1}} {said}")
         for head in (

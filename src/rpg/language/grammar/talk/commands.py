@@ -74,7 +74,7 @@ COMMANDS = Patterns(
     "note|reminder to_self|to_myself? :",
     "in|at the end ,?",
     "the|your? robot|robot_arm|arm|agent|machine|manipulator|gripper must|should|shall|has_to|have_to|needs_to|"
-    "need_to|can|will|is_to|are_to",
+    "need_to|can|could|would|will|ought_to|is_to|are_to",
     "can|could|would|will not? the|your|our|this robot|robot_arm|arm|agent|machine|manipulator please|kindly|now?",
     "can|could|would|will not? you|somebody|someone|anybody|anyone please?",
     "can|could|shall|should we",

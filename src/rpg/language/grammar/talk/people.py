@@ -80,7 +80,8 @@ WISHING = Classes(
             "fancy|asked|be_delighted|be_thankful|be_thrilled|want|wants|wanted|like|likes|love|loves|need|needs|"
             "prefer",
             "prefers|wish|wishes|hope|hopes|ask|asks|require|requires|expect|expects|imagine|imagines|request|requests",
-            "have_in_mind|picture|propose|suggest|envision|look|looking|hoping|asking|wondering|wanting|dreaming",
+            "have_in_mind|picture|propose|suggest|envision|look|looking|hoping|asking|wondering|wanting|dreaming|"
+            "aim|aims|aiming|strive|strives|striving|go|going",
             "appreciate|welcome|vote|settle|opt|demand|demands|desire|desires|be_satisfied|be_content",
             "thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing",
         ),

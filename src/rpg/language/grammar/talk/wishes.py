@@ -105,6 +105,7 @@ STATES = Patterns(
     "there goes",
     "make sure that?",
     "please? ensure that?",
+    "accept|achieve|obtain|attain|expect|guarantee|aim_for|strive_for|go_for|opt_for|settle_for",
     "see to it that",
     "check|verify|confirm|guarantee that",
     "it shall|must|should|will|has_to|needs_to|is_to be "

@@ -14,6 +14,7 @@ from rpg.language.grammar.things.at_an_end import at_an_end
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
 from rpg.language.grammar.things.excepted import alone_in_this
+from rpg.language.grammar.things.goods import goods
 from rpg.language.grammar.things.had_relatives import told_traits, wished_of_new
 from rpg.language.grammar.things.in_line import in_line, unnamed_ends
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
@@ -26,7 +27,6 @@ from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
 from rpg.language.grammar.things.so_many import so_many
 from rpg.language.grammar.things.standby import further_extras
-from rpg.language.grammar.things.strangers import STRANGERS
 from rpg.language.grammar.things.theirs import as_many_colors, of_patch
 from rpg.language.grammar.things.told_symbols import both_parities, told_symbols
 from rpg.language.later import later
@@ -209,17 +209,15 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
 @choice
 def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     """The noun itself: (head, plural, traits it brings)."""
-    for table in (lexicon.BLOCK, lexicon.LOOSE_BLOCK):
-        if (plural := p.lex(i, table)) is not None:
-            yield ("block", plural, {}), i + 1
+    for many, j in goods(p, i):
+        yield ("block", many, {}), j
     start = p.one(i, _APART) or i
     j, plural = patch_noun(p, start)
     if j > start:
         yield ("patch", plural, {"scheme": "different"} if start > i else {}), j
     for table, kind in ((lexicon.LETTER, "letter"), (lexicon.DIGIT, "digit"), (lexicon.SYMBOL, "symbol")):
-        plural = p.lex(i, table)
-        if plural is not None:
-            yield ("block", plural, {"kind": kind}), i + 1
+        if (named := p.lex(i, table)) is not None:
+            yield ("block", named, {"kind": kind}), i + 1
     for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
         if j := p.one(i, frozenset({words, words + "s"})):
             yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
@@ -228,8 +226,6 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     start = p.one(i, ("random", "arbitrary", "other")) or i
     if j := p.one(start, ("distractor", "distractors")):
         yield ("block", p.words[start] == "distractors", {"extra": True}), j
-    if p.follows(i, lexicon.COLOR) and (j := p.one(i, STRANGERS)):
-        yield ("block", p.words[i].endswith("s"), {}), j
     if j := p.one(i, ("one", "ones")):
         odd = p.follows(i, ("odd",)) and p.follows(i - 1, ("the",))
         yield ("any", p.words[i] == "ones", {}), (p.opt(j, "out") if odd else j)

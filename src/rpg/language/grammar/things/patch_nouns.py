@@ -13,7 +13,23 @@ _PLACES = {
 }
 _FOR_WHAT = ("drop off", "dropoff", "drop", "delivery", "landing", "docking", "parking", "storage", "loading",
              "unloading", "charging", "assembly", "marked", "painted", "floor")  # fmt: skip
-_REGION = frozenset({"region", "location", "sector", "station"})
+_REGION = {
+    word: word.endswith("s")
+    for place in (
+        "region",
+        "location",
+        "sector",
+        "station",
+        "slot",
+        "bay",
+        "section",
+        "compartment",
+        "dock",
+        "container",
+    )
+    for word in (place, f"{place}s")
+}
+"""Patches where a colour stands in front of them."""
 
 
 def patch_noun(p: Parser, i: int) -> tuple[int, bool]:
@@ -24,6 +40,6 @@ def patch_noun(p: Parser, i: int) -> tuple[int, bool]:
         j, plural = j + 1, found
     if j > start and p.stands(j - 1, _AIMED) and (place := p.lex(j, _PLACES)) is not None:
         return j + 1, place
-    if j == i and p.follows(i, lexicon.COLOR) and (end := p.one(i, _REGION)):
-        return end, False
+    if j == i and p.follows(i, lexicon.COLOR) and (several := p.lex(i, _REGION)) is not None:
+        return i + 1, several
     return (j, plural) if j > start else (i, False)

@@ -43,13 +43,17 @@ def _one_more(noun: Noun, there: list[Thing], scene: Scene) -> Thing:
 
 def settle_sides(scene: Scene) -> None:
     """Where the patches lie that were told by their sides: the left one left of all the others."""
-    told = scene.patch_sides
+    told = dict(scene.patch_sides)
     every = [t.name for t in scene.things.values() if t.patch]
     if not told:
         return
     if any(scene.things[name].color for name in every) or len(every) < 2 or not _agree(told, len(every)):
         raise refuse("ambiguous", "it is not clear on which side of which patches this is", scene.patch_sides_at,
                      "say how many patches there are, or name their colours")  # fmt: skip
+    if "middle" in told:  # it is there only between the two others
+        ends = ("front", "back") if told.keys() & {"front", "back"} else ("left", "right")
+        rest = (name for name in every if name not in told.values())
+        told |= {side: next(rest) for side in ends if side not in told}
     for side, name in told.items():
         others = (other for other in every if other != name)
         for other in others if side in _TOWARDS else ():

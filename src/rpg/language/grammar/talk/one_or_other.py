@@ -57,7 +57,7 @@ def _told(tokens: list[Token], at: int, end: int, pair: Pair, last: int) -> list
     begin = max((n + 1 for n in stops if n < at), default=0)
     close = min((n for n in stops if n > last), default=len(tokens))
     said = [*words[begin:at], *words[end:close]]
-    if not _GUIDES.isdisjoint(said) or not _BACK.isdisjoint(words[close:]):
+    if not _GUIDES.isdisjoint(said) or not _BACK.isdisjoint(words[close:]) or _unclear(said):
         return None
     if any(token.many > 1 and token.kind == "word" for token in (*tokens[begin:at], *tokens[end:close])):
         return None
@@ -67,6 +67,12 @@ def _told(tokens: list[Token], at: int, end: int, pair: Pair, last: int) -> list
     mark = tokens[at]
     either = [mark.saying("either"), *first, mark.saying(","), mark.saying("or"), *_way(second, pair[1], rest, pair[0])]
     return [*tokens[:begin], *either, *tokens[close:]]
+
+
+def _unclear(said: list[str]) -> bool:
+    """Whether "it" may mean one of the two: no mat is spoken of in front of it, and it is not "where it is"."""
+    its = [n for n, word in enumerate(said) if word in ("it", "there") and said[n - 1] != "where"]
+    return any(lexicon.PATCH.keys().isdisjoint(said[:n]) for n in its)
 
 
 def _way(before: list[Token], one: list[Token], behind: list[Token], other: list[Token]) -> list[Token]:

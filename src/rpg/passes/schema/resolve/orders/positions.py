@@ -266,7 +266,7 @@ def _fill(
     if not left and len(held) < len(names):
         raise refuse("contradiction", "nothing is left there", item.span, "say 'the others'")
     many = place.several if isinstance(place, Places) and place.beyond else None
-    if many is not None and many < len(left):  # "the two below them", and others below those
+    if many is not None and held and many < len(left):  # "the two below them", and others below those
         left = sorted(sorted(left, key=lambda k: min(abs(k - there) for there in held))[:many])
     if not left or not held:
         raise refuse("misplaced", "nothing is left for this", item.span, "leave it out")

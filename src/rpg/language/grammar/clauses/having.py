@@ -124,7 +124,10 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
             yield _stated(p, i, end, none, (Loc(rel="on", landmark=owner, span=p.span(i, j)),), mode), end
         if k := p.any_of(j, _CARRIES):
             for theme, start in noun_phrase(p, k) if not _symbols(p, k) else ():
-                for found, end in adjuncts(p, p.opt(start, "each", "apiece") if each_of(owner) else start):
+                every = p.one(start, ("each", "apiece")) if each_of(owner) else 0
+                if every and getattr(owner, "det", "") not in ("each", "all", "both"):
+                    continue  # "two of the three carry a green one each": as many as these
+                for found, end in adjuncts(p, every or start):
                     if not found or _owned(found, owner) is not None:
                         place = Loc(rel="on", landmark=owner, span=p.span(i, j))
                         said, places = said_of_each(theme, (place,), owner)

@@ -22,7 +22,7 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
     # the one that is left over
     ("\\b(?:the|that) (ones?|blocks?|cubes?) (?:(?:(?:that|which) )?(?:(?:is|are|was|were|gets) )?left over|(?:that|"
      "which) (?:is|are|was|were) left|(?:that|which) remains?|remaining)(?! of\\b)", "the remaining {1}"),
-    ("\\b(?:what|whatever) (?:(?:is|gets) (?:left over|left)|remains)(?! of\\b)", "the rest"),
+    ("\\b(?:what|whatever) (?:(?:is|gets) (?:left over|left)|remains)(?! of\\b| is an? )", "the rest"),
     # headings
     ("^(?:sort|group)(?: them| the blocks| the cubes)?(?: by color)?(?: (?:onto|to|on) (?:the "
      ")?(?:mats|patches|targets|zones))? : (.+ on (?:the|an?) \\w+ (?:mat|patch|target|zone)\\b.*)$", "{1}"),

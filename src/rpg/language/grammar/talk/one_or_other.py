@@ -20,8 +20,8 @@ _BACK = frozenset({"it", "they", "them", "this", "that", "these", "those", "one"
 _BEGINS = frozenset({"one", "either", "the"})
 _PLACES = frozenset({"on", "onto", "in", "into", "to", "of", "off", "beside", "behind", "under", "above", "near", "at",
                      "from", "touching", "with", "below", "against", "inside"})  # fmt: skip
-_ELSE = frozenset({"side", "half", "end", "corner", "way", "hand", "order", "ones", *lexicon.STRUCTURE,
-                   *lexicon.NUMBER}) - {"one", "square"}  # fmt: skip
+_ELSE = frozenset({"blocks", "cubes", "bricks", "boxes", "letters", "digits", "side", "half", "end", "corner", "way",
+                   "hand", "order", "ones", *lexicon.STRUCTURE, *lexicon.NUMBER}) - {"one", "square"}  # fmt: skip
 """Behind "the other" these are none of the two."""
 _VERBS = frozenset({"is", "goes", "should", "must", "has", "stands", "lies", "needs", "belongs", "ends", "shall"})
 _JOINS = frozenset({"and", ",", "but", "while", "with", "whereas"})
@@ -85,7 +85,10 @@ def _way(before: list[Token], one: list[Token], behind: list[Token], other: list
             at += 2 + (words[at + 2] in _NOUNS or words[at + 2] == "one")
             way += other
             continue
-        if behind[at].word in STOPS or words[at : at + 3] == [",", "the", "other"]:
+        kept = words[at] == "keep" and words[at + 1 : at + 3] == ["the", "other"] and "table" in words[at:]
+        if kept:  # "keep the other one on the table": at the end
+            way.append(behind[at].saying("put"))
+        elif behind[at].word in STOPS or words[at : at + 3] == [",", "the", "other"]:
             way.append(behind[at].saying("and"))
         elif words[at] != "," or words[at + 1] not in _JOINS:
             way.append(behind[at])

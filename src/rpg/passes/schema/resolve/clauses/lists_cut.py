@@ -33,7 +33,7 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
         for clause in chain.clauses:
             _check_either(clause, text)
             _check_sides(clause)
-            _check_standing(clause)
+            _check_standing(clause, text)
         for built in (part for part in parts_of(chain) if isinstance(part, Structure | Clause)):
             _check_none(built)
         for order in (part for part in parts_of(chain) if isinstance(part, OrderBy)):
@@ -84,9 +84,12 @@ def _check_sides(clause: Meaning) -> None:
             raise refuse("misplaced", "what this is said of is not clear", other.span, "say it of each side")
 
 
-def _check_standing(clause: Meaning) -> None:
+def _check_standing(clause: Meaning, text: str) -> None:
     """Refuse "four towers, each two high, stand in a row" as an order to stand something else there."""
-    if isinstance(clause, Clause) and clause.lemma in _STANDING and clause.theme is None and clause.mode == "command":
+    if not isinstance(clause, Clause) or clause.lemma not in _STANDING or clause.theme is not None:
+        return
+    told = text[: clause.span[0]].rstrip().endswith(" to") or text[slice(*(clause.word or (0, 0)))].endswith("s")
+    if clause.mode == "command" and not told:
         raise refuse("misplaced", "it is not said what stands there", clause.span, "say it in a sentence of its own")
 
 

@@ -8,6 +8,7 @@ from rpg.passes.schema.resolve.clauses.kept import brought_about
 from rpg.passes.schema.resolve.goals.inserted import into_their_tower
 from rpg.passes.schema.resolve.goals.lasting import beside_what_is_done
 from rpg.passes.schema.resolve.goals.left_out_of_line import none_left_out_in_line
+from rpg.passes.schema.resolve.goals.order_left_free import order_left_free
 from rpg.passes.schema.resolve.goals.standing import none_left_out_on_top, still_standing
 from rpg.passes.schema.resolve.goals.two_ways import two_ways
 from rpg.passes.schema.resolve.orders.as_listed import both_as_listed
@@ -22,7 +23,7 @@ from rpg.passes.schema.resolve.things.world import Scene
 def with_what_is_meant(goal: g.Goal, scene: Scene) -> g.Goal:
     """`goal` with the premises of its words: what landmarks are, what is left alone, towers that still stand,
     and what lasts beside what is done."""
-    goal = both_as_listed(with_order_kept(goal, scene), scene)
+    goal = both_as_listed(with_order_kept(order_left_free(goal, scene), scene), scene)
     goal = transform(one_by_one(goal, scene), besides_their_patches)
     goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
     goal = into_their_tower(beside_what_is_done(goal, scene), scene)

@@ -71,13 +71,18 @@ def _check_instead(chains: list[Chain], text: str) -> None:
                          "say it at once, as in 'five red blocks, but the middle one is blue'")  # fmt: skip
 
 
+_TWO = 2
+
+
 def _joined(ahead: Meaning, clause: Meaning) -> Clause | None:
     """A clause with what the next one tells of parts, if that is all that it tells."""
     if not isinstance(ahead, Clause) or not isinstance(clause, Clause) or clause.negated:
         return None
     parts = clause.adjuncts if clause.verb == "part" and clause.theme is None else ()
     theme = clause.theme
+    looks = {color for part in parts_of(ahead) if isinstance(part, Noun) for color in part.traits.colors}
     none = isinstance(theme, Noun) and (theme.det, theme.amount, theme.part_of) == ("no", None, None)
+    none = none and len(looks) == _TWO  # what is no red one there is a blue one
     if none and theme is not None and len(clause.adjuncts) == 1 and isinstance(clause.adjuncts[0], At | Places):
         parts = (Absolute(theme=theme, adjuncts=clause.adjuncts, span=clause.span),)
     return replace(ahead, adjuncts=(*ahead.adjuncts, *parts), span=(ahead.span[0], clause.span[1])) if parts else None

@@ -38,6 +38,7 @@ from rpg.language.spliced import in_one_sentence, in_sentences, run_together, st
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings, same
+from rpg.passes.schema.begun_first import begun_first
 from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
@@ -197,7 +198,10 @@ class BuiltinFrontEnd:
     ) -> Reading:
         """The reading of a text that tells of a figure part by part, with a note of how it was understood; no task and
         no diagnostics if there is none."""
+        begun = begun_first(words)
         for tokens, said in retold(without_asides(with_beginnings(words))):
+            if begun and "t the start" not in said:
+                continue
             with suppress(Refusal):
                 task, found = self._read_tokens(
                     (tokens, []), text, name, seed, author, notes, [f"understood as: {said}"], again=False

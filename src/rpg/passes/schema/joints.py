@@ -359,6 +359,22 @@ def _front_of_a_row(words: Sequence[Token], task: TaskSchema) -> None:
 _NEAR_OR_FAR = frozenset({"front", "back"})
 
 
+def _same_number(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "two boxes on the red mat, the same number on the blue one" as a cube that shows a number."""
+    for same, number in pairwise(words):
+        if (same.word, number.word) == ("same", "number") and task.assumed(SYMBOLS_UNSAID):
+            raise refuse("ambiguous", "it is not clear what there is as many of", number.span,
+                         "say the number again: 'and two on the blue one'")  # fmt: skip
+
+
+def _different(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "four blocks, each of a different colour, and all of them green"."""
+    for look, color in pairwise(words):
+        told = look.word == "different" and color.word in ("color", "colors")
+        if told and len(task.blocks) > 1 and len({block.color for block in task.blocks}) == 1:
+            raise refuse("contradiction", "all of these have one colour", color.span, "leave one of the two out")
+
+
 _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchema], None]], ...] = (
     (_TOWERS, _parted_lists),
     (None, _same_cubes),
@@ -377,5 +393,7 @@ _CHECKS: tuple[tuple[frozenset[str] | None, Callable[[Sequence[Token], TaskSchem
     (frozenset({"or"}), _left_open),
     (_MAY_NOT, _who_may_not),
     (_NEAR_OR_FAR, _front_of_a_row),
+    (frozenset({"same"}), _same_number),
+    (frozenset({"different"}), _different),
 )
 """What is checked, and words without which there is nothing to check."""

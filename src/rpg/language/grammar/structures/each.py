@@ -29,6 +29,7 @@ _LEADS = (
 _SO = ("so that", "such that", "and", "where", "with", "in such a way that")
 _SO_THAT = frozenset({"that", "where", "and", "with"})
 _OF = ("of", "with", "made of", "built of")
+_OF_OR_BEING = (*_OF, "being", "having")
 _COLON = ("that is", "is")
 _ALIKE = tuple(
     f"{lead}{same}{end}"
@@ -101,7 +102,7 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
         yield from (x for x in made_of(p, i, named) if x[0].first and not every)
     each = p.one(p.any_of(comma, _SO) or comma, ("each", "every"))
     noun = p.any_of(each, _NOUNS) or each if each and (comma > i or p.follows(each - 1, _SO_THAT)) else 0
-    for has in (p.any_of(noun, _HAS), p.any_of(noun, (*_OF, "being", "having"))) if noun else ():
+    for has in (p.any_of(noun, _HAS), p.any_of(noun, _OF_OR_BEING)) if noun else ():
         yield from made_of(p, i, has) if has else ()
     if j := p.any_of(comma, _ALIKE):
         yield from (x for x in made_of(p, i, j) if x[0].first)

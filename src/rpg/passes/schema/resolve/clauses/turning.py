@@ -301,6 +301,8 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if clause.verb == "unstack" and not landmarks and not clause.negated:
         theme = pile_of(theme, clause.theme, scene)
     names = theme.names
+    if theme.op == "only" and not clause.negated:  # "remove only the top one": the others stay
+        scene.only += names
     if theme.quant is not None and not landmarks:
         raise refuse("ambiguous", "it is not clear which of these are meant", clause.span, "name the blocks")
     if clause.negated:

@@ -96,15 +96,16 @@ THREE_STEPS = {
           "miss": ["red red red red blue blue blue blue circle=2"]}),
         ("Letters and digits alternate in a row: A, B, 1 and 2.",
          {"assets": {"A": 1, "B": 1, "1": 1, "2": 1}, "hold": ["A 1 B 2", "2 A 1 B"], "miss": ["A B 1 2"]}),
-        ("Start with a stack of three: red at the bottom, then blue, then green on top. Remove only the top one and set "
-         "it on the table.",
+        ("Start with a stack of three: red at the bottom, then blue, then green on top. Remove only the top one and "
+         "set it on the table.",
          {"assets": {"red": 1, "blue": 1, "green": 1}, "start": ["red^blue^green"],
           "hold": [["red^blue^green at=0,0", "red^blue at=0,0 ; green at=0,4"]],
           "miss": [["red^blue^green at=0,0", "red at=0,0 ; blue at=0,-4 ; green at=0,4"]]}),
         ("Three blocks in one tower, red, white, blue; red isn't allowed at the bottom.",
          {"assets": {"red": 1, "white": 1, "blue": 1}, "hold": ["white^red^blue", "blue^white^red"],
           "miss": ["red^white^blue"]}),
-        ("Five blocks in a row, red, blue, green, white and gray: neither the red nor the blue one is at an end.",
+        ("Five blocks in a row, red, blue, green, white and gray: neither the red nor the blue one may stand at an "
+         "end.",
          {"assets": {"red": 1, "blue": 1, "green": 1, "white": 1, "gray": 1}, "hold": ["green red white blue gray"],
           "miss": ["red blue green white gray", "green white gray red blue"]}),
         ("A, B and C, along with D, form a tower.",

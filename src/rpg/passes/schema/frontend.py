@@ -10,6 +10,7 @@ from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
+from rpg.language.begun_ahead import begun_ahead
 from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
 from rpg.language.chat import as_typed
@@ -119,6 +120,11 @@ class BuiltinFrontEnd:
         code = refusal.diagnostics[0].code if refusal is not None else found[1][0].code if found[1] else ""
         if found[0] is None and not chosen and code in _NOT_UNDERSTOOD:
             found = self._apart(told, text, name, seed, author, mended) or found
+        if found[0] is None and code in _CANNOT_BOTH_BE and (begun := begun_ahead(told[0])) is not None:
+            with suppress(Refusal):
+                task, notes = self._read_tokens((begun, told[1]), text, name, seed, author, mended)
+                if task is not None:
+                    return task, notes
         if found[0] is None and refusal is not None:
             raise refusal
         return found
@@ -243,6 +249,8 @@ def _undisturbed() -> Iterator[None]:
 
 _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused that may be understood with its clauses told apart."""
+_CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})
+"""Why a text is refused of which the first part may be so at the start alone."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
     with_names, without_names, with_figures, without_glosses, without_feelings, in_centimetres, with_colors,
     without_materials, without_praise,

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import IS, LABEL, PLACE, PUT, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, LINE, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, LINE, MANY, MUST, PATCH
 
 _BLOCKS = "(?:blocks|cubes|ones)"
 _PEOPLE = (
@@ -104,6 +104,11 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      f"now|first|initially|beginning)\\b)(?:(?:are|is) )?({PLACE} [^,]+|touch each other|touching each other)$",
      "{1} must be {2}"),
     (f"^((?:an?|{MANY}) [^,]+?) (?:that|which) (touch each other)$", "{1} must {2}"),
+    # either of two is there
+    (f"^either (.+?) ((?:is|are|goes|go|{MUST} (?:be|go)) (?:on|onto|in) the {PATCH})(?: ,)? or ((?:both|the|all)(?: "
+     f"the)? {COLOR} (?:{_BLOCK}|ones))$", "either {1} {2} , or {3} {2}"),
+    (f"^either ({THING}) (is|goes|stands|lies|{MUST} (?:be|go|stand|lie)) (on|onto|on top of|next to|beside|behind|in "
+     f"front of|under|to the left of|to the right of) ({THING})(?: ,)? or ({THING})$", "{1} {2} {3} {4} or {5}"),
     # who is not
     ("^neither (.+?) nor (.+?) (?:may|can) (?:be )?moved?$", "{1} and {2} must stay where they are"),
     (f"^some of (.+?) ({MUST} be|are|is|{MUST} lie|{MUST} stand) (.+?)(?: ,)? but not all(?: of (?:them|these))?$",

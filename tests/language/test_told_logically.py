@@ -315,9 +315,9 @@ def test_what_there_is_told_in_between(text: str, meant: Meant) -> None:
          {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["blue^red ; green", "green^red ; blue"],
           "miss": ["blue^green ; red", "red ; blue ; green"]}),
         ("Either both red blocks are on the mat, or both blue ones.",
-         {"assets": {"red": 2, "blue": 2, "patch": 1}, "hold": ["red . red at=patch ; blue ; blue", "blue . blue at=patch"],
+         {"assets": {"red": 2, "blue": 2, "patch": 1}, "hold": ["red . red at=patch", "blue . blue at=patch"],
           "miss": ["red . blue at=patch ; red ; blue", "red at=patch"]}),
     ],
 )  # fmt: skip
-def test_either_of_two(text: str, meant: dict[str, Any]) -> None:
+def test_either_of_two(text: str, meant: Meant) -> None:
     assert_means(text, meant)

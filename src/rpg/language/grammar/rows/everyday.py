@@ -9,7 +9,7 @@ from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, LINE, MANY,
 
 _BLOCKS = "(?:blocks|cubes|ones)"
 _PEOPLE = (
-    "(?:everyone|everybody|we|i|he|she|they|the (?:class|kids|children|pupils|students|kid|child|audience|viewer))"
+    "(?:everyone|everybody|we|i|he|she|they|the (?:user|class|kids|children|pupils|students|kid|child|audience|viewer))"
 )
 _DEEP = "(?:near|far|front|back|rear)"
 _ROW = "(?:far|near|front|back|first|second)"

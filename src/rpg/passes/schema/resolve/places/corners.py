@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.ir.node import EACH, Operand
+from rpg.ir.node import EACH
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, In, Meaning, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
@@ -220,9 +220,13 @@ def _on_a_patch(theme: Ref, scene: Scene) -> bool:
 
 
 def in_region(theme: Ref, region: str, span: Span) -> g.Goal:
-    """What is spoken of lies in a part of the table."""
+    """What is spoken of lies in a part of the table: several blocks "in a corner" in the same one."""
+    several = len(theme.names) > 1 and theme.op == "and" and theme.quant is None and not theme.each
+    several = several and [built.kind for built in theme.built] != ["stack"]  # which is in one place anyway
 
-    def one(a: Operand) -> g.Goal:
-        return r.InRegion(a=a, region=region, span=span)  # type: ignore[arg-type]
+    def inside(part: str) -> g.Goal:
+        return spread(theme, lambda a: r.InRegion(a=a, region=part, span=span), span, together=True)  # type: ignore[arg-type]
 
-    return spread(theme, one, span, together=True)
+    if region == "corner" and several:
+        return disj([inside(f"{deep}_{side}_corner") for deep in ("near", "far") for side in ("left", "right")], span)
+    return inside(region)

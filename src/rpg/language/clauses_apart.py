@@ -19,6 +19,8 @@ _PLACES = frozenset({"on", "in", "at", "to", "next", "behind", "under", "above",
 """What begins to tell where something is, or how."""
 _OF_THEM = frozenset({"all", "both", "none"})
 _FINITE = frozenset({"is", "are", "must", "should", "shall", "has", "have"})
+_GOES_ON = frozenset({"the", "but", "and", "except", "not"})
+"""What begins a sentence that may be part of the one before it."""
 _OF_THEIRS = frozenset({"the", "only", "all", "both", "each", "every", "no", "none"})
 """What begins to tell of blocks that are listed in front of a colon."""
 MOST = 8
@@ -59,7 +61,7 @@ def _behind_a_mark(tokens: Sequence[Token], words: list[str], at: int) -> Iterat
         yield [*tokens[:at], tokens[at].saying("."), *tokens[at + 1 :]]
     if words[at] == "," and words[at + 1] == "and":
         yield [*tokens[:at], tokens[at].saying("."), *tokens[at + 2 :]]
-    if words[at] in _STOPS and words[at + 1] == "the":
+    if words[at] in _STOPS and words[at + 1] in _GOES_ON:
         yield [*tokens[:at], tokens[at].saying(","), *tokens[at + 1 :]]
 
 

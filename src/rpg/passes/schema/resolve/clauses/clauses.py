@@ -202,9 +202,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if (goals := _in_a_manner(clause, spec, scene, scope)) is not None:
         return goals
     by_verb(clause, spec)
-    if (line := out_of_line(clause, spec, scene, scope)) is not None:
-        return line
-    if (line := mixed_line(clause, spec, scene, scope)) is not None:
+    line = out_of_line(clause, spec, scene, scope) or mixed_line(clause, spec, scene, scope)
+    if line is not None:
         return line
     if is_shape(clause.theme) or (clause.theme is None and spec.intos):
         return shaped(clause, spec, scene, scope)

@@ -40,6 +40,8 @@ def test_what_is_undone_is_so_at_the_start(text: str, meant: dict[str, Any]) -> 
         "Stack red on blue. Put blue on red.",
         "Red must be on blue. Put blue on red.",
         "Put blue on red. Red on blue.",
+        "The red block ends on the blue patch. Clear the patch.",
+        "We finish with the white cube lying on the red patch. Move the white cube to the blue patch.",
         "Red on blue and blue on red.",
     ],
 )

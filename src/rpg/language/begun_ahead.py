@@ -11,7 +11,8 @@ from rpg.language.tokens import Token
 _WISHED = frozenset({"must", "should", "shall", "will", "goal", "end", "finally", "start", "starts", "begin", "begins",
                      "initially", "first", "want", "wants", "would", "like", "please", "let", "then", "task", "aim",
                      "never", "always", "no", "may", "if", "ends", "ended", "ending", "finish", "finishes", "finished",
-                     "final", "eventually", "ultimately", "result", "later", "become", "becomes"})  # fmt: skip
+                     "final", "eventually", "ultimately", "result", "later", "become", "becomes", "stay",
+                     "stays", "remain", "remains", "keep", "keeps", "still"})  # fmt: skip
 """With these a sentence tells of the end, or says itself when it is so."""
 _ASKING = ("i want", "i would", "we want", "please", "now", "then", "at the end", "in the end", "finally")
 

@@ -136,6 +136,7 @@ def test_one_taken_of_many(text: str, meant: dict[str, Any]) -> None:
         "Two blue blocks stand side by side; the left one has a red one, the right one a green one.",
         "Lay out S, U and N so that the children can read it.",
         "Two red blocks and a blue one in the middle",
+        "The tower is red, green, blue from the bottom. First take blue off it, then green.",
         "Four blocks in a row, each of a different colour, and all of them green.",
         "A, B, C and D stand in a row. Only B is turned a quarter turn to the left. Straighten it.",
         "Two boxes on the red mat, the same number on the blue one and none on the green one.",

@@ -139,6 +139,9 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         return compared_far(theme, loc, scene, scope, span)
     check_bodies(theme, loc, scene)
     check_same(theme, loc, scene)
+    if loc.rel == "off" and getattr(loc.landmark, "op", "") == "then":  # "take blue off it, then green"
+        raise refuse("ambiguous", "is it taken off that next, or is that taken off next?", loc.span,
+                     "say 'then take ... off'")  # fmt: skip
     denied = loc.negated or scene.denying
     none = theme.quant is not None and theme.quant.high == 0
     check_further(theme, loc.landmark, scene, denied or none)

@@ -1,4 +1,5 @@
-"""What there is, told ahead of an order that undoes it, with no word of when: "One stack of six blocks. Split it." """
+"""What there is, told ahead of an order, with no word of when: "One stack of six blocks. Split it.", "A, B and C stand
+in a row. ... Straighten it." """
 
 from __future__ import annotations
 
@@ -14,6 +15,8 @@ _WISHED = frozenset({"must", "should", "shall", "will", "goal", "end", "finally"
                      "final", "eventually", "ultimately", "result", "later", "become", "becomes", "stay",
                      "stays", "remain", "remains", "keep", "keeps", "still"})  # fmt: skip
 """With these a sentence tells of the end, or says itself when it is so."""
+_STAND = frozenset({"stand", "stands", "lie", "lies", "sit", "sits"})
+_TO_BE = frozenset({"must", "should", "shall", "will", "want", "goal", "end", "finally", "has", "have", "needs", "to"})
 _ASKING = ("i want", "i would", "we want", "please", "now", "then", "at the end", "in the end", "finally")
 
 
@@ -30,6 +33,16 @@ def begun_ahead(tokens: Sequence[Token]) -> list[Token] | None:
         return None
     lead = [first[0].saying(word) for word in ("at", "the", "start", ",")]
     return [*lead, *tokens]
+
+
+def stands_first(words: Sequence[Token]) -> bool:
+    """Whether a text begins with how blocks stand in a figure, as a fact, and goes on with an order: what is told first
+    is there at the start, and is not what is to be built."""
+    first, *rest = sentences([*words])
+    said = {token.word for token in first}
+    fact = not said.isdisjoint(_STAND) and said.isdisjoint(_TO_BE) and first[0].word not in lexicon.COMMANDS
+    built = any(token.word in lexicon.STRUCTURE for token in first)
+    return fact and built and any(part[0].word in lexicon.COMMANDS for part in rest)
 
 
 def _asks(part: Sequence[Token]) -> bool:

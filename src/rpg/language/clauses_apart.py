@@ -7,10 +7,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.tokens import Token
 
 _BREAKS = frozenset({",", ".", ";", ":", "!", "?", "…", "(", ")"})
-_STOPS = frozenset({".", ";", "!", "?"})
 _OF_ONE = frozenset({"the", "a", "an", "one", "all", "both", "no", "its", "their", "every", "each", "only",
                      *lexicon.NUMBER})  # fmt: skip
 _PLACES = frozenset({"on", "in", "at", "to", "next", "behind", "under", "above", "below", "beside", "left", "right",
@@ -61,7 +61,7 @@ def _behind_a_mark(tokens: Sequence[Token], words: list[str], at: int) -> Iterat
         yield [*tokens[:at], tokens[at].saying("."), *tokens[at + 1 :]]
     if words[at] == "," and words[at + 1] == "and":
         yield [*tokens[:at], tokens[at].saying("."), *tokens[at + 2 :]]
-    if words[at] in _STOPS and words[at + 1] in _GOES_ON:
+    if words[at] in STOPS and words[at + 1] in _GOES_ON:
         yield [*tokens[:at], tokens[at].saying(","), *tokens[at + 1 :]]
 
 

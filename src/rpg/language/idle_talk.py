@@ -121,11 +121,11 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
 
 
 def _plain(tokens: Sequence[Token]) -> list[str] | None:
-    """The words, if each of them could be harmless."""
+    """The words, if each of them could be harmless; none that ask for a word that can be read."""
     if not 0 < len(tokens) <= _MOST or any(not _could_be(token, n == 0) for n, token in enumerate(tokens)):
         return None
     words = [token.word for token in tokens]
-    asked = words[0] == "so" and "read" in words and words[-1] in _WHAT_IS_READ  # that a word is spelled
+    asked = words[0] == "so" and "read" in words and words[-1] in _WHAT_IS_READ
     return None if asked else words
 
 

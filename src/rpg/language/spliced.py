@@ -20,7 +20,6 @@ _PLACES = frozenset({"leftmost", "rightmost", "last", "topmost", "uppermost", "l
 _AT = frozenset({"at", "on", "in"})
 _ENDS = frozenset({"left", "right", "top", "bottom", "front", "back", "end", "beginning", "start", "very", "far",
                    "near", "middle", "center", "centre", "first", "second", "third", "last"})  # fmt: skip
-_ENDING = frozenset({",", ".", ";", "!", "?"})
 
 
 def in_sentences(tokens: list[Token]) -> list[Token] | None:

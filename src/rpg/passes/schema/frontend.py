@@ -10,7 +10,7 @@ from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
-from rpg.language.begun_ahead import begun_ahead
+from rpg.language.begun_ahead import begun_ahead, stands_first
 from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
 from rpg.language.chat import as_typed
@@ -39,7 +39,6 @@ from rpg.language.spliced import in_one_sentence, in_sentences, run_together, st
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings, same
-from rpg.passes.schema.begun_first import begun_first
 from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
@@ -109,22 +108,17 @@ class BuiltinFrontEnd:
                 if task is not None:
                     return task, notes
         chosen = isinstance(refusal, Repairable | TwoReadings)
-        ways = (in_sentences, run_together, in_one_sentence) if found[0] is None and not chosen else ()
-        for parted in (way(told[0]) for way in ways):
+        code = refusal.diagnostics[0].code if refusal is not None else found[1][0].code if found[1] else ""
+        ways = [*(() if chosen else _SPLICED), *((begun_ahead,) if code in _CANNOT_BOTH_BE else ())]
+        for parted in (way(told[0]) for way in ways if found[0] is None):
             if parted is None:
                 continue
             with suppress(Refusal):
                 task, notes = self._read_tokens((parted, told[1]), text, name, seed, author, mended)
                 if task is not None:
                     return task, notes
-        code = refusal.diagnostics[0].code if refusal is not None else found[1][0].code if found[1] else ""
         if found[0] is None and not chosen and code in _NOT_UNDERSTOOD:
             found = self._apart(told, text, name, seed, author, mended) or found
-        if found[0] is None and code in _CANNOT_BOTH_BE and (begun := begun_ahead(told[0])) is not None:
-            with suppress(Refusal):
-                task, notes = self._read_tokens((begun, told[1]), text, name, seed, author, mended)
-                if task is not None:
-                    return task, notes
         if found[0] is None and refusal is not None:
             raise refusal
         return found
@@ -204,7 +198,7 @@ class BuiltinFrontEnd:
     ) -> Reading:
         """The reading of a text that tells of a figure part by part, with a note of how it was understood; no task and
         no diagnostics if there is none."""
-        begun = begun_first(words)
+        begun = stands_first(words)
         for tokens, said in retold(without_asides(with_beginnings(words))):
             if begun and "t the start" not in said:
                 continue
@@ -247,6 +241,8 @@ def _undisturbed() -> Iterator[None]:
             gc.enable()
 
 
+_SPLICED: tuple[Callable[[list[Token]], list[Token] | None], ...] = (in_sentences, run_together, in_one_sentence)
+"""How a text that is not understood is punctuated otherwise."""
 _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused that may be understood with its clauses told apart."""
 _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})

@@ -39,14 +39,8 @@ _STANDS = (
     rf"(?:given|"
     rf"there)|(?:stands?|lies?|sits?|rests?|is|are)(?= on the TABLE))(?: on the TABLE)?)"
 )
-_FIGURE = "(?:tower|stack|pillar|row|line|column|wall|pyramid|grid|square|blocks|word|on)"
 _STOPS = frozenset({".", ";", "!", "?"})
 _JOINS = frozenset({",", "and", "then", "but", ":"})
-_LEADS = frozenset({
-    "please", "now", "then", "i", "we", "you", "robot", "goal", "task", "first", "do", "can", "could", "it",
-    "the", "in", "at", "end", "your", "target", "make", "so",
-})  # fmt: skip
-"""What may begin the telling of what is to be done, beside a command."""
 _TURNED = frozenset({"reverse", "turn", "flip", "invert", "reversed", "around"})
 _MOST = 4
 _GOAL = re.compile(
@@ -59,7 +53,6 @@ _GOAL = re.compile(
     r"should "
     r"be|must be))?|end(?: :)?|target(?: :)?|after(?: :)|result(?: :)|first(?: ,)?) )*"
 )
-_THEM = re.compile(r"\b(?:it|them|they|this|these|all of them|the (?:tower|row|stack|blocks))\b")
 
 
 def with_given(

@@ -24,8 +24,8 @@ def without_it(p: Parser, i: int) -> Results[That]:
         for place, end in (*loc(p, start), *at(p, start)):
             if isinstance(place, Loc | In | At) and not getattr(place, "negated", False):
                 span = p.span(i, end)
-                said = Clause(verb="be", theme=nothing or theme, adjuncts=(place,), mode="goal", span=span)
-                said = replace(said, negated=nothing is None)
+                what, denied = nothing or theme, nothing is None
+                said = Clause(verb="be", theme=what, adjuncts=(place,), negated=denied, mode="goal", span=span)
                 yield That(kind="so", clauses=Chain(clauses=(said,), links=("and",), span=span), span=span), end
 
 

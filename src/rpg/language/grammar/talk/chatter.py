@@ -109,9 +109,6 @@ CHATTER = Patterns(
 )
 """Whole sentences that ask for nothing. Disorder is how things begin anyway."""
 
-NO_SLIPS = frozenset({"chain", "manner", "relation", "sided"})
-"""Words that no rule asks for, and that are no slips for others."""
-
 
 def idle(tokens: list[Token]) -> bool:
     """Whether a sentence asks for nothing."""

@@ -13,7 +13,6 @@ from rpg.language.phrases import Classes
 
 _ROLES = "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys"
 _SPOTS = "somewhere|anywhere|on_the_table|on_it|in_the_scene|around|nearby|somewhere_on_the_table|by|there|about|aside"
-_THIS = "it|this|that|the_task|this_task|the_tower|the_row|the_structure|the_goal|the_game|the_puzzle|the_job"
 
 AS_EXTRAS = Patterns(
     "present|lying|standing|sitting|placed|as_well|too? there|around|present|lying_around|lying_about|standing_around|"

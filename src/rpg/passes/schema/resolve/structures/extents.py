@@ -14,10 +14,6 @@ from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 Made = tuple[list[Built], list[g.Goal]]
 
 
-def _size(shape: Structure) -> int | None:
-    return shape.extent("size", "side", "steps", "high", "layers")
-
-
 _GRID = (("rows", "deep"), ("columns", "wide", "long"), ("layers", "high"))
 _ONE_WAY = {
     "wall": (("wide", "long", "columns"), ("high", "layers", "rows")), "staircase": (("steps", "high", "layers"),),

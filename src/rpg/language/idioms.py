@@ -79,6 +79,16 @@ _WHOLE = (
     "trust|believe|forgive|excuse|pardon|humor|thank|bless|help me|us|you please|here|later|for_that|for_asking|"
     "for_bothering_you|for_being_picky|for_being_fussy|for_being_late?",
     "excuse|forgive|pardon my|the|our english|french|mess|noise|handwriting|spelling|typos|language",
+    "have fun with_it|everybody|everyone|guys|kids|all?",
+    "the end",
+    "just? to start|begin|warm_up|get_started|get_going|be_sure|be_safe|be_clear|make_it_clear with?",
+    "just? for a start|starters|beginners|warm_up|practice|testing_purposes|debugging|completeness",
+    "all? in one|a_single|just_one go|episode|run|rollout|attempt|trial|try|sitting please?",
+    "within|during one|a_single|just_one|this|the|each episode|run|rollout|attempt|trial|try please?",
+    "i|we? hope that|this|it|everything is|'s|was clear|understandable|fine|okay|ok|doable|possible|not_too_hard|"
+    "not_too_easy enough|to_you?",
+    "if that|this|it makes|make any? sense to_you?",
+    "you know the drill|rules|game|procedure",
     "have a|some fun|nice_day|good_day|lovely_day|great_day|nice_weekend|nice_evening|good_time|good_one|seat|heart",
     "enjoy it|yourself|yourselves|the_day|the_weekend|your_day?",
     "hurry up please|now?",

@@ -36,7 +36,7 @@ _SAID_WITH = listed(
     "accept chosen moon from hand world once more glory effort make get take way head over gratitude eternally forever "
     "best appreciate informed reckon believe suppose guess say allow pay one got doubt helping old young dear new much "
     "obliged : trouble supposed been 'd duties demonstration trial experiment lesson meeting course important "
-    "necessary essential crucial vital urgent matters need"
+    "necessary essential crucial vital urgent matters need trick level objective episode"
 )
 _DENYING = listed("not no never nothing without too only nobody none had was were did")
 """Not but in a few turns of speech."""
@@ -63,7 +63,7 @@ _TELLING = listed(
 _MOST = 16
 """So many words at most a lead-in has."""
 _SOUGHT = listed(
-    "goal aim task job mission homework duty assignment challenge thing idea plan point exercise objective"
+    "goal aim task job mission homework duty assignment challenge thing idea plan point exercise objective trick time"
 )
 _AT_LARGE = listed("make get order show test take")
 """Done to blocks in front of an "and", but for some turns of speech: "make an effort and put ..."."""

@@ -6,14 +6,15 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from rpg.language import lexicon
+from rpg.language import harmless, lexicon
 from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.tokens import Token
 
-_PERSONS = frozenset(PEOPLE.split("|"))
+_PERSONS = harmless.PEOPLE | {*PEOPLE.split("|"), "worker", "lead", "member"}
 _MOST = 3
 """No role has more words."""
-_THINGS = (lexicon.STRUCTURE, lexicon.BLOCK, lexicon.PATCH, lexicon.COLOR, lexicon.NUMBER, lexicon.ORDINAL)
+_THINGS = (lexicon.STRUCTURE, lexicon.BLOCK, lexicon.PATCH)
+_LOOKS = (lexicon.COLOR, lexicon.NUMBER, lexicon.ORDINAL)
 
 
 def as_anyone(tokens: list[Token], known: Collection[str]) -> list[Token]:
@@ -27,11 +28,32 @@ def as_anyone(tokens: list[Token], known: Collection[str]) -> list[Token]:
     end = next((n for n in range(3, len(words)) if words[n] in ("i", "we")), 0)
     end -= bool(end) and words[end - 1] == ","
     told = words[2:end] if end else []
-    if not 0 < len(told) <= _MOST or any(word in table for word in told for table in _THINGS):
+    if not 0 < len(told) <= _MOST or any(t.kind != "word" for t in tokens[2:end]):
         return tokens
-    if any(t.kind != "word" for t in tokens[2:end]) or not (told[-1] in _PERSONS or told[-1] not in known):
+    told_of = told[:-1] if told[-1] in _PERSONS else told  # "line worker", "block designer"
+    if any(word in table for word in told for table in _LOOKS) or (
+        told_of == told and (told[-1] in known or any(word in table for word in told for table in _THINGS))
+    ):
         return tokens
     return [*tokens[:2], replace(tokens[end - 1], word="user", raw="user"), *tokens[end:]]
+
+
+_BE = frozenset({"be", "is", "look"})
+_VERY = frozenset({"so", "very", "really", "quite", "most", "totally", "rather", "pretty", "super", "just"})
+_OF_LIKING = frozenset({"satisfying", "pleasing", "handy", "cool", "great"}) | harmless.FINE
+
+
+def as_nice(tokens: list[Token]) -> list[Token]:
+    """The tokens with "nice" for whatever is thought of it where a text begins: "it would be so cute if ..."."""
+    words = [token.word for token in tokens[:8]]
+    be = next((n for n in range(1, len(words)) if words[n] in _BE), 0)
+    at = be + 1
+    while at < len(words) and words[at] in _VERY:
+        at += 1
+    begun = words[0] in ("it", "that", "wouldn't", "would") if words else False
+    if not (be and begun and at + 1 < len(words) and words[at + 1] in ("if", "to") and words[at] in _OF_LIKING):
+        return tokens
+    return [*tokens[: be + 1], tokens[at].saying("nice"), *tokens[at + 1 :]]
 
 
 _MARKS = {",": ",", "(": ")", ":": ""}
@@ -49,7 +71,7 @@ def names_as_words(tokens: list[Token]) -> list[Token]:
     mark = at + 1 + (words[at + 1 : at + 2] != [] and words[at + 1] in _MARKS)
     begin = next((n for n in range(at - 2, max(at - 2 - _LONGEST, -1), -1) if words[n] in _OWN), at)
     shown = mark < len(tokens) and tokens[mark].kind == "word" and tokens[mark].raw.isupper() and len(words[mark]) > 1
-    if begin == at or not shown or any(word in table for word in words[begin:at] for table in _THINGS):
+    if begin == at or not shown or any(word in table for word in words[begin:at] for table in (*_THINGS, *_LOOKS)):
         return tokens
     end = mark + 1
     end += mark > at + 1 and words[end : end + 1] == [_MARKS[words[at + 1]]]

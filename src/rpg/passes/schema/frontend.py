@@ -15,6 +15,7 @@ from rpg.language.body_widths import in_centimetres
 from rpg.language.called import without_names
 from rpg.language.chat import as_typed
 from rpg.language.clauses_apart import MOST, clauses_apart
+from rpg.language.clauses_left_out import clauses_left_out
 from rpg.language.feelings import without_feelings
 from rpg.language.figures_called import with_figures
 from rpg.language.formulas import formulas_told
@@ -43,6 +44,8 @@ from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
+from rpg.passes.schema.nothing_more import MOST as MOST_MORE
+from rpg.passes.schema.nothing_more import without_more
 from rpg.passes.schema.order_told import check_one_order, check_order
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.said_behind import check_behind
@@ -119,6 +122,10 @@ class BuiltinFrontEnd:
                     return task, notes
         if found[0] is None and not chosen and code in _NOT_UNDERSTOOD:
             found = self._apart(told, text, name, seed, author, mended) or found
+        if found[0] is None and not chosen and code in _NOT_UNDERSTOOD | _NOT_KNOWN:
+            found = self._without_talk(told, text, name, seed, author, mended) or found
+        if found[0] is None and refusal is not None:
+            found = self._without_more(told, text, name, seed, author, mended) or found
         if found[0] is None and refusal is not None:
             raise refusal
         return found
@@ -136,6 +143,31 @@ class BuiltinFrontEnd:
                     found.append((task, notes))
         tasks = [task for task, _ in found if task is not None]
         return found[0] if tasks and all(same(tasks[0], task) for task in tasks[1:]) else None
+
+    def _without_talk(
+        self, told: tuple[list[Token], list[Stray]], text: str, name: str | None, seed: int, author: str | None,
+        mended: list[str] | None,
+    ) -> Reading | None:  # fmt: skip
+        """The reading of a text without a clause that can only be talk."""
+        for rest, note in islice(clauses_left_out(told[0]), MOST):
+            with suppress(Refusal):
+                kept = (rest, _strays_of(rest, *told))
+                task, notes = self._read_tokens(kept, text, name, seed, author, mended, [note])
+                if task is not None:
+                    return task, notes
+        return None
+
+    def _without_more(
+        self, told: tuple[list[Token], list[Stray]], text: str, name: str | None, seed: int, author: str | None,
+        mended: list[str] | None,
+    ) -> Reading | None:  # fmt: skip
+        """The reading of a text without a clause that follows from the rest."""
+        for rest, holds in islice(without_more(told[0]), MOST_MORE):
+            with suppress(Refusal):
+                task, notes = self._read_tokens((rest, told[1]), text, name, seed, author, mended)
+                if task is not None and holds(task):
+                    return task, notes
+        return None
 
     def _read_tokens(
         self,
@@ -245,6 +277,8 @@ _SPLICED: tuple[Callable[[list[Token]], list[Token] | None], ...] = (in_sentence
 """How a text that is not understood is punctuated otherwise."""
 _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused that may be understood with its clauses told apart."""
+_NOT_KNOWN = frozenset({"unknown-word", "misplaced"})
+"""Why a text is refused that may be understood without a clause of it, too."""
 _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})
 """Why a text is refused of which the first part may be so at the start alone."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (

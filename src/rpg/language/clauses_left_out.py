@@ -1,0 +1,108 @@
+"""Clauses in any words that can tell nothing of blocks: "this is the first scenario in my evaluation", "so that I can
+verify position tracking", "to see how the policy does", "like a chocolate bar".
+
+Other modules know what people say around a task by its words. Here a clause of which some word is known for nothing is
+left out by its form: it is set off, or begins as an aim, a reason or a comparison does; something in it is of people,
+of their work or of what they think of it; and no word of it could tell of blocks, deny or take back anything. Only for
+texts that make no sense with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rpg.language import harmless, lexicon
+from rpg.language.smalltalk import is_strange, takes_back
+from rpg.language.spoken_leads import TESTS, bends
+from rpg.language.telling import may_tell, tells
+from rpg.language.tokens import Token
+from rpg.language.word_lists import listed
+
+_ENDS = frozenset({".", "!", "?", ";", "…"})
+_MARKS = _ENDS | {",", ":", "(", ")"}
+_AIMS = (("so", "that"), ("so",), ("to",), ("in", "order", "to"), ("so", "as", "to"), ("just", "to"))
+_OTHERS = (("because",), ("since",), ("as",), ("like",), ("just", "like"), ("for",), ("within",), ("in", "a"),
+           ("in", "one"), ("before",), ("while",), ("this", "is"), ("it", "is"), ("this", "should"))  # fmt: skip
+"""What a clause begins with that nothing sets off."""
+_TRYING = listed("test check see verify evaluate measure assess validate train study show demonstrate practise practice "
+                 "probe examine benchmark compare find debug calibrate confirm try learn teach record film win pass succeed "
+                 "complete solve score earn")  # fmt: skip
+"""Behind these it is told what is tried out or won, which may be called as what is done to blocks is."""
+_OURS = listed("i we my our he she his her me us you your everybody everyone nobody people someone somebody")
+_WORK = TESTS | listed("level policy agent robot gripper camera timer trick objective marks release sprint figure paper "
+                       "class demo episode rollout run seed time start end study") | harmless.OCCASIONS  # fmt: skip
+_SEEN = harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS
+_ANCHORS = _OURS | _WORK | _SEEN | harmless.PEOPLE | harmless.FINE
+_NOT = listed("nothing nobody none neither nor only except but unless instead if no not never without until both each "
+              "all any every other another different same more less than twice again too also rather either")  # fmt: skip
+"""With these a clause may be about what is asked for, whatever else is said in it."""
+_HOW = ("ly", "wise", "ways", "ward", "wards")
+"""So words end that tell how, and may tell how blocks lie."""
+_FEWEST, MOST = 3, 6
+"""A clause has so many words at least; so many ways at most are tried."""
+
+
+def clauses_left_out(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The words without one clause that can only be talk, and what was left out; each clause in turn, from the left."""
+    words = [token.word for token in tokens]
+    marks = [-1, *(n for n, word in enumerate(words) if word in _MARKS), len(words)]
+    for before, behind in zip(marks, marks[1:], strict=False):
+        begin = before + 1
+        if only_talk(tokens[begin:behind]):
+            yield from _without(tokens, begin, behind)
+            continue
+        for at in range(begin + 2, behind - 1):
+            if _lead(words[at:], (*_AIMS, *_OTHERS)) and only_talk(tokens[at:behind]):
+                yield from _without(tokens, at, behind)
+                break
+
+
+def _without(tokens: Sequence[Token], begin: int, end: int) -> Iterator[tuple[list[Token], str]]:
+    ahead, rest = [*tokens[:begin]], [*tokens[end:]]
+    if ahead and ahead[-1].word == "(" and rest and rest[0].word == ")":
+        ahead, rest = ahead[:-1], rest[1:]
+    elif ahead and ahead[-1].word in _MARKS - _ENDS and (not rest or rest[0].word in _MARKS):
+        ahead = ahead[:-1]
+    elif rest and (not ahead or ahead[-1].word in _ENDS):
+        rest = rest[1:]
+    if ahead or rest:
+        raws = " ".join({t.span: t.raw for t in tokens[begin:end]}.values())
+        yield [*ahead, *rest], f"left out, for it asks for nothing: '{raws}'"
+
+
+def _lead(words: Sequence[str], leads: Sequence[tuple[str, ...]]) -> int:
+    return max((len(lead) for lead in leads if tuple(words[: len(lead)]) == lead), default=0)
+
+
+def only_talk(tokens: Sequence[Token]) -> bool:
+    """Whether a clause can only be talk, whatever some of its words mean."""
+    words = [token.word for token in tokens]
+    lead = _lead(words, (*_AIMS, *_OTHERS))
+    if len(words) < _FEWEST or words[0] in lexicon.COMMANDS or takes_back(words):
+        return False
+    aimed = _lead(words, _AIMS)
+    tried = bool(aimed) and not _TRYING.isdisjoint(words[aimed : aimed + 4])
+    if any(not _harmless(token, words, n, tried) for n, token in enumerate(tokens) if n >= lead):
+        return False
+    return not _ANCHORS.isdisjoint(words) or tried
+
+
+def _harmless(token: Token, words: Sequence[str], n: int, tried: bool) -> bool:
+    word, after = token.word, words[n + 1 : n + 3]
+    if word in ("i", "a", "an"):
+        return token.kind == "word"
+    if token.kind != "word" or (len(token.raw) > 1 and token.raw.isupper() and word in lexicon.COLOR):
+        return word in ("'s", "-")
+    if len(token.raw) == 1 and token.raw.isupper():
+        return False
+    if word in lexicon.ORDINAL or word in ("first", "last", "next"):
+        return not _WORK.isdisjoint(after)
+    if word in lexicon.SIZE:
+        return not _SEEN.isdisjoint(after)
+    if word.endswith("ing") and words[n - 1] in ("on", "of", "about", "for") and not _WORK.isdisjoint(words[:n]):
+        return True
+    if word in _NOT or bends(word) and not tried:
+        return False
+    if is_strange(word) and word.endswith(_HOW):
+        return False
+    return not (tells(token) if tried else may_tell(word))

@@ -1,0 +1,170 @@
+"""Clauses that follow from the rest: "not all three", "so four in total", "and leave one off it", "nothing on top of
+anything". A text that makes no sense with one is read without it, and must then say that by itself."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache, partial
+
+from rpg.ir import goal as g
+from rpg.ir.assets import Block
+from rpg.ir.relations import Above, On
+from rpg.ir.schema import COLORS_UNSAID, TaskSchema
+from rpg.ir.structures import Figure, Pyramid, Stack, Staircase, Towers
+from rpg.ir.walk import atoms, children
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+Parts = dict[str, str | None]
+Check = Callable[[TaskSchema, Parts], bool]
+"""Whether a task says it without the clause, of which these are the parts."""
+_MARKS = frozenset({",", ".", ";", ":", "!", "(", ")", "-"})
+_JOINS = frozenset({"and", "but", "while", "so", "with", "or"})
+MOST = 4
+"""So many ways at most are tried."""
+
+
+def _so_many_at_most(task: TaskSchema, told: Parts) -> bool:
+    """Whether no more than are asked for may be so; where the clause says how many, or how many not, fewer than all."""
+    counts = [goal for goal in _all_in(task.goal) if isinstance(goal, g.Count) and goal.at_most is not None]
+    number = _number(told)
+    if told.get("n") in ("zero", "0"):
+        return False
+    bounds = [(goal.at_most or 0, len(goal.over)) for goal in counts]
+    return any(not number or most < number or most + number == over for most, over in bounds)
+
+
+def _all_in(goal: g.Goal) -> Iterator[g.Goal]:
+    yield goal
+    for child in children(goal):
+        yield from _all_in(child)
+
+
+def _flat(task: TaskSchema, told: Parts) -> bool:
+    """Whether no block has to be on another."""
+    raised = (On, Above, Stack, Towers, Staircase, Pyramid, Figure)
+    return not any(isinstance(atom, raised) for atom in atoms(task.goal))
+
+
+def _beside(task: TaskSchema, told: Parts) -> bool:
+    """Whether what is told last is no place on a block."""
+    *_, last = atoms(task.goal)
+    return not isinstance(last, On | Above | Stack | Towers)
+
+
+def _so_many_there(task: TaskSchema, told: Parts) -> bool:
+    """Whether there are just so many blocks, or so many of each colour."""
+    colors: dict[str | None, int] = {}
+    for asset in task.assets:
+        if isinstance(asset, Block):
+            colors[asset.color] = colors.get(asset.color, 0) + 1
+    number = _number(told)
+    return sum(colors.values()) == number or (len(colors) > 1 and set(colors.values()) == {number})
+
+
+def _of_any_color(task: TaskSchema, told: Parts) -> bool:
+    return bool(task.assumed(COLORS_UNSAID))
+
+
+def _there(task: TaskSchema, told: Parts) -> bool:
+    """Whether the block that may go anywhere is one of the task's."""
+    colors = {asset.color for asset in task.assets if isinstance(asset, Block)}
+    return lexicon.COLOR.get(told["color"] or "") in colors
+
+
+def _anyway(task: TaskSchema, told: Parts) -> bool:
+    return True
+
+
+_SO_MANY = f"(?:{'|'.join(sorted(lexicon.NUMBER))}|\\d+)"
+_MANY = f"(?P<n>{_SO_MANY})"
+_THEM = "(?:it|them|there|any of them|the (?:\\w+ )?(?:mat|patch|zone|spot|target|area|pad))"
+_OTHERS = f"(?:the )?(?:other|others|rest|remaining|third|fourth|fifth|last)(?: {_SO_MANY})?(?: one| ones| block| blocks)?"
+_OFF = f"(?:off|out of|outside(?: of)?|beside|away from|not on|not in)(?: {_THEM})?"
+_STAYS = "(?: is| are| stays?| must be| must stay| remains?| has to stay| have to stay| should be| should stay)?"
+_TOLD: tuple[tuple[str, Check], ...] = (
+    (r"(?:not|never) (?:the )?(?:other way (?:round|around)|vice versa|the reverse)", _anyway),
+    (f"not (?:all |all of the |all of them |both |both of them )?{_MANY}(?: of them| at once)?", _so_many_at_most),
+    ("(?:nothing|none|no block) on the others?(?: ones?)?", _so_many_at_most),
+    ("not (?:all|both|more|all of them|both of them)(?: than that)?", _so_many_at_most),
+    ("no more(?: than that)?", _so_many_at_most),
+    (f"(?:keep|leave|have|put) (?:{_OTHERS}|{_MANY}(?: of them)?) {_OFF}", _so_many_at_most),
+    (f"{_OTHERS}{_STAYS} (?:{_OFF}|elsewhere|somewhere else)", _so_many_at_most),
+    (f"(?:leave|keep) {_OTHERS} (?:on|in) {_THEM}", _so_many_at_most),
+    (f"(?:that (?:is|'s|makes) |there (?:are|is) |it is )?{_MANY} (?:in total|in all|altogether|all together|total|"
+     "all in all)", _so_many_there),
+    (f"(?:that (?:is|'s|makes) |there are )?{_MANY} (?:of )?each(?: colou?r)?", _so_many_there),
+    (f"all {_MANY}(?: of them| of these)?", _so_many_there),
+    (r"(?:nothing|none)(?: (?:lying|sitting|stacked|is|stands|lies))? on(?: top of)? (?:anything|another|any other|"
+     "each other|one another|any of them|others)", _flat),
+    (r"not on top(?: of (?:it|them|any of them|each other|one another|any other))?", _beside),
+    (r"(?:none|no block|no one|nobody|nothing)(?: is| are)?(?: being)? left(?: over| out| behind)?", _anyway),
+    (r"(?:no|without) (?:special |particular )?colou?r (?:constraints?|requirements?|preferences?|restrictions?)",
+     _of_any_color),
+    (r"(?:any|all) colou?rs?(?: (?:is|are|will))? (?:fine|ok|okay|allowed|good|do|possible|permitted)", _of_any_color),
+    (r"colou?rs? (?:is|are|be) (?:free|arbitrary|open|irrelevant|up to (?:you|the robot)|not important)",
+     _of_any_color),
+    (r"(?:the )?colou?rs? (?:does|do) not matter(?: here)?", _of_any_color),
+    (r"(?:it )?(?:is |counts as )?(?:a )?(?:fail|fails|failed|failure|false)(?: it)? otherwise", _anyway),
+    (r"otherwise(?: it is| it)?(?: a)? (?:fail|fails|failed|failure|false)", _anyway),
+    (f"the (?P<color>{'|'.join(sorted(lexicon.COLOR))})(?: one| block| cube)? (?:may|can) (?:go|be|stay|lie|move|stand|"
+     "end up) (?:anywhere|everywhere|wherever it (?:likes|wants|pleases))(?: else)?(?: on the table)?", _there),
+    (r"(?:touching|contact) (?:is|be) (?:ok|okay|fine|allowed|permitted)", _anyway),
+    (r"(?:they|the blocks|the cubes) (?:may|can) (?:also )?touch(?: each other)?", _anyway),
+)  # fmt: skip
+
+
+@cache
+def _compiled() -> tuple[tuple[re.Pattern[str], Check], ...]:
+    return tuple((re.compile(row), check) for row, check in _TOLD)
+
+
+def without_more(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], Callable[[TaskSchema], bool]]]:
+    """The words without one such clause, and whether a task says what is said in it."""
+    words = [token.word for token in tokens]
+    for begin, end in _clauses(words):
+        text = " ".join(words[begin:end])
+        for row, check in _compiled():
+            if (met := row.fullmatch(text)) is not None:
+                yield _closed(tokens, begin, end), partial(_holds, check, met.groupdict())
+                break
+
+
+def _holds(check: Check, told: Parts, task: TaskSchema) -> bool:
+    return check(task, told)
+
+
+def _clauses(words: Sequence[str]) -> Iterator[tuple[int, int]]:
+    """Where clauses begin and end: between marks, or behind what joins them to those before."""
+    marks = [-1, *(n for n, word in enumerate(words) if word in _MARKS), len(words)]
+    for before, end in zip(marks, marks[1:], strict=False):
+        begin = before + 1
+        while begin < end and words[begin] in _JOINS:
+            begin += 1
+        if begin < end:
+            yield begin, end
+        for n in range(begin + 1, end - 1):
+            if words[n] in _JOINS:
+                yield n + 1, end
+
+
+def _closed(tokens: Sequence[Token], begin: int, end: int) -> list[Token]:
+    """The words without a clause, and without what joins it to the others."""
+    ahead, rest = [*tokens[:begin]], [*tokens[end:]]
+    while ahead and ahead[-1].word in _JOINS:
+        ahead.pop()
+    if ahead and ahead[-1].word == "(" and rest and rest[0].word == ")":
+        ahead, rest = ahead[:-1], rest[1:]
+    if ahead and ahead[-1].word in _MARKS and (not rest or rest[0].word in _MARKS):
+        ahead = ahead[:-1] if rest else ahead
+        ahead = ahead[:-1] if not rest and ahead[-1].word in (",", "-", ":") else ahead
+    elif rest and not ahead:
+        rest = rest[1:]
+    return [*ahead, *rest]
+
+
+def _number(told: Parts) -> int:
+    """The number that a clause names, or 0."""
+    word = told.get("n")
+    return 0 if word is None else int(word) if word.isdigit() else lexicon.NUMBER[word]

@@ -23,6 +23,6 @@ BORNE_FIRST: tuple[Turn, ...] = (
     (f"(?: ,)? (?:with |while )?({THING})(?: (?:is|{MUST} be|stays?|remains?))? still (?:on top(?: of it)?|on it)$",
      "with {1} on it"),
     # any posture, where only another is known in that place
-    ("\\b(?:sits|rests|lies)\\b", "stands"), ("\\b(?:sit|rest|lie)\\b(?!$)", "stand"),
+    ("\\b(?:sits|rests|lies)\\b", "stands"), ("(?<!the )\\b(?:sit|rest|lie)\\b(?!$)", "stand"),
 )  # fmt: skip
 """What is looked for, and what is said instead; the last of all rows."""

@@ -26,7 +26,9 @@ from rpg.language.grammar.rows.figures import BOARDS, FIGURES
 from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.in_steps import IN_STEPS
+from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
+from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
@@ -114,6 +116,7 @@ _OF_ALL = (
     *WORDIER_AT_ONCE,
     *ASKED_ALOUD_AT_ONCE,
     *NOT_THERE_AT_ONCE,
+    *KEPT_AT_ONCE,
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,
     *ROWS_PLACED,
@@ -150,12 +153,13 @@ _OF_THE_UNREAD = (
     *OWN_COLOR,
     *QUANTIFIED,
     *UTMOST_TOLD,
+    *KEPT_AND_MOVED,
     *TOWERS,
     *UPWARD,
     *ASKED_ALOUD,
 )
 """The rows of a sentence that cannot be read as it stands."""
-AT_ONCE, UNREAD, OVER_ALL = Turns(_OF_ALL), Turns(_OF_THE_UNREAD), Turns(ACROSS)
+AT_ONCE, UNREAD, OVER_ALL = Turns(_OF_ALL), Turns(_OF_THE_UNREAD), Turns((*FALLEN, *ACROSS))
 
 
 def formal(tokens: list[Token]) -> list[Token]:
@@ -200,7 +204,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 
 _CHANGES = (
-    announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
+    listed_lines, announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,
 )  # fmt: skip

@@ -1,0 +1,46 @@
+"""What may move and what is to stay, what is so already, and what was so before it fell: as rows that say it as
+commands and starts do."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import PLACE, THING, THINGS
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import MANY, MUST
+
+_MAY = f"(?:{MUST}|may|can)"
+_OTHERS = f"the (?:rest|others|other {MANY}(?: blocks| cubes| ones)?|remaining (?:blocks|cubes|ones|{MANY}))"
+_LIES = "(?:is|are|lies|lie|stands|stand|sits|sit|rests|rest)"
+_FIGURE = "tower|stack|row|line|column|pyramid|wall|pile|circle|ring|square|grid|staircase"
+_FELL = ("(?:has|have) (?:fallen (?:over|down|apart|off)|fallen|collapsed|toppled(?: over)?|tumbled(?: down)?|crashed|"
+         "been knocked (?:over|down)|tipped over)")  # fmt: skip
+_AGAIN = "(?:again|up again|back up|back together|once more)"
+
+KEPT_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:and |but )?only ({THING}) {_MAY} (?:be )?(?:moved|move|touched|change places?)$",
+     "nothing but {1} may be moved"),
+    (f"^((?:put|place|set|lay|move|bring) {THING}) there (?:too|as well|also)$", "{1} there"),
+)  # fmt: skip
+KEPT_AND_MOVED: tuple[Turn, ...] = (
+    # who may move
+    (f"^({THINGS}) ({_MAY}) (be (?:moved|turned|rotated|flipped|touched)|move)(?: ,| and| but| , and| , but)+ ({THINGS}) "
+     f"{_MAY} not(?: be)?$", "{1} {2} {3} . {4} must not {3}"),
+    (f"^(.+?)(?: ,)? (?:and|but|while) (?:leave|leaving|keep|keeping) ({_OTHERS}) (?:standing|untouched|in place|alone|"
+     "as it is|as they are|there|stacked|unchanged)$", "{1} . {2} must stay where they are"),
+    # what is so already
+    (f"^({THINGS}) ({_LIES}) ({PLACE} [^,]+?) already$", "{1} {2} already {3}"),
+    (f"^({THINGS}) ({_LIES}) (stacked|in a row|lined up|in a line) already$", "at the start {1} {2} {3}"),
+)  # fmt: skip
+"""What makes no sense as it stands, in words that do."""
+
+FALLEN: tuple[Turn, ...] = (
+    (f"^(?:the|a|my|our) ((?:{_FIGURE}) (?:of|with) [^.]+?) {_FELL} \\. (?:please )?(?:build|put|set|stack|make|restore|"
+     f"rebuild) (?:it|the (?:{_FIGURE}))(?: {_AGAIN})?(?= \\.|$)", "build a {1}"),
+    (f"^({THING}) (?:has fallen|fell|has come|has slipped|slipped) off ({THING}) \\. (?:please )?(?:put|place|set|lay) "
+     "it back(?: on(?: it| top(?: of it)?)?| up| again| there)*(?= \\.|$)", "put {1} on {2}"),
+    (f"^(?:get|take|pull|bring) ({THING}) (?:out )?(?:from )?(?:under|beneath|underneath|below) ({THING})(?: ,| ;| \\.)?"
+     f" (?:and |then )*(?:put|lay|place|set|stack) it (?:on top of|on|onto) it(?= \\.|$)",
+     "at the start {2} is on {1} . put {1} on {2}"),
+)  # fmt: skip
+"""Over the whole text: what lies about is built as it was."""
+WORDS = ("fallen fell collapsed toppled tumbled crashed knocked tipped slipped",)
+"""Words that these take besides those that are read anyway."""

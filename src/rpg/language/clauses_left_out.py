@@ -10,6 +10,7 @@ texts that make no sense with it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import is_strange, takes_back
@@ -24,17 +25,27 @@ _AIMS = (("so", "that"), ("so",), ("to",), ("in", "order", "to"), ("so", "as", "
 _OTHERS = (("because",), ("since",), ("as",), ("like",), ("just", "like"), ("for",), ("within",), ("in", "a"),
            ("in", "one"), ("before",), ("while",), ("this", "is"), ("it", "is"), ("this", "should"))  # fmt: skip
 """What a clause begins with that nothing sets off."""
-_TRYING = listed("test check see verify evaluate measure assess validate train study show demonstrate practise practice "
-                 "probe examine benchmark compare find debug calibrate confirm try learn teach record film win pass succeed "
-                 "complete solve score earn")  # fmt: skip
+_TRYING = listed(
+    "test check see verify evaluate measure assess validate train study show demonstrate practise practice probe "
+    "examine benchmark compare find debug calibrate confirm try learn teach record film win pass succeed complete solve "
+    "score earn"
+)
 """Behind these it is told what is tried out or won, which may be called as what is done to blocks is."""
 _OURS = listed("i we my our he she his her me us you your everybody everyone nobody people someone somebody")
-_WORK = TESTS | listed("level policy agent robot gripper camera timer trick objective marks release sprint figure paper "
-                       "class demo episode rollout run seed time start end study") | harmless.OCCASIONS  # fmt: skip
+_WORK = (
+    TESTS
+    | harmless.OCCASIONS
+    | listed(
+        "level policy agent robot gripper camera timer trick objective marks release sprint figure paper class demo "
+        "episode rollout run seed time start end study"
+    )
+)
 _SEEN = harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS
 _ANCHORS = _OURS | _WORK | _SEEN | harmless.PEOPLE | harmless.FINE
-_NOT = listed("nothing nobody none neither nor only except but unless instead if no not never without until both each "
-              "all any every other another different same more less than twice again too also rather either")  # fmt: skip
+_NOT = listed(
+    "nothing nobody none neither nor only except but unless instead if no not never without until both each all any "
+    "every other another different same more less than twice again too also rather either"
+)
 """With these a clause may be about what is asked for, whatever else is said in it."""
 _HOW = ("ly", "wise", "ways", "ward", "wards")
 """So words end that tell how, and may tell how blocks lie."""
@@ -46,7 +57,7 @@ def clauses_left_out(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str
     """The words without one clause that can only be talk, and what was left out; each clause in turn, from the left."""
     words = [token.word for token in tokens]
     marks = [-1, *(n for n, word in enumerate(words) if word in _MARKS), len(words)]
-    for before, behind in zip(marks, marks[1:], strict=False):
+    for before, behind in pairwise(marks):
         begin = before + 1
         if only_talk(tokens[begin:behind]):
             yield from _without(tokens, begin, behind)
@@ -101,7 +112,7 @@ def _harmless(token: Token, words: Sequence[str], n: int, tried: bool) -> bool:
         return not _SEEN.isdisjoint(after)
     if word.endswith("ing") and words[n - 1] in ("on", "of", "about", "for") and not _WORK.isdisjoint(words[:n]):
         return True
-    if word in _NOT or bends(word) and not tried:
+    if word in _NOT or (bends(word) and not tried):
         return False
     if is_strange(word) and word.endswith(_HOW):
         return False

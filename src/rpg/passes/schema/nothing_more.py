@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache, partial
+from itertools import pairwise
 
 from rpg.ir import goal as g
 from rpg.ir.assets import Block
@@ -49,8 +50,8 @@ def _flat(task: TaskSchema, told: Parts) -> bool:
 
 def _beside(task: TaskSchema, told: Parts) -> bool:
     """Whether what is told last is no place on a block."""
-    *_, last = atoms(task.goal)
-    return not isinstance(last, On | Above | Stack | Towers)
+    told_last = [*atoms(task.goal)][-1:]
+    return bool(told_last) and not isinstance(told_last[0], On | Above | Stack | Towers)
 
 
 def _so_many_there(task: TaskSchema, told: Parts) -> bool:
@@ -80,7 +81,9 @@ def _anyway(task: TaskSchema, told: Parts) -> bool:
 _SO_MANY = f"(?:{'|'.join(sorted(lexicon.NUMBER))}|\\d+)"
 _MANY = f"(?P<n>{_SO_MANY})"
 _THEM = "(?:it|them|there|any of them|the (?:\\w+ )?(?:mat|patch|zone|spot|target|area|pad))"
-_OTHERS = f"(?:the )?(?:other|others|rest|remaining|third|fourth|fifth|last)(?: {_SO_MANY})?(?: one| ones| block| blocks)?"
+_OTHERS = (
+    f"(?:the )?(?:other|others|rest|remaining|third|fourth|fifth|last)(?: {_SO_MANY})?(?: one| ones| block| blocks)?"
+)
 _OFF = f"(?:off|out of|outside(?: of)?|beside|away from|not on|not in)(?: {_THEM})?"
 _STAYS = "(?: is| are| stays?| must be| must stay| remains?| has to stay| have to stay| should be| should stay)?"
 _TOLD: tuple[tuple[str, Check], ...] = (
@@ -138,7 +141,7 @@ def _holds(check: Check, told: Parts, task: TaskSchema) -> bool:
 def _clauses(words: Sequence[str]) -> Iterator[tuple[int, int]]:
     """Where clauses begin and end: between marks, or behind what joins them to those before."""
     marks = [-1, *(n for n, word in enumerate(words) if word in _MARKS), len(words)]
-    for before, end in zip(marks, marks[1:], strict=False):
+    for before, end in pairwise(marks):
         begin = before + 1
         while begin < end and words[begin] in _JOINS:
             begin += 1

@@ -359,7 +359,6 @@ _UNSAID = {
     "one by one on top of each other": "heaped",
     "all on top of each other": "heaped", "upon each other": "heaped",
     "one upon the other": "heaped",
-    "directly on top of each other": "heaped",
     "one next to the other": "side_by_side", "one beside the other": "side_by_side",
     "each next to the other": "side_by_side",
     "in between": "between", "between them": "between", "in between them": "between",

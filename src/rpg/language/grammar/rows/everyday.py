@@ -30,6 +30,14 @@ _TWO_ENDS = f"(?:the )?({COLOR})(?: one| block| cube)? and (?:the )?({COLOR})(?:
 _ONE = f"(?:(?:the |an? )?{COLOR}(?: one| block| cube)?|the {LABEL}(?: block| cube)?|{LABEL})"
 
 EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
+    # which block of a wall
+    (f"^(.*\\bwall\\b.*)\\bthe ({_BLOCK}|one) (?:in|at) the (?:very )?(?:middle|center)(?: of it| of the wall)?(?= "
+     f"is| {MUST}| ,|$)", "{1} the middle {2}"),
+    # how many are used, told last
+    (f"^(.*?)\\b(?:all )?(?:the )?({COLOR}) (blocks|cubes|bricks)\\b((?:(?!{MANY}).)*?)(?: ,)? use ({MANY})(?: of them| "
+     "in all| in total)?$", "{1} {5} {2} {3} {4}"),
+    (f"^(?:make |build )?an? ({LINE})(?: ,)? use ({MANY})(?: blocks| cubes)?$", "a {1} of {2} blocks"),
+    (" but not (?:next to|beside|near|on|behind|touching|in|to) both(?= |$)", " but not both"),
     # how many, and of which size
     (f"\\b(?:two|2) ({COLOR}) {_BLOCK} [,(:] (?:one|an?) ({_SIZE})(?: one)?(?: , and| ,| and) (?:one|an?) ({_SIZE})(?: "
      "one)?(?: \\))?(?= ,| and|$)", "a {2} {1} block and a {3} {1} block"),

@@ -50,6 +50,7 @@ from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
 from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
+from rpg.language.grammar.rows.separately import ONE_TOPPED, SEPARATELY
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
 from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
 from rpg.language.grammar.rows.so_many_inside import so_many_inside
@@ -117,6 +118,7 @@ _OF_ALL = (
     *ASKED_ALOUD_AT_ONCE,
     *NOT_THERE_AT_ONCE,
     *KEPT_AT_ONCE,
+    *SEPARATELY,
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,
     *ROWS_PLACED,
@@ -159,7 +161,7 @@ _OF_THE_UNREAD = (
     *ASKED_ALOUD,
 )
 """The rows of a sentence that cannot be read as it stands."""
-AT_ONCE, UNREAD, OVER_ALL = Turns(_OF_ALL), Turns(_OF_THE_UNREAD), Turns((*FALLEN, *ACROSS))
+AT_ONCE, UNREAD, OVER_ALL = Turns(_OF_ALL), Turns(_OF_THE_UNREAD), Turns((*FALLEN, *ONE_TOPPED, *ACROSS))
 
 
 def formal(tokens: list[Token]) -> list[Token]:
@@ -204,7 +206,8 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 
 _CHANGES = (
-    listed_lines, announced_rainbow, swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
+    listed_lines, announced_rainbow,
+    swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,
 )  # fmt: skip

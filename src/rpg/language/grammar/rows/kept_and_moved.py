@@ -22,8 +22,8 @@ KEPT_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 KEPT_AND_MOVED: tuple[Turn, ...] = (
     # who may move
-    (f"^({THINGS}) ({_MAY}) (be (?:moved|turned|rotated|flipped|touched)|move)(?: ,| and| but| , and| , but)+ ({THINGS}) "
-     f"{_MAY} not(?: be)?$", "{1} {2} {3} . {4} must not {3}"),
+    (f"^({THINGS}) ({_MAY}) (be (?:moved|turned|rotated|flipped|touched)|move)(?: ,| and| but| , and| , but)+ "
+     f"({THINGS}) {_MAY} not(?: be)?$", "{1} {2} {3} . {4} must not {3}"),
     (f"^(.+?)(?: ,)? (?:and|but|while) (?:leave|leaving|keep|keeping) ({_OTHERS}) (?:standing|untouched|in place|alone|"
      "as it is|as they are|there|stacked|unchanged)$", "{1} . {2} must stay where they are"),
     # what is so already
@@ -33,12 +33,12 @@ KEPT_AND_MOVED: tuple[Turn, ...] = (
 """What makes no sense as it stands, in words that do."""
 
 FALLEN: tuple[Turn, ...] = (
-    (f"^(?:the|a|my|our) ((?:{_FIGURE}) (?:of|with) [^.]+?) {_FELL} \\. (?:please )?(?:build|put|set|stack|make|restore|"
-     f"rebuild) (?:it|the (?:{_FIGURE}))(?: {_AGAIN})?(?= \\.|$)", "build a {1}"),
+    (f"^(?:the|a|my|our) ((?:{_FIGURE}) (?:of|with) [^.]+?) {_FELL} \\. (?:please )?(?:build|put|set|stack|make|"
+     f"restore|rebuild) (?:it|the (?:{_FIGURE}))(?: {_AGAIN})?(?= \\.|$)", "build a {1}"),
     (f"^({THING}) (?:has fallen|fell|has come|has slipped|slipped) off ({THING}) \\. (?:please )?(?:put|place|set|lay) "
      "it back(?: on(?: it| top(?: of it)?)?| up| again| there)*(?= \\.|$)", "put {1} on {2}"),
-    (f"^(?:get|take|pull|bring) ({THING}) (?:out )?(?:from )?(?:under|beneath|underneath|below) ({THING})(?: ,| ;| \\.)?"
-     f" (?:and |then )*(?:put|lay|place|set|stack) it (?:on top of|on|onto) it(?= \\.|$)",
+    (f"^(?:get|take|pull|bring) ({THING}) (?:out )?(?:from )?(?:under|beneath|underneath|below) ({THING})(?: ,| ;| "
+     f"\\.)? (?:and |then )*(?:put|lay|place|set|stack) it (?:on top of|on|onto) it(?= \\.|$)",
      "at the start {2} is on {1} . put {1} on {2}"),
 )  # fmt: skip
 """Over the whole text: what lies about is built as it was."""

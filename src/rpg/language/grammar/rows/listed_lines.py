@@ -33,8 +33,8 @@ _TOLD = tuple(
         rf"it starts as|you start with) (?:the|an?|my|our) (?P<line>row|line|tower|stack|pile) (?:of|with|:) {_LIST}",
         rf"(?:an?|the|my|our) (?P<line>row|line|tower|stack|pile) of {_LIST} (?:is|stands) "
         rf"(?:there|already there|on the table)",
-        rf"{_LIST} (?:are|stand|are standing|lie|are lying) (?P<kind>stacked|in a row|in a line|lined up|in a stack|in a "
-        rf"tower)",
+        rf"{_LIST} (?:are|stand|are standing|lie|are lying) "
+        rf"(?P<kind>stacked|in a row|in a line|lined up|in a stack|in a tower)",
     )
 )
 """How a line is listed; the groups tell what kind it is, what it is made of and which way it is told."""
@@ -44,8 +44,10 @@ _LED = frozenset({"now", "then", "please", "and", "first", ","})
 _FIRST_OF = {"row": ("first", "leftmost"), "tower": ("bottom", "lowest", "lower")}
 _LAST_OF = {"row": ("last", "rightmost"), "tower": ("top", "highest", "upper", "uppermost")}
 _NOUN = "(?: blocks| cubes| ones| letters)?"
-_OUTER = (f"(?:the )?(?:(?:two )?(?:outer|outermost|end) (?:two|blocks|cubes|ones|letters)|(?:two )?ends|first and (?:the )?last{_NOUN}|"
-          "first and (?:the )?last (?:one|block|cube|letter))")  # fmt: skip
+_OUTER = (
+    "(?:the )?(?:(?:two )?(?:outer|outermost|end) (?:two|blocks|cubes|ones|letters)|(?:two )?ends|"
+    f"first and (?:the )?last{_NOUN}|first and (?:the )?last (?:one|block|cube|letter))"
+)
 _OFF = re.compile(r"(?:take|lift) (?:(?P<ahead>off) )?(?P<them>.+? and .+?)(?(ahead)| (?:off|down))(?: again)?")
 _SO_THAT = re.compile(r"(?:change|alter|reorder|sort) (?:it|the row|the tower|them) so(?: that)? ")
 _ARTICLES, _NOUNS = ("the", "a", "an"), ("block", "cube", "one", "letter", "digit", "number")
@@ -144,8 +146,12 @@ def _by_name(sentence: list[Token], names: list[list[Token]], kind: str) -> list
     """A later sentence with the blocks named that it tells by their places in the line."""
     places = {
         _OUTER: (names[0], names[-1]),
-        f"(?:the )?(?:(?:two )?(?:{'|'.join(_FIRST_OF[kind])}) two|two (?:{'|'.join(_FIRST_OF[kind])})){_NOUN}": names[:2],
-        f"(?:the )?(?:(?:two )?(?:{'|'.join(_LAST_OF[kind])}) two|two (?:{'|'.join(_LAST_OF[kind])})){_NOUN}": names[-2:],
+        f"(?:the )?(?:(?:two )?(?:{'|'.join(_FIRST_OF[kind])}) two|two (?:{'|'.join(_FIRST_OF[kind])})){_NOUN}": names[
+            :2
+        ],
+        f"(?:the )?(?:(?:two )?(?:{'|'.join(_LAST_OF[kind])}) two|two (?:{'|'.join(_LAST_OF[kind])})){_NOUN}": names[
+            -2:
+        ],
     }
     for place, pair in places.items():
         text = " ".join(word_of(sentence, n) for n in range(len(sentence)))

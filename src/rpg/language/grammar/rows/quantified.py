@@ -31,7 +31,15 @@ _EITHER = "must be on the {{{}}} or the {{{}}} patch"
 _ALL = f"((?:both|all|all the|the|all {MANY}|the {MANY}) ({COLOR}) {_BLOCKS})"
 _ON = f"(on the (?:{COLOR} )?{PATCH})"
 
+_NOT_ALL = f"not all(?: of (?:them|these|those)| (?:the )?{MANY}(?: of them)?)?"
+
 EACH_THERE: tuple[Turn, ...] = (
+    # some, but not all
+    (f"^(at least|more than|no fewer than|not fewer than) ({MANY}) of (.+?) ({_GO}) ((?:on|onto|in|into|to) [^,]+?)"
+     f"(?: ,)? (?:but|and|though) {_NOT_ALL}$", "{1} {2} but not all of {3} must be {5}"),
+    (f"^not all (?:of )?((?:them|these|the)(?: [^,]+?)?) ({_GO}|may be|can be) ((?:on|onto|in|into) [^,]+?)(?: ,)? "
+     f"(?:but|though|yet) at least ({MANY})(?: of them)?(?: {MUST}| is| are| has to)?(?: be)?$",
+     "at least {4} but not all of {1} must be {3}"),
     # of a line that is told ahead
     (f"^in (?:an?|the) ({LINE}) (?:of|with|made of|from) ({MANY} {COLOR}(?: (?:,|and) {MANY} {COLOR})*(?: {_BLOCKS})?)"
      f"(?: ,)? ((?:no|neither|none) .+|(?:the|an?) .+? (?:{MUST}|may|can) (?:not|never) .+)$",

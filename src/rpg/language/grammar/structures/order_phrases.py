@@ -177,13 +177,4 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     *((f"in {the}{correct} order", "in_order", {}) for the in ("the ", "") for correct in ("correct", "proper")),
     ("in the given order", "given", {}),
     ("in the stated order", "given", {}),
-    ("with the largest at the bottom", "size_down", {}), ("with the biggest at the bottom", "size_down", {}),
-    ("largest at the bottom", "size_down", {}),
-    ("with the smallest on top", "size_down", {}), ("with the largest on the bottom", "size_down", {}),
-    ("biggest at the bottom", "size_down", {}),
-    ("with the largest on top", "size_up", {}), ("with the biggest on top", "size_up", {}),
-    ("smallest on top", "size_down", {}),
-    ("with the smallest at the bottom", "size_up", {}), ("with the smallest at the top", "size_down", {}),
-    ("largest on the bottom", "size_down", {}),
-    ("with the biggest on the bottom", "size_down", {}), ("smallest at the top", "size_down", {}),
 )  # fmt: skip

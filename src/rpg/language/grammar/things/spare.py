@@ -87,8 +87,8 @@ def spare(p: Parser, i: int) -> Results[Clause]:
         elliptic = elliptic or (isinstance(theme, Pronoun) and theme.word in _OTHERS)
         if p.words[over - 1] == "not" and elliptic and not _PLACED.isdisjoint(p.words[:i]):
             continue  # "on the red mat, not the blue one": perhaps the blue mat
-        if isinstance(theme, Pronoun) and theme.word in ("each other", "one another"):
-            continue  # "red and blue touch green, but not each other"
+        if isinstance(theme, Pronoun) and theme.word in ("each other", "one another", "all", "all of them"):
+            continue  # "red and blue touch green, but not each other", "at least two of them, but not all"
         if p.words[over - 1] == "not" and not _TURNED.isdisjoint(p.words[:i]):
             continue  # "turn A, but not B, upside down": B is there, and must not be so
         if p.words[over - 1] == "not" and not _ELSEWHERE.isdisjoint(p.words[:i]) and _definite(theme):

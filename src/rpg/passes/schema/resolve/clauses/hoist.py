@@ -27,6 +27,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.colors_told import colors_told
+from rpg.passes.schema.resolve.clauses.denied_of_it import denied_of_it
 from rpg.passes.schema.resolve.clauses.enough import as_many_as_it_takes
 from rpg.passes.schema.resolve.clauses.left_alone import left_alone
 from rpg.passes.schema.resolve.clauses.leftovers import all_used
@@ -37,6 +38,7 @@ from rpg.passes.schema.resolve.orders.above_it import others_beyond
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, between_in_line, in_a_line
 from rpg.passes.schema.resolve.orders.nothing_beyond import at_that_end
 from rpg.passes.schema.resolve.places.drawn import drawn, grounded
+from rpg.passes.schema.resolve.places.heaped import heaped
 from rpg.passes.schema.resolve.places.opposite import opposite_sides
 from rpg.passes.schema.resolve.places.overs import in_one_tower
 from rpg.passes.schema.resolve.structures.grouped import groups_joined, sorted_with_strangers, told_apart
@@ -54,8 +56,8 @@ from rpg.passes.schema.resolve.things.listed_after import built_first, filled, l
 from rpg.passes.schema.resolve.things.world import refuse
 
 _VERBS = ("stack", "arrange")
-_IN_OTHER_WORDS = (between_in_line, at_that_end, others_beyond, as_many_as_it_takes, left_alone, plainly, drawn,
-                   colors_told)  # fmt: skip
+_IN_OTHER_WORDS = (denied_of_it, heaped, between_in_line, at_that_end, others_beyond, as_many_as_it_takes,
+                   left_alone, plainly, drawn, colors_told)  # fmt: skip
 """What a clause says for all of its blocks, as it is said elsewhere."""
 
 

@@ -23,6 +23,8 @@ from rpg.language.meaning import (
 )
 
 _CORNERS = Amount(4, 4)
+ONE_END = "one end"
+"""The attribute of an order of which no more is told than what stands at one end of it: "the biggest on top"."""
 _SIZED = ("extreme", "size_down", "size_up")
 """Orders by size, after which "by size" says no more."""
 
@@ -33,6 +35,9 @@ def plainly(clause: Clause) -> Clause:
         return clause
     clause = _as_written(_for_its_part(_told_inside(clause)))
     kept = clause.adjuncts
+    ordered = [a for a in kept if isinstance(a, OrderBy)]
+    if clause.verb != "sort" and len(ordered) == 1 and ordered[0].by == "extreme" and ordered[0].first:
+        kept = tuple(replace(a, attribute=ONE_END) if a is ordered[0] else a for a in kept)
     grouped = [a for a in kept if isinstance(a, OrderBy) and a.by == "grouped"]
     if grouped and _of_no_line(clause):
         by_color = replace(grouped[0], by="attribute", attribute="color")

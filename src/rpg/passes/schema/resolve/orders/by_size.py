@@ -6,9 +6,10 @@ from dataclasses import replace as changed
 from typing import TYPE_CHECKING
 
 from rpg.blocks.nouns import number
+from rpg.ir.order import Order
 from rpg.language.later import later
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Amount, Noun, Traits, replace
+from rpg.language.meaning import Amount, Noun, OrderBy, Traits, replace
 from rpg.passes.schema.resolve.places.patch_sizes import of_patches, patch_by_size
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
@@ -95,6 +96,16 @@ def _edges(count: int) -> list[float]:
 def edge_of(thing: Thing) -> float:
     """How wide a block is, as far as that is said."""
     return thing.edge or {"small": SMALL_EDGE, "big": BIG_EDGE}.get(thing.size or "", MEDIUM_EDGE)
+
+
+def at_one_end(order: OrderBy, things: list[Thing]) -> Order | None:
+    """ "The biggest at the bottom", and no more: the others stand as they like. None where it is one of several."""
+    edges = sorted(((edge_of(t), t.name) for t in things), reverse=order.descending)
+    if len(edges) < _FEW or edges[0][0] == edges[1][0]:
+        return None
+    others = tuple(t.name for t in things if t.name != edges[0][1])
+    ranks = ((edges[0][1],), others)
+    return Order(by="given", ranks=ranks, first=order.first)  # type: ignore[arg-type]
 
 
 def _those(noun: Noun, scene: Scene, scope: Scope) -> list[Thing]:

@@ -19,8 +19,11 @@ def sorted_from(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> 
     if told is not None and not any(t.first for t in spec.toward):
         _not_in_a_stack(kind, told.span)
     found: OrderBy | None = None
-    for item in list(spec.absolutes):
-        order = _order(item, spec, names, kind, scene)
+    ends = [(item, _order(item, spec, names, kind, scene)) for item in spec.absolutes]
+    told_ends = [order for _, order in ends if order is not None]
+    if len(told_ends) == 1 and told_ends[0].by == "size" and told_ends[0].first and not spec.orders:
+        return []  # "the biggest at the bottom": the others stand as they like
+    for item, order in ends:
         if order is None:
             continue
         spec.absolutes.remove(item)

@@ -6,11 +6,13 @@ from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import OrderBy, Toward, replace
+from rpg.passes.schema.resolve.clauses.one_each import ONE_END
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, Ranks, agreed, one_way
 from rpg.passes.schema.resolve.orders.alternating import alternating
 from rpg.passes.schema.resolve.orders.backwards import last_first, turned_round
 from rpg.passes.schema.resolve.orders.between_ends import between_ends
+from rpg.passes.schema.resolve.orders.by_size import at_one_end
 from rpg.passes.schema.resolve.orders.extremes import directed, sorted_from
 from rpg.passes.schema.resolve.orders.kinds_first import by_kind, check_which_sorted, each_sorted
 from rpg.passes.schema.resolve.orders.onward import onward
@@ -177,7 +179,8 @@ def _merge(
             raise refuse("misplaced", "letters are not ordered by size", order.span, "say 'in alphabetical order'")
         case "extreme":
             by = "number" if {t.kind for t in things} <= {"digit"} else "size"
-            return _merge(found, replace(order, by=by), names, kind, scene, scope, first)
+            whole = _merge(found, replace(order, by=by), names, kind, scene, scope, first)
+            return (at_one_end(order, things) or whole) if (by, order.attribute) == ("size", ONE_END) else whole
         case "size_down" | "size_up" if {t.kind for t in things} == {"digit"}:
             by = "number_down" if order.by == "size_down" else "number_up"
             return _merge(found, replace(order, by=by), names, kind, scene, scope, first)

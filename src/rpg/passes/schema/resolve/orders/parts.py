@@ -64,10 +64,11 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
         and side in ("top", "bottom", "middle")
         and not isinstance(node, s.Staircase)
     ):
-        if side == "middle" and isinstance(place, At) and place.own and isinstance(node, s.Grid):
+        inner = side == "middle" and isinstance(place, At) and place.own and isinstance(node, s.Grid)
+        if inner and not upright(node):
             raise refuse("ambiguous", "the middle layer, or the block in the middle?", place.span,
                          "say 'the middle row', or name the rows")  # fmt: skip
-        unit = "layer"
+        unit = "block" if inner else "layer"
     if unit in FIRST:
         return _lines(part, unit, side, node, cells, height, scene)
     if side == "top" and isinstance(node, s.Staircase):
@@ -217,6 +218,8 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
         if isinstance(place, Places) and place.side == "rest":
             rest.append((item, place))
             continue
+        if isinstance(place, At) and place.side == "middle" and isinstance(item.theme, Noun) and _one(item.theme):
+            place = replace(place, own=True)
         groups = groups_in(place, node, cells, scene)
         single = isinstance(place, At) and isinstance(item.theme, Noun) and _one(item.theme)
         if isinstance(place, At) and (not groups or (single and len(groups[0]) > 1)):

@@ -301,7 +301,8 @@ def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:
 def of_every_two(names: tuple[str, ...], loc: Loc, span: Span) -> Atoms:
     """The relation of every two of the blocks, by itself: what "not next to each other" denies is each of these."""
     if loc.rel in ("on", "above", "heaped", "under"):
-        return [r.Above(a=(a,), b=(b,), span=span) for a in names for b in names if a != b]
+        upon = r.On if "directly" in loc.mods else r.Above
+        return [upon(a=(a,), b=(b,), span=span) for a in names for b in names if a != b]
     return [goal for two in combinations(names, 2) for goal in reciprocal(Ref(names=two), loc, span)]
 
 

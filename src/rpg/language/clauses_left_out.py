@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import is_strange, takes_back
-from rpg.language.spoken_leads import TESTS, bends
+from rpg.language.spoken_leads import DET, TESTS, bends
 from rpg.language.telling import may_tell, tells
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
@@ -27,7 +27,8 @@ _OTHERS = (("because",), ("since",), ("as",), ("like",), ("just", "like"), ("for
 """What a clause begins with that nothing sets off."""
 _TRYING = listed(
     "test check see verify evaluate measure assess validate train study show demonstrate practise practice probe "
-    "examine benchmark compare find debug calibrate confirm try learn teach record film win pass succeed complete solve "
+    "examine benchmark compare find debug calibrate confirm try learn teach record film win pass succeed complete "
+    "solve "
     "score earn"
 )
 """Behind these it is told what is tried out or won, which may be called as what is done to blocks is."""
@@ -49,8 +50,8 @@ _NOT = listed(
 """With these a clause may be about what is asked for, whatever else is said in it."""
 _HOW = ("ly", "wise", "ways", "ward", "wards")
 """So words end that tell how, and may tell how blocks lie."""
-_FEWEST, MOST = 3, 6
-"""A clause has so many words at least; so many ways at most are tried."""
+_FEWEST, _TITLE, MOST = 3, 6, 6
+"""A clause has so many words at least, a title so many at most; so many ways at most are tried."""
 
 
 def clauses_left_out(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:
@@ -89,10 +90,11 @@ def only_talk(tokens: Sequence[Token]) -> bool:
     """Whether a clause can only be talk, whatever some of its words mean."""
     words = [token.word for token in tokens]
     lead = _lead(words, (*_AIMS, *_OTHERS))
-    if len(words) < _FEWEST or words[0] in lexicon.COMMANDS or takes_back(words):
+    titled = _FEWEST <= len(words) <= _TITLE and words[-1] in TESTS and words[-2] not in DET
+    if len(words) < _FEWEST or (words[0] in lexicon.COMMANDS and not titled) or takes_back(words):
         return False
     aimed = _lead(words, _AIMS)
-    tried = bool(aimed) and not _TRYING.isdisjoint(words[aimed : aimed + 4])
+    tried = titled or (bool(aimed) and not _TRYING.isdisjoint(words[aimed : aimed + 4]))
     if any(not _harmless(token, words, n, tried) for n, token in enumerate(tokens) if n >= lead):
         return False
     return not _ANCHORS.isdisjoint(words) or tried

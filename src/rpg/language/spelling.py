@@ -79,7 +79,8 @@ SHORT_FORMS = {
     "btwn": "between", "betw": "between", "abt": "about", "dist": "distance", "horiz": "horizontal", "vert": "vertical",
     "alt": "alternating", "seq": "sequence", "rect": "rectangle", "tri": "triangle", "pyr": "pyramid",
     "num": "number", "nums": "numbers", "nbr": "number", "ltr": "letter", "ltrs": "letters", "ppl": "people",
-    "cw": "clockwise", "ccw": "counterclockwise", "rn": "now", "outta": "from", "vs": "and", "versus": "and",
+    "cw": "clockwise", "asc": "ascending", "desc": "descending", "ccw": "counterclockwise",
+    "rn": "now", "outta": "from", "vs": "and", "versus": "and",
 }  # fmt: skip
 """Words typed in short, in small letters."""
 

@@ -79,6 +79,8 @@ TESTS = listed(
 _SHAPES = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER, lexicon.ORDINAL,
            lexicon.SIZE)  # fmt: skip
 _NOT = listed("not no never without none non un upside left right front back top bottom all each every any both")
+_KINDS = ("unstack", "rotat", "revers", "mirror", "disassembl", "dismantl", "swap", "remov", "flip")
+"""How kinds of tasks begin that a title may name: "unstacking test:"."""
 LONGEST = 8
 
 
@@ -98,8 +100,11 @@ def heading(tokens: Sequence[Token]) -> int:
         return 0
     tried = words[end - 1] in TESTS and not any(w in table for w in words[:end] for table in _SHAPES)
     tried = tried and _NOT.isdisjoint(words[:end])
+    kinds = {word for word in words[: end - 1] if word.startswith(_KINDS)} if tried else set()
     seen = tuple(words[:3]) in _TRYING and not any(w in table for w in words[:end] for table in _SHAPES)
-    plain = all(map(tells_nothing, words[:end])) or (tried and not any(map(bends, words[: end - 1])))
+    plain = all(map(tells_nothing, words[:end])) or (
+        tried and not any(bends(word) for word in words[: end - 1] if word not in kinds)
+    )
     return mark + 1 if plain or (seen and _NOT.isdisjoint(words[:end])) else 0
 
 

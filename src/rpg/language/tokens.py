@@ -92,6 +92,7 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
     strays: list[Stray] = []
     text, steps = _stepped(text)
     text, more = _unnumbered(text)
+    text = _BOUND.sub(" ", text)
     steps |= more
     at = 0
     while at < len(text):
@@ -145,6 +146,8 @@ def _inline(tokens: list[Token]) -> list[Token]:
     return out
 
 
+_BOUND = re.compile(r"(?<=[A-Za-z])_(?=[A-Za-z0-9])|(?<=[0-9])_(?=[A-Za-z])")
+"""What binds the words of a name: "red_block", "left_to_right"."""
 _STEP = re.compile(r"(?<![\w.,])(\d{1,2})[.:](?=\s)")
 _IN_TURN = re.compile(r"(?i)\b(?:order|sequence|steps|stages|first|then|turn|one by one|after)\b")
 """What is told behind these comes one after the other."""

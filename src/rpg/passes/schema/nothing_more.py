@@ -10,9 +10,10 @@ from itertools import pairwise
 
 from rpg.ir import goal as g
 from rpg.ir.assets import Block
+from rpg.ir.node import Node, members
 from rpg.ir.relations import Above, On
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
-from rpg.ir.structures import Figure, Pyramid, Stack, Staircase, Towers
+from rpg.ir.structures import Figure, Grid, Pyramid, Row, Stack, Staircase, Towers
 from rpg.ir.walk import atoms, children
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -74,6 +75,32 @@ def _there(task: TaskSchema, told: Parts) -> bool:
     return lexicon.COLOR.get(told["color"] or "") in colors
 
 
+def _lowest(task: TaskSchema, told: Parts) -> bool:
+    """Whether the block of that colour is the one at the foot, with the others on it."""
+    color = lexicon.COLOR.get(told["color"] or "")
+    own = {a.name for a in task.assets if isinstance(a, Block) and a.color == color}
+    pairs = [atom for atom in atoms(task.goal) if isinstance(atom, On)]
+    bearing = {name for atom in pairs for name in members(atom.b)} - {n for atom in pairs for n in members(atom.a)}
+    for atom in atoms(task.goal):
+        if isinstance(atom, Stack) and atom.order.by == "given" and atom.order.ranks:
+            bearing |= {*atom.order.ranks[-1 if atom.order.first == "top" else 0]}
+    return len(bearing) == 1 and bearing <= own
+
+
+_FIGURES: dict[str, tuple[type[Node], ...]] = {
+    **dict.fromkeys(("tower", "stack"), (On, Above, Stack, Towers)),
+    **dict.fromkeys(("row", "line", "column"), (Row,)),
+    "pyramid": (Pyramid,),
+    "wall": (Grid,),
+    "circle": (Figure,),
+}
+
+
+def _no_such(task: TaskSchema, told: Parts) -> bool:
+    """Whether no such figure is asked for."""
+    return not any(isinstance(atom, _FIGURES[told["figure"] or ""]) for atom in atoms(task.goal))
+
+
 def _anyway(task: TaskSchema, told: Parts) -> bool:
     return True
 
@@ -103,6 +130,17 @@ _TOLD: tuple[tuple[str, Check], ...] = (
      "each other|one another|any of them|others)", _flat),
     (r"not on top(?: of (?:it|them|any of them|each other|one another|any other))?", _beside),
     (r"(?:none|no block|no one|nobody|nothing)(?: is| are)?(?: being)? left(?: over| out| behind)?", _anyway),
+    ("(?:there (?:is|are) )?no (?:other|further|more|additional|extra) (?:blocks?|cubes?|objects?|things?)(?: "
+     "(?:are|is))?"
+     "(?: there| present| used| needed| around| involved| visible| in the scene| in sight)+", _anyway),
+    (r"(?:no matter |it does not matter |(?:i|we) do not (?:care|mind) )?(?:which|whichever)(?: one| of them| of the "
+     r"two)? "
+     r"(?:is|comes|goes|ends up)(?: lying)? (?:on top|at the bottom|first|last|on the left|on the right|uppermost)",
+     _anyway),
+    (r"(?:the )?(?P<color>\w+)(?: one| block| cube)?(?: is| being| as)? (?:the )?(?:bottom|lowest|bottommost) "
+     r"(?:one|block)?",
+     _lowest),
+    (r"no (?P<figure>tower|stack|row|line|pyramid|wall|circle|column)(?: please)?", _no_such),
     (r"(?:no|without) (?:special |particular )?colou?r (?:constraints?|requirements?|preferences?|restrictions?)",
      _of_any_color),
     (r"(?:any|all) colou?rs?(?: (?:is|are|will))? (?:fine|ok|okay|allowed|good|do|possible|permitted)", _of_any_color),

@@ -34,7 +34,8 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*\\bwall\\b.*)\\bthe ({_BLOCK}|one) (?:in|at) the (?:very )?(?:middle|center)(?: of it| of the wall)?(?= "
      f"is| {MUST}| ,|$)", "{1} the middle {2}"),
     # how many are used, told last
-    (f"^(.*?)\\b(?:all )?(?:the )?({COLOR}) (blocks|cubes|bricks)\\b((?:(?!{MANY}).)*?)(?: ,)? use ({MANY})(?: of them| "
+    (f"^(.*?)\\b(?:all )?(?:the )?({COLOR}) (blocks|cubes|bricks)\\b((?:(?!{MANY}).)*?)(?: ,)? use ({MANY})(?: of "
+     "them| "
      "in all| in total)?$", "{1} {5} {2} {3} {4}"),
     (f"^(?:make |build )?an? ({LINE})(?: ,)? use ({MANY})(?: blocks| cubes)?$", "a {1} of {2} blocks"),
     (" but not (?:next to|beside|near|on|behind|touching|in|to) both(?= |$)", " but not both"),

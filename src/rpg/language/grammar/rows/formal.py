@@ -25,7 +25,9 @@ from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
 from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
+from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_BOTH
 from rpg.language.grammar.rows.in_steps import IN_STEPS
+from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
@@ -72,6 +74,8 @@ from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
 from rpg.language.tokens import Token
 
 _OF_ALL = (
+    *IN_WRITING,
+    *IN_CONVERSATION,
     *PLAIN_TALK_AT_ONCE,
     *ORDERED_AT_ONCE,
     *WRITTEN_AT_ONCE,
@@ -161,7 +165,7 @@ _OF_THE_UNREAD = (
     *ASKED_ALOUD,
 )
 """The rows of a sentence that cannot be read as it stands."""
-AT_ONCE, UNREAD, OVER_ALL = Turns(_OF_ALL), Turns(_OF_THE_UNREAD), Turns((*FALLEN, *ONE_TOPPED, *ACROSS))
+AT_ONCE, UNREAD, OVER_ALL = Turns(_OF_ALL), Turns(_OF_THE_UNREAD), Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *ACROSS))
 
 
 def formal(tokens: list[Token]) -> list[Token]:

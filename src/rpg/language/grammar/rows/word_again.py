@@ -9,6 +9,7 @@ from rpg.language.tokens import Token
 
 _AS = frozenset({"as", "with"})
 _ENDS = frozenset({"start", "starts", "begin", "begins", "end", "ends", "finish", "finishes", "out", "up", "off"})
+_LIES = frozenset({"lies", "stands", "is", "lie", "stand"})
 _SPELLS = frozenset({"spell", "spells", "read", "reads", "write", "say", "says", "spelt", "spelled"})
 _IT = (("it",), ("that",), ("the", "word"), ("that", "word"), ("this", "word"), ("the", "same", "word"),
        ("the", "same"), ("this",))  # fmt: skip
@@ -29,6 +30,8 @@ def word_again(tokens: list[Token]) -> list[Token]:
             out += [token.saying("the"), token.saying("word")]
             token = replace(token, kind="literal", value=token.raw)
             spelt[token.word] = token
+        if told and n == 0 and words[1:2] and words[1] in _LIES:
+            out += [token.saying("the"), token.saying("word")]
         if token.word == "of" and n and tokens[n - 1].kind == "literal" and words[n + 1 : n + 2] in (["it"], ["them"]):
             out.append(token.saying("out"))  # "make NOT of it"
         out.append(token)

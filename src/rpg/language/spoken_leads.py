@@ -24,7 +24,7 @@ _BINDING = listed(
     "option options choice maybe perhaps possibly them they these those it he she so much opposite contrary reset "
     "world background setup safety invariant available inventory material materials ingredients stock parts "
     "objects props fixed frozen immobile immovable static stationary movable question questions why who which "
-    "what how hint false true variant variants version versions undo add remove delete change replace swap also"
+    "what how hint false true version versions undo add remove delete change replace swap also"
 )
 """Words of a lead with which more hangs on what stands behind, or something else, than that it is asked for."""
 _AGAINST = (
@@ -73,7 +73,7 @@ TESTS = listed(
     "benchmark test challenge task exercise puzzle quiz classification problem drill lesson game demo experiment "
     "evaluation check skill scenario episode mission assignment activity training practice trial stacking "
     "building sorting spelling instructions instruction guide recipe counting arranging ordering grouping placing "
-    "placement manipulation"
+    "placement manipulation ordering variant"
 )
 """Heads of titles that may have in front of them what is tried, in words that tell of blocks elsewhere."""
 _SHAPES = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER, lexicon.ORDINAL,

@@ -11,7 +11,7 @@ from itertools import pairwise
 from rpg.ir import goal as g
 from rpg.ir.assets import Block
 from rpg.ir.node import Node, members
-from rpg.ir.relations import Above, On
+from rpg.ir.relations import Above, Behind, InFrontOf, LeftOf, On, RightOf
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.ir.structures import Figure, Grid, Pyramid, Row, Stack, Staircase, Towers
 from rpg.ir.walk import atoms, children
@@ -101,6 +101,20 @@ def _no_such(task: TaskSchema, told: Parts) -> bool:
     return not any(isinstance(atom, _FIGURES[told["figure"] or ""]) for atom in atoms(task.goal))
 
 
+def _piled(task: TaskSchema, told: Parts) -> bool:
+    """Whether the blocks are one tower."""
+    return any(isinstance(atom, Stack | On) or getattr(atom, "along", "") == "stack" for atom in atoms(task.goal))
+
+
+_SIDES: dict[str, type[Node]] = {"in front": Behind, "behind": InFrontOf, "left": RightOf, "right": LeftOf}
+
+
+def _other_side(task: TaskSchema, told: Parts) -> bool:
+    """Whether something is on the side across from the one that is denied."""
+    side = (told["side"] or "").removeprefix("to the ").removeprefix("on the ")
+    return any(isinstance(atom, _SIDES[side]) for atom in atoms(task.goal))
+
+
 def _anyway(task: TaskSchema, told: Parts) -> bool:
     return True
 
@@ -116,6 +130,13 @@ _STAYS = "(?: is| are| stays?| must be| must stay| remains?| has to stay| have t
 _TOLD: tuple[tuple[str, Check], ...] = (
     (r"(?:not|never) (?:the )?(?:other way (?:round|around)|vice versa|the reverse)", _anyway),
     (f"not (?:all |all of the |all of them |both |both of them )?{_MANY}(?: of them| at once)?", _so_many_at_most),
+    (f"not {_SO_MANY} (?:rows|columns|towers|stacks|lines|layers) of {_SO_MANY}(?: blocks| cubes)?", _anyway),
+    (f"not (?:a|one) (?:single |big |large )?(?:tower|stack|row|line|one) of {_SO_MANY}(?: blocks| cubes)?", _anyway),
+    (f"not one of {_SO_MANY}", _anyway),
+    (f"no matter which(?: ones?| {_SO_MANY})?|whichever(?: ones?| {_SO_MANY})?|any {_SO_MANY} will do", _anyway),
+    ("one (?:letter |digit )?(?:block|cube|letter|one|digit) on (?:top of )?the other", _piled),
+    ("not (?P<side>in front|behind|to the left|to the right|on the left|on the right)(?: of (?:it|them))?",
+     _other_side),
     ("(?:nothing|none|no block) on the others?(?: ones?)?", _so_many_at_most),
     ("not (?:all|both|more|all of them|both of them)(?: than that)?", _so_many_at_most),
     ("no more(?: than that)?", _so_many_at_most),

@@ -17,6 +17,7 @@ from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE
 from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
 from rpg.language.grammar.rows.contrasted import CONTRASTED
+from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
@@ -76,6 +77,7 @@ from rpg.language.tokens import Token
 _OF_ALL = (
     *IN_WRITING,
     *IN_CONVERSATION,
+    *CONTRASTS,
     *PLAIN_TALK_AT_ONCE,
     *ORDERED_AT_ONCE,
     *WRITTEN_AT_ONCE,
@@ -165,7 +167,11 @@ _OF_THE_UNREAD = (
     *ASKED_ALOUD,
 )
 """The rows of a sentence that cannot be read as it stands."""
-AT_ONCE, UNREAD, OVER_ALL = Turns(_OF_ALL), Turns(_OF_THE_UNREAD), Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *ACROSS))
+AT_ONCE, UNREAD, OVER_ALL = (
+    Turns(_OF_ALL),
+    Turns(_OF_THE_UNREAD),
+    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *ACROSS)),
+)
 
 
 def formal(tokens: list[Token]) -> list[Token]:

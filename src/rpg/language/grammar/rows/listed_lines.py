@@ -45,7 +45,8 @@ _FIRST_OF = {"row": ("first", "leftmost"), "tower": ("bottom", "lowest", "lower"
 _LAST_OF = {"row": ("last", "rightmost"), "tower": ("top", "highest", "upper", "uppermost")}
 _NOUN = "(?: blocks| cubes| ones| letters)?"
 _OUTER = (
-    "(?:the )?(?:(?:two )?(?:outer|outermost|end) (?:two|blocks|cubes|ones|letters)|(?:two )?ends|"
+    "(?:the )?(?:two (?:blocks |cubes )?(?:at|on) the (?:two )?(?:ends|outside)|(?:two )?(?:outer|outermost|end) "
+    "(?:two|blocks|cubes|ones|letters)|(?:two )?ends|"
     f"first and (?:the )?last{_NOUN}|first and (?:the )?last (?:one|block|cube|letter))"
 )
 _OFF = re.compile(r"(?:take|lift) (?:(?P<ahead>off) )?(?P<them>.+? and .+?)(?(ahead)| (?:off|down))(?: again)?")
@@ -55,7 +56,7 @@ _ARTICLES, _NOUNS = ("the", "a", "an"), ("block", "cube", "one", "letter", "digi
 
 def listed_lines(tokens: list[Token]) -> list[Token]:
     """The tokens with a line that is listed told of the start, if it is changed by the next sentence."""
-    first, *rest = sentences(tokens)
+    first, *rest = sentences(tokens) or [tokens]
     if not rest or not _changed(rest[0]):
         return tokens
     words = [word_of(first, n) for n in range(len(first)) if first[n].word not in STOPS]

@@ -22,9 +22,6 @@ CONTRASTS: tuple[Turn, ...] = (
     (f"^(.*?(?:one|some|any|two|three) of .+?) ({MUST} be|has to be|have to be|{MUST} lie|goes|go) (on [^,]+?)(?: ,)? "
      f"but not (the {COLOR}(?: one| block| cube)?)$", "{1} {2} {3} . {4} must not be {3}"),
     # who is none of them
-    (f"^((?:put|place|line up|stack|set|arrange|sort) )?(?:the )?((?:{_BLOCKS}) \\d+ to \\d+)\\b(.*?)(?: ,)?(?: but| "
-     "and)? "
-     f"{_LEFT_OUT} (?:the )?(?:{_BLOCKS} )?(\\d+)$", "{1} the {2} except {4} {3}"),
     ("^(.+?) except (?:for )?(the .+?) , (?:they|it|which|these) (?:stay|remain|lie|are|is|stays|remains|lies)(?: "
      "lying)? "
      "(on the table|where (?:it is|they are))$", "{1} except {2} . {2} must be {3}"),
@@ -55,6 +52,8 @@ CONTRASTS: tuple[Turn, ...] = (
 """What is looked for, and what is said instead; in every sentence."""
 
 CONTRASTS_ACROSS: tuple[Turn, ...] = (
+    (f"^((?:put|place|line up|stack|set|arrange|sort) )?(?:the )?((?:{_BLOCKS}) \\d+ to \\d+)\\b([^.]*?)(?: ,)?"
+     f"(?: but| and)? {_LEFT_OUT} (?:the )?(?:{_BLOCKS} )?(\\d+)(?= \\.|$)", "{1} the {2} except {4} {3}"),
     (f"^({_PUT}) ({THING}) on(?: top of)? ({THING}) \\. (?:but )?not on(?: top of)? ({THING})(?= \\.|$)",
      "put {2} on {3} . {2} must not be on {4}"),
     (f"^({THING}) ({_IS}) on ({THING}) and ({THING}) on ({THING}) \\. no ,? ?(?:sorry ,? ?|wait ,? ?)?the other way "

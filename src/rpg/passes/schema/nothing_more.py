@@ -189,7 +189,8 @@ def without_more(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], Callabl
         text = " ".join(words[begin:end])
         for row, check in _compiled():
             if (met := row.fullmatch(text)) is not None:
-                yield _closed(tokens, begin, end), partial(_holds, check, met.groupdict())
+                if rest := _closed(tokens, begin, end):
+                    yield rest, partial(_holds, check, met.groupdict())
                 break
 
 

@@ -16,7 +16,7 @@ _STATE = "(stacked|touching|next to each other|on top of each other|in a row)"
 
 CONTRASTS: tuple[Turn, ...] = (
     # the one, and not the other
-    (f"^not ({THING}) but ({THING}) ({_IS}) ((?:on|in|{PLACE}) [^,]+)$", "{2} {3} {4} . {1} must not be {4}"),
+    (f"^not ({THING}) but ({THING}) ({_IS}) ((?:on|in|{PLACE}) [^,]+)$", "{1} must not be {4} . {2} {3} {4}"),
     (f"^({_PUT}) ({_ONE}) (on|in) (the [^,]+?)(?: ,)? (?:and |but )?not ({_ONE})$",
      "{1} {2} {3} {4} . {5} must not be {3} {4}"),
     (f"^(.*?(?:one|some|any|two|three) of .+?) ({MUST} be|has to be|have to be|{MUST} lie|goes|go) (on [^,]+?)(?: ,)? "

@@ -31,6 +31,14 @@ _CLASSES = Classes({
 _WAYS = (
     "please? <work> <how> please|now|about_it|with_it|with_them|here|at_all_times?",
     "please? <how> please|now|with_it|with_them?",
+    "please? in|with|using as_few|as_little|the_fewest|the_least|the_least_number_of|the_smallest_number_of|"
+    "the_minimum_number_of|minimal|few moves|steps|actions|movements as_possible|you_can|needed|necessary?",
+    "please? as fast|quickly|efficiently|slowly|gently|carefully|precisely as possible|you_can|needed",
+    "please? without knocking|tipping|pushing|throwing <things>|any_of_them|the_others|others over|down|off",
+    "please? without bumping|running|crashing|driving into <things>|any_of_them|the_others|others|each_other",
+    "please? being careful|gentle|gentle_with_them|careful_with_them|gentle_with_it",
+    "please? being careful|cautious not_to bump|hit|knock|drop <things>|any_of_them|the_others|others over|down?",
+    "and? with a steady|firm|light|gentle|calm hand|touch|grip",
     "please? make|do|keep it|this quick|fast|snappy|swift|brief please|okay?",
     "please? use|with|take|using only|just? one|the|your|a left|right|other|same|free|single? <hand> only|for_this|"
     "for_that|please?",

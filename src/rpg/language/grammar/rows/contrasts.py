@@ -32,6 +32,7 @@ CONTRASTS: tuple[Turn, ...] = (
      "no two of {1} touch"),
     # what is left as it is read
     (" , but with (an? [^,]+? in (?:the|its) (?:middle|center)) instead$", " with {1}"),
+    (f"\\b({MUST} not|is not|are not) (?:be )?(?:a )?part of (the (?:stack|tower))\\b", "must not be in {2}"),
     ("(?: ,| with)? (?:the )?colors taking turns\\b", " with alternating colors"),
     ("\\bseparately , (?=one (?:on|for|in) each\\b)", ""),
     (f"^the ({COLOR}) (blocks|cubes) , all ({MANY})(?: of them)?(?: ,)? ", "the {3} {1} {2} "),
@@ -52,6 +53,9 @@ CONTRASTS: tuple[Turn, ...] = (
 """What is looked for, and what is said instead; in every sentence."""
 
 CONTRASTS_ACROSS: tuple[Turn, ...] = (
+    (f"^(.*\\b(?:stack|tower|pile|on)\\b.*?) \\. (?:but )?(?:leave|keep) ({THING}) out(?: of (?:it|this|that|the "
+     "(?:stack|tower)))"
+     "(?= \\.|$)", "{1} . {2} must not be in the stack"),
     (f"^((?:put|place|line up|stack|set|arrange|sort) )?(?:the )?((?:{_BLOCKS}) \\d+ to \\d+)\\b([^.]*?)(?: ,)?"
      f"(?: but| and)? {_LEFT_OUT} (?:the )?(?:{_BLOCKS} )?(\\d+)(?= \\.|$)", "{1} the {2} except {4} {3}"),
     (f"^({_PUT}) ({THING}) on(?: top of)? ({THING}) \\. (?:but )?not on(?: top of)? ({THING})(?= \\.|$)",

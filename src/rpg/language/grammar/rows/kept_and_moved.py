@@ -36,7 +36,8 @@ FALLEN: tuple[Turn, ...] = (
     (f"^(?:the|a|my|our) ((?:{_FIGURE}) (?:of|with) [^.]+?) {_FELL} \\. (?:please )?(?:build|put|set|stack|make|"
      f"restore|rebuild) (?:it|the (?:{_FIGURE}))(?: {_AGAIN})?(?= \\.|$)", "build a {1}"),
     (f"^({THING}) (?:has fallen|fell|has come|has slipped|slipped) off ({THING}) \\. (?:please )?(?:put|place|set|lay) "
-     "it back(?: on(?: it| top(?: of it)?)?| up| again| there)*(?= \\.|$)", "put {1} on {2}"),
+     "it back(?: on(?: it| top(?: of it)?)?| up| again| there)*(?= \\.|$)", "at the start {1} is on the table . put "
+     "{1} on {2}"),
     (f"^(?:get|take|pull|bring) ({THING}) (?:out )?(?:from )?(?:under|beneath|underneath|below) ({THING})(?: ,| ;| "
      f"\\.)? (?:and |then )*(?:put|lay|place|set|stack) it (?:on top of|on|onto) it(?= \\.|$)",
      "at the start {2} is on {1} . put {1} on {2}"),

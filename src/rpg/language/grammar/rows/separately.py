@@ -25,7 +25,7 @@ def _each(done: str, figure: str) -> tuple[Turn, ...]:
 
 SEPARATELY: tuple[Turn, ...] = (
     *(row for done, figure in _WAYS for row in _each(done, figure)),
-    ("^((?:put )?[^,]+ on [^,]+ and [^,]+ on [^,]+?)(?: ,)? separately$", "{1}"),
+    ("^((?:put )?[^,]+ on ([^,]+) and [^,]+ on ([^,]+?))(?: ,)? separately$", "{1} . {2} and {3} must be on the table"),
 )  # fmt: skip
 """What is looked for, and what is said instead; in every sentence."""
 

@@ -140,7 +140,6 @@ def test_one_taken_of_many(text: str, meant: dict[str, Any]) -> None:
         "Four blocks in a row, each of a different colour, and all of them green.",
         "A, B, C and D stand in a row. Only B is turned a quarter turn to the left. Straighten it.",
         "Two boxes on the red mat, the same number on the blue one and none on the green one.",
-        "A and B are on the mat at the start. Take one of them off and leave the other on it.",
         "Two of the three black cubes carry a green one each; the other carries nothing.",
         "Stack the black block on either the pink block or the gray block, and put the other blocks on the table.",
         "There are a red, a green and a blue patch. Each of them gets two of the six white blocks.",

@@ -38,7 +38,7 @@ _WORK = (
     | harmless.OCCASIONS
     | listed(
         "level policy agent robot gripper camera timer trick objective marks release sprint figure paper class demo "
-        "episode rollout run seed time start end study"
+        "episode rollout run seed start end study"
     )
 )
 _SEEN = harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS
@@ -90,7 +90,7 @@ def only_talk(tokens: Sequence[Token]) -> bool:
     """Whether a clause can only be talk, whatever some of its words mean."""
     words = [token.word for token in tokens]
     lead = _lead(words, (*_AIMS, *_OTHERS))
-    titled = _FEWEST <= len(words) <= _TITLE and words[-1] in TESTS and words[-2] not in DET
+    titled = words[:1] != ["this"] and _FEWEST <= len(words) <= _TITLE and words[-1] in TESTS and words[-2] not in DET
     if len(words) < _FEWEST or (words[0] in lexicon.COMMANDS and not titled) or takes_back(words):
         return False
     aimed = _lead(words, _AIMS)
@@ -114,7 +114,7 @@ def _harmless(token: Token, words: Sequence[str], n: int, tried: bool) -> bool:
         return not _SEEN.isdisjoint(after)
     if word.endswith("ing") and words[n - 1] in ("on", "of", "about", "for") and not _WORK.isdisjoint(words[:n]):
         return True
-    if word in _NOT or (bends(word) and not tried):
+    if word in _NOT or word in harmless.TIMES or (bends(word) and not tried):
         return False
     if is_strange(word) and word.endswith(_HOW):
         return False

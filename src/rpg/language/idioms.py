@@ -94,8 +94,8 @@ _WHOLE = (
     "as per the|our spec|specification|protocol|plan|manual|instructions|rules",
     "new|next|fresh|another scene|episode|trial|level",
     "reset|clear|prepare the scene|world|simulation|environment please|first?",
-    "just? to start|begin|warm_up|get_started|get_going|be_sure|be_safe|be_clear|make_it_clear with?",
-    "just? for a start|starters|beginners|warm_up|practice|testing_purposes|debugging|completeness",
+    "just? to warm_up|get_started|get_going|be_sure|be_safe|be_clear|make_it_clear",
+    "just? for beginners|warm_up|practice|testing_purposes|debugging|completeness",
     "all? in one|a_single|just_one go|episode|run|rollout|attempt|trial|try|sitting please?",
     "within|during one|a_single|just_one|this|the|each episode|run|rollout|attempt|trial|try please?",
     "i|we? hope that|this|it|everything is|'s|was clear|understandable|fine|okay|ok|doable|possible|not_too_hard|"

@@ -40,7 +40,7 @@ def as_anyone(tokens: list[Token], known: Collection[str]) -> list[Token]:
 
 _BE = frozenset({"be", "is", "look"})
 _VERY = frozenset({"so", "very", "really", "quite", "most", "totally", "rather", "pretty", "super", "just"})
-_OF_LIKING = frozenset({"satisfying", "pleasing", "handy", "cool", "great"}) | harmless.FINE
+_OF_LIKING = (frozenset({"satisfying", "pleasing"}) | harmless.FINE) - {"possible", "okay", "ok", "true", "fair"}
 
 
 def as_nice(tokens: list[Token]) -> list[Token]:
@@ -50,7 +50,7 @@ def as_nice(tokens: list[Token]) -> list[Token]:
     at = be + 1
     while at < len(words) and words[at] in _VERY:
         at += 1
-    begun = words[0] in ("it", "that", "wouldn't", "would") if words else False
+    begun = words[:1] in (["it"], ["that"])
     if not (be and begun and at + 1 < len(words) and words[at + 1] in ("if", "to") and words[at] in _OF_LIKING):
         return tokens
     return [*tokens[: be + 1], tokens[at].saying("nice"), *tokens[at + 1 :]]

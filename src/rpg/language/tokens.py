@@ -146,7 +146,7 @@ def _inline(tokens: list[Token]) -> list[Token]:
     return out
 
 
-_BOUND = re.compile(r"(?<=[A-Za-z])_(?=[A-Za-z0-9])|(?<=[0-9])_(?=[A-Za-z])")
+_BOUND = re.compile(r"(?<=[a-z])_(?=[a-z0-9])|(?<=[0-9])_(?=[a-z])")
 """What binds the words of a name: "red_block", "left_to_right"."""
 _STEP = re.compile(r"(?<![\w.,])(\d{1,2})[.:](?=\s)")
 _IN_TURN = re.compile(r"(?i)\b(?:order|sequence|steps|stages|first|then|turn|one by one|after)\b")

@@ -4,6 +4,7 @@ anything". A text that makes no sense with one is read without it, and must then
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache, partial
 from itertools import pairwise
@@ -56,13 +57,25 @@ def _beside(task: TaskSchema, told: Parts) -> bool:
 
 
 def _so_many_there(task: TaskSchema, told: Parts) -> bool:
-    """Whether there are just so many blocks, or so many of each colour."""
-    colors: dict[str | None, int] = {}
-    for asset in task.assets:
-        if isinstance(asset, Block):
-            colors[asset.color] = colors.get(asset.color, 0) + 1
+    """Whether there are just so many blocks."""
+    return sum(_of_each(task).values()) == _number(told)
+
+
+def _so_many_of_each(task: TaskSchema, told: Parts) -> bool:
+    """Whether there are just so many of each of several colours."""
+    colors = _of_each(task)
+    return len(colors) > 1 and set(colors.values()) == {_number(told)}
+
+
+def _of_each(task: TaskSchema) -> Counter[str]:
+    return Counter(asset.color for asset in task.assets if isinstance(asset, Block))
+
+
+def _any_of_them(task: TaskSchema, told: Parts) -> bool:
+    """Whether so many of some are asked for, whichever these are."""
+    counts = [goal for goal in _all_in(task.goal) if isinstance(goal, g.Count)]
     number = _number(told)
-    return sum(colors.values()) == number or (len(colors) > 1 and set(colors.values()) == {number})
+    return any(not number or number == goal.at_most for goal in counts)
 
 
 def _of_any_color(task: TaskSchema, told: Parts) -> bool:
@@ -125,7 +138,7 @@ _THEM = "(?:it|them|there|any of them|the (?:\\w+ )?(?:mat|patch|zone|spot|targe
 _OTHERS = (
     f"(?:the )?(?:other|others|rest|remaining|third|fourth|fifth|last)(?: {_SO_MANY})?(?: one| ones| block| blocks)?"
 )
-_OFF = f"(?:off|out of|outside(?: of)?|beside|away from|not on|not in)(?: {_THEM})?"
+_OFF = f"(?:off|out of|outside(?: of)?|away from|not on|not in)(?: {_THEM})?"
 _STAYS = "(?: is| are| stays?| must be| must stay| remains?| has to stay| have to stay| should be| should stay)?"
 _TOLD: tuple[tuple[str, Check], ...] = (
     (r"(?:not|never) (?:the )?(?:other way (?:round|around)|vice versa|the reverse)", _anyway),
@@ -133,19 +146,19 @@ _TOLD: tuple[tuple[str, Check], ...] = (
     (f"not {_SO_MANY} (?:rows|columns|towers|stacks|lines|layers) of {_SO_MANY}(?: blocks| cubes)?", _anyway),
     (f"not (?:a|one) (?:single |big |large )?(?:tower|stack|row|line|one) of {_SO_MANY}(?: blocks| cubes)?", _anyway),
     (f"not one of {_SO_MANY}", _anyway),
-    (f"no matter which(?: ones?| {_SO_MANY})?|whichever(?: ones?| {_SO_MANY})?|any {_SO_MANY} will do", _anyway),
+    (f"(?:no matter which|whichever)(?: ones?| {_MANY})?", _any_of_them),
     ("one (?:letter |digit )?(?:block|cube|letter|one|digit) on (?:top of )?the other", _piled),
     ("not (?P<side>in front|behind|to the left|to the right|on the left|on the right)(?: of (?:it|them))?",
      _other_side),
     ("(?:nothing|none|no block) on the others?(?: ones?)?", _so_many_at_most),
     ("not (?:all|both|more|all of them|both of them)(?: than that)?", _so_many_at_most),
     ("no more(?: than that)?", _so_many_at_most),
-    (f"(?:keep|leave|have|put) (?:{_OTHERS}|{_MANY}(?: of them)?) {_OFF}", _so_many_at_most),
+    (f"(?:keep|leave) (?:{_OTHERS}|{_MANY}(?: of them)?) {_OFF}", _so_many_at_most),
     (f"{_OTHERS}{_STAYS} (?:{_OFF}|elsewhere|somewhere else)", _so_many_at_most),
     (f"(?:leave|keep) {_OTHERS} (?:on|in) {_THEM}", _so_many_at_most),
     (f"(?:that (?:is|'s|makes) |there (?:are|is) |it is )?{_MANY} (?:in total|in all|altogether|all together|total|"
      "all in all)", _so_many_there),
-    (f"(?:that (?:is|'s|makes) |there are )?{_MANY} (?:of )?each(?: colou?r)?", _so_many_there),
+    (f"(?:that (?:is|'s|makes) |there are )?{_MANY} (?:of )?each(?: colou?r)?", _so_many_of_each),
     (f"all {_MANY}(?: of them| of these)?", _so_many_there),
     (r"(?:nothing|none)(?: (?:lying|sitting|stacked|is|stands|lies))? on(?: top of)? (?:anything|another|any other|"
      "each other|one another|any of them|others)", _flat),
@@ -154,7 +167,7 @@ _TOLD: tuple[tuple[str, Check], ...] = (
     ("(?:there (?:is|are) )?no (?:other|further|more|additional|extra) (?:blocks?|cubes?|objects?|things?)(?: "
      "(?:are|is))?"
      "(?: there| present| used| needed| around| involved| visible| in the scene| in sight)+", _anyway),
-    (r"(?:no matter |it does not matter |(?:i|we) do not (?:care|mind) )?(?:which|whichever)(?: one| of them| of the "
+    (r"(?:(?:no matter |it does not matter |(?:i|we) do not (?:care|mind) )which|whichever)(?: one| of them| of the "
      r"two)? "
      r"(?:is|comes|goes|ends up)(?: lying)? (?:on top|at the bottom|first|last|on the left|on the right|uppermost)",
      _anyway),
@@ -189,7 +202,8 @@ def without_more(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], Callabl
         text = " ".join(words[begin:end])
         for row, check in _compiled():
             if (met := row.fullmatch(text)) is not None:
-                if rest := _closed(tokens, begin, end):
+                follows = words[end + 1 : end + 2] if words[end : end + 1] == [","] else []
+                if (rest := _closed(tokens, begin, end)) and not (follows and follows[0] in lexicon.NUMBER):
                     yield rest, partial(_holds, check, met.groupdict())
                 break
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH
 
+_MAT = f"the (?:\\w+ )?{PATCH}"
 _IS = f"(?:{MUST} (?:be|go|lie|stand)|is|goes|belongs|stands|lies|sits|comes)"
 _PUT = "(?:put|place|move|set|lay|stack)"
 _BLOCKS = "(?:blocks|cubes|letters|digits|numbers|ones)"
@@ -16,8 +17,8 @@ _STATE = "(stacked|touching|next to each other|on top of each other|in a row)"
 
 CONTRASTS: tuple[Turn, ...] = (
     # the one, and not the other
-    (f"^not ({THING}) but ({THING}) ({_IS}) ((?:on|in|{PLACE}) [^,]+)$", "{1} must not be {4} . {2} {3} {4}"),
-    (f"^({_PUT}) ({_ONE}) (on|in) (the [^,]+?)(?: ,)? (?:and |but )?not ({_ONE})$",
+    (f"^not ({THING}) but ({THING}) ({_IS}) ((?:on|in) {_MAT}|{PLACE} {THING})$", "{1} must not be {4} . {2} {3} {4}"),
+    (f"^({_PUT}) ({_ONE}) (on|in) ({_MAT})(?: ,)? (?:and |but )?not ({_ONE})$",
      "{1} {2} {3} {4} . {5} must not be {3} {4}"),
     (f"^(.*?(?:one|some|any|two|three) of .+?) ({MUST} be|has to be|have to be|{MUST} lie|goes|go) (on [^,]+?)(?: ,)? "
      f"but not (the {COLOR}(?: one| block| cube)?)$", "{1} {2} {3} . {4} must not be {3}"),
@@ -33,7 +34,7 @@ CONTRASTS: tuple[Turn, ...] = (
     # what is left as it is read
     (" , but with (an? [^,]+? in (?:the|its) (?:middle|center)) instead$", " with {1}"),
     (f"\\b({MUST} not|is not|are not) (?:be )?(?:a )?part of (the (?:stack|tower))\\b", "must not be in {2}"),
-    ("(?: ,| with)? (?:the )?colors taking turns\\b", " with alternating colors"),
+    ("(?: ,| with)? (?:the )?colors taking turns(?: all the way(?: up)?)?(?=$| ,)", " with alternating colors"),
     ("\\bseparately , (?=one (?:on|for|in) each\\b)", ""),
     (f"^the ({COLOR}) (blocks|cubes) , all ({MANY})(?: of them)?(?: ,)? ", "the {3} {1} {2} "),
     (f"\\b(goes|{MUST} go) there(?: too| as well)?(?: ,)? (on top of|on) ({THING})$", "{1} {2} {3}"),

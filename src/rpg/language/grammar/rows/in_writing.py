@@ -24,7 +24,7 @@ IN_WRITING: tuple[Turn, ...] = (
      "?:? ?(.+)$", "{1} order from {2} to {3} : {4}"),
     (f"\\b(?:gaps?|spacing|distance|space)(?: between (?:the |neighbou?ring )?(?:{_BLOCKS}|them|neighbou?rs))? = "
      f"({LENGTH})", "with gaps of {1}"),
-    (f"\\b({MANY}) (?:blocks|cubes)? ?of (length|width|height|depth)\\b", "{1} blocks in {2}"),
+    (f"\\b({MANY}) (?:blocks|cubes) of (length|width|height|depth)\\b", "{1} blocks in {2}"),
     (f"\\b(wall|grid|tower|rectangle|row) with ({MANY} blocks in (?:length|width|depth)(?: ,| and| , and) {MANY} "
      "blocks in "
      "(?:height|width|depth))", "{1} {2}"),

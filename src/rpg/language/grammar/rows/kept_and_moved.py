@@ -16,7 +16,7 @@ _FELL = ("(?:has|have) (?:fallen (?:over|down|apart|off)|fallen|collapsed|topple
 _AGAIN = "(?:again|up again|back up|back together|once more)"
 
 KEPT_AT_ONCE: tuple[Turn, ...] = (
-    (f"^(?:and |but )?only ({THING}) {_MAY} (?:be )?(?:moved|move|touched|change places?)$",
+    (f"^(?:and |but )?only ({THING}) (?:may|can|is allowed to) (?:be )?(?:moved|move|touched|change places?)$",
      "nothing but {1} may be moved"),
     (f"^((?:put|place|set|lay|move|bring) {THING}) there (?:too|as well|also)$", "{1} there"),
 )  # fmt: skip

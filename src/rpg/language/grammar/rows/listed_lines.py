@@ -28,7 +28,7 @@ _TAIL = rf"(?: ,)?(?: in (?:this|that) order)?(?: ,)?(?: (?P<way>{_WAY})| (?:wit
 _TOLD = tuple(
     re.compile(rf"(?:{row}){_TAIL}")
     for row in (
-        rf"(?:the|an?|my|our) (?P<line>row|line|tower|stack|pile) (?:is|is made of|consists of|has|reads|goes) {_LIST}",
+        rf"(?:the|an?|my|our) (?P<line>row|line|tower|stack|pile) (?P<copula>is) {_LIST}",
         rf"(?:at the start (?:, )?)?(?:there is|we have|i have|start with|begin with|we start with|we begin with|"
         rf"it starts as|you start with) (?:the|an?|my|our) (?P<line>row|line|tower|stack|pile) (?:of|with|:) {_LIST}",
         rf"(?:an?|the|my|our) (?P<line>row|line|tower|stack|pile) of {_LIST} (?:is|stands) "
@@ -63,8 +63,8 @@ def listed_lines(tokens: list[Token]) -> list[Token]:
     words[:1] = [words[0].lstrip("@")] if words[1:2] and words[1] in _LINES else words[:1]
     text = " ".join(words)
     told = next((met for row in _TOLD if (met := row.fullmatch(text))), None)
-    if told is None:
-        return tokens
+    if told is None or not any(map(told.groupdict().get, ("copula", "kind", "end"))):
+        return tokens  # what is there by its words, and in an order that is told, is read as it stands
     kind = _LINES[(told.groupdict().get("line") or _kind(told["kind"]))]
     begin = text[: told.start("list")].count(" ")
     listed = first[begin : begin + told["list"].count(" ") + 1]

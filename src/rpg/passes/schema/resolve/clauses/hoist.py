@@ -55,9 +55,8 @@ from rpg.passes.schema.resolve.structures.told_towers import (
 from rpg.passes.schema.resolve.things.listed_after import built_first, filled, listed_inside, shapes_pictured
 from rpg.passes.schema.resolve.things.world import refuse
 
-_VERBS = ("stack", "arrange")
-_IN_OTHER_WORDS = (denied_of_it, heaped, between_in_line, at_that_end, others_beyond, as_many_as_it_takes,
-                   left_alone, plainly, drawn, colors_told)  # fmt: skip
+_IN_OTHER_WORDS = (denied_of_it, heaped, between_in_line, at_that_end, others_beyond, as_many_as_it_takes, left_alone,
+                   plainly, drawn, colors_told)  # fmt: skip
 """What a clause says for all of its blocks, as it is said elsewhere."""
 
 
@@ -392,7 +391,7 @@ def _builds(clause: Clause, units: set[str]) -> bool:
     if units == {"pile"} and (clause.verb == "sort" or not shapes):
         return clause.verb == "sort"
     if not shapes:
-        return clause.verb in _VERBS and not whole
+        return clause.verb in ("stack", "arrange") and not whole
     shape = shapes[0]
     if not isinstance(shape, Structure):
         return False

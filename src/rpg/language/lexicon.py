@@ -94,7 +94,7 @@ VERBS = {
     "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
     "heave hoist install wedge fit slot squeeze center pack squish squash cram jam plonk toss plunk land lodge situate "
     "station nestle dock post deploy ferry haul lug guide send ship convey reposition store assign allocate serve "
-    "transport transplant shuttle dispatch maneuver manoeuvre steer escort rehome relegate banish exile",
+    "shelve transport transplant shuttle dispatch maneuver manoeuvre steer escort rehome relegate banish exile",
     "pick": "pick grab grasp lift take find choose select fish dig retrieve snatch seize",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape craft fabricate "

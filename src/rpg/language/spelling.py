@@ -80,7 +80,9 @@ SHORT_FORMS = {
     "alt": "alternating", "seq": "sequence", "rect": "rectangle", "tri": "triangle", "pyr": "pyramid",
     "num": "number", "nums": "numbers", "nbr": "number", "ltr": "letter", "ltrs": "letters", "ppl": "people",
     "cw": "clockwise", "asc": "ascending", "desc": "descending", "ccw": "counterclockwise",
-    "rn": "now", "outta": "from", "hight": "height", "vs": "and", "versus": "and",
+    "rn": "now", "outta": "from", "hight": "height", "pyramide": "pyramid",
+    "permute": "arrange",
+    "vs": "and", "versus": "and",
 }  # fmt: skip
 """Words typed in short, in small letters."""
 

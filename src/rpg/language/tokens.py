@@ -232,6 +232,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return [Token("punct", ARROW, raw, span)]
         case "sign":
             return [Token("sign", _plain_signs(raw), raw, span)]
+        case _ if raw == "&":
+            return [Token("word", "and", raw, span)]
         case _:
             return [Token("punct", raw, raw, span)]
 

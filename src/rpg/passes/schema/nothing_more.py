@@ -146,6 +146,14 @@ _TOLD: tuple[tuple[str, Check], ...] = (
     (f"not {_SO_MANY} (?:rows|columns|towers|stacks|lines|layers) of {_SO_MANY}(?: blocks| cubes)?", _anyway),
     (f"not (?:a|one) (?:single |big |large )?(?:tower|stack|row|line|one) of {_SO_MANY}(?: blocks| cubes)?", _anyway),
     (f"not one of {_SO_MANY}", _anyway),
+    ("whichever you (?:like|want|prefer|choose)|whichever of them", _anyway),
+    ("the (?:others?|rest)(?: blocks| ones)? (?:may|can) (?:be )?(?:moved?|go anywhere)(?: freely)?", _anyway),
+    ("(?:leave|leaving) (?:the arrangement|the rest|everything else|it|all else)(?: otherwise)? (?:free|open|as it "
+     "comes)", _anyway),
+    ("no more(?: and|,| ,)? no (?:less|fewer)", _so_many_there),
+    ("(?:please )?(?:build|make|create|show|construct|do|arrange) (?:it|this|that|the "
+     "(?:tower|row|figure|picture|scene)|(?:one|a) "
+     "possible arrangement)", _anyway),
     (f"(?:no matter which|whichever)(?: ones?| {_MANY})?", _any_of_them),
     ("one (?:letter |digit )?(?:block|cube|letter|one|digit) on (?:top of )?the other", _piled),
     ("not (?P<side>in front|behind|to the left|to the right|on the left|on the right)(?: of (?:it|them))?",

@@ -27,6 +27,7 @@ from rpg.passes.schema.one_like_it import check_one_like_it
 from rpg.passes.schema.pyramid_told import check_pyramid
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.said_of_all import check_said_of_all
+from rpg.passes.schema.sizes_had import check_sizes
 from rpg.passes.schema.told_apart import check_told_apart
 
 
@@ -58,6 +59,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_told_apart(tokens, task)
     check_parts(tokens, task)
     check_one_like_it(tokens, task)
+    check_sizes(tokens, task)
     check_mats_listed(tokens, task)
 
 

@@ -89,8 +89,8 @@ ASKED_ALOUD_AT_ONCE: tuple[Turn, ...] = (
     ("\\bstays? standing(?= the whole time| all the time| throughout|$| while)", "stay as it is"),
     # how they are turned
     ("\\buntil its (?:label|letter|symbol|digit|number|face) is (?=upright|readable|legible)", "until it is "),
-    (f"\\bwith no ({_SHOWN}) (?:being )?{_TURNED}\\b", "with all {1}s upright"),
-    (f"\\b(?:that )?no ({_SHOWN}) (?:may be|should be|must be|is(?: to be)?) {_TURNED}\\b", "all {1}s must be upright"),
+    (f"\\bwith no ({_SHOWN}) (?:being )?{_TURNED}\\b", "with all {1s} upright"),
+    (f"\\b(?:that )?no ({_SHOWN}) (?:may be|should be|must be|is(?: to be)?) {_TURNED}\\b", "all {1s} must be upright"),
     # how high
     (f"(?: ,)?(?: but| and)? (?:do not|never) stack(?: up)?(?: {_THEM})?(?: up)? (?:more than|higher than|over) "
      f"({MANY})(?: {_HIGH})?$", " , no tower higher than {1}"),

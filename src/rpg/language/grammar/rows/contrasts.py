@@ -31,6 +31,15 @@ CONTRASTS: tuple[Turn, ...] = (
      "{1} must not be {3} . {1} must not be {4}"),
     ("^not (?:one|any) of (them|these) (touches|touch) (?:another|any other|each other|the others?)$",
      "no two of {1} touch"),
+    (f"^neither (.+?) nor (.+?) (?:{_IS}) ((?:on|in) [^,]+?)(?: ,)? (?:but )?only (the [^,]+)$",
+     "{1} and {2} must not be {3} . {4} must be {3}"),
+    *((f"\\bin a corner(?: ,)? but not in (?:one|any|either) of the {half} (?:ones|corners)$",
+       f"in a corner and in the {other} half") for half, other in
+      (("near|front", "far"), ("far|back", "near"), ("left", "right"), ("right", "left"))),
+    (f"\\bthan any (?:of the )?({COLOR})(?: ones?| blocks?| cubes?)?(?=$| ,)", "than all {1} blocks"),
+    (f"^(.+? (?:stand|are|lie|sit|stay) together)(?: ,| and| , and| but| , but)+ ({THING}) (?:stands|is|lies|stays) "
+     "(?:alone|by "
+     "itself|on its own)$", "{1} . {2} must be apart from them"),
     # what is left as it is read
     (" , but with (an? [^,]+? in (?:the|its) (?:middle|center)) instead$", " with {1}"),
     (f"\\b({MUST} not|is not|are not) (?:be )?(?:a )?part of (the (?:stack|tower))\\b", "must not be in {2}"),

@@ -11,6 +11,7 @@ from rpg.language.grammar.rows.alternatives import ALTERNATIVES
 from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
+from rpg.language.grammar.rows.before_and_after import BEFORE_AND_AFTER, WITH_ITS_TOP
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
@@ -78,6 +79,7 @@ _OF_ALL = (
     *IN_WRITING,
     *IN_CONVERSATION,
     *CONTRASTS,
+    *WITH_ITS_TOP,
     *PLAIN_TALK_AT_ONCE,
     *ORDERED_AT_ONCE,
     *WRITTEN_AT_ONCE,
@@ -170,7 +172,7 @@ _OF_THE_UNREAD = (
 AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),
-    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *ACROSS)),
+    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *ACROSS)),
 )
 
 

@@ -21,6 +21,36 @@ _MEETS = "(?:sits?|lies?|stands?|is|are|rests?|comes?|goes|be)"
 IN_CONVERSATION: tuple[Turn, ...] = (
     (f"^(.*\\b({PATCH})\\b.*?\\b({COLOR})(?: block| cube| one)?(?: goes| is| {MUST} be)?) on the \\3 one(?= |$)",
      "{1} on the {3} {2}"),
+    # as many people put it
+    ("\\bno two (?:vertically |horizontally |directly |immediately )?(?:adjacent|neighbou?ring|consecutive|touching) "
+     "(?:blocks|cubes)"
+     "(?: may| can| should)? (?:share|have|are of) (?:a|the same|one) color\\b", "no two blocks of the same color "
+     "touch"),
+    ("\\bstill (resting|lying|standing|sitting)\\b", "{1}"),
+    ("\\bat (?:episode |task )?(?:termination|completion|the finish)\\b", "at the end"),
+    (f"^use ({MANY}) of each(?: color| kind)?$", "there are {1} of each"),
+    ("^using ((?:the |these )?(?:letters|digits|numbers|blocks|cubes) .+?) once each(?: ,)?", "using {1} ,"),
+    (f"^({MANY} (?:\\w+ )?{_BLOCKS})(?: of (?:equal|the same) size)? are (?:given|available|provided|at "
+     "hand|supplied)$",
+     "there are {1}"),
+    (f"^(an? (?:{_FIGURE}) of [^,]+?) (?:surrounds|encloses|encircles) (an? [^,]+)$", "{1} around {2}"),
+    ("^(.+?\\b(?:on|in) the (?:left|right|near|far)) (side|half) (of the table .+? (?:on|in) the "
+     "(?:left|right|near|far))$", "{1} {2} {3} {2} of the table"),
+    (f"^(.+?\\b{MANY}) blocks with an? (\\S) and (?:1|one) with an? (\\S) and ", "{1} {2} blocks and a {3} block and "),
+    (f"^add ({MANY} [^,]*?distractors?(?: {_BLOCKS}| block)?)(?: to (?:the|this) (?:scene|table|world|setup))?$",
+     "there are {1}"),
+    (f"^(an? [^,]+?)(?: at the bottom)? (?:has to|{MUST}) (?:carry|bear|support) (an? (?:{_FIGURE}) of [^,]+)$", "put "
+     "{2} on {1}"),
+    ("^i want that (?:the robot|you) (?:makes?|builds?|do|does) ", "build "),
+    (f" , after the ({COLOR})(?=$| ,)", " , then the {1}"),
+    (f"^on (the [^,]+?) (?:it|there) (?:should|must) be nothing(?: ,)? but on (the [^,]+?) ({MANY} {_BLOCKS})$",
+     "{1} must be empty . {3} must be on {2}"),
+    ("\\b(?:and )?only after (?:this|that)\\b", "and then"),
+    ("\\bon the top of\\b", "on top of"),
+    ("\\bfrom up to down\\b", "from top to bottom"), ("\\bfrom down to up\\b", "from bottom to top"),
+    (f"\\b({COLOR}) 's (?=(?:left|right|on|behind|in front|next|under|above|to the)\\b)", "{1} is "),
+    ("\\bhard (?:up )?against\\b", "touching"),
+    ("\\binto corners(?: ,)? no two in(?:to)? the same(?: one| corner)?$", "into the corners , one in each corner"),
     ("\\bhang(?:s|ing)? (?:around|about)\\b", "lie around"),
     (f"^(?:ideally ,? ?)?(?:he|she) (?:has to|{MUST}|would|can|could)(?: first| then)? ({_DO}) ", "{1} "),
     (f"^(?:say|suppose|let us say|assume|imagine)(?: that)? (?:you|we|i|there) (?:have|are|is|had|were) ({MANY} .+)$",
@@ -48,9 +78,9 @@ IN_CONVERSATION: tuple[Turn, ...] = (
      "on (?:the )?top$", "{1} of {2} with the letter {3} on top"),
     (f"^(put|place|set|stack) an? ({COLOR}) ({CUBE}) on (?:top of )?(the [^,]+?) and another(?: {COLOR})?(?: {CUBE}| "
      "one)?"
-     " on (?:top of )?(?:that one|it|that|the first)$", "build a tower of two {2} {3}s on {4}"),
+     " on (?:top of )?(?:that one|it|that|the first)$", "build a tower of two {2} {3s} on {4}"),
     (f"^(.+?)\\bone ({COLOR}) ({CUBE}) ({PLACE} .+?) and the other(?: one)? ({PLACE} .+)$",
-     "{1} one of the two {2} {3}s {4} and the other {5}"),
+     "{1} one of the two {2} {3s} {4} and the other {5}"),
     (f"^the first(?: one)? in (?:the )?({LINE}) is (.+?)(?: ,| and| , and)+ the last(?: one)?(?: is)? (.+?)(?: ,| and| "
      ", "
      f"and)+ (.+?) (?:stand|are|lie|is|stands|lies)(?: in)? between(?: them)?$", "a {1} : first {2} , then {4} , last "

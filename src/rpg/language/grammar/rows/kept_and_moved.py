@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
 
 _MAY = f"(?:{MUST}|may|can)"
 _OTHERS = f"the (?:rest|others|other {MANY}(?: blocks| cubes| ones)?|remaining (?:blocks|cubes|ones|{MANY}))"
@@ -16,9 +16,11 @@ _FELL = ("(?:has|have) (?:fallen (?:over|down|apart|off)|fallen|collapsed|topple
 _AGAIN = "(?:again|up again|back up|back together|once more)"
 
 KEPT_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:and |but )?only ({COLOR}) (?:may|can|is allowed to) (?:be )?(?:moved|move|touched)$",
+     "nothing but the {1} block may be moved"),
     (f"^(?:and |but )?only ({THING}) (?:may|can|is allowed to) (?:be )?(?:moved|move|touched|change places?)$",
      "nothing but {1} may be moved"),
-    (f"^((?:put|place|set|lay|move|bring) {THING}) there (?:too|as well|also)$", "{1} there"),
+    (f"^((?:put|place|set|lay|move|bring) {THING}) there (?:too|as well|also)$", "{1} there . both must be there"),
 )  # fmt: skip
 KEPT_AND_MOVED: tuple[Turn, ...] = (
     # who may move

@@ -97,7 +97,7 @@ def one_way(one: Order, two: Order, pointed: bool, first: str | None) -> Order |
         return one if one.first else two
     if first is None and one.descending == two.descending:
         return two if pointed else one
-    if first is None and pointed and two.first is not None:  # "from smallest to biggest, the biggest on top"
+    if first is None and pointed and two.first in ("top", "bottom"):  # "from smallest to biggest, the biggest on top"
         return two.model_copy(update={"first": OPPOSITE[two.first], "descending": one.descending})
     return None
 

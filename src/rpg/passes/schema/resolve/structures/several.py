@@ -272,6 +272,11 @@ def _plain(source: Noun) -> bool:
 
 def _single(shape: Structure, look: Noun | None, color: tuple[str, ...]) -> Structure:
     members = shape.members
+    if look is not None and (look.traits.size or look.traits.edge):
+        if members is not None and not _unsized(members):
+            raise refuse("ambiguous", "it is not clear which blocks are so large", look.span, "name each by itself")
+        told = replace(look, det="bare", head="block", traits=replace(look.traits, colors=look.traits.colors or color))
+        return replace(shape, plural=False, amount=Amount(1, 1), det="a", members=told)
     colors = look.traits.colors if look is not None and look.traits.colors else color
     if look is not None and look.amount is not None:
         if (members is not None and not _unsized(members)) or shape.sizes:

@@ -1,0 +1,71 @@
+"""How something is, and how it has to become: "red is left of blue now. I want it on the right.", "at some point, but
+not at the end", "brown isn't on pink yet. Change that.", as rows that tell the start and the goal."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING, THINGS
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, MUST
+
+_IS = "(?:is|are|lies|lie|stands|stand|sits|sit)"
+_HAS_TO = f"(?:{MUST}|has to|have to)"
+_NOW = "(?: now| right now| currently| at the moment)?"
+_CHANGE = (
+    "(?:change (?:that|it|this) so(?: that)? it is|i want it(?: to be)?|put it|move it|it should be|it must be|make it)"
+)
+_ONE = f"(?:the (?:letter |digit |number )?{LABEL}(?: block| cube)?|{THING})"
+_WORD = f"(?!{COLOR}\\b)\\S{{2,}}"
+
+
+def _other_side(one: str, said: str, other: str) -> Turn:
+    """ "Red is left of blue now. I want it on the right."."""
+    return (
+        f"^({THING}) {_IS}{_NOW} (?:{one}) ({THING}){_NOW} \\. (?:please )?{_CHANGE} (?:{said})(?: of it| of that)?(?: "
+        "instead)?(?= \\.|$)",
+        f"at the start {{1}} is {one.split('|')[0]} {{2}} . put {{1}} {other} {{2}}",
+    )
+
+
+BEFORE_AND_AFTER: tuple[Turn, ...] = (
+    _other_side("to the left of|left of|on the left of", "on the right|to the right|right", "to the right of"),
+    _other_side("to the right of|right of|on the right of", "on the left|to the left|left", "to the left of"),
+    _other_side("in front of", "behind|behind it", "behind"),
+    _other_side("behind", "in front|in front of it", "in front of"),
+    (f"^({THINGS}) {_IS} not ({PLACE} {THING}) yet \\. (?:please )?(?:change|fix) (?:that|this|it)(?= \\.|$)",
+     "put {1} {2}"),
+    (f"^({THING}) {_IS} ({PLACE} {THING}){_NOW}(?: ,)? but must not (?:be )?(?:there )?(?:at|in) the end(?= \\.|$)",
+     "at the start {1} is {2} . {1} must not be {2}"),
+    (f"^(?:at some point(?: ,)? )({THING}) {_HAS_TO} be ({PLACE} {THING})(?: ,)? but not (?:at|in) the end(?= \\.|$)",
+     "first , put {1} {2} . then , {1} must not be {2}"),
+    (f"^({THING}) must end up where it started(?: ,)? but {_HAS_TO} be ({PLACE} {THING}) at some point(?= \\.|$)",
+     "first , put {1} {2} . then , put {1} back where it started"),
+    ("^((?:build|make|form|stack) [^.]+?) at some point(?: ,)? (?:but|and) (?:finish|end|end up) with ([^.]+)(?= "
+     "\\.|$)",
+     "first , {1} . then , {2}"),
+    ("^([^.]+) \\. take it off before you (put|place|set|move|bring) ([^.]+)(?= \\.|$)",
+     "{1} . first , take it off . then , {2} {3}"),
+    (f"^({_ONE}) (?:is|lies|stands) (upright|upside down|the right way up|on its head) \\. (turn|rotate|flip) it\\b",
+     "at the start {1} is {2} . {3} {1}"),
+    ("^the word on the table (?:is|reads|says) (\\S+) \\.", "the word {1} is on the table ."),
+    (f"^((?:the word )?{_WORD} (?:lies|is|stands) on the table) \\. (take|remove) ([^.]+?) so(?: that)? ({_WORD}) is "
+     "left"
+     "(?= \\.|$)", "{1} . {2} {3} so that they spell {4}"),
+)  # fmt: skip
+"""Over a whole text: what is looked for, and what is said instead."""
+
+_TOP = (
+    "(?:(?:pointing|facing|turned) )?(?:to|towards?|at|on|to the side of) "
+    "(the (?:left|right|front|back)|me|us|the viewer)"
+)
+WITH_ITS_TOP: tuple[Turn, ...] = (
+    (f"^({_ONE}) (?:lies|is|stands|has|{MUST} (?:lie|be|stand|have))(?: lying| turned| placed)?(?: with)? its top "
+     f"{_TOP}$",
+     "{1} must be turned with its top to {2}"),
+    (f"^(?:turn|rotate|place|put|lay) ({_ONE}) (?:so(?: that)?|such that|with) its top (?:is |points |faces |looks "
+     f")?{_TOP}$",
+     "{1} must be turned with its top to {2}"),
+    ("\\bthe way (it|they) (is|are|was|were)$", "as {1} {2}"),
+)  # fmt: skip
+"""The same in every sentence."""
+WORDS = ("yet moment point finish",)
+"""Words that these take besides those that are read anyway."""

@@ -22,7 +22,7 @@ from rpg.language.tokens import Token
 Parts = dict[str, str | None]
 Check = Callable[[TaskSchema, Parts], bool]
 """Whether a task says it without the clause, of which these are the parts."""
-_MARKS = frozenset({",", ".", ";", ":", "!", "(", ")", "-"})
+_MARKS = frozenset({",", ".", ";", ":", "!", "?", "(", ")", "-"})
 _JOINS = frozenset({"and", "but", "while", "so", "with", "or"})
 MOST = 4
 """So many ways at most are tried."""
@@ -128,6 +128,12 @@ def _other_side(task: TaskSchema, told: Parts) -> bool:
     return any(isinstance(atom, _SIDES[side]) for atom in atoms(task.goal))
 
 
+def _built(task: TaskSchema, told: Parts) -> bool:
+    """Whether there is a figure that could be built."""
+    figures = (Stack, Towers, Row, Grid, Pyramid, Staircase, Figure)
+    return any(isinstance(atom, figures) for atom in atoms(task.goal))
+
+
 def _anyway(task: TaskSchema, told: Parts) -> bool:
     return True
 
@@ -146,6 +152,9 @@ _TOLD: tuple[tuple[str, Check], ...] = (
     (f"not {_SO_MANY} (?:rows|columns|towers|stacks|lines|layers) of {_SO_MANY}(?: blocks| cubes)?", _anyway),
     (f"not (?:a|one) (?:single |big |large )?(?:tower|stack|row|line|one) of {_SO_MANY}(?: blocks| cubes)?", _anyway),
     (f"not one of {_SO_MANY}", _anyway),
+    ("(?:i |we )?do not (?:care|mind) how (?:far apart|close|far|wide the gaps are|they are turned)(?: they are| that "
+     "is)?",
+     _anyway),
     ("whichever you (?:like|want|prefer|choose)|whichever of them", _anyway),
     ("the (?:others?|rest)(?: blocks| ones)? (?:may|can) (?:be )?(?:moved?|go anywhere)(?: freely)?", _anyway),
     ("(?:leave|leaving) (?:the arrangement|the rest|everything else|it|all else)(?: otherwise)? (?:free|open|as it "
@@ -153,7 +162,7 @@ _TOLD: tuple[tuple[str, Check], ...] = (
     ("no more(?: and|,| ,)? no (?:less|fewer)", _so_many_there),
     ("(?:please )?(?:build|make|create|show|construct|do|arrange) (?:it|this|that|the "
      "(?:tower|row|figure|picture|scene)|(?:one|a) "
-     "possible arrangement)", _anyway),
+     "possible arrangement)", _built),
     (f"(?:no matter which|whichever)(?: ones?| {_MANY})?", _any_of_them),
     ("one (?:letter |digit )?(?:block|cube|letter|one|digit) on (?:top of )?the other", _piled),
     ("not (?P<side>in front|behind|to the left|to the right|on the left|on the right)(?: of (?:it|them))?",

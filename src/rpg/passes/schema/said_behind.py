@@ -21,13 +21,13 @@ from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.tokens import Token
 from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.mats_listed import check_mats_listed
+from rpg.passes.schema.modifiers_had import check_modifiers
 from rpg.passes.schema.numbers_had import symbols_of
 from rpg.passes.schema.of_a_part import check_parts
 from rpg.passes.schema.one_like_it import check_one_like_it
 from rpg.passes.schema.pyramid_told import check_pyramid
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.said_of_all import check_said_of_all
-from rpg.passes.schema.sizes_had import check_sizes
 from rpg.passes.schema.told_apart import check_told_apart
 
 
@@ -59,7 +59,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_told_apart(tokens, task)
     check_parts(tokens, task)
     check_one_like_it(tokens, task)
-    check_sizes(tokens, task)
+    check_modifiers(tokens, task)
     check_mats_listed(tokens, task)
 
 

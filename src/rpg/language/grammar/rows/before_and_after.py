@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
 
 _IS = "(?:is|are|lies|lie|stands|stand|sits|sit)"
 _HAS_TO = f"(?:{MUST}|has to|have to)"
@@ -15,6 +15,13 @@ _CHANGE = (
 )
 _ONE = f"(?:the (?:letter |digit |number )?{LABEL}(?: block| cube)?|{THING})"
 _WORD = f"(?!{COLOR}\\b)\\S{{2,}}"
+_SPELT = (
+    f"(?:the word )?({_WORD}) (?:lies|is|stands|is written|is spelled) (?:on the table|there|already there|out)|"
+    f"the word on the table (?:is|reads|says) ({_WORD})|"
+    f"the (?:cubes|letters|blocks|row|word) (?:spells?|reads?|says?) ({_WORD})(?: at first| now| at the start)?"
+)
+_READS = "(?:it|they|the (?:letters|cubes|blocks|row|word)) (?:spells?|reads?|says?|becomes?)"
+"""How a word is told that is there, and one that is to be there."""
 
 
 def _other_side(one: str, said: str, other: str) -> Turn:
@@ -46,10 +53,15 @@ BEFORE_AND_AFTER: tuple[Turn, ...] = (
      "{1} . first , take it off . then , {2} {3}"),
     (f"^({_ONE}) (?:is|lies|stands) (upright|upside down|the right way up|on its head) \\. (turn|rotate|flip) it\\b",
      "at the start {1} is {2} . {3} {1}"),
-    ("^the word on the table (?:is|reads|says) (\\S+) \\.", "the word {1} is on the table ."),
-    (f"^((?:the word )?{_WORD} (?:lies|is|stands) on the table) \\. (take|remove) ([^.]+?) so(?: that)? ({_WORD}) is "
-     "left"
-     "(?= \\.|$)", "{1} . {2} {3} so that they spell {4}"),
+    (f"^({MANY}) ({COLOR}) (blocks|cubes) (?:are|lie|stand) (?:already )?(on (?:the|a) [^.]+?) \\. (?:add|put|bring) "
+     f"({MANY}) more(?: "
+     f"{COLOR})?(?: ones| blocks| cubes)?(?: there| on it| to it)?(?= \\.|$)",
+     "at the start {1} {2} {3} are {4} . put {5} more {2} {3} there"),
+    (f"^(?:{_SPELT}) \\. (?:please )?(?:take|remove|swap|exchange|add|move|change|rearrange|put) [^.]+? so(?: that)? "
+     f"(?:{_READS} ({_WORD})|({_WORD}) is left|({_WORD}) remains)(?= \\.|$)",
+     "at the start the letters spell {1} {2} {3} . at the end the letters must spell {4} {5} {6}"),
+    (f"^(?:{_SPELT}) \\. (?:please )?(?:make|turn|change|convert) (?:it|that|them|this) (?:into )?({_WORD})(?= \\.|$)",
+     "at the start the letters spell {1} {2} {3} . at the end the letters must spell {4}"),
 )  # fmt: skip
 """Over a whole text: what is looked for, and what is said instead."""
 

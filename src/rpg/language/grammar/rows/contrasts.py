@@ -31,9 +31,10 @@ CONTRASTS: tuple[Turn, ...] = (
      "{1} must not be {3} . {1} must not be {4}"),
     ("^not (?:one|any) of (them|these) (touches|touch) (?:another|any other|each other|the others?)$",
      "no two of {1} touch"),
-    (f"^neither (.+?) nor (.+?) (?:{_IS}) ((?:on|in) [^,]+?)(?: ,)? (?:but )?only (the [^,]+)$",
+    (f"^neither (.+?) nor (.+?) (?:{_IS}) ((?:on|in) [^,]+?)(?: ,)? (?:but )?only (the [^,]+?)(?: is| does| may| must| "
+     "should)?$",
      "{1} and {2} must not be {3} . {4} must be {3}"),
-    *((f"\\bin a corner(?: ,)? but not in (?:one|any|either) of the {half} (?:ones|corners)$",
+    *((f"\\bin a corner(?: ,)? but not in (?:one|any|either) of the (?:{half}) (?:ones|corners)$",
        f"in a corner and in the {other} half") for half, other in
       (("near|front", "far"), ("far|back", "near"), ("left", "right"), ("right", "left"))),
     (f"\\bthan any (?:of the )?({COLOR})(?: ones?| blocks?| cubes?)?(?=$| ,)", "than all {1} blocks"),

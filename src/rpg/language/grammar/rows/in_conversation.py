@@ -15,6 +15,7 @@ _DO = (
 _FIGURE = (
     "(?:tower|stack|row|line|column|pyramid|wall|grid|square|circle|ring|staircase|cube|letter|triangle|rectangle)"
 )
+_CORNERS = ("near left", "near right", "far left", "far right")
 _SCRAMBLED = "(?:scrambled|jumbled|mixed up|mixed|shuffled|random|unsorted|wrong|disordered|arbitrary)"
 _MEETS = "(?:sits?|lies?|stands?|is|are|rests?|comes?|goes|be)"
 
@@ -22,6 +23,15 @@ IN_CONVERSATION: tuple[Turn, ...] = (
     (f"^(.*\\b({PATCH})\\b.*?\\b({COLOR})(?: block| cube| one)?(?: goes| is| {MUST} be)?) on the \\3 one(?= |$)",
      "{1} on the {3} {2}"),
     # as many people put it
+    ("\\bin(?:to)? (?:one and )?the same corner\\b", "in a corner"),
+    ("(?: ,| and| , and) i want to read it (from .+)$", " that reads {1}"),
+    (f"^(?:i |we |i have |we have )?got ({MANY} {_BLOCKS})(?: here)?$", "there are {1}"),
+    (f"^one ({LINE})(?: ,)? all of them$", "make one {1} of all of them"),
+    *((f"^(?:put )?(?:an?|one) ((?:{COLOR} )?{CUBE})(?: is| goes| {MUST} be)? in (?:every|each) corner(?: of the "
+    "table)?(?: ,)? "
+       f"(?:but|except)(?: for)?(?: in)? the {out}(?: one| corner)?(?: of the table)?$",
+       "put " + " and ".join(f"a {{1}} in the {corner} corner" for corner in _CORNERS if corner != out))
+      for out in _CORNERS),
     ("\\bno two (?:vertically |horizontally |directly |immediately )?(?:adjacent|neighbou?ring|consecutive|touching) "
      "(?:blocks|cubes)"
      "(?: may| can| should)? (?:share|have|are of) (?:a|the same|one) color\\b", "no two blocks of the same color "
@@ -48,7 +58,7 @@ IN_CONVERSATION: tuple[Turn, ...] = (
     ("\\b(?:and )?only after (?:this|that)\\b", "and then"),
     ("\\bon the top of\\b", "on top of"),
     ("\\bfrom up to down\\b", "from top to bottom"), ("\\bfrom down to up\\b", "from bottom to top"),
-    (f"\\b({COLOR}) 's (?=(?:left|right|on|behind|in front|next|under|above|to the)\\b)", "{1} is "),
+    (f"\\b({COLOR}) 's (?=(?:left of|right of|on|behind|in front|next|under|above|to the)\\b)", "{1} is "),
     ("\\bhard (?:up )?against\\b", "touching"),
     ("\\binto corners(?: ,)? no two in(?:to)? the same(?: one| corner)?$", "into the corners , one in each corner"),
     ("\\bhang(?:s|ing)? (?:around|about)\\b", "lie around"),

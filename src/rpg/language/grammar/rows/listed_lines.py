@@ -33,6 +33,9 @@ _TOLD = tuple(
         rf"it starts as|you start with) (?:the|an?|my|our) (?P<line>row|line|tower|stack|pile) (?:of|with|:) {_LIST}",
         rf"(?:an?|the|my|our) (?P<line>row|line|tower|stack|pile) of {_LIST} (?:is|stands) "
         rf"(?:there|already there|on the table)",
+        rf"(?P<ahead>{_WAY})(?: ,)? (?:lie|stand|sit|are|there are|we have|lie the blocks|stand the blocks) {_LIST}",
+        rf"(?:right now |now |currently |at the moment |at the start )?(?P<are>the|my) "
+        rf"(?:blocks|cubes|letters|digits|numbers|letter blocks|number blocks) are {_LIST}",
         rf"{_LIST} (?:are|stand|are standing|lie|are lying) "
         rf"(?P<kind>stacked|in a row|in a line|lined up|in a stack|in a tower)",
     )
@@ -63,9 +66,11 @@ def listed_lines(tokens: list[Token]) -> list[Token]:
     words[:1] = [words[0].lstrip("@")] if words[1:2] and words[1] in _LINES else words[:1]
     text = " ".join(words)
     told = next((met for row in _TOLD if (met := row.fullmatch(text))), None)
-    if told is None or not any(map(told.groupdict().get, ("copula", "kind", "end"))):
+    if told is None or not any(map(told.groupdict().get, ("copula", "kind", "end", "ahead", "are"))):
         return tokens  # what is there by its words, and in an order that is told, is read as it stands
-    kind = _LINES[(told.groupdict().get("line") or _kind(told["kind"]))]
+    kind = _kind(told)
+    if kind is None:
+        return tokens
     begin = text[: told.start("list")].count(" ")
     listed = first[begin : begin + told["list"].count(" ") + 1]
     names = [name for name in (_named(part) for part in _parts(listed)) if name]
@@ -89,8 +94,15 @@ def _changed(sentence: list[Token]) -> bool:
     return bool(words) and words[at] in _CHANGES
 
 
-def _kind(told: str) -> str:
-    return "tower" if told in ("stacked", "in a stack", "in a tower") else "row"
+def _kind(told: re.Match[str]) -> str | None:
+    """The kind of line: by what it is called, by how its blocks stand, or by the way in which they are told."""
+    parts = told.groupdict()
+    if parts.get("line"):
+        return _LINES[parts["line"]]
+    if parts.get("kind"):
+        return "tower" if parts["kind"] in ("stacked", "in a stack", "in a tower") else "row"
+    way = parts.get("ahead") or parts.get("way")
+    return None if way is None else "row" if re.fullmatch(f"{_ACROSS}|{_BACKWARDS}", way) else "tower"
 
 
 def _parts(listed: list[Token]) -> list[list[Token]]:
@@ -116,7 +128,7 @@ def _look(name: list[Token]) -> str:
 
 def _direction(told: re.Match[str], kind: str, looks: list[str]) -> str | None:
     """Which way a line is listed, from the words or from which end one of its blocks has; None if they fit no order."""
-    way, end = told["way"] or "", told["end"]
+    way, end = told["way"] or told.groupdict().get("ahead") or "", told["end"]
     if end is not None:
         look = next((lexicon.COLOR.get(w, w) for w in end.split() if lexicon.COLOR.get(w) or w[0] == "@"), "")
         low = told["at"] in ("at the bottom", "on the left", "at the left end", "leftmost")

@@ -1,0 +1,74 @@
+"""What is said of blocks besides where they are must show in the task: a size that is named, "the biggest" of them,
+"always", and that they touch. Whichever rule loses one of these is caught here."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import Node
+from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import TOUCHING_EDGES, Grid
+from rpg.ir.walk import atoms, children
+from rpg.language import lexicon
+from rpg.language.lexicon import MEDIUM_EDGE
+from rpg.language.tokens import Token
+from rpg.passes.schema.patience import LOST
+from rpg.passes.schema.resolve.things.world import refuse
+
+_MOST = 3
+"""So many words at most stand between a size and the blocks that have it."""
+_BLOCKS = lexicon.BLOCK.keys() - {"letter", "letters", "digit", "digits", "number", "numbers"}
+_EXTREMES = frozenset({"biggest", "largest", "smallest"})
+_TOUCHING = frozenset({"touching", "touch", "touches"})
+_CLOSE = (r.Touching, r.Adjacent, r.Stayed, r.On, r.OnTable, r.OnPatch, r.Clear, r.Above)
+"""What touching comes to besides lines and groups without gaps: nothing is touched that stays where it is, and what is
+on something touches it."""
+
+
+def check_modifiers(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse a task in which nothing comes of such a word."""
+    for index, token in enumerate(words):
+        if _lost(words, index, token, task):
+            raise refuse("misplaced", f"{LOST} of {token.raw!r}", token.span, "say this part in a sentence of its own")
+
+
+def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) -> bool:
+    if token.word == "always":
+        return not any(isinstance(goal, g.Always | g.Sequence | r.Stayed | g.Not) for goal in _all_in(task.goal))
+    if token.word in _TOUCHING:
+        return not any(map(_touches, (*atoms(task.goal), *(x for part in task.init.arranged for x in atoms(part)))))
+    if any(isinstance(atom, Grid) and atom.layers > 1 for atom in atoms(task.goal)):
+        return False  # "one big cube of eight small ones"
+    edges = {block.size for block in task.blocks}
+    if token.word in _EXTREMES:
+        shown = any(getattr(block, "label", "").isdigit() for block in task.blocks)
+        return len(edges) == 1 and not shown and _of_blocks(words[index + 1 : index + 2 + _MOST])
+    size = lexicon.SIZE.get(token.word)
+    if size not in ("big", "small") or not _of_blocks(words[index + 1 : index + 2 + _MOST]):
+        return False
+    return not any(edge > MEDIUM_EDGE if size == "big" else edge < MEDIUM_EDGE for edge in edges)
+
+
+def _all_in(goal: g.Goal) -> list[g.Goal]:
+    return [goal, *(part for child in children(goal) for part in _all_in(child))]
+
+
+def _touches(atom: Node) -> bool:
+    gaps = [getattr(atom, name, None) for name in ("gap", "inner_edges", "gap_edges", "minimum")]
+    return (
+        isinstance(atom, _CLOSE)
+        or getattr(atom, "touching", False)
+        or any(gap is not None and gap <= TOUCHING_EDGES for gap in gaps)
+    )
+
+
+def _of_blocks(behind: Sequence[Token]) -> bool:
+    """Whether blocks follow, with nothing but colours, sizes and a comma between."""
+    for token in behind:
+        if token.word in _BLOCKS:
+            return True
+        if not (token.word in lexicon.COLOR or token.word in lexicon.SIZE or token.word == ","):
+            return False
+    return False

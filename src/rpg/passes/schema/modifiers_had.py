@@ -1,10 +1,11 @@
 """What is said of blocks besides where they are must show in the task: a size that is named, "the biggest" of them,
-"always", and that they touch. Whichever rule loses one of these is caught here."""
+"always", vowels, and that they touch. Whichever rule loses one of these is caught here."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rpg.blocks.traits import VOWELS
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Node
@@ -21,8 +22,12 @@ _MOST = 3
 """So many words at most stand between a size and the blocks that have it."""
 _BLOCKS = lexicon.BLOCK.keys() - {"letter", "letters", "digit", "digits", "number", "numbers"}
 _EXTREMES = frozenset({"biggest", "largest", "smallest"})
+_FIGURES = lexicon.STRUCTURE.keys() - lexicon.BLOCK.keys() | {"number", "digit", "group", "patch", "mat"}
 _TOUCHING = frozenset({"touching", "touch", "touches"})
 _CLOSE = (r.Touching, r.Adjacent, r.Stayed, r.On, r.OnTable, r.OnPatch, r.Clear, r.Above)
+_SORTS = {"vowel": True, "vowels": True, "consonant": False, "consonants": False}
+"""Sorts of letters, and whether they are vowels."""
+_BETWEEN = (r.Between, r.Touching, r.Adjacent, r.Beside)
 """What touching comes to besides lines and groups without gaps: nothing is touched that stays where it is, and what is
 on something touches it."""
 
@@ -37,6 +42,11 @@ def check_modifiers(words: Sequence[Token], task: TaskSchema) -> None:
 def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) -> bool:
     if token.word == "always":
         return not any(isinstance(goal, g.Always | g.Sequence | r.Stayed | g.Not) for goal in _all_in(task.goal))
+    if token.word in _SORTS:
+        letters = {getattr(block, "label", "") for block in task.blocks} - {""}
+        return not any(label.isalpha() and (label in VOWELS) == _SORTS[token.word] for label in letters)
+    if token.word == "nothing" and [t.word for t in words[index + 1 : index + 2]] == ["between"]:
+        return not any(isinstance(atom, _BETWEEN) or getattr(atom, "immediate", False) for atom in atoms(task.goal))
     if token.word in _TOUCHING:
         return not any(map(_touches, (*atoms(task.goal), *(x for part in task.init.arranged for x in atoms(part)))))
     if any(isinstance(atom, Grid) and atom.layers > 1 for atom in atoms(task.goal)):
@@ -44,7 +54,8 @@ def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) ->
     edges = {block.size for block in task.blocks}
     if token.word in _EXTREMES:
         shown = any(getattr(block, "label", "").isdigit() for block in task.blocks)
-        return len(edges) == 1 and not shown and _of_blocks(words[index + 1 : index + 2 + _MOST])
+        of_lines = any(t.word in _FIGURES for t in words[index + 1 : index + 3])
+        return len(edges) == 1 and not shown and not of_lines
     size = lexicon.SIZE.get(token.word)
     if size not in ("big", "small") or not _of_blocks(words[index + 1 : index + 2 + _MOST]):
         return False

@@ -16,7 +16,9 @@ _CHANGE = (
 _ONE = f"(?:the (?:letter |digit |number )?{LABEL}(?: block| cube)?|{THING})"
 _WORD = f"(?!{COLOR}\\b)\\S{{2,}}"
 _SPELT = (
-    f"(?:the word )?({_WORD}) (?:lies|is|stands|is written|is spelled) (?:on the table|there|already there|out)|"
+    f"(?:the word )?({_WORD}) (?:lies|is|stands|is written|is spelled) (?:on the table|there|already there|out|in a "
+    "row)(?: at "
+    f"the start| at first)?|"
     f"the word on the table (?:is|reads|says) ({_WORD})|"
     f"the (?:cubes|letters|blocks|row|word) (?:spells?|reads?|says?) ({_WORD})(?: at first| now| at the start)?"
 )
@@ -34,6 +36,9 @@ def _other_side(one: str, said: str, other: str) -> Turn:
 
 
 BEFORE_AND_AFTER: tuple[Turn, ...] = (
+    (f"(?: ,| ;| \\.)(?: and)? the (?:others?|rest|other {MANY}|remaining {MANY})(?: blocks| cubes| ones)? (?:may|can) "
+     "(?:be|have)(?: "
+     "of)? any colors?(?: you (?:like|want))?(?= \\.|$)", ""),
     _other_side("to the left of|left of|on the left of", "on the right|to the right|right", "to the right of"),
     _other_side("to the right of|right of|on the right of", "on the left|to the left|left", "to the left of"),
     _other_side("in front of", "behind|behind it", "behind"),
@@ -60,6 +65,10 @@ BEFORE_AND_AFTER: tuple[Turn, ...] = (
     (f"^(?:{_SPELT}) \\. (?:please )?(?:take|remove|swap|exchange|add|move|change|rearrange|put) [^.]+? so(?: that)? "
      f"(?:{_READS} ({_WORD})|({_WORD}) is left|({_WORD}) remains)(?= \\.|$)",
      "at the start the letters spell {1} {2} {3} . at the end the letters must spell {4} {5} {6}"),
+    (f"^(?:{_SPELT}) \\. (?:please )?(?:make|let) (?:it|that|them) (?:be )?(?:read|spelled|spell) (?:from right to "
+     "left|backwards|"
+     "the other way (?:round|around))(?= \\.|$)",
+     "at the start the letters spell {1} {2} {3} . at the end the letters must spell {1} {2} {3} from right to left"),
     (f"^(?:{_SPELT}) \\. (?:please )?(?:make|turn|change|convert) (?:it|that|them|this) (?:into )?({_WORD})(?= \\.|$)",
      "at the start the letters spell {1} {2} {3} . at the end the letters must spell {4}"),
 )  # fmt: skip

@@ -17,6 +17,7 @@ from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE
 from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
+from rpg.language.grammar.rows.column_words import column_words
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
 from rpg.language.grammar.rows.corners import corners_again
@@ -218,7 +219,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 
 _CHANGES = (
-    listed_lines, announced_rainbow,
+    listed_lines, column_words, announced_rainbow,
     swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,

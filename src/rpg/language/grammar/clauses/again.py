@@ -55,8 +55,14 @@ def meant_again(p: Parser, i: int, before: Clause) -> Results[Meaning]:
             leave = p.words[k - 1] in ("may", "can") or p.words[k - 2] in ("may", "can")
             kept = tuple(a for a in _affirmed(before) if leave or not (isinstance(a, Manner) and a.kind == "allowed"))
             denied = p.words[k - 1] == "not" or p.words[k - 2] == "not"
+            if leave and not denied and not before.negated and not any(map(_allowed, kept)):
+                kept = (*kept, Manner(kind="allowed", span=p.span(j, k)))  # "red must be there, and blue may be"
             told = replace(before, theme=theme, negated=denied, adjuncts=kept, span=p.span(i, k), cost=1)
             yield denied_of_all(p, j, told), k
+
+
+def _allowed(adjunct: Meaning) -> bool:
+    return isinstance(adjunct, Manner) and adjunct.kind == "allowed"
 
 
 def there_in_turn(before: Clause, link: str) -> bool:

@@ -36,9 +36,9 @@ def _other_side(one: str, said: str, other: str) -> Turn:
 
 
 BEFORE_AND_AFTER: tuple[Turn, ...] = (
+    # what is left open is no more than that: "the other two may be (of any colour)"
     (f"(?: ,| ;| \\.)(?: and)? the (?:others?|rest|other {MANY}|remaining {MANY})(?: blocks| cubes| ones)? (?:may|can) "
-     "(?:be|have)(?: "
-     "of)? any colors?(?: you (?:like|want))?(?= \\.|$)", ""),
+     "(?:be|have)(?:(?: of)? any colors?(?: you (?:like|want))?)?(?= \\.|$)", ""),
     _other_side("to the left of|left of|on the left of", "on the right|to the right|right", "to the right of"),
     _other_side("to the right of|right of|on the right of", "on the left|to the left|left", "to the left of"),
     _other_side("in front of", "behind|behind it", "behind"),

@@ -80,7 +80,6 @@ TOP_RIGHT: Meant = {"assets": {"R": 1}, "hold": ["R~-90", "R~-90 at=0,3"], "miss
         ("the R lies with its top to the right", TOP_RIGHT),
         ("Turn the R so that its top is to the right.", TOP_RIGHT),
 
-         None),
         ("Build a tower of four in which the purple block sits somewhere above the orange one; the other two may be of "
          "any colour you like.",
          {"assets": {"purple": 1, "orange": 1, "plain": 2}, "hold": ["plain^orange^purple^plain"],
@@ -92,9 +91,8 @@ TOP_RIGHT: Meant = {"assets": {"R": 1}, "hold": ["R~-90", "R~-90 at=0,3"], "miss
          {"assets": {"E": 1}, "start": ["E"], "start_miss": ["E~90"], "hold": [["E", "E~90"]], "miss": [["E", "E"]]}),
     ],
 )  # fmt: skip
-def test_starts_and_goals(text: str, meant: Meant | None) -> None:
-    if meant is not None:
-        assert_means(text, meant)
+def test_starts_and_goals(text: str, meant: Meant) -> None:
+    assert_means(text, meant)
 
 
 @pytest.mark.parametrize("text", [

@@ -21,6 +21,7 @@ from rpg.passes.schema.resolve.things.world import refuse
 _MOST = 3
 """So many words at most stand between a size and the blocks that have it."""
 _BLOCKS = lexicon.BLOCK.keys() - {"letter", "letters", "digit", "digits", "number", "numbers"}
+_STARTS = frozenset({"starts", "start", "begins", "begin", "starting"})
 _EXTREMES = frozenset({"biggest", "largest", "smallest"})
 _FIGURES = lexicon.STRUCTURE.keys() - lexicon.BLOCK.keys() | {"number", "digit", "group", "patch", "mat"}
 _TOUCHING = frozenset({"touching", "touch", "touches"})
@@ -40,8 +41,14 @@ def check_modifiers(words: Sequence[Token], task: TaskSchema) -> None:
 
 
 def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) -> bool:
+    if token.word in ("always", *_TOUCHING) and any(map(_regular, atoms(task.goal))):
+        return False  # "always one red, one white", "no two of the same colour touch"
     if token.word == "always":
-        return not any(isinstance(goal, g.Always | g.Sequence | r.Stayed | g.Not) for goal in _all_in(task.goal))
+        behind = [t.word for t in words[index + 1 : index + 3]]
+        begun = not _STARTS.isdisjoint(behind) or behind[:1] == ["one"]  # "always starts", "always one red, one white"
+        return not begun and not any(
+            isinstance(goal, g.Always | g.Sequence | r.Stayed | g.Not) for goal in _all_in(task.goal)
+        )
     if token.word in _SORTS:
         letters = {getattr(block, "label", "") for block in task.blocks} - {""}
         return not any(label.isalpha() and (label in VOWELS) == _SORTS[token.word] for label in letters)
@@ -60,6 +67,11 @@ def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) ->
     if size not in ("big", "small") or not _of_blocks(words[index + 1 : index + 2 + _MOST]):
         return False
     return not any(edge > MEDIUM_EDGE if size == "big" else edge < MEDIUM_EDGE for edge in edges)
+
+
+def _regular(atom: Node) -> bool:
+    order = getattr(atom, "order", None)
+    return getattr(order, "by", "") == "alternating" or getattr(atom, "evenly", False)
 
 
 def _all_in(goal: g.Goal) -> list[g.Goal]:

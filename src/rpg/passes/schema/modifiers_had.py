@@ -62,7 +62,8 @@ def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) ->
     if token.word in _EXTREMES:
         shown = any(getattr(block, "label", "").isdigit() for block in task.blocks)
         of_lines = any(t.word in _FIGURES for t in words[index + 1 : index + 3])
-        return len(edges) == 1 and not shown and not of_lines
+        patches = {patch.size for patch in task.patches}
+        return len(edges) == 1 and len(patches) < 2 and not shown and not of_lines
     size = lexicon.SIZE.get(token.word)
     if size not in ("big", "small") or not _of_blocks(words[index + 1 : index + 2 + _MOST]):
         return False

@@ -20,7 +20,8 @@ def check_bare_numbers(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) ->
     idle = [x for x in there if x.name not in told and not (x.patch or x.extra or x.label)]
     shown = {x.label for x in there}
     layered = any(
-        built.kind in _LAYERED and not any(scene.things[n].label for n in built.members) for built in scene.built
+        built.kind in _LAYERED and not any(n in scene.things and scene.things[n].label for n in built.members)
+        for built in scene.built
     )
     for part in (part for chain in chains for part in parts_of(chain)):
         many = _number(part) if isinstance(part, Noun) and (len(idle) > 1 or layered) else 0

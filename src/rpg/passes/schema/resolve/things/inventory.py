@@ -32,6 +32,8 @@ def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal
     if told_of(whole, scene):
         return []
     found = refer(whole, scene, replace(scope, given=True, start=True))
+    if not found.names:
+        raise refuse("misplaced", "it is not clear what there is", clause.span, "say 'there are two red blocks'")
     scene.mentions[-1].role = "given"
     for item in whole.items if isinstance(whole, Coord) else (whole,):
         _counts(item, scene)

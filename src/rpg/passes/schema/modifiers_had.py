@@ -10,8 +10,8 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Node
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import TOUCHING_EDGES, Grid
-from rpg.ir.walk import atoms, children
+from rpg.ir.structures import TOUCHING_EDGES, Grid, Towers
+from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
 from rpg.language.lexicon import MEDIUM_EDGE
 from rpg.language.tokens import Token
@@ -49,6 +49,8 @@ def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) ->
         return not begun and not any(
             isinstance(goal, g.Always | g.Sequence | r.Stayed | g.Not) for goal in _all_in(task.goal)
         )
+    if token.word == "one" and [t.word for t in words[index + 1 : index + 3]] in (["of", "them"], ["of", "these"]):
+        return _on_a_block_of_towers(task)
     if token.word in _SORTS:
         letters = {getattr(block, "label", "") for block in task.blocks} - {""}
         return not any(label.isalpha() and (label in VOWELS) == _SORTS[token.word] for label in letters)
@@ -68,6 +70,14 @@ def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) ->
     if size not in ("big", "small") or not _of_blocks(words[index + 1 : index + 2 + _MOST]):
         return False
     return not any(edge > MEDIUM_EDGE if size == "big" else edge < MEDIUM_EDGE for edge in edges)
+
+
+def _on_a_block_of_towers(task: TaskSchema) -> bool:
+    """Whether "on one of them" came to any block of several towers, where it is said of the towers."""
+    found = [task.goal, *task.init.arranged]
+    towers = [{*names(atom)} for part in found for atom in atoms(part) if isinstance(atom, Towers)]
+    counts = [goal for goal in _all_in(task.goal) if isinstance(goal, g.Count) and isinstance(goal.goal, r.On)]
+    return any({*count.over} in towers for count in counts)
 
 
 def _regular(atom: Node) -> bool:

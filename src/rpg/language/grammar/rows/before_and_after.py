@@ -56,7 +56,8 @@ BEFORE_AND_AFTER: tuple[Turn, ...] = (
      "first , {1} . then , {2}"),
     ("^([^.]+) \\. take it off before you (put|place|set|move|bring) ([^.]+)(?= \\.|$)",
      "{1} . first , take it off . then , {2} {3}"),
-    (f"^({_ONE}) (?:is|lies|stands) (upright|upside down|the right way up|on its head) \\. (turn|rotate|flip) it\\b",
+    (f"^({_ONE}) (?:is|lies|stands) (upright|upside down|the right way up|on its head)(?: on the table)? \\. "
+     "(turn|rotate|flip|give) it\\b",
      "at the start {1} is {2} . {3} {1}"),
     (f"^({MANY}) ({COLOR}) (blocks|cubes) (?:are|lie|stand) (?:already )?(on (?:the|a) [^.]+?) \\. (?:add|put|bring) "
      f"({MANY}) more(?: "

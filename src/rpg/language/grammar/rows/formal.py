@@ -32,6 +32,7 @@ from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_B
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
+from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
@@ -219,7 +220,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 
 _CHANGES = (
-    listed_lines, column_words, announced_rainbow,
+    listed_lines, column_words, labels_counted, announced_rainbow,
     swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,

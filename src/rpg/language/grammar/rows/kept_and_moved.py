@@ -11,6 +11,7 @@ _MAY = f"(?:{MUST}|may|can)"
 _OTHERS = f"the (?:rest|others|other {MANY}(?: blocks| cubes| ones)?|remaining (?:blocks|cubes|ones|{MANY}))"
 _LIES = "(?:is|are|lies|lie|stands|stand|sits|sit|rests|rest)"
 _FIGURE = "tower|stack|row|line|column|pyramid|wall|pile|circle|ring|square|grid|staircase"
+_PUT = "(?:put|place|stack|move|bring|set|lay)"
 _FELL = ("(?:has|have) (?:fallen (?:over|down|apart|off)|fallen|collapsed|toppled(?: over)?|tumbled(?: down)?|crashed|"
          "been knocked (?:over|down)|tipped over)")  # fmt: skip
 _AGAIN = "(?:again|up again|back up|back together|once more)"
@@ -20,6 +21,13 @@ KEPT_AT_ONCE: tuple[Turn, ...] = (
      "nothing but the {1} block may be moved"),
     (f"^(?:and |but )?only ({THING}) (?:may|can|is allowed to) (?:be )?(?:moved|move|touched|change places?)$",
      "nothing but {1} may be moved"),
+    (f"^({_PUT}) (the [^,]+?|{THING}) ({PLACE} [^,]+?)(?: ,)? (?:and|but) (?:move|touch) nothing else$",
+     "{1} {2} {3} . nothing but {2} may be moved"),
+    (f"^({_PUT}) (the [^,]+?|{THING}) ({PLACE} [^,]+?)(?: ,)? without (?:moving|touching) anything else$",
+     "{1} {2} {3} . nothing but {2} may be moved"),
+    (f"^({_PUT} {THING}) (on|in|to|onto|into) (the [^,]+?)(?: ,)? and (?:no other blocks?|no others?|nothing else)(?: "
+     "may be| is)? "
+     "there$", "{1} {2} {3} . no other block may be {2} {3}"),
     (f"^((?:put|place|set|lay|move|bring) {THING}) there (?:too|as well|also)$", "{1} there . both must be there"),
 )  # fmt: skip
 KEPT_AND_MOVED: tuple[Turn, ...] = (
@@ -35,6 +43,9 @@ KEPT_AND_MOVED: tuple[Turn, ...] = (
 """What makes no sense as it stands, in words that do."""
 
 FALLEN: tuple[Turn, ...] = (
+    (f"\\b({_PUT}) (the [^.,]+?|{THING}) ({PLACE} [^.,]+?) \\. (?:move|touch) nothing else(?= \\.|$)",
+     "{1} {2} {3} . nothing but {2} may be moved"),
+    (f"^there are ({MANY} (?:letter|digit|number) (?:cubes|blocks) [^.]+?) on the table(?= \\.)", "there are {1}"),
     (f"^(?:the|a|my|our) ((?:{_FIGURE}) (?:of|with) [^.]+?) {_FELL} \\. (?:please )?(?:build|put|set|stack|make|"
      f"restore|rebuild) (?:it|the (?:{_FIGURE}))(?: {_AGAIN})?(?= \\.|$)", "build a {1}"),
     (f"^({THING}) (?:has fallen|fell|has come|has slipped|slipped) off ({THING}) \\. (?:please )?(?:put|place|set|lay) "

@@ -24,7 +24,8 @@ _BACKWARDS = "from (?:the )?right to (?:the )?left|from (?:the )?right|right to 
 _WAY = f"(?:{_UPWARDS}|{_DOWNWARDS}|{_ACROSS}|{_BACKWARDS})"
 _AT = "(?:at the bottom|on top|at the top|on the left|on the right|at the left end|at the right end|leftmost|rightmost)"
 _LIST = rf"(?P<list>{_ITEM}(?: , {_ITEM})*(?: , and| and| ,) {_ITEM})"
-_TAIL = rf"(?: ,)?(?: in (?:this|that) order)?(?: ,)?(?: (?P<way>{_WAY})| (?:with )?(?P<end>{_ITEM}) (?P<at>{_AT}))?"
+_END = rf"(?P<end>{_ITEM}) (?P<at>{_AT})(?: and {_ITEM} {_AT})?"
+_TAIL = rf"(?: ,)?(?: in (?:this|that) order)?(?: ,)?(?: (?P<way>{_WAY})| (?:with )?{_END})?"
 _TOLD = tuple(
     re.compile(rf"(?:{row}){_TAIL}")
     for row in (
@@ -42,7 +43,7 @@ _TOLD = tuple(
 )
 """How a line is listed; the groups tell what kind it is, what it is made of and which way it is told."""
 _CHANGES = frozenset({"swap", "exchange", "switch", "reverse", "change", "rearrange", "reorder", "take", "remove",
-                      "bring", "turn", "flip", "invert", "move", "lift", "undo", "sort"})  # fmt: skip
+                      "bring", "turn", "flip", "invert", "move", "lift", "undo", "sort", "rebuild"})  # fmt: skip
 _LED = frozenset({"now", "then", "please", "and", "first", ","})
 _FIRST_OF = {"row": ("first", "leftmost"), "tower": ("bottom", "lowest", "lower")}
 _LAST_OF = {"row": ("last", "rightmost"), "tower": ("top", "highest", "upper", "uppermost")}

@@ -13,6 +13,7 @@ from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import TOUCHING_EDGES, Grid, Towers
 from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import sentences
 from rpg.language.lexicon import MEDIUM_EDGE
 from rpg.language.tokens import Token
 from rpg.passes.schema.patience import LOST
@@ -26,6 +27,9 @@ _EXTREMES = frozenset({"biggest", "largest", "smallest"})
 _FIGURES = lexicon.STRUCTURE.keys() - lexicon.BLOCK.keys() | {"number", "digit", "group", "patch", "mat"}
 _TOUCHING = frozenset({"touching", "touch", "touches"})
 _CLOSE = (r.Touching, r.Adjacent, r.Stayed, r.On, r.OnTable, r.OnPatch, r.Clear, r.Above)
+_LYING = frozenset({"upright", "upside", "turned"})
+_TURNING = frozenset({"turn", "rotate", "flip", "give"})
+_WANTED = frozenset({"must", "should", "shall", "want", "make", "turn", "put", "let", "at"})
 _SORTS = {"vowel": True, "vowels": True, "consonant": False, "consonants": False}
 """Sorts of letters, and whether they are vowels."""
 _BETWEEN = (r.Between, r.Touching, r.Adjacent, r.Beside)
@@ -35,6 +39,7 @@ on something touches it."""
 
 def check_modifiers(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse a task in which nothing comes of such a word."""
+    _turned_from(words, task)
     for index, token in enumerate(words):
         if _lost(words, index, token, task):
             raise refuse("misplaced", f"{LOST} of {token.raw!r}", token.span, "say this part in a sentence of its own")
@@ -70,6 +75,19 @@ def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) ->
     if size not in ("big", "small") or not _of_blocks(words[index + 1 : index + 2 + _MOST]):
         return False
     return not any(edge > MEDIUM_EDGE if size == "big" else edge < MEDIUM_EDGE for edge in edges)
+
+
+def _turned_from(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "the A lies upright. Give it a quarter turn" as both at the end: it is upright before it is turned."""
+    first, *rest = sentences([*words]) or [[]]
+    facts = {token.word for token in first}
+    fact = facts.isdisjoint(_WANTED) and not facts.isdisjoint(_LYING)
+    if not fact or not rest or rest[0][0].word not in _TURNING:
+        return
+    facing = {name for atom in atoms(task.goal) if isinstance(atom, r.Facing) for name in names(atom)}
+    turned = {name for atom in atoms(task.goal) if isinstance(atom, r.Turned) for name in names(atom)}
+    if facing & turned:
+        raise refuse("contradiction", "it is so before it is turned", first[0].span, "say 'at the start'")
 
 
 def _on_a_block_of_towers(task: TaskSchema) -> bool:

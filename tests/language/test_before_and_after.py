@@ -87,8 +87,8 @@ TOP_RIGHT: Meant = {"assets": {"R": 1}, "hold": ["R~-90", "R~-90 at=0,3"], "miss
         ("From left to right lie 1, 2 and 3. Turn the middle one upside down.",
          {"assets": {"1": 1, "2": 1, "3": 1}, "start": ["1 2 3"], "start_miss": ["1 3 2"], "hold": ["1 2~180 3"],
           "miss": ["1~180 2 3"]}),
-        ("There are a pink, a red and a blue block. Put the pink one in the right half of the table, and no other block "
-         "there.",
+        ("There are a pink, a red and a blue block. Put the pink one in the right half of the table, and no other "
+         "block there.",
          {"assets": {"pink": 1, "red": 1, "blue": 1}, "hold": ["pink at=0,-3 ; red at=0,3 ; blue at=2,4"],
           "miss": ["pink at=0,-3 ; red at=2,-4 ; blue at=0,3", "pink at=0,3 ; red at=2,4 ; blue at=-2,4"]}),
         ("There are a red, a green and a blue block. Put the green one on the red one and move nothing else.",
@@ -96,8 +96,8 @@ TOP_RIGHT: Meant = {"assets": {"R": 1}, "hold": ["R~-90", "R~-90 at=0,3"], "miss
           "hold": [["green at=0,4 ; red at=0,0 ; blue at=0,-4", "red^green at=0,0 ; blue at=0,-4"]],
           "miss": [["green at=0,4 ; red at=0,0 ; blue at=0,-4", "red^green at=3,0 ; blue at=0,-4"],
                    ["green at=0,4 ; red at=0,0 ; blue at=0,-4", "red^green at=0,0 ; blue at=4,-4"]]}),
-        ("A tower of red, white and blue stands there, with red at the bottom and blue on top. Rebuild it with the blue "
-         "one in the middle.",
+        ("A tower of red, white and blue stands there, with red at the bottom and blue on top. Rebuild it with the "
+         "blue one in the middle.",
          {"assets": {"red": 1, "white": 1, "blue": 1}, "start": ["red^white^blue"], "start_miss": ["red^blue^white"],
           "hold": ["red^blue^white", "white^blue^red"], "miss": ["red^white^blue"]}),
         ("The E is upright. Turn it a quarter turn to the left.",
@@ -118,6 +118,7 @@ def test_starts_and_goals(text: str, meant: Meant) -> None:
     "Two towers of two white blocks stand on the table. Put a red block on one of them.",
     "The A lies upright on the table. Give it a quarter turn clockwise.",
     "Red is on the mat, blue may be.",
+    "Put the red block in a corner, and no other block there. There are also two blue blocks.",
     "Put the big red block on a grid of two by two blue blocks, all of the same size.",
 ])  # fmt: skip
 def test_what_would_not_show_in_the_task_is_asked_about(text: str) -> None:

@@ -183,7 +183,7 @@ _TOLD: tuple[tuple[str, Check], ...] = (
     (r"(?:none|no block|no one|nobody|nothing)(?: is| are)?(?: being)? left(?: over| out| behind)?", _anyway),
     ("(?:there (?:is|are) )?no (?:other|further|more|additional|extra) (?:blocks?|cubes?|objects?|things?)(?: "
      "(?:are|is))?"
-     "(?: there| present| used| needed| around| involved| visible| in the scene| in sight)+", _anyway),
+     "(?: present| used| needed| around| involved| visible| in the scene| in sight)+", _anyway),
     (r"(?:(?:no matter |it does not matter |(?:i|we) do not (?:care|mind) )which|whichever)(?: one| of them| of the "
      r"two)? "
      r"(?:is|comes|goes|ends up)(?: lying)? (?:on top|at the bottom|first|last|on the left|on the right|uppermost)",

@@ -21,10 +21,6 @@ KEPT_AT_ONCE: tuple[Turn, ...] = (
      "nothing but the {1} block may be moved"),
     (f"^(?:and |but )?only ({THING}) (?:may|can|is allowed to) (?:be )?(?:moved|move|touched|change places?)$",
      "nothing but {1} may be moved"),
-    (f"^({_PUT}) (the [^,]+?|{THING}) ({PLACE} [^,]+?)(?: ,)? (?:and|but) (?:move|touch) nothing else$",
-     "{1} {2} {3} . nothing but {2} may be moved"),
-    (f"^({_PUT}) (the [^,]+?|{THING}) ({PLACE} [^,]+?)(?: ,)? without (?:moving|touching) anything else$",
-     "{1} {2} {3} . nothing but {2} may be moved"),
     (f"^({_PUT} {THING}) (on|in|to|onto|into) (the [^,]+?)(?: ,)? and (?:no other blocks?|no others?|nothing else)(?: "
      "may be| is)? "
      "there$", "{1} {2} {3} . no other block may be {2} {3}"),
@@ -43,8 +39,11 @@ KEPT_AND_MOVED: tuple[Turn, ...] = (
 """What makes no sense as it stands, in words that do."""
 
 FALLEN: tuple[Turn, ...] = (
-    (f"\\b({_PUT}) (the [^.,]+?|{THING}) ({PLACE} [^.,]+?) \\. (?:move|touch) nothing else(?= \\.|$)",
-     "{1} {2} {3} . nothing but {2} may be moved"),
+    # Of a text that tells what there is; otherwise there are others, and how many is assumed.
+    (f"(?<= \\. )({_PUT}) (the [^.,]+?|{THING}) ({PLACE} [^.,]+?)(?: ,)?(?: \\. | (?:and|but) )(?:move|touch) nothing "
+     "else(?= \\.|$)", "{1} {2} {3} . nothing but {2} may be moved"),
+    (f"(?<= \\. )({_PUT}) (the [^.,]+?|{THING}) ({PLACE} [^.,]+?)(?: ,)? without (?:moving|touching) anything else"
+     "(?= \\.|$)", "{1} {2} {3} . nothing but {2} may be moved"),
     (f"^there are ({MANY} (?:letter|digit|number) (?:cubes|blocks) [^.]+?) on the table(?= \\.)", "there are {1}"),
     (f"^(?:the|a|my|our) ((?:{_FIGURE}) (?:of|with) [^.]+?) {_FELL} \\. (?:please )?(?:build|put|set|stack|make|"
      f"restore|rebuild) (?:it|the (?:{_FIGURE}))(?: {_AGAIN})?(?= \\.|$)", "build a {1}"),

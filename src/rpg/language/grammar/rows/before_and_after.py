@@ -35,7 +35,14 @@ def _other_side(one: str, said: str, other: str) -> Turn:
     )
 
 
+_FROM = "(?: ,)?(?: in order)?(?: ,)? (?:beginning|starting) (?:with|from|at)"
+"""What is laid or stacked first, of what stands in an order already: the others follow in that order."""
+
 BEFORE_AND_AFTER: tuple[Turn, ...] = (
+    (f"(\\b(?:tower|stack|pile)\\b.* \\. [^.]*\\brow\\b[^.,]*?)(?: from left to right)?{_FROM} the (top|bottom)"
+     "(?:most)?(?: one| block| cube)?(?= \\.|$)", "{1} in the same order , the {2} one at the left"),
+    (f"(\\b(?:row|line)\\b.* \\. (?:please )?(?:now )?(?:stack|pile) [^.,]+?)(?: up)?{_FROM} the (left|right)(?:most)?"
+     "(?: one| block| cube)?(?= \\.|$)", "{1} in the same order , the {2} one at the bottom"),
     # what is left open is no more than that: "the other two may be (of any colour)"
     (f"(?: ,| ;| \\.)(?: and)? the (?:others?|rest|other {MANY}|remaining {MANY})(?: blocks| cubes| ones)? (?:may|can) "
      "(?:be|have)(?:(?: of)? any colors?(?: you (?:like|want))?)?(?= \\.|$)", ""),

@@ -41,6 +41,8 @@ _FROM = "(?: ,)?(?: in order)?(?: ,)? (?:beginning|starting) (?:with|from|at)"
 BEFORE_AND_AFTER: tuple[Turn, ...] = (
     (f"(\\b(?:tower|stack|pile)\\b.* \\. [^.]*\\brow\\b[^.,]*?)(?: from left to right)?{_FROM} the (top|bottom)"
      "(?:most)?(?: one| block| cube)?(?= \\.|$)", "{1} in the same order , the {2} one at the left"),
+    ("(\\b(?:upside down|on its (?:side|head|back)|sideways)\\b.* \\.) (?:please )?(?:set|put|turn|make) it right(?: "
+     "again)?(?= \\.|$)", "{1} turn it upright"),
     (f"(\\b(?:row|line)\\b.* \\. (?:please )?(?:now )?(?:stack|pile) [^.,]+?)(?: up)?{_FROM} the (left|right)(?:most)?"
      "(?: one| block| cube)?(?= \\.|$)", "{1} in the same order , the {2} one at the bottom"),
     # what is left open is no more than that: "the other two may be (of any colour)"

@@ -33,7 +33,9 @@ def required(goal: g.Goal) -> Iterator[g.Goal]:
                     yield from required(stage.goal)
         case g.Always():
             yield from required(goal.goal)
-        case g.Any() | g.Count():
+        case g.Any() if not all(isinstance(x, r.Facing) for x in goal.goals):
+            return
+        case g.Count():
             return
         case _:
             yield goal
@@ -42,8 +44,12 @@ def required(goal: g.Goal) -> Iterator[g.Goal]:
 OPPOSITE = {"left_of": "right_of", "right_of": "left_of", "in_front_of": "behind", "behind": "in_front_of"}
 
 
+_TOGETHER = r.Touching | r.Adjacent
+"""Of two blocks that are not apart."""
+
+
 def clash(a: g.Goal, b: g.Goal) -> bool:
-    """Whether two atoms contradict each other by their names alone."""
+    """Whether two atoms, or turns of which one is chosen, contradict each other by their names alone."""
     if isinstance(a, g.Not) or isinstance(b, g.Not):
         inner, other = (a.goal, b) if isinstance(a, g.Not) else (b.goal, a)  # type: ignore[union-attr]
         lies = isinstance(inner, r.Above) and isinstance(other, r.On) and (inner.a, inner.b) == (other.a, other.b)
@@ -57,8 +63,6 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return clash(b, a)
         case (r.OnPatch(), r.OnPatch()) if isinstance(a.a, tuple) and isinstance(b.a, tuple):
             return a.patch != b.patch and bool(set(a.a) & set(b.a))
-        case (r.Facing(), r.Facing()) if a.block == b.block and a.toward == b.toward:
-            return None not in (a.turn, b.turn) and a.turn != b.turn
         case (r.OnPatch(), r.Empty()):
             return a.patch == b.patch
         case (r.Empty(), r.OnPatch()):
@@ -78,6 +82,11 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return bool({*members(a.a)} & {*members(b.a)}) and _apart(a.region.split("_"), b.region.split("_"))
     if isinstance(a, r.Stayed | r.Shifted) and isinstance(b, r.Stayed | r.Shifted):
         return _other_way(a, b) and bool({*members(a.a)} & {*members(b.a)})
+    if isinstance(a, r.Facing | g.Any) and isinstance(b, r.Facing | g.Any):
+        return _turned_otherwise(a, b)
+    if isinstance(a, _TOGETHER | r.Apart) and isinstance(b, _TOGETHER | r.Apart):
+        two = {*members(a.a), *members(a.b)} == {*members(b.a), *members(b.b)}
+        return two and isinstance(a, r.Apart) != isinstance(b, r.Apart)
     if isinstance(a, r.Approached | r.Receded) and isinstance(b, r.Approached | r.Receded) and a.kind != b.kind:
         return {*members(a.a), *members(a.b)} == {*members(b.a), *members(b.b)}
     if isinstance(a, s.Stack | s.Row) and isinstance(b, s.Stack | s.Row) and a.kind == b.kind:
@@ -125,14 +134,39 @@ def _opposite(a: r.Directional, b: r.Directional) -> bool:
     return OPPOSITE.get(one) == two and a.a == b.a and a.b == b.b
 
 
+_FLAT = s.Row | s.Figure
+_RIGHT_ANGLED = {"square", "rectangle"}
+"""Figures that one line of blocks may form both at once."""
+
+
 def _of_other_shape(spread: g.Goal, line: g.Goal) -> bool:
     """A figure of several rows or layers, or several towers, against a line or a tower of the same blocks."""
     if isinstance(spread, s.Towers) and isinstance(line, s.Stack):
         return (spread.count or 1) > 1 and set(spread.blocks) == set(line.blocks)
+    if isinstance(spread, _FLAT) and isinstance(line, s.Towers | s.Pyramid | s.Staircase):
+        figure = isinstance(spread, s.Figure) and (spread.shape == "triangle" or isinstance(line, s.Staircase))
+        return not figure and set(spread.blocks) == set(line.blocks)
+    if isinstance(spread, s.Figure) and isinstance(line, s.Figure | s.Row) and len(line.blocks) > 2:
+        other = isinstance(line, s.Row) or (spread.shape != line.shape and {spread.shape, line.shape} != _RIGHT_ANGLED)
+        return other and set(spread.blocks) == set(line.blocks)
     if not isinstance(spread, s.Grid | s.Pyramid | s.Staircase) or not isinstance(line, s.Row | s.Stack):
         return False
     sides = (spread.rows, spread.columns, spread.layers) if isinstance(spread, s.Grid) else (2, 2)
     return sum(side > 1 for side in sides) > 1 and set(spread.blocks) == set(line.blocks)
+
+
+def _turned_otherwise(a: r.Facing | g.Any, b: r.Facing | g.Any) -> bool:
+    """One face of a block two ways, or with no turn in it that both allow: "on its side" and "upright"."""
+    if isinstance(a, r.Facing) and isinstance(b, r.Facing) and a.toward != b.toward:
+        return (a.block, a.label, a.face) == (b.block, b.label, b.face)
+    ways: list[list[r.Facing]] = []
+    for goal in (a, b):
+        either = goal.goals if isinstance(goal, g.Any) else (goal,)
+        ways.append([x for x in either if isinstance(x, r.Facing) and x.turn is not None])
+        if not ways[-1] or len(ways[-1]) < len(either):
+            return False
+    one = len({(x.block, x.toward) for side in ways for x in side}) == 1
+    return one and not {x.turn for x in ways[0]} & {x.turn for x in ways[1]}
 
 
 def _stacked(stack: g.Goal, inner: g.Goal) -> bool:

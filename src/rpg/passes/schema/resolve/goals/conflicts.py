@@ -9,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import members
-from rpg.ir.walk import atoms
+from rpg.ir.walk import atoms, instances
 
 
 def undoes(later: g.Goal, earlier: g.Goal) -> bool:
@@ -33,12 +33,29 @@ def required(goal: g.Goal) -> Iterator[g.Goal]:
                     yield from required(stage.goal)
         case g.Always():
             yield from required(goal.goal)
-        case g.Any() if not all(isinstance(x, r.Facing) for x in goal.goals):
-            return
-        case g.Count():
+        case g.Any() | g.Count():
             return
         case _:
             yield goal
+
+
+def impossible(goal: g.Goal, parts: list[g.Goal]) -> bool:
+    """Whether too few of the alternatives of a conjunction can hold beside what must, or too many do: "all six on the
+    left, three of them on the right", "on its side" and "upright"."""
+    few, most = 1, None
+    children: tuple[g.Goal, ...]
+    match goal:
+        case g.All():
+            return any(impossible(child, parts) for child in goal.goals)
+        case g.Any():
+            children = goal.goals
+        case g.Count():
+            few, most, children = goal.at_least, goal.at_most, instances(goal)
+        case _:
+            return False
+    left = sum(not any(clash(x, part) for x in required(child) for part in parts) for child in children)
+    forced = sum(any(_same(child, part) or _covers(part, child) for part in parts) for child in children)
+    return left < few or (most is not None and forced > most)
 
 
 OPPOSITE = {"left_of": "right_of", "right_of": "left_of", "in_front_of": "behind", "behind": "in_front_of"}
@@ -49,7 +66,7 @@ _TOGETHER = r.Touching | r.Adjacent
 
 
 def clash(a: g.Goal, b: g.Goal) -> bool:
-    """Whether two atoms, or turns of which one is chosen, contradict each other by their names alone."""
+    """Whether two atoms contradict each other by their names alone."""
     if isinstance(a, g.Not) or isinstance(b, g.Not):
         inner, other = (a.goal, b) if isinstance(a, g.Not) else (b.goal, a)  # type: ignore[union-attr]
         lies = isinstance(inner, r.Above) and isinstance(other, r.On) and (inner.a, inner.b) == (other.a, other.b)
@@ -63,6 +80,10 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return clash(b, a)
         case (r.OnPatch(), r.OnPatch()) if isinstance(a.a, tuple) and isinstance(b.a, tuple):
             return a.patch != b.patch and bool(set(a.a) & set(b.a))
+        case (r.Facing(), r.Facing()) if a.block == b.block and a.toward == b.toward:
+            return None not in (a.turn, b.turn) and a.turn != b.turn
+        case (r.Facing(), r.Facing()):
+            return (a.block, a.label, a.face) == (b.block, b.label, b.face)
         case (r.OnPatch(), r.Empty()):
             return a.patch == b.patch
         case (r.Empty(), r.OnPatch()):
@@ -82,8 +103,6 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return bool({*members(a.a)} & {*members(b.a)}) and _apart(a.region.split("_"), b.region.split("_"))
     if isinstance(a, r.Stayed | r.Shifted) and isinstance(b, r.Stayed | r.Shifted):
         return _other_way(a, b) and bool({*members(a.a)} & {*members(b.a)})
-    if isinstance(a, r.Facing | g.Any) and isinstance(b, r.Facing | g.Any):
-        return _turned_otherwise(a, b)
     if isinstance(a, _TOGETHER | r.Apart) and isinstance(b, _TOGETHER | r.Apart):
         two = {*members(a.a), *members(a.b)} == {*members(b.a), *members(b.b)}
         return two and isinstance(a, r.Apart) != isinstance(b, r.Apart)
@@ -153,20 +172,6 @@ def _of_other_shape(spread: g.Goal, line: g.Goal) -> bool:
         return False
     sides = (spread.rows, spread.columns, spread.layers) if isinstance(spread, s.Grid) else (2, 2)
     return sum(side > 1 for side in sides) > 1 and set(spread.blocks) == set(line.blocks)
-
-
-def _turned_otherwise(a: r.Facing | g.Any, b: r.Facing | g.Any) -> bool:
-    """One face of a block two ways, or with no turn in it that both allow: "on its side" and "upright"."""
-    if isinstance(a, r.Facing) and isinstance(b, r.Facing) and a.toward != b.toward:
-        return (a.block, a.label, a.face) == (b.block, b.label, b.face)
-    ways: list[list[r.Facing]] = []
-    for goal in (a, b):
-        either = goal.goals if isinstance(goal, g.Any) else (goal,)
-        ways.append([x for x in either if isinstance(x, r.Facing) and x.turn is not None])
-        if not ways[-1] or len(ways[-1]) < len(either):
-            return False
-    one = len({(x.block, x.toward) for side in ways for x in side}) == 1
-    return one and not {x.turn for x in ways[0]} & {x.turn for x in ways[1]}
 
 
 def _stacked(stack: g.Goal, inner: g.Goal) -> bool:

@@ -11,7 +11,7 @@ from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.walk import atoms
 from rpg.ir.walk import names as names_in
-from rpg.passes.schema.resolve.goals.conflicts import clash, required
+from rpg.passes.schema.resolve.goals.conflicts import clash, impossible, required
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
@@ -27,6 +27,9 @@ def check(goal: g.Goal, scene: Scene) -> None:
         for b in parts[index + 1 :]:
             if clash(a, b):
                 raise _clash(a, b)
+    if impossible(goal, parts):
+        raise refuse("contradiction", "two parts of this cannot both hold at the end", goal.span,
+                     "leave one of them out, or say 'then' if one comes after the other")  # fmt: skip
     _direction_cycles(parts)
     _turned_in_words(parts)
     _between_neighbours(parts)

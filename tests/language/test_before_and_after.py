@@ -123,6 +123,14 @@ TOP_RIGHT: Meant = {"assets": {"R": 1}, "hold": ["R~-90", "R~-90 at=0,3"], "miss
          {"assets": {"plain": 6}, "start": ["plain* at=0,5"],
           "hold": ["plain plain plain at=0,4 ; plain plain plain at=0,-4"],
           "miss": ["plain* at=0,5", "plain plain plain plain at=0,4 ; plain plain at=0,-4"]}),
+        ("The mat is free. Red should be on it.",
+         {"assets": {"red": 1, "patch": 1}, "start": ["red"], "start_miss": ["red at=patch"],
+          "hold": ["red at=patch"], "miss": ["red"]}),
+        ("Red is not on blue. It should be on blue.",
+         {"assets": {"red": 1, "blue": 1}, "start": ["blue ; red"], "start_miss": ["blue^red"], "hold": ["blue^red"],
+          "miss": ["blue ; red", "red^blue"]}),
+        ("The red block is in the middle. It must go to a corner.",
+         {"assets": {"red": 1}, "start": ["red at=0,0"], "hold": ["red at=5,7"], "miss": ["red at=0,0"]}),
     ],
 )  # fmt: skip
 def test_starts_and_goals(text: str, meant: Meant) -> None:

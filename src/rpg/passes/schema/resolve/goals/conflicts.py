@@ -61,7 +61,7 @@ def impossible(goal: g.Goal, parts: list[g.Goal]) -> bool:
 OPPOSITE = {"left_of": "right_of", "right_of": "left_of", "in_front_of": "behind", "behind": "in_front_of"}
 
 
-_TOGETHER = r.Touching | r.Adjacent
+_TOGETHER = r.Touching | r.Adjacent | r.Near
 """Of two blocks that are not apart."""
 
 
@@ -106,6 +106,9 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     if isinstance(a, _TOGETHER | r.Apart) and isinstance(b, _TOGETHER | r.Apart):
         two = {*members(a.a), *members(a.b)} == {*members(b.a), *members(b.b)}
         return two and isinstance(a, r.Apart) != isinstance(b, r.Apart)
+    if isinstance(a, r.Distance) and isinstance(b, r.Distance) and a.measure == b.measure:
+        two = {*members(a.a), *members(a.b)} == {*members(b.a), *members(b.b)}
+        return two and (_farther(a, b) or _farther(b, a))
     if isinstance(a, r.Approached | r.Receded) and isinstance(b, r.Approached | r.Receded) and a.kind != b.kind:
         return {*members(a.a), *members(a.b)} == {*members(b.a), *members(b.b)}
     if isinstance(a, s.Stack | s.Row) and isinstance(b, s.Stack | s.Row) and a.kind == b.kind:
@@ -134,6 +137,10 @@ def _other_way(a: r.Stayed | r.Shifted, b: r.Stayed | r.Shifted) -> bool:
     return {a.toward, b.toward} in ({"left", "right"}, {"front", "back"})
 
 
+def _farther(one: r.Distance, other: r.Distance) -> bool:
+    return one.minimum is not None and other.maximum is not None and one.minimum > other.maximum
+
+
 def _along_and_across(read: g.Goal, line: g.Goal) -> bool:
     """A word or an equation, which is read from left to right, against a column of two of its blocks."""
     if not isinstance(read, s.Spells | s.Equation) or read.along != "row":
@@ -160,6 +167,8 @@ _RIGHT_ANGLED = {"square", "rectangle"}
 
 def _of_other_shape(spread: g.Goal, line: g.Goal) -> bool:
     """A figure of several rows or layers, or several towers, against a line or a tower of the same blocks."""
+    if isinstance(spread, s.Grid) and isinstance(line, s.Grid) and set(spread.blocks) == set(line.blocks):
+        return (spread.rows, spread.columns, spread.layers) != (line.rows, line.columns, line.layers)
     if isinstance(spread, s.Towers) and isinstance(line, s.Stack):
         return (spread.count or 1) > 1 and set(spread.blocks) == set(line.blocks)
     if isinstance(spread, _FLAT) and isinstance(line, s.Towers | s.Pyramid | s.Staircase):
@@ -200,7 +209,9 @@ def _flat_and_upright(flat: g.Goal, upright: g.Goal) -> bool:
 
 
 def _orders_differ(a: s.Stack | s.Row, b: s.Stack | s.Row) -> bool:
-    """Two orders of the same blocks, block by block."""
+    """Two orders of the same blocks, block by block, or a line that would have to run two ways."""
+    if isinstance(a, s.Row) and isinstance(b, s.Row) and None not in (a.axis, b.axis) and a.axis != b.axis:
+        return len({*a.blocks} & {*b.blocks}) > 1
     given = a.order.by == b.order.by == "given" and a.order.first == b.order.first
     single = all(len(rank) == 1 for rank in (*a.order.ranks, *b.order.ranks))
     return given and single and set(a.blocks) == set(b.blocks) and a.order.ranks != b.order.ranks

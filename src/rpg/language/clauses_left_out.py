@@ -45,7 +45,8 @@ _SEEN = harmless.OCCASIONS | harmless.THINGS | harmless.ANIMALS
 _ANCHORS = _OURS | _WORK | _SEEN | harmless.PEOPLE | harmless.FINE
 _NOT = listed(
     "nothing nobody none neither nor only except but unless instead if no not never without until both each all any "
-    "every other another different same more less than twice again too also rather either"
+    "every other another different same more less than twice again too also rather either everything anything "
+    "something match matching matches read reads reading readable legible says written"
 )
 """With these a clause may be about what is asked for, whatever else is said in it."""
 _HOW = ("ly", "wise", "ways", "ward", "wards")

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations, pairwise, takewhile
+from itertools import pairwise, takewhile
 
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
-from rpg.ir.relations import Between, InRegion, OnPatch
+from rpg.ir.relations import Between
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
 from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
+from rpg.passes.schema.fewer_there import check_fewer_there
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.stock_told import check_stock
 
@@ -53,7 +54,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
         _of_the_counted(words, task)
         _of_those_left(words, task)
         _one_in_between(words, task)
-        _fewer_there(words, task)
+        check_fewer_there(words, task)
 
 
 def _listed_in_turn(words: Sequence[Token], task: TaskSchema) -> None:
@@ -66,24 +67,6 @@ def _listed_in_turn(words: Sequence[Token], task: TaskSchema) -> None:
             if token.word == ":" and len({*colors}) < len(colors) == len(line.blocks):
                 raise refuse("ambiguous", "in exactly this order, or in any such order?", told[0].span,
                              "say 'in this order'")  # fmt: skip
-
-
-def _fewer_there(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "three blocks stand on the mat. Two should be on it" as five that should be on it."""
-    there = [x for x in atoms(task.goal) if isinstance(x, OnPatch | InRegion) and x.span]
-    for one, two in combinations(there, 2):
-        alike = one.model_copy(update={"a": two.a, "span": two.span}) == two
-        if not alike or {*members(one.a)} & {*members(two.a)} or len(members(two.a)) >= len(members(one.a)):
-            continue
-        begin, end = one.span[1] if one.span else 0, two.span[1] if two.span else 0
-        between = [token.word for token in words if begin <= token.span[0] < end]
-        if "." in between and _FURTHER.isdisjoint(between):
-            raise refuse("ambiguous", "these could be some of the blocks before them, or further ones", two.span,
-                         "say 'two of them', or 'two more'")  # fmt: skip
-
-
-_FURTHER = frozenset({"another", "other", "others", "more", "further", "additional", "also", "too", "extra"})
-"""Words of blocks beside those that were spoken of."""
 
 
 def _one_in_between(words: Sequence[Token], task: TaskSchema) -> None:

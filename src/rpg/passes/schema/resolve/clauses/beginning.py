@@ -23,7 +23,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.bare_starts import bare_starts
-from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, lined_up_first, named_there, wanted
+from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, indicative, lined_up_first, named_there, wanted
 from rpg.passes.schema.resolve.clauses.in_parts import before_orders, lie_so, says_where
 from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
@@ -76,10 +76,10 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     if (picture := _pictured(chains, text)) is not None:
         return picture
     chains = before_orders(staying(chains, text), text)
-    told = [_facts(chain, bold) or (bold and _indicative(chain)) or lie_so(chain, text, bold) for chain in chains]
+    told = [_facts(chain, bold) or (bold and indicative(chain, text)) or lie_so(chain, text, bold) for chain in chains]
     final = [_of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]
     told = [fact and not end for fact, end in zip(told, final, strict=True)]
-    commands = [n for n, chain in enumerate(chains) if _commands(chain) or (bold and not _indicative(chain))]
+    commands = [n for n, chain in enumerate(chains) if _commands(chain) or (bold and not indicative(chain, text))]
     commands = [n for n in commands if final[n] or not how_far_off(chains[n - 1 : n + 1])]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [
@@ -363,12 +363,6 @@ def _heap_first(chain: Chain, after: tuple[Chain, ...]) -> Chain:
 def _facts(chain: Chain, bold: bool = True) -> bool:
     told = [c for c in chain.clauses if not _tally(c)]
     return bool(told) and all(isinstance(c, Clause) and _fact(c, bold) for c in told)
-
-
-def _indicative(chain: Chain) -> bool:
-    """Whether a sentence says of something that it is so or is not: "the mat is free", "red is not on blue"."""
-    told = [c for c in chain.clauses if not _tally(c)]
-    return bool(told) and all(isinstance(c, Clause) and (c.lemma, c.mode) == ("fact", "goal") for c in told)
 
 
 def _tally(clause: Meaning) -> bool:

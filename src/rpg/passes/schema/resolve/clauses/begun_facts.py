@@ -93,6 +93,22 @@ def wanted(clause: Clause) -> bool:
     return clause.verb == "be" and clause.lemma != "fact" and clause.word is not None
 
 
+def indicative(chain: Chain, text: str) -> bool:
+    """Whether a sentence says how it is or is not: "the mat is free", "red is not on blue"; and not how it stays."""
+    told = [c for c in chain.clauses if not (isinstance(c, Clause) and c.lemma == "tally")]
+    return bool(told) and all(
+        isinstance(c, Clause)
+        and (c.lemma, c.mode) == ("fact", "goal")
+        and not any(isinstance(a, Manner) and a.kind == "stay" for a in c.adjuncts)
+        and _LASTING.search(text[slice(*c.span)]) is None
+        for c in told
+    )
+
+
+_LASTING = re.compile(r"\b(?:never|always|ever|time|times|moves?|moved)\b", re.IGNORECASE)
+"""Words of what goes on."""
+
+
 def _on_it(place: Meaning) -> bool:
     return isinstance(place, Loc) and place.rel == "on" and not place.negated
 

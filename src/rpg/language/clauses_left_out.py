@@ -28,8 +28,7 @@ _OTHERS = (("because",), ("since",), ("as",), ("like",), ("just", "like"), ("for
 _TRYING = listed(
     "test check see verify evaluate measure assess validate train study show demonstrate practise practice probe "
     "examine benchmark compare find debug calibrate confirm try learn teach record film win pass succeed complete "
-    "solve "
-    "score earn"
+    "solve score earn"
 )
 """Behind these it is told what is tried out or won, which may be called as what is done to blocks is."""
 _OURS = listed("i we my our he she his her me us you your everybody everyone nobody people someone somebody")
@@ -51,8 +50,8 @@ _NOT = listed(
 """With these a clause may be about what is asked for, whatever else is said in it."""
 _HOW = ("ly", "wise", "ways", "ward", "wards")
 """So words end that tell how, and may tell how blocks lie."""
-_FEWEST, _TITLE, MOST = 3, 6, 6
-"""A clause has so many words at least, a title so many at most; so many ways at most are tried."""
+_FEWEST, _TITLE = 3, 6
+"""A clause has so many words at least, a title so many at most."""
 
 
 def clauses_left_out(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:

@@ -73,7 +73,7 @@ TESTS = listed(
     "benchmark test challenge task exercise puzzle quiz classification problem drill lesson game demo experiment "
     "evaluation check skill scenario episode mission assignment activity training practice trial stacking "
     "building sorting spelling instructions instruction guide recipe counting arranging ordering grouping placing "
-    "placement manipulation ordering variant"
+    "placement manipulation variant"
 )
 """Heads of titles that may have in front of them what is tried, in words that tell of blocks elsewhere."""
 _SHAPES = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER, lexicon.ORDINAL,

@@ -28,8 +28,7 @@ def check(goal: g.Goal, scene: Scene) -> None:
             if clash(a, b):
                 raise _clash(a, b)
     if impossible(goal, parts):
-        raise refuse("contradiction", "two parts of this cannot both hold at the end", goal.span,
-                     "leave one of them out, or say 'then' if one comes after the other")  # fmt: skip
+        raise _clash(goal, goal)
     _direction_cycles(parts)
     _turned_in_words(parts)
     _between_neighbours(parts)

@@ -62,6 +62,10 @@ class FrontEnd(Protocol):
         """The task, or None with the diagnostics that say why not."""
 
 
+_Shorter = tuple[tuple[list[Token], list[Stray]], list[str], Callable[[TaskSchema], bool]]
+"""A text without a clause of it, notes of that, and whether a task says what was said in the clause."""
+
+
 class BuiltinFrontEnd:
     """Words, grammar, resolution, feasibility: deterministic, bounded, and silent about nothing."""
 
@@ -123,9 +127,9 @@ class BuiltinFrontEnd:
         if found[0] is None and not chosen and code in _NOT_UNDERSTOOD:
             found = self._apart(told, text, name, seed, author, mended) or found
         if found[0] is None and not chosen and code in _NOT_UNDERSTOOD | _NOT_KNOWN:
-            found = self._without_talk(told, text, name, seed, author, mended) or found
+            found = self._shorter(_without_talk(told), text, name, seed, author, mended) or found
         if found[0] is None and refusal is not None:
-            found = self._without_more(told, text, name, seed, author, mended) or found
+            found = self._shorter(_without_more(told), text, name, seed, author, mended) or found
         if found[0] is None and refusal is not None:
             raise refusal
         return found
@@ -144,27 +148,14 @@ class BuiltinFrontEnd:
         tasks = [task for task, _ in found if task is not None]
         return found[0] if tasks and all(same(tasks[0], task) for task in tasks[1:]) else None
 
-    def _without_talk(
-        self, told: tuple[list[Token], list[Stray]], text: str, name: str | None, seed: int, author: str | None,
+    def _shorter(
+        self, ways: Iterator[_Shorter], text: str, name: str | None, seed: int, author: str | None,
         mended: list[str] | None,
     ) -> Reading | None:  # fmt: skip
-        """The reading of a text without a clause that can only be talk."""
-        for rest, note in islice(clauses_left_out(told[0]), MOST):
+        """The first reading of a text without a clause of it, if the task is then as that clause says."""
+        for told, remarks, holds in ways:
             with suppress(Refusal):
-                kept = (rest, _strays_of(rest, *told))
-                task, notes = self._read_tokens(kept, text, name, seed, author, mended, [note])
-                if task is not None:
-                    return task, notes
-        return None
-
-    def _without_more(
-        self, told: tuple[list[Token], list[Stray]], text: str, name: str | None, seed: int, author: str | None,
-        mended: list[str] | None,
-    ) -> Reading | None:  # fmt: skip
-        """The reading of a text without a clause that follows from the rest."""
-        for rest, holds in islice(without_more(told[0]), MOST_MORE):
-            with suppress(Refusal):
-                task, notes = self._read_tokens((rest, told[1]), text, name, seed, author, mended)
+                task, notes = self._read_tokens(told, text, name, seed, author, mended, remarks)
                 if task is not None and holds(task):
                     return task, notes
         return None
@@ -271,6 +262,18 @@ def _undisturbed() -> Iterator[None]:
     finally:
         if collecting:
             gc.enable()
+
+
+def _without_talk(told: tuple[list[Token], list[Stray]]) -> Iterator[_Shorter]:
+    """A text without a clause that can only be talk."""
+    for rest, note in islice(clauses_left_out(told[0]), MOST):
+        yield (rest, _strays_of(rest, *told)), [note], lambda task: True
+
+
+def _without_more(told: tuple[list[Token], list[Stray]]) -> Iterator[_Shorter]:
+    """A text without a clause that follows from the rest."""
+    for rest, holds in islice(without_more(told[0]), MOST_MORE):
+        yield (rest, told[1]), [], holds
 
 
 _SPLICED: tuple[Callable[[list[Token]], list[Token] | None], ...] = (in_sentences, run_together, in_one_sentence)

@@ -83,6 +83,10 @@ def _done(word: str) -> bool:
     return word in lexicon.COMMANDS and word not in lexicon.POSTURE
 
 
+_SHAPE = frozenset({"shape", "form"})
+"""Commands, too, but "u shape" is a U."""
+
+
 def _letter(letter: str, before: str, behind: str, ahead: list[str]) -> list[str] | None:
     """The word that a letter stands for."""
     if letter == "r" and (behind in _SPOKEN_TO or before in _SPOKEN_TO):
@@ -92,7 +96,12 @@ def _letter(letter: str, before: str, behind: str, ahead: list[str]) -> list[str
     if letter == "c" and before in _MODALS | _SPOKEN_TO and (behind in _SEEN or behind.isdigit()):
         return ["see"]
     shape = before in ("a", "the", "letter", "one", "capital")
-    if letter == "u" and not shape and (behind in lexicon.COMMANDS | {"guys", "are", "r"} or before in _ASKING):
+    if (
+        letter == "u"
+        and not shape
+        and behind not in _SHAPE
+        and (behind in lexicon.COMMANDS | {"guys", "are", "r"} or before in _ASKING)
+    ):
         return ["you"]
     if letter == "n" and (before in ("pls", "plz", "please", "thx", "thanks") or before in lexicon.BLOCK):
         return ["and"]

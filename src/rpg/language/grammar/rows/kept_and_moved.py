@@ -11,6 +11,8 @@ _MAY = f"(?:{MUST}|may|can)"
 _OTHERS = f"the (?:rest|others|other {MANY}(?: blocks| cubes| ones)?|remaining (?:blocks|cubes|ones|{MANY}))"
 _LIES = "(?:is|are|lies|lie|stands|stand|sits|sit|rests|rest)"
 _FIGURE = "tower|stack|row|line|column|pyramid|wall|pile|circle|ring|square|grid|staircase"
+_ONE = "(?:(?!and\\b)[^ .,]+ ?)+?(?<! )"
+"""One place, and not what is told of further blocks: "on the mat and green on blue" are two."""
 _PUT = "(?:put|place|stack|move|bring|set|lay)"
 _FELL = ("(?:has|have) (?:fallen (?:over|down|apart|off)|fallen|collapsed|toppled(?: over)?|tumbled(?: down)?|crashed|"
          "been knocked (?:over|down)|tipped over)")  # fmt: skip
@@ -40,9 +42,9 @@ KEPT_AND_MOVED: tuple[Turn, ...] = (
 
 FALLEN: tuple[Turn, ...] = (
     # Of a text that tells what there is; otherwise there are others, and how many is assumed.
-    (f"(?<= \\. )({_PUT}) (the [^.,]+?|{THING}) ({PLACE} [^.,]+?)(?: ,)?(?: \\. | (?:and|but) )(?:move|touch) nothing "
+    (f"(?<= \\. )({_PUT}) (the [^.,]+?|{THING}) ({PLACE} {_ONE})(?: ,)?(?: \\. | (?:and|but) )(?:move|touch) nothing "
      "else(?= \\.|$)", "{1} {2} {3} . nothing but {2} may be moved"),
-    (f"(?<= \\. )({_PUT}) (the [^.,]+?|{THING}) ({PLACE} [^.,]+?)(?: ,)? without (?:moving|touching) anything else"
+    (f"(?<= \\. )({_PUT}) (the [^.,]+?|{THING}) ({PLACE} {_ONE})(?: ,)? without (?:moving|touching) anything else"
      "(?= \\.|$)", "{1} {2} {3} . nothing but {2} may be moved"),
     (f"^there are ({MANY} (?:letter|digit|number) (?:cubes|blocks) [^.]+?) on the table(?= \\.)", "there are {1}"),
     (f"^(?:the|a|my|our) ((?:{_FIGURE}) (?:of|with) [^.]+?) {_FELL} \\. (?:please )?(?:build|put|set|stack|make|"

@@ -52,7 +52,7 @@ AT_TIMES: tuple[Turn, ...] = (
     # nothing else
     (f"\\b(?:no other {_BLOCK}|nothing else) (?:moves|(?:{_MUST} )?(?:be|is|gets?) {_MOVED}|{_MUST} move)$", _OTHERS),
     (f"\\bwithout (?:moving|touching|disturbing|displacing|shifting) (?:any other {_BLOCK}s?|anything else)$",
-     "without moving the others"),
+     "without moving any of the others"),
     # one after the other
     (f"^(?:please )?wait (?:until|till) (.+?)(?: ,)? (?:and )?(?:then|before you) ({_STEP} .+)$", "once {1} , {2}"),
     (f"^(.+?)(?: ,)? (?:but )?(?:as soon as|once|only when|but not until) ([^,]+? {_SO} .+)$", "once {2} , {1}"),

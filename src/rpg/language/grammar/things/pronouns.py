@@ -78,7 +78,7 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
     if p.follows(i, _BEFORE_WHICH) and (j := p.any_of(i, ("each of which", "both of which"))):
         yield Pronoun(word="each of them" if p.words[i] == "each" else "them", span=p.span(i, j)), j
     if j := left_alone(p, i):
-        yield Pronoun(word="the others", span=p.span(i, j)), j
+        yield Pronoun(word="all the others", span=p.span(i, j)), j
     for phrase, j in p.standing(i, ("each other", "one another", "the other ones", "the other one", "the others",
                    "the rest", "others",
                    "the other two",

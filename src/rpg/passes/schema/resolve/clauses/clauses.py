@@ -303,6 +303,9 @@ def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return [*goals, *places(ref, spec, scene, scope, clause.span), *absolutes(ref, spec, scene, scope)]
     if not any(True for _ in scene.blocks()) and not spec.usings:
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
+    if clause.verb == "build" and spec.usings and spec.places and not (spec.orders or spec.toward or spec.manners):
+        raise refuse("no-goal", "it is not said what is built of them", clause.word or clause.span,
+                     "say 'a tower', 'a row' or another structure")  # fmt: skip
     source = spec.usings.pop(0).members if spec.usings else Pronoun(word="everything", span=clause.span)
     theme = refer(source, scene, scope)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)

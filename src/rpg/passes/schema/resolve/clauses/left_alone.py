@@ -27,7 +27,7 @@ def _nothing_else(clause: Clause) -> Clause:
         return clause
     if (word, clause.negated) not in (("nothing else", False), ("anything else", True)):
         return clause
-    others = Pronoun(word="the others", span=clause.theme.span)
+    others = Pronoun(word="all the others", span=clause.theme.span)
     stay = Manner(kind="stay", span=clause.span)
     return replace(clause, verb="keep", lemma="leave", theme=others, adjuncts=(stay,), negated=False)
 

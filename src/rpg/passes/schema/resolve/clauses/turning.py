@@ -99,7 +99,7 @@ def _stayed(theme: Ref, span: Span) -> g.Goal:
         raise refuse("ambiguous", "it is not said what becomes of the others", theme.span, "say where they should be")
     if theme.quant is not None or theme.mixed:
         return spread(theme, lambda a: r.Stayed(a=a, span=span), span, together=True)
-    return r.Stayed(a=theme.names, span=span)
+    return r.Stayed(a=tuple(dict.fromkeys((*theme.not_acted_on, *theme.names))), span=span)
 
 
 def stay(clause: Clause, spec: Spec, scene: Scene, scope: Scope, stays: bool) -> Goals:
@@ -199,6 +199,8 @@ def _moved_theme(clause: Clause) -> Meaning:
         return some if isinstance(some, Pronoun) else replace(clause.theme, det="all", amount=None, plural=True)
     if isinstance(clause.theme, Pronoun) and clause.theme.word == "either of them":
         return replace(clause.theme, word="them")  # "without moving either of them"
+    if isinstance(clause.theme, Pronoun) and clause.theme.word == "anything else":
+        return replace(clause.theme, word="all the others")
     return neither(clause.theme) or Pronoun(word="everything", span=clause.span)
 
 

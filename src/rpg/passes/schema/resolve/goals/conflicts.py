@@ -69,8 +69,7 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     """Whether two atoms contradict each other by their names alone."""
     if isinstance(a, g.Not) or isinstance(b, g.Not):
         inner, other = (a.goal, b) if isinstance(a, g.Not) else (b.goal, a)  # type: ignore[union-attr]
-        lies = isinstance(inner, r.Above) and isinstance(other, r.On) and (inner.a, inner.b) == (other.a, other.b)
-        return lies or _same(inner, other) or _covers(other, inner) or _stacked(other, inner)
+        return _rests(other, inner) or _same(inner, other) or _covers(other, inner) or _stacked(other, inner)
     match a, b:
         case (r.On(), r.On()):
             return (a.a == b.a and a.b != b.b) or (a.b == b.a and a.a == b.b) or (a.b == b.b and a.a != b.a)
@@ -122,6 +121,14 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     if _flat_and_upright(a, b) or _flat_and_upright(b, a) or _of_other_shape(a, b) or _of_other_shape(b, a):
         return True
     return _opposite(a, b) if isinstance(a, r.Directional) and isinstance(b, r.Directional) else False
+
+
+def _rests(on: g.Goal, inner: g.Goal) -> bool:
+    """Whether what rests on a block is so above it, or touches it."""
+    if not isinstance(on, r.On) or not isinstance(inner, r.Above | r.Touching):
+        return False
+    pair = {*members(inner.a), *members(inner.b)} == {*members(on.a), *members(on.b)}
+    return pair if isinstance(inner, r.Touching) else (inner.a, inner.b) == (on.a, on.b)
 
 
 def _apart(one: list[str], other: list[str]) -> bool:

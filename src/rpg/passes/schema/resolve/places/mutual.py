@@ -283,12 +283,16 @@ def _touching_none(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relat
     return goals if denied else [g.Not(goal=goal, span=span) for goal in goals]
 
 
+_BESIDE = frozenset({"beside", "adjacent", "touching"})
+
+
 def _told_of(theme: Ref, scene: Scene) -> set[str]:
     """ "Red is on blue and touches nothing else": nothing but what it is said to lie on, or touch."""
     before = [m for m in scene.mentions if m.clause == scene.clause - 1]
     same = any(m.role == "theme" and m.ref.names == theme.names for m in before)
-    marks = [m.ref.names for m in before if m.role == "landmark" and m.rel in ("on", "touching")]
-    return {name for names in marks for name in names} if same else set()
+    marks = [m.ref.names for m in before if same and m.role == "landmark" and m.rel in ("on", *_BESIDE)]
+    here = [m for m in scene.mentions if m.clause == scene.clause and m.role == "landmark" and m.rel in _BESIDE]
+    return {name for names in (*marks, *(m.ref.names for m in here)) for name in names}
 
 
 def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:

@@ -30,6 +30,7 @@ _REST = frozenset({"the other ones", "the others", "the rest", "others", "the ot
                    "the other half", "the other third", "everything else",
     "the remaining ones", "the remainder", "all others",
                    "all the others", "all the rest"})  # fmt: skip
+_ALL_ELSE = frozenset({"all the others", "all others", "all the rest", "everything else"})
 _OTHER = frozenset({"the other one", "the other", "the second one", "another"})
 PAIR = 2
 """So many are "the other two"."""
@@ -60,7 +61,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                          "say how many there are of all", there=len(found.names))  # fmt: skip
         if word.word == "another" and any(there.values()) and not found.patch and not set(found.names) & set(there):
             raise refuse("ambiguous", "it is not said what this block looks like", word.span, "name its colour")
-        return found
+        return replace(found, not_acted_on=_not_acted_on(scene)) if word.word in _ALL_ELSE else found
     if word.word in ("the latter", "the former"):
         return _one_of_two(word, scene)
     if word.word == "which":
@@ -90,6 +91,13 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == "one" or word.word in ("each", "each one", "each of them", "either of them"):
         return _one(word, scene, scope)
     return them(word, scene, scope)
+
+
+def _not_acted_on(scene: Scene) -> tuple[str, ...]:
+    """The blocks that were named as what others are put on, or beside, and of which nothing else is wanted."""
+    there = [m for m in scene.mentions if not m.ref.patch and not m.start and m.role != "given"]
+    moved = {n for m in there if m.role != "landmark" for n in m.ref.names}
+    return tuple(dict.fromkeys(n for m in there for n in m.ref.names if n not in moved))
 
 
 _NUMBERED = {"the first one": 0, "the second one": 1, "the other one": None, "the other": None}

@@ -74,6 +74,7 @@ class Ref:
 
     `quant`: how many of `names` are meant, where it is not all ("exactly two of"). `op` "or": any of `parts`.
     `beyond`: "nothing else", "no other block": none besides those of which the same was said, if they look so.
+    `not_acted_on`: "anything else", "all the others": where these are left alone, so are the landmarks of what is done.
     """
 
     names: tuple[str, ...] = ()
@@ -92,6 +93,7 @@ class Ref:
     reciprocal: bool = False
     part: str | None = None
     beyond: Traits | None = None
+    not_acted_on: tuple[str, ...] = ()
     span: Span = (0, 0)
 
     @property

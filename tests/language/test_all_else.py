@@ -60,3 +60,21 @@ def test_what_is_built_is_said() -> None:
     task, notes = BuiltinFrontEnd().read("Build from 7 orange cubes, flat on the table.")
     assert task is None
     assert notes[0].code == "no-goal"
+
+
+@pytest.mark.parametrize("behind", ["A", "it"])
+def test_a_landmark_that_is_not_touched_is_not_touched_at_the_end(behind: str) -> None:
+    told = _told(f"Put the red block next to A without touching {behind}.")
+    assert "The red block must not touch the A block." in told
+    assert "stay" not in told
+
+
+def test_no_landmark_of_several_is_touched_and_each_of_what_is_put_touches_none() -> None:
+    told = _told("Place the red block between A and B without touching either of them.")
+    assert "must not touch the A block. The red block must not touch the B block." in told
+    told = _told("Put A and B next to C without touching C.")
+    assert "The A block must not touch the C block. The B block must not touch the C block." in told
+
+
+def test_a_block_that_is_no_landmark_and_is_not_touched_is_left_where_it_is() -> None:
+    assert "The C block must stay where it is." in _told("Put A near B without touching C.")

@@ -95,13 +95,8 @@ def _letter(letter: str, before: str, behind: str, ahead: list[str]) -> list[str
         return ["be"]
     if letter == "c" and before in _MODALS | _SPOKEN_TO and (behind in _SEEN or behind.isdigit()):
         return ["see"]
-    shape = before in ("a", "the", "letter", "one", "capital")
-    if (
-        letter == "u"
-        and not shape
-        and behind not in _SHAPE
-        and (behind in lexicon.COMMANDS | {"guys", "are", "r"} or before in _ASKING)
-    ):
+    shape = before in ("a", "the", "letter", "one", "capital") or behind in _SHAPE
+    if letter == "u" and not shape and (behind in lexicon.COMMANDS | {"guys", "are", "r"} or before in _ASKING):
         return ["you"]
     if letter == "n" and (before in ("pls", "plz", "please", "thx", "thanks") or before in lexicon.BLOCK):
         return ["and"]

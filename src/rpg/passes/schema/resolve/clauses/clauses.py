@@ -40,7 +40,7 @@ from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_it
 from rpg.passes.schema.resolve.clauses.out_of_line import out_of_line
 from rpg.passes.schema.resolve.clauses.shaped import all_it_has, shaped
 from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
-from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.clauses.spec import Spec, check_built, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
 from rpg.passes.schema.resolve.clauses.spread_out import spread_out
 from rpg.passes.schema.resolve.clauses.started import laid_down, partly, was_so
@@ -303,9 +303,7 @@ def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return [*goals, *places(ref, spec, scene, scope, clause.span), *absolutes(ref, spec, scene, scope)]
     if not any(True for _ in scene.blocks()) and not spec.usings:
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
-    if clause.verb == "build" and spec.usings and spec.places and not (spec.orders or spec.toward or spec.manners):
-        raise refuse("no-goal", "it is not said what is built of them", clause.word or clause.span,
-                     "say 'a tower', 'a row' or another structure")  # fmt: skip
+    check_built(clause, spec)
     source = spec.usings.pop(0).members if spec.usings else Pronoun(word="everything", span=clause.span)
     theme = refer(source, scene, scope)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from rpg.language.meaning import (
     Absolute,
     At,
+    Clause,
     Coord,
     In,
     Into,
@@ -23,6 +24,7 @@ from rpg.language.meaning import (
     Toward,
     Using,
 )
+from rpg.passes.schema.resolve.things.world import refuse
 
 
 @dataclass
@@ -88,3 +90,10 @@ def sort_adjuncts(adjuncts: tuple[Meaning, ...]) -> Spec:
         else:
             getattr(spec, _KINDS[type(item)]).append(item)
     return spec
+
+
+def check_built(clause: Clause, spec: Spec) -> None:
+    """Refuse "build with seven cubes, flat on the table", which does not say what."""
+    if clause.verb == "build" and spec.usings and spec.places and not (spec.orders or spec.toward or spec.manners):
+        raise refuse("no-goal", "it is not said what is built of them", clause.word or clause.span,
+                     "say 'a tower', 'a row' or another structure")  # fmt: skip

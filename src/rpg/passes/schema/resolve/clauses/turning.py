@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from itertools import pairwise
+from itertools import pairwise, product
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -168,15 +168,11 @@ def _untouched(clause: Clause, theme: Ref, scene: Scene, span: Span) -> g.Goal:
         return conj(turned_of(theme, partial(unturned, span=span), span, done=True), span)
     now = [m for m in scene.mentions if m.clause == scene.clause]
     placed = next((m.ref for m in now if m.role == "theme" and m.ref.names), None)
-    marks = {n for m in now if m.role == "landmark" for n in m.ref.names}
-    if (
-        clause.verb == "touch"
-        and placed is not None
-        and isinstance(clause.theme, Pronoun)
-        and clause.theme.word in _LANDMARKS
-        and set(theme.names) <= marks
-    ):
-        return g.Not(goal=r.Touching(a=placed.names, b=theme.names, span=span), span=span)
+    marks = {n for m in now if m.role == "landmark" and m.rel for n in m.ref.names}
+    of_these = not isinstance(clause.theme, Pronoun) or clause.theme.word in _LANDMARKS
+    if clause.verb == "touch" and placed is not None and of_these and marks & set(theme.names):
+        pairs = product(placed.names, theme.names)
+        return conj([g.Not(goal=r.Touching(a=(a,), b=(b,), span=span), span=span) for a, b in pairs], span)
     if clause.verb == "touch":
         scene.untouched.update(theme.names)
     return _stayed(theme, span)

@@ -33,8 +33,10 @@ def others_left_open(chains: tuple[Chain, ...]) -> Span | None:
     own = _theme(clauses[here]) is not rest
     if own and any(isinstance(part, Noun) and part in named for part in before):
         return None  # "red, green and blue are on the mat; red is left of all others" is of these
+    if any(rest in parts_of(part) for part in getattr(clauses[here], "adjuncts", ()) if isinstance(part, That)):
+        return rest.span if _spared(clauses[here], rest) else None
     alone = any(map(_stays, clauses[:here])) or _stays(clauses[here])
-    return rest.span if _all_others(rest) or (alone and not own) or _spared(clauses[here], rest) else None
+    return rest.span if _all_others(rest) or (alone and not own) else None
 
 
 def made_up(span: Span, left: list[Thing], scene: Scene, patch: bool) -> Ref | None:

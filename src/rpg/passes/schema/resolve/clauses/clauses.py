@@ -301,9 +301,7 @@ def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         spec.orders = []
         ref = Ref(names=built[0].members, built=tuple(built))
         return [*goals, *places(ref, spec, scene, scope, clause.span), *absolutes(ref, spec, scene, scope)]
-    if not any(True for _ in scene.blocks()) and not spec.usings:
-        raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
-    check_built(clause, spec)
+    check_built(clause, spec, scene)
     source = spec.usings.pop(0).members if spec.usings else Pronoun(word="everything", span=clause.span)
     theme = refer(source, scene, scope)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)

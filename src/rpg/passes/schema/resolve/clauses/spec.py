@@ -24,7 +24,7 @@ from rpg.language.meaning import (
     Toward,
     Using,
 )
-from rpg.passes.schema.resolve.things.world import refuse
+from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
 @dataclass
@@ -92,8 +92,10 @@ def sort_adjuncts(adjuncts: tuple[Meaning, ...]) -> Spec:
     return spec
 
 
-def check_built(clause: Clause, spec: Spec) -> None:
-    """Refuse "build with seven cubes, flat on the table", which does not say what."""
+def check_built(clause: Clause, spec: Spec, scene: Scene) -> None:
+    """Refuse "line up" where there are no blocks, and "build with seven cubes, flat on the table": it is not said what."""
+    if not any(True for _ in scene.blocks()) and not spec.usings:
+        raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
     if clause.verb == "build" and spec.usings and spec.places and not (spec.orders or spec.toward or spec.manners):
         raise refuse("no-goal", "it is not said what is built of them", clause.word or clause.span,
                      "say 'a tower', 'a row' or another structure")  # fmt: skip

@@ -93,7 +93,7 @@ def sort_adjuncts(adjuncts: tuple[Meaning, ...]) -> Spec:
 
 
 def check_built(clause: Clause, spec: Spec, scene: Scene) -> None:
-    """Refuse "line up" where there are no blocks, and "build with seven cubes, flat on the table": it is not said what."""
+    """Refuse "line up" of no blocks, and "build with seven cubes, flat on the table", which does not say what."""
     if not any(True for _ in scene.blocks()) and not spec.usings:
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
     if clause.verb == "build" and spec.usings and spec.places and not (spec.orders or spec.toward or spec.manners):

@@ -19,6 +19,7 @@ from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.tokens import Token
+from rpg.passes.schema.brought_in import check_brought_in
 from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.mats_listed import check_mats_listed
 from rpg.passes.schema.modifiers_had import check_modifiers
@@ -61,6 +62,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_one_like_it(tokens, task)
     check_modifiers(tokens, task)
     check_mats_listed(tokens, task)
+    check_brought_in(tokens, task)
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"

@@ -11,7 +11,7 @@ from rpg.passes.schema.resolve.things.left_of_them import check_no_extra_since, 
 from rpg.passes.schema.resolve.things.off_it import check_off_it
 from rpg.passes.schema.resolve.things.others_open import made_up, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
-from rpg.passes.schema.resolve.things.second_patch import one_alone
+from rpg.passes.schema.resolve.things.second_patch import one_alone, one_of_the_patches, only_one_patch
 from rpg.passes.schema.resolve.things.them import each_whole, them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse, said
@@ -281,6 +281,8 @@ def _decide(word: Pronoun, scene: Scene, rivals: list[Mention], rel: str) -> Ref
 def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == "one":
         free = _left_over(scene)
+        if scope.role == "landmark" and not free and (mat := one_of_the_patches(scene)) is not None:
+            return mat
         if free and not alike(free):
             raise refuse("ambiguous", "it is not said which of these blocks is meant", word.span, "name the block")
         if free:
@@ -311,6 +313,7 @@ def _left_over(scene: Scene) -> list[Thing]:
 
 def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     """ "the other (red) block", "the others", "the rest"."""
+    patch = patch and not (noun.head == "any" and only_one_patch(scene))
     taken = {
         n
         for m in scene.mentions

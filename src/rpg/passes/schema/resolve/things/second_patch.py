@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.meaning import Noun, Traits
 from rpg.passes.schema.resolve.things.things import matching
-from rpg.passes.schema.resolve.things.world import Scene
+from rpg.passes.schema.resolve.things.world import Ref, Scene
 
 
 def one_alone(noun: Noun, scene: Scene, patch: bool) -> bool:
@@ -20,6 +20,21 @@ def one_alone(noun: Noun, scene: Scene, patch: bool) -> bool:
 def the_only_patch(name: str, scene: Scene) -> bool:
     """ "(Red is on the mat.) Put blue on the green one": a mat that has no colour and is "the" mat is the only one, so
     that the green one is a block."""
+    return only_one_patch(scene) and "the" in [m.ref.det for m in scene.mentions if name in m.ref.names]
+
+
+def only_one_patch(scene: Scene) -> bool:
+    """ "(Two red blocks are on the mat.) Put one on the other": a mat without a colour has no other that is left."""
     patches = [thing for thing in scene.things.values() if thing.patch]
-    told = [m.ref.det for m in scene.mentions if name in m.ref.names]
-    return len(patches) == 1 and patches[0].color is None and "the" in told
+    told = {m.ref.det for m in scene.mentions if m.ref.patch}
+    return len(patches) == 1 and patches[0].color is None and told == {"the"}
+
+
+def one_of_the_patches(scene: Scene) -> Ref | None:
+    """ "There are two mats. Put A on one and B on the other": the first that nothing is on, where none has a look."""
+    mats = [t for t in scene.things.values() if t.patch and t.declared]
+    free = [t for t in mats if t.name not in scene.used]
+    if len(mats) < 2 or not free or any(t.color is not None for t in mats):
+        return None
+    scene.used.add(free[0].name)
+    return Ref(names=(free[0].name,), patch=True)

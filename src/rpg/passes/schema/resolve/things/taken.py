@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from rpg.language.meaning import (
+    Absolute,
     Amount,
     Chain,
     Clause,
@@ -65,18 +66,40 @@ def _some_block(noun: Noun) -> bool:
 
 
 def _another(chain: Chain) -> Chain:
-    """ "A yellow block goes on the red one and another one on the blue one": another yellow block."""
-    clauses = list(chain.clauses)
-    for n, (first, second) in enumerate(pairwise(clauses)):
-        if not isinstance(first, Clause) or not isinstance(second, Clause):
-            continue
-        one, two = first.theme, second.theme
-        if not isinstance(one, Noun) or not isinstance(two, Noun) or two.det != "another" or two.head != "any":
-            continue
-        single = one.det in ("a", "another") and one.head == "block" and bool(one.traits.colors or one.traits.labels)
-        if single and two.traits == Traits() and two.amount in (None, Amount(1, 1)) and first.verb == second.verb:
-            clauses[n + 1] = replace(second, theme=replace(one, det="another", span=two.span))
+    """ "A yellow block goes on the red one and another one on the blue one", "... and one on the blue one": another
+    yellow block; also of the ends of a line, "with a blue block at the left end and one at the right end"."""
+    clauses = [_another_inside(clause) for clause in chain.clauses]
+    for n in range(len(clauses) - 1):
+        first, second = clauses[n : n + 2]
+        if isinstance(first, Clause) and isinstance(second, Clause) and first.verb == second.verb:
+            clauses[n + 1] = replace(second, theme=_one_more(first.theme, second.theme))
     return replace(chain, clauses=tuple(clauses))
+
+
+def _another_inside(clause: Meaning) -> Meaning:
+    if not isinstance(clause, Clause) or not any(isinstance(x, Coord) and x.op == "absolutes" for x in clause.adjuncts):
+        return clause
+    told: list[Meaning] = []
+    for part in clause.adjuncts:
+        items = list(part.items) if isinstance(part, Coord) and part.op == "absolutes" else []
+        for n in range(len(items) - 1):
+            first, second = items[n : n + 2]
+            if isinstance(first, Absolute) and isinstance(second, Absolute):
+                items[n + 1] = replace(second, theme=_one_more(first.theme, second.theme) or second.theme)
+        told.append(replace(part, items=tuple(items)) if items else part)
+    return replace(clause, adjuncts=tuple(told))
+
+
+def _one_more(one: Meaning | None, two: Meaning | None) -> Meaning | None:
+    """The second, as a further block that looks like the first, where it is "one", or "another one"."""
+    if not isinstance(one, Noun) or one.head != "block" or not (one.traits.colors or one.traits.labels):
+        return two
+    single = one.det in ("a", "another") or (one.det == "bare" and one.amount == Amount(1, 1))
+    bare = isinstance(two, Noun) and two.head == "any" and two.det in ("a", "bare", "another") and not two.plural
+    bare = bare and isinstance(two, Noun) and two.traits == Traits() and two.amount in (None, Amount(1, 1))
+    bare = bare and isinstance(two, Noun) and two.part_of is None and not two.conditions
+    further = bare or (isinstance(two, Pronoun) and two.word == "one")
+    return replace(one, det="another", span=two.span) if single and further and two is not None else two
 
 
 def _taken(chain: Chain) -> Chain:

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import GoalPatch
-from rpg.ir.relations import InRegion
+from rpg.ir.goal import Goal
+from rpg.ir.relations import InRegion, Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
@@ -71,8 +72,27 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
         unsaid = any(note.startswith("the number of") for note in task.assumptions)
         if unsaid and _TWO_SIZES.search(text):
             raise _asked(sentence, "it is not said how many of each size there are", "say how many there are of each")
+        _place_of_another(sentence, text, found)
         if _IT_IS.match(text) and _distractors(task):
             raise _asked(sentence, "it is not clear of which block this is said", "name the block")
+
+
+_SAME_CORNER = re.compile(r"\bin (?:exactly )?(?:the|that) (?:very )?same (?:corner|edge)\b")
+_NOT = re.compile(r"\b(?:not|never|neither|no|none)\b")
+_PUT_THERE = re.compile(
+    r"\b(?:put|place|set|lay|move|bring|go|goes|come|comes|belongs?|be)(?: \w+)* (?:where it (?:is|was)|(?:in|at|on|to|"
+    r"into) (?:its|(?:exactly )?(?:the|that) (?:very )?same) (?:place|spot|position|location))(?: instead| too| as well)?$"
+)
+_OWN = re.compile(r"\b(?:back|left|kept|keep|keeping|leave|leaving|stay|remain|own|still|again|held)\b")
+
+
+def _place_of_another(sentence: Sequence[Token], text: str, found: Sequence[Goal]) -> None:
+    """Refuse "A is on the mat. B should be in the same place" as B where it is, and "the same corner" as any."""
+    corners = any(isinstance(x, InRegion) and x.region in ("corner", "edge") for x in found)
+    if _SAME_CORNER.search(text) and (corners or _NOT.search(text)):
+        raise _asked(sentence, "it is not clear with what this is in the same corner", "name the corner of each block")
+    if _PUT_THERE.search(text) and not _OWN.search(text) and any(isinstance(x, Stayed) for x in found):
+        raise _asked(sentence, "its own place, or that of another block?", "say 'stays where it is', or name the place")
 
 
 def _distractors(task: TaskSchema) -> bool:

@@ -98,7 +98,8 @@ def without_turns(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], list[T
     stretch: list[Token] = []
     n = 0
     while n < len(words):
-        found = _statement(text, places[n]) if not n or words[n] in _BOUNDS or words[n - 1] in _BOUNDS else None
+        bound = not n or words[n] in _BOUNDS or words[n - 1] in _BOUNDS
+        found = _statement(text, places[n]) if bound and not _excepted(words, n) else None
         if found is None:
             rest.append(tokens[n])
             n += 1
@@ -115,6 +116,17 @@ def without_turns(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], list[T
     except Unclear:
         return
     yield rest, stretch, told
+
+
+def _excepted(words: Sequence[str], n: int) -> bool:
+    """ "All but (B should be upside down)": who this is of begins before."""
+    but = n if words[n] == "but" else n - 1
+    return but > 0 and words[but] == "but" and words[but - 1] in _WHOLE
+
+
+_WHOLE = frozenset({"all", "everything", "each", "every", "none", "nothing", "cubes", "blocks", "letters", "digits",
+                    "them", "these", "those", "ones"})  # fmt: skip
+"""Of these "but" takes something out."""
 
 
 def _statement(text: str, at: int) -> tuple[int, tuple[str, str, str]] | None:

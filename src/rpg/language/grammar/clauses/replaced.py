@@ -18,6 +18,7 @@ _INSTEAD = ("in place of", "in the place of", "instead of")
 _IS = ("is", "was", "stands", "lies", "sits", "stood", "lay")
 _BE = ("should be", "must be", "is to be", "has to be", "shall be", "is", "gets", "will be")
 _TAKES = ("takes", "should take", "must take", "has to take", "is to take", "shall take", "will take")
+_GOES = ("goes", "should go", "must go", "has to go", "is to go", "shall go", "will go", "comes", "should come")
 _REPLACES = ("replaces", "should replace", "must replace", "is to replace", "has to replace", "shall replace")
 _ENDS = frozenset({"", ",", ";", ".", ":", "and", "then", "but", "so", "instead"})
 
@@ -83,6 +84,8 @@ def _of_the_new(p: Parser, i: int) -> Results[Clause]:
     """ "A blue block should take the place of the red one", "let it take its place"."""
     let = p.any_of(i, ("let", "have"))
     for new, j in noun_phrase(p, let or i):
+        goes = p.any_of(j, ("go",) if let else _GOES)
+        yield from _its_place(p, i, goes, None, new) if goes else ()
         takes = p.any_of(j, ("take",) if let else _TAKES)
         its = p.any_of(takes, ("its place", "its position")) if takes else 0
         if its and isinstance(new, Noun):

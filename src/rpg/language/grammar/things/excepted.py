@@ -44,7 +44,10 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int, op: st
         for item, j in noun_phrase(p, p.reach(comma + 1)):
             item = _of_its_kind(items[0], item)
             named = ("the", "all", "bare") if taken == "none but" and not _so_many(item) else ("the", "all")
-            if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in named):
+            shown = isinstance(item, Noun) and bool(item.traits.labels)
+            if isinstance(item, Coord) or (
+                isinstance(item, Noun) and not item.part_of and (item.det in named or shown)
+            ):
                 yield Coord(op=str(taken), items=(*items, item), span=p.span(i, j)), j
     if isinstance(items[0], TableTop):
         return  # "(all go to the left side of) the table except the red one": out of all of them

@@ -73,7 +73,8 @@ _THERE = ("present", "also present", "in the scene", "around", "lying around", "
 
 _TURNED = frozenset({"turn", "turned", "rotate", "rotated", "flip", "flipped", "spin", "spun", "facing", "faces"})
 _PLACED = frozenset({"on", "onto", "in", "into", "to", "behind", "under", "beside", "near", "next", "of", "above",
-                     "touch", "touches", "touching", "together", "adjacent", "against"})  # fmt: skip
+                     "touch", "touches", "touching", "together", "adjacent", "against", "leave", "leaves", "off",
+                     "from", "out", "move", "moved", "remove", "removed"})  # fmt: skip
 
 
 @rule
@@ -85,8 +86,8 @@ def spare(p: Parser, i: int) -> Results[Clause]:
         j = (p.any_of(j, _IN_IT) or j) if p.words[over - 1] == "without" else j
         elliptic = isinstance(theme, Noun) and theme.head == "any" and theme.det == "the"
         elliptic = elliptic or (isinstance(theme, Pronoun) and theme.word in _OTHERS)
-        if p.words[over - 1] == "not" and elliptic and not _PLACED.isdisjoint(p.words[:i]):
-            continue  # "on the red mat, not the blue one": perhaps the blue mat
+        if p.words[over - 1] == "not" and elliptic and (i == 0 or not _PLACED.isdisjoint(p.words[:i])):
+            continue  # "on the red mat, not the blue one": perhaps the blue mat; "(put red there.) Not the others"
         if isinstance(theme, Pronoun) and theme.word in ("each other", "one another", "all", "all of them"):
             continue  # "red and blue touch green, but not each other", "at least two of them, but not all"
         if p.words[over - 1] == "not" and not _TURNED.isdisjoint(p.words[:i]):

@@ -168,7 +168,7 @@ def _untouched(clause: Clause, theme: Ref, scene: Scene, span: Span) -> g.Goal:
         return conj(turned_of(theme, partial(unturned, span=span), span, done=True), span)
     now = [m for m in scene.mentions if m.clause == scene.clause]
     placed = next((m.ref for m in now if m.role == "theme" and m.ref.names), None)
-    marks = {n for m in now if m.role == "landmark" and m.rel for n in m.ref.names}
+    marks = {n for m in now if m.role == "landmark" and m.rel not in ("", "on") for n in m.ref.names}
     of_these = not isinstance(clause.theme, Pronoun) or clause.theme.word in _LANDMARKS
     if clause.verb == "touch" and placed is not None and of_these and marks & set(theme.names):
         pairs = product(placed.names, theme.names)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Pronoun, TableTop, Traits, replace
@@ -44,7 +45,7 @@ def only_here(theme: Ref, region: In, scene: Scene) -> Ref:
     """ "only the red block is in the left half": it is, and no other block that the task has."""
     if region.negated or theme.quant is not None:
         raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
-    scene.exclusive.append(Exclusive(theme.names, _in(region), region.span, Traits()))
+    _of_no_other(theme.names, _in(region), region.span, scene)
     return replace(theme, op="and")
 
 
@@ -57,8 +58,14 @@ def only_on_table(theme: Ref, loc: Loc, scene: Scene) -> Ref:
         raise refuse("ambiguous", "is no other block to lie on the table, or to be put there?", theme.span,
                      "say which blocks should not be on the table")  # fmt: skip
     there: Callable[[str], g.Goal] = lambda n: r.OnTable(a=(n,), span=loc.span)  # noqa: E731
-    scene.exclusive.append(Exclusive(theme.names, there, loc.span, Traits()))
+    _of_no_other(theme.names, there, loc.span, scene)
     return replace(theme, op="and")
+
+
+def _of_no_other(names: tuple[str, ...], there: Callable[[str], g.Goal], span: Span, scene: Scene) -> None:
+    """It holds of no other block; where it is denied, "only the red one should not be on the mat", of all others."""
+    told: Callable[[str], g.Goal] = (lambda n: g.Not(goal=there(n), span=span)) if scene.denying else there
+    scene.exclusive.append(Exclusive(names, told, span, Traits()))
 
 
 def alone_there(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -> tuple[Ref, Ref]:
@@ -66,7 +73,7 @@ def alone_there(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -
     if theme.op == "only":
         return only_on(theme, mark, loc, scene, relate), mark
     if loc.rel in ("touching", "beside", "adjacent") and not mark.patch:
-        if loc.negated or len(theme.names) > 1:
+        if loc.negated or scene.denying or len(theme.names) > 1:
             raise refuse("misplaced", "'only' does not fit this", loc.span, "say what is not to be beside it")
         there = replace(mark, op="and")
         no_other: Callable[[str], g.Goal] = lambda n: relate(theme, Ref(names=(n,)), loc, scene, loc.span)  # noqa: E731
@@ -81,12 +88,12 @@ def only_on(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -> Re
         there: Callable[[str], g.Goal] = _related(mark, loc, scene, relate)
         if loc.rel == "on":
             there = lambda n: r.On(a=(n,), b=mark.names, span=loc.span)  # noqa: E731
-        scene.exclusive.append(Exclusive((*theme.names, *mark.names), there, loc.span, Traits()))
+        _of_no_other((*theme.names, *mark.names), there, loc.span, scene)
         return replace(theme, op="and")
     if not mark.patch or loc.rel not in ("on", "in") or loc.negated or theme.quant is not None:
         raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
     for patch in mark.names:
-        scene.exclusive.append(Exclusive(theme.names, _on(patch, loc), loc.span, Traits()))
+        _of_no_other(theme.names, _on(patch, loc), loc.span, scene)
     return replace(theme, op="and")
 
 

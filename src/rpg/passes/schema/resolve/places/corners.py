@@ -11,7 +11,8 @@ from rpg.ir.node import EACH
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, In, Meaning, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
-from rpg.passes.schema.resolve.places.patches import indefinite, one_lot_each
+from rpg.passes.schema.resolve.places.lots import one_lot_each
+from rpg.passes.schema.resolve.places.patches import indefinite
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse

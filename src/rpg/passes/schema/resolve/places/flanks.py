@@ -7,7 +7,8 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Loc
 from rpg.passes.schema.resolve.goals.logic import conj, disj
-from rpg.passes.schema.resolve.places.patches import indefinite, one_lot_each
+from rpg.passes.schema.resolve.places.lots import one_lot_each
+from rpg.passes.schema.resolve.places.patches import indefinite
 from rpg.passes.schema.resolve.things.operands import foot
 from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse

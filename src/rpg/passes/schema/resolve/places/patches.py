@@ -11,6 +11,7 @@ from rpg.ir.node import EACH, members
 from rpg.ir.schema import COLORS_UNSAID
 from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
+from rpg.passes.schema.resolve.places.lots import one_lot_each
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.second_patch import the_only_patch
@@ -39,6 +40,9 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     if indefinite(theme) and theme.quant is None and not (mark.each or theme.built or scene.denying):
         theme = replace(theme, names=scene.fit(theme.names, len(patches)))  # "red blocks on all three mats"
     if scene.denying and mark.det == "both":
+        if len(theme.names) == 1:
+            raise refuse("ambiguous", "no block is on both at once: is it to be on neither?", span,
+                         "say 'on neither', or 'not on the red one'")  # fmt: skip
         return conj([_on_patch(theme, p, span) for p in patches], span)
     one = len(theme.names) == 1 or (theme.each and not theme.built and len(mark.parts) > 1)
     if (one and not mark.each and not scene.denying) or theme.op not in ("and", "except"):
@@ -232,38 +236,6 @@ def each_its_own(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> list[tuple[Re
         return None
     pairs = zip(theme.names, mark.names, strict=True)
     return [(Ref(names=(a,)), Ref(names=(b,), patch=mark.patch)) for a, b in pairs]
-
-
-def one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
-    """ "two blocks on each patch": as many again for every further patch."""
-    made = [theme.names]
-    for _ in range(lots - 1):
-        more = []
-        for name in theme.names:
-            like = scene.things[name]
-            if like.declared:
-                more.append(_next_declared(name, scene))
-                continue
-            new = scene.fresh(color=like.color, kind=like.kind, size=like.size, edge=like.edge, scheme=like.scheme)
-            new.batch = like.batch
-            scene.used.add(new.name)
-            more.append(new.name)
-        made.append(tuple(more))
-    for mention in (m for m in scene.mentions if m.clause == scene.clause and m.ref.names == theme.names):
-        mention.ref = replace(mention.ref, names=tuple(n for lot in made for n in lot), plural=True)
-    return made
-
-
-def _next_declared(name: str, scene: Scene) -> str:
-    """A further block like one of those that there are said to be."""
-    like = scene.things[name]
-    look = (like.color, like.label, like.kind, like.size, like.edge)
-    for thing in scene.blocks():
-        here = (thing.color, thing.label, thing.kind, thing.size, thing.edge)
-        if thing.declared and not thing.extra and here == look and thing.name not in scene.used:
-            scene.used.add(thing.name)
-            return thing.name
-    raise refuse("too-many-asked", "there are not so many of these blocks", None, "name more blocks, or fewer patches")
 
 
 def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:

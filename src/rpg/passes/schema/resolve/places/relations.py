@@ -20,6 +20,7 @@ from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.compared import compared as compared_far
 from rpg.passes.schema.resolve.places.corners import corners, from_their_halves, in_region, of_something_else
 from rpg.passes.schema.resolve.places.flanks import flanked
+from rpg.passes.schema.resolve.places.lots import one_lot_each
 from rpg.passes.schema.resolve.places.moved import begins_on, note_taken, off_patches, off_what, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
     COMPARED,
@@ -39,7 +40,6 @@ from rpg.passes.schema.resolve.places.patches import (
     matching_patches,
     on_patches,
     on_separate_patches,
-    one_lot_each,
 )
 from rpg.passes.schema.resolve.places.side_lengths import MEASURES, so_large
 from rpg.passes.schema.resolve.places.some_of_them import none_of_others, to_each_other, to_others
@@ -51,6 +51,7 @@ from rpg.passes.schema.resolve.things.operands import (
     LEVEL,
     carrier,
     check_one_on_many,
+    check_same_one,
     count,
     crown,
     far_from_any,
@@ -292,6 +293,7 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
     if mark.op == "or":
         return disj([_landmarks(theme, part, loc, scene, span) for part in mark.parts], span)
     mark = one_on_one(theme, far_from_any(mark, loc), loc)
+    check_same_one(theme, mark, loc)
     if first_of_all(theme, mark, loc):
         return spread(theme, lambda a: _landmarks(Ref(names=tuple(a)), mark, loc, scene, span), span)  # type: ignore[arg-type]
     if (quant := mark.quant) is not None:

@@ -90,7 +90,9 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=names, plural=True, each=False) if names else whichever_there_are(word, scene, scope)
     if word.word == "one" or word.word in ("each", "each one", "each of them", "either of them"):
         return _one(word, scene, scope)
-    return them(word, scene, scope)
+    found = them(word, scene, scope)
+    both = word.word in ("both", "both of them") and scope.role == "landmark" and found.patch
+    return replace(found, det="both") if both else found
 
 
 def _not_acted_on(scene: Scene) -> tuple[str, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import GoalPatch
@@ -48,7 +49,9 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
     """
     found = list(atoms(task.goal))
     towers = [{*x.blocks} for x in found if isinstance(x, Stack)]
-    for sentence in sentences(tokens):
+    for before, sentence in zip([None, *(told := sentences(tokens))], told, strict=False):
+        if before is not None:
+            _corrected(before, sentence, task)
         text = " ".join(token.word for token in sentence if token.word not in (".", "!", "?"))
         grouped = [x.groups[0] for x in found if isinstance(x, GroupBy) and x.groups and len(x.groups) == 1]
         if any({*x} in towers and len(x) < len(task.blocks) for x in grouped) and _TOUCHING.search(text):
@@ -81,9 +84,18 @@ _SAME_CORNER = re.compile(r"\bin (?:exactly )?(?:the|that) (?:very )?same (?:cor
 _NOT = re.compile(r"\b(?:not|never|neither|no|none)\b")
 _PUT_THERE = re.compile(
     r"\b(?:put|place|set|lay|move|bring|go|goes|come|comes|belongs?|be)(?: \w+)* (?:where it (?:is|was)|(?:in|at|on|to|"
-    r"into) (?:its|(?:exactly )?(?:the|that) (?:very )?same) (?:place|spot|position|location))(?: instead| too| as well)?$"
+    r"into) (?:its|(?:exactly )?(?:the|that) (?:very )?same) (?:place|spot|position|location))"
+    r"(?: instead| too| as well)?$"
 )
 _OWN = re.compile(r"\b(?:back|left|kept|keep|keeping|leave|leaving|stay|remain|own|still|again|held)\b")
+
+
+def _corrected(before: Sequence[Token], sentence: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put red on the mat. Put blue there instead" as both: the second is in place of the first."""
+    words = [token.word for token in sentence]
+    later = any(a == "instead" and b != "of" for a, b in pairwise([*words, ""]))
+    if later and before[0].word in lexicon.COMMANDS and not task.init.arranged:
+        raise _asked(sentence, "is what was said before not to be done then?", "leave out what is not to be done")
 
 
 def _place_of_another(sentence: Sequence[Token], text: str, found: Sequence[Goal]) -> None:

@@ -181,6 +181,14 @@ def _same_mark(one: Meaning | None, other: Meaning | None) -> bool:
     return isinstance(one, TableTop) and isinstance(other, TableTop)
 
 
+def _on_that(place: Meaning, mark: Meaning | None) -> Meaning:
+    """ "Red is on blue. Green should be there instead": on the blue block, which is what the other leaves."""
+    known = replace(mark, det="the" if mark.det == "a" else mark.det) if isinstance(mark, Noun) else None
+    block = known is not None and known.head != "patch"
+    there = isinstance(place, Loc) and isinstance(place.landmark, Pronoun)
+    return replace(place, landmark=known) if block and there and isinstance(place, Loc) else place
+
+
 def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """ "On the mat there is a red block. Put the green one there instead": what is there gives way to it."""
     for n, (before, after) in enumerate(pairwise(chains)):
@@ -199,7 +207,7 @@ def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         begun = fact if fact.mode == "start" else replace(fact, verb="be", lemma="fact", mode="start")
         known = replace(theme, det="the" if theme.det == "a" else theme.det, amount=None)
         gone = Clause(verb="be", theme=known, adjuncts=fact.adjuncts, negated=True, mode="goal", span=end.span)
-        put = replace(end, adjuncts=tuple(a for a in end.adjuncts if a not in told))
+        put = replace(end, adjuncts=tuple(_on_that(a, spots[0][0]) for a in end.adjuncts if a not in told))
         chains = (*chains[:n], replace(before, clauses=(*before.clauses[:-1], begun)),
                   replace(after, clauses=(put, gone), links=(after.links[0], "and")), *chains[n + 2 :])  # fmt: skip
     return chains

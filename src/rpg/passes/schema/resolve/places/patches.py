@@ -56,11 +56,7 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         )
     _each_or_together(theme, mark, span)
     if mark.each and indefinite(theme) and not theme.built:
-        lots = one_lot_each(theme, len(patches), scene)
-        if _unnamed(lots, scene):
-            names, each = tuple(n for lot in lots for n in lot), len(lots[0])
-            return conj([_so_many(names, p, each, each, span) for p in patches], span)
-        return conj([r.OnPatch(a=lot, patch=p, span=span) for lot, p in zip(lots, patches, strict=True)], span)
+        return _a_lot_each(theme, patches, scene, span)
     units = theme.built if len(theme.built) == len(patches) else ()
     whole = not units and len(theme.built) == 1 and (mark.each or theme.built[0].kind == "stack")
     as_many = units or (len(theme.names) == len(patches) and not whole)
@@ -83,6 +79,15 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse("ambiguous", "it is not said how many patches there are, and which block goes on which", span,
                      "say how many, and 'one on each', or name the patch of each")  # fmt: skip
     return _on_any(replace(theme, built=()), patches, span)
+
+
+def _a_lot_each(theme: Ref, patches: tuple[str, ...], scene: Scene, span: Span) -> g.Goal:
+    """ "A red block on each patch": as many again for every patch."""
+    lots = one_lot_each(theme, len(patches), scene)
+    if _unnamed(lots, scene):
+        names, each = tuple(n for lot in lots for n in lot), len(lots[0])
+        return conj([_so_many(names, p, each, each, span) for p in patches], span)
+    return conj([r.OnPatch(a=lot, patch=p, span=span) for lot, p in zip(lots, patches, strict=True)], span)
 
 
 def _on_the_same(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:

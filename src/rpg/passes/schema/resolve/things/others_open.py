@@ -55,6 +55,13 @@ def made_up(span: Span, left: list[Thing], scene: Scene, patch: bool) -> Ref | N
     return Ref(names=names, plural=True)
 
 
+def not_acted_on(scene: Scene) -> tuple[str, ...]:
+    """The blocks that were named as what others are put on, or beside, and of which nothing else is wanted."""
+    there = [m for m in scene.mentions if not m.ref.patch and not m.start and m.role != "given"]
+    moved = {n for m in there if m.role != "landmark" for n in m.ref.names}
+    return tuple(dict.fromkeys(n for m in there for n in m.ref.names if n not in moved))
+
+
 def of_the_start(noun: Noun, scene: Scene, patch: bool) -> list[Thing]:
     """ "Green is on blue and blue on red. Put green on the table; leave the others": those of which no more was said
     than how they start."""

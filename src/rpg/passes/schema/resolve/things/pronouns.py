@@ -9,7 +9,7 @@ from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.left_of_them import check_no_extra_since, of_the_last, the_like_of_it
 from rpg.passes.schema.resolve.things.off_it import check_off_it
-from rpg.passes.schema.resolve.things.others_open import made_up, of_the_start
+from rpg.passes.schema.resolve.things.others_open import made_up, not_acted_on, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone, one_of_the_patches, only_one_patch
 from rpg.passes.schema.resolve.things.them import each_whole, them, whichever_there_are
@@ -61,7 +61,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                          "say how many there are of all", there=len(found.names))  # fmt: skip
         if word.word == "another" and any(there.values()) and not found.patch and not set(found.names) & set(there):
             raise refuse("ambiguous", "it is not said what this block looks like", word.span, "name its colour")
-        return replace(found, not_acted_on=_not_acted_on(scene)) if word.word in _ALL_ELSE else found
+        return replace(found, not_acted_on=not_acted_on(scene)) if word.word in _ALL_ELSE else found
     if word.word in ("the latter", "the former"):
         return _one_of_two(word, scene)
     if word.word == "which":
@@ -93,13 +93,6 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     found = them(word, scene, scope)
     both = word.word in ("both", "both of them") and scope.role == "landmark" and found.patch
     return replace(found, det="both") if both else found
-
-
-def _not_acted_on(scene: Scene) -> tuple[str, ...]:
-    """The blocks that were named as what others are put on, or beside, and of which nothing else is wanted."""
-    there = [m for m in scene.mentions if not m.ref.patch and not m.start and m.role != "given"]
-    moved = {n for m in there if m.role != "landmark" for n in m.ref.names}
-    return tuple(dict.fromkeys(n for m in there for n in m.ref.names if n not in moved))
 
 
 _NUMBERED = {"the first one": 0, "the second one": 1, "the other one": None, "the other": None}

@@ -66,6 +66,7 @@ WORDIER_AT_ONCE: tuple[Turn, ...] = (
     (f"^((?:to|on|behind|in front of|next to|beside) .*?\\b(?:a|the) {LINE}) , ((?:in|on) which [^,]+) , (.+)$",
      "{1} {2} {3}"),
     # the same place in other words
+    ("\\bbe moved off$", "be taken off"),
     (f"\\b((?:nearer|closer) to {ME} than [^,]+?){_THAT_IS} in front of (?:it|that)$", "{1}"),
     (f"\\b(in front of [^,]+?){_THAT_IS} (?:nearer|closer) to {ME}$", "{1}"),
     (f"\\b(behind [^,]+?){_THAT_IS} (?:(?:farther|further)(?: away)? from {ME}|(?:farther|further) away)$", "{1}"),

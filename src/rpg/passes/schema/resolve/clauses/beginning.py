@@ -47,6 +47,7 @@ from rpg.passes.schema.resolve.clauses.put_back import put_back
 from rpg.passes.schema.resolve.clauses.shown_first import presented, shown, wanted_elsewhere
 from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it, they_begin_as
 from rpg.passes.schema.resolve.clauses.told_then_asked import told_then_asked
+from rpg.passes.schema.resolve.clauses.wished_after import wished_after
 from rpg.passes.schema.resolve.clauses.worded_first import worded_first
 
 UNMEANT = frozenset({"contradiction", "support-cycle"})
@@ -117,7 +118,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
             )
             chain = replace(chain, clauses=clauses)
         found.append(borne_in_turn(chain))
-    return tuple(found)
+    return wished_after(tuple(found), text, final)
 
 
 def _lying_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:

@@ -51,6 +51,8 @@ def impossible(goal: g.Goal, parts: list[g.Goal]) -> bool:
             children = goal.goals
         case g.Count():
             few, most, children = goal.at_least, goal.at_most, instances(goal)
+        case g.Not(goal=g.Count(at_most=None) as count):  # "no more than one"
+            few, most, children = 0, count.at_least - 1, instances(count)
         case _:
             return False
     left = sum(not any(clash(x, part) for x in required(child) for part in parts) for child in children)

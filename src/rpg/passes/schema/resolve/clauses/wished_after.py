@@ -1,0 +1,79 @@
+""" "The A is on the B. The B should be on the C": what is so, and in the next sentence what should be so. The first is
+how it starts; it is still wanted at the end where nothing that it tells of is to be elsewhere."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rpg.language.meaning import Chain, Clause, Meaning, Noun, Pronoun, Structure, Traits, parts_of, replace
+from rpg.passes.schema.resolve.clauses.begun_facts import indicative
+from rpg.passes.schema.resolve.clauses.joined_facts import asked_of
+
+_SHOULD = re.compile(r"\b(?:must|should|shall|has to|have to|needs? to|ought)\b", re.IGNORECASE)
+_STOP = re.compile(r"[.!?]")
+
+
+def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) -> tuple[Chain, ...]:
+    """The sentences, with such facts told of the start. `final`: which of them tell of the end anyway."""
+    found = list(chains)
+    for n, chain in enumerate(chains):
+        wish = None if final[n] or not _so(chain, text) else _wish(chains, n, text)
+        if wish is None:
+            continue
+        facts = tuple(c for c in chain.clauses if isinstance(c, Clause))
+        begun = tuple(replace(c, mode="start") for c in facts)
+        if any(_of_these(wish.theme, fact) for fact in facts):
+            found[n] = replace(chain, clauses=begun)
+        elif all(map(_definite, facts)):
+            found[n] = replace(chain, clauses=(*begun, *facts), links=(*chain.links, *chain.links))
+    return tuple(found)
+
+
+def _so(chain: Chain, text: str) -> bool:
+    """Whether a sentence of its own says how it is."""
+    said = text[slice(*chain.span)]
+    ended = _STOP.match(text[chain.span[1] :].lstrip()) is not None
+    told = indicative(chain, text) and all(isinstance(c, Clause) and c.lemma == "fact" for c in chain.clauses)
+    return ended and (told or _made_so(chain, said)) and _SHOULD.search(said) is None
+
+
+def _made_so(chain: Chain, said: str) -> bool:
+    """ "A, B and C are stacked", "the letters spell STOP": one structure, in the indicative."""
+    made = chain.clauses[0]
+    one = len(chain.clauses) == 1 and isinstance(made, Clause) and made.verb in _MAKING and not made.negated
+    return one and isinstance(made, Clause) and made.mode == "goal" and _IS.search(said) is not None
+
+
+_MAKING = ("stack", "build", "arrange", "spell")
+_IS = re.compile(r"\S \b(?:is|are|forms?|makes?|spells?|reads?|shows?|stands?|lies?)\b", re.IGNORECASE)
+
+
+def _wish(chains: tuple[Chain, ...], n: int, text: str) -> Clause | None:
+    """What the first sentence behind the facts asks for, where it says that something should be somewhere."""
+    after = next((chain for chain in chains[n + 1 :] if not _so(chain, text)), None)
+    asked = asked_of(after) if after is not None else None
+    if not isinstance(asked, Clause) or asked.mode != "goal" or asked.negated or asked.theme is None:
+        return None
+    return asked if _SHOULD.search(text[slice(*asked.span)]) is not None else None
+
+
+def _of_these(theme: Meaning | None, fact: Clause) -> bool:
+    """Whether it is one of the things that the fact tells of, or "it", "they"."""
+    if isinstance(theme, Pronoun):
+        return True
+    named = [x.traits for x in parts_of(fact) if isinstance(x, Noun) and x.head != "patch"]
+    return any(_looks_so(x.traits, one) for x in parts_of(theme) if isinstance(x, Noun) for one in named)
+
+
+def _looks_so(traits: Traits, told: Traits) -> bool:
+    """Whether a look is that of one of the blocks that a noun tells of: "C" of "A, B and C"."""
+    looks = {*traits.colors, *traits.labels}
+    among = looks <= {*told.colors, *told.labels} and traits.size in (None, told.size)
+    return among and bool(looks or traits.size)
+
+
+def _definite(fact: Clause) -> bool:
+    nouns = [x for x in parts_of(fact) if isinstance(x, Noun)]
+    known = all(x.det in ("the", "bare") and not x.amount and not x.plural for x in nouns)
+    return known and not any(isinstance(x, Structure) for x in parts_of(fact))

@@ -23,7 +23,8 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.bare_starts import bare_starts
-from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, indicative, lined_up_first, named_there, wanted
+from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, indicative, lined_up_first, named_there
+from rpg.passes.schema.resolve.clauses.heap_first import heap_first, heap_for
 from rpg.passes.schema.resolve.clauses.in_parts import before_orders, lie_so, says_where
 from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
@@ -84,15 +85,15 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     commands = [n for n in commands if final[n] or not how_far_off(chains[n - 1 : n + 1])]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [
-        x or (n < max(undone, default=0) and ((_facts(chains[n]) and not final[n]) or _looked_at(chains, n, text)))
+        x or (n < max(undone, default=0) and ((_so(chains[n], text) and not final[n]) or _looked_at(chains, n, text)))
         for n, x in enumerate(told)
     ]
-    chains = tuple(_heap_first(chain, chains[n + 1 : n + 2]) for n, chain in enumerate(chains))
+    chains = tuple(heap_first(chain, chains[n + 1 : n + 2]) for n, chain in enumerate(chains))
     ordered = [n for n, chain in enumerate(chains) if orders_something(chain)]
     heaped = [
         n
         for n, chain in enumerate(chains)
-        if n < max(ordered, default=0) and (_heaped(chain) or _heap_for(chain, chains[n + 1]))
+        if n < max(ordered, default=0) and (_heaped(chain) or heap_for(chain, chains[n + 1]))
     ]
     heaped += [n for n in range(max(ordered, default=0)) if presented(chains, n, text)]
     heaped += _going_on(chains, final)
@@ -322,48 +323,13 @@ def _heaped(chain: Chain) -> bool:
     return _facts(chain) and bool(shapes) and all(isinstance(x, Structure) and x.kind == "pile" for x in shapes)
 
 
-def _made_of_them(order: Clause) -> bool:
-    """ "make a row of them", "... of the red ones"."""
-    them = any(
-        part.word in ("them", "these", "those", "it")
-        if isinstance(part, Pronoun)
-        else isinstance(part, Noun) and part.head != "patch" and part.det in ("the", "all", "each")
-        for part in parts_of(order)
-    )
-    return them and order.verb in ("build", "stack", "arrange", "sort", "spell")
-
-
-def _heap_for(chain: Chain, after: Chain) -> bool:
-    """ "five cyan blocks in a heap. make a row out of them": the heap is there at the start."""
-    heap, order = chain.clauses[0], after.clauses[0]
-    if not isinstance(heap, Clause) or not isinstance(order, Clause) or order.mode != "command" or order.negated:
-        return False
-    told = heap.adjuncts[0] if len(heap.adjuncts) == 1 else None
-    shape = told.structure if isinstance(told, Into) else None
-    alone = len(chain.clauses) == 1 and (heap.verb, heap.mode) == ("be", "goal") and not wanted(heap)
-    return alone and isinstance(shape, Structure) and shape.kind == "pile" and _made_of_them(order)
-
-
-def _heap_first(chain: Chain, after: tuple[Chain, ...]) -> Chain:
-    """ "A pile of five white cubes. Make a row of them": a heap of which something is made is there at the start."""
-    heap, order = chain.clauses[0], after[0].clauses[0] if after else None
-    if not isinstance(heap, Clause) or not isinstance(order, Clause) or order.mode != "command" or order.negated:
-        return chain
-    shape = heap.theme if (heap.verb, heap.mode) == ("build", "goal") and not heap.adjuncts else None
-    if not isinstance(shape, Structure) or shape.kind != "pile" or shape.plural or not _made_of_them(order):
-        return chain
-    listed = chain.clauses[1] if len(chain.clauses) == 2 and shape.members is None else None
-    told = isinstance(listed, Clause) and listed.verb == "exist" and listed.lemma in ("tally", "stock")
-    if told and isinstance(listed, Clause) and not listed.adjuncts:  # "a heap: 2 red, 2 blue"
-        heap = replace(heap, theme=replace(shape, members=listed.theme))
-    elif len(chain.clauses) > 1:
-        return chain
-    return replace(chain, clauses=(replace(heap, verb="exist", lemma="begun", mode="given"),), links=chain.links[:1])
-
-
 def _facts(chain: Chain, bold: bool = True) -> bool:
     told = [c for c in chain.clauses if not _tally(c)]
     return bool(told) and all(isinstance(c, Clause) and _fact(c, bold) for c in told)
+
+
+def _so(chain: Chain, text: str) -> bool:
+    return _facts(chain) or indicative(chain, text)
 
 
 def _tally(clause: Meaning) -> bool:

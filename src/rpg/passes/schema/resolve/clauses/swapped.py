@@ -9,7 +9,7 @@ from rpg.ir import structures as s
 from rpg.ir.schema import EXCHANGED
 from rpg.ir.walk import names as names_in
 from rpg.language.grammar.clauses.shared import are_patches
-from rpg.language.meaning import Clause, Coord, Loc, Meaning, Noun, Structure, replace
+from rpg.language.meaning import Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, replace
 from rpg.passes.schema.resolve.clauses.replacing import replace_there
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.conflicts import OPPOSITE
@@ -28,6 +28,7 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
                      "say 'swap' of each pair")  # fmt: skip
     told = len(scene.premises)
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    _check_lots(clause, theme, scene)
     parts: tuple[Ref, ...] = theme.parts
     if spec.usings:
         other = refer(spec.usings.pop(0).members, scene, replace(scope, role="landmark"))
@@ -49,6 +50,15 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
     swap = r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)
     return [swap, *_on_each_others(parts[0], parts[1], scene, clause.span)]
+
+
+def _check_lots(clause: Clause, theme: Ref, scene: Scene) -> None:
+    """Refuse "two red blocks are on the mat, two blue ones are not. They should swap" as the two spoken of last."""
+    own = [m for m in scene.mentions if {*theme.names} <= {*m.ref.names} and m.clause < scene.clause]
+    lots = [m.ref.names for m in scene.mentions if own and m.sentence == own[-1].sentence and m.role == "theme"]
+    if isinstance(clause.theme, Pronoun) and any(len(n) > 1 and not {*n} & {*theme.names} for n in lots):
+        raise refuse("ambiguous", "these with each other, or with those named before them?", clause.span,
+                     "say 'swap the red ones with the blue ones'")  # fmt: skip
 
 
 def _on_each_others(one: Ref, other: Ref, scene: Scene, span: Span) -> list[g.Goal]:

@@ -15,9 +15,9 @@ Loose = tuple[Ref, Meaning, Span]
 Ranks = tuple[tuple[str, ...], ...]
 
 
-def of_themselves(loose: list[Loose], goal: g.Goal) -> None:
+def of_themselves(loose: list[Loose], goal: g.Goal, starts: list[g.Goal]) -> None:
     """Refuse "red to the left, green to the right, and blue behind the patch": they may be beside the patch, too; and
-    so they may be beside a row, or at its ends."""
+    so they may be beside a row, or at its ends, also one that is there at the start."""
     own = {name for ref, _, _ in loose for name in ref.names}
     sides = {at_.side for _, at_, _ in loose if isinstance(at_, At)}
     if sides & {"left", "right"} and sides & {"front", "back"}:
@@ -33,7 +33,8 @@ def of_themselves(loose: list[Loose], goal: g.Goal) -> None:
         if not own & {*members(beside.a), *(() if isinstance(beside, r.OnPatch) else members(beside.b))}:
             raise refuse("ambiguous", "this could be a side of the table or of what is spoken of beside it",
                          loose[0][2], "say of what")  # fmt: skip
-    line = next((a for a in atoms(goal) if isinstance(a, s.Row | s.Stack) and not own & {*a.blocks}), None)
+    told = [a for one in (goal, *starts) for a in atoms(one)]
+    line = next((a for a in told if isinstance(a, s.Row | s.Stack) and not own & {*a.blocks}), None)
     around = any(isinstance(a, r.Between) and own & {*members(a.b), *members(a.c)} for a in atoms(goal))
     if line is not None and not around and not any(ref.built for ref, _, _ in loose):
         what = "tower" if isinstance(line, s.Stack) else "line"

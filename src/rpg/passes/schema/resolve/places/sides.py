@@ -101,7 +101,7 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
                          f"say it in the sentence that builds the {other.kind}")  # fmt: skip
         return _and(goal, _stack(loose, goal, scene))
     if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
-        of_themselves(loose, goal)
+        of_themselves(loose, goal, scene.start_goals)
         if any(b.kind in ("row", "line", "column") and {*names} < {*b.members} for b in scene.built):
             raise refuse("ambiguous", "of the row that is there, or of each other?", loose[0][2], "say 'of the row'")
         return _and(goal, _across(loose))

@@ -1,0 +1,91 @@
+"""What is so, and in the next sentence what should be so: which of it is the start, and which the end."""
+
+from __future__ import annotations
+
+import pytest
+
+from rpg.blocks.english import describe
+from rpg.passes.schema.frontend import BuiltinFrontEnd
+
+
+def _told(text: str) -> tuple[str, str]:
+    """What is told of the start, and of the end."""
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is not None, notes
+    sentences = describe(task).replace("\n", " ").split(". ")
+    start = ". ".join(x for x in sentences if x.startswith("At the start"))
+    return start, ". ".join(x for x in sentences if " must " in x)
+
+
+@pytest.mark.parametrize(
+    ("text", "start", "goal"),
+    [
+        ("The A is on the B. The B should be on the C.", "A block is on the B block", "B block must be on the C"),
+        ("A is left of B. B should be on A.", "A block is to the left of the B", "B block must be on the A"),
+        ("A, B and C are stacked. C should be on the table.", "are stacked", "C block must be on the table"),
+        ("Red is on the mat. Blue is on red. Blue must be on the table.", "on the red block", "be on the table"),
+    ],
+)
+def test_what_is_to_be_elsewhere_is_so_at_the_start_alone(text: str, start: str, goal: str) -> None:
+    begun, end = _told(text)
+    assert start in begun
+    assert goal in end
+    assert end.count(" must ") == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "fact"),
+    [
+        ("The A is left of the B. The C should be between them.", "to the left of the B block"),
+        ("The red block is on the mat. The blue one should be there too.", "on the gray patch"),
+        ("The red block is on the blue block. The green block should be on the red block.", "on the blue block"),
+    ],
+)
+def test_what_nothing_moves_is_so_at_the_start_and_at_the_end(text: str, fact: str) -> None:
+    begun, end = _told(text)
+    assert fact in begun
+    assert fact in end
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The red block must be on the blue block. The green block must be on the red block.",
+        "The red block is on the blue block. The green block is on the red block.",
+        "The red cube is on the yellow cube. The blue cube must not be on it.",
+    ],
+)
+def test_what_is_said_in_one_way_is_all_of_the_end(text: str) -> None:
+    assert _told(text)[0] == ""
+
+
+def test_what_is_so_now_is_the_start() -> None:
+    begun, end = _told("Put A on B. B is now on C.")
+    assert "B block is on the C block" in begun
+    assert "on the C block" not in end
+
+
+def test_no_more_than_one_of_three_that_are_there_is_a_change() -> None:
+    begun, end = _told("Three red blocks are on the mat. Don't leave more than one there.")
+    assert "three red blocks are on the gray patch" in begun
+    assert "At most one of the three red blocks must be on the gray patch" in end
+
+
+def test_moved_off_is_off() -> None:
+    begun, end = _told("Three red blocks are on the mat. At least one should be moved off.")
+    assert "three red blocks are on the gray patch" in begun
+    assert "At least one of the three red blocks must not be on the gray patch" in end
+
+
+def test_what_is_swapped_is_told_of_before() -> None:
+    begun, end = _told("The red block is on the mat. The blue one is not. Swap them.")
+    assert "red block is on the gray patch" in begun
+    assert "blue block is not on the gray patch" in begun
+    assert "must swap places" in end
+    for text in (
+        "Two red blocks are on the patch and two blue ones are not. They should change places.",
+        "There is a row of A, B and C. Put D at the left end and E at the right end.",
+    ):
+        task, notes = BuiltinFrontEnd().read(text)
+        assert task is None
+        assert notes[0].code == "ambiguous"

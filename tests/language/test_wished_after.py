@@ -89,3 +89,19 @@ def test_what_is_swapped_is_told_of_before() -> None:
         task, notes = BuiltinFrontEnd().read(text)
         assert task is None
         assert notes[0].code == "ambiguous"
+
+
+@pytest.mark.parametrize(
+    ("wish", "goal"),
+    [
+        ("Exactly one should remain.", "Exactly one of the three red blocks must be on the gray patch"),
+        ("None should remain.", "The gray patch must be empty"),
+        ("At most two should stay.", "At most two of the three red blocks must be on the gray patch"),
+        ("Leave two there.", "Exactly two of the three red blocks must be on the gray patch"),
+    ],
+)
+def test_so_many_remain_where_they_were_told_to_be(wish: str, goal: str) -> None:
+    begun, end = _told(f"Three red blocks are on the mat. {wish}")
+    assert "three red blocks are on the gray patch" in begun
+    assert end.endswith(goal) or end.endswith(goal + ".")
+    assert end.count(" must ") == 1

@@ -6,7 +6,21 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.meaning import Chain, Clause, Meaning, Noun, Pronoun, Structure, Traits, parts_of, replace
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    In,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    Traits,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.begun_facts import indicative
 from rpg.passes.schema.resolve.clauses.joined_facts import asked_of
 
@@ -16,6 +30,7 @@ _STOP = re.compile(r"[.!?]")
 
 def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) -> tuple[Chain, ...]:
     """The sentences, with such facts told of the start. `final`: which of them tell of the end anyway."""
+    chains = tuple(_so_many_left(chain) for chain in chains)
     found = list(chains)
     for n, chain in enumerate(chains):
         wish = None if final[n] or not _so(chain, text) else _wish(chains, n, text)
@@ -25,9 +40,39 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
         begun = tuple(replace(c, mode="start") for c in facts)
         if any(_of_these(wish.theme, fact) for fact in facts):
             found[n] = replace(chain, clauses=begun)
+            found = [_remaining(x, wish, facts[-1]) for x in found]
         elif all(map(_definite, facts)):
             found[n] = replace(chain, clauses=(*begun, *facts), links=(*chain.links, *chain.links))
     return tuple(found)
+
+
+def _so_many_left(chain: Chain) -> Chain:
+    """ "(Three red blocks are on the mat.) Leave one there": just one of them is to be there."""
+    left = chain.clauses[0]
+    there = isinstance(left, Clause) and left.lemma == "leave" and len(left.adjuncts) == 1 and not left.negated
+    place = left.adjuncts[0] if there and isinstance(left, Clause) else None
+    on = isinstance(place, Loc) and isinstance(place.landmark, Pronoun) and place.landmark.word == "there"
+    if not on or not isinstance(left, Clause) or len(chain.clauses) > 1:
+        return chain
+    one = isinstance(left.theme, Pronoun) and left.theme.word == "one"
+    many = Amount(1, 1) if one else getattr(left.theme, "amount", None)
+    bare = one or (isinstance(left.theme, Noun) and left.theme.head == "any" and left.theme.traits == Traits())
+    if many is None or not bare or left.theme is None:
+        return chain
+    span = left.theme.span
+    some = Noun(head="any", det="some", amount=many._replace(strict=True), plural=True,
+                part_of=Pronoun(word="them", span=span), span=span)  # fmt: skip
+    return replace(chain, clauses=(replace(left, verb="be", lemma="", theme=some, mode="goal"),))
+
+
+def _remaining(chain: Chain, wish: Clause, fact: Clause) -> Chain:
+    """ "(Three blocks are on the mat.) Exactly one should remain": there, and not just where it is."""
+    stays = len(wish.adjuncts) == 1 and isinstance(wish.adjuncts[0], Manner) and wish.adjuncts[0].kind == "stay"
+    places = [x for x in fact.adjuncts if isinstance(x, Loc | In)]
+    if not stays or len(places) != 1 or not any(c is wish for c in chain.clauses):
+        return chain
+    told = tuple(replace(wish, adjuncts=tuple(places)) if c is wish else c for c in chain.clauses)
+    return replace(chain, clauses=told)
 
 
 def _so(chain: Chain, text: str) -> bool:
@@ -62,6 +107,8 @@ def _of_these(theme: Meaning | None, fact: Clause) -> bool:
     """Whether it is one of the things that the fact tells of, or "it", "they"."""
     if isinstance(theme, Pronoun):
         return True
+    if isinstance(theme, Noun) and theme.head == "any" and theme.traits == Traits():
+        return True  # "exactly one (of them)"
     named = [x.traits for x in parts_of(fact) if isinstance(x, Noun) and x.head != "patch"]
     return any(_looks_so(x.traits, one) for x in parts_of(theme) if isinstance(x, Noun) for one in named)
 

@@ -47,7 +47,11 @@ def retold(items: tuple[Meaning, ...]) -> bool:
     mere = isinstance(last, Noun) and bare_color(last) and last.det == "bare"
     if whole.traits.kind is not None:
         return len(items) == 2 and mere
-    return tally(items[1:]) > 1 or (len(items) == 2 and mere)
+    labels = [label for x in items[1:] if isinstance(x, Noun) for label in x.traits.labels]
+    named = len(labels) == whole.amount.low > 1 and all(
+        getattr(getattr(x, "traits", None), "labels", ()) for x in items[1:]
+    )
+    return named or tally(items[1:]) > 1 or (len(items) == 2 and mere)
 
 
 def counted_again(items: tuple[Meaning, ...]) -> bool:

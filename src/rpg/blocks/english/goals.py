@@ -11,7 +11,7 @@ from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import goal as g
 from rpg.ir.node import members
-from rpg.ir.relations import Behind, Facing, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf, Stayed
+from rpg.ir.relations import Behind, Facing, InFrontOf, InRegion, LeftOf, On, OnPatch, OnTable, RightOf, Stayed
 from rpg.ir.walk import names, rename
 
 CLAUSES: dict[str, Callable[[Any, Speaker], str]] = {**relations.TABLE, **structures.TABLE}
@@ -160,6 +160,17 @@ def _on_whichever(goal: g.Count, say: Speaker) -> str | None:
     return f"{say.the((goal.var,))} {say.be((goal.var,))} on any of {say.the(tuple(part.patch for part in on))}"
 
 
+def _bearing(goal: g.Count, say: Speaker) -> str | None:
+    """ "At least two red blocks have a blue block on them": each of them one of its own, and not all of them the same."""
+    parts = goal.goal.goals if isinstance(goal.goal, g.Any) else ()
+    above = [name for part in parts if isinstance(part, On) and part.b == (goal.var,) for name in members(part.a)]
+    every = len({*above}) == len(parts) > 1 and len(said := say.like(above)) == 1 and said[0].startswith("the ")
+    if not every or say.negated:
+        return None
+    them = "it" if say.single((goal.var,)) else "them"
+    return f"{say.the((goal.var,))} {say.do((goal.var,), 'have', 'has')} {say.some(above[:1])[0]} on {them}"
+
+
 def _of_the_same(goal: g.Count, say: Speaker) -> str | None:
     """ "Exactly two are on the mat and in the left half": it is counted of which both is true."""
     parts = goal.goal.goals if isinstance(goal.goal, g.All) else ()
@@ -191,7 +202,7 @@ def _counted(goal: g.Count, say: Speaker) -> str:
     say.aliases[goal.var] = one or f"{many} of {say.the(goal.over)}"
     if many != "exactly one" and not one:
         say.plural.add(goal.var)
-    text = _on_whichever(goal, say) or _of_the_same(goal, say) or spoken(goal.goal, say)
+    text = _on_whichever(goal, say) or _bearing(goal, say) or _of_the_same(goal, say) or spoken(goal.goal, say)
     say.plural.discard(goal.var)
     del say.aliases[goal.var]
     return text

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from rpg.ir.schema import COLORS_UNSAID
 from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST
@@ -87,16 +88,18 @@ def and_counted(said: Said) -> None:
 
 
 _OF_WHICH = re.compile(
-    f"\\b(?:{LINE}|wall|grid|pyramid|circle|square) of (?P<many>{MANY})(?: blocks| cubes)? , {MANY} of "
-    "(?:which|them)\\b"
+    f"\\b(?:{LINE}|wall|grid|pyramid|circle|square) of (?P<many>{MANY})(?: blocks| cubes)? , "
+    f"(?P<but>all but )?{MANY} of (?:which|them)\\b"
 )
 
 
 def of_which(said: Said) -> None:
-    """Refuse "a tower of three blocks, two of which are red" as of two blocks, with another beside it."""
+    """Refuse "a tower of three blocks, two of which are red" as of two blocks, with another beside it; and "all but one
+    of them red" as of two, with none of another colour in it."""
     match = _OF_WHICH.search(said.text)
     used = {*names(said.task.goal)} & {block.name for block in said.task.blocks}
-    if match is not None and len(used) < _number(match["many"]):
+    unsaid = match is not None and match["but"] and said.task.assumed(COLORS_UNSAID)
+    if match is not None and (unsaid or len(used) < _number(match["many"])):
         raise said.refusal(match, "ambiguous", "it is not said how the other blocks of this look",
                            "say how many blocks of which colour it has")  # fmt: skip
 

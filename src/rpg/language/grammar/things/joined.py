@@ -184,7 +184,7 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     for found, k in amounts.quantity(p, j + 1):
         counts = whole.amount is None and whole.det in ("bare", "some") and found.det == "some"
         if found.partitive and not counts and (end := p.any_of(k, ("them", "these", "those", "which"))):
-            more_ = int(found.det == "all")  # "between the two blue ones, all of them on the table": of more than these
+            more_ = _PART_COSTS.get(found.det, 3)
             part = Noun(head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole,
                         span=p.span(i, end), cost=more_)  # fmt: skip
             yield part, end
@@ -204,19 +204,17 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
             if told == k and whole.traits.labels and p.tokens[j + 1].kind == "number":
                 continue
             k = told
-            yield (
-                replace(
-                    whole,
-                    amount=some,
-                    plural=some.high != 1,
-                    det="bare" if whole.det == "some" else whole.det,
-                    span=p.span(i, k),
-                ),
-                k,
-            )
-    if (whole.plural or whole.amount != Amount(1, 1)) and (k := p.any_of(j + 1, ("none", "all", "each", "both"))):
+            det = "bare" if whole.det == "some" else whole.det
+            yield replace(whole, amount=some, plural=some.high != 1, det=det, span=p.span(i, k)), k
+    k = p.any_of(j + 1, ("none", "all", "each", "both"))
+    k = 0 if p.stands(k, ("but", "except", "save", "bar")) else k  # "..., all but one of them"
+    if k and (whole.plural or whole.amount != Amount(1, 1)):
         det = {"none": "no"}.get(p.words[k - 1], p.words[k - 1])
         yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k
+
+
+_PART_COSTS = {"all": 1, "each": 0, "both": 0, "no": 0}
+"""What it costs that only a part is meant: "(line up) five blocks, two of them on the mat" lines up all of them."""
 
 
 def _joint(p: Parser, comma: int, op: str | None, before: Meaning) -> tuple[int, str]:

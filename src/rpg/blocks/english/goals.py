@@ -161,7 +161,7 @@ def _on_whichever(goal: g.Count, say: Speaker) -> str | None:
 
 
 def _bearing(goal: g.Count, say: Speaker) -> str | None:
-    """ "At least two red blocks have a blue block on them": each of them one of its own, and not all of them the same."""
+    """ "At least two red blocks have a blue block on them": each of them one of its own."""
     parts = goal.goal.goals if isinstance(goal.goal, g.Any) else ()
     above = [name for part in parts if isinstance(part, On) and part.b == (goal.var,) for name in members(part.a)]
     every = len({*above}) == len(parts) > 1 and len(said := say.like(above)) == 1 and said[0].startswith("the ")

@@ -81,3 +81,23 @@ def test_ends_that_are_told_plainly_are_as_they_were() -> None:
     assert "a red block, then" in _told("Line up three red and three blue blocks with a red one at one end.")
     assert "then a red block" in _told("Line up three red and three blue blocks with red ones at the ends.")
     assert "the red block, then" in _told("Line up one red and three blue blocks with exactly one red one at an end.")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Exactly one of the two mats must have a red block on it; there are two red blocks.",
+        "There are two red blocks and two mats. Exactly one of the mats must have a block on it.",
+        "There are two red blocks and two mats. Put a red block on exactly one of the mats.",
+    ],
+)
+def test_the_other_mat_has_none(text: str) -> None:
+    told = _told(text)
+    assert "at least one of the two red blocks must be on the gray patch" in told
+    assert "red block 1 must not be on the blue patch and red block 2 must not be on the blue patch" in told
+
+
+def test_on_one_of_the_mats_is_on_either() -> None:
+    told = _told("There are two red blocks and two mats. One of the mats must have a red block on it.")
+    assert "must be on the gray patch or" in told
+    assert "must not" not in told

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
 from rpg.language.meaning import Amount, Loc, Noun, Traits, replace
+from rpg.passes.schema.resolve.goals.logic import disj
+from rpg.passes.schema.resolve.goals.so_many_of import so_many_of
+from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope
 
@@ -24,3 +30,17 @@ def on_any_patch(loc: Loc, theme: Ref, scene: Scene, scope: Scope, *, denied: bo
     if len(there) < (1 if denied else 2) or (len(looks) < len(there) and not denied):
         return loc
     return replace(loc, landmark=replace(mark, det="any", amount=None))
+
+
+def on_just_one(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal | None:
+    """ "Exactly one of the mats must have a red block on it", where there are several: the others have none."""
+    one = theme.det == "a" and len(theme.names) == 1 and theme.quant is None and not theme.built
+    exactly = isinstance(loc.landmark, Noun) and loc.landmark.amount == mark.quant == Amount(1, 1, True)
+    if not exactly or mark.op != "and" or not one or scene.denying:
+        return None
+    like = scene.things[theme.names[0]]
+    there = [t.name for t in scene.blocks() if t is like or (t.declared and not t.extra and alike([t, like]))]
+    if len(there) < 2:
+        return None
+    each = [disj([r.OnPatch(a=(name,), patch=patch, span=span) for name in there], span) for patch in mark.names]
+    return so_many_of(each, mark, span)

@@ -13,7 +13,7 @@ from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun,
 from rpg.passes.schema.resolve.clauses.alls import all_others
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here, only_on_table
-from rpg.passes.schema.resolve.places.any_patch import on_any_patch
+from rpg.passes.schema.resolve.places.any_patch import on_any_patch, on_just_one
 from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between, only_between
 from rpg.passes.schema.resolve.places.centred import centred_on
@@ -392,7 +392,7 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
                 raise refuse("ambiguous", "only one block fits in the middle of a patch", span, "name one block")
             near = r.Distance(a=theme.names, b=patches, maximum=loc.high or PATCH_MIDDLE, span=span)
             return [on_patches(theme, mark, scene, span), near]
-        return [on_patches(theme, mark, scene, span)]
+        return [on_just_one(theme, mark, loc, scene, span) or on_patches(theme, mark, scene, span)]
     if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):
         return [_landmarks(theme, mark, loc, scene, span)]
     raise refuse("misplaced", "this relation does not fit a patch", loc.span, "say 'on' or 'next to'")

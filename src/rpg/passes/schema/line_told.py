@@ -6,12 +6,14 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
+from rpg.ir.goal import Not
 from rpg.ir.node import members
 from rpg.ir.relations import (
     Adjacent,
     Behind,
     Beside,
     Between,
+    Distance,
     InFrontOf,
     InRegion,
     LeftOf,
@@ -319,6 +321,25 @@ def _spaced(said: Said) -> None:
                            "say 'in a row, 10 cm apart', or 'every two of them 10 cm apart'")  # fmt: skip
 
 
+_NEXT = re.compile(
+    r"\b(?:(?:from|to) (?:the next|its neighbors?|the one (?:beside|before) it)|neighbors|neighboring)\b"
+)
+
+
+def _to_the_next(said: Said) -> None:
+    """Refuse "no block of the line is more than 6 cm from the next" as from any other one; "at least" is from all."""
+    match = _NEXT.search(said.text)
+    parts = [*asked(said.task.goal)] if match is not None else []
+    near = [x for x in parts if isinstance(x, Distance) and x.maximum is not None]
+    denied = [x.goal for x in parts if isinstance(x, Not) and isinstance(x.goal, Distance)]
+    near += [x for x in denied if x.minimum is not None]
+    pairs = {frozenset((*members(x.a), *members(x.b))) for x in near}
+    blocks = frozenset[str]().union(*pairs)
+    if match is not None and len(blocks) > 2 and len(pairs) == len(blocks) * (len(blocks) - 1) // 2:
+        raise said.refusal(match, "ambiguous", "how far the next is in a line is told as one distance, or by gaps",
+                           "say 'with gaps of at most 2 cm', or 'with 6 cm between centers'")  # fmt: skip
+
+
 _WAY = re.compile(r"\b(left|right|bottom|top|front|back) to (?:the )?(left|right|bottom|top|front|back)\b")
 
 
@@ -335,5 +356,5 @@ def _both_ways(said: Said) -> None:
 _CHECKS = (
     in_total, as_long, and_counted, numbered, counted, of_which, all_but, _in_one, _apart, _all_listed, _each_together,
     _amid, _at_least, _one_on_it, _ends_of_none, _between_each, _rows_of_it, _all_touching, _in_order, _in_order_of,
-    _mirrored, _other_end, _side_of_it, _spaced, _both_ways, ends_counted,
+    _mirrored, _other_end, _side_of_it, _spaced, _both_ways, _to_the_next, ends_counted,
 )  # fmt: skip

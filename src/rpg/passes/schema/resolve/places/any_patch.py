@@ -8,8 +8,7 @@ from rpg.ir import relations as r
 from rpg.language.meaning import Amount, Loc, Noun, Traits, replace
 from rpg.passes.schema.resolve.goals.logic import disj
 from rpg.passes.schema.resolve.goals.so_many_of import so_many_of
-from rpg.passes.schema.resolve.things.things import alike
-from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.things import alike, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope
 
 

@@ -24,7 +24,7 @@ from rpg.passes.schema.resolve.places.in_each_way import settled, ways_of
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line
 from rpg.passes.schema.resolve.places.of_themselves import check_between, of_themselves, with_the_one_between
-from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others
+from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others, not_beyond_others
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
@@ -46,6 +46,8 @@ def _denied(goal: g.Goal, item: Loose, scene: Scene) -> g.Goal:
     nodes = [n for n in _lines(goal) if set(ref.names) <= set(n.blocks)]
     node = next((n for n in nodes if n.order.by == "any"), nodes[0] if nodes else None)
     if node is None:
+        if not any(isinstance(a, s.Row) for a in atoms(goal)) and (among := not_beyond_others(item, scene)) is not None:
+            return _and(goal, among)
         _of_what(item, goal, scene)
         return _and(goal, g.Not(goal=_region(item), span=span))
     kept = node.model_copy(update={"axis": node.axis or "y"}) if isinstance(node, s.Row) else node

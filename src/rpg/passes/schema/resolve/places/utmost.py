@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.node import members
 from rpg.language.meaning import At, Meaning
-from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.goals.logic import conj, disj
 from rpg.passes.schema.resolve.things.operands import foot
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
@@ -33,3 +34,11 @@ def beyond_others(loose: Sequence[tuple[Ref, Meaning, Span]], scene: Scene) -> g
         raise refuse("no-referent", "there is no other block that it could be beyond", loose[0][2],
                      f"say first which other blocks there are, or say 'in the {half} half'")  # fmt: skip
     return conj(goals) if others else None
+
+
+def not_beyond_others(item: tuple[Ref, Meaning, Span], scene: Scene) -> g.Goal | None:
+    """ "Red must not be the leftmost": not at that side of one of the others at least."""
+    if not isinstance(beyond := beyond_others([item], scene), r.LeftOf | r.RightOf | r.InFrontOf | r.Behind):
+        return None
+    each = [beyond.model_copy(update={"b": (name,)}) for name in members(beyond.b)]
+    return disj([g.Not(goal=one, span=item[2]) for one in each], item[2])

@@ -321,9 +321,7 @@ def _spaced(said: Said) -> None:
                            "say 'in a row, 10 cm apart', or 'every two of them 10 cm apart'")  # fmt: skip
 
 
-_NEXT = re.compile(
-    r"\b(?:(?:from|to) (?:the next|its neighbors?|the one (?:beside|before) it)|neighbors|neighboring)\b"
-)
+_NEXT = re.compile(r"\b(?:(?:from|to) (?:the next|its neighbors?)|neighbors|neighboring)\b")
 
 
 def _to_the_next(said: Said) -> None:

@@ -1,4 +1,4 @@
-"""Lists behind "each mat" that could be of the mats or of blocks."""
+"""What could be of the mats or of blocks: lists behind "each mat", and "not the green one" behind the blue mat."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from rpg.ir.schema import TaskSchema
 from rpg.ir.walk import names
 from rpg.language import lexicon
-from rpg.language.grammar.rows.vocabulary import COLOR
+from rpg.language.grammar.rows.vocabulary import COLOR, PATCH
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -36,3 +36,27 @@ def check_mats_listed(tokens: Sequence[Token], task: TaskSchema) -> None:
         raise refuse("ambiguous", "what is listed could be the patches or the blocks",
                      (tokens[begin].span[0], tokens[end].span[1]),
                      "say 'blocks' or 'patches' where they are listed")  # fmt: skip
+
+
+_NOT_THE = re.compile(
+    f"\\b(?:on|in|onto|into|inside|to) (?:the|an?) {COLOR} {PATCH}(?: ,)? (?:and |but )?not (?:the )?(?P<color>{COLOR})"
+    "(?: one)?(?= [.,;!?]|$)"
+)
+
+
+def check_mat_or_block(tokens: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put red on the blue mat, not the green one" as of a green block that nothing else speaks of.
+
+    Raises:
+        Refusal: "ambiguous", where it could be another mat.
+    """
+    text = " ".join(token.word.replace(" ", "_") for token in tokens)
+    other = _NOT_THE.search(text)
+    color = lexicon.COLOR[other["color"]] if other is not None else ""
+    if other is None or not any(block.color == color for block in task.blocks):
+        return
+    mat = any(patch.color == color for patch in task.patches)
+    if mat or sum(lexicon.COLOR.get(token.word) == color for token in tokens) == 1:
+        at = text[: other.start("color")].count(" ")
+        raise refuse("ambiguous", "this could be a patch or a block", tokens[at].span,
+                     f"say 'not on the {other['color']} one', or 'not the {other['color']} block'")  # fmt: skip

@@ -21,7 +21,7 @@ from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.tokens import Token
 from rpg.passes.schema.brought_in import check_brought_in
 from rpg.passes.schema.line_told import check_lines
-from rpg.passes.schema.mats_listed import check_mats_listed
+from rpg.passes.schema.mats_listed import check_mat_or_block, check_mats_listed
 from rpg.passes.schema.modifiers_had import check_modifiers
 from rpg.passes.schema.numbers_had import symbols_of
 from rpg.passes.schema.of_a_part import check_parts
@@ -63,6 +63,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_modifiers(tokens, task)
     check_mats_listed(tokens, task)
     check_brought_in(tokens, task)
+    check_mat_or_block(tokens, task)
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"

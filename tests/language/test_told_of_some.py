@@ -101,3 +101,14 @@ def test_on_one_of_the_mats_is_on_either() -> None:
     told = _told("There are two red blocks and two mats. One of the mats must have a red block on it.")
     assert "must be on the gray patch or" in told
     assert "must not" not in told
+
+
+@pytest.mark.parametrize("each", ["two of each color", "two of each colour", "three of each", "two per color"])
+def test_the_colors_of_which_there_are_several_each_are_asked(each: str) -> None:
+    assert _refused(f"Line up six blocks, {each}.") == "ambiguous"
+    assert _refused(f"There are six blocks, {each}. Put them in a row.") == "ambiguous"
+
+
+def test_so_many_of_each_that_is_named() -> None:
+    told = _told("Line up red, blue and green blocks, two of each color.")
+    assert "There are two red blocks, two blue blocks and two green blocks." in told

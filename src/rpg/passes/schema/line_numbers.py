@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 
 from rpg.ir.schema import COLORS_UNSAID
 from rpg.ir.walk import names
@@ -85,6 +86,21 @@ def and_counted(said: Said) -> None:
     if not any(sum(block.color == color for block in said.blocks(line)) == many for line in said.lines):
         raise said.refusal(match, "ambiguous", "so many of those that are listed, or so many more?",
                            "say how many blocks there are of each color")  # fmt: skip
+
+
+_OF_EACH = re.compile(f"\\b(?P<many>{MANY})(?: blocks| cubes| ones)? (?:of|in|from) (?:each|every)(?: colors?)?\\b")
+_PER_COLOR = re.compile(f"\\b(?P<many>{MANY})(?: blocks| cubes| ones)? per color\\b")
+
+
+def of_each(said: Said) -> None:
+    """Refuse "line up six blocks, two of each color" as six blocks of six colours."""
+    match = _OF_EACH.search(said.text) or _PER_COLOR.search(said.text)
+    if match is None or not said.lines or not said.task.assumed(COLORS_UNSAID):
+        return
+    counts = [{*Counter(block.color for block in said.blocks(line)).values()} for line in said.lines]
+    if {_number(match["many"])} not in counts:
+        raise said.refusal(match, "ambiguous", "it is not said which colors these are",
+                           "name them: 'two red, two blue and two green blocks'")  # fmt: skip
 
 
 _OF_WHICH = re.compile(

@@ -6,6 +6,7 @@ from collections import Counter
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
+from rpg.ir.schema import COLORS_UNSAID
 from rpg.language.grammar.things.retold import tally as count
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
@@ -153,6 +154,9 @@ def each_agrees(scene: Scene) -> None:
     blocks = [t for t in scene.blocks() if not t.extra and (t.label or t.color) in looks]
     kinds = Counter((t.label or t.color, (t.kind, t.size, t.edge)) for t in blocks)
     odd = next(((look, n) for (look, _), n in kinds.items() if n != many), None)
+    if odd is not None and any(note.startswith(COLORS_UNSAID) for note in scene.assumptions):
+        raise refuse("ambiguous", "it is not said which colors these are", span,
+                     "name them: 'two red, two blue and two green blocks'")  # fmt: skip
     if odd is not None:
         raise refuse(
             "count-mismatch", f"there are {many} of each, but {odd[1]} {odd[0]}", span, "say how many of each kind",

@@ -36,6 +36,13 @@ def told_alone(clause: Clause, spec: Spec) -> Clause:
     return replace(clause, theme=Coord(op="only", items=(clause.theme,), span=clause.theme.span))
 
 
+def not_only_these(theme: Ref) -> None:
+    """Refuse "with only A and B touching": is C to touch none of them, and D neither C?"""
+    if theme.op == "only":
+        raise refuse("ambiguous", "it is not clear what 'only' says of the other blocks", theme.span,
+                     "leave out 'only', and say what the other blocks should not do")  # fmt: skip
+
+
 def _mutual(place: Meaning) -> bool:
     mark = place.landmark if isinstance(place, Loc) else None
     return isinstance(mark, Pronoun) and mark.word == "each other"
@@ -72,7 +79,7 @@ def alone_there(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -
     """ "only red is on the patch", "green touches only blue": so it is, and neither of other blocks nor to others."""
     if theme.op == "only":
         return only_on(theme, mark, loc, scene, relate), mark
-    if loc.rel in ("touching", "beside", "adjacent") and not mark.patch:
+    if loc.rel in _OF_OTHERS_TOO and not mark.patch:
         if loc.negated or scene.denying or len(theme.names) > 1:
             raise refuse("misplaced", "'only' does not fit this", loc.span, "say what is not to be beside it")
         there = replace(mark, op="and")
@@ -97,6 +104,8 @@ def only_on(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -> Re
     return replace(theme, op="and")
 
 
+_OF_OTHERS_TOO = ("touching", "beside", "adjacent", "near", "distance", "left", "right", "front", "behind")
+"""Relations to one block that there may be to others as well."""
 _TO_A_BLOCK = ("on", "beside", "adjacent", "touching")
 
 

@@ -3,7 +3,22 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import At, Clause, Coord, In, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Toward, replace
+from rpg.language.grammar.things.retold import named_by
+from rpg.language.meaning import (
+    At,
+    Clause,
+    Coord,
+    In,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Toward,
+    parts_of,
+    replace,
+)
 
 _LEMMAS = frozenset({"line", "group"})
 """Ways of "arrange" and "sort" that need no more than their blocks."""
@@ -17,7 +32,7 @@ def verb_again(p: Parser, j: int, before: Clause | None, item: Meaning) -> Meani
     fronted = item.theme is not None and item.theme.span[0] > p.char(j, 0)
     if not (fronted or p.words[j - 1] == "and") or not several(item.theme):
         return item
-    if in_an_order(before) and not alike(item.theme):
+    if (in_an_order(before) and not alike(item.theme)) or (item.theme and in_line_already(item.theme, before)):
         return item
     return replace(item, verb=before.verb, lemma=before.lemma, mode=before.mode, word=before.word)
 
@@ -27,6 +42,20 @@ def _of_several(before: Clause) -> bool:
     plain = before.verb == "stack" or (before.verb in ("arrange", "sort") and before.lemma in _LEMMAS)
     there = all(isinstance(x, At | In | OrderBy | Toward) or _idle(x) or _on_a_patch(x) for x in before.adjuncts)
     return plain and there and before.mode == "command" and not before.negated and several(before.theme)
+
+
+def in_line_already(theme: Meaning, before: Clause) -> bool:
+    """ "Line up A to E in alphabetical order, the vowels on the mat": of those that the clause before lines up, which
+    are not lined up once more."""
+    if before.verb not in ("stack", "arrange") or not isinstance(theme, Noun) or theme.head == "patch":
+        return False
+    nouns = [x for x in parts_of(before.theme) if isinstance(x, Noun)] if before.theme is not None else []
+    labels = {label for noun in nouns for label in noun.traits.labels}
+    colors = {color for noun in nouns for color in noun.traits.colors}
+    if theme.traits.labels or (theme.traits.colors and len(nouns) > 1):
+        return labels.issuperset(theme.traits.labels) and colors.issuperset(theme.traits.colors)
+    named = any(named_by(theme, (label,)) for label in labels)
+    return theme.det == "the" and bool(theme.traits.kind or theme.traits.quality) and named
 
 
 def _idle(how: Meaning) -> bool:

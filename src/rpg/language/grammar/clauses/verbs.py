@@ -19,6 +19,7 @@ from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separ
 from rpg.language.grammar.clauses.spelt import spelling
 from rpg.language.grammar.clauses.them_listed import them_listed
 from rpg.language.grammar.clauses.turned import REST, not_turned
+from rpg.language.grammar.clauses.verb_again import in_line_already
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.its_place import in_its_place
 from rpg.language.grammar.places.relations import on_its_own
@@ -380,7 +381,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 cost = 2 if before.verb in ("build", "spell", "sort") and not again else 0
                 timed = isinstance(found[0], Manner) and found[0].kind in ("time", "by", "by?")
                 beside = before.verb in ("stack", "arrange") and (timed or isinstance(found[0], At))
-                beside = beside or (timed and before.verb == "place")
+                beside = beside or (timed and before.verb == "place") or in_line_already(theme, before)
                 cost += (2 if _bare_count(theme) or beside else 0) + isinstance(before.adjuncts[-1], That)
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     yield from meant_again(p, i, before)

@@ -76,6 +76,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     rest: list[Absolute] = []
     parts: list[At | Places] = []
     bunches: list[tuple[str, ...]] = []
+    swapped = False
     last: int | None = None
     way = 1
     spec.absolutes = [x if place_of(x) is None else not_so(x, names, scene) for x in spec.absolutes]
@@ -95,6 +96,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         if place.side != "next":
             way = -1 if place.side in FAR_ENDS else 1
         last = last + 1 - len(found) if way < 0 else last
+        swapped |= kind == "stack" and place.side in ("ends", "outer")
         free = isinstance(place, At) and place.side in SIDES[kind] and not isinstance(item.theme, Noun)
         free = free or (isinstance(item.theme, Noun) and not item.theme.traits.labels)
         bunches += [found] if free or len({looks(scene.things[n]) for n in found}) == 1 else []
@@ -114,7 +116,13 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     first = beyond or (None if turned or paired else _side_of(parts, kind))
     if {"odd", "even"} & {p.side for p in parts} and len(names) % 2 == 0:
         scene.assume(f"places are counted from the {first}")
-    return Placed(tuple(ranks_from(held, names, scene, bunches)), first, paired)
+    ranks = tuple(ranks_from(held, names, scene, bunches))
+    if swapped and len(scene.free_runs.get(ranks, ())) < 2:
+        scene.free_runs[ranks] = (
+            0,
+            len(ranks) - 1,
+        )  # "an even one at both ends" of a stack: whichever of them is on top
+    return Placed(ranks, first, paired)
 
 
 def all_told(parts: Sequence[Absolute]) -> int:

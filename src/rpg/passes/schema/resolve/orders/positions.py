@@ -121,7 +121,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         scene.free_runs[ranks] = (
             0,
             len(ranks) - 1,
-        )  # "an even one at both ends" of a stack: whichever of them is on top
+        )  # "with an even one at both ends": either may be on top
     return Placed(ranks, first, paired)
 
 

@@ -22,6 +22,7 @@ _ASIDE = "(?:(?:to|on|at) )?(?:(?:the|its) )?(left|right)(?: side)?(?: of (?:it|
 _BESIDE = ("(?:(?:directly |right |immediately )?(?:to the left of|to the right of|left of|right of|behind|in front of|"
              "next to|beside))")  # fmt: skip
 _THING = f"(?:(?:an?|the|one) )?(?:{COLOR}|[b-z0-9])(?: (?:block|cube|one))?"
+_PAIR = f"(?:(?:{COLOR}|[a-z0-9]) and (?:{COLOR}|[a-z0-9]))"
 _PILE = f"{_THING}(?: (?:on top of|on|over|above|atop) {_THING})+"
 _STACKED = f"({MANY} {COLOR}s?(?: {_BLOCKS})?)(?: stacked(?: up)?)?"
 _INTO = "(?:go |goes |belong |are |is |form |make |must be |should be |must form |should form |should go |must go )?"
@@ -43,6 +44,8 @@ _IS = f"(?:is|are|{MUST} be)"
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # a tower of these and one of those
+    (f"\\b(an?) ({LINE}) of ({_PAIR})(?: ,)? and one of (?={_PAIR}\\b)", "{1} {2} of {3} and {1} {2} of"),
     # which one is meant
     ("\\b((?:on top of|on|onto|upon|atop|over|above|beside|next to|behind|in front of|left of|right of) the "
      "(?:taller|shorter|tallest|shortest)) one(?: of (?:them|these|the two))?\\b(?! of)", "{1} tower"),

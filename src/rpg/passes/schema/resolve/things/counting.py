@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace as changed
 from typing import TYPE_CHECKING
 
 from rpg.language.later import later
-from rpg.language.meaning import Amount, Noun, Traits, replace
+from rpg.language.meaning import Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.things import matching
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
 if TYPE_CHECKING:
     from rpg.passes.schema.resolve.things.refer import refer
@@ -41,6 +42,21 @@ def check_both(noun: Noun, whole: Ref) -> None:
         raise refuse("no-referent", "it is not clear which two are meant by 'neither'", noun.span, "name both")
     if noun.det == "both" and len(whole.names) != 2:
         raise refuse("count-mismatch", f"'both' is of two, but there are {len(whole.names)}", noun.span, "say 'all'")
+    if isinstance(noun.part_of, Pronoun) and noun.det not in _OF_EACH:
+        _of_the_blocks(noun, whole.built)
+
+
+def _of_the_blocks(noun: Noun, built: Sequence[Built]) -> None:
+    """Refuse "two towers, exactly one of them on the mat": one of the towers, or a block of theirs?"""
+    several = len(built) > 1 or any(one.kind == "towers" for one in built)
+    if several and noun.traits == Traits():
+        kind = {"stack": "tower"}.get(built[0].kind, built[0].kind.rstrip("s"))
+        raise refuse("ambiguous", f"so many of the {kind}s, or of their blocks?", noun.span,
+                     f"say it of one {kind}: 'the {kind} of A and B'")  # fmt: skip
+
+
+_OF_EACH = frozenset({"all", "each", "both", "no"})
+"""What is said of every tower is said of its blocks, or of the lowest one."""
 
 
 def denied(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
@@ -75,6 +91,8 @@ MORE = 2
 def counted_among(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
     """ "at most one white block" counts all the white blocks there are."""
     amount = noun.amount
+    if (noun.head, noun.det, noun.conditions) == ("any", "any", ()) and not patch:
+        _of_the_blocks(noun, scene.built)  # "either one"
     if amount is None or not amount.strict or noun.det not in ("bare", "some"):
         return ()
     there = [t for t in matching(noun.traits, scene, patch) if t.declared or t.name in scene.told]

@@ -10,6 +10,7 @@ from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST
 from rpg.passes.schema.line_said import Said
+from rpg.passes.schema.numbers_had import symbols_of
 
 _TOTAL = re.compile(
     f"(?<!there is )(?<!there are )\\b(?P<many>{MANY})(?: blocks| cubes)? (?:in total|in all|altogether|overall)\\b"
@@ -97,7 +98,8 @@ def of_each(said: Said) -> None:
     match = _OF_EACH.search(said.text) or _PER_COLOR.search(said.text)
     if match is None or not said.lines or not said.task.assumed(COLORS_UNSAID):
         return
-    counts = [{*Counter(block.color for block in said.blocks(line)).values()} for line in said.lines]
+    looks = (lambda block: block.color, lambda block: block.size)  # "small and large cubes, two of each"
+    counts = [{*Counter(map(look, said.blocks(line))).values()} for line in said.lines for look in looks]
     if {_number(match["many"])} not in counts:
         raise said.refusal(match, "ambiguous", "it is not said which colors these are",
                            "name them: 'two red, two blue and two green blocks'")  # fmt: skip
@@ -141,3 +143,22 @@ def all_but(said: Said) -> None:
         if others and many not in others and not said.begun:
             raise said.refusal(match, "ambiguous", "it is not clear what this leaves out, and how that looks",
                                "say how each block looks, as in 'four red blocks and then a blue one'")  # fmt: skip
+
+
+_KIND = "(?:the |all |all the |all of the )?(letters|digits|numbers)"
+_COME = f"(?: (?:{MUST} )?(?:come|go|stand|be|are))?"
+_IN_TURN = re.compile(f"\\b{_KIND}{_COME} (before|after) {_KIND}\\b")
+
+
+def kinds_in_turn(said: Said) -> None:
+    """Refuse "a row of A, B, 1 and 2. The digits come before the letters" as of a row in the order of the list."""
+    match = _IN_TURN.search(said.text)
+    if match is None or said.begun or match[1] == match[3]:
+        return
+    first = match[1 if match[2] == "before" else 3] == "letters"
+    letters = {block.name for block in said.task.blocks if "".join(symbols_of(block)).isalpha()}
+    for order in (line.order for line in said.lines if line.order.by == "given"):
+        kinds = [name in letters for rank in order.ranks for name in rank]
+        if kinds != sorted(kinds, reverse=first):
+            raise said.refusal(match, "contradiction", "this is not the order in which they are listed",
+                               "say 'the digits first' where the row is told")  # fmt: skip

@@ -29,7 +29,17 @@ from rpg.language.grammar.rows.parting import sentences, text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, TOWER
 from rpg.language.tokens import Token
 from rpg.passes.schema.ends_counted import ends_counted
-from rpg.passes.schema.line_numbers import all_but, and_counted, as_long, counted, in_total, numbered, of_each, of_which
+from rpg.passes.schema.line_numbers import (
+    all_but,
+    and_counted,
+    as_long,
+    counted,
+    in_total,
+    kinds_in_turn,
+    numbered,
+    of_each,
+    of_which,
+)
 from rpg.passes.schema.line_said import Said, asked, lines_of
 from rpg.passes.schema.numbers_had import symbols_of
 
@@ -355,4 +365,5 @@ _CHECKS = (
     in_total, as_long, and_counted, numbered, counted, of_each, of_which, all_but, _in_one, _apart, _all_listed,
     _each_together, _amid, _at_least, _one_on_it, _ends_of_none, _between_each, _rows_of_it, _all_touching, _in_order,
     _in_order_of, _mirrored, _other_end, _side_of_it, _spaced, _both_ways, _to_the_next, ends_counted,
+    kinds_in_turn,
 )  # fmt: skip

@@ -126,7 +126,15 @@ _PLACE = (
     "the left| on the left)?|(?:on|at) the (?:far )?(?:left|right)(?: end| side)?|in the (?:middle|center))"
 )
 
+_LINED = f"^((?:.*? )?(?:row|lined?|arrange|order)\\b.*?)(?:(?: ,| :)(?: {_SO})?| {_SO})"
+_KIND = "(?:the |all |all the |all of the )?(letters|digits|numbers)(?: cubes| blocks)?"
+_COME = f"(?:(?:{MUST} )?(?:come|go|stand|be|are|coming|standing|going|placed) )?"
 ORDERED_AT_ONCE: tuple[Turn, ...] = (
+    # the one kind of symbols before the other
+    (f"{_LINED} {_KIND} {_COME}(?:before|ahead of) {_KIND}$", "{1} , the {2} first"),
+    (f"{_LINED} {_KIND} {_COME}after {_KIND}$", "{1} , the {3} first"),
+    (f"{_LINED} first {_KIND}(?: ,)? (?:and )?then {_KIND}$", "{1} , the {2} first"),
+    (f"{_LINED} {_KIND} first(?: ,)? (?:and )?then {_KIND}$", "{1} , the {2} first"),
     ("\\bso (?=the (?:biggest|largest|smallest|lowest|highest) (?:one |number |digit |block |cube )?is\\b)",
      "so that "),
     ("(?: ,)? (?:that|which) (?:goes|runs|is) from the (biggest|largest|smallest|lowest|highest)(?: one)? (?:at|on) "

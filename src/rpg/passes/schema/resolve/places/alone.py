@@ -36,13 +36,6 @@ def told_alone(clause: Clause, spec: Spec) -> Clause:
     return replace(clause, theme=Coord(op="only", items=(clause.theme,), span=clause.theme.span))
 
 
-def not_only_these(theme: Ref) -> None:
-    """Refuse "with only A and B touching": is C to touch none of them, and D neither C?"""
-    if theme.op == "only":
-        raise refuse("ambiguous", "it is not clear what 'only' says of the other blocks", theme.span,
-                     "leave out 'only', and say what the other blocks should not do")  # fmt: skip
-
-
 def _mutual(place: Meaning) -> bool:
     mark = place.landmark if isinstance(place, Loc) else None
     return isinstance(mark, Pronoun) and mark.word == "each other"

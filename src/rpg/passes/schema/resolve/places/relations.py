@@ -12,14 +12,7 @@ from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.alls import all_others
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
-from rpg.passes.schema.resolve.places.alone import (
-    alone_there,
-    none_beyond,
-    none_there,
-    not_only_these,
-    only_here,
-    only_on_table,
-)
+from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here, only_on_table
 from rpg.passes.schema.resolve.places.any_patch import on_any_patch, on_just_one
 from rpg.passes.schema.resolve.places.bare_table import on_the_table
 from rpg.passes.schema.resolve.places.between import between, only_between
@@ -219,7 +212,6 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if mark.mixed or (theme.mixed and mark.reciprocal):
         raise refuse("ambiguous", "it is not said which of the blocks are meant", loc.span, "name the blocks")
     if mark.reciprocal:
-        not_only_these(theme)
         _groups_or_blocks(theme, loc, scene)
         found = to_each_other(of_the_towers(theme, loc, scene), loc, scene, span)
         if loc.rel == "together" and not (loc.negated or scene.denying or theme.built):
@@ -274,6 +266,9 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
 
 def _groups_or_blocks(theme: Ref, loc: Loc, scene: Scene) -> None:
     """ "Separate the red and the blue blocks. They are 10 cm apart.": the groups, or every two blocks?"""
+    if theme.op == "only":  # "with only A and B touching": may C touch D?
+        raise refuse("ambiguous", "it is not clear what 'only' says of the other blocks", theme.span,
+                     "leave out 'only', and say what the other blocks should not do")  # fmt: skip
     inside = [b for b in scene.built if b.kind == "pile" and set(b.members) < set(theme.names)]
     if not theme.built and loc.rel in ("distance", "apart") and len(inside) > 1:
         raise refuse("ambiguous", "the groups, or every two of the blocks?", loc.span, "say 'the groups'")

@@ -72,8 +72,8 @@ def alone_there(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -
     """ "only red is on the patch", "green touches only blue": so it is, and neither of other blocks nor to others."""
     if theme.op == "only":
         return only_on(theme, mark, loc, scene, relate), mark
-    if loc.rel in _OF_OTHERS_TOO and not mark.patch:
-        if loc.negated or scene.denying or len(theme.names) > 1:
+    if loc.rel in _OF_OTHERS_TOO:
+        if loc.negated or scene.denying or len(theme.names) > 1 or mark.patch:
             raise refuse("misplaced", "'only' does not fit this", loc.span, "say what is not to be beside it")
         there = replace(mark, op="and")
         no_other: Callable[[str], g.Goal] = lambda n: relate(theme, Ref(names=(n,)), loc, scene, loc.span)  # noqa: E731

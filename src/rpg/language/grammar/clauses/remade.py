@@ -235,7 +235,13 @@ _OFF = ("off", "off again", "off there", "from there", "off from there", "away f
 _CLOSED = frozenset({",", ";", "and", "then", ".", "so", "such"})
 
 
-def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
+def taken_off(p: Parser, i: int, k: int, theme: Meaning, alone: tuple[Meaning, ...]) -> Results[Clause]:
+    """What is taken off, and nothing else where it is `alone`: "move only the red one off"."""
+    for done, end in _taken_off(p, i, k, theme):
+        yield replace(done, adjuncts=(*done.adjuncts, *alone)), end
+
+
+def _taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
     """ "Take it off": from where it was said to be. "Remove everything from the mat": it is cleared. "Pull the red
     block out of the tower (and put it on top)": where it is at the start."""
     lemma = p.words[i]

@@ -121,11 +121,6 @@ _PLACES_OF = tuple(
 )  # fmt: skip
 
 
-def _taken_off(p: Parser, i: int, k: int, theme: Meaning, alone: tuple[Manner, ...]) -> Results[Clause]:
-    for done, end in taken_off(p, i, k, theme):
-        yield replace(done, adjuncts=(*done.adjuncts, *alone)), end
-
-
 def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
     word = p.span(i, i + 1)
     yield from _its_own_way(p, i, j, sense, lemma)
@@ -146,7 +141,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
-        yield from _taken_off(p, i, k, theme, alone) if sense in ("pick", "use") or lemma in _TAKING else ()
+        yield from taken_off(p, i, k, theme, alone) if sense in ("pick", "use") or lemma in _TAKING else ()
         k = k if _no_particle(p, k) else p.opt(k, *_BEHIND.get(sense, ()))
         k = k + 1 if lemma == "drop" and p.stands(k, ("off",)) and p.stands(k + 1, WHITHER) else k
         k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k

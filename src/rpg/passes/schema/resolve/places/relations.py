@@ -266,9 +266,6 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
 
 def _groups_or_blocks(theme: Ref, loc: Loc, scene: Scene) -> None:
     """ "Separate the red and the blue blocks. They are 10 cm apart.": the groups, or every two blocks?"""
-    if theme.op == "only":  # "with only A and B touching": may C touch D?
-        raise refuse("ambiguous", "it is not clear what 'only' says of the other blocks", theme.span,
-                     "leave out 'only', and say what the other blocks should not do")  # fmt: skip
     inside = [b for b in scene.built if b.kind == "pile" and set(b.members) < set(theme.names)]
     if not theme.built and loc.rel in ("distance", "apart") and len(inside) > 1:
         raise refuse("ambiguous", "the groups, or every two of the blocks?", loc.span, "say 'the groups'")

@@ -17,7 +17,14 @@ from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
 
 
 def to_each_other(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
-    """What a relation "to each other" says of the blocks, or of so many of them."""
+    """What a relation "to each other" says of the blocks, or of so many of them.
+
+    Raises:
+        Refusal: "ambiguous", of "with only A and B touching": is C to touch none of them, and D neither C?
+    """
+    if theme.op == "only":
+        raise refuse("ambiguous", "it is not clear what 'only' says of the other blocks", theme.span,
+                     "leave out 'only', and say what the other blocks should not do")  # fmt: skip
     some = _among_some(theme, loc, scene, span)
     return some if some is not None else reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
 

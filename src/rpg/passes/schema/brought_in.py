@@ -6,8 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from rpg.ir import goal as g
 from rpg.ir.assets import Block, SemanticCube
-from rpg.ir.schema import TaskSchema
+from rpg.ir.node import Highest, members
+from rpg.ir.relations import On
+from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
@@ -25,8 +28,9 @@ def check_brought_in(tokens: list[Token], task: TaskSchema) -> None:
     """Refuse a task that asks nothing of the blocks that a later sentence, or the end of one, brings in.
 
     Raises:
-        Refusal: "unused-block", with the first of them.
+        Refusal: "unused-block", with the first of them; "ambiguous" where one may be among those that were counted.
     """
+    _not_on_top(task)
     used = {*names(task.goal)}
     for n, sentence in enumerate(sentences(tokens)):
         said = [token for token in sentence if token.word not in STOPS - {","}]
@@ -37,6 +41,18 @@ def check_brought_in(tokens: list[Token], task: TaskSchema) -> None:
             if those and not those & used:
                 raise refuse("unused-block", f"nothing is said of where {token.raw!r} should be", token.span,
                              "say what becomes of it, or how many blocks of which look there are")  # fmt: skip
+
+
+def _not_on_top(task: TaskSchema) -> None:
+    """Refuse "a tower of five blocks. Red must not be on top" as a red one besides: it could be one of the five."""
+    parts = task.goal.goals if isinstance(task.goal, g.All) else ()
+    if not task.assumed(COLORS_UNSAID):
+        return
+    wanted = {n for part in parts if not isinstance(part, g.Not) for n in names(part)}
+    for part in (x for x in parts if isinstance(x, g.Not) and isinstance(x.goal, On)):
+        if isinstance(part.goal, On) and isinstance(part.goal.b, Highest) and wanted.isdisjoint(members(part.goal.a)):
+            raise refuse("ambiguous", "is this one of the blocks of the tower, or a further one?", part.span,
+                         "say which colours the blocks of the tower have")  # fmt: skip
 
 
 def _looks(said: Sequence[Token], listed: str) -> Iterator[tuple[str, Token]]:

@@ -105,3 +105,21 @@ def test_so_many_remain_where_they_were_told_to_be(wish: str, goal: str) -> None
     assert "three red blocks are on the gray patch" in begun
     assert end.endswith(goal) or end.endswith(goal + ".")
     assert end.count(" must ") == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I'd like the three green blocks in a bunch and the blue one nowhere near them.",
+        "The three green blocks in a pile and the blue one far from them.",
+    ],
+)
+def test_a_heap_that_others_are_placed_by_is_wanted(text: str) -> None:
+    begun, end = _told(text)
+    assert begun == ""
+    assert "three green blocks must be in one group" in end
+
+
+@pytest.mark.parametrize("then", ["Put one of them on the mat.", "Line them up.", "Stack two of them."])
+def test_a_heap_of_which_something_is_made_is_there(then: str) -> None:
+    assert "lie in a heap" in _told(f"Three green blocks in a heap. {then}")[0]

@@ -50,7 +50,7 @@ from rpg.passes.schema.resolve.goals.untouched import left_as_they_are
 from rpg.passes.schema.resolve.orders.parts_behind import parts_behind
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
-from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
+from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, placed, told_later
 from rpg.passes.schema.resolve.structures.lots_related import lots_related
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.structures.unbuilt import check_known
@@ -169,7 +169,7 @@ def resolve(
     if (heaped := heaps_begun(facts)) is not None:
         with suppress(Refusal):
             found = _resolved(*told_later(links, heaped), text, notes, name, seed, author, lenient)
-            if set().union(*found.task.init.heaps) <= set(names_in(found.task.goal)):
+            if set().union(*found.task.init.heaps) <= placed(found.task.goal):
                 return found
     try:
         return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)

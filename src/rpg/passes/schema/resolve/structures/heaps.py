@@ -5,6 +5,9 @@ from __future__ import annotations
 from operator import is_
 from typing import TypeGuard
 
+from rpg.ir import goal as g
+from rpg.ir.node import members
+from rpg.ir.walk import atoms, names
 from rpg.language.meaning import (
     Amount,
     Chain,
@@ -156,6 +159,14 @@ def heaps_begun(chains: tuple[Chain, ...]) -> tuple[Chain, ...] | None:
         replace(chain, clauses=tuple(heap or c for heap, c in zip(heaps, chain.clauses, strict=True)))
         for heaps, chain in zip(told, chains, strict=True)
     )
+
+
+def placed(goal: g.Goal) -> set[str]:
+    """The blocks that a goal places, and not just others by them: of "the green blocks in a heap, and the blue one far
+    from them" the blue one."""
+    related = [x for x in atoms(goal) if hasattr(x, "a") and hasattr(x, "b")]
+    marks = {n for x in related for n in members(x.b)} - {n for x in related for n in members(x.a)}
+    return {*names(goal)} - (marks - {n for x in atoms(goal) if not hasattr(x, "b") for n in names(x)})
 
 
 def _ordered(chain: Chain, n: int) -> bool:

@@ -123,3 +123,12 @@ def test_a_heap_that_others_are_placed_by_is_wanted(text: str) -> None:
 @pytest.mark.parametrize("then", ["Put one of them on the mat.", "Line them up.", "Stack two of them."])
 def test_a_heap_of_which_something_is_made_is_there(then: str) -> None:
     assert "lie in a heap" in _told(f"Three green blocks in a heap. {then}")[0]
+
+
+def test_a_line_that_is_there_goes_the_other_way() -> None:
+    assert (
+        "must be side by side in a row"
+        in _told("Four blocks stand one behind the other. They should be side by side.")[1]
+    )
+    told = _told("A, C and B are in a row from left to right. They should be in a line in alphabetical order.")[1]
+    assert "column" not in told

@@ -46,7 +46,7 @@ from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.only_denied import still_ahead
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
-from rpg.passes.schema.resolve.goals.untouched import left_as_they_are
+from rpg.passes.schema.resolve.goals.untouched import left_as_they_are, the_other_way
 from rpg.passes.schema.resolve.orders.parts_behind import parts_behind
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
@@ -237,7 +237,7 @@ def _resolved(
     check_counted(chains, scene, text)
     settle_sides(scene)
     chosen = finish.choose(scene)
-    goal = tidy(left_as_they_are(goal, scene), scene)
+    goal = tidy(the_other_way(left_as_they_are(goal, scene), scene), scene)
     check_all(goal, scene)
     _all_used(goal, scene, chains)
     check_bare_numbers(goal, scene, chains)

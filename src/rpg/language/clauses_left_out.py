@@ -90,8 +90,8 @@ def only_talk(tokens: Sequence[Token]) -> bool:
     """Whether a clause can only be talk, whatever some of its words mean."""
     words = [token.word for token in tokens]
     lead = _lead(words, (*_AIMS, *_OTHERS))
-    titled = words[:1] != ["this"] and _FEWEST <= len(words) <= _TITLE and words[-1] in TESTS and words[-2] not in DET
-    if len(words) < _FEWEST or (words[0] in lexicon.COMMANDS and not titled) or takes_back(words):
+    titled = words[:1] != ["this"] and 1 < len(words) <= _TITLE and words[-1] in TESTS and words[-2] not in DET
+    if (len(words) < _FEWEST and not titled) or (words[0] in lexicon.COMMANDS and not titled) or takes_back(words):
         return False
     aimed = _lead(words, _AIMS)
     tried = titled or (bool(aimed) and not _TRYING.isdisjoint(words[aimed : aimed + 4]))

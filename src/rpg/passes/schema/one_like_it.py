@@ -21,6 +21,7 @@ def check_one_like_it(words: Sequence[Token], task: TaskSchema) -> None:
     beside a tower of as many blocks as nobody said."""
     if all(token.word != "one" for token in words):
         return
+    _check_built(words, task)
     counted = any(token.kind == "number" or lexicon.NUMBER.get(token.word, 0) > 1 for token in words)
     unsaid = counted and any(note.startswith("the number of") for note in task.assumptions)
     said = Counter(lexicon.COLOR.get(token.word) for token in words)
@@ -44,6 +45,18 @@ def check_one_like_it(words: Sequence[Token], task: TaskSchema) -> None:
             where = (after[at - 1].span[0], after[at].span[1])
             raise refuse("ambiguous", "a plain block, or like what is named before it?", where,
                          "say what it is, 'a blue tower of two', 'a blue A', or 'block' for 'one'")  # fmt: skip
+
+
+def _check_built(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "(build a row of three.) Build a blue one behind it" as a single block: blocks are not built."""
+    shape = False
+    for verb, det, look, one in zip(words, words[1:], words[2:], words[3:], strict=False):
+        shape = shape or (verb.word in lexicon.STRUCTURE and verb.word not in lexicon.PATCH)
+        color = lexicon.COLOR.get(look.word) if (det.word, one.word) == ("a", "one") else None
+        built = any(sense == "build" for sense, _, _ in lexicon.VERB.get(verb.word, ()))
+        if shape and built and color is not None and _plain(task, color):
+            raise refuse("ambiguous", "a plain block, or like what is named before it?", (look.span[0], one.span[1]),
+                         "say what it is, 'a blue tower of two', or 'block' for 'one'")  # fmt: skip
 
 
 def _plain(task: TaskSchema, color: str) -> bool:

@@ -23,6 +23,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.structures.each_placed import each_placed
 from rpg.passes.schema.resolve.structures.of_its_own import of_its_own
+from rpg.passes.schema.resolve.structures.the_same_again import the_same_again
 from rpg.passes.schema.resolve.things.counted import put
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -31,6 +32,7 @@ _LINES = ("stack", "row", "line", "column")
 
 def another_such(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """The sentences with each of them told in full."""
+    chains = the_same_again(chains)
     if sum(isinstance(part, Structure) for chain in chains for part in parts_of(chain)) > 1:
         chains = _of_such_blocks(chains)
     chains = of_its_own(chains)

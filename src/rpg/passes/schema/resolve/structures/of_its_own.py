@@ -31,10 +31,10 @@ def of_its_own(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     for shape in shapes:
         if shape.kind not in _LINES or shape.plural:
             continue
-        colors = {color for noun in _told(shape) if _is_bare(noun) for color in noun.traits.colors}
-        if shape.det == "another" and had & colors:
+        marks = {mark for noun in _told(shape) if _is_bare(noun) for mark in _marks(noun)}
+        if shape.det == "another" and had & marks:
             chains = tuple(put(chain, shape, _with_further(shape)) for chain in chains)
-        had |= colors
+        had |= marks
     return chains
 
 
@@ -51,9 +51,14 @@ def _told(shape: Structure) -> list[Noun]:
 
 
 def _is_bare(noun: Noun) -> bool:
-    """Whether these are blocks told by their colours alone, one of each."""
+    """Whether these are blocks told by their colours or by their labels alone, one of each."""
     plain = noun.det == "bare" and noun.amount is None and noun.part_of is None and not noun.conditions
-    return plain and noun.traits == Traits(colors=noun.traits.colors) and noun.plural == (len(noun.traits.colors) > 1)
+    alone = noun.traits in (Traits(colors=noun.traits.colors), Traits(labels=noun.traits.labels))
+    return plain and alone and noun.plural == (len(_marks(noun)) > 1)
+
+
+def _marks(noun: Noun) -> tuple[str, ...]:
+    return noun.traits.colors or noun.traits.labels
 
 
 def _with_further(shape: Structure) -> Structure:
@@ -75,6 +80,7 @@ def _further(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
         if isinstance(item, Noun) and _is_bare(item):
             one = replace(item, head="block", det="a", amount=Amount(1, 1), plural=False)
             found += [replace(one, traits=Traits(colors=(color,))) for color in item.traits.colors]
+            found += [replace(one, det="another", traits=Traits(labels=(x,))) for x in item.traits.labels]
         else:
             found.append(item)
     return tuple(found)

@@ -1,0 +1,42 @@
+"""Towers that are stacked, one on the other: "put A on B and C on D and stack the two towers"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import Stack, Towers
+from rpg.ir.walk import atoms
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+from rpg.passes.schema.resolve.things.world import refuse
+
+_TOWERS = "|".join(word for word, (kind, many) in lexicon.STRUCTURE.items() if kind == "stack" and many)
+_STACK = "|".join(
+    word
+    for word, forms in lexicon.VERB.items()
+    if any((sense, tense) == ("stack", "base") for sense, _, tense in forms)
+)
+_NOUN = re.compile(rf"\b(?:{'|'.join({*lexicon.BLOCK, *lexicon.STRUCTURE, *lexicon.PATCH} - {'stack'})})\b")
+_THE = r"(?:the|both|these|those|all)(?: of)?(?: the)?(?: (?:two|three|both))?"
+_STACKED = re.compile(
+    rf"\b(?:{_STACK})(?: up)? (?:{_THE} (?P<towers>{_TOWERS})|"
+    r"(?:them|both|both of them)(?= (?:up )?[.;!?,]| on (?:top of )?each other| and\b))"
+)
+
+
+def check_towers_stacked(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "stack the two towers" where they still stand by themselves in the end."""
+    said = " ".join(["", *(token.word for token in words), "."])
+    found = _STACKED.search(said)
+    if found is None:
+        return
+    before = _NOUN.findall(said[: found.start()])
+    kind = lexicon.STRUCTURE.get(before[-1], ("", False))[0] if before else ""
+    of_towers = found["towers"] is not None or kind == "stack"
+    apart = [x for x in atoms(task.goal) if isinstance(x, Stack | Towers)]
+    if of_towers and (len(apart) > 1 or any(isinstance(x, Towers) for x in apart)):
+        at = len(said[: found.start()].split())
+        raise refuse("ambiguous", "which of the towers is to stand on which?", words[at].span,
+                     "say 'put the first tower on the second'")  # fmt: skip

@@ -39,6 +39,7 @@ from rpg.passes.schema.resolve.clauses.left_out_behind import left_out_behind
 from rpg.passes.schema.resolve.clauses.lists_cut import check_lists
 from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.clauses.readied import readied
+from rpg.passes.schema.resolve.clauses.set_below import check_set_below
 from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
 from rpg.passes.schema.resolve.clauses.tower_or_block import check_tower_or_block
@@ -157,6 +158,7 @@ def resolve(
     check_lists(chains, text)
     check_each(chains, text)
     check_tower_or_block(chains)
+    check_set_below(chains)
     chains = from_heaps(readied(chains, text), text)
     links, chains = lots_related(*in_told_order(*left_out_behind(*parts_behind(links, chains, text)), text))
     links, chains = hoisted(*places_told(*words_in_rows(links, chains)))

@@ -1,9 +1,9 @@
 """ "A wall with four layers, each a different colour", "three towers of two, each a different colour": "each" is of
-what is told right before it, and not of every block."""
+what is told right before it, and not of every block. "A row in front of each of two patches": one row, or two?"""
 
 from __future__ import annotations
 
-from rpg.language.meaning import Chain, Clause, Quality, Structure
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Quality, Structure
 from rpg.passes.schema.resolve.things.world import refuse
 
 _PARTS = frozenset({"layers", "rows", "columns"})
@@ -12,6 +12,8 @@ _PARTS = frozenset({"layers", "rows", "columns"})
 def check_each(chains: tuple[Chain, ...], text: str) -> None:
     """Refuse a reading that gives each block a colour where "each" is of layers, rows, columns or towers."""
     for clause in (part for chain in chains for part in chain.clauses if isinstance(part, Clause)):
+        for place in (a for a in clause.adjuncts if isinstance(a, Loc) and not a.negated):
+            _one_for_each(clause.theme, place)
         theme = clause.theme
         told = next((a for a in clause.adjuncts if isinstance(a, Quality) and a.traits.scheme == "different"), None)
         if told is None or not isinstance(theme, Structure):
@@ -24,3 +26,42 @@ def check_each(chains: tuple[Chain, ...], text: str) -> None:
         if theme.plural and theme.kind == "stack":
             raise refuse("ambiguous", "each of the blocks, or each of the towers?", told.span,
                          "say 'each tower' or 'each block'")  # fmt: skip
+
+
+_BESIDE = frozenset({"left", "right", "front", "behind", "beside", "next", "adjacent", "near"})
+
+
+def _one_for_each(theme: Meaning | None, place: Loc) -> None:
+    """Refuse "a row in front of each patch", "two towers on each patch", "each red block on a tower of two"."""
+    mark = place.landmark
+    if _each(theme) and place.rel == "on" and isinstance(mark, Structure) and _new(mark) and mark.kind in _NARROW:
+        raise refuse("ambiguous", "one for all of them, or one for each?", mark.span,
+                     "say 'two towers of two blue blocks, with a red block on each'")  # fmt: skip
+    both = isinstance(mark, Pronoun) and mark.word in ("both", "both of them") and place.rel == "on"
+    if not _each(mark) and not both:
+        return
+    items = theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)
+    shapes = [x for x in items if isinstance(x, Structure)]
+    if len(shapes) != len(items) or not all(map(_new, shapes)):
+        return
+    several = len(shapes) > 1 or (shapes[0].plural and shapes[0].amount is not None and shapes[0].amount.low > 1)
+    if several and place.rel == "on" and isinstance(mark, Noun) and mark.head == "patch":
+        raise refuse("ambiguous", "one of these on each, or all of them on each?", place.span,
+                     "say on which patch each of them is")  # fmt: skip
+    if not several and (place.rel in _BESIDE or both):
+        raise refuse("ambiguous", "one for all of them, or one for each?", place.span,
+                     "name what is at each in a sentence of its own")  # fmt: skip
+
+
+_NARROW = ("stack", "pyramid")
+"""Figures with room for one block on top."""
+
+
+def _each(thing: Meaning | None) -> bool:
+    if isinstance(thing, Pronoun):
+        return thing.word in ("each", "each one", "each of them")
+    return isinstance(thing, Noun) and thing.det == "each"
+
+
+def _new(shape: Structure) -> bool:
+    return shape.det in ("a", "bare", "some", "another")

@@ -1,10 +1,10 @@
-"""The two ends of "between": two blocks, two towers, a tower and a block."""
+"""The two ends of "between": two blocks, two towers, a tower and a block, the two blocks in the middle of a tower."""
 
 from __future__ import annotations
 
 from rpg.ir import structures as s
 from rpg.language.meaning import Loc
-from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
 
 def two_ends(mark: Ref, loc: Loc, scene: Scene) -> tuple[Ref, ...]:
@@ -14,6 +14,8 @@ def two_ends(mark: Ref, loc: Loc, scene: Scene) -> tuple[Ref, ...]:
         ends = tuple(Ref(names=b.members, built=(b,)) for b in mark.built)
     elif len(mark.built) == 1 and mark.built[0].kind == "towers":
         ends = _two_towers(mark, scene)
+    elif len(mark.built) == 1 and mark.built[0].kind == "stack" and mark.names == mark.built[0].members:
+        ends = _middle_two(mark.built[0], loc)
     if mark.op == "or" or len(ends) != 2:
         raise refuse(
             "between-two",
@@ -23,6 +25,15 @@ def two_ends(mark: Ref, loc: Loc, scene: Scene) -> tuple[Ref, ...]:
             ends=len(ends),
         )
     return ends
+
+
+def _middle_two(tower: Built, loc: Loc) -> tuple[Ref, ...]:
+    """ "(There is a tower of A, B, C and D from bottom to top.) Put a block in the middle of it": between B and C."""
+    half = len(tower.members) // 2
+    if len(tower.members) % 2 or not tower.ordered:
+        raise refuse("ambiguous", "it is not clear between which two blocks of the tower this is", loc.span,
+                     "name the two blocks, as in 'between A and B'")  # fmt: skip
+    return tuple(Ref(names=(name,)) for name in tower.members[half - 1 : half + 1])
 
 
 def _two_towers(mark: Ref, scene: Scene) -> tuple[Ref, ...]:

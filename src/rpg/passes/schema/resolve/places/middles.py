@@ -12,8 +12,9 @@ def of_a_line(ref: Ref, at_: At, scene: Scene) -> None:
     """Refuse "there is a row of red, green and blue. Put the red block in the middle": of the row, or of the table?"""
     for b in scene.built if at_.side == "middle" and not ref.built else ():
         begun = any(set(b.members) == set(names_in(start)) for start in scene.start_goals)
+        further = not set(ref.names) & set(b.members) and not ref.patch  # which may go into the tower
         inside = set(ref.names) < set(b.members)
-        if b.kind in SIDES and begun and (inside or b.kind != "stack"):
+        if b.kind in SIDES and ((begun and (inside or b.kind != "stack")) or (further and b.kind == "stack")):
             raise refuse("ambiguous", f"this could be the middle of the {b.kind} or of the table", at_.span,
                          "say 'of the table', or name the blocks in the order that they should have")  # fmt: skip
 

@@ -17,7 +17,8 @@ _UNSAID = 3
 def on_each_patch(clause: Clause, places: list[Meaning], scene: Scene) -> Clause:
     """The clause, whose theme is so many structures where one of them is on each patch, or in each corner."""
     theme = clause.theme
-    if not isinstance(theme, Structure) or theme.plural or theme.det not in ("a", "bare", "some"):
+    so_many = isinstance(theme, Structure) and theme.plural and theme.amount is not None
+    if not isinstance(theme, Structure) or so_many or theme.det not in ("a", "bare", "some"):
         return clause
     marks = [p.landmark for p in places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
     regions = [p.region for p in places if isinstance(p, In) and not p.negated]
@@ -28,8 +29,19 @@ def on_each_patch(clause: Clause, places: list[Meaning], scene: Scene) -> Clause
     if _of_known_blocks(theme.members):
         raise refuse("ambiguous", "these blocks cannot be in each of several places at once", theme.span,
                      "say of what blocks the structure in each place is")  # fmt: skip
+    places[:] = [_of_each(p, many, scene) for p in places]
     each = theme.det == "a" and theme.span != getattr(theme.members, "span", None)  # "a tower of two": two each
     return replace(clause, theme=replace(theme, plural=True, det="bare", each_size=each, amount=Amount(many, many)))
+
+
+def _of_each(place: Meaning, many: int, scene: Scene) -> Meaning:
+    """ "A tower on both patches", "on all three patches": on each of these."""
+    mark = place.landmark if isinstance(place, Loc) and place.rel == "on" else None
+    if not isinstance(mark, Noun) or mark.head != "patch" or mark.det not in ("all", "both") or mark.part_of:
+        return place
+    there = "the" if matching(mark.traits, scene, True) else "bare"
+    those = replace(mark, det=there, amount=Amount(many, many), plural=True)
+    return replace(place, landmark=Noun(head="patch", det="each", plural=True, part_of=those, span=mark.span))
 
 
 def _as_many(mark: Meaning | None, scene: Scene) -> int:

@@ -30,7 +30,7 @@ from rpg.passes.schema.pyramid_told import check_pyramid
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.said_of_all import check_said_of_all
 from rpg.passes.schema.told_apart import check_told_apart
-from rpg.passes.schema.towers_stacked import check_towers_stacked
+from rpg.passes.schema.towers_stacked import check_one_on_other, check_towers_stacked
 
 
 def check_behind(tokens: list[Token], task: TaskSchema) -> None:
@@ -66,6 +66,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_brought_in(tokens, task)
     check_mat_or_block(tokens, task)
     check_towers_stacked(tokens, task)
+    check_one_on_other(tokens, task)
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"

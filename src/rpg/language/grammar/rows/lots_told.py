@@ -38,13 +38,15 @@ _NUMBERED = "(?: ones| numbers| digits)"
 
 
 def _of_their_kind() -> tuple[Turn, ...]:
-    """ "With the vowels A, E and I": those blocks, which are vowels."""
+    """ "With the vowels A, E and I": those blocks, which are vowels; "blocks with the letters A, B and C" have them."""
     kinds = (("vowels", "[aeiou]"), ("consonants", "[b-df-hj-np-tv-z]"), ("letters", "[a-z]"),
              ("(?:digits|numbers)", "\\d"), ("odd (?:digits|numbers|ones)", "[13579]"),
              ("even (?:digits|numbers|ones)", "[02468]"))  # fmt: skip
     rest = "(?=$| ,? ?(?:and |but )?(?:one|the other|another)\\b)"
-    return tuple((f"\\b(with|of|for|has|contains) the {kind} ({one}(?:(?: ,| and| , and) {one})*){rest}", "{1} {2}")
-                 for kind, one in kinds)  # fmt: skip
+    shown = "(?<!blocks )(?<!cubes )(?<!bricks )"
+    ahead = {"letters": shown, "(?:digits|numbers)": shown}
+    return tuple((f"{ahead.get(kind, '')}\\b(with|of|for|has|contains) the {kind} "
+                  f"({one}(?:(?: ,| and| , and) {one})*){rest}", "{1} {2}") for kind, one in kinds)  # fmt: skip
 
 
 _PLACE = "(?:zone|patch|mat|area|target|region)"

@@ -17,9 +17,11 @@ from rpg.language.grammar.things.retold import (
     all_colored,
     bare_color,
     extra_alike,
+    looks_listed,
     mere_size,
     named_by,
     named_together,
+    only_colored,
     part_after,
     restates,
     retelling,
@@ -30,6 +32,7 @@ from rpg.language.grammar.things.retold import (
     tally,
     the_other,
     told_anew,
+    uncolored,
     what_is_left,
 )
 from rpg.language.later import later
@@ -77,26 +80,11 @@ def of_each(p: Parser, i: int, whole: Meaning, j: int) -> Results[Coord]:
     if whole.det not in ("bare", "a", "some") or whole.amount.low != whole.amount.high or whole.head == "patch":
         return
     for listed, end in noun_phrase(p, k):
-        looks = _looks(listed)
+        looks = looks_listed(listed)
         if len(looks) > 1 and len(set(looks)) == len(looks):
             each = replace(whole, head="block", cost=0, det="bare")
             items = tuple(replace(each, traits=look, span=p.span(i, end)) for look in looks)
             yield Coord(op="and", items=items, span=p.span(i, end)), end
-
-
-def _looks(listed: Meaning) -> tuple[Traits, ...]:
-    """The colours or labels of a plain list of them; none of anything else."""
-    if isinstance(listed, Coord) and listed.op == "and":
-        each = [_looks(item) for item in listed.items]
-        return tuple(look for looks in each for look in looks) if all(each) else ()
-    if not isinstance(listed, Noun) or listed.det != "bare" or listed.amount is not None or listed.head == "patch":
-        return ()
-    marks = listed.traits
-    if marks == Traits(colors=marks.colors) and listed.part_of is None and not listed.conditions:
-        return tuple(Traits(colors=(color,)) for color in marks.colors)
-    if marks == Traits(labels=marks.labels) and listed.part_of is None and not listed.conditions:
-        return tuple(Traits(labels=(label,)) for label in marks.labels)
-    return ()
 
 
 ARE = ("are", "is", "should be", "must be", "have to be", "has to be", "shall be", "will be", "being")
@@ -144,8 +132,12 @@ def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
 
 
 def _of_kind(item: Meaning, whole: Noun) -> Meaning:
-    """ "red" of "two mats, red and blue": a mat."""
-    return replace(item, head=whole.head) if isinstance(item, Noun) and item.head == "any" else item
+    """ "red" of "two mats, red and blue": a mat; of "two big blocks, one red and one blue": a big block."""
+    if not isinstance(item, Noun) or item.head != "any":
+        return item
+    own = whole.traits
+    marks = replace(item.traits, size=own.size, edge=own.edge, kind=own.kind) if own != Traits() else item.traits
+    return replace(item, head=whole.head, traits=marks)
 
 
 def _namely(p: Parser, i: int, whole: Noun, j: int) -> Results[Meaning]:
@@ -188,9 +180,11 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
             part = Noun(head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole,
                         span=p.span(i, end), cost=more_)  # fmt: skip
             yield part, end
-    plain = isinstance(whole, Noun) and whole.traits in (Traits(), Traits(kind="plain"))
+    plain = isinstance(whole, Noun) and (whole.traits in _PLAIN or uncolored(whole))
     if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and plain:
         for listed, k in _list_of(p, i, j + 1, whole.amount.low):
+            if whole.traits not in _PLAIN and not only_colored(listed):
+                continue
             named = listed
             if isinstance(listed, Coord):
                 named = replace(listed, items=tuple(_of_kind(item, whole) for item in listed.items))
@@ -215,6 +209,7 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
 
 _PART_COSTS = {"all": 1, "each": 0, "both": 0, "no": 0}
 """What it costs that only a part is meant: "(line up) five blocks, two of them on the mat" lines up all of them."""
+_PLAIN = (Traits(), Traits(kind="plain"))
 
 
 def _joint(p: Parser, comma: int, op: str | None, before: Meaning) -> tuple[int, str]:

@@ -42,6 +42,9 @@ def retold(items: tuple[Meaning, ...]) -> bool:
         counts = [x.amount for x in items[:-1] if isinstance(x, Noun) and x.traits.colors == last.traits.colors]
         if any(x is not None and x.low > 1 for x in counts):  # "two red and two blue blocks, red (first)"
             return True
+    bare = all(isinstance(x, Noun) and x.det == "bare" for x in items[1:])  # "two big ones and a red one" are three
+    if uncolored(whole) and bare and only_colored(Coord(op="and", items=items[1:], span=whole.span)):
+        return True
     if not isinstance(whole, Noun) or whole.traits != Traits(kind=whole.traits.kind) or whole.amount is None:
         return False
     mere = isinstance(last, Noun) and bare_color(last) and last.det == "bare"
@@ -52,6 +55,39 @@ def retold(items: tuple[Meaning, ...]) -> bool:
         getattr(getattr(x, "traits", None), "labels", ()) for x in items[1:]
     )
     return named or tally(items[1:]) > 1 or (len(items) == 2 and mere)
+
+
+def uncolored(whole: Meaning) -> bool:
+    """ "two big blocks", "four 3 cm cubes", "two letter blocks": so many of which no colours are told."""
+    if not isinstance(whole, Noun) or whole.amount is None or whole.amount.low < 2 or whole.head != "block":
+        return False
+    marks = whole.traits
+    told = marks.size or marks.edge or marks.kind in ("letter", "digit")
+    return bool(told) and marks == Traits(size=marks.size, edge=marks.edge, kind=marks.kind)
+
+
+def only_colored(listed: Meaning) -> bool:
+    """ "two red and two blue": a list of so many of each colour, with nothing else said of them."""
+    items = listed.items if isinstance(listed, Coord) and listed.op == "and" else ()
+    told = [x for x in items if isinstance(x, Noun) and x.head == "any" and x.amount is not None]
+    return 1 < len(items) == len(told) and all(
+        len(x.traits.colors) == 1 and x.traits == Traits(colors=x.traits.colors) for x in told
+    )
+
+
+def looks_listed(listed: Meaning) -> tuple[Traits, ...]:
+    """The colours or labels of a plain list of them; none of anything else."""
+    if isinstance(listed, Coord) and listed.op == "and":
+        each = [looks_listed(item) for item in listed.items]
+        return tuple(look for looks in each for look in looks) if all(each) else ()
+    if not isinstance(listed, Noun) or listed.det != "bare" or listed.amount is not None or listed.head == "patch":
+        return ()
+    marks = listed.traits
+    if marks == Traits(colors=marks.colors) and listed.part_of is None and not listed.conditions:
+        return tuple(Traits(colors=(color,)) for color in marks.colors)
+    if marks == Traits(labels=marks.labels) and listed.part_of is None and not listed.conditions:
+        return tuple(Traits(labels=(label,)) for label in marks.labels)
+    return ()
 
 
 def counted_again(items: tuple[Meaning, ...]) -> bool:

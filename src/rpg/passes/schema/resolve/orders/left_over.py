@@ -67,15 +67,16 @@ def lines_left(place: Places, left: Sequence[Cell], told: Sequence[Cell], stands
 
 
 def one_or_all(spec: Spec, names: tuple[str, ...], scene: Scene) -> None:
-    """ "Two green and two pink blocks in a row, green first": one of them at that end, or all? All of them where all
-    blocks are told of, "green on the left and pink on the right"."""
+    """ "Two green and two pink blocks in a row, green first", "large first": one of them at that end, or all? All of
+    them where all blocks are told of, "green on the left and pink on the right"."""
     if spec.orders or spec.patterns:  # "alternating, red at the bottom"
         return
     bare: list[tuple[Absolute, Noun]] = []
     for item in spec.absolutes:
         theme, place = item.theme, item.adjuncts[0] if len(item.adjuncts) == 1 else None
         plain = isinstance(place, At) and place.side != "next" and isinstance(theme, Noun) and theme.det == "bare"
-        if plain and isinstance(theme, Noun) and theme.traits.colors and not (theme.amount or theme.plural):
+        looks = isinstance(theme, Noun) and (theme.traits.colors or theme.traits.size or theme.traits.edge)
+        if plain and isinstance(theme, Noun) and looks and not (theme.amount or theme.plural):
             bare.append((item, theme))
     lots = [tuple(n for n in names if fits(scene.things[n], theme.traits)) for _, theme in bare]
     told = sorted(name for lot in lots for name in lot)
@@ -84,9 +85,13 @@ def one_or_all(spec: Spec, names: tuple[str, ...], scene: Scene) -> None:
             continue
         if told != sorted(names):
             raise refuse("ambiguous", "one of these blocks there, or all of them?", theme.span,
-                         f"say 'a {theme.traits.colors[0]} one', or 'the {theme.traits.colors[0]} ones'")  # fmt: skip
+                         f"say 'a {_look(theme)} one', or 'the {_look(theme)} ones'")  # fmt: skip
         all_ = replace(theme, det="the", plural=True, amount=Amount(len(lot), len(lot)))
         spec.absolutes[spec.absolutes.index(item)] = replace(item, theme=all_)
+
+
+def _look(noun: Noun) -> str:
+    return noun.traits.colors[0] if noun.traits.colors else noun.traits.size or "large"
 
 
 def all_like_base(

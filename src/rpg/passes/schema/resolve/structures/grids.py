@@ -127,6 +127,9 @@ def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
         return shape.dims[0], shape.dims[1], layers
     rows, columns = shape.extent("rows", "deep"), shape.extent("columns", "wide", "long")
     total = said_count(shape, theme, scene) or used_count(spec)
+    if not (rows and columns) and total in _counted_lines(spec):
+        raise refuse("ambiguous", f"only one side of the {shape.kind} is said", shape.span,
+                     "say how many rows and how many columns")  # fmt: skip
     side = shape.extent("side") or (_only_side(shape) if shape.kind == "square" else None)
     if side is not None:
         return side, side, side if shape.kind == "cube" else layers
@@ -148,6 +151,12 @@ def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
         scene.assume("the size of the grid is not said: 3 by 3")
         return 3, 3, 1
     return _fill(shape, total, scene)
+
+
+def _counted_lines(spec: Spec) -> set[int | None]:
+    """ "A grid with three rows: red, blue and green": three are its rows, and not its blocks."""
+    told = [place for item in spec.absolutes for place in item.adjuncts if isinstance(place, Places)]
+    return {place.of for place in told if place.unit in ("row", "column")} - {None}
 
 
 def _said_once(shape: Structure) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.meaning import Chain
+from rpg.passes.schema.resolve.clauses.borne_there import borne_there
 from rpg.passes.schema.resolve.clauses.faced_too import faced_too
 from rpg.passes.schema.resolve.clauses.none_told import none_told
 from rpg.passes.schema.resolve.clauses.one_tense import in_one_tense
@@ -40,7 +41,7 @@ def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
         groups_listed,
     ):  # fmt: skip
         chains = together(chains)
-    chains = tuple(faced_too(told_of_each(chain, text), text) for chain in chains)
+    chains = tuple(borne_there(faced_too(told_of_each(chain, text), text), text) for chain in chains)
     for each in (named_extras, each_lot, checkered_grid, one_in_each, either_shape):
         chains = tuple(map(each, chains))
     told = (shared_gaps(shared_sides(recounted(chain), text), text) for chain in chains)

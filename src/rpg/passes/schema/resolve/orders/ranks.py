@@ -71,6 +71,8 @@ def of_the_whole(noun: Noun, whole: Ref, scene: Scene, scope: Scope) -> Ref:
     """ "the top block of the tower": of the one that is named, whichever others there are."""
     scene.mentions.pop()
     plain = replace(noun, part_of=None)
+    if noun.amount is not None and noun.amount.low > 1 and len(scene.built) > 1:
+        return _several_at_an_end(plain, noun.amount.low, whole, scene)
     found = ranked(plain, scene, scope) if len(scene.built) == 1 else None
     if found is None and noun.traits.rank == "top":
         found = _top_of_alike(plain, whole.built, scene)
@@ -83,6 +85,33 @@ def of_the_whole(noun: Noun, whole: Ref, scene: Scene, scope: Scope) -> Ref:
         raise refuse("no-referent", "it is not clear which block of the tower this is", noun.span,
                      "name its colour or its label")  # fmt: skip
     return found
+
+
+def top_block(span: Span) -> Noun:
+    """ "(Put) the top of the tower (on the mat)": the block there."""
+    return Noun(head="block", det="the", amount=Amount(1, 1), traits=Traits(rank="top"), span=span)
+
+
+def _several_at_an_end(noun: Noun, many: int, whole: Ref, scene: Scene) -> Ref:
+    """ "(There are two towers.) Put the top two blocks of the red tower on the blue one"."""
+    tower = whole.built[0] if len(whole.built) == 1 and whole.built[0].kind == "stack" else None
+    known = tower if tower is None or tower.ordered else begun_in_order(tower, scene)
+    names: tuple[str, ...] = ()
+    if known is not None and known.ordered and many < len(known.members) and noun.traits.rank in ("top", "bottom"):
+        names = known.members[-many:] if noun.traits.rank == "top" else known.members[:many]
+    elif tower is not None and many < len(tower.members) and _is_taken(noun, tower, scene):
+        names = tower.members[-many:]
+        scene.taken |= dict.fromkeys(names, tower.members[:-many])
+    if not names:
+        raise refuse("no-referent", "it is not clear which blocks of the tower these are", noun.span,
+                     "name their colours or their labels")  # fmt: skip
+    return Ref(names=names, plural=True, det=noun.det, span=noun.span)
+
+
+def _is_taken(noun: Noun, tower: Built, scene: Scene) -> bool:
+    """Whether these come off the top of a tower of look-alikes that is there at first."""
+    begun = any({*tower.members} <= {*names_in(fact)} for fact in scene.start_goals)
+    return begun and noun.traits.rank == "top" and _all_alike(tower, scene)
 
 
 def middle_of(whole: Ref, span: Span, scene: Scene, scope: Scope) -> Ref | None:

@@ -35,11 +35,11 @@ from rpg.passes.schema.resolve.things.things import (
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 if TYPE_CHECKING:
-    from rpg.passes.schema.resolve.orders.ranks import middle_of, of_the_whole, ranked
+    from rpg.passes.schema.resolve.orders.ranks import middle_of, of_the_whole, ranked, top_block
     from rpg.passes.schema.resolve.structures.structures import refer_structure
 else:
-    middle_of, of_the_whole, ranked = later(
-        __name__, "rpg.passes.schema.resolve.orders.ranks", "middle_of", "of_the_whole", "ranked"
+    middle_of, of_the_whole, ranked, top_block = later(
+        __name__, "rpg.passes.schema.resolve.orders.ranks", "middle_of", "of_the_whole", "ranked", "top_block"
     )
     (refer_structure,) = later(__name__, "rpg.passes.schema.resolve.structures.structures", "refer_structure")
 
@@ -161,6 +161,8 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
     if whole is None:
         raise refuse("no-referent", "it is not clear of what this is a part", meaning.span)
     built = whole.built[0] if len(whole.built) == 1 and whole.built[0].ordered else None
+    if meaning.part == "top" and scope.role == "theme" and scene.placing and whole.built:
+        return of_the_whole(top_block(meaning.span), whole, scene, scope)
     if meaning.part == "top" or (meaning.part == "middle" and whole.patch and len(whole.names) == 1):
         return replace(whole, part=meaning.part)
     if (

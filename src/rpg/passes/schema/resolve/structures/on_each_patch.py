@@ -29,8 +29,9 @@ def on_each_patch(clause: Clause, places: list[Meaning], scene: Scene) -> Clause
     if _of_known_blocks(theme.members):
         raise refuse("ambiguous", "these blocks cannot be in each of several places at once", theme.span,
                      "say of what blocks the structure in each place is")  # fmt: skip
-    places[:] = [_of_each(p, many, scene) for p in places]
     each = theme.det == "a" and theme.span != getattr(theme.members, "span", None)  # "a tower of two": two each
+    if each or theme.plural:  # but "pile two cubes on both patches" may be one on each
+        places[:] = [_of_each(p, many, scene) for p in places]
     return replace(clause, theme=replace(theme, plural=True, det="bare", each_size=each, amount=Amount(many, many)))
 
 

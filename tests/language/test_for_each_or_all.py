@@ -86,3 +86,8 @@ def test_the_middle_of_the_table_and_what_is_below_a_tower_are_still_read() -> N
     assert "The B block must be somewhere above the red block." in told
     told = _told("There is a tower of A, B and C. Put it in the middle.")
     assert "must be in the middle of the table" in told
+
+
+def test_what_rests_on_both_blocks_below_it_is_a_pyramid() -> None:
+    told = _told("A pyramid of three: two red at the bottom, a blue one on top resting on both.")
+    assert "must form a pyramid with a base of two blocks" in told

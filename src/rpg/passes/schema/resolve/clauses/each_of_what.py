@@ -3,7 +3,7 @@ what is told right before it, and not of every block. "A row in front of each of
 
 from __future__ import annotations
 
-from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Quality, Structure
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Quality, Structure, parts_of
 from rpg.passes.schema.resolve.things.world import refuse
 
 _PARTS = frozenset({"layers", "rows", "columns"})
@@ -11,9 +11,10 @@ _PARTS = frozenset({"layers", "rows", "columns"})
 
 def check_each(chains: tuple[Chain, ...], text: str) -> None:
     """Refuse a reading that gives each block a colour where "each" is of layers, rows, columns or towers."""
+    mats = any(isinstance(x, Noun) and x.head == "patch" for chain in chains for x in parts_of(chain))
     for clause in (part for chain in chains for part in chain.clauses if isinstance(part, Clause)):
         for place in (a for a in clause.adjuncts if isinstance(a, Loc) and not a.negated):
-            _one_for_each(clause, place)
+            _one_for_each(clause.theme, place, mats)
         theme = clause.theme
         told = next((a for a in clause.adjuncts if isinstance(a, Quality) and a.traits.scheme == "different"), None)
         if told is None or not isinstance(theme, Structure):
@@ -31,14 +32,15 @@ def check_each(chains: tuple[Chain, ...], text: str) -> None:
 _BESIDE = frozenset({"left", "right", "front", "behind", "beside", "next", "adjacent", "near"})
 
 
-def _one_for_each(clause: Clause, place: Loc) -> None:
-    """Refuse "a row in front of each patch", "two towers on each patch", "each red block on a tower of two"."""
-    theme, mark = clause.theme, place.landmark
+def _one_for_each(theme: Meaning | None, place: Loc, mats: bool) -> None:
+    """Refuse "a row in front of each patch", "two towers on each patch", "each red block on a tower of two".
+    `mats`: patches are spoken of, which "both" may be."""
+    mark = place.landmark
     if _each(theme) and place.rel == "on" and isinstance(mark, Structure) and _new(mark) and mark.kind in _NARROW:
         raise refuse("ambiguous", "one for all of them, or one for each?", mark.span,
                      "say 'two towers of two blue blocks, with a red block on each'")  # fmt: skip
     both = isinstance(mark, Pronoun) and mark.word in ("both", "both of them") and place.rel == "on"
-    both = both and clause.verb == "place"
+    both = both and mats  # "a pyramid of two red ones and a blue one on both"
     if not _each(mark) and not both:
         return
     items = theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)

@@ -102,3 +102,12 @@ def test_blocks_may_be_stacked_in_towers() -> None:
     assert "must be on the tower of" in _told(
         "There is a tower of two red blocks and a tower of two blue blocks. Put the first tower on the second."
     )
+
+
+def test_like_which_of_several_is_asked_where_they_differ() -> None:
+    start = "There is a tower of two red blocks and a tower of three blue blocks. "
+    assert _refused(start + "Build the same tower from green blocks.") == "ambiguous"
+    told = _told(start.replace("three", "two") + "Build the same tower from green blocks.")
+    assert "two green blocks." in told
+    told = _told("Build a tower of two red blocks, a tower of two blue blocks and the same tower of green blocks.")
+    assert "The two green blocks must form a tower of exactly two." in told

@@ -61,4 +61,4 @@ def check_towers_stacked(words: Sequence[Token], task: TaskSchema) -> None:
     if of_towers and (len(apart) > 1 or any(isinstance(x, Towers) for x in apart)):
         at = len(said[: found.start()].split())
         raise refuse("ambiguous", "which of the towers is to stand on which?", words[at].span,
-                     "say 'put the first tower on the second'")  # fmt: skip
+                     "say what each is made of, as in 'put the red tower on the blue one'")  # fmt: skip

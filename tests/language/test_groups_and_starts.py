@@ -111,3 +111,10 @@ def test_what_is_on_the_last_thing_of_a_list_is_there_at_first() -> None:
 def test_it_is_asked_what_a_patch_has_where_more_is_listed() -> None:
     text = "There is a red patch with a blue block and a green block. Put the green block on the blue one."
     assert _refused(text) == "ambiguous"
+
+
+def test_blocks_around_a_patch_are_not_on_it() -> None:
+    told = _told(
+        "There is a white mat with a red, a blue and a green block around it. The green block should be on the mat."
+    )
+    assert "At the start, the green block is on" not in told

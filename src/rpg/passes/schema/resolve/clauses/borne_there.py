@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from rpg.language.meaning import Absolute, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -39,7 +41,7 @@ def _with_blocks(said: Clause, text: str) -> tuple[Clause, ...]:
         Refusal: further blocks are listed behind one that a patch has.
     """
     items = said.theme.items if isinstance(said.theme, Coord) and said.theme.op == "and" else ()
-    if said.adjuncts or not any(map(_is_patch, items)):
+    if said.adjuncts or not any(map(_is_patch, items)) or not _ENDS.match(text, items[-1].span[1]):
         return ()
     found: list[Clause] = []
     n = 0
@@ -57,6 +59,10 @@ def _with_blocks(said: Clause, text: str) -> tuple[Clause, ...]:
         found.append(replace(said, theme=block, adjuncts=(on,)))
         n += 2
     return tuple(found) if any(x.adjuncts for x in found) else ()
+
+
+_ENDS = re.compile(r"\s*(?:[.,;:!?]|and\b|$)")
+"""What follows a list behind which it is not told where its blocks are: "with a red and a blue block around it"."""
 
 
 def _is_patch(item: Meaning) -> bool:

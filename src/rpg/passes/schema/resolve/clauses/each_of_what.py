@@ -1,8 +1,12 @@
 """ "A wall with four layers, each a different colour", "three towers of two, each a different colour": "each" is of
-what is told right before it, and not of every block. "A row in front of each of two patches": one row, or two?"""
+what is told right before it, and not of every block. "A row in front of each of two patches": one row, or two? "Two
+on each" are so many."""
 
 from __future__ import annotations
 
+import re
+
+from rpg.language import lexicon
 from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Quality, Structure, parts_of
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -15,6 +19,7 @@ def check_each(chains: tuple[Chain, ...], text: str) -> None:
     for clause in (part for chain in chains for part in chain.clauses if isinstance(part, Clause)):
         for place in (a for a in clause.adjuncts if isinstance(a, Loc) and not a.negated):
             _one_for_each(clause.theme, place, mats)
+        _check_so_many(clause, text)
         theme = clause.theme
         told = next((a for a in clause.adjuncts if isinstance(a, Quality) and a.traits.scheme == "different"), None)
         if told is None or not isinstance(theme, Structure):
@@ -68,3 +73,21 @@ def _each(thing: Meaning | None) -> bool:
 
 def _new(shape: Structure) -> bool:
     return shape.det in ("a", "bare", "some", "another")
+
+
+_SO_MANY_EACH = re.compile(
+    r"\b(\w+)(?: of (?:them|these|those))?(?: (?:on|onto|to|for|per))? each(?: one| of them)?\s*(?:$|[.;!?])"
+)
+
+
+def _check_so_many(clause: Clause, text: str) -> None:
+    """Refuse "the red blocks on the blue ones, two on each" as of one on each: one block carries one other."""
+    marks = [x.landmark for x in clause.adjuncts if isinstance(x, Loc) and x.rel == "on" and not x.negated]
+    for mark in marks if isinstance(clause.theme, Noun) and clause.theme.plural else ():
+        if not isinstance(mark, Noun) or mark.head == "patch" or not mark.plural:
+            continue
+        told = _SO_MANY_EACH.search(text.lower(), mark.span[0])
+        many = told[1] if told is not None else ""
+        if told is not None and (lexicon.NUMBER.get(many, 0) > 1 or (many.isdigit() and int(many) > 1)):
+            raise refuse("ambiguous", "it is not clear how so many are to lie on one block", told.span(1),
+                         "say 'towers', with the blocks of each from the bottom up")  # fmt: skip

@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve.places.lots import one_lot_each
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.second_patch import the_only_patch
+from rpg.passes.schema.resolve.things.shares import just_these, so_many_each
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, refuse
 
 MAX_SHARED = 3
@@ -48,9 +49,10 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     if (one and not mark.each and not scene.denying) or theme.op not in ("and", "except"):
         raise refuse("ambiguous", "a block cannot be on several patches at once", span,
                      "name one of them, say 'or', or say which block goes on which")  # fmt: skip
+    theme = so_many_each(theme, mark, scene)
     if mark.each and theme.quant is not None and _known(theme, scene):
         return conj([_on_patch(theme, p, span) for p in patches], span)
-    if mark.each and theme.quant is not None and not _just_these(theme, scene):
+    if mark.each and theme.quant is not None and not just_these(theme, scene):
         raise refuse(
             "ambiguous", "it is not clear which blocks are counted on each patch", span, "say it of one patch at a time"
         )
@@ -220,15 +222,6 @@ def _known(theme: Ref, scene: Scene) -> bool:
     if all(n in scene.told or scene.things[n].declared for n in theme.names):
         return True
     return theme.quant is not None and theme.quant.high is not None and len(theme.names) > theme.quant.high
-
-
-def _just_these(theme: Ref, scene: Scene) -> bool:
-    """ "exactly two blocks", where those two were not known before: as many again for every patch."""
-    return (
-        theme.quant is not None
-        and theme.quant.low == len(theme.names)
-        and not any(scene.things[n].declared for n in theme.names)
-    )
 
 
 def each_its_own(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> list[tuple[Ref, Ref]] | None:

@@ -73,6 +73,9 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
     return found
 
 
+_KNOWN = ("the", "each", "all", "any", "both")
+
+
 def _all_such(item: Meaning) -> bool:
     return isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None
 
@@ -303,7 +306,7 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
 def _the_marked(noun: Noun, scene: Scene) -> bool:
     """ "the red one" where there is a red patch, and no red block; "red" where it is said which blocks there are."""
     listed = any(t.declared for t in scene.blocks()) and any(t.declared for t in scene.things.values() if t.patch)
-    said = (noun.det == "the" or (noun.det == "bare" and listed)) and bool(noun.traits.colors)
+    said = (noun.det in _KNOWN or (noun.det == "bare" and listed)) and bool(noun.traits.colors)
     return said and bool(matching(noun.traits, scene, True)) and not matching(noun.traits, scene, False)
 
 
@@ -361,13 +364,8 @@ def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
     free = [n for n in whole.names if n not in scene.parted]
     things = [scene.things[n] for n in free]
     if not alike(things) and any(t.color or t.label for t in things):
-        raise refuse(
-            "ambiguous",
-            f"it is not said which of {len(free)} different blocks are meant",
-            noun.span,
-            "name the blocks",
-            blocks=len(free),
-        )
+        raise refuse("ambiguous", f"it is not said which of {len(free)} different blocks are meant", noun.span,
+                     "name the blocks", blocks=len(free))  # fmt: skip
     if len(free) < count:
         raise refuse(
             "too-many-asked",

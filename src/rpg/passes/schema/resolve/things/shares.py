@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Amount, Noun
+from rpg.language.meaning import Amount, Noun, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 _PARTS = {"half": (1, 2), "third": (1, 3), "quarter": (1, 4), "two thirds": (2, 3), "three quarters": (3, 4)}
@@ -48,3 +48,21 @@ def share_of(noun: Noun, whole: Ref, scene: Scene) -> Amount | None:
             blocks=total,
         )
     return Amount(part * total // parts, part * total // parts, True)
+
+
+def so_many_each(theme: Ref, mark: Ref, scene: Scene) -> Ref:
+    """ "Two of the red blocks on each mat", where it is not said how many there are: as many as that takes."""
+    quant, things = theme.quant, [scene.things[n] for n in theme.names]
+    told = mark.each and quant is not None and quant.low == quant.high and not theme.built
+    if not told or quant is None or quant.low < 1 or any(t.elastic is None or t.name in scene.told for t in things):
+        return theme
+    return replace(theme, names=scene.fit(theme.names, quant.low * len(mark.names)))
+
+
+def just_these(theme: Ref, scene: Scene) -> bool:
+    """ "exactly two blocks", where those two were not known before: as many again for every patch."""
+    return (
+        theme.quant is not None
+        and theme.quant.low == len(theme.names)
+        and not any(scene.things[n].declared for n in theme.names)
+    )

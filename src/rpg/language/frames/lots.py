@@ -86,6 +86,8 @@ def counted(lots: Sequence[Lot], total: int | None, *, evenly: bool = False, sin
         if len(left) > 1 and rest > len(left) and not evenly:
             raise Unclear
         return [lot if lot.count else replace(lot, count=rest // len(left)) for lot in lots]
+    if singly and any(lot.plural for lot in left) and len(left) < len(lots):
+        raise Unclear  # "four red and blue blocks"
     return [lot if lot.count or not singly else replace(lot, count=1) for lot in lots]
 
 

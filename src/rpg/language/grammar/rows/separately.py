@@ -1,11 +1,12 @@
 """Lots that are stacked or lined up each for itself, "the three yellow blocks, and the two green ones too, but
-separately", and a block on one of several towers, as rows that tell each by itself."""
+separately", "a tower of A and B and one of C and D", and a block on one of several towers, as rows that tell each by
+itself."""
 
 from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY
+from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH
 
 _BLOCKS = "(?:blocks|cubes|ones|letters|digits)"
 _LOT = f"(?:(?:the |all |all the )?(?:{MANY} )?(?:{COLOR} )?{_BLOCKS})"
@@ -23,7 +24,14 @@ def _each(done: str, figure: str) -> tuple[Turn, ...]:
     )  # fmt: skip
 
 
+_NAMED = f"(?:(?:the|an?|and|,|{MANY}|{COLOR}|[a-z]|\\d|blocks?|cubes?) )+?"
+_BY_IT = "(?:next to|beside|behind|in front of|left of|right of|to the left of|to the right of) it"
+_THERE = f"(?:(?:on (?:the|an?) (?:{COLOR} )?{PATCH}|{_BY_IT}) )?"
+_LABELS = "[a-z\\d](?:(?: ,| and| , and) [a-z\\d])+(?! blocks| cubes)\\b"
+
 SEPARATELY: tuple[Turn, ...] = (
+    (f"\\b(an?|one) ({LINE}) of ({_NAMED}{_THERE})(?:, )?and ((?:there (?:is|are|{MUST} be) )?{_THERE})one of "
+     f"(?={_LABELS})", "{1} {2} of {3} and {4} a {2} of"),
     *(row for done, figure in _WAYS for row in _each(done, figure)),
     ("^((?:put )?[^,]+ on ([^,]+) and [^,]+ on ([^,]+?))(?: ,)? separately$", "{1} . {2} and {3} must be on the table"),
 )  # fmt: skip

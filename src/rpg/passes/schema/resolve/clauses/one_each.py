@@ -7,6 +7,7 @@ from rpg.language.meaning import (
     Amount,
     Chain,
     Clause,
+    Coord,
     In,
     Into,
     Loc,
@@ -33,7 +34,7 @@ def plainly(clause: Clause) -> Clause:
     """The clause without what says once more how many go where."""
     if clause.negated:
         return clause
-    clause = _as_written(_for_its_part(_told_inside(clause)))
+    clause = _groups_of(_as_written(_for_its_part(_told_inside(clause))))
     kept = clause.adjuncts
     ordered = [a for a in kept if isinstance(a, OrderBy)]
     if clause.verb != "sort" and len(ordered) == 1 and ordered[0].by == "extreme" and ordered[0].first:
@@ -81,6 +82,32 @@ def _for_its_part(clause: Clause) -> Clause:
     if not one or not any(isinstance(a, Loc) for a in clause.adjuncts):
         return clause
     return replace(clause, adjuncts=tuple(a for a in clause.adjuncts if a != OrderBy(by="alternating", span=a.span)))
+
+
+def _groups_of(clause: Clause) -> Clause:
+    """ "(Put three red and three blue blocks) in groups of one red and one blue": what each of these groups has."""
+    if clause.theme is None or isinstance(clause.theme, Structure):
+        return clause
+    parts = tuple(_each_with(a) if isinstance(a, Into) else a for a in clause.adjuncts)
+    if parts == clause.adjuncts:
+        return clause
+    put = {"verb": "place", "lemma": "put"} if clause.verb == "sort" else {}
+    return replace(clause, adjuncts=parts, **put)
+
+
+def _each_with(into: Into) -> Into:
+    shape = into.structure
+    if not isinstance(shape, Structure) or (shape.kind, shape.plural, shape.details) != ("pile", True, ()):
+        return into
+    items = shape.members.items if isinstance(shape.members, Coord) else (shape.members,)
+    each: list[Meaning] = []
+    for item in items:
+        many = item.amount if isinstance(item, Noun) and item.det in ("bare", "a") and item.part_of is None else None
+        if not isinstance(item, Noun) or many is None or many.low != many.high or len(item.traits.colors) != 1:
+            return into
+        each += [replace(item, head="block", det="a", amount=Amount(1, 1), plural=False)] * many.low
+    told = OrderBy(by="each", items=tuple(each), span=shape.span)
+    return replace(into, structure=replace(shape, members=None, each_size=False, details=(told,)))
 
 
 def _told_inside(clause: Clause) -> Clause:

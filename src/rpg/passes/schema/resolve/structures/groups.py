@@ -80,8 +80,11 @@ def share_out(theme: Ref, shape: Structure, spec: Spec, scene: Scene, span: Span
     """ "divide six blocks into two groups": look-alikes in equal lots, parts named one by one as they are named."""
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
     parts = tuple(p.names for p in theme.parts)
-    if shape.traits.scheme == "mixed":
-        raise refuse("ambiguous", "it is not said how these groups are mixed", shape.span, "say what each group has")
+    _check_mixed(shape)
+    size = group_size(shape)
+    if len(parts) > 1 and count in (None, len(parts)) and size is not None and any(len(p) != size for p in parts):
+        raise refuse("count-mismatch", f"groups of {size} are asked for, but not so many of each kind", shape.span,
+                     "say what each group has, as in 'groups of one red and one blue block'")  # fmt: skip
     if len(parts) > 1 and any(len(p) > 1 for p in parts) and count in (None, len(parts)):
         return _lots(parts, spec, scene, span)
     things = [scene.things[n] for n in theme.names]
@@ -103,6 +106,12 @@ def share_out(theme: Ref, shape: Structure, spec: Spec, scene: Scene, span: Span
         scene.things[name].scheme = "same"
     each = len(names) // count
     return _lots(tuple(names[i * each : (i + 1) * each] for i in range(count)), spec, scene, span)
+
+
+def _check_mixed(shape: Structure | None) -> None:
+    """Refuse "two mixed groups" as of groups that each have one colour."""
+    if shape is not None and shape.traits.scheme == "mixed":
+        raise refuse("ambiguous", "it is not said how these groups are mixed", shape.span, "say what each group has")
 
 
 def _lots(groups: tuple[tuple[str, ...], ...], spec: Spec, scene: Scene, span: Span) -> Made:
@@ -163,6 +172,7 @@ def sort_into(
     span: Span,
 ) -> Made:
     """Groups that lie apart, one for each value of the attribute."""
+    _check_mixed(shape)
     if members is None:
         members = _to_be_sorted(shape, spec, scene)
     wanted = shape.amount.low if shape is not None and shape.amount and shape.amount.low > 1 else DEFAULT_GROUPS

@@ -1,0 +1,86 @@
+"""Several structures, and what each of them has: "a tower of A and B and one of C and D", "groups of one red and one
+blue"."""
+
+from __future__ import annotations
+
+import pytest
+
+from rpg.blocks.english import describe
+from rpg.passes.schema.frontend import BuiltinFrontEnd
+
+
+def _told(text: str) -> str:
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is not None, notes
+    return describe(task)
+
+
+def _refused(text: str) -> str:
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is None, describe(task)
+    return notes[0].code
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Stack four red and blue blocks, alternating.",
+        "Build a tower of three red and blue blocks.",
+        "Arrange six red, blue and green blocks in a row.",
+    ],
+)
+def test_a_number_of_several_colors_is_not_that_of_the_first(text: str) -> None:
+    assert _refused(text) in ("ambiguous", "count-mismatch")
+
+
+def test_a_number_for_each_color_is_read() -> None:
+    assert "three red blocks and a blue block" in _told("Build a tower of three red blocks and a blue block.")
+    assert "two red blocks, a blue block and three green" in _told("Stack two red, one blue and three green blocks.")
+
+
+@pytest.mark.parametrize("joined", ["and one", ", and one", "and next to it one", "and another"])
+def test_one_of_c_and_d_is_one_more_tower(joined: str) -> None:
+    told = _told(f"There is a tower of A and B {joined} of C and D. Put A on D.")
+    assert "At the start, the blocks A and B form a tower of exactly two." in told
+    assert "At the start, the blocks C and D form a tower of exactly two." in told
+
+
+def test_one_more_tower_is_built_where_the_first_one_is() -> None:
+    told = _told("Put a tower of A and B and one of C and D on the patch.")
+    assert "The blocks C and D must form a tower of exactly two. The blocks A to D must be on the gray patch." in told
+
+
+def test_one_of_the_blocks_is_one_of_them() -> None:
+    for text in ("Build a tower of A and B and put one of C and D on the patch.",
+                 "Put A and B and one of C and D on the patch."):  # fmt: skip
+        assert "Exactly one of the blocks C and D must be on the gray patch." in _told(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put three red and three blue blocks in groups of one red and one blue.",
+        "Sort three red and three blue blocks into groups of one red and one blue block.",
+        "Put three red and three blue blocks in groups of a red and a blue block each.",
+    ],
+)
+def test_groups_have_what_is_told_of_each(text: str) -> None:
+    assert "A red block and a blue block must be in one group, another red block and another blue block" in _told(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("Put two red and four blue blocks in two groups, each with one red block.", "count-mismatch"),
+        ("Put two red, two blue and two green blocks in groups of three.", "count-mismatch"),
+        ("Put four red and four blue blocks in pairs.", "count-mismatch"),
+        ("Gather three red and three blue blocks in two mixed groups.", "ambiguous"),
+    ],
+)
+def test_groups_are_not_sorted_by_color_where_something_else_is_said(text: str, code: str) -> None:
+    assert _refused(text) == code
+
+
+def test_groups_by_color_are_by_color() -> None:
+    for text in ("Put two red and four blue blocks in two groups.", "Sort two red and four blue blocks by color."):
+        assert "two groups" in _told(text) or "in one group and the four blue blocks" in _told(text)

@@ -1,4 +1,4 @@
-"""Blocks of a row that must not be next to each other."""
+"""Blocks of a row that must not be next to each other, and those of a tower that must be, or must not be."""
 
 from __future__ import annotations
 
@@ -44,6 +44,33 @@ def in_lines(goal: g.Goal, scene: Scene) -> g.Goal:
         return node if tuple(goals) == node.goals else node.model_copy(update={"goals": tuple(goals)})
 
     return transform(goal, change)
+
+
+def in_stacks(goal: g.Goal, scene: Scene) -> g.Goal:
+    """ "A tower of A, B and C in which A is next to B": one lies on the other, as nothing is side by side in a tower."""
+
+    def change(node: g.Goal) -> g.Goal:
+        parts = node.goals if isinstance(node, g.All) else ()
+        stacks = [{*x.blocks} for x in parts if isinstance(x, s.Stack)]
+        goals = tuple(_on_one_another(x, stacks) for x in parts)
+        if goals == tuple(parts):
+            return node
+        scene.assume("blocks of a tower are next to each other where one lies on the other")
+        return node.model_copy(update={"goals": goals})
+
+    return transform(goal, change)
+
+
+def _on_one_another(goal: g.Goal, stacks: list[set[str]]) -> g.Goal:
+    if isinstance(goal, g.Not | g.All | g.Any):
+        inner = goal.goal if isinstance(goal, g.Not) else goal.goals
+        found = tuple(_on_one_another(x, stacks) for x in (inner if isinstance(inner, tuple) else (inner,)))
+        return goal.model_copy(update={"goal": found[0]} if isinstance(goal, g.Not) else {"goals": found})
+    if not isinstance(goal, r.Beside | r.Adjacent):
+        return goal
+    two = {*members(goal.a), *members(goal.b)}
+    inside = len(two) > 1 and any(two <= stack for stack in stacks)
+    return r.Touching(a=goal.a, b=goal.b, span=goal.span) if inside else goal
 
 
 def _not_beside(goal: g.Goal) -> bool:

@@ -47,7 +47,7 @@ def in_lines(goal: g.Goal, scene: Scene) -> g.Goal:
 
 
 def in_stacks(goal: g.Goal, scene: Scene) -> g.Goal:
-    """ "A tower of A, B and C in which A is next to B": one lies on the other, as nothing is side by side in a tower."""
+    """ "A tower of A, B and C in which A is next to B": one lies on the other, as none are side by side there."""
 
     def change(node: g.Goal) -> g.Goal:
         parts = node.goals if isinstance(node, g.All) else ()

@@ -310,6 +310,8 @@ def _bare(p: Parser, i: int) -> Results[Meaning]:
     """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
     yield from (*measured_bare(p, i), *side_length(p, i), *close_by(p, i))
     for phrase, j in p.standing(i, _UNSAID) if not _on_two_patches(p, i) else ():
+        if phrase == "touching" and p.stands(j, ("it", "them")):
+            continue  # "not touching it": no landmark is left unsaid
         landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
         yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
         if _UNSAID[phrase] == "apart" and p.stands(j, (",", ":")):
@@ -357,8 +359,7 @@ _UNSAID = {
     "on top of itself": "heaped",
     "each on top of the other": "heaped", "on top of each": "heaped",
     "one by one on top of each other": "heaped",
-    "all on top of each other": "heaped", "upon each other": "heaped",
-    "one upon the other": "heaped",
+    "all on top of each other": "heaped", "upon each other": "heaped", "one upon the other": "heaped",
     "one next to the other": "side_by_side", "one beside the other": "side_by_side",
     "each next to the other": "side_by_side",
     "in between": "between", "between them": "between", "in between them": "between",

@@ -190,6 +190,7 @@ def _check_listed(word: Pronoun, scene: Scene, single: list[Mention]) -> None:
 
 def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
     """ "Build a tower on the mat. Put a red block next to it": next to the tower; None where the last one is meant.
+    "Put a tower left of the mat and a red block right of it": right of the mat.
 
     "Build a tower next to the blue block. Put a red block on it" is on the tower or on the blue block, and so is "it"
     in "Beside the tower put white, and on it purple".
@@ -203,7 +204,10 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
     if len(built) != 1 or not marks or rivals[-1] is built[0]:
         return None
     if all(m.ref.patch for m in marks) and scope.rel.removeprefix("not ") not in ("on", "in", "off", ""):
-        return built[0].ref
+        aside = marks[-1].rel not in ("on", "in", "") and marks[-1].sentence == scene.sentence
+        return (
+            (parallel(word, rivals, scene, scope) or _decide(word, scene, rivals, scope.rel)) if aside else built[0].ref
+        )
     if scope.rel == "off" and len(marks) == 1 and marks[0].ref.patch and marks[0].rel in ("on", "in"):
         return marks[0].ref  # and so off the structure as well
     return _decide(word, scene, rivals, scope.rel)
@@ -290,8 +294,7 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                     raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", word.span,
                                  "say 'one of them', or name its colour")  # fmt: skip
                 return Ref(names=(mention.ref.names[0],))
-        raise refuse("no-referent", "'one' refers to something, but nothing was mentioned before", word.span,
-                     "name the block")  # fmt: skip
+        raise refuse("no-referent", "nothing was mentioned before that 'one' could be", word.span, "name the block")
     found = them(word, scene, scope)
     if (towers := each_whole(word, found, scene)) is not None:
         return towers

@@ -42,3 +42,24 @@ def test_what_does_not_touch_it_may_touch_itself(line: str) -> None:
     assert _refused(f"Put a {line} next to the patch, but not touching it.") == "misplaced"
     told = _told(f"Put a {line} next to D, but not touching it.")
     assert "red blocks must not touch the D block." in told
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "There is a row of three blue blocks with a red one at the left end. Move it to the right end.",
+        "There is a row of four blocks with one red block at the left end. Put it in the middle.",
+        "There is a column of three blue blocks with a red one at the front. Move it to the back.",
+        "There is a tower of three blue blocks with a red one on top. Put it on the patch.",
+        "Make a row of three red blocks and a tower of two blue blocks. Put it on the patch.",
+    ],
+)
+def test_it_may_be_the_whole_or_a_block_of_it(text: str) -> None:
+    assert _refused(text) == "ambiguous"
+
+
+def test_it_is_the_one_structure_that_was_mentioned() -> None:
+    told = _told("There is a tower of three blue blocks. Put it on the patch.")
+    assert "The three blue blocks must form a tower of exactly three on the gray patch." in told
+    told = _told("Build a row of three blue blocks with a red one at the left end. Put it on the patch.")
+    assert "The three blue blocks and the red block must be on the gray patch." in told

@@ -84,3 +84,40 @@ def test_groups_are_not_sorted_by_color_where_something_else_is_said(text: str, 
 def test_groups_by_color_are_by_color() -> None:
     for text in ("Put two red and four blue blocks in two groups.", "Sort two red and four blue blocks by color."):
         assert "two groups" in _told(text) or "in one group and the four blue blocks" in _told(text)
+
+
+@pytest.mark.parametrize("each", ["each of the outer ones", "both outer ones", "the two outer ones", "each outer one"])
+def test_what_is_on_the_outer_ones_lies_on_them(each: str) -> None:
+    told = _told(f"Put three red blocks in a row, and on {each} a blue one.")
+    assert "A blue block must be on red block 1. The other blue block must be on red block 3." in told
+
+
+def test_what_is_at_the_ends_lengthens_the_row() -> None:
+    assert "The three red blocks and the two blue blocks must be in a row" in _told(
+        "Put three red blocks in a row and at each end a blue one."
+    )
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Build a row of five white blocks with the second and the fourth red.",
+        "Build a row of five white blocks with the first three red.",
+        "Build a row of five white blocks with the first and the last red.",
+        "Build a row of six white blocks, the last two red.",
+        "Build a tower of four blue blocks with the top two red.",
+    ],
+)
+def test_blocks_of_one_color_are_not_of_another(text: str) -> None:
+    assert _refused(text) in ("ambiguous", "misplaced")
+
+
+def test_parts_of_a_counted_line_are_of_it() -> None:
+    told = _told("Build a row of five blocks, the second and fourth red and the others white.")
+    assert "There are three white blocks and two red blocks." in told
+    assert "There are four white blocks and two red blocks." in _told(
+        "Build a row of four white and two red blocks with the last two red."
+    )
+    assert "There are four white blocks and a red block." in _told(
+        "Build a row of four white blocks and a red one, with the first one red."
+    )

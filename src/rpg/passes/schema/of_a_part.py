@@ -67,11 +67,32 @@ def check_parts(tokens: list[Token], task: TaskSchema) -> None:
                 raise refuse("ambiguous", f"it is not said how many blocks '{part[0]}' are",
                              (sentence[0].span[0], sentence[-1].span[1]), "say 'the two ...'")  # fmt: skip
         _one(text, sentence, task)
+        _of_so_many(text, tokens, task)
         several = any(isinstance(x, InRegion) and len(names_in(x)) > 1 for x in atoms(task.goal))
         if several and _LAST_OF_ALL.search(text.rstrip(" .!")):
             raise refuse("ambiguous", "is only the last one in the middle, or are all of them?",
                          (sentence[0].span[0], sentence[-1].span[1]),
                          "say 'all in the middle of the table', or 'in a row with ... in the middle'")  # fmt: skip
+
+
+_PLACE = rf"(?:the )?(?:\w+ )?(?:{'|'.join(sorted(_WHERE))})(?: \w+)?"
+_OF_SO_MANY = re.compile(
+    rf"\b({'|'.join(lexicon.NUMBER)}|\d+) ({COLOR}) (?:{'|'.join(lexicon.BLOCK)})\b[^:]*?(?: with| where| in which| ,|"
+    rf" but) the {_PLACE}(?:(?: ,| and| , and) {_PLACE})? (?:(?:is|are|being|(?:must|should) be) )?({COLOR})"
+    r"(?= ?[,.;!]| and\b|$)"
+)
+
+
+def _of_so_many(text: str, tokens: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a row of five white blocks with the second and the fourth red" as five white ones, and two red ones."""
+    told = _OF_SO_MANY.search(text)
+    one, other = (lexicon.COLOR[told[2]], lexicon.COLOR[told[3]]) if told is not None else ("", "")
+    many = (lexicon.NUMBER.get(told[1]) or int(told[1])) if told is not None else 0
+    named = [token for token in tokens if lexicon.COLOR.get(token.word, "-") == other]
+    if one != other and len(named) == 1 and sum(block.color == one for block in task.blocks) >= many:
+        raise refuse("ambiguous", "are these of the blocks that are counted, or further ones?", named[0].span,
+                     "count without a color, and say how the rest looks: 'five blocks, the second one red and the rest "
+                     "white'")  # fmt: skip
 
 
 def _one(text: str, sentence: Sequence[Token], task: TaskSchema) -> None:

@@ -96,6 +96,8 @@ def _between_ends() -> tuple[Turn, ...]:
     return tuple(rows)
 
 
+_OUTERS = "(?:(?:each|both) (?:of )?)?(?:the )?(?:two )?outer (?:ones?|blocks?|cubes?)"
+
 LINED_AT_ONCE: tuple[Turn, ...] = (
     # so many places away
     *((f"^(?:(?:in|for) (an? {_ROW_OR_LINE} of .+ and \\w+(?: blocks?| cubes?)?) , )?{_BLOCK} (?:{_BE}|stands|comes) "
@@ -120,6 +122,10 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
      "a {1} with {2} at the {3} end {4}"),
     (f"\\bat its ({END}) end\\b", "at the {1} end"),
     # what lies on both of its ends
+    (f"^(.+? and)(?: then)?(?: ,)? on {_OUTERS} ((?:an?|one) {COLOR} (?:block|cube|one))$",
+     "{1} {2} on each of the outer ones"),
+    (f"\\b((?:an?|one) {COLOR} (?:block|cube|one)) on both (?:of )?(?:the )?outer (?:ones|blocks|cubes)\\b",
+     "{1} on each of the outer ones"),
     (f"{_TO_ENDS} (?:with|and(?: then)? (?:put|place|set|lay)) {_TOP_ONE} {_ON_ENDS}$", _ON_BOTH),
     (f"{_TO_ENDS} and(?: then)? stack {_TOP_ONE} on (?:top of )?{_ENDS} ends?(?: blocks?| "
      f"cubes?)?{_OF_LINE}$", _ON_BOTH),

@@ -97,7 +97,7 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     # so many of them on each
     *((f"^(?:{_DEAL} )?({_ALL_OF}((?:{MANY} )?(?:{COLOR} )?{BLOCK}s))(?: (?:{IS}|go|belong))? {_OVER} {marks} [,:] "
        f"({_SO}{MANY})(?: of them| {BLOCK}s?)? {_ON_EACH}$",
-       f"{last} of the {{2}} must be on each of {each} . {{1}} must be on {each}")
+       f"{last} of the {{2}} must be on each of {each} . the {{2}} must be on {each}")
       for marks, each, last in ((f"((?:(?:the|both|all)(?: of)?(?: the)? )?((?:{MANY} )?{PATCHES}))", "the {4}", "{5}"),
                                 (f"(the .+ and .+?(?: {PATCH}| {PATCHES})?)", "{3}", "{4}"))),
     (f"^({MANY} (?:{COLOR} )?{BLOCK}s) , ({_SO}{MANY} {_ON_EACH})$", "there are {1} . put {2}"),

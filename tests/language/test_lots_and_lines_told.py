@@ -121,3 +121,10 @@ def test_parts_of_a_counted_line_are_of_it() -> None:
     assert "There are four white blocks and a red block." in _told(
         "Build a row of four white blocks and a red one, with the first one red."
     )
+
+
+def test_blocks_stacked_so_high_are_all_stacked() -> None:
+    assert "The six red blocks must form three towers of two." in _told("Stack six red blocks two high.")
+    assert "must form two towers of three" in _told("There are six red blocks. Stack them three high.")
+    assert "must form a tower of exactly three" in _told("Stack three red blocks three high.")
+    assert _refused("Stack seven red blocks two high.") == "count-mismatch"

@@ -45,6 +45,7 @@ from rpg.passes.schema.resolve.places.relations import related
 from rpg.passes.schema.resolve.places.stacking import separately
 from rpg.passes.schema.resolve.structures.figures import check_built
 from rpg.passes.schema.resolve.structures.groups import attribute_of, sort_into
+from rpg.passes.schema.resolve.structures.so_many_towers import so_high
 from rpg.passes.schema.resolve.structures.structures import either, make, stack_built
 from rpg.passes.schema.resolve.things.members import certain, of_look_alikes, picked_for
 from rpg.passes.schema.resolve.things.refer import refer
@@ -329,9 +330,8 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
         theme = replace(theme, names=scene.fit(theme.names, told))
     base = _base(theme, spec, scene, scope)
     spec.listed = spec.listed or theme.listed
-    counted = next((z for z in spec.sizes), None)
-    if counted is not None:
-        built_, goals_ = make(Structure(kind="stack", span=span), spec, theme, scene, scope)
+    if spec.sizes:
+        built_, goals_ = make(so_high(theme, spec.sizes[0], scene, span), spec, theme, scene, scope)
         return replace(theme, names=built_[0].members, built=tuple(built_)), goals_
     order = order_of(spec, theme.names, "stack", scene, scope, span)
     names = theme.names

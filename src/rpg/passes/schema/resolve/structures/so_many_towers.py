@@ -5,15 +5,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.language.meaning import Amount, Structure, replace
-from rpg.passes.schema.resolve.things.world import refuse
+from rpg.language.meaning import Amount, Size, Structure, replace
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 FEWEST = 2
 """Blocks of the smallest tower."""
 MOST_WAYS = 12
 """In so many ways, at most, blocks may be shared among towers whose height is bounded."""
+
+
+def so_high(theme: Ref, size: Size, scene: Scene, span: Span) -> Structure:
+    """ "Stack six red blocks two high": what stacking makes of them, towers of that height where one does not do."""
+    many = size.amount if size.what == "high" else None
+    more = many is not None and many.low == many.high and FEWEST <= many.low < len(theme.names)
+    if not more or any(scene.things[name].elastic for name in theme.names):
+        return Structure(kind="stack", span=span)
+    return Structure(kind="stack", det="bare", plural=True, span=span)
 
 
 def bounded(shape: Structure) -> tuple[Structure, Amount | None]:

@@ -128,3 +128,18 @@ def test_blocks_stacked_so_high_are_all_stacked() -> None:
     assert "must form two towers of three" in _told("There are six red blocks. Stack them three high.")
     assert "must form a tower of exactly three" in _told("Stack three red blocks three high.")
     assert _refused("Stack seven red blocks two high.") == "count-mismatch"
+
+
+@pytest.mark.parametrize("line", ["row of three red blocks", "tower of three red blocks"])
+def test_blocks_behind_a_line_may_be_of_it(line: str) -> None:
+    assert _refused(f"Build a {line} and a yellow and a white block next to it.") == "ambiguous"
+    told = _told(f"Build a {line}, and a yellow and a white block next to it.")
+    assert "The yellow block must be next to the" in told
+    assert "The white block must be next to the" in told
+
+
+def test_the_last_of_a_list_is_beside_the_others() -> None:
+    for listed in ("three red blocks, a yellow block, and", "three red blocks, a yellow block and"):
+        assert "The three red blocks and the yellow block must be in a row." in _told(
+            f"Build a row of {listed} a white block behind it."
+        )

@@ -32,6 +32,7 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
             _check_looks(one, text)
         for clause in chain.clauses:
             _check_either(clause, text)
+            _check_beside_it(clause, text)
             _check_sides(clause)
             _check_standing(clause, text)
         for built in (part for part in parts_of(chain) if isinstance(part, Structure | Clause)):
@@ -119,6 +120,17 @@ def _check_either(clause: Meaning, text: str) -> None:
         if definite and apart and isinstance(other, Noun) and other.det == "a":
             raise refuse("ambiguous", "is this the other one, or what it is next to?", other.span,
                          "say 'a blue or a green block ...'")  # fmt: skip
+
+
+def _check_beside_it(clause: Meaning, text: str) -> None:
+    """Refuse "a row of red blocks, a yellow block, and a white block behind it" as a row with two blocks behind it."""
+    listed = clause.theme.items if isinstance(clause, Clause) and isinstance(clause.theme, Coord) else ()
+    marks = [x.landmark for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
+    behind_it = len(listed) > 2 and any(isinstance(x, Pronoun) and x.word == "it" for x in marks)
+    apart = behind_it and isinstance(listed[0], Structure) and isinstance(listed[1], Noun)
+    if apart and text[listed[0].span[1] : listed[1].span[0]].strip() == ",":
+        raise refuse("ambiguous", "is this one of the blocks before it, or beside them?", listed[1].span,
+                     "say it in a sentence of its own")  # fmt: skip
 
 
 _FINITE = (["is"], ["are"], ["should"], ["must"], ["has"], ["goes"], ["stands"], ["lies"])

@@ -375,14 +375,16 @@ _LINES = ("row", "column", "line", "stack")
 
 
 def _beside_the_other(parts: list[Ref], spec: Spec, scene: Scene, clause: Clause) -> Goals:
-    """ "a red tower and a blue tower next to it": the last one next to the one before."""
+    """ "a red tower and a blue tower next to it": the last one next to the one before; "a red tower and a yellow and a
+    white block next to it": both blocks next to the tower."""
     own = [p for p in spec.places if isinstance(p, Loc) and isinstance(p.landmark, Pronoun) and p.landmark.word == "it"]
     if len(parts) < 2 or not own:
         return []
-    if len(parts) > 2:
+    whole, *others = parts if parts[0].built and not any(p.built for p in parts[1:]) else parts[-2:]
+    if len(others) + 1 < len(parts):
         raise refuse("ambiguous", "it is not clear what 'it' is", own[0].span, "name what you mean")
     spec.places = [p for p in spec.places if p not in own]
-    return [x for place in own for x in related(parts[-1], parts[-2], place, scene, clause.span)]
+    return [x for place in own for other in others for x in related(other, whole, place, scene, clause.span)]
 
 
 def _known_already(clause: Clause, scene: Scene) -> bool:

@@ -60,3 +60,11 @@ def test_each_one_is_a_patch_where_only_patches_look_so(each: str) -> None:
 def test_each_one_is_a_block_where_blocks_look_so() -> None:
     told = _told("There are two red blocks and a blue patch. Put a yellow block on each red one.")
     assert "A yellow block must be on a red block." in told
+
+
+def test_a_tower_on_each_of_several_blocks_is_asked() -> None:
+    for text in ("Put a tower of two red blocks on each blue block.",
+                 "There are two blue blocks. Stack two red blocks on each of them."):  # fmt: skip
+        assert _refused(text) == "ambiguous"
+    told = _told("Build two towers, each with a blue block at the bottom and two red ones on top.")
+    assert "in the order blue, red, red." in told

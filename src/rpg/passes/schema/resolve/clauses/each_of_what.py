@@ -10,6 +10,8 @@ from rpg.language import lexicon
 from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Quality, Structure, parts_of
 from rpg.passes.schema.resolve.things.world import refuse
 
+EACH_TOWER = "say for example 'build two towers, each with a blue block at the bottom and two red ones on top'"
+"""What to say of blocks that are to carry several each."""
 _PARTS = frozenset({"layers", "rows", "columns"})
 
 
@@ -90,4 +92,4 @@ def _check_so_many(clause: Clause, text: str) -> None:
         many = told[1] if told is not None else ""
         if told is not None and (lexicon.NUMBER.get(many, 0) > 1 or (many.isdigit() and int(many) > 1)):
             raise refuse("ambiguous", "it is not clear how so many are to lie on one block", told.span(1),
-                         "say 'towers', with the blocks of each from the bottom up")  # fmt: skip
+                         EACH_TOWER)  # fmt: skip

@@ -189,8 +189,8 @@ def _check_listed(word: Pronoun, scene: Scene, single: list[Mention]) -> None:
 
 
 def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
-    """ "Build a tower on the mat. Put a red block next to it": next to the tower; None where the last one is meant.
-    "Put a tower left of the mat and a red block right of it": right of the mat.
+    """ "Build a tower on the mat. Put a red block next to it": next to the tower; "A tower left of the mat and a block
+    right of it": of the mat; None where the last one is meant.
 
     "Build a tower next to the blue block. Put a red block on it" is on the tower or on the blue block, and so is "it"
     in "Beside the tower put white, and on it purple".
@@ -204,13 +204,11 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
     if len(built) != 1 or not marks or rivals[-1] is built[0]:
         return None
     if all(m.ref.patch for m in marks) and scope.rel.removeprefix("not ") not in ("on", "in", "off", ""):
-        aside = marks[-1].rel not in ("on", "in", "") and marks[-1].sentence == scene.sentence
-        return (
-            (parallel(word, rivals, scene, scope) or _decide(word, scene, rivals, scope.rel)) if aside else built[0].ref
-        )
-    if scope.rel == "off" and len(marks) == 1 and marks[0].ref.patch and marks[0].rel in ("on", "in"):
-        return marks[0].ref  # and so off the structure as well
-    return _decide(word, scene, rivals, scope.rel)
+        if marks[-1].rel in ("on", "in", "") or marks[-1].sentence != scene.sentence:
+            return built[0].ref
+        return parallel(word, rivals, scene, scope) or _decide(word, scene, rivals, scope.rel)
+    off = scope.rel == "off" and len(marks) == 1 and marks[0].ref.patch and marks[0].rel in ("on", "in")
+    return marks[0].ref if off else _decide(word, scene, rivals, scope.rel)  # and so off the structure as well
 
 
 def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:

@@ -52,7 +52,6 @@ from rpg.passes.schema.resolve.things.operands import (
     LEVEL,
     carrier,
     check_one_on_many,
-    check_same_one,
     count,
     crown,
     far_from_any,
@@ -294,7 +293,6 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
     if mark.op == "or":
         return disj([_landmarks(theme, part, loc, scene, span) for part in mark.parts], span)
     mark = one_on_one(theme, far_from_any(mark, loc), loc)
-    check_same_one(theme, mark, loc)
     if first_of_all(theme, mark, loc):
         return spread(theme, lambda a: _landmarks(Ref(names=tuple(a)), mark, loc, scene, span), span)  # type: ignore[arg-type]
     if (quant := mark.quant) is not None:

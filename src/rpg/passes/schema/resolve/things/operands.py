@@ -126,7 +126,7 @@ def check_one_on_many(theme: Ref, quant: Amount) -> None:
                      theme.span, "say: 'two of the three red blocks are on any of the three blue blocks'")  # fmt: skip
 
 
-def check_same_one(theme: Ref, mark: Ref, loc: Loc) -> None:
+def _check_same_one(theme: Ref, mark: Ref, loc: Loc) -> None:
     """Refuse "put A and B next to one of the red blocks": next to the same one, or each next to any of them?"""
     several = len(theme.names) > 1 and theme.quant is None and theme.op == "and" and not (theme.each or theme.built)
     if several and mark.quant is not None and mark.quant[:2] == (1, 1) and not (loc.negated or mark.each):
@@ -137,6 +137,7 @@ def check_same_one(theme: Ref, mark: Ref, loc: Loc) -> None:
 def first_of_all(theme: Ref, mark: Ref, loc: Loc) -> bool:
     """Whether every one of the theme's blocks, or so many of them, have each so many of the landmarks: "both red blocks
     touch at least one blue block", "no red block touches both blue ones"."""
+    _check_same_one(theme, mark, loc)
     quant = theme.quant
     each = len(theme.names) > 1 and not theme.built and (theme.each or theme.det in ("all", "both"))
     of_all = mark.each or mark.det in ("all", "both")

@@ -186,6 +186,17 @@ def _of_the_same(goal: g.Count, say: Speaker) -> str | None:
     return join([told[0], *rest])
 
 
+def _to_the_same(goal: g.Count, say: Speaker) -> str | None:
+    """ "It is right of at least one of these and 6 cm from the same one": no two of them each have a part of it."""
+    parts = goal.goal.goals if isinstance(goal.goal, g.All) else ()
+    if len(parts) < 2 or any(goal.var not in names(part) for part in parts):
+        return None
+    first = spoken(parts[0], say)
+    say.plural.discard(goal.var)
+    say.aliases[goal.var] = "the same one"
+    return join([first, *(spoken(part, say) for part in parts[1:])])
+
+
 def _counted(goal: g.Count, say: Speaker) -> str:
     low, high, total = goal.at_least, goal.at_most, len(goal.over)
     if high == 0:
@@ -202,7 +213,8 @@ def _counted(goal: g.Count, say: Speaker) -> str:
     say.aliases[goal.var] = one or f"{many} of {say.the(goal.over)}"
     if many != "exactly one" and not one:
         say.plural.add(goal.var)
-    text = _on_whichever(goal, say) or _bearing(goal, say) or _of_the_same(goal, say) or spoken(goal.goal, say)
+    same = _bearing(goal, say) or _of_the_same(goal, say) or (None if one else _to_the_same(goal, say))
+    text = _on_whichever(goal, say) or same or spoken(goal.goal, say)
     say.plural.discard(goal.var)
     del say.aliases[goal.var]
     return text

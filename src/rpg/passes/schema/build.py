@@ -37,6 +37,7 @@ from rpg.passes.schema.resolve.clauses.in_parts import links_left
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.clauses.left_out_behind import left_out_behind
 from rpg.passes.schema.resolve.clauses.lists_cut import check_lists
+from rpg.passes.schema.resolve.clauses.marks_joined import marks_joined
 from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.clauses.readied import readied
 from rpg.passes.schema.resolve.clauses.set_below import check_set_below
@@ -161,7 +162,7 @@ def resolve(
     check_tower_or_block(chains)
     check_set_below(chains)
     check_it(chains)
-    chains = from_heaps(readied(chains, text), text)
+    chains = from_heaps(readied(marks_joined(chains), text), text)
     links, chains = lots_related(*in_told_order(*left_out_behind(*parts_behind(links, chains, text)), text))
     links, chains = hoisted(*places_told(*words_in_rows(links, chains)))
     told = begun_of_stock(begun(chains, text), text)

@@ -14,6 +14,7 @@ from rpg.language.grammar.clauses.denials import denies_places, nor_does, nor_th
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_the_order, linked, told_again, told_of_it
 from rpg.language.grammar.clauses.moves import of_the_same
+from rpg.language.grammar.clauses.or_cut import cut_by_or
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
 from rpg.language.grammar.clauses.same_letters import same_letters
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
@@ -141,6 +142,9 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         for item, k in items:
             if previous is not None and _no_clause(p, j, k, previous, item):
                 continue
+            item = cut_by_or(p, j, previous, item) if link == "or" and previous is not None else item
+            if item is None:
+                continue
             if denies and isinstance(item, Clause) and item.mode == "command" and not item.negated:
                 continue
             if previous is not None and (more := told_again(previous, item)) is not None:
@@ -176,6 +180,9 @@ def _meant_again(
         link == "or" and [",", "and"] in (p.words[n : n + 2] for n in range(j, k - 1))
     ):
         return None  # "put A on B or C, and D on the mat": a comma parts more than "or" does
+    item = cut_by_or(p, j, previous, item) if link == "or" else item
+    if item is None:
+        return None
     item = same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
     if nor_does(p, j, k, previous, item):
         return None

@@ -192,7 +192,8 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         placed = where or isinstance(first, Toward) or (isinstance(first, That) and first.kind in ("without", "while"))
         again = (placed and p.words[j - 1] == ",") or (isinstance(first, OrderBy | Into) and p.stands(j, WAY))
         further = ((of_its(x, first), k) for x, k in _fronted(p, j, mode)) if again else ()
-        wished = [start for start, kind in _frames(p, j) if start > j and kind in _SEEN] if placed else ()
+        ended = p.words[i - 1 : i] == ["or"] and p.stands(j, ("and",))  # "(A on B) or on C, and put D on the mat"
+        wished = [start for start, kind in _frames(p, j) if start > j and kind in _SEEN] if placed and not ended else ()
         yield from (x for start in wished if where for x in stands_there(p, i, start, first, mode))
         found_all = [x for start in wished for x in _plain(p, start, mode)]
         for found, end in [*_plain(p, j, mode), *further, *found_all, *done_last(p, j, mode)]:

@@ -25,6 +25,12 @@ _THIS = "((?:(?! or | ?,).)+?)"
 _OR = "(?: ,)? or"
 """A way in which it may be, and what stands ahead of the last one."""
 
+ALTERNATIVES_AT_ONCE: tuple[Turn, ...] = (
+    # what "or" leaves open anyway
+    ("^(.* or .+?)(?: ,)? or (?:even |maybe |perhaps |possibly )?both(?: of (?:them|these))?$", "{1}"),
+    ("^([^,]+) , ([^,]+?)(?: ,)? or (?:even |maybe |perhaps |possibly )?both$", "{1} or {2}"),
+)
+"""What is looked for, and what is said instead; in every sentence."""
 ALTERNATIVES: tuple[Turn, ...] = (
     (f"^{_WHICH} {_OF_THEM} {_IS} {_PLACED}{_BUT} {_NEEDED}$", "{3} of {1} must be {2}"),
     (f"^{_OF_THEM} {_IS} {_PLACED} {_OPEN}{_BUT} {_NEEDED}$", "{3} of {1} must be {2}"),

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.across import ACROSS
-from rpg.language.grammar.rows.alternatives import ALTERNATIVES
+from rpg.language.grammar.rows.alternatives import ALTERNATIVES, ALTERNATIVES_AT_ONCE
 from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
@@ -131,6 +131,7 @@ _OF_ALL = (
     *SEPARATELY,
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,
+    *ALTERNATIVES_AT_ONCE,
     *ROWS_PLACED,
 )
 """The rows of every sentence."""

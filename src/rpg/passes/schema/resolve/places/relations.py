@@ -43,7 +43,7 @@ from rpg.passes.schema.resolve.places.patches import (
     on_separate_patches,
 )
 from rpg.passes.schema.resolve.places.side_lengths import MEASURES, so_large
-from rpg.passes.schema.resolve.places.some_of_them import none_of_others, to_each_other, to_others
+from rpg.passes.schema.resolve.places.some_of_them import any_one, none_of_others, to_each_other, to_others
 from rpg.passes.schema.resolve.places.stacking import Towers, check_bodies, vertical
 from rpg.passes.schema.resolve.places.where_was import took_place
 from rpg.passes.schema.resolve.things.none_of import one_and_all
@@ -106,6 +106,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             both = tuple(replace(meaning, landmark=x) for x in marks)
             if op == "except":  # "touches it but not each other"
                 op, both = "and", (both[0], *(replace(x, negated=not x.negated) for x in both[1:]))
+            op = "and" if meaning.negated else op  # "not touching each other or the red block"
             return place(theme, Coord(op=op, items=both, span=meaning.span), scene, scope, span)
         case Loc(landmark=Pronoun(word="there")) if scene.region_at > scene.last_landmark_at:
             return place(theme, In(region=scene.region, negated=meaning.negated, span=meaning.span), scene, scope, span)
@@ -136,6 +137,7 @@ def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span:
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if loc.landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
+    loc = loc if loc.negated or scene.denying else any_one(loc)
     if loc.rel in COMPARED:
         return compared_far(theme, loc, scene, scope, span)
     check_bodies(theme, loc, scene)
@@ -191,7 +193,7 @@ def _any_of_them(theme: Ref, loc: Loc, scene: Scene) -> tuple[str, ...] | None:
         return None
     if not there and theme.each and theme.quant is None and plain and not compared(mark):
         there = one_for_each(theme, mark, scene)
-    return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *LEVEL, *_UPRIGHT) else None
+    return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *LEVEL, *_UPRIGHT, "distance") else None
 
 
 def _some_on_any(theme: Ref, quant: Amount, marks: tuple[str, ...], loc: Loc, scene: Scene, span: Span) -> g.Goal:

@@ -97,3 +97,11 @@ def none_of_others(theme: Ref, mark: Meaning | None) -> Meaning | None:
         return replace(mark, det="another", amount=Amount(1, 1), plural=False)
     others = mark.part_of if mark.det == "no" and mark.head == "any" and theme.each else None
     return others if isinstance(others, Pronoun) and others.word in ALL_OTHERS else None
+
+
+def any_one(loc: Loc) -> Loc:
+    """ "Touches some blue block", "within 10 cm of some blue block": of any one of them, as "a blue block" is."""
+    mark = loc.landmark
+    if not isinstance(mark, Noun) or (mark.det, mark.amount, mark.plural) != ("some", None, False):
+        return loc
+    return replace(loc, landmark=replace(mark, det="a")) if mark.part_of is None else loc

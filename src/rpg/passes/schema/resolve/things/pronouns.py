@@ -12,7 +12,7 @@ from rpg.passes.schema.resolve.things.off_it import check_off_it
 from rpg.passes.schema.resolve.things.others_open import made_up, not_acted_on, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone, one_of_the_patches, only_one_patch
-from rpg.passes.schema.resolve.things.them import each_whole, them, whichever_there_are
+from rpg.passes.schema.resolve.things.them import each_whole, neither, them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse, said
 
@@ -76,10 +76,9 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         check_off_it(word, scene, scope)
         found = _it(word, scene, scope)
         return replace(found, op="and") if found.op == "only" else found
-    if word.word == "neither of them" and scope.role == "theme":
-        two = them(replace(word, word="both"), scene, scope)
-        return replace(two, quant=Amount(0, 0, True), plural=True, op="and")
-    if word.word in ("nothing", "nothing else", "none of them", "neither of them"):
+    if word.word == "neither of them":
+        return neither(word, scene, scope)
+    if word.word in ("nothing", "nothing else", "none of them"):
         names = tuple(t.name for t in scene.blocks() if not t.extra)
         beyond = Traits() if word.word == "nothing else" else None
         return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, beyond=beyond)

@@ -9,7 +9,7 @@ from rpg.ir.relations import On
 from rpg.ir.structures import Stack
 from rpg.ir.walk import names as names_in
 from rpg.language.later import later
-from rpg.language.meaning import Meaning, Noun, Pronoun, Traits, replace
+from rpg.language.meaning import Amount, Meaning, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.two_lots import two_lots
@@ -47,9 +47,9 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             continue
         if len(mention.ref.names) > 1 and not _idle(mention, scene):
             ref = mention.ref
-            if word.word in ("both", "both of them") and len(ref.names) != 2:
+            if word.word in _BOTH and len(ref.names) != 2:
                 continue
-            if word.word in ("both", "both of them") and _one_of_two_wholes(ref, scene):
+            if word.word in _BOTH and _one_of_two_wholes(ref, scene):
                 return _two_wholes(word, scene)
             if ref.quant is not None and ref.quant.strict and 0 < ref.quant.low < len(ref.names):
                 raise refuse("ambiguous", f"{word.word!r} could be all of these blocks, or just so many of them",
@@ -62,12 +62,14 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                 return listed
             _no_later_ones(word, mention, own, scene)
             built = ref.built if len(ref.built) > 1 or _told_together(ref) else _one_tower(ref, scene, scope)
-            return replace(ref, quant=None, each=False, op="and" if ref.op == "nor" else ref.op, built=built)
+            either = ref.op in ("or", "xor") and word.word in _BOTH  # "put A near B or C; D must be near both"
+            op, parts = ("and", ()) if either else ("and" if ref.op == "nor" else ref.op, ref.parts)
+            return replace(ref, quant=None, each=False, op=op, parts=parts, built=built)
     last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
     if len(set(last)) == 1 and word.word in (*_SEVERAL, *_EACH):
         told = [m for m in scene.mentions if not scope.rel or m not in own]
         last = list(dict.fromkeys(n for m in told for n in m.ref.names if not scene.things[n].patch))
-    if word.word in ("both", "both of them") and len(set(last)) > 2:
+    if word.word in _BOTH and len(set(last)) > 2:
         return _two_wholes(word, scene)
     if word.word == "all of them":
         last = [n for m in scene.mentions if m not in own for n in m.ref.names if not m.ref.patch]
@@ -81,6 +83,14 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         level = scope.role == "landmark" and scope.rel in DIRECTIONS
         return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
+
+
+def neither(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    """ "(Put A near B or C) and D near neither": none of two that were told before."""
+    two = them(replace(word, word="both"), scene, scope)
+    if len(two.names) < 2:
+        raise refuse("ambiguous", "it is not clear which two these are", word.span, "name them")
+    return replace(two, quant=Amount(0, 0, True), plural=True, op="and")
 
 
 def _latest_first(scene: Scene) -> list[Mention]:
@@ -116,7 +126,8 @@ def _not_alone(word: Pronoun, names: list[str]) -> None:
         raise refuse("no-referent", "one block alone is not each of several", word.span, "name the blocks")
 
 
-_SEVERAL = ("them", "they", "both", "both of them")
+_BOTH = ("both", "both of them")
+_SEVERAL = ("them", "they", *_BOTH)
 _EACH = ("each", "each one", "each of them", "either of them")
 _THEY = frozenset({"them", "they", "all of them"})
 
@@ -202,6 +213,8 @@ def of_whom(noun: Noun) -> Meaning:
         return Pronoun(word="all of them", span=noun.span)
     if of_them and (noun.det, noun.amount, noun.traits) == ("each", None, Traits()):
         return Pronoun(word="each of them", span=noun.span)
+    if of_them and (noun.det, noun.traits) == ("both", Traits()):
+        return Pronoun(word="both of them", span=noun.span)
     return noun.part_of or Pronoun(word="them", span=noun.span)
 
 
@@ -256,7 +269,7 @@ def _in_one_breath(last: Mention, other: Mention, scene: Scene) -> bool:
 
 def _both_piles(word: Pronoun, scene: Scene) -> tuple[str, ...]:
     """ "Red is on blue and green is on white. Unstack both": all that stands on something else, in two piles."""
-    if word.word not in ("both", "both of them") or scene.verbs.get(scene.clause, (None, False, ""))[2] != "unstack":
+    if word.word not in _BOTH or scene.verbs.get(scene.clause, (None, False, ""))[2] != "unstack":
         return ()
     piles = [{*names_in(goal)} for goal in scene.start_goals if isinstance(goal, On | Stack)]
     apart = len(piles) == 2 and piles[0].isdisjoint(piles[1])

@@ -1,4 +1,4 @@
-"""How far each of several is from "a", "some" or "its own" block of another kind: each has one, and not all the same."""
+"""How far each of several is from "a", "some" or "its own" block of another kind: each has one."""
 
 from __future__ import annotations
 

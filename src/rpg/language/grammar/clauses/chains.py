@@ -180,10 +180,10 @@ def _meant_again(
         link == "or" and [",", "and"] in (p.words[n : n + 2] for n in range(j, k - 1))
     ):
         return None  # "put A on B or C, and D on the mat": a comma parts more than "or" does
-    item = cut_by_or(p, j, previous, item) if link == "or" else item
-    if item is None:
+    own = cut_by_or(p, j, previous, item) if link == "or" else item
+    if own is None:
         return None
-    item = same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
+    item = same_letters(previous, own) if link in ("or", "then") else _less_likely(previous, own)
     if nor_does(p, j, k, previous, item):
         return None
     same = isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, replace
+from rpg.language.grammar.things.retold import denied_of
+from rpg.language.meaning import Clause, Coord, In, Loc, Manner, Meaning, Noun, replace
 
 _NOT = frozenset({"not", "never"})
 _ALL = (["both"], ["all"])
@@ -13,6 +16,8 @@ REACH = 3
 
 def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
     """ "are not both ...", "must not all be ...", "do not put both ...": it may be so of some of them."""
+    if not found.negated and found.theme is not None and denied_of(found.theme):
+        return _of_none(p, j, found)
     denial = next((k for k in range(j, min(j + REACH, p.end)) if p.words[k] in _NOT), None)
     if denial is None or not found.negated:
         return found
@@ -25,6 +30,24 @@ def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
     if p.words[at : at + 1] not in _ALL and not _of_both(p, at, found):
         return found
     return replace(found, adjuncts=(*found.adjuncts, Manner(kind="not all", span=found.span)))
+
+
+def _of_none(p: Parser, j: int, found: Clause) -> Clause:
+    """ "(None of them) may be both near red and on the mat", "... and in the left half at once": not in both places."""
+    places = [a for a in found.adjuncts if isinstance(a, Loc | In | Coord)]
+    first = min((a.span[0] for a in places), default=0)
+    ahead = {t.word for t in p.tokens[j:] if t.span[1] <= first} | _behind_first(p, places)
+    hurried = [a for a in found.adjuncts if isinstance(a, Manner) and a.value == "pace at once"]
+    if "both" not in ahead and not (hurried and len(places) > 1):
+        return found
+    rest = tuple(a for a in found.adjuncts if a not in hurried or len(places) < 2)
+    return replace(found, adjuncts=(*rest, Manner(kind="not all", span=found.span)))
+
+
+def _behind_first(p: Parser, places: Sequence[Meaning]) -> set[str]:
+    """The words of the only place: "near both A and B"."""
+    begin, end = places[0].span if len(places) == 1 else (0, 0)
+    return {t.word for t in p.tokens if begin <= t.span[0] and t.span[1] <= end}
 
 
 def _so_many(theme: Meaning | None) -> bool:

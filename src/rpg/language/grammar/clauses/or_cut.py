@@ -9,8 +9,8 @@ _OF_TWO = ("both", "both of them", "neither of them")
 
 
 def cut_by_or(p: Parser, j: int, before: Clause, item: Meaning) -> Meaning | None:
-    """ "(A on B or) C and D near both": no clause of its own, for C is one of the two; "(A on B or) C and D on the mat":
-    as likely as that C is what A may be on."""
+    """ "(A on B or) C and D near both": no clause of its own, for C is one of the two; "(A on B or) C and D on E": as
+    likely as that C is what A may be on."""
     theme = item.theme if isinstance(item, Clause) else None
     if not isinstance(item, Clause) or theme is None or theme.span[0] != p.char(j, 0) or not _listed(p, theme):
         return item

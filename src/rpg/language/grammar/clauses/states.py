@@ -32,7 +32,7 @@ from rpg.language.grammar.things.adjectives import adjectives, of_quality
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.grammar.things.of_listed import one_of_more
 from rpg.language.grammar.things.printed import colored_cubes
-from rpg.language.grammar.things.retold import none_of, one_heap
+from rpg.language.grammar.things.retold import denied_of, none_of, one_heap
 from rpg.language.meaning import (
     At,
     Clause,
@@ -120,7 +120,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
         for found, end in to_be_done(readings, MODALS & {*words, p.words[k]}):
             found = denied_of_all(p, j, found) if isinstance(found, Clause) else found
             lasting = lasts(words) or bool(barred)
-            lasting = lasting or ("ever" in words and none_of(theme))
+            lasting = lasting or ("ever" in words and denied_of(theme))
             bound = (MODALS | BOUND) - (_HAVE if p.words[k] == "been" else set())  # "have been put", not "have to"
             found = perhaps_first(p, k, found, mode)
             if (

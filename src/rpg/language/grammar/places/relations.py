@@ -60,7 +60,8 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if found.rel == "beside" and p.words[i] in _INSTEAD and not _SIDED.isdisjoint(p.words[:i]):
                 continue  # "in front of it rather than next to it": not at its side, or not so near?
-            yield replace(found, negated=True, span=p.span(i, k)), k
+            some = ("not all",) * (p.words[j] == "all" and getattr(found.landmark, "word", "") == "each other")
+            yield replace(found, negated=True, mods=(*found.mods, *some), span=p.span(i, k)), k
         elif not j:
             yield found, k
     if j:

@@ -338,6 +338,12 @@ def none_of(theme: Meaning) -> bool:
     return getattr(theme, "det", "") == "no" or word in ("nothing", "nothing else") or word.startswith("none of")
 
 
+def denied_of(theme: Meaning) -> bool:
+    """ "Nothing (may ever ...)", "no other block", "neither A nor B", "only A": some may not."""
+    other = getattr(theme, "det", "") == "no other" or getattr(theme, "op", "") in ("nor", "none but", "only")
+    return none_of(theme) or other or getattr(theme, "word", "").startswith("neither of")
+
+
 def told_of(before: Clause, both: bool = False) -> Meaning:
     """Whom a clause tells of, where a further one says no more than "and is ..."."""
     if before.subject is not None:

@@ -30,6 +30,7 @@ def denied_once(clause: Clause) -> Clause:
     if clause.negated or getattr(clause.theme, "det", "") == "no":
         _said_in_one(clause)
     _all_that_are_not(clause)
+    _either_is_not(clause)
     _not_to_all(clause)
     _not_in_pairs(clause)
     for near in clause.adjuncts if clause.negated and clause.lemma in ("move", "shift") else ():
@@ -129,6 +130,14 @@ def _all_that_are_not(clause: Clause) -> None:
         if isinstance(place, In) or (isinstance(place, Loc) and not isinstance(place.landmark, Pronoun)):
             raise refuse("ambiguous", "it is not clear whether none of them are to be so, or not all", clause.span,
                          "say 'none of the ...', or 'not all of the ...'")  # fmt: skip
+
+
+def _either_is_not(clause: Clause) -> None:
+    """Refuse "either A or B must not be there": at least one of them, or neither?"""
+    theme = clause.theme if clause.negated and clause.mode != "command" else None
+    if isinstance(theme, Coord) and theme.op == "or" and theme.span[0] < theme.items[0].span[0]:
+        raise refuse("ambiguous", "it is not clear whether one of them is not to be so, or neither", theme.span,
+                     "say 'neither ... nor ...', or 'at least one of ... must not'")  # fmt: skip
 
 
 def _not_to_all(clause: Clause) -> None:

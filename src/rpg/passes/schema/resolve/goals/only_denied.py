@@ -5,9 +5,11 @@ from __future__ import annotations
 from rpg.blocks.english import clause
 from rpg.blocks.state import World
 from rpg.ir import goal as g
+from rpg.ir import relations as r
 from rpg.ir.assets import Asset
 from rpg.ir.relations import OnTable
 from rpg.ir.schema import InitialState
+from rpg.ir.walk import atoms
 
 
 def still_ahead(goal: g.Goal, start: InitialState, assets: tuple[Asset, ...]) -> tuple[InitialState, tuple[str, ...]]:
@@ -26,7 +28,10 @@ def still_ahead(goal: g.Goal, start: InitialState, assets: tuple[Asset, ...]) ->
 
 
 def _broken(part: g.Goal) -> g.Goal | None:
-    """What such a part denies, by as little as it can; None where it asks for something."""
+    """What such a part denies, by as little as it can; None where it asks for something, or tells of what is moved:
+    at the start nothing is."""
+    if any(isinstance(atom, r.Stayed | r.Moved | r.Shifted | r.Swapped | r.TookPlace) for atom in atoms(part)):
+        return None
     match part:
         case g.Not(goal=g.Any(goals=goals)):
             return goals[0]

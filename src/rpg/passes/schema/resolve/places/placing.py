@@ -32,6 +32,7 @@ from rpg.passes.schema.resolve.places.across_the_table import table_sides
 from rpg.passes.schema.resolve.places.centred import centred
 from rpg.passes.schema.resolve.places.middles import beside_another
 from rpg.passes.schema.resolve.places.mutual import of_the_other
+from rpg.passes.schema.resolve.places.none_there import none_there
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
 from rpg.passes.schema.resolve.places.pointed import of_a_part, of_its_own_corner, of_the_nearest, onto_a_list, whom
 from rpg.passes.schema.resolve.places.relations import place, related
@@ -126,6 +127,8 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     _merge_sides(spec)
     of_the_other(ref, spec)
     _no_chain(spec)
+    if (none := none_there(ref, spec, scene, scope, span, place)) is not None:
+        return none
     upright = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
     # "Near white, but not on it": of white, which has to be spoken of first.
     vertical = [p for p in upright if not isinstance(p.landmark, Pronoun) or p == spec.places[0]]
@@ -135,9 +138,8 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     for item in [*vertical, *level]:
         if isinstance(item, Loc) and item.rel == "heaped":
             if len(ref.built) > 1 or any(b.kind not in ("stack", "word") for b in ref.built):
-                raise refuse(
-                    "ambiguous", "it is not clear which block goes on which", item.span, "say what goes on what"
-                )
+                raise refuse("ambiguous", "it is not clear which block goes on which", item.span,
+                             "say what goes on what")  # fmt: skip
             continue
         goals += _place_one(ref, item, scene, scope, span, paired is not None)
     spec.places = [*offsets]
@@ -201,14 +203,8 @@ def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, 
     if respectively and isinstance(item, Loc) and item.landmark is not None:
         mark = refer(item.landmark, scene, replace(scope, role="landmark"))
         if len(mark.names) != len(ref.names):
-            raise refuse(
-                "count-mismatch",
-                f"'respectively' pairs {len(ref.names)} with {len(mark.names)}",
-                item.span,
-                "list as many of both",
-                left=len(ref.names),
-                right=len(mark.names),
-            )
+            raise refuse("count-mismatch", f"'respectively' pairs {len(ref.names)} with {len(mark.names)}", item.span,
+                         "list as many of both", left=len(ref.names), right=len(mark.names))  # fmt: skip
         if scene.alike and mark.patch:
             return [dealt([(name,) for name in ref.names], mark.names, where)]
         one_sort = any(alike([scene.things[n] for n in x.names]) for x in (ref, mark))

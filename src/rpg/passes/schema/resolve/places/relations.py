@@ -135,9 +135,9 @@ def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span:
 
 
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
+    loc = loc if loc.negated or scene.denying else any_one(loc)
     if loc.landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
-    loc = loc if loc.negated or scene.denying else any_one(loc)
     if loc.rel in COMPARED:
         return compared_far(theme, loc, scene, scope, span)
     check_bodies(theme, loc, scene)

@@ -5,14 +5,14 @@ from __future__ import annotations
 from itertools import combinations
 from math import comb
 
-from rpg.core.diagnostics import Span
+from rpg.core.diagnostics import Refusal, Span
 from rpg.ir import goal as g
 from rpg.ir.node import EACH
 from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.orders.positions import looks
 from rpg.passes.schema.resolve.places.mutual import ALL_OTHERS, of_every_two, reciprocal, some_other
-from rpg.passes.schema.resolve.things.operands import LEVEL
+from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
 
 
@@ -32,12 +32,16 @@ def to_each_other(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
 def _among_some(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
     """So many of look-alikes are so related, and no others; None where it is said of all of them, or of none."""
     many = theme.quant
+    if many == Amount(0, 1, True) and loc.rel in _ONE_WAY and not (loc.negated or scene.denying):
+        raise refuse("ambiguous", "it is not said which of these may be so", span,
+                     "say which of them must not: 'A and B must not be on another block'")  # fmt: skip
+    if "not all" in loc.mods and len(theme.names) > 2:  # "(three blocks,) not all touching"
+        raise _of_some(span)
     if many is None or (many.low == 0 and many.high in (0, 1)) or len(theme.names) < 2:
         return None
     parting = loc.rel == "apart" or (loc.rel == "distance" and loc.high is None)
     if loc.negated or scene.denying or parting or many.low < 2 or theme.built:
-        raise refuse("ambiguous", "is this said of every two of them, or of some?", span, "say 'every two of ...', "
-                     "or name the blocks")  # fmt: skip
+        raise _of_some(span)
     alike = len({looks(scene.things[n]) for n in theme.names}) == 1
     if not alike and comb(len(theme.names), many.low) > _CHOICES:
         raise refuse("ambiguous", "it is not said which of the blocks are meant", span, "name the blocks")
@@ -50,6 +54,13 @@ def _among_some(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
     return [disj([conj(_just_these(lot, theme.names, loc, span), span) for lot in lots], span)]
 
 
+def _of_some(span: Span) -> Refusal:
+    told = "is this said of every two of them, or of some?"
+    return refuse("ambiguous", told, span, "say 'every two of ...', or name the blocks")
+
+
+_ONE_WAY = frozenset({"on", "above", "under", *DIRECTIONS})
+"""Where at most one may be so to another, one of two may; none may be where it is so of both."""
 _CHOICES = 12
 """Of so many sets of blocks it may be said that they are those."""
 

@@ -62,9 +62,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                 return listed
             _no_later_ones(word, mention, own, scene)
             built = ref.built if len(ref.built) > 1 or _told_together(ref) else _one_tower(ref, scene, scope)
-            either = ref.op in ("or", "xor") and word.word in _BOTH  # "put A near B or C; D must be near both"
-            op, parts = ("and", ()) if either else ("and" if ref.op == "nor" else ref.op, ref.parts)
-            return replace(ref, quant=None, each=False, op=op, parts=parts, built=built)
+            return _not_open(replace(ref, quant=None, each=False, built=built), word)
     last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
     if len(set(last)) == 1 and word.word in (*_SEVERAL, *_EACH):
         told = [m for m in scene.mentions if not scope.rel or m not in own]
@@ -85,9 +83,17 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     return _nobody(word)
 
 
+def _not_open(ref: Ref, word: Pronoun) -> Ref:
+    """ "(Put A near B or C;) D must be near both": B and C, and not one of them, as "them" may be."""
+    if ref.op in ("or", "xor") and word.word in _BOTH:
+        return replace(ref, op="and", parts=())
+    return replace(ref, op="and") if ref.op == "nor" else ref
+
+
 def neither(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     """ "(Put A near B or C) and D near neither": none of two that were told before."""
-    two = them(replace(word, word="both"), scene, scope)
+    patches = patches_of_each(scene, scope, of_none=True) if scope.role == "landmark" else ()
+    two = Ref(names=patches, patch=True) if patches else them(replace(word, word="both"), scene, scope)
     if len(two.names) < 2:
         raise refuse("ambiguous", "it is not clear which two these are", word.span, "name them")
     return replace(two, quant=Amount(0, 0, True), plural=True, op="and")

@@ -108,6 +108,8 @@ def test_where_it_is_not_clear_how_much_is_denied_it_is_asked(text: str) -> None
         ("Put A on the mat; at least one of B and C must not be there.",
          "The B block must not be on the gray patch or the C block must not be on the gray patch."),
         ("Do not put either B or C on the mat. Put A on B.", "The C block must not be on the gray patch."),
+        ("No two of A, B and C may be on each other. Put A on the mat.",
+         "The B block must not be somewhere above the C block."),
         ("Put A, B and C on the mat, not touching.", "The B block must not touch the C block."),
         ("Put A, B and C on the mat, none of them on another.", "The C block must not be somewhere above the A block."),
         ("Put red, blue and green on the mat. Blue and green must not be on another block.",
@@ -135,3 +137,10 @@ def test_beside_what_is_done_few_may_be_moved() -> None:
     assert "At most one of the blocks A, B and C must be moved" in told
     assert "At the start" not in told
     assert "Exactly one of the blocks A, B and C must be moved" in _told("Move exactly one of A, B and C.")
+
+
+def test_what_is_left_by_itself_is_so_of_no_one_of_several() -> None:
+    text = (
+        "None of the three gray blocks shall be left on the table by itself: all three shall be stacked on the red one."
+    )
+    assert "Gray block 1 must not be on the table." in _told(text)

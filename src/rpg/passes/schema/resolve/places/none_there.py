@@ -36,6 +36,10 @@ def none_there(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, p
         return None
     if not together and any(two.span[0] - one.span[1] > _JOINED for one, two in pairwise(spots)):
         raise _unclear(spots[-1].span)
+    if any(_to_each_other(p) for p in spots):
+        if together:
+            raise _unclear(span)
+        return None
     if any(_one_more(p) for p in spots):
         raise refuse("ambiguous", "it is not clear which block this is near or on", spots[-1].span, "name the block")
     spec.places = [p for p in spec.places if p not in spots]
@@ -68,6 +72,11 @@ def _several(place: Meaning) -> bool:
     mark = place.landmark if isinstance(place, Loc) else None
     listed = isinstance(mark, Noun) and (mark.plural or mark.det == "both")
     return listed or isinstance(mark, Coord) or (isinstance(place, Coord) and place.op == "and")
+
+
+def _to_each_other(place: Meaning) -> bool:
+    """ "(Left on the table) by itself": not said of one block alone."""
+    return getattr(getattr(place, "landmark", None), "word", "") in ("each other", "one another", "itself")
 
 
 def _one_more(place: Meaning) -> bool:

@@ -32,7 +32,8 @@ def to_each_other(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
 def _among_some(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
     """So many of look-alikes are so related, and no others; None where it is said of all of them, or of none."""
     many = theme.quant
-    if many == Amount(0, 1, True) and loc.rel in _ONE_WAY and not (loc.negated or scene.denying):
+    two = getattr(loc.landmark, "word", "") == "each other"  # "no two of them on each other"
+    if many == Amount(0, 1, True) and loc.rel in _ONE_WAY and not (two or loc.negated or scene.denying):
         raise refuse("ambiguous", "it is not said which of these may be so", span,
                      "say which of them must not: 'A and B must not be on another block'")  # fmt: skip
     if "not all" in loc.mods and len(theme.names) > 2:  # "(three blocks,) not all touching"

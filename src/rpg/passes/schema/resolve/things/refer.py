@@ -21,7 +21,7 @@ from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
 from rpg.passes.schema.resolve.things.theirs import THEIRS, begun_on, in_their_colors, its_own
-from rpg.passes.schema.resolve.things.them import of_whom, patches_of_each, sorted_out
+from rpg.passes.schema.resolve.things.them import all_of_it, of_whom, patches_of_each, sorted_out
 from rpg.passes.schema.resolve.things.things import (
     alike,
     check_cubes,
@@ -326,6 +326,7 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     check_both(noun, whole)
     amount = noun.amount
     if noun.det in ("all", "each", "both"):
+        whole = all_of_it(whole) if noun.det == "both" else whole
         return replace(whole, each=noun.det == "each", quant=None, det=noun.det)
     if noun.det == "no":
         return replace(whole, quant=fewer_than(noun.amount))

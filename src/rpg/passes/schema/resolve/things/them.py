@@ -62,7 +62,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                 return listed
             _no_later_ones(word, mention, own, scene)
             built = ref.built if len(ref.built) > 1 or _told_together(ref) else _one_tower(ref, scene, scope)
-            return _not_open(replace(ref, quant=None, each=False, built=built), word)
+            return replace(all_of_it(ref, word.word), quant=None, each=False, built=built)
     last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
     if len(set(last)) == 1 and word.word in (*_SEVERAL, *_EACH):
         told = [m for m in scene.mentions if not scope.rel or m not in own]
@@ -83,9 +83,9 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     return _nobody(word)
 
 
-def _not_open(ref: Ref, word: Pronoun) -> Ref:
+def all_of_it(ref: Ref, word: str = "both") -> Ref:
     """ "(Put A near B or C;) D must be near both": B and C, and not one of them, as "them" may be."""
-    if ref.op in ("or", "xor") and word.word in _BOTH:
+    if ref.op in ("or", "xor") and word in _BOTH:
         return replace(ref, op="and", parts=())
     return replace(ref, op="and") if ref.op == "nor" else ref
 
@@ -219,8 +219,6 @@ def of_whom(noun: Noun) -> Meaning:
         return Pronoun(word="all of them", span=noun.span)
     if of_them and (noun.det, noun.amount, noun.traits) == ("each", None, Traits()):
         return Pronoun(word="each of them", span=noun.span)
-    if of_them and (noun.det, noun.traits) == ("both", Traits()):
-        return Pronoun(word="both of them", span=noun.span)
     return noun.part_of or Pronoun(word="them", span=noun.span)
 
 

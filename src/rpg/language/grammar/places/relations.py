@@ -69,8 +69,7 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
             yield replace(found, negated=True), k
 
 
-_SIDED = frozenset({"left", "right", "front", "behind"})
-_INSTEAD = frozenset({"rather", "instead", "as"})
+_SIDED, _INSTEAD = frozenset({"left", "right", "front", "behind"}), frozenset({"rather", "instead", "as"})
 _SPOTS = ("to a spot", "to a place", "to a position", "in a spot", "in a place", "at a spot", "in a position",
     "to the spot", "at a point", "to a point", "at the spot", "to the place", "to a location", "at a location",
           "in the spot", "to the position", "in the position")  # fmt: skip

@@ -89,8 +89,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",
                          meaning.span, "say 'of the table', or name the structure's blocks")  # fmt: skip
         case In(region="other_half"):
-            others = from_their_halves(theme, meaning, scene, scope)
-            return [x for one, half in others for x in place(one, half, scene, scope, span)]
+            pairs = from_their_halves(theme, meaning, scene, scope)
+            return [x for one, half in pairs for x in place(one, half, scene, scope, span)]
         case In():
             scene.region, scene.region_at = meaning.region, meaning.span[0]
             scene.regions[scene.clause] = meaning.region
@@ -106,8 +106,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             both = tuple(replace(meaning, landmark=x) for x in marks)
             if op == "except":  # "touches it but not each other"
                 op, both = "and", (both[0], *(replace(x, negated=not x.negated) for x in both[1:]))
-            op = "and" if meaning.negated else op  # "not touching each other or the red block"
-            return place(theme, Coord(op=op, items=both, span=meaning.span), scene, scope, span)
+            whole = Coord(op="and" if meaning.negated else op, items=both, span=meaning.span)  # "not each other or red"
+            return place(theme, whole, scene, scope, span)
         case Loc(landmark=Pronoun(word="there")) if scene.region_at > scene.last_landmark_at:
             return place(theme, In(region=scene.region, negated=meaning.negated, span=meaning.span), scene, scope, span)
         case Loc(measure=measure) if measure in MEASURES:
@@ -135,8 +135,7 @@ def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span:
 
 
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
-    loc = loc if loc.negated or scene.denying else any_one(loc)
-    if loc.landmark is None:
+    if (loc := loc if loc.negated or scene.denying else any_one(loc)).landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
     if loc.rel in COMPARED:
         return compared_far(theme, loc, scene, scope, span)

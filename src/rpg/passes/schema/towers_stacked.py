@@ -20,7 +20,7 @@ _STACK = "|".join(
     for word, forms in lexicon.VERB.items()
     if any((sense, tense) == ("stack", "base") for sense, _, tense in forms)
 )
-_NOUN = re.compile(rf"\b(?:{'|'.join({*lexicon.BLOCK, *lexicon.STRUCTURE, *lexicon.PATCH} - {'stack'})})\b")
+_NOUN = re.compile(rf"\b(?:{'|'.join(sorted({*lexicon.BLOCK, *lexicon.STRUCTURE, *lexicon.PATCH} - {'stack'}))})\b")
 _THE = r"(?:the|both|these|those|all)(?: of)?(?: the)?(?: (?:two|three|both))?"
 _STACKED = re.compile(
     rf"\b(?:{_STACK})(?: up)? (?:{_THE} (?P<towers>{_TOWERS})|"

@@ -55,6 +55,9 @@ def check_mat_or_block(tokens: Sequence[Token], task: TaskSchema) -> None:
     color = lexicon.COLOR[other["color"]] if other is not None else ""
     if other is None or not any(block.color == color for block in task.blocks):
         return
+    listed = sum(word in lexicon.COLOR for word in text[: other.start()].split(" . ")[-1].split())
+    if listed > 1:
+        return  # "green, pink and gray on the white mat, but not red": it is one of those that are listed
     mat = any(patch.color == color for patch in task.patches)
     if mat or sum(lexicon.COLOR.get(token.word) == color for token in tokens) == 1:
         at = text[: other.start("color")].count(" ")

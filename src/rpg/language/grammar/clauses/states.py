@@ -251,7 +251,7 @@ def predicate_after_be(
         while n := p.one(j, _ADVERBS if negated else NOT | _ADVERBS) or p.seq(j, "to be"):
             negated = negated or p.words[j] in NOT
             lasting = lasting or p.words[j] in ("always", "never")
-            if p.words[j] in ("currently", "already", "initially", "originally", "now"):
+            if p.words[j] in ("currently", "already", "initially", "originally"):
                 mode = "start"
             j = n
         j += p.words[j] == "to" and p.words[j + 1] in lexicon.POSTURE

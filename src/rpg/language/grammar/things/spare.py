@@ -74,7 +74,7 @@ _THERE = ("present", "also present", "in the scene", "around", "lying around", "
 _TURNED = frozenset({"turn", "turned", "rotate", "rotated", "flip", "flipped", "spin", "spun", "facing", "faces"})
 _PLACED = frozenset({"on", "onto", "in", "into", "to", "behind", "under", "beside", "near", "next", "of", "above",
                      "touch", "touches", "touching", "together", "adjacent", "against", "between", "leave",
-                     "leaves", "off", "from", "out", "move", "moved", "remove", "removed"})  # fmt: skip
+                     "leaves", "off", "from", "out", "remove", "removed"})  # fmt: skip
 
 
 @rule

@@ -119,7 +119,23 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
             )
             chain = replace(chain, clauses=clauses)
         found.append(borne_in_turn(chain))
-    return wished_after(tuple(found), text, final)
+    return wished_after(tuple(_so_now(chain, chains, text) for chain in found), text, final)
+
+
+def _so_now(chain: Chain, chains: tuple[Chain, ...], text: str) -> Chain:
+    """ "(Put A on B.) B is now on C": so it is at the start, where something is to be done."""
+    told = chain.clauses[0]
+    one = len(chain.clauses) == 1 and isinstance(told, Clause) and _fact(told, True)
+    if not one or not isinstance(told, Clause):
+        return chain
+    said = text[slice(*told.span)] + re.split(r"[.;!?]", text[told.span[1] :])[0]
+    if _NOW_SO.search(said) is None:
+        return chain
+    ordered = any(orders_something(other) or _ASKED.search(text[slice(*other.span)]) for other in chains)
+    return replace(chain, clauses=(replace(told, mode="start"),)) if ordered else chain
+
+
+_NOW_SO = re.compile(r"\b(?:is|are|lies?|stands?|sits?) now\b|\bnow$", re.IGNORECASE)
 
 
 def _lying_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:

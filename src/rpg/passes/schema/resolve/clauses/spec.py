@@ -89,6 +89,8 @@ def sort_adjuncts(adjuncts: tuple[Meaning, ...]) -> Spec:
             pass  # "upright and readable" says one thing twice
         else:
             getattr(spec, _KINDS[type(item)]).append(item)
+    if any(isinstance(p, Loc) and getattr(p.landmark, "word", "") == "it" for p in spec.places):
+        spec.places.sort(key=lambda p: p.span)  # "beside the red block and touching it": told of it after that
     return spec
 
 

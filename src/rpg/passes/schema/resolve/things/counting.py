@@ -36,13 +36,14 @@ def not_of_a_structure(noun: Noun, scene: Scene) -> None:
         )
 
 
-def check_both(noun: Noun, whole: Ref) -> None:
+def check_both(noun: Noun, whole: Ref, denied: bool) -> None:
     """ "both of the three", "on neither" behind one thing alone: there are two, or it is not said of both."""
     if noun.det == "no" and noun.amount == Amount(2, 2, True) and len(whole.names) == 1:
         raise refuse("no-referent", "it is not clear which two are meant by 'neither'", noun.span, "name both")
     if noun.det == "both" and len(whole.names) != 2:
         raise refuse("count-mismatch", f"'both' is of two, but there are {len(whole.names)}", noun.span, "say 'all'")
-    if isinstance(noun.part_of, Pronoun) and noun.det not in _OF_EACH:
+    none = denied and noun.det == "any"  # "not on any of them": on no tower is on none of its blocks
+    if isinstance(noun.part_of, Pronoun) and noun.det not in _OF_EACH and not none:
         _of_the_blocks(noun, whole.built)
 
 

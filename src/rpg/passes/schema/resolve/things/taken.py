@@ -71,7 +71,7 @@ def _another(chain: Chain) -> Chain:
     clauses = [_another_inside(clause) for clause in chain.clauses]
     for n in range(len(clauses) - 1):
         first, second = clauses[n : n + 2]
-        if isinstance(first, Clause) and isinstance(second, Clause) and first.verb == second.verb:
+        if isinstance(first, Clause) and isinstance(second, Clause) and first.verb == second.verb and _in_front(second):
             clauses[n + 1] = replace(second, theme=_one_more(first.theme, second.theme))
     return replace(chain, clauses=tuple(clauses))
 
@@ -88,6 +88,11 @@ def _another_inside(clause: Meaning) -> Meaning:
                 items[n + 1] = replace(second, theme=_one_more(first.theme, second.theme) or second.theme)
         told.append(replace(part, items=tuple(items)) if items else part)
     return replace(clause, adjuncts=tuple(told))
+
+
+def _in_front(clause: Clause) -> bool:
+    """Whether who it is stands before what is said of it: "one on the mat", and not "not on the blue one"."""
+    return clause.theme is not None and all(clause.theme.span[0] < place.span[0] for place in clause.adjuncts)
 
 
 def _one_more(one: Meaning | None, two: Meaning | None) -> Meaning | None:

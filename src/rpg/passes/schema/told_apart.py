@@ -87,7 +87,9 @@ _PUT_THERE = re.compile(
     r"into) (?:its|(?:exactly )?(?:the|that) (?:very )?same) (?:place|spot|position|location))"
     r"(?: instead| too| as well)?$"
 )
-_OWN = re.compile(r"\b(?:back|left|kept|keep|keeping|leave|leaving|stays?|staying|remains?|remaining|own|still|again|held)\b")
+_OWN = re.compile(
+    r"\b(?:back|left|kept|keep|keeping|leave|leaving|stays?|staying|remains?|remaining|own|still|again|held)\b"
+)
 
 
 def _corrected(before: Sequence[Token], sentence: Sequence[Token], task: TaskSchema) -> None:

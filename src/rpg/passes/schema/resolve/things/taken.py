@@ -24,6 +24,7 @@ from rpg.passes.schema.resolve.clauses.among_all import among_all
 from rpg.passes.schema.resolve.structures.another_such import another_such
 from rpg.passes.schema.resolve.structures.by_looks import by_looks
 from rpg.passes.schema.resolve.structures.capped import capped
+from rpg.passes.schema.resolve.structures.one_here_one_there import one_here_one_there
 from rpg.passes.schema.resolve.structures.one_place_told import one_place_told
 from rpg.passes.schema.resolve.structures.stacked_groups import stacked_groups
 from rpg.passes.schema.resolve.things.lots_open import lots_open
@@ -46,7 +47,7 @@ def all_plainly(chains: tuple[Chain, ...], scene: Scene) -> tuple[Chain, ...]:
 
 def plainly(chain: Chain) -> Chain:
     """The sentence with such clauses."""
-    return by_looks(_another(_taken(_listed_apart(_no_block(stacked_groups(capped(chain)))))))
+    return by_looks(_another(_taken(_listed_apart(_no_block(stacked_groups(capped(one_here_one_there(chain))))))))
 
 
 def _no_block(chain: Chain) -> Chain:

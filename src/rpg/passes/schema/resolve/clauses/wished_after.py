@@ -22,7 +22,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import indicative
-from rpg.passes.schema.resolve.clauses.joined_facts import asked_of
+from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of
 
 _SHOULD = re.compile(r"\b(?:must|should|shall|has to|have to|needs? to|ought)\b", re.IGNORECASE)
 _STOP = re.compile(r"[.!?]")
@@ -38,7 +38,8 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
             continue
         facts = tuple(c for c in chain.clauses if isinstance(c, Clause))
         begun = tuple(replace(c, mode="start") for c in facts)
-        if any(_of_these(wish.theme, fact) for fact in facts):
+        besides = BESIDES.search(text[slice(*wish.span)].replace("both", "")) is not None
+        if (wish.mode == "command" and not besides) or any(_of_these(wish.theme, fact) for fact in facts):
             found[n] = replace(chain, clauses=begun)
             found = [_remaining(x, wish, facts[-1]) for x in found]
         elif all(map(_definite, facts)):
@@ -98,9 +99,10 @@ def _wish(chains: tuple[Chain, ...], n: int, text: str) -> Clause | None:
     """What the first sentence behind the facts asks for, where it says that something should be somewhere."""
     after = next((chain for chain in chains[n + 1 :] if not _so(chain, text)), None)
     asked = asked_of(after) if after is not None else None
-    if not isinstance(asked, Clause) or asked.mode != "goal" or asked.negated or asked.theme is None:
+    if not isinstance(asked, Clause) or asked.negated or asked.theme is None:
         return None
-    return asked if _SHOULD.search(text[slice(*asked.span)]) is not None else None
+    wished = asked.mode == "goal" and _SHOULD.search(text[slice(*asked.span)]) is not None
+    return asked if asked.mode == "command" or wished else None
 
 
 def _of_these(theme: Meaning | None, fact: Clause) -> bool:
@@ -114,10 +116,10 @@ def _of_these(theme: Meaning | None, fact: Clause) -> bool:
 
 
 def _looks_so(traits: Traits, told: Traits) -> bool:
-    """Whether a look is that of one of the blocks that a noun tells of: "C" of "A, B and C"."""
+    """Whether a look is that of one of the blocks that a noun tells of: "C" of "A, B and C", "A and C" of "A is on B"."""
     looks = {*traits.colors, *traits.labels}
-    among = looks <= {*told.colors, *told.labels} and traits.size in (None, told.size)
-    return among and bool(looks or traits.size)
+    among = not looks.isdisjoint({*told.colors, *told.labels}) and traits.size in (None, told.size)
+    return among or (not looks and traits.size is not None and traits.size == told.size)
 
 
 def _definite(fact: Clause) -> bool:

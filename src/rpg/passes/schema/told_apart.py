@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import GoalPatch
-from rpg.ir.goal import Goal
+from rpg.ir.goal import All, Goal, Not
 from rpg.ir.relations import InRegion, Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Towers
@@ -49,9 +49,9 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
     """
     found = list(atoms(task.goal))
     towers = [{*x.blocks} for x in found if isinstance(x, Stack)]
-    for before, sentence in zip([None, *(told := sentences(tokens))], told, strict=False):
-        if before is not None:
-            _corrected(before, sentence, task)
+    for n, sentence in enumerate(sentences(tokens)):
+        if n:
+            _corrected(sentence, task)
         text = " ".join(token.word for token in sentence if token.word not in (".", "!", "?"))
         grouped = [x.groups[0] for x in found if isinstance(x, GroupBy) and x.groups and len(x.groups) == 1]
         if any({*x} in towers and len(x) < len(task.blocks) for x in grouped) and _TOUCHING.search(text):
@@ -92,12 +92,18 @@ _OWN = re.compile(
 )
 
 
-def _corrected(before: Sequence[Token], sentence: Sequence[Token], task: TaskSchema) -> None:
+def _corrected(sentence: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "put red on the mat. Put blue there instead" as both: the second is in place of the first."""
     words = [token.word for token in sentence]
-    later = any(a == "instead" and b != "of" for a, b in pairwise([*words, ""]))
-    if later and before[0].word in lexicon.COMMANDS and not task.init.arranged:
-        raise _asked(sentence, "is what was said before not to be done then?", "leave out what is not to be done")
+    if not any(a == "instead" and b != "of" for a, b in pairwise([*words, ""])):
+        return
+    parts = task.goal.goals if isinstance(task.goal, All) else (task.goal,)
+    begun = [x.model_copy(update={"span": None}) for x in task.init.arranged]
+    kept = any(x.model_copy(update={"span": None}) in begun for x in parts) or not begun
+    if kept and not any(isinstance(x, Not) for x in parts):
+        raise _asked(
+            sentence, "is what was said before not to be so then?", "leave out what is not to be so at the end"
+        )
 
 
 def _place_of_another(sentence: Sequence[Token], text: str, found: Sequence[Goal]) -> None:

@@ -67,6 +67,10 @@ WORDIER_AT_ONCE: tuple[Turn, ...] = (
      "{1} {2} {3}"),
     # the same place in other words
     ("\\bbe moved off$", "be taken off"),
+    # of all that was told of, and not of the lot that was told of last
+    ("^((?:please )?(?:put|stack|move|bring|place|lay|take|line|pile|arrange|sort|set)(?: up)?) them all\\b(?! (?:but|"
+     "except|of))", "{1} all of them"),
+    (f"^they ({MUST}) all (be|go|lie|stand|end up|belong)\\b", "all of them {1} {2}"),
     (f"\\b((?:nearer|closer) to {ME} than [^,]+?){_THAT_IS} in front of (?:it|that)$", "{1}"),
     (f"\\b(in front of [^,]+?){_THAT_IS} (?:nearer|closer) to {ME}$", "{1}"),
     (f"\\b(behind [^,]+?){_THAT_IS} (?:(?:farther|further)(?: away)? from {ME}|(?:farther|further) away)$", "{1}"),

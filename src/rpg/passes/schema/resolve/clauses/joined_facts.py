@@ -9,6 +9,7 @@ from itertools import pairwise
 from rpg.language.meaning import (
     Chain,
     Clause,
+    Coord,
     In,
     Loc,
     Manner,
@@ -175,18 +176,32 @@ def moves(fact: Meaning, end: Meaning) -> bool:
 def _same_mark(one: Meaning | None, other: Meaning | None) -> bool:
     """Whether two phrases name the same block or patch, "the blue mat" and "it" or "there" behind that."""
     if isinstance(other, Pronoun):
-        return other.word in ("it", "there")
+        return other.word in ("it", "there", "them")
     if isinstance(one, Noun) and isinstance(other, Noun):
         return (one.head, one.traits) == (other.head, other.traits)
     return isinstance(one, TableTop) and isinstance(other, TableTop)
 
 
-def _on_that(place: Meaning, mark: Meaning | None) -> Meaning:
+def _same_spot(one: Loc | In, other: Loc | In) -> bool:
+    """Whether two places are one: "behind A" and "behind it", "on the left" and "there"."""
+    if isinstance(other, Loc) and isinstance(other.landmark, Pronoun) and other.landmark.word == "there":
+        return not one.negated
+    if isinstance(one, In) or isinstance(other, In):
+        return isinstance(one, In) and isinstance(other, In) and one.region == other.region
+    plain = (one.rel, one.mods, one.low, one.negated) == (other.rel, other.mods, other.low, other.negated)
+    return plain and _same_mark(one.landmark, other.landmark)
+
+
+def _at_that(place: Meaning, there: Loc | In) -> Meaning:
     """ "Red is on blue. Green should be there instead": on the blue block, which is what the other leaves."""
-    known = replace(mark, det="the" if mark.det == "a" else mark.det) if isinstance(mark, Noun) else None
-    block = known is not None and known.head != "patch"
-    there = isinstance(place, Loc) and isinstance(place.landmark, Pronoun)
-    return replace(place, landmark=known) if block and there and isinstance(place, Loc) else place
+    if not isinstance(place, Loc) or not isinstance(place.landmark, Pronoun):
+        return place
+    mark = there.landmark if isinstance(there, Loc) else None
+    if isinstance(mark, Noun):
+        if mark.head == "patch":
+            return place
+        return replace(there, landmark=replace(mark, det="the" if mark.det == "a" else mark.det))
+    return there if isinstance(there, In) or isinstance(mark, Coord) else place
 
 
 def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
@@ -196,10 +211,10 @@ def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         if not isinstance(fact, Clause) or not isinstance(end, Clause) or end.negated or fact.negated:
             continue
         told = [a for a in end.adjuncts if isinstance(a, Manner) and a.value == "before instead"]
-        spots = [[x.landmark for x in c.adjuncts if isinstance(x, Loc) and x.rel in ("on", "in")] for c in (fact, end)]
+        there, here = (tuple(x for x in c.adjuncts if isinstance(x, Loc | In)) for c in (fact, end))
         was = fact.mode == "start" or fact.lemma == "fact" or (fact.verb, fact.mode) == ("exist", "given")
-        once = [len(spot) for spot in spots] == [1, 1] and len(after.clauses) == 1 and len(fact.adjuncts) == 1
-        if not told or not was or not once or not _same_mark(spots[0][0], spots[1][0]) or same_one(fact, end):
+        once = len(there) == len(here) == len(after.clauses) == len(fact.adjuncts) == 1
+        if not told or not was or not once or not _same_spot(there[0], here[0]) or same_one(fact, end):
             continue
         theme = fact.theme
         if not isinstance(theme, Noun) or theme.plural or isinstance(end.theme, Pronoun):
@@ -207,7 +222,7 @@ def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         begun = fact if fact.mode == "start" else replace(fact, verb="be", lemma="fact", mode="start")
         known = replace(theme, det="the" if theme.det == "a" else theme.det, amount=None)
         gone = Clause(verb="be", theme=known, adjuncts=fact.adjuncts, negated=True, mode="goal", span=end.span)
-        put = replace(end, adjuncts=tuple(_on_that(a, spots[0][0]) for a in end.adjuncts if a not in told))
+        put = replace(end, adjuncts=tuple(_at_that(a, there[0]) for a in end.adjuncts if a not in told))
         chains = (*chains[:n], replace(before, clauses=(*before.clauses[:-1], begun)),
                   replace(after, clauses=(put, gone), links=(after.links[0], "and")), *chains[n + 2 :])  # fmt: skip
     return chains

@@ -49,7 +49,14 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
     if any(p.patch for p in parts):
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
     swap = r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)
-    return [swap, *_on_each_others(parts[0], parts[1], scene, clause.span)]
+    only = spec.manner("only") is not None or theme.op == "only"
+    return [swap, *_on_each_others(parts[0], parts[1], scene, clause.span), *(_others_stay(swap, scene) if only else ())]
+
+
+def _others_stay(swap: r.Swapped, scene: Scene) -> list[g.Goal]:
+    """ "Swap only A and B": the others stay where they are."""
+    others = tuple(t.name for t in scene.blocks() if t.name not in (*swap.a, *swap.b))
+    return [r.Stayed(a=others, span=swap.span)] if others else []
 
 
 def _check_lots(clause: Clause, theme: Ref, scene: Scene) -> None:

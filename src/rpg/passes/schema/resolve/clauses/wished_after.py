@@ -30,7 +30,7 @@ _STOP = re.compile(r"[.!?]")
 
 def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) -> tuple[Chain, ...]:
     """The sentences, with such facts told of the start. `final`: which of them tell of the end anyway."""
-    chains = tuple(_so_many_left(chain) for chain in chains)
+    chains = (*chains[:1], *(_those_left(_so_many_left(chain), text) for chain in chains[1:]))
     found = list(chains)
     for n, chain in enumerate(chains):
         wish = None if final[n] or not _so(chain, text) else _wish(chains, n, text)
@@ -64,6 +64,23 @@ def _so_many_left(chain: Chain) -> Chain:
     some = Noun(head="any", det="some", amount=many._replace(strict=True), plural=True,
                 part_of=Pronoun(word="them", span=span), span=span)  # fmt: skip
     return replace(chain, clauses=(replace(left, verb="be", lemma="", theme=some, mode="goal"),))
+
+
+def _those_left(chain: Chain, text: str) -> Chain:
+    """ "(A tower of four blocks stands on the mat.) Only two blocks should remain there": two of these."""
+    left = chain.clauses[0]
+    if not isinstance(left, Clause) or left.mode != "goal" or _REMAIN.search(text[slice(*left.span)]) is None:
+        return chain
+    noun = left.theme
+    plain = isinstance(noun, Noun) and noun.head == "block" and noun.traits == Traits() and noun.part_of is None
+    if not plain or not isinstance(noun, Noun) or noun.amount is None or noun.det != "bare" or noun.conditions:
+        return chain
+    them = Pronoun(word="them", span=noun.span)
+    some = replace(noun, head="any", det="some", amount=noun.amount._replace(strict=True), plural=True, part_of=them)
+    return replace(chain, clauses=(replace(left, theme=some), *chain.clauses[1:]))
+
+
+_REMAIN = re.compile(r"\b(?:remain|stay|be left)\b", re.IGNORECASE)
 
 
 def _remaining(chain: Chain, wish: Clause, fact: Clause) -> Chain:
@@ -107,7 +124,7 @@ def _wish(chains: tuple[Chain, ...], n: int, text: str) -> Clause | None:
 
 def _of_these(theme: Meaning | None, fact: Clause) -> bool:
     """Whether it is one of the things that the fact tells of, or "it", "they"."""
-    if isinstance(theme, Pronoun):
+    if any(isinstance(x, Pronoun) for x in parts_of(theme)):
         return True
     if isinstance(theme, Noun) and theme.head == "any" and theme.traits == Traits():
         return True  # "exactly one (of them)"
@@ -116,7 +133,7 @@ def _of_these(theme: Meaning | None, fact: Clause) -> bool:
 
 
 def _looks_so(traits: Traits, told: Traits) -> bool:
-    """Whether a look is that of one of the blocks that a noun tells of: "C" of "A, B and C", "A and C" of "A is on B"."""
+    """Whether a look is that of one of the blocks that a noun tells of: "C" of "A, B and C", also "A and C"."""
     looks = {*traits.colors, *traits.labels}
     among = not looks.isdisjoint({*told.colors, *told.labels}) and traits.size in (None, told.size)
     return among or (not looks and traits.size is not None and traits.size == told.size)

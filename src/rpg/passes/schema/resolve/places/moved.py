@@ -66,7 +66,12 @@ def _lies_there(fact: g.Goal) -> TypeGuard[r.On | r.OnPatch]:
 
 def off_what(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
     """ "Take it off": off all that it lies on, where that is known."""
-    if loc.rel != "off" or not isinstance(loc.landmark, Pronoun) or loc.landmark.word != "there" or theme.patch:
+    word = loc.landmark.word if isinstance(loc.landmark, Pronoun) else ""
+    if loc.rel != "off" or theme.patch or word not in (("there",) if len(theme.names) == 1 else ("there", "them")):
+        return None
+    if len(theme.names) > 1 and (several := _off_their_own(theme, loc, scene)) is not None:
+        return several
+    if word != "there":
         return None
     under: list[str] = []
     below = scene.on_top.get(theme.names[0]) if len(theme.names) == 1 else None
@@ -80,6 +85,17 @@ def off_what(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
     if under:
         return Ref(names=tuple(under), plural=len(under) > 1, span=loc.span)
     return _off_its_patch(theme, loc, scene)
+
+
+def _off_their_own(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
+    """ "A is on B and C is on D. Take A and C off": off what each of them lies on."""
+    bases = dict.fromkeys(scene.on_top.get(name) for name in theme.names)
+    below = tuple(name for name in bases if name is not None and name not in theme.names)
+    if not below or len(bases) < 2:
+        return None
+    if None in bases:
+        raise refuse("ambiguous", "it is not said of all of them what they are on", loc.span, "say off what they are taken")
+    return Ref(names=below, plural=True, span=loc.span)
 
 
 def _off_its_patch(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:

@@ -44,7 +44,7 @@ from rpg.passes.schema.resolve.clauses.set_below import check_set_below
 from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
 from rpg.passes.schema.resolve.clauses.tower_or_block import check_tower_or_block
-from rpg.passes.schema.resolve.clauses.whole_or_part import check_it
+from rpg.passes.schema.resolve.clauses.whole_or_part import check_it, of_the_one
 from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.only_denied import still_ahead
@@ -161,7 +161,7 @@ def resolve(
     check_each(chains, text)
     check_tower_or_block(chains)
     check_set_below(chains)
-    check_it(chains)
+    check_it(chains := of_the_one(chains))
     chains = from_heaps(readied(marks_joined(chains), text), text)
     links, chains = lots_related(*in_told_order(*left_out_behind(*parts_behind(links, chains, text)), text))
     links, chains = hoisted(*places_told(*words_in_rows(links, chains)))

@@ -18,7 +18,7 @@ def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
     """ "are not both ...", "must not all be ...", "do not put both ...": it may be so of some of them."""
     if not found.negated and found.theme is not None and denied_of(found.theme):
         return _of_none(p, j, found)
-    denial = next((k for k in range(j, min(j + REACH, p.end)) if p.words[k] in _NOT), None)
+    denial = next((k for k in range(j, min(j + REACH, p.end)) if _denies(p, k)), None)
     if denial is None or not found.negated:
         return found
     ahead = found.verb == "be" and found.theme is not None and found.theme.span[1] <= p.char(denial, 0)
@@ -30,6 +30,10 @@ def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
     if p.words[at : at + 1] not in _ALL and not _of_both(p, at, found):
         return found
     return replace(found, adjuncts=(*found.adjuncts, Manner(kind="not all", span=found.span)))
+
+
+def _denies(p: Parser, k: int) -> bool:
+    return p.words[k] in _NOT or p.words[k : k + 2] == ["no", "longer"]
 
 
 def _of_none(p: Parser, j: int, found: Clause) -> Clause:

@@ -25,6 +25,9 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     listed = [q for q in spec.qualities if len(set(q.traits.colors)) < len(q.traits.colors)]
     if listed and isinstance(clause.theme, Structure):  # "the row is red, blue, red"
         raise refuse("misplaced", "this lists the blocks one by one", listed[0].span, "say from which side on")
+    if any(q.traits.scheme == "mixed" for q in spec.qualities):
+        raise refuse("misplaced", "it is not said how these are mixed", clause.span,
+                     "say 'alternating', or in which order the colours come")  # fmt: skip
     said_of = _told_by_size(clause.theme, spec, scene)
     theme = refer(said_of, scene, Scope(given=scope.given)) if said_of is not None else Ref()
     if theme.table:

@@ -50,7 +50,11 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
     swap = r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)
     only = spec.manner("only") is not None or theme.op == "only"
-    return [swap, *_on_each_others(parts[0], parts[1], scene, clause.span), *(_others_stay(swap, scene) if only else ())]
+    return [
+        swap,
+        *_on_each_others(parts[0], parts[1], scene, clause.span),
+        *(_others_stay(swap, scene) if only else ()),
+    ]
 
 
 def _others_stay(swap: r.Swapped, scene: Scene) -> list[g.Goal]:

@@ -328,7 +328,7 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     return goals
 
 
-_AWAY = ("remove", "clear")
+_AWAY = ("remove", "clear", "empty")
 
 
 def _lies_on(place: Meaning) -> bool:

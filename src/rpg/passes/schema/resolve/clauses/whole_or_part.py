@@ -4,8 +4,60 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from rpg.language.meaning import Absolute, At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Chain,
+    Clause,
+    Coord,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Quality,
+    Structure,
+    Traits,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import refuse
+
+
+def of_the_one(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "Three blocks are in a row. The left one is red. Put it on the mat": the red block, and not the row; behind
+    "build a row of three" it may be the row."""
+    ordered = False
+    found: list[Chain] = []
+    before: Meaning | None = None
+    for chain in chains:
+        clauses: list[Meaning] = []
+        for clause in chain.clauses:
+            look = None if ordered else _told_look(before)
+            it = clause.theme if isinstance(clause, Clause) else None
+            if look is not None and isinstance(it, Pronoun) and it.word == "it" and isinstance(clause, Clause):
+                clause = replace(clause, theme=replace(look, span=it.span))
+            clauses.append(clause)
+            before = clause
+            ordered = ordered or (isinstance(clause, Clause) and clause.mode == "command")
+        found.append(replace(chain, clauses=tuple(clauses)))
+    return tuple(found)
+
+
+def _told_look(fact: Meaning | None) -> Noun | None:
+    """The block that "the left one is red" tells of, by its colour."""
+    if not isinstance(fact, Clause) or fact.negated or len(fact.adjuncts) != 1:
+        return None
+    alone = fact.adjuncts[0]
+    if fact.verb == "part" and fact.theme is None and isinstance(alone, Absolute) and isinstance(alone.theme, Noun):
+        colors = alone.theme.traits.colors if not alone.theme.plural else ()
+        return replace(alone.theme, head="block", det="the", amount=None) if len(colors) == 1 else None
+    if fact.lemma != "fact":
+        return None
+    noun, look = fact.theme, fact.adjuncts[0]
+    one = isinstance(noun, Noun) and noun.det == "the" and not noun.plural and noun.traits.rank is not None
+    if not one or not isinstance(noun, Noun) or noun.head == "patch" or not isinstance(look, Quality):
+        return None
+    colors = look.traits.colors
+    return replace(noun, head="block", traits=Traits(colors=colors)) if len(colors) == 1 else None
 
 
 def check_it(chains: tuple[Chain, ...]) -> None:

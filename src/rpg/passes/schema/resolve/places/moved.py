@@ -94,7 +94,9 @@ def _off_their_own(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
     if not below or len(bases) < 2:
         return None
     if None in bases:
-        raise refuse("ambiguous", "it is not said of all of them what they are on", loc.span, "say off what they are taken")
+        raise refuse(
+            "ambiguous", "it is not said of all of them what they are on", loc.span, "say off what they are taken"
+        )
     return Ref(names=below, plural=True, span=loc.span)
 
 

@@ -1,0 +1,111 @@
+"""Facts before what is done, and who "it", "they all", "instead" and "no longer" are of."""
+
+from __future__ import annotations
+
+import pytest
+
+from rpg.blocks.english import describe
+from rpg.passes.schema.frontend import BuiltinFrontEnd
+
+
+def _told(text: str) -> tuple[str, str]:
+    """What is told of the start, and of the end."""
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is not None, notes
+    sentences = describe(task).replace("\n", " ").split(". ")
+    start = ". ".join(x for x in sentences if x.startswith("At the start"))
+    return start, ". ".join(x for x in sentences if " must " in x)
+
+
+@pytest.mark.parametrize(
+    ("text", "goal"),
+    [
+        ("A is on B and C is on D. Put both A and C on the mat.", "The blocks A and C must be on the gray patch"),
+        ("A is left of B. Stack them.", "The blocks A and B must be stacked"),
+        ("A is between B and C. Stack all three.", "must be stacked"),
+        ("A is on B. Turn A upside down.", "The A block must be upside down"),
+        ("A, B and C form a tower on the red mat. Move the tower to the blue mat.", "exactly three on the blue patch"),
+        ("A is on B and C is on D. A and C should be stacked.", "The blocks A and C must be stacked"),
+    ],
+)
+def test_facts_before_what_is_done_are_the_start_alone(text: str, goal: str) -> None:
+    begun, end = _told(text)
+    assert begun
+    assert goal in end
+    assert end.count(" must ") == 1
+
+
+@pytest.mark.parametrize(
+    ("wish", "goal"),
+    [
+        ("They should all be on the blue mat.", "The blocks A, B and C must be on the blue patch"),
+        ("Put them all in a row.", "The blocks A, B and C must be in a row"),
+        ("Stack them all.", "The blocks A, B and C must be stacked"),
+    ],
+)
+def test_they_all_are_all_that_were_told_of(wish: str, goal: str) -> None:
+    assert goal in _told(f"A and B are on the red mat. C is on the blue mat. {wish}")[1]
+
+
+@pytest.mark.parametrize("place", ["behind A", "between A and B", "beside the mat", "on A"])
+def test_instead_of_what_is_at_a_place(place: str) -> None:
+    begun, end = _told(f"The red block is {place}. The blue block should be {place} instead.")
+    assert "the red block is" in begun
+    assert "The blue block must be" in end
+    assert "The red block must not be" in end
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The red block is on the left. The blue one should be there instead.",
+        "The word DOG is on the table. The letters should be stacked instead.",
+        "A and B are stacked. The tower should be mixed.",
+        "The red block is on the blue one and the green one is on the mat. Take the red and the green one off.",
+    ],
+)
+def test_what_is_not_clear_is_asked(text: str) -> None:
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is None
+    assert notes[0].code in ("ambiguous", "misplaced")
+
+
+@pytest.mark.parametrize(
+    ("who", "goal"),
+    [
+        ("One of them", "Exactly one of the three red blocks must not be on the gray patch"),
+        ("Two of them", "Exactly two of the three red blocks must not be on the gray patch"),
+    ],
+)
+def test_so_many_no_longer(who: str, goal: str) -> None:
+    begun, end = _told(f"Three red blocks are on the mat. {who} should no longer be on it.")
+    assert "three red blocks are on the gray patch" in begun
+    assert end.rstrip(".") == goal
+
+
+def test_each_is_taken_off_what_it_lies_on() -> None:
+    end = _told("A is on B and C is on D. Take A and C off.")[1]
+    assert "The A block must not be somewhere above the B block" in end
+    assert "The C block must not be somewhere above the D block" in end
+
+
+def test_so_many_blocks_that_remain_are_of_those_that_are_there() -> None:
+    task, notes = BuiltinFrontEnd().read(
+        "A tower of four blocks stands on the mat. Only two blocks should remain on it."
+    )
+    assert task is not None, notes
+    assert len(task.blocks) == 4
+
+
+def test_swapping_only_two_leaves_the_others() -> None:
+    assert "The blocks C and D must stay where they are" in _told("There are A, B, C and D. Swap only A and B.")[1]
+
+
+def test_it_is_the_one_that_was_told_of() -> None:
+    assert _told("Two blocks are stacked. The upper one is red. Put it on the mat.")[1].startswith(
+        "The red block must be"
+    )
+
+
+def test_a_mat_that_something_is_on_is_emptied_of_it() -> None:
+    assert _told("A is on the red mat. Empty it.")[1].rstrip(".") == "The A block must not be on the red patch"

@@ -43,7 +43,7 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
             found[n] = replace(chain, clauses=begun)
             found = [_remaining(x, wish, facts[-1]) for x in found]
         elif all(map(_definite, facts)):
-            found[n] = replace(chain, clauses=(*begun, *facts), links=(*chain.links, *chain.links))
+            found[n] = replace(chain, clauses=(*begun, *map(_known, facts)), links=(*chain.links, *chain.links))
     return tuple(found)
 
 
@@ -140,6 +140,17 @@ def _looks_so(traits: Traits, told: Traits) -> bool:
 
 
 def _definite(fact: Clause) -> bool:
+    """Whether what a fact tells of can be spoken of again: single things, and blocks of one look that are counted."""
     nouns = [x for x in parts_of(fact) if isinstance(x, Noun)]
-    known = all(x.det in ("the", "bare") and not x.amount and not x.plural for x in nouns)
+    counted = isinstance(fact.theme, Noun) and fact.theme.amount is not None and bool(fact.theme.traits.colors)
+    single = all(x.det in ("the", "bare") and not x.amount and not x.plural for x in nouns if x is not fact.theme)
+    known = single and (counted or not nouns or (nouns[0].det in ("the", "bare") and not nouns[0].plural))
     return known and not any(isinstance(x, Structure) for x in parts_of(fact))
+
+
+def _known(fact: Clause) -> Clause:
+    """The fact, of blocks that are there by then: "the two red blocks"."""
+    noun = fact.theme
+    if not isinstance(noun, Noun) or noun.amount is None or noun.det not in ("a", "bare"):
+        return fact
+    return replace(fact, theme=replace(noun, det="the", amount=noun.amount if noun.plural else None))

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from rpg.core.diagnostics import Refusal
+from rpg.ir import goal as g
 from rpg.ir.assets import GoalPatch
-from rpg.ir.goal import All, Goal, Not
 from rpg.ir.relations import InRegion, Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Towers
@@ -97,16 +97,18 @@ def _corrected(sentence: Sequence[Token], task: TaskSchema) -> None:
     words = [token.word for token in sentence]
     if not any(a == "instead" and b != "of" for a, b in pairwise([*words, ""])):
         return
-    parts = task.goal.goals if isinstance(task.goal, All) else (task.goal,)
+    parts = task.goal.goals if isinstance(task.goal, g.All) else (task.goal,)
+    if any(isinstance(x, g.Sequence) for x in parts):
+        return  # "on the green patch first, and in the end on the blue one instead"
     begun = [x.model_copy(update={"span": None}) for x in task.init.arranged]
     kept = any(x.model_copy(update={"span": None}) in begun for x in parts) or not begun
-    if kept and not any(isinstance(x, Not) for x in parts):
+    if kept and not any(isinstance(x, g.Not) for x in parts):
         raise _asked(
             sentence, "is what was said before not to be so then?", "leave out what is not to be so at the end"
         )
 
 
-def _place_of_another(sentence: Sequence[Token], text: str, found: Sequence[Goal]) -> None:
+def _place_of_another(sentence: Sequence[Token], text: str, found: Sequence[g.Goal]) -> None:
     """Refuse "A is on the mat. B should be in the same place" as B where it is, and "the same corner" as any."""
     corners = any(isinstance(x, InRegion) and x.region in ("corner", "edge") for x in found)
     if _SAME_CORNER.search(text) and (corners or _NOT.search(text)):

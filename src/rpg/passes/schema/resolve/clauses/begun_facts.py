@@ -105,7 +105,9 @@ def indicative(chain: Chain, text: str) -> bool:
     )
 
 
-_LASTING = re.compile(r"\b(?:never|always|ever|time|times|moves?|moved)\b", re.IGNORECASE)
+_LASTING = re.compile(
+    r"\b(?:never|always|ever|throughout|time|times|moves?|moved|stays?|remains?|keeps?)\b", re.IGNORECASE
+)
 """Words of what goes on."""
 
 

@@ -16,6 +16,7 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     Pronoun,
+    Quality,
     Structure,
     Traits,
     parts_of,
@@ -37,6 +38,8 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
         if wish is None:
             continue
         facts = tuple(c for c in chain.clauses if isinstance(c, Clause))
+        if any(isinstance(x, Quality) for c in facts for x in c.adjuncts):
+            continue  # "three are green": so they look, at the start and at the end
         begun = tuple(replace(c, mode="start") for c in facts)
         besides = BESIDES.search(text[slice(*wish.span)].replace("both", "")) is not None
         if (wish.mode == "command" and not besides) or any(_of_these(wish.theme, fact) for fact in facts):

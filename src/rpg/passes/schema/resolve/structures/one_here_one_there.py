@@ -41,10 +41,28 @@ def _apart(clause: Clause) -> tuple[Clause, ...]:
     if told.op != "absolutes" or len(parts) < len(told.items) or not several or not _each_so(shape):
         return ()
     single = replace(shape, plural=False, amount=Amount(1, 1), each_size=False)
+    patches = any(_mark(x, "patch") for part in parts for x in part.adjuncts)
     return tuple(
-        replace(clause, theme=replace(single, det="another" if n else "a"), adjuncts=part.adjuncts)
+        replace(clause, theme=replace(single, det="another" if n else "a"), adjuncts=_on_patches(part, patches))
         for n, part in enumerate(parts)
     )
+
+
+def _on_patches(part: Absolute, patches: bool) -> tuple[Meaning, ...]:
+    """ "On the green and (one) on the yellow patch": both are patches."""
+    if not patches:
+        return part.adjuncts
+    return tuple(
+        replace(x, landmark=replace(x.landmark, head="patch"))
+        if isinstance(x, Loc) and isinstance(x.landmark, Noun) and _mark(x, "any")
+        else x
+        for x in part.adjuncts
+    )
+
+
+def _mark(place: Meaning, head: str) -> bool:
+    mark = place.landmark if isinstance(place, Loc) and place.rel == "on" else None
+    return isinstance(mark, Noun) and mark.head == head and (head == "patch" or bool(mark.traits.colors))
 
 
 def _one(theme: Meaning | None) -> bool:

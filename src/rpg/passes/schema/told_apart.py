@@ -95,7 +95,8 @@ _OWN = re.compile(
 def _corrected(sentence: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "put red on the mat. Put blue there instead" as both: the second is in place of the first."""
     words = [token.word for token in sentence]
-    if not any(a == "instead" and b != "of" for a, b in pairwise([*words, ""])):
+    later = [n for n, (a, b) in enumerate(pairwise([*words, ""])) if a == "instead" and b != "of"]
+    if not later or words[later[0] - 1] in lexicon.COLOR:  # "the middle one is blue instead"
         return
     parts = task.goal.goals if isinstance(task.goal, g.All) else (task.goal,)
     if any(isinstance(x, g.Sequence) for x in parts):

@@ -23,9 +23,9 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import indicative
-from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of
+from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of, how_far_off
 
-_SHOULD = re.compile(r"\b(?:must|should|shall|has to|have to|needs? to|ought)\b", re.IGNORECASE)
+_SHOULD = re.compile(r"\b(?:must|should|shall|has to|have to|needs? to|ought|(?:is|are) (?:not )?to)\b", re.IGNORECASE)
 _STOP = re.compile(r"[.!?]")
 
 
@@ -34,7 +34,8 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
     chains = (*chains[:1], *(_those_left(_so_many_left(chain), text) for chain in chains[1:]))
     found = list(chains)
     for n, chain in enumerate(chains):
-        wish = None if final[n] or not _so(chain, text) else _wish(chains, n, text)
+        told = final[n] or not _so(chain, text) or how_far_off(chains[n : n + 2])
+        wish = None if told else _wish(chains, n, text)
         if wish is None:
             continue
         facts = tuple(c for c in chain.clauses if isinstance(c, Clause))

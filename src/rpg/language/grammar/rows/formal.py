@@ -66,6 +66,7 @@ from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.swapped_over import swapped_over
 from rpg.language.grammar.rows.times import BEFORE_IT, OFF_FIRST
+from rpg.language.grammar.rows.told_once import TOLD_ONCE
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
@@ -132,6 +133,7 @@ _OF_ALL = (
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,
     *ALTERNATIVES_AT_ONCE,
+    *TOLD_ONCE,
     *ROWS_PLACED,
 )
 """The rows of every sentence."""

@@ -29,6 +29,8 @@ def range_but(tokens: list[Token]) -> list[Token]:
             kept = [symbol for symbol in all_of_it if symbol != out.raw]
             listed = [t for symbol in kept for t in (_showing(symbol, tokens[at]), tokens[at].saying(","))][:-1]
             listed[-2] = tokens[at].saying("and")
+            if begin > at + 2 and words[begin - 1] == "with":  # "... with all but C in red": of what is built
+                continue
             head = begin - (words[begin - 1] == ",")
             return [*tokens[: at - 1], *listed, *tokens[at + 2 : head], *_named(tokens[end:], out)]
     return tokens

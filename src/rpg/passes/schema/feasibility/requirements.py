@@ -150,7 +150,7 @@ def _reaches(atom: g.Goal, edges: Mapping[str, float]) -> Iterator[Reach]:
         return
     if isinstance(atom, s.Row) and atom.spacing:
         least = sum(edges[n] for n in atom.blocks) / len(atom.blocks)
-        yield Reach(atom, frozenset(atom.blocks), 0.0, atom.spacing + atom.tolerance, least)
+        yield Reach(atom, frozenset(atom.blocks), 0.0, atom.spacing, least)
     a, b = getattr(atom, "a", None), getattr(atom, "b", None)
     if not (isinstance(a, tuple) and isinstance(b, tuple) and len(a) == len(b) == 1):
         return
@@ -161,6 +161,7 @@ def _reaches(atom: g.Goal, edges: Mapping[str, float]) -> Iterator[Reach]:
             plus = half if atom.measure == "faces" else 0.0
             low = (atom.minimum or 0.0) + plus
             high = math.inf if atom.maximum is None else (atom.maximum + plus) * (math.sqrt(2.0) if plus else 1.0)
+            high = high if plus else min(high, _as_told(atom, half))
         case r.Beside() | r.Adjacent():
             high = (half * 2 + atom.gap_edges * 2 * half) * math.sqrt(2.0)
         case r.Near():
@@ -173,6 +174,18 @@ def _reaches(atom: g.Goal, edges: Mapping[str, float]) -> Iterator[Reach]:
             return
     told = isinstance(atom, r.Distance) and a[0] in edges and b[0] in edges
     yield Reach(atom, frozenset((a[0], b[0])), low, high, half if told else 0.0)
+
+
+_EXACT = 0.02
+"""So much lies between the least and the most of what is told without a range: 1 cm less or more."""
+
+
+def _as_told(atom: r.Distance, least: float) -> float:
+    """ "3 cm apart", where the tolerance alone would have the blocks touch: no more than was told; else no bound."""
+    if atom.minimum is None or atom.maximum is None or atom.maximum - atom.minimum > _EXACT + 1e-9:
+        return math.inf
+    told = (atom.minimum + atom.maximum) / 2
+    return told if told < least - 1e-9 else math.inf
 
 
 def _symbols(atom: g.Goal) -> Iterator[Symbols]:

@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest, members
+from rpg.ir.relations import Region
 from rpg.ir.walk import atoms
 from rpg.ir.walk import names as names_in
 from rpg.passes.schema.resolve.goals.conflicts import clash, impossible, required
@@ -35,6 +36,7 @@ def check(goal: g.Goal, scene: Scene) -> None:
     _of_those_that_stay(parts)
     _done_and_kept(goal)
     _inside_lines(parts)
+    _along_an_edge(parts)
     _next_to_the_top(parts)
     _above_side_by_side(parts)
     _swapped_in_what_is_built(parts, scene)
@@ -96,6 +98,28 @@ def _inside_lines(parts: list[g.Goal]) -> None:
         if alike and isinstance(line, s.Stack):
             raise refuse("ambiguous", "each of these on one of those, or all of them above those?", alike[0].span,
                          "say in which order the blocks of the tower come")  # fmt: skip
+
+
+_ACROSS: dict[str, tuple[Region, ...]] = {"y": ("left_edge", "right_edge"), "x": ("near_edge", "far_edge")}
+"""Edges at which a line along an axis has room for one of its blocks."""
+
+
+def _along_an_edge(parts: list[g.Goal]) -> None:
+    """Refuse "a row along the left edge", "a column along the near edge": no line that way is all at that edge."""
+    lines = [(x, x.axis or "") for x in parts if isinstance(x, s.Row)]
+    read = [(x, "y") for x in parts if isinstance(x, s.Spells | s.Equation) and x.along == "row"]
+    for line, axis in (*lines, *read):
+        for there in (x for x in parts if isinstance(x, r.InRegion) and x.region in _ACROSS.get(axis, ())):
+            if len({*line.blocks} & {*members(there.a)}) < _BESIDE_AN_EDGE:
+                continue
+            row = "word" if not isinstance(line, s.Row) else "row" if axis == "y" else "column"
+            way = {"word": "'along the near edge'", "row": "'from front to back'", "column": "'a row'"}[row]
+            raise refuse("ambiguous", f"a {row} leads away from this edge: is all of it to be there, or where it begins?",
+                         there.span, f"say {way}, or which block is at the edge")  # fmt: skip
+
+
+_BESIDE_AN_EDGE = 3
+"""So many blocks in a line away from an edge are no more all at it."""
 
 
 def _done_and_kept(goal: g.Goal) -> None:

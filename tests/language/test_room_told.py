@@ -1,0 +1,75 @@
+"""Lines along an edge that they lead away from, and distances that are less than blocks side by side have."""
+
+from __future__ import annotations
+
+import pytest
+
+from rpg.blocks.english import describe
+from rpg.passes.schema.frontend import BuiltinFrontEnd
+
+
+def _told(text: str) -> str:
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is not None, notes
+    return describe(task)
+
+
+def _refused(text: str) -> str:
+    task, notes = BuiltinFrontEnd().read(text)
+    assert task is None, describe(task)
+    return notes[0].code
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A row of four red blocks along the left edge.",
+        "Put A, B and C in a row at the left edge of the table.",
+        "Spell CATS along the right edge.",
+        "Put a column of four red blocks along the near edge.",
+    ],
+)
+def test_a_line_that_leads_away_from_an_edge_is_not_all_at_it(text: str) -> None:
+    assert _refused(text) == "ambiguous"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A row of four red blocks from front to back along the left edge.",
+        "A column of four red blocks along the left edge.",
+        "A line of four red blocks along the left edge.",
+        "A row of four red blocks along the near edge.",
+        "A row of two red blocks along the left edge.",
+    ],
+)
+def test_a_line_along_an_edge_is_all_at_it(text: str) -> None:
+    assert "red blocks must be at the" in _told(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put the red block exactly 3 cm to the left of the blue one.",
+        "A row of four blocks, 3 cm apart, on a long blue mat.",
+        "A row of four blocks, 3.5 cm apart.",
+        "Red and blue are 3.5 cm apart.",
+    ],
+)
+def test_centers_are_not_nearer_than_blocks_that_touch(text: str) -> None:
+    assert _refused(text) == "does-not-fit"
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("Red and blue are 4 cm apart.", "must be 4 cm from the blue block"),
+        ("Red and blue should be between 2 and 5 cm apart.", "between 2 cm and 5 cm"),
+        ("Two blocks of 3 cm, 3 cm apart.", "must be 3 cm from the 3 cm blue block"),
+        ("A row of four 3 cm blocks, 3 cm apart.", "3 cm between centers"),
+        ("Put the red block to the left of the blue one with a gap of 3 cm.", "There must be a gap of 3 cm"),
+        ("Put red 3 cm from the mat.", "must be 3 cm from the gray patch"),
+    ],
+)
+def test_distances_that_blocks_side_by_side_can_have(text: str, told: str) -> None:
+    assert told in _told(text)

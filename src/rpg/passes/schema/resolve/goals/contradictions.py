@@ -114,7 +114,7 @@ def _along_an_edge(parts: list[g.Goal]) -> None:
                 continue
             row = "word" if not isinstance(line, s.Row) else "row" if axis == "y" else "column"
             way = {"word": "'along the near edge'", "row": "'from front to back'", "column": "'a row'"}[row]
-            raise refuse("ambiguous", f"a {row} leads away from this edge: is all of it to be there, or where it begins?",
+            raise refuse("ambiguous", f"a {row} leads away from this edge: is all of it to be there, or one end?",
                          there.span, f"say {way}, or which block is at the edge")  # fmt: skip
 
 

@@ -237,9 +237,11 @@ def check_words(pieces: Sequence[Piece]) -> None:
     """Words that tell of what stands beside them.
 
     Raises:
-        Unclear: "then" is no list, "all but two" or "A to E but C" are not all of these, or a number of blocks
-        has a place ("the three blocks in the middle").
+        Unclear: "then" is no list, "all but two" or "A to E but C" are not all of these, a number of blocks has a
+        place ("the three blocks in the middle"), or "the blue ones together" are no further ones.
     """
+    if any(lot.kind == "lot" and "det" in lot.named and by.words == "together" for lot, by in pairwise(pieces)):
+        raise Unclear
     of_all = False
     for piece in pieces:
         if piece.words == "but" and of_all:

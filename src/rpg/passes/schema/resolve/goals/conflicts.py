@@ -116,7 +116,7 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
         return _orders_differ(a, b) or _more_on_it(a, b) or _more_on_it(b, a)
     if isinstance(a, s.Spells) and isinstance(b, s.Spells):
         return set(a.blocks) == set(b.blocks) and a.word != b.word
-    if _along_and_across(a, b) or _along_and_across(b, a):
+    if any(way(one, two) for way in (_along_and_across, _on_and_beside) for one, two in ((a, b), (b, a))):
         return True
     if isinstance(a, s.Equation) and isinstance(b, s.Equation):
         return set(a.blocks) == set(b.blocks) and None not in (a.text, b.text) and a.text != b.text
@@ -155,6 +155,14 @@ def _along_and_across(read: g.Goal, line: g.Goal) -> bool:
     if not isinstance(read, s.Spells | s.Equation) or read.along != "row":
         return False
     return isinstance(line, s.Row) and line.axis == "x" and len({*read.blocks} & {*line.blocks}) > 1
+
+
+def _on_and_beside(on: g.Goal, beside: g.Goal) -> bool:
+    """A block on another one, against the two side by side: "a blue block on top of the red one and next to it"."""
+    if not isinstance(on, r.On) or not isinstance(beside, r.Beside | r.Adjacent):
+        return False
+    one = len(members(on.a)) == len(members(on.b)) == 1
+    return one and {*members(on.a), *members(on.b)} == {*members(beside.a), *members(beside.b)}
 
 
 def _of(beside: r.Directional | r.Beside, there: r.OnPatch) -> bool:

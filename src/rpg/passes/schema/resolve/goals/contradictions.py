@@ -256,12 +256,16 @@ def _clash(a: g.Goal, b: g.Goal) -> Exception:
 def _supports(parts: list[g.Goal]) -> list[tuple[str, str, Span | None]]:
     edges: list[tuple[str, str, Span | None]] = []
     for part in parts:
-        if isinstance(part, r.On | r.Above) and isinstance(part.a, tuple) and isinstance(part.b, tuple):
-            edges += [(a, b, part.span) for a in part.a for b in part.b]
+        if isinstance(part, r.On | r.Above):
+            # what lies on the top of a tower is above all of it, and so is all of a tower above what its foot lies on
+            upper = part.a.lowest if isinstance(part.a, Lowest) else part.a
+            lower = part.b.highest if isinstance(part.b, Highest) else part.b
+            pairs = itertools.product(upper, lower) if isinstance(upper, tuple) and isinstance(lower, tuple) else ()
+            edges += [(a, b, part.span) for a, b in pairs]
         elif isinstance(part, s.Stack) and part.order.by == "given":
             ranks = part.order.ranks if part.order.first != "top" else part.order.ranks[::-1]
-            for lower, upper in itertools.pairwise(ranks):
-                edges += [(a, b, part.span) for a in upper for b in lower]
+            for below, over in itertools.pairwise(ranks):
+                edges += [(a, b, part.span) for a in over for b in below]
     return edges
 
 

@@ -21,11 +21,13 @@ def _told(text: str) -> str:
         ("Stack the letters A, B and C in red.", "a red A block, a red B block and a red C block"),
         ("Line up the vowels A, E and I in yellow.", "a yellow A block, a yellow E block and a yellow I block"),
         ("Put the digits 1 and 2 in blue on the mat.", "a blue 1 block and a blue 2 block"),
+        ("Put A, B and C in red, blue and green in a row.", "a red A block, a blue B block and a green C block"),
+        ("Stack the letters A, B and C in red, blue and green.", "a red A block, a blue B block and a green C block"),
         ("Put the letters A, B and a red C in a row.", "an A block, a B block and a red C block"),
         ("Put A, B in blue, and C in red in a row.", "an A block, a blue B block and a red C block"),
     ],
 )
-def test_a_color_behind_letters_that_are_listed_is_that_of_all(text: str, told: str) -> None:
+def test_colors_behind_letters_that_are_listed_are_those_of_all(text: str, told: str) -> None:
     assert told in _told(text)
 
 

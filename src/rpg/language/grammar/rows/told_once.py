@@ -3,6 +3,8 @@ what is said of some only: "with only the vowels in red", "a mat for each"."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST, PATCH
 
@@ -14,7 +16,21 @@ _ENDED = "(?= (?:in an? |on |onto |at |along |next |near |beside |behind |from |
 _AT = "(?:on|onto|in|near|next to|beside|behind|in front of|to the (?:left|right) of)"
 _SOME = "(?:(?:the )?(?:vowels|consonants)|(?:the )?(?:first|last|middle) letter|the [a-z](?: and the [a-z])?)"
 
+
+def _each_its_own() -> Iterator[Turn]:
+    """ "(The letters) A, B and C in red, blue and green": a color for each, in the order in which they are named."""
+    for many in (3, 4):
+        symbols, colors = (" , ".join([f"({one})"] * (many - 1)) for one in (_SYMBOL, COLOR))
+        looks = [f"the {{{n + many + 1}}} {{{n + 1}}}" for n in range(many)]
+        yield (
+            f"(?<!\\w , )(?:\\bthe {_KIND} )?\\b{symbols}(?: ,)? and ({_SYMBOL}) in {colors}(?: ,)? and ({COLOR})"
+            f"(?:(?: ,)? respectively)?{_ENDED}",
+            f"{' , '.join(looks[:-1])} and {looks[-1]}",
+        )
+
+
 TOLD_ONCE: tuple[Turn, ...] = (
+    *_each_its_own(),
     (f"\\bthe ({_KIND}) ({_LIST}) in ({COLOR}){_ENDED}", "the {3} {1} {2}"),
     (f"\\b({_AT}) (an?) ({COLOR}) ((?:{_AND} (?:(?!{_AT} )[^,.;: ]+ )+?{_AT} an? {COLOR} )+({PATCH}))\\b",
      "{1} {2} {3} {5} {4}"),

@@ -345,7 +345,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     if j := p.any_of(i, _HUED):
         for (listed, either), k in colors(p, j):
             body = p.one(k, _BODY)  # "the cube of green color"
-            goes_on = p.words[i] in ("colored", "painted", "of") and _goes_on(p, k)
+            goes_on = p.words[i] in ("colored", "painted", "of", "in") and _goes_on(p, k)
             if body or not (goes_on or p.words[j - 1] in ("with", "a", "the", "of", "having")):
                 yield Marks({"colors": listed, "either": either}), body or k
 

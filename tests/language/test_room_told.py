@@ -25,12 +25,20 @@ def _refused(text: str) -> str:
     [
         "A row of four red blocks along the left edge.",
         "Put A, B and C in a row at the left edge of the table.",
+        "A row of three red blocks at the right edge.",
         "Spell CATS along the right edge.",
         "Put a column of four red blocks along the near edge.",
     ],
 )
 def test_a_line_that_leads_away_from_an_edge_is_not_all_at_it(text: str) -> None:
     assert _refused(text) == "ambiguous"
+
+
+def test_where_a_whole_row_is_is_no_place_in_it() -> None:
+    assert _refused("A row of three red blocks on the left.") == "misplaced"
+    assert "in the right half of the table" in _told("A row of three red blocks on the right side of the table.")
+    told = _told("A row with three red blocks on the left and a blue one on the right.")
+    assert "with the blue block at the right end" in told
 
 
 @pytest.mark.parametrize(

@@ -52,7 +52,7 @@ def said_of(pieces: Sequence[Piece], lots: dict[int, Lot]) -> Said:
     """Lists and placed blocks. `lots`: what the pieces of the kind "lot" name, by where they stand in `pieces`.
 
     Raises:
-        Unclear: a place without blocks, or blocks that could have it or not.
+        Unclear: a place without blocks, or blocks that could have it or not, as all that there are in a row.
     """
     known = {id(pieces[n]): lot for n, lot in lots.items()}
     runs: list[list[Lot]] = []
@@ -68,6 +68,8 @@ def said_of(pieces: Sequence[Piece], lots: dict[int, Lot]) -> Said:
             every = [lot for lot in every if id(lot) not in told or not (lot.known and lot.look in looks)]
             runs += [run] if run else []
             whole += [every] if run else []
+    if len(lots) == len(placed) == 1 and (placed[0].lot.count or 0) > 1 and not placed[0].within:
+        raise Unclear  # "a row of three red blocks on the left": so is the row, on the table
     return Said(runs, placed, whole)
 
 

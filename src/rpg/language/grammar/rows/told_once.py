@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST, PATCH
+from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, MUST, PATCH
 
 _SYMBOL = "(?:[a-z]|\\d)"
 _KIND = f"(?:(?:letter|number|digit) {CUBE}|letter|vowel|consonant|digit|number|symbol|block|cube)s"
@@ -32,6 +32,8 @@ def _each_its_own() -> Iterator[Turn]:
 TOLD_ONCE: tuple[Turn, ...] = (
     *_each_its_own(),
     (f"\\bthe ({_KIND}) ({_LIST}) in ({COLOR}){_ENDED}", "the {3} {1} {2}"),
+    (f"\\bthe (letter|digit|number) ({_SYMBOL}) in ({COLOR}){_ENDED}", "the {3} {1} {2}"),
+    (f"\\bthe (?:letter|digit|number)s ({_SYMBOL} in {COLOR}(?:{AND} {_SYMBOL} in {COLOR})+){_ENDED}", "{1}"),
     (f"\\b({_AT}) (an?) ({COLOR}) ((?:{_AND} (?:(?!{_AT} )[^,.;: ]+ )+?{_AT} an? {COLOR} )+({PATCH}))\\b",
      "{1} {2} {3} {5} {4}"),
     # of the others nothing is said, and no letter has a color of its own

@@ -299,7 +299,9 @@ def length(p: Parser, i: int) -> Results[float]:
         factor = p.lex(i + 1, lexicon.UNIT) if not spelt else None
         if factor is not None:
             yield round(value * factor, 6), i + 2
-    if (j := p.one(i, ("a", "an", "one"))) and (factor := p.lex(j, lexicon.UNIT)) is not None and factor < 1:
+    j = p.one(i, ("a", "an", "one"))
+    j = 0 if p.stands(j, ("in",)) else j  # "the letter A in red", "one in blue"
+    if j and (factor := p.lex(j, lexicon.UNIT)) is not None and factor < 1:
         yield factor, j + 1
     if j := p.any_of(i, ("half a", "half an")):
         factor = p.lex(j, lexicon.UNIT)

@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections import Counter
 
+from rpg.ir.node import members
 from rpg.ir.schema import COLORS_UNSAID
+from rpg.ir.structures import Cells, Row, Spells, Stack
 from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST
-from rpg.passes.schema.line_said import Said
+from rpg.passes.schema.line_said import Said, asked
 from rpg.passes.schema.numbers_had import symbols_of
 
 _TOTAL = re.compile(
@@ -123,11 +125,14 @@ def of_which(said: Said) -> None:
 
 
 _NTH = "(?:first|second|third|fourth|fifth|last|middle|leftmost|rightmost|top|bottom|lowest|highest|uppermost)"
-_ALL = "(?:all|every|everything|each)(?: of)?(?: them| the blocks| the cubes| one| block| cube| blocks| cubes)?"
+_ALL = (
+    "(?:all|every|everything|each)(?: of)?"
+    "(?: them| (?:the )?(?:blocks|cubes|letters|digits)| one| block| cube| letter| digit)?"
+)
 _BUT = "(?: ,)? (?:but|except|except for|save|save for|apart from|other than|bar)(?: the)?"
-_IS = f"(?:is|are|{MUST} be)"
-_PLACES = f"{_NTH}(?: (?P<many>{MANY}))?"
-_HAVE = f"(?: ones?| blocks?| cubes?)?(?: ,)?(?: {_IS})?"
+_IS = f"(?:(?:is|are|being|{MUST} be)(?: in)?|in)"
+_PLACES = f"{_NTH}(?: (?:left|right))?(?: (?P<many>{MANY}))?"
+_HAVE = f"(?: ones?| blocks?| cubes?| letters?| digits?)?(?: ,)?(?: {_IS})?"
 _EXCEPT = (
     re.compile(f"\\b{_ALL}{_BUT} {_PLACES}{_HAVE} (?P<color>{COLOR})\\b"),
     re.compile(f"\\b{_ALL}(?: {_IS})? (?P<color>{COLOR})(?: ones| blocks| cubes)?{_BUT} {_PLACES}\\b"),
@@ -136,10 +141,11 @@ _EXCEPT = (
 
 
 def all_but(said: Said) -> None:
-    """Refuse "a row of five, all but the last one red" as with the last one red, or with all of them red."""
+    """Refuse "a row of five, all but the last one (in) red" as with the last one red, or with all of them red."""
     for match in (found for pattern in _EXCEPT if (found := pattern.search(said.text)) is not None):
         color, many = lexicon.COLOR[match["color"]], _number(match["many"] or "one")
-        others = [sum(block.color != color for block in said.blocks(line)) for line in said.lines]
+        wholes = [{*members(x.blocks)} for x in asked(said.task.goal) if isinstance(x, Row | Stack | Cells | Spells)]
+        others = [sum(x.name in whole and x.color != color for x in said.task.blocks) for whole in wholes]
         if others and many not in others and not said.begun:
             raise said.refusal(match, "ambiguous", "it is not clear what this leaves out, and how that looks",
                                "say how each block looks, as in 'four red blocks and then a blue one'")  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import CUBE, FEW, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, MUST
 
 _BLOCKS = f"(?:{CUBE}s?|bricks?|boxes|ones)"
 _ALL = (
@@ -23,7 +23,20 @@ _TAKE = "(?:take|get|clear|move|lift|pull|bring|push)"
 _BESIDE = "(?:touching|next to|beside|adjacent to|near|close to)"
 _IS = f"(?:(?:{MUST}|may|can) (?:be|stand|lie|sit|go|rest)|is|sits|stands|lies|rests)"
 
+_LETTER = "(?:the )?(?:(?:letters?|blocks?|cubes?) )?(?:[a-z0-9](?: blocks)?|vowels?|consonants?)(?= |$)"
+_LETTERS = f"{_LETTER}(?:(?: ,)?(?: and)? {_LETTER})*"
+_ALL_LETTERS = (
+    "(?:(?:all(?: of)?|each|every(?: one)?(?: of)?)(?: the| its)?(?: letters?| blocks?| cubes?)?|"
+    "everything|the letters|the (?:other )?(?:blocks|cubes))"
+)
+_WITH = "(?: ,)?(?: with| ,)"
+
 BUT_ONE_AT_ONCE: tuple[Turn, ...] = (
+    # what some letters of a word are an exception to
+    (f"^(.+?){_WITH} {_ALL_LETTERS} {_EXCEPT} ({_LETTERS}) (?:being |are )?(?:in )?({COLOR})(?: ({PLACE} .+))?$",
+     "{1} {4} . all blocks except {2} are {3}"),
+    (f"^(.+?){_WITH} {_ALL_LETTERS} (?:being |are )?(?:in )?({COLOR}) {_EXCEPT} ({_LETTERS})$",
+     "{1} . all blocks except {3} are {2}"),
     (f"^(?:(?:take|get|lift) only|only (?:take|get|lift)) ({THING}) ((?:off|away|down)(?: .+)?)$",
      "take {1} {2} . all blocks except {1} must stay where they are"),
     (f"\\b({MUST}) only (touch|have|hold|carry|bear|contain|be {_BESIDE}) ", "{1} {2} only "),

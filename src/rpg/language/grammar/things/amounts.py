@@ -296,7 +296,7 @@ def length(p: Parser, i: int) -> Results[float]:
     value = p.figure(i)
     if value is not None:
         spelt = p.words[i + 1] == "in" and p.tokens[i].kind == "word"  # "put two in the corner", "TEN in white letters"
-        factor = p.lex(i + 1, lexicon.UNIT) if not spelt else None
+        factor = p.lex(i + 1, lexicon.UNIT) if not spelt and not _so_colored(p, i + 1) else None
         if factor is not None:
             yield round(value * factor, 6), i + 2
     j = p.one(i, ("a", "an", "one"))
@@ -307,6 +307,16 @@ def length(p: Parser, i: int) -> Results[float]:
         factor = p.lex(j, lexicon.UNIT)
         if factor is not None:
             yield factor / 2, j + 1
+
+
+def _so_colored(p: Parser, i: int) -> bool:
+    """ "The digit 2 in red (on the mat)", "the letter A in blue": no inches, as in "a 2 in red cube"."""
+    if p.words[i : i + 1] != ["in"] or p.words[i + 1] not in lexicon.COLOR:
+        return False
+    behind = i + 2
+    while p.words[behind] in lexicon.COLOR or p.words[behind] in ("and", "or"):
+        behind += 1
+    return p.words[behind] not in lexicon.BLOCK and p.words[behind] not in lexicon.LOOSE_BLOCK
 
 
 _WIDE = ("block width", "block widths", "cube width", "cube widths", "block", "blocks", "cube", "cubes", "empty block",

@@ -22,7 +22,7 @@ from rpg.language.grammar.things.labels import label_list, of_such, once_more
 from rpg.language.grammar.things.of_both import counted_kinds
 from rpg.language.grammar.things.of_listed import wholes
 from rpg.language.grammar.things.patch_nouns import patch_noun
-from rpg.language.grammar.things.printed import printed, turned_part, with_symbols
+from rpg.language.grammar.things.printed import in_one_color, printed, turned_part, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
 from rpg.language.grammar.things.so_many import so_many
@@ -362,6 +362,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
             on_it = [*printed(p, i, j, k, changed)]
             yield from on_it or [(changed, k)]
             tried += [] if on_it else [(changed, k)]
+            for hue, end in in_one_color(p, k, noun.head) if "labels" in update else ():
+                yield from ((told, end) for told in (_with(changed, hue, p.span(i, end)),) if told is not None)
     single = not noun.plural or (noun.amount is not None and noun.det == "bare" and noun.traits == Traits())
     if noun.head == "block" and single and not noun.traits.colors and not noun.traits.labels:
         for named, k in color(p, j):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
-from rpg.language.grammar.things.adjectives import color
+from rpg.language.grammar.things.adjectives import Marks, color, of_quality
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.values import by_value
 from rpg.language.meaning import Absolute, Clause, Coord, Loc, Meaning, Noun, Pronoun, Quality, Traits, replace
@@ -104,3 +104,15 @@ def turned_part(p: Parser, i: int, j: int, k: int) -> bool:
     not what the green block shows."""
     told = p.stands(j, ("with",)) and p.stands(j + 1, ("the",)) and p.stands(k, _WAYS)
     return told and p.words[k - 1] in p.words[:i]
+
+
+_PAINTED = frozenset({"in", "colored", "painted"})
+
+
+def in_one_color(p: Parser, j: int, head: str) -> Results[Marks]:
+    """ "(the letter A) in red", "(the digits 1, 2 and 3) in blue", but not in more colours than one."""
+    for update, k in of_quality(p, j, head) if p.stands(j, _PAINTED) else ():
+        further = p.one(k, ("and", "or", ",")) if k < p.end else 0
+        goes_on = further and p.words[further] in lexicon.COLOR and p.words[further + 1] not in lexicon.BLOCK
+        if len(update.get("colors", ())) == 1 and not goes_on:
+            yield update, k

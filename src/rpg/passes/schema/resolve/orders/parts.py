@@ -40,10 +40,11 @@ def laid(node: s.Cells, ranks: tuple[tuple[str, ...], ...]) -> Pattern:
 
 
 def place_of(item: Meaning) -> At | Places | None:
-    """The part of which an absolute phrase speaks, if it speaks of one."""
-    if isinstance(item, Absolute) and len(item.adjuncts) == 1 and isinstance(item.adjuncts[0], At | Places):
-        return item.adjuncts[0]
-    return None
+    """The part of which an absolute phrase speaks, if it speaks of one; "(two) at opposite ends": one at each."""
+    place = item.adjuncts[0] if isinstance(item, Absolute) and len(item.adjuncts) == 1 else None
+    if isinstance(place, At) and place.side == "ends":
+        return Places(side="ends", unit="block", span=place.span)
+    return place if isinstance(place, At | Places) else None
 
 
 def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: Scene) -> Groups:

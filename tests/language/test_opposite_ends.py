@@ -14,8 +14,15 @@ def _told(text: str) -> str:
     return describe(task)
 
 
-@pytest.mark.parametrize("have", ["should have a blue block at each end", "must get a blue block at both ends",
-                                  "has one blue block at each end", "should have blue blocks at both ends"])  # fmt: skip
+@pytest.mark.parametrize(
+    "have",
+    [
+        "should have a blue block at each end",
+        "must get a blue block at both ends",
+        "has one blue block at each end",
+        "should have blue blocks at both ends",
+    ],
+)
 @pytest.mark.parametrize("line", ["row", "column"])
 def test_what_a_line_should_have_at_each_end_is_at_both(line: str, have: str) -> None:
     told = _told(f"The {line} of three red blocks {have}.")

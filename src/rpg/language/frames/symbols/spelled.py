@@ -158,6 +158,7 @@ _WORDS = frozenset({"word", "name", "text"})
 _LETTERS_ALONE = re.compile("'?[A-Z]'?( ,)?( [A-Z]( ,)?)* [A-Z]")
 _INITIALS = frozenset("ROYGCBPKWV")
 """First letters of colours."""
+_ON = frozenset({"on", "onto", "on top of", "atop", "above", "over", "below", "under", "behind"})
 _FIRST = frozenset({"top", "highest", "uppermost", "topmost", "left", "leftmost", "first"})
 
 
@@ -195,6 +196,9 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # a sentence was taken for talk: "the order does not matter" contradicts a word
     if where and any(piece.kind == "tint" and piece.words.startswith(("with", "using", "use")) for piece in pieces):
         raise Unclear  # "with red blocks on the mat", which are not those of the word
+    single = [n for n, piece in enumerate(pieces) if piece.kind == "glyphs" and len(piece.value) == 1]
+    if any(piece.words in _ON for n in single[:1] for piece in pieces[n : single[-1]]):
+        raise Unclear  # "spell GO, the G on the O" tells where they are, and not only which they are
     if _on_blocks(pieces) and not any(_WRITTEN.match(piece.words) for piece in pieces):
         raise Unclear  # "the word CAT on red blocks": they could lie below its letters
     if (

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import BLOCK, LABEL, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MUST, PATCH
 
 _LEAST = "(?:at least|more than|no less than|not less than|at most|less than|no more than|not more than)"
 _ABOUT = "(?:about|around|roughly|approximately|exactly|precisely|just)"
@@ -25,6 +25,7 @@ _NEIGHBORS = (
     f"(?:{_NEXT_TO_EACH} )?{_BLOCKS}"
     f"|(?:every|any|each) (?:two|pair)(?: of)? neighbors|each (?:{_NEXT_TO_EACH} )?pair|each of them|the {_BLOCKS})"
 )
+_IN_LINE = " (?:in|into|from|between|row|line|column|tower|stack|pile|heap|structure|evenly|equally)\\b"
 _BUILT = "(?:towers|stacks|columns|rows|pyramids)"
 _MOST_OFF = "(?:by )?(?:no more than|not more than|at most|less than|up to)"
 _ROW = f"((?:an?|the|one) (?:row|line|column) of (?:(?:{FEW}|\\d+) )?(?:\\w+ )?(?:blocks|cubes|ones))"
@@ -107,6 +108,12 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     ("\\bbetween the facing sides of\\b", "between"),
 )  # fmt: skip
 SPACED_AT_ONCE: tuple[Turn, ...] = (
+    # not in one place
+    *((f"^((?:please )?spread) {one}(?!{_IN_LINE}) (?:on|onto|over|across) (the (?:table|{COLOR} {PATCH}|{PATCH}))$",
+       "{1} {2} apart on {3}")
+      for one in (f"((?:(?!{_IN_LINE}| out\\b).)+) out", f"out ((?:(?!{_IN_LINE}).)+?)")),
+    (f"^(.+ {MUST} (?:be|lie)) spread out (?:on|over|across) (the (?:table|{COLOR} {PATCH}|{PATCH}))$",
+     "{1} apart on {2}"),
     # all alike
     (f"(?: ,)? (?:with|at|leaving) (?:always )?(?:equal|the same|identical|uniform|even|regular|constant) {_GAPS}(?: "
      f"(?:in )?between (?:them|{_NEIGHBORS}))?(?=$| ,)", " , evenly spaced"),

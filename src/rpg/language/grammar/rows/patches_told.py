@@ -88,6 +88,9 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b((?:exactly )?({MANY}) (?:{COLOR} )?{_BLOCKS}) on one {PATCH}(?: ,)? and (?:exactly )?\\2(?: more| others)? "
      f"on the other(?: one| {PATCH})?(?=$| ,)", "{1} on each of the two patches"),
     *_listed(),
+    (f"^(?:(?:put|place|set|move|bring|lay) )?({THINGS})(?: {IS}| are|(?: {MUST} (?:be|go|lie)))? (?:on|onto) the same "
+     f"((?:{COLOR} )?{PATCH}) (?:as|(?:that|which|where)(?= .* (?:is|are|lies?|stands?)(?: on)?$)) ({THINGS})"
+     "(?: (?:is|are|lies?|stands?)(?: on)?)?$", "{1} and {3} must be on the same {2}"),
     # the colours told once more
     (f"^((?:put|place|set|move) (?:the|all|all the|each|every) {BLOCK}s? on the (?:matching {PATCHES}?|{PATCHES}? "
      f"(?:that|which) match(?:es)?(?: it| them)?|{PATCHES}? of (?:its|their|the same)(?: own)? color) : "

@@ -151,9 +151,12 @@ def _farther(one: r.Distance, other: r.Distance) -> bool:
 
 
 def _along_and_across(read: g.Goal, line: g.Goal) -> bool:
-    """A word or an equation, which is read from left to right, against a column of two of its blocks."""
+    """A word or an equation, which is read from left to right, against a column of two of its blocks, or one of them
+    in front of another: "spell ON with the N in front of the O"."""
     if not isinstance(read, s.Spells | s.Equation) or read.along != "row":
         return False
+    if isinstance(line, r.InFrontOf | r.Behind) and isinstance(line.a, tuple) and isinstance(line.b, tuple):
+        return not {*read.blocks}.isdisjoint(line.a) and not {*read.blocks}.isdisjoint(line.b)
     return isinstance(line, s.Row) and line.axis == "x" and len({*read.blocks} & {*line.blocks}) > 1
 
 
@@ -213,8 +216,10 @@ def _stacked(stack: g.Goal, inner: g.Goal) -> bool:
 
 
 def _flat_and_upright(flat: g.Goal, upright: g.Goal) -> bool:
-    """A line on the table against a stack of two of its blocks."""
-    if not isinstance(flat, s.Row | s.Figure | r.OnTable):
+    """A line on the table against a stack of two of its blocks: "spell GO with the G on top of the O"."""
+    if not isinstance(flat, s.Row | s.Figure | s.Spells | s.Equation | r.OnTable):
+        return False
+    if isinstance(flat, s.Spells | s.Equation) and flat.along == "stack":
         return False
     on_table = flat.a if isinstance(flat, r.OnTable) else flat.blocks
     line = set(on_table) if isinstance(on_table, tuple) else set()  # of a tower it is its lowest block, whichever it is

@@ -45,8 +45,11 @@ _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|n
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
     # what lies on each of several that have their blocks
-    (f"^(?:the )?({MANY} {COLOR} {_TOWERS} of {MANY}(?: {_BLOCKS})?) (?:(?:{MUST} )?each (?:have|get)|"
-     f"{MUST} (?:have|get) each|each (?:has|gets)) (.+) (?:on|at) (?:the |its )?(?:very )?top(?: of it)?$", "{1} , each with {2} on top"),
+    (
+        f"^(?:the )?({MANY} {COLOR} {_TOWERS} of {MANY}(?: {_BLOCKS})?) (?:(?:{MUST} )?each (?:have|get)|"
+        f"{MUST} (?:have|get) each|each (?:has|gets)) (.+) (?:on|at) (?:the |its )?(?:very )?top(?: of it)?$",
+        "{1} , each with {2} on top",
+    ),
     # a tower of these and one of those
     (f"\\b(an?) ({LINE}) of ({_PAIR})(?: ,)? and one of (?={_PAIR}\\b)", "{1} {2} of {3} and {1} {2} of"),
     # which one is meant

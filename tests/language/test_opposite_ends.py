@@ -46,3 +46,15 @@ def test_two_of_two_kinds_at_opposite_ends() -> None:
 def test_at_one_end_is_one_block() -> None:
     told = _told("The row of three red blocks should have a blue block at one end.")
     assert "in the order the blue block, then the three red blocks in either direction" in told
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("B should be the middle one of the letters A, B, C in a row.", "in the order A, B, C in either direction"),
+        ("2 is the last one of the digits 1, 2 and 3 in a row.", "with the 2 block at the right end"),
+        ("B should be the top one of A, B and C in a stack.", "with the B block on top"),
+    ],
+)
+def test_which_one_of_several_in_a_line_it_is(text: str, found: str) -> None:
+    assert found in _told(text)

@@ -19,7 +19,7 @@ from rpg.language.meaning import Chain, OrderBy, Pronoun, Traits, cost_of, parts
 from rpg.language.read import Sentence, read_sentences
 from rpg.language.tokens import Token
 from rpg.passes.schema.ambiguity import TwoReadings, same
-from rpg.passes.schema.atop import check_atop
+from rpg.passes.schema.atop import check_atop, check_top_of_which
 from rpg.passes.schema.evidence import unfounded
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
 from rpg.passes.schema.invented import check_invented
@@ -104,6 +104,7 @@ def build(
             check_joints(words, found.task)
             check_invented(words, found.task)
             check_atop(words, found.task)
+            check_top_of_which(words, found.task)
         except Refusal as refusal:
             if refusal.diagnostics[0].code in FINAL and best is None:
                 raise

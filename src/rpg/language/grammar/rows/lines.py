@@ -20,6 +20,8 @@ _COME = "(?:appear|come|follow each other|follow one another|follow|occur|stand|
 _OF_IT = f"(?:(?:the )?colors of {_SPECTRUM}|{_SPECTRUM}(?: colors)?)"
 _ALONG = f"(?:the )?{END} to (?:the )?{END}"
 _MADE = "(?:formed|made|built|laid|laid out|created|arranged)"
+_BLOCK_OR_LABEL = f"(?:(?:the )?(?:(?:letter|digit|number|block|cube) )?{LABEL}(?: block| cube)?)"
+_PLACE = "(?:middle|first|last|second|third|fourth|leftmost|rightmost|top|bottom|lowest|highest)"
 _BE = f"(?:is|are|be|{MUST} be|being)"
 _IN = "(?: in (?:its |their |the )?colors?| colors?| color - ?wise)?"
 _ABOUT = (
@@ -99,6 +101,9 @@ def _between_ends() -> tuple[Turn, ...]:
 _OUTERS = "(?:(?:each|both) (?:of )?)?(?:the )?(?:two )?outer (?:ones?|blocks?|cubes?)"
 
 LINED_AT_ONCE: tuple[Turn, ...] = (
+    # which of several that are in a line
+    (f"^({_BLOCK_OR_LABEL} {_BE}) the ({_PLACE}(?: one| block| cube)?) of (?:the )?(?:(?:letters|digits|numbers|blocks|"
+     f"cubes) )?({LABEL}(?:(?: ,)?(?: and)? {LABEL})+) in (an? {_LINE})$", "{1} the {2} in {4} of {3}"),
     # so many places away
     *((f"^(?:(?:in|for) (an? {_ROW_OR_LINE} of .+ and \\w+(?: blocks?| cubes?)?) , )?{_BLOCK} (?:{_BE}|stands|comes) "
        f"(?:{n}) (?:places|positions|spots) (?:further )?to the (left|right) of {_BLOCK}(?:(?: ,)? in (an? "

@@ -156,7 +156,8 @@ def _along_and_across(read: g.Goal, line: g.Goal) -> bool:
     if not isinstance(read, s.Spells | s.Equation) or read.along != "row":
         return False
     if isinstance(line, r.InFrontOf | r.Behind) and isinstance(line.a, tuple) and isinstance(line.b, tuple):
-        return not {*read.blocks}.isdisjoint(line.a) and not {*read.blocks}.isdisjoint(line.b)
+        front, back = {*read.blocks} & {*line.a}, {*read.blocks} & {*line.b}
+        return bool(front and back) and not front & back  # a whole in front of its own part is refused elsewhere
     return isinstance(line, s.Row) and line.axis == "x" and len({*read.blocks} & {*line.blocks}) > 1
 
 

@@ -300,8 +300,7 @@ def length(p: Parser, i: int) -> Results[float]:
         if factor is not None:
             yield round(value * factor, 6), i + 2
     j = p.one(i, ("a", "an", "one"))
-    j = 0 if p.stands(j, ("in",)) else j  # "the letter A in red", "one in blue"
-    if j and (factor := p.lex(j, lexicon.UNIT)) is not None and factor < 1:
+    if j and not p.stands(j, ("in",)) and (factor := p.lex(j, lexicon.UNIT)) is not None and factor < 1:
         yield factor, j + 1
     if j := p.any_of(i, ("half a", "half an")):
         factor = p.lex(j, lexicon.UNIT)

@@ -4,20 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _refused(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
+from tests.language.meaning import code_of, means
 
 
 @pytest.mark.parametrize(
@@ -33,12 +20,12 @@ def _refused(text: str) -> str:
     ],
 )
 def test_the_letters_that_are_left_out_are_of_no_color(text: str) -> None:
-    assert "There are a blue D block, an O block and a blue G block." in _told(text)
+    assert "There are a blue D block, an O block and a blue G block." in means(text)
 
 
 def test_several_letters_and_a_place_behind_the_color() -> None:
-    assert 'a red E block, two blocks labelled "L"' in _told("Spell HELLO with all letters but the Ls in red.")
-    told = _told("Spell CAT with all letters but the C and the A in red on the mat.")
+    assert 'a red E block, two blocks labelled "L"' in means("Spell HELLO with all letters but the Ls in red.")
+    told = means("Spell CAT with all letters but the C and the A in red on the mat.")
     assert "There are a C block, an A block and a red T block." in told
     assert "must be on the gray patch" in told
 
@@ -54,11 +41,11 @@ def test_several_letters_and_a_place_behind_the_color() -> None:
     ],
 )
 def test_how_a_part_looks_that_is_left_out_is_asked(text: str) -> None:
-    assert _refused(text) == "ambiguous"
+    assert code_of(text) == "ambiguous"
 
 
 def test_a_part_of_a_color_and_the_others_of_another() -> None:
-    assert "red, red, red, red, blue" in _told("A tower of five blocks with the top one in blue and the others red.")
+    assert "red, red, red, red, blue" in means("A tower of five blocks with the top one in blue and the others red.")
 
 
 @pytest.mark.parametrize(
@@ -74,13 +61,13 @@ def test_a_part_of_a_color_and_the_others_of_another() -> None:
     ],
 )
 def test_symbols_in_a_color(text: str, found: str) -> None:
-    assert found in _told(text)
+    assert found in means(text)
 
 
 def test_inches_in_front_of_a_block() -> None:
-    assert "a 5.08 cm red block" in _told("Put a 2 in red block on the mat.")
-    assert "a 5.08 cm red block and a 5.08 cm blue block" in _told("A row of 2 in red and blue cubes.")
+    assert "a 5.08 cm red block" in means("Put a 2 in red block on the mat.")
+    assert "a 5.08 cm red block and a 5.08 cm blue block" in means("A row of 2 in red and blue cubes.")
 
 
 def test_several_symbols_in_several_colors() -> None:
-    assert _refused("Put the digits 4 and 5 in blue and yellow on the mat.") == "misplaced"
+    assert code_of("Put the digits 4 and 5 in blue and yellow on the mat.") == "misplaced"

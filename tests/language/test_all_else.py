@@ -4,16 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
 from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.language.meaning import means
 
 _THERE = "There are a red, a green, a blue and a yellow block. "
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
 
 
 @pytest.mark.parametrize(
@@ -27,21 +21,21 @@ def _told(text: str) -> str:
     ],
 )
 def test_what_another_is_put_on_is_not_moved_and_what_is_put_is(text: str) -> None:
-    told = _told(_THERE + text)
+    told = means(_THERE + text)
     assert "The blue and yellow blocks must stay where they are." in told
     assert "At the start" not in told
     assert "must not touch" not in told
 
 
 def test_where_no_others_are_told_of_the_landmark_is_not_moved_either() -> None:
-    told = _told("Put the red block on the blue block. Don't move anything else.")
+    told = means("Put the red block on the blue block. Don't move anything else.")
     assert "The blue, green, yellow and purple blocks must stay where they are." in told
 
 
 def test_what_it_is_next_to_is_none_of_what_it_must_not_touch() -> None:
     for text in ("The red block should be next to the green one without touching anything else.",
                  "The red block is next to the green one and touches nothing else."):  # fmt: skip
-        told = _told(text + " There is a blue block.")
+        told = means(text + " There is a blue block.")
         assert "The red block must not touch the blue block." in told
         assert "must not touch the green" not in told
 
@@ -53,7 +47,7 @@ def test_what_rests_on_a_block_touches_it() -> None:
 
 
 def test_a_small_u_before_shape_is_a_letter() -> None:
-    assert "must form a U shape" in _told("u shape with 7 orange cubes, flat on the table")
+    assert "must form a U shape" in means("u shape with 7 orange cubes, flat on the table")
 
 
 def test_what_is_built_is_said() -> None:
@@ -64,17 +58,17 @@ def test_what_is_built_is_said() -> None:
 
 @pytest.mark.parametrize("behind", ["A", "it"])
 def test_a_landmark_that_is_not_touched_is_not_touched_at_the_end(behind: str) -> None:
-    told = _told(f"Put the red block next to A without touching {behind}.")
+    told = means(f"Put the red block next to A without touching {behind}.")
     assert "The red block must not touch the A block." in told
     assert "stay" not in told
 
 
 def test_no_landmark_of_several_is_touched_and_each_of_what_is_put_touches_none() -> None:
-    told = _told("Place the red block between A and B without touching either of them.")
+    told = means("Place the red block between A and B without touching either of them.")
     assert "must not touch the A block. The red block must not touch the B block." in told
-    told = _told("Put A and B next to C without touching C.")
+    told = means("Put A and B next to C without touching C.")
     assert "The A block must not touch the C block. The B block must not touch the C block." in told
 
 
 def test_a_block_that_is_no_landmark_and_is_not_touched_is_left_where_it_is() -> None:
-    assert "The C block must stay where it is." in _told("Put A near B without touching C.")
+    assert "The C block must stay where it is." in means("Put A near B without touching C.")

@@ -4,20 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _refused(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
+from tests.language.meaning import code_of, means
 
 
 @pytest.mark.parametrize(
@@ -30,18 +17,18 @@ def _refused(text: str) -> str:
     ],
 )
 def test_rows_on_each_other_do_not_both_lie_on_the_table(text: str) -> None:
-    assert _refused(text) == "ambiguous"
+    assert code_of(text) == "ambiguous"
 
 
 def test_rows_behind_each_other_and_blocks_on_each_other_are_read() -> None:
-    assert "must be behind red block 4" in _told("Put six red blocks in two rows, one behind the other.")
-    assert "must be stacked" in _told("Put two red blocks one on top of the other.")
+    assert "must be behind red block 4" in means("Put six red blocks in two rows, one behind the other.")
+    assert "must be stacked" in means("Put two red blocks one on top of the other.")
 
 
 @pytest.mark.parametrize("lines", ["three rows", "three columns"])
 def test_the_number_of_its_lines_is_not_that_of_the_blocks_of_a_grid(lines: str) -> None:
-    assert _refused(f"Build a grid with {lines}: red, blue and green.") == "ambiguous"
-    assert "a grid of three rows and three columns" in _told(f"Build a 3x3 grid with {lines}: red, blue and green.")
+    assert code_of(f"Build a grid with {lines}: red, blue and green.") == "ambiguous"
+    assert "a grid of three rows and three columns" in means(f"Build a 3x3 grid with {lines}: red, blue and green.")
 
 
 @pytest.mark.parametrize(
@@ -53,15 +40,15 @@ def test_the_number_of_its_lines_is_not_that_of_the_blocks_of_a_grid(lines: str)
     ],
 )
 def test_one_of_some_size_or_all_is_asked(text: str) -> None:
-    assert _refused(text) == "ambiguous"
+    assert code_of(text) == "ambiguous"
 
 
 def test_all_of_a_size_or_the_only_one_are_read() -> None:
-    told = _told("Stack two large red and two small blue blocks, the large ones at the bottom.")
+    told = means("Stack two large red and two small blue blocks, the large ones at the bottom.")
     assert "the two 5 cm red blocks, then the two 3 cm blue blocks" in told
-    told = _told("Stack two large and two small blocks, large at the bottom and small on top.")
+    told = means("Stack two large and two small blocks, large at the bottom and small on top.")
     assert "the two 5 cm red blocks, then the two 3 cm red blocks" in told
-    assert "5 cm red block, the 3 cm blue" in _told("Stack a large red and a small blue block, large at the bottom.")
+    assert "5 cm red block, the 3 cm blue" in means("Stack a large red and a small blue block, large at the bottom.")
 
 
 @pytest.mark.parametrize(
@@ -76,14 +63,14 @@ def test_all_of_a_size_or_the_only_one_are_read() -> None:
     ],
 )
 def test_what_was_counted_is_told_apart(text: str, there: str) -> None:
-    assert there in _told(text)
+    assert there in means(text)
 
 
 def test_further_blocks_are_further_blocks() -> None:
-    told = _told("Build a tower of two big blocks and a red one and a blue one.")
+    told = means("Build a tower of two big blocks and a red one and a blue one.")
     assert "a red block and a blue block" in told
     assert told.count("5 cm") == 4
-    assert "There are three red blocks, an A block" in _told("Line up three red blocks and the letters A, B and C.")
+    assert "There are three red blocks, an A block" in means("Line up three red blocks and the letters A, B and C.")
 
 
 @pytest.mark.parametrize(
@@ -94,27 +81,27 @@ def test_further_blocks_are_further_blocks() -> None:
     ],
 )
 def test_what_is_on_patches_that_are_there_is_there_at_first(patches: str) -> None:
-    told = _told(f"There is {patches}. Swap the blocks.")
+    told = means(f"There is {patches}. Swap the blocks.")
     assert "At the start, the blue block is on the red patch. At the start, the red block is on the blue patch." in told
     assert "must be on" not in told
 
 
 def test_what_is_on_the_last_thing_of_a_list_is_there_at_first() -> None:
-    told = _told("There is a blue block with a red one on it and a patch with a green one on it. Swap red and green.")
+    told = means("There is a blue block with a red one on it and a patch with a green one on it. Swap red and green.")
     assert "At the start, the green block is on the gray patch." in told
     assert "must be on" not in told
-    told = _told("There is a red block and a patch with a green block on it. Put the red block on the green one.")
+    told = means("There is a red block and a patch with a green block on it. Put the red block on the green one.")
     assert "At the start, the green block is on the gray patch." in told
     assert "must be on the gray patch" not in told
 
 
 def test_it_is_asked_what_a_patch_has_where_more_is_listed() -> None:
     text = "There is a red patch with a blue block and a green block. Put the green block on the blue one."
-    assert _refused(text) == "ambiguous"
+    assert code_of(text) == "ambiguous"
 
 
 def test_blocks_around_a_patch_are_not_on_it() -> None:
-    told = _told(
+    told = means(
         "There is a white mat with a red, a blue and a green block around it. The green block should be on the mat."
     )
     assert "At the start, the green block is on" not in told

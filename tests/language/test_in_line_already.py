@@ -4,14 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
+from tests.language.meaning import means
 
 
 @pytest.mark.parametrize(
@@ -28,7 +21,7 @@ def _told(text: str) -> str:
     ],
 )  # fmt: skip
 def test_some_of_a_line_are_in_no_other_one(text: str, line: str, some: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert line in told
     assert some in told
     assert told.count("must be in a") + told.count("must be stacked") == 1
@@ -46,4 +39,4 @@ def test_some_of_a_line_are_in_no_other_one(text: str, line: str, some: str) -> 
     ],
 )  # fmt: skip
 def test_others_are_in_a_line_of_their_own(text: str, other: str) -> None:
-    assert other in _told(text)
+    assert other in means(text)

@@ -4,20 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _refused(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
+from tests.language.meaning import code_of, means
 
 
 @pytest.mark.parametrize(
@@ -29,7 +16,7 @@ def _refused(text: str) -> str:
     ],
 )
 def test_one_block_is_not_on_and_beside_nor_on_and_below(text: str, code: str) -> None:
-    assert _refused(text) == code
+    assert code_of(text) == code
 
 
 @pytest.mark.parametrize(
@@ -45,7 +32,7 @@ def test_one_block_is_not_on_and_beside_nor_on_and_below(text: str, code: str) -
     ],
 )
 def test_two_blocks_or_one_after_the_other_are(text: str, told: str) -> None:
-    assert told in _told(text)
+    assert told in means(text)
 
 
 @pytest.mark.parametrize(
@@ -58,7 +45,7 @@ def test_two_blocks_or_one_after_the_other_are(text: str, told: str) -> None:
     ],
 )
 def test_the_blue_ones_together_are_no_further_blocks(text: str) -> None:
-    assert _refused(text) == "ambiguous"
+    assert code_of(text) == "ambiguous"
 
 
 @pytest.mark.parametrize(
@@ -76,4 +63,4 @@ def test_the_blue_ones_together_are_no_further_blocks(text: str) -> None:
     ],
 )
 def test_side_by_side_and_all_colors_together_in_a_row(text: str, told: str) -> None:
-    assert told in _told(text)
+    assert told in means(text)

@@ -4,17 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.language.meaning import means
 
 _DIGITS = "from left to right in the order the blocks 1 and 2 in no fixed order, then the blocks A and B"
 _LETTERS = "from left to right in the order the blocks A and B in no fixed order, then the blocks 1 and 2"
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
 
 
 @pytest.mark.parametrize(
@@ -31,7 +24,7 @@ def _told(text: str) -> str:
     ],
 )
 def test_digits_come_first(text: str) -> None:
-    assert _DIGITS in _told(text)
+    assert _DIGITS in means(text)
 
 
 @pytest.mark.parametrize(
@@ -42,11 +35,11 @@ def test_digits_come_first(text: str) -> None:
     ],
 )
 def test_letters_come_first(text: str) -> None:
-    assert _LETTERS in _told(text)
+    assert _LETTERS in means(text)
 
 
 def test_behind_is_a_place_and_before_without_a_row_a_time() -> None:
-    assert "must be behind the blocks 1 and 2" in _told(
+    assert "must be behind the blocks 1 and 2" in means(
         "Put A, B, 1 and 2 in a row with the letters behind the digits."
     )
-    assert "First, the blocks A" in _told("Line up the letters before the digits.")
+    assert "First, the blocks A" in means("Line up the letters before the digits.")

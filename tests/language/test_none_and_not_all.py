@@ -4,21 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
 from rpg.ir import goal as g
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _code(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
+from tests.language.meaning import code_of, means
 
 
 @pytest.mark.parametrize(
@@ -33,12 +21,12 @@ def _code(text: str) -> str:
     ],
 )  # fmt: skip
 def test_what_may_not_ever_be_so_never_is(text: str, never: list[str]) -> None:
-    told = _told(text)
+    told = means(text)
     assert all(part in told for part in never)
 
 
 def test_what_may_not_be_so_is_told_of_the_end() -> None:
-    assert "The C block must not be on the gray patch." in _told("Put A on B; neither C nor D may be on the mat.")
+    assert "The C block must not be on the gray patch." in means("Put A on B; neither C nor D may be on the mat.")
 
 
 @pytest.mark.parametrize(
@@ -50,7 +38,7 @@ def test_what_may_not_be_so_is_told_of_the_end() -> None:
     ],
 )
 def test_both_places_are_denied_together(text: str) -> None:
-    told = _told(text)
+    told = means(text)
     for block in "AB":
         near, on = (
             f"The {block} block must not be near the red block",
@@ -75,9 +63,9 @@ def test_so_they_are_at_once_or_one_within_the_other(text: str) -> None:
 
 
 def test_near_both_is_near_the_one_and_the_other() -> None:
-    told = _told("Put A on B. Neither C nor D may touch both A and B.")
+    told = means("Put A on B. Neither C nor D may touch both A and B.")
     assert "The D block must not touch the A block or the D block must not touch the B block." in told
-    told = _told("Put A on B. Neither C nor D may touch A or B.")
+    told = means("Put A on B. Neither C nor D may touch A or B.")
     assert "The D block must not touch the A block. The D block must not touch the B block." in told
 
 
@@ -97,7 +85,7 @@ def test_near_both_is_near_the_one_and_the_other() -> None:
     ],
 )
 def test_where_it_is_not_clear_how_much_is_denied_it_is_asked(text: str) -> None:
-    assert _code(text) == "ambiguous"
+    assert code_of(text) == "ambiguous"
 
 
 @pytest.mark.parametrize(
@@ -117,7 +105,7 @@ def test_where_it_is_not_clear_how_much_is_denied_it_is_asked(text: str) -> None
     ],
 )  # fmt: skip
 def test_what_is_plainly_denied_is_denied_of_each(text: str, meant: str) -> None:
-    assert meant in _told(text)
+    assert meant in means(text)
 
 
 @pytest.mark.parametrize(
@@ -129,18 +117,18 @@ def test_what_is_plainly_denied_is_denied_of_each(text: str, meant: str) -> None
     ],
 )
 def test_what_is_done_where_nothing_is_moved_is_no_task(text: str) -> None:
-    assert _code(text) == "start-solves-goal"
+    assert code_of(text) == "start-solves-goal"
 
 
 def test_beside_what_is_done_few_may_be_moved() -> None:
-    told = _told("Put A on B. Move at most one of the blocks A, B and C.")
+    told = means("Put A on B. Move at most one of the blocks A, B and C.")
     assert "At most one of the blocks A, B and C must be moved" in told
     assert "At the start" not in told
-    assert "Exactly one of the blocks A, B and C must be moved" in _told("Move exactly one of A, B and C.")
+    assert "Exactly one of the blocks A, B and C must be moved" in means("Move exactly one of A, B and C.")
 
 
 def test_what_is_left_by_itself_is_so_of_no_one_of_several() -> None:
     text = (
         "None of the three gray blocks shall be left on the table by itself: all three shall be stacked on the red one."
     )
-    assert "Gray block 1 must not be on the table." in _told(text)
+    assert "Gray block 1 must not be on the table." in means(text)

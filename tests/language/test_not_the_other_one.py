@@ -6,12 +6,7 @@ import pytest
 
 from rpg.blocks.english import describe
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
+from tests.language.meaning import means
 
 
 @pytest.mark.parametrize(
@@ -31,20 +26,20 @@ def test_a_mat_or_a_block_is_asked(text: str) -> None:
 
 
 def test_what_is_asked_can_be_said() -> None:
-    told = _told("Put the red block on the blue mat, not on the green one.")
+    told = means("Put the red block on the blue mat, not on the green one.")
     assert "The red block must not be on the green patch" in told
-    told = _told("Place A on the red mat, not on the blue one.")
+    told = means("Place A on the red mat, not on the blue one.")
     assert "The A block must not be on the blue patch" in told
-    told = _told("Put the red block on the blue mat, not the green block.")
+    told = means("Put the red block on the blue mat, not the green block.")
     assert "The green block must not be on the blue patch" in told
 
 
 def test_a_block_that_was_told_of_is_meant() -> None:
     there = "There are a red and a green block and a blue mat. "
-    assert "The green block must not be on the blue patch" in _told(
+    assert "The green block must not be on the blue patch" in means(
         f"{there}Put the red block on the blue mat, not the green one."
     )
-    assert "The green block must not be on the gray patch" in _told("Put the red block on the mat, not the green one.")
+    assert "The green block must not be on the gray patch" in means("Put the red block on the mat, not the green one.")
 
 
 def test_what_is_not_between_two_is_no_distractor() -> None:

@@ -4,20 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _refused(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
+from tests.language.meaning import code_of, means
 
 
 @pytest.mark.parametrize(
@@ -29,16 +16,16 @@ def _refused(text: str) -> str:
     ],
 )
 def test_the_other_is_a_block_where_there_is_one_mat(text: str, goal: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert goal in told
     assert "blue patch" not in told
 
 
 @pytest.mark.parametrize("other", ["the other", "the other one"])
 def test_one_and_the_other_of_two_mats(other: str) -> None:
-    told = _told(f"There are two mats. Put the red block on one and the blue block on {other}.")
+    told = means(f"There are two mats. Put the red block on one and the blue block on {other}.")
     assert "The red block must be on the gray patch. The blue block must be on the blue patch." in told
-    assert "Put red on one" not in _told("Put red on one patch and blue on the other.")
+    assert "Put red on one" not in means("Put red on one patch and blue on the other.")
 
 
 @pytest.mark.parametrize(
@@ -53,12 +40,12 @@ def test_one_and_the_other_of_two_mats(other: str) -> None:
     ],
 )
 def test_and_one_is_a_further_one_of_that_look(text: str, goals: tuple[str, ...]) -> None:
-    told = _told(text)
+    told = means(text)
     assert all(goal in told for goal in goals)
 
 
 def test_one_of_two_before_it_is_asked_about() -> None:
-    assert _refused("Put a red block and a blue block on the mat, and one on the red block.") == "ambiguous"
+    assert code_of("Put a red block and a blue block on the mat, and one on the red block.") == "ambiguous"
 
 
 @pytest.mark.parametrize(
@@ -82,7 +69,7 @@ def test_one_of_two_before_it_is_asked_about() -> None:
     ],
 )
 def test_what_is_not_clear_is_asked(text: str, code: str) -> None:
-    assert _refused(text) == code
+    assert code_of(text) == code
 
 
 @pytest.mark.parametrize(
@@ -98,18 +85,18 @@ def test_what_is_not_clear_is_asked(text: str, code: str) -> None:
     ],
 )
 def test_what_is_clear_is_not_asked(text: str) -> None:
-    _told(text)
+    means(text)
 
 
 def test_odd_numbers_on_each_are_odd() -> None:
-    told = _told("Put an odd number on each of the two red blocks.")
+    told = means("Put an odd number on each of the two red blocks.")
     assert "a 1 block" in told
     assert "a 3 block" in told
 
 
 @pytest.mark.parametrize("but", ["All but B", "All except B"])
 def test_all_but_a_letter_is_the_others(but: str) -> None:
-    told = _told(f"Make a row of A, B and C. {but} should be upside down.")
+    told = means(f"Make a row of A, B and C. {but} should be upside down.")
     assert "The A block must be upside down. The C block must be upside down. The B block must not be upside" in told
 
 
@@ -126,11 +113,11 @@ def test_all_but_a_letter_is_the_others(but: str) -> None:
     ],
 )  # fmt: skip
 def test_only_speaks_of_the_others_too(text: str, others: str) -> None:
-    assert others in _told(text)
+    assert others in means(text)
 
 
 @pytest.mark.parametrize("there", ["there", "on it"])
 def test_instead_is_where_the_other_was(there: str) -> None:
-    told = _told(f"The red block is on the green one. Put the blue one {there} instead.")
+    told = means(f"The red block is on the green one. Put the blue one {there} instead.")
     assert "At the start, the red block is on the green block." in told
     assert "The blue block must be on the green block. The red block must not be on the green block." in told

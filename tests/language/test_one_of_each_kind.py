@@ -4,16 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.language.meaning import means
 
 _TWO = " There are two red and two blue blocks."
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
 
 
 @pytest.mark.parametrize(
@@ -31,33 +24,33 @@ def _told(text: str) -> str:
     ],
 )
 def test_each_has_any_of_them(text: str, far: str) -> None:
-    told = _told(text + _TWO)
+    told = means(text + _TWO)
     for n in (1, 2):
         assert f"Red block {n} must {far} at least one of the two blue blocks." in told
 
 
 @pytest.mark.parametrize("own", ["its own", "a different"])
 def test_each_has_one_of_its_own(own: str) -> None:
-    told = _told(f"Put each red block within 6 cm of {own} blue block." + _TWO)
+    told = means(f"Put each red block within 6 cm of {own} blue block." + _TWO)
     assert "The other red block must be at most 6 cm from the other blue block." in told
 
 
 def test_a_side_and_how_far_are_told_of_the_same_one() -> None:
-    told = _told("Place each red block 6 cm to the right of a blue one." + _TWO)
+    told = means("Place each red block 6 cm to the right of a blue one." + _TWO)
     assert "right of at least one of the two blue blocks and red block 1 must be 6 cm from the same one" in told
 
 
 def test_what_is_not_so_is_so_of_none_of_them() -> None:
-    told = _told("One red block must be within 8 cm of a blue block, the other not." + _TWO)
+    told = means("One red block must be within 8 cm of a blue block, the other not." + _TWO)
     for n in (1, 2):
         assert f"Red block 2 must not be at most 8 cm from blue block {n}." in told
 
 
 def test_one_block_has_one_and_two_that_are_made_up_share_theirs() -> None:
-    assert "A red block must be at most 8 cm from a blue block." in _told(
+    assert "A red block must be at most 8 cm from a blue block." in means(
         "A red block is within 8 cm of a blue one." + _TWO
     )
-    assert "two red blocks and a blue block" in _told("Put two red blocks within 8 cm of a blue block.")
+    assert "two red blocks and a blue block" in means("Put two red blocks within 8 cm of a blue block.")
 
 
 @pytest.mark.parametrize(
@@ -68,12 +61,12 @@ def test_one_block_has_one_and_two_that_are_made_up_share_theirs() -> None:
     ],
 )
 def test_neither_each_other_nor_the_red_one(text: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert "The A block must not touch the B block." in told
     assert "The A block must not touch the red block. The B block must not touch the red block." in told
 
 
 def test_so_it_is_of_it_and_where_nothing_is_denied_it_is_one_of_both() -> None:
-    told = _told("Put A and B near the blue one, but not touching it or each other.")
+    told = means("Put A and B near the blue one, but not touching it or each other.")
     assert "The B block must not touch the blue block. The A block must not touch the B block." in told
-    assert "Either" in _told("Put A and B in the left half, touching each other or the red block.")
+    assert "Either" in means("Put A and B in the left half, touching each other or the red block.")

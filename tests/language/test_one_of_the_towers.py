@@ -6,14 +6,9 @@ import pytest
 
 from rpg.blocks.english import describe
 from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.language.meaning import means
 
 _TWO = "Make a tower of A and B and a tower of C and D"
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
 
 
 @pytest.mark.parametrize(
@@ -36,14 +31,14 @@ def test_one_of_the_towers_or_of_their_blocks_is_asked(text: str) -> None:
 
 
 def test_what_is_told_of_all_or_none_of_them_is_told_of_the_blocks() -> None:
-    assert "The blocks A to D must be in the left half" in _told(f"{_TWO}, both in the left half.")
-    assert "The D block must not be in the left half" in _told(f"{_TWO}, neither of them in the left half.")
+    assert "The blocks A to D must be in the left half" in means(f"{_TWO}, both in the left half.")
+    assert "The D block must not be in the left half" in means(f"{_TWO}, neither of them in the left half.")
     one_of_the_blocks = "Make two towers of two red blocks. One of the red blocks must be on the mat."
-    assert "Exactly one of the four red blocks must be on" in _told(one_of_the_blocks)
+    assert "Exactly one of the four red blocks must be on" in means(one_of_the_blocks)
 
 
 @pytest.mark.parametrize("kind", ["tower", "row"])
 def test_one_of_others_is_one_more_of_its_kind(kind: str) -> None:
-    told = _told(f"Make a {kind} of A and B and one of C and D.")
+    told = means(f"Make a {kind} of A and B and one of C and D.")
     assert "The blocks A and B must" in told
     assert "The blocks C and D must" in told

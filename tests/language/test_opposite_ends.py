@@ -4,14 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
+from tests.language.meaning import means
 
 
 @pytest.mark.parametrize(
@@ -25,7 +18,7 @@ def _told(text: str) -> str:
 )
 @pytest.mark.parametrize("line", ["row", "column"])
 def test_what_a_line_should_have_at_each_end_is_at_both(line: str, have: str) -> None:
-    told = _told(f"The {line} of three red blocks {have}.")
+    told = means(f"The {line} of three red blocks {have}.")
     assert "There are three red blocks and two blue blocks." in told
     assert "in the order a blue block, then the three red blocks, then a blue block" in told
 
@@ -33,18 +26,18 @@ def test_what_a_line_should_have_at_each_end_is_at_both(line: str, have: str) ->
 @pytest.mark.parametrize("which", ["two red ones", "the two red ones", "red ones"])
 def test_of_two_at_opposite_ends_one_is_at_each(which: str) -> None:
     for line in ("row", "column"):
-        told = _told(f"A {line} of four blocks with {which} at opposite ends.")
+        told = means(f"A {line} of four blocks with {which} at opposite ends.")
         assert "a red block, then the blue and green blocks in no fixed order, then a red block" in told
 
 
 def test_two_of_two_kinds_at_opposite_ends() -> None:
-    told = _told("A row of five blocks with a red and a blue one at opposite ends.")
+    told = means("A row of five blocks with a red and a blue one at opposite ends.")
     assert "the red block, then the green, yellow and purple blocks in no fixed order, then the blue block" in told
-    assert "in the order A, C, B in either direction" in _told("A row of A, B and C with A and B at opposite ends.")
+    assert "in the order A, C, B in either direction" in means("A row of A, B and C with A and B at opposite ends.")
 
 
 def test_at_one_end_is_one_block() -> None:
-    told = _told("The row of three red blocks should have a blue block at one end.")
+    told = means("The row of three red blocks should have a blue block at one end.")
     assert "in the order the blue block, then the three red blocks in either direction" in told
 
 
@@ -57,4 +50,4 @@ def test_at_one_end_is_one_block() -> None:
     ],
 )
 def test_which_one_of_several_in_a_line_it_is(text: str, found: str) -> None:
-    assert found in _told(text)
+    assert found in means(text)

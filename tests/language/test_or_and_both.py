@@ -4,14 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
+from tests.language.meaning import means
 
 
 def _either(block: str, rel: str, one: str, other: str) -> str:
@@ -31,7 +25,7 @@ def _either(block: str, rel: str, one: str, other: str) -> str:
     ],
 )
 def test_both_and_neither_are_what_or_joins(text: str, either: str, then: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert _either("A", either, "B", "C") in told
     for mark in "BC":
         assert f"The D block {then} the {mark} block." in told
@@ -41,14 +35,14 @@ def test_both_and_neither_are_what_or_joins(text: str, either: str, then: str) -
 
 
 def test_so_it_is_of_colors_and_of_what_is_kept() -> None:
-    told = _told("Put red on blue or on green, and yellow on neither.")
+    told = means("Put red on blue or on green, and yellow on neither.")
     assert _either("red", "on", "blue", "green") in told
     assert "must not be on the red block" not in told
-    told = _told("Put A on B or on C, and keep D off both.")
+    told = means("Put A on B or on C, and keep D off both.")
     assert _either("A", "on", "B", "C") in told
     assert "D block is on" not in told
     assert "must never be somewhere above the C block" in told
-    told = _told("Put A near B or C. Keep D at least 10 cm from both.")
+    told = means("Put A near B or C. Keep D at least 10 cm from both.")
     assert "at least 10 cm from the B block and the D block must always be at least 10 cm from the C block" in told
 
 
@@ -76,7 +70,7 @@ def test_where_it_could_be_either_it_is_asked(text: str) -> None:
     ],
 )
 def test_what_stands_behind_or_may_be_told_of_others(text: str, meant: str) -> None:
-    assert meant in _told(text)
+    assert meant in means(text)
 
 
 @pytest.mark.parametrize(
@@ -89,7 +83,7 @@ def test_what_stands_behind_or_may_be_told_of_others(text: str, meant: str) -> N
     ],
 )
 def test_both_of_two_of_which_one_is_there_are_both(text: str, there: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert there in told
     assert "The A block must be on the gray patch or the B block must be on the gray patch." in told
 
@@ -107,13 +101,13 @@ def test_both_of_two_of_which_one_is_there_are_both(text: str, there: str) -> No
     ],
 )  # fmt: skip
 def test_or_both_says_no_more_than_or(text: str, meant: str) -> None:
-    assert _told(text).endswith(meant)
+    assert means(text).endswith(meant)
 
 
 def test_neither_is_one_of_two_blocks() -> None:
     task, notes = BuiltinFrontEnd().read("Put A on the mat and put B near neither.")
     assert task is None
     assert notes[0].code == "ambiguous"
-    assert "must not touch the A block. The C block must not touch the B block" in _told(
+    assert "must not touch the A block. The C block must not touch the B block" in means(
         "A touches B. C touches neither."
     )

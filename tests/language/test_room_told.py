@@ -4,20 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _refused(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
+from tests.language.meaning import code_of, means
 
 
 @pytest.mark.parametrize(
@@ -31,13 +18,13 @@ def _refused(text: str) -> str:
     ],
 )
 def test_a_line_that_leads_away_from_an_edge_is_not_all_at_it(text: str) -> None:
-    assert _refused(text) == "ambiguous"
+    assert code_of(text) == "ambiguous"
 
 
 def test_where_a_whole_row_is_is_no_place_in_it() -> None:
-    assert _refused("A row of three red blocks on the left.") == "misplaced"
-    assert "in the right half of the table" in _told("A row of three red blocks on the right side of the table.")
-    told = _told("A row with three red blocks on the left and a blue one on the right.")
+    assert code_of("A row of three red blocks on the left.") == "misplaced"
+    assert "in the right half of the table" in means("A row of three red blocks on the right side of the table.")
+    told = means("A row with three red blocks on the left and a blue one on the right.")
     assert "with the blue block at the right end" in told
 
 
@@ -52,7 +39,7 @@ def test_where_a_whole_row_is_is_no_place_in_it() -> None:
     ],
 )
 def test_a_line_along_an_edge_is_all_at_it(text: str) -> None:
-    assert "red blocks must be at the" in _told(text)
+    assert "red blocks must be at the" in means(text)
 
 
 @pytest.mark.parametrize(
@@ -65,7 +52,7 @@ def test_a_line_along_an_edge_is_all_at_it(text: str) -> None:
     ],
 )
 def test_centers_are_not_nearer_than_blocks_that_touch(text: str) -> None:
-    assert _refused(text) == "does-not-fit"
+    assert code_of(text) == "does-not-fit"
 
 
 @pytest.mark.parametrize(
@@ -80,4 +67,4 @@ def test_centers_are_not_nearer_than_blocks_that_touch(text: str) -> None:
     ],
 )
 def test_distances_that_blocks_side_by_side_can_have(text: str, told: str) -> None:
-    assert told in _told(text)
+    assert told in means(text)

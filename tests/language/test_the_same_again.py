@@ -4,20 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _refused(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
+from tests.language.meaning import code_of, means
 
 
 @pytest.mark.parametrize(
@@ -28,7 +15,7 @@ def _refused(text: str) -> str:
     ],
 )
 def test_the_same_row_is_a_further_one_and_it_is_the_one_that_is_placed(text: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert "There are two red blocks, two blue blocks and two green blocks." in told
     assert (
         "Red block 2, blue block 2 and green block 2 must be behind red block 1, blue block 1 and green block" in told
@@ -36,34 +23,34 @@ def test_the_same_row_is_a_further_one_and_it_is_the_one_that_is_placed(text: st
 
 
 def test_the_same_tower_on_another_patch_is_a_further_one_in_the_same_order() -> None:
-    told = _told(
+    told = means(
         "Build a tower of red and blue from bottom to top on the red patch. Build the same tower on the blue patch."
     )
     assert "There are two red blocks and two blue blocks." in told
     assert told.count("from bottom to top in the order red, blue") == 2
-    told = _told("Build a tower of A on B on the red patch and the same tower on the blue patch.")
+    told = means("Build a tower of A on B on the red patch and the same tower on the blue patch.")
     assert 'There are two blocks labelled "A" and two blocks labelled "B".' in told
 
 
 def test_another_tower_of_the_same_letters_is_not_the_same_blocks_elsewhere() -> None:
-    told = _told("Build a tower of A on B on the red patch. Build another tower of A on B on the blue patch.")
+    told = means("Build a tower of A on B on the red patch. Build another tower of A on B on the blue patch.")
     assert 'There are two blocks labelled "A" and two blocks labelled "B".' in told
 
 
 @pytest.mark.parametrize("kind, told_of", [("tower", "two"), ("tower", "three"), ("row", "three")])
 def test_the_same_of_other_blocks_has_as_many(kind: str, told_of: str) -> None:
-    told = _told(f"There is a {kind} of {told_of} red blocks. Build the same {kind} from blue blocks.")
+    told = means(f"There is a {kind} of {told_of} red blocks. Build the same {kind} from blue blocks.")
     assert f"There are {told_of} red blocks and {told_of} blue blocks." in told
 
 
 def test_the_same_of_other_blocks_is_refused_where_their_number_is_open() -> None:
-    assert _refused("There is a tower of red and blue. Build the same tower from green blocks.") == "ambiguous"
+    assert code_of("There is a tower of red and blue. Build the same tower from green blocks.") == "ambiguous"
 
 
 def test_the_same_tower_that_is_there_is_no_further_one() -> None:
-    told = _told("Build a tower of two red blocks. Put the same tower on the mat.")
+    told = means("Build a tower of two red blocks. Put the same tower on the mat.")
     assert "There are two red blocks." in told
-    told = _told("There is a tower of red, blue and green. Build the same tower on the blue patch.")
+    told = means("There is a tower of red, blue and green. Build the same tower on the blue patch.")
     assert "There are a red block, a blue block and a green block." in told
 
 
@@ -76,11 +63,11 @@ def test_the_same_tower_that_is_there_is_no_further_one() -> None:
     ],
 )
 def test_what_is_built_is_no_block(text: str) -> None:
-    assert _refused(text) == "ambiguous"
+    assert code_of(text) == "ambiguous"
 
 
 def test_what_is_put_behind_a_row_is_a_block() -> None:
-    assert "The blue block must be behind the three" in _told(
+    assert "The blue block must be behind the three" in means(
         "Build a row of three red blocks. Put a blue one behind it."
     )
 
@@ -94,20 +81,20 @@ def test_what_is_put_behind_a_row_is_a_block() -> None:
     ],
 )
 def test_towers_that_are_stacked_do_not_stand_by_themselves(text: str) -> None:
-    assert _refused(text) in ("ambiguous", "contradiction")
+    assert code_of(text) in ("ambiguous", "contradiction")
 
 
 def test_blocks_may_be_stacked_in_towers() -> None:
-    assert "must form two towers" in _told("Take four red blocks and stack them in two towers.")
-    assert "must be on the tower of" in _told(
+    assert "must form two towers" in means("Take four red blocks and stack them in two towers.")
+    assert "must be on the tower of" in means(
         "There is a tower of two red blocks and a tower of two blue blocks. Put the first tower on the second."
     )
 
 
 def test_like_which_of_several_is_asked_where_they_differ() -> None:
     start = "There is a tower of two red blocks and a tower of three blue blocks. "
-    assert _refused(start + "Build the same tower from green blocks.") == "ambiguous"
-    told = _told(start.replace("three", "two") + "Build the same tower from green blocks.")
+    assert code_of(start + "Build the same tower from green blocks.") == "ambiguous"
+    told = means(start.replace("three", "two") + "Build the same tower from green blocks.")
     assert "two green blocks." in told
-    told = _told("Build a tower of two red blocks, a tower of two blue blocks and the same tower of green blocks.")
+    told = means("Build a tower of two red blocks, a tower of two blue blocks and the same tower of green blocks.")
     assert "The two green blocks must form a tower of exactly two." in told

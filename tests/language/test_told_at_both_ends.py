@@ -4,14 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
+from tests.language.meaning import means
 
 
 @pytest.mark.parametrize(
@@ -25,12 +18,12 @@ def _told(text: str) -> str:
     ],
 )
 def test_either_of_the_two_may_be_on_top(text: str, one: str, other: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert f"with the {one} block at the bottom and the {other} block on top" in told
     assert f"with the {other} block at the bottom and the {one} block on top" in told
 
 
 def test_two_that_look_alike_are_in_one_order() -> None:
-    told = _told("Stack three red and two blue blocks with a blue one at both ends.")
+    told = means("Stack three red and two blue blocks with a blue one at both ends.")
     assert told.count("must be stacked") == 1
     assert "a blue block, then the three red blocks, then a blue block" in told

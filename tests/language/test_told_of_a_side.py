@@ -4,22 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.language.meaning import code_of, means
 
 _THERE = "There are a red, a blue and a green block. "
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _refused(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
 
 
 @pytest.mark.parametrize(
@@ -32,19 +19,19 @@ def _refused(text: str) -> str:
     ],
 )
 def test_not_the_leftmost_is_not_left_of_all_others(text: str, side: str) -> None:
-    told = _told(_THERE + text)
+    told = means(_THERE + text)
     blue, green = (f"The red block must not be somewhere {side} the {color} block" for color in ("blue", "green"))
     assert f"{blue} or {green[:1].lower()}{green[1:]}." in told
     assert "half of the table" not in told
 
 
 def test_the_leftmost_is_left_of_all_others() -> None:
-    told = _told(_THERE + "The red one must be the leftmost.")
+    told = means(_THERE + "The red one must be the leftmost.")
     assert "must be somewhere to the left of the blue and green blocks" in told
 
 
 def test_not_the_leftmost_of_a_row_is_of_the_row() -> None:
-    told = _told("Put red, blue and green in a row. The red one must not be the leftmost.")
+    told = means("Put red, blue and green in a row. The red one must not be the leftmost.")
     assert "must not be in a row with the red block at the left end" in told
 
 
@@ -57,10 +44,10 @@ def test_not_the_leftmost_of_a_row_is_of_the_row() -> None:
     ],
 )
 def test_how_near_the_next_is_says_nothing_of_the_others(text: str) -> None:
-    assert _refused(text) == "ambiguous"
+    assert code_of(text) == "ambiguous"
 
 
 def test_one_distance_from_the_next_and_one_from_all() -> None:
-    assert "with 6 cm between centers" in _told("Line up six red blocks so that each is 6 cm from the next.")
-    assert "with gaps of at most 2 cm" in _told("Line up six red blocks with gaps of at most 2 cm.")
-    assert "at least 6 cm from" in _told("Line up six red blocks. Each must be at least 6 cm from the next.")
+    assert "with 6 cm between centers" in means("Line up six red blocks so that each is 6 cm from the next.")
+    assert "with gaps of at most 2 cm" in means("Line up six red blocks with gaps of at most 2 cm.")
+    assert "at least 6 cm from" in means("Line up six red blocks. Each must be at least 6 cm from the next.")

@@ -4,20 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _refused(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
+from tests.language.meaning import code_of, means
 
 
 @pytest.mark.parametrize(
@@ -38,19 +25,19 @@ def _refused(text: str) -> str:
     ],
 )  # fmt: skip
 def test_the_whole_is_built_and_some_of_it_is_there(text: str, whole: str, some: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert whole in told
     assert some in told
 
 
 def test_what_is_told_of_all_of_them_is_as_it_was() -> None:
-    assert "The five red blocks must be on the gray patch" in _told("Line up five red blocks, all on the mat.")
-    assert "There are five blue blocks" in _told("Make a row of five blocks, all of them blue.")
+    assert "The five red blocks must be on the gray patch" in means("Line up five red blocks, all on the mat.")
+    assert "There are five blue blocks" in means("Make a row of five blocks, all of them blue.")
 
 
 @pytest.mark.parametrize("whole", ["row of five", "tower of four", "line of six"])
 def test_how_the_one_that_is_left_out_looks_is_asked(whole: str) -> None:
-    assert _refused(f"Make a {whole} blocks, all but one of them blue.") == "ambiguous"
+    assert code_of(f"Make a {whole} blocks, all but one of them blue.") == "ambiguous"
 
 
 @pytest.mark.parametrize(
@@ -58,7 +45,7 @@ def test_how_the_one_that_is_left_out_looks_is_asked(whole: str) -> None:
     [("At least two", "them"), ("Exactly two", "them"), ("Exactly one", "it"), ("All but one", "them")],
 )
 def test_each_of_so_many_has_a_block_of_its_own(many: str, them: str) -> None:
-    told = _told(f"There are three red and three blue blocks. {many} of the red blocks must have a blue block on top.")
+    told = means(f"There are three red and three blue blocks. {many} of the red blocks must have a blue block on top.")
     said = many.replace("All but one", "Exactly two")
     assert f"{said} of the three red blocks must have a blue block on {them}." in told
 
@@ -74,13 +61,13 @@ def test_each_of_so_many_has_a_block_of_its_own(many: str, them: str) -> None:
     ],
 )
 def test_ends_that_are_counted_are_told_one_by_one(ends: str) -> None:
-    assert _refused(f"Line up three red and three blue blocks with {ends}.") == "ambiguous"
+    assert code_of(f"Line up three red and three blue blocks with {ends}.") == "ambiguous"
 
 
 def test_ends_that_are_told_plainly_are_as_they_were() -> None:
-    assert "a red block, then" in _told("Line up three red and three blue blocks with a red one at one end.")
-    assert "then a red block" in _told("Line up three red and three blue blocks with red ones at the ends.")
-    assert "the red block, then" in _told("Line up one red and three blue blocks with exactly one red one at an end.")
+    assert "a red block, then" in means("Line up three red and three blue blocks with a red one at one end.")
+    assert "then a red block" in means("Line up three red and three blue blocks with red ones at the ends.")
+    assert "the red block, then" in means("Line up one red and three blue blocks with exactly one red one at an end.")
 
 
 @pytest.mark.parametrize(
@@ -92,23 +79,23 @@ def test_ends_that_are_told_plainly_are_as_they_were() -> None:
     ],
 )
 def test_the_other_mat_has_none(text: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert "at least one of the two red blocks must be on the gray patch" in told
     assert "red block 1 must not be on the blue patch and red block 2 must not be on the blue patch" in told
 
 
 def test_on_one_of_the_mats_is_on_either() -> None:
-    told = _told("There are two red blocks and two mats. One of the mats must have a red block on it.")
+    told = means("There are two red blocks and two mats. One of the mats must have a red block on it.")
     assert "must be on the gray patch or" in told
     assert "must not" not in told
 
 
 @pytest.mark.parametrize("each", ["two of each color", "two of each colour", "three of each", "two per color"])
 def test_the_colors_of_which_there_are_several_each_are_asked(each: str) -> None:
-    assert _refused(f"Line up six blocks, {each}.") == "ambiguous"
-    assert _refused(f"There are six blocks, {each}. Put them in a row.") == "ambiguous"
+    assert code_of(f"Line up six blocks, {each}.") == "ambiguous"
+    assert code_of(f"There are six blocks, {each}. Put them in a row.") == "ambiguous"
 
 
 def test_so_many_of_each_that_is_named() -> None:
-    told = _told("Line up red, blue and green blocks, two of each color.")
+    told = means("Line up red, blue and green blocks, two of each color.")
     assert "There are two red blocks, two blue blocks and two green blocks." in told

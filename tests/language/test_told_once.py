@@ -4,14 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
+from tests.language.meaning import means
 
 
 @pytest.mark.parametrize(
@@ -31,7 +24,7 @@ def _told(text: str) -> str:
     ],
 )
 def test_colors_behind_letters_that_are_listed_are_those_of_all(text: str, told: str) -> None:
-    assert told in _told(text)
+    assert told in means(text)
 
 
 @pytest.mark.parametrize(
@@ -47,7 +40,7 @@ def test_colors_behind_letters_that_are_listed_are_those_of_all(text: str, told:
     ],
 )
 def test_only_some_letters_of_a_word_have_a_color(text: str, told: str) -> None:
-    assert told in _told(text)
+    assert told in means(text)
 
 
 @pytest.mark.parametrize(
@@ -59,7 +52,7 @@ def test_only_some_letters_of_a_word_have_a_color(text: str, told: str) -> None:
     ],
 )
 def test_a_mat_for_each_is_one_of_its_own(text: str) -> None:
-    told = _told(text)
+    told = means(text)
     assert "a gray patch, a blue patch and a yellow patch" in told
     assert told.count("Exactly one of") == 3
 
@@ -75,7 +68,7 @@ def test_a_mat_for_each_is_one_of_its_own(text: str) -> None:
     ],
 )
 def test_a_noun_at_the_end_is_that_of_all_colors(text: str, told: str) -> None:
-    assert told in _told(text)
+    assert told in means(text)
 
 
 @pytest.mark.parametrize(
@@ -87,20 +80,20 @@ def test_a_noun_at_the_end_is_that_of_all_colors(text: str, told: str) -> None:
     ],
 )
 def test_the_utmost_of_a_row_asks_for_the_row(text: str, told: str) -> None:
-    assert told in _told(text)
-    assert "At the start" not in _told(text)
+    assert told in means(text)
+    assert "At the start" not in means(text)
 
 
 def test_the_utmost_of_the_row_that_is_there_is_so_beyond_the_others() -> None:
-    told = _told("The red block should be the rightmost of the three blocks in the row.")
+    told = means("The red block should be the rightmost of the three blocks in the row.")
     assert "At the start, the red, blue and green blocks are in a row." in told
-    told = _told("A should be the leftmost of the letters A, B, C.")
+    told = means("A should be the leftmost of the letters A, B, C.")
     assert "in a row" not in told
 
 
 def test_all_but_one_in_a_color_takes_nothing_out_of_what_is_built() -> None:
     for text in ("Make a row of A to E with all but C in red.", "Make a row of A to E. All but C are red."):
-        told = _told(text)
+        told = means(text)
         assert "a red A block, a red B block, a C block, a red D block and a red E block" in told
-    assert "The blocks 1, 2, 4 and 5 must be in a row." in _told("The digits 1 to 5 but 3 in a row.")
-    assert "The blocks A, B, D and E must be in a row." in _told("A row of A to E with all but C.")
+    assert "The blocks 1, 2, 4 and 5 must be in a row." in means("The digits 1 to 5 but 3 in a row.")
+    assert "The blocks A, B, D and E must be in a row." in means("A row of A to E with all but C.")

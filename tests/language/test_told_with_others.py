@@ -4,20 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
-def _refused(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is None, describe(task)
-    return notes[0].code
+from tests.language.meaning import code_of, means
 
 
 @pytest.mark.parametrize(
@@ -30,18 +17,18 @@ def _refused(text: str) -> str:
     ],
 )
 def test_the_same_mat_as_another_is_one_mat(text: str) -> None:
-    assert "There is a gray patch. The red and blue blocks must be on the gray patch." in _told(text)
+    assert "There is a gray patch. The red and blue blocks must be on the gray patch." in means(text)
 
 
 def test_the_same_mat_as_several_and_one_of_a_color() -> None:
-    told = _told("Put the red block on the same mat as the blue block and the green one.")
+    told = means("Put the red block on the same mat as the blue block and the green one.")
     assert "The red, blue and green blocks must be on the gray patch." in told
-    assert "must be on the red patch" in _told("Put A on the same red mat as B.")
+    assert "must be on the red patch" in means("Put A on the same red mat as B.")
 
 
 @pytest.mark.parametrize("have", ["should each have", "each get", "must have each"])
 def test_towers_of_so_many_that_have_one_more_on_top(have: str) -> None:
-    told = _told(f"The two red towers of two {have} a blue block on top.")
+    told = means(f"The two red towers of two {have} a blue block on top.")
     assert "There are four red blocks and two blue blocks." in told
     assert "must be on the tower of red block 3 and red block 4" in told
 
@@ -57,11 +44,11 @@ def test_towers_of_so_many_that_have_one_more_on_top(have: str) -> None:
     ],
 )
 def test_what_is_spread_out_somewhere_is_apart(text: str) -> None:
-    assert "The A block must be apart from the C block." in _told(text)
+    assert "The A block must be apart from the C block." in means(text)
 
 
 def test_what_is_spread_out_in_a_row_is_a_row() -> None:
-    assert "apart" not in _told("Spread the four red blocks out in a row on the table.")
+    assert "apart" not in means("Spread the four red blocks out in a row on the table.")
 
 
 @pytest.mark.parametrize(
@@ -75,10 +62,10 @@ def test_what_is_spread_out_in_a_row_is_a_row() -> None:
     ],
 )
 def test_letters_of_a_word_in_a_row_are_on_one_level(text: str) -> None:
-    assert _refused(text) == "contradiction"
+    assert code_of(text) == "contradiction"
 
 
 def test_letters_of_a_word_in_a_stack_and_other_blocks_on_them() -> None:
-    assert "in a tower. The O block must be on the K block." in _told("Spell OK in a stack with the O on the K.")
-    assert "The red block must be on the O block." in _told("Spell DOG with a red block on the O.")
-    assert "Then, the G block must be on the O block." in _told("Spell GO, then put the G on the O.")
+    assert "in a tower. The O block must be on the K block." in means("Spell OK in a stack with the O on the K.")
+    assert "The red block must be on the O block." in means("Spell DOG with a red block on the O.")
+    assert "Then, the G block must be on the O block." in means("Spell GO, then put the G on the O.")

@@ -4,30 +4,24 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
 from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.language.meaning import means
 
 _TOWERS = "There is a red tower of three and a blue tower of two. "
 
 
-def _told(text: str) -> str:
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    return describe(task)
-
-
 @pytest.mark.parametrize("top", ["its top", "the top of it", "the top of the tower", "the top block of the tower"])
 def test_the_top_is_the_top_block(top: str) -> None:
-    told = _told(f"There is a tower of A, B and C from bottom to top. Put {top} on the patch.")
+    told = means(f"There is a tower of A, B and C from bottom to top. Put {top} on the patch.")
     assert "The C block must be on the gray patch." in told
-    told = _told(f"There is a red tower of three. Put {top} on the patch.")
+    told = means(f"There is a red tower of three. Put {top} on the patch.")
     assert (
         "Red block 3 must be on the gray patch. Red block 1 and red block 2 must form a tower of exactly two." in told
     )
 
 
 def test_the_top_of_one_tower_goes_on_another() -> None:
-    told = _told(_TOWERS + "Put the top of the red tower on the blue tower.")
+    told = means(_TOWERS + "Put the top of the red tower on the blue tower.")
     assert "Red block 3 must be on the tower of the two blue blocks." in told
     assert "must form a tower of exactly three" not in told
 
@@ -41,7 +35,7 @@ def test_the_top_of_one_tower_goes_on_another() -> None:
     ],
 )
 def test_the_top_two_are_both_moved_and_the_others_are_left(wish: str) -> None:
-    told = _told(_TOWERS + wish)
+    told = means(_TOWERS + wish)
     assert "Red block 2 must be on the tower of the two blue blocks. Red block 3 must be on red block 2." in told
     assert "Red block 2 must not be somewhere above red block 1." in told
     assert "must form a tower" not in told
@@ -57,7 +51,7 @@ def test_which_blocks_the_top_of_a_pyramid_is_or_the_bottom_of_look_alikes_is_as
 
 
 def test_what_is_put_on_its_top_is_put_on_the_tower() -> None:
-    told = _told("There is a red tower of three. Put a blue block on its top.")
+    told = means("There is a red tower of three. Put a blue block on its top.")
     assert "The blue block must be on the tower of the three red blocks." in told
-    told = _told("Build a tower of two red blocks. The top of the tower must be free.")
+    told = means("Build a tower of two red blocks. The top of the tower must be free.")
     assert "Nothing must be on the tower of the two red blocks." in told

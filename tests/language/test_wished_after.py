@@ -4,17 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.blocks.english import describe
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-
-
-def _told(text: str) -> tuple[str, str]:
-    """What is told of the start, and of the end."""
-    task, notes = BuiltinFrontEnd().read(text)
-    assert task is not None, notes
-    sentences = describe(task).replace("\n", " ").split(". ")
-    start = ". ".join(x for x in sentences if x.startswith("At the start"))
-    return start, ". ".join(x for x in sentences if " must " in x)
+from tests.language.meaning import start_and_end
 
 
 @pytest.mark.parametrize(
@@ -27,7 +18,7 @@ def _told(text: str) -> tuple[str, str]:
     ],
 )
 def test_what_is_to_be_elsewhere_is_so_at_the_start_alone(text: str, start: str, goal: str) -> None:
-    begun, end = _told(text)
+    begun, end = start_and_end(text)
     assert start in begun
     assert goal in end
     assert end.count(" must ") == 1
@@ -42,7 +33,7 @@ def test_what_is_to_be_elsewhere_is_so_at_the_start_alone(text: str, start: str,
     ],
 )
 def test_what_nothing_moves_is_so_at_the_start_and_at_the_end(text: str, fact: str) -> None:
-    begun, end = _told(text)
+    begun, end = start_and_end(text)
     assert fact in begun
     assert fact in end
 
@@ -56,29 +47,29 @@ def test_what_nothing_moves_is_so_at_the_start_and_at_the_end(text: str, fact: s
     ],
 )
 def test_what_is_said_in_one_way_is_all_of_the_end(text: str) -> None:
-    assert _told(text)[0] == ""
+    assert start_and_end(text)[0] == ""
 
 
 def test_what_is_so_now_is_the_start() -> None:
-    begun, end = _told("Put A on B. B is now on C.")
+    begun, end = start_and_end("Put A on B. B is now on C.")
     assert "B block is on the C block" in begun
     assert "on the C block" not in end
 
 
 def test_no_more_than_one_of_three_that_are_there_is_a_change() -> None:
-    begun, end = _told("Three red blocks are on the mat. Don't leave more than one there.")
+    begun, end = start_and_end("Three red blocks are on the mat. Don't leave more than one there.")
     assert "three red blocks are on the gray patch" in begun
     assert "At most one of the three red blocks must be on the gray patch" in end
 
 
 def test_moved_off_is_off() -> None:
-    begun, end = _told("Three red blocks are on the mat. At least one should be moved off.")
+    begun, end = start_and_end("Three red blocks are on the mat. At least one should be moved off.")
     assert "three red blocks are on the gray patch" in begun
     assert "At least one of the three red blocks must not be on the gray patch" in end
 
 
 def test_what_is_swapped_is_told_of_before() -> None:
-    begun, end = _told("The red block is on the mat. The blue one is not. Swap them.")
+    begun, end = start_and_end("The red block is on the mat. The blue one is not. Swap them.")
     assert "red block is on the gray patch" in begun
     assert "blue block is not on the gray patch" in begun
     assert "must swap places" in end
@@ -101,7 +92,7 @@ def test_what_is_swapped_is_told_of_before() -> None:
     ],
 )
 def test_so_many_remain_where_they_were_told_to_be(wish: str, goal: str) -> None:
-    begun, end = _told(f"Three red blocks are on the mat. {wish}")
+    begun, end = start_and_end(f"Three red blocks are on the mat. {wish}")
     assert "three red blocks are on the gray patch" in begun
     assert end.endswith(goal) or end.endswith(goal + ".")
     assert end.count(" must ") == 1
@@ -115,20 +106,22 @@ def test_so_many_remain_where_they_were_told_to_be(wish: str, goal: str) -> None
     ],
 )
 def test_a_heap_that_others_are_placed_by_is_wanted(text: str) -> None:
-    begun, end = _told(text)
+    begun, end = start_and_end(text)
     assert begun == ""
     assert "three green blocks must be in one group" in end
 
 
 @pytest.mark.parametrize("then", ["Put one of them on the mat.", "Line them up.", "Stack two of them."])
 def test_a_heap_of_which_something_is_made_is_there(then: str) -> None:
-    assert "lie in a heap" in _told(f"Three green blocks in a heap. {then}")[0]
+    assert "lie in a heap" in start_and_end(f"Three green blocks in a heap. {then}")[0]
 
 
 def test_a_line_that_is_there_goes_the_other_way() -> None:
     assert (
         "must be side by side in a row"
-        in _told("Four blocks stand one behind the other. They should be side by side.")[1]
+        in start_and_end("Four blocks stand one behind the other. They should be side by side.")[1]
     )
-    told = _told("A, C and B are in a row from left to right. They should be in a line in alphabetical order.")[1]
+    told = start_and_end("A, C and B are in a row from left to right. They should be in a line in alphabetical order.")[
+        1
+    ]
     assert "column" not in told

@@ -77,10 +77,16 @@ class Binding:
         self.members[look] = [b.name for b in _sorted(look, mine)]
         self._free = [b for b in self._free if b not in mine]
 
+    def _of_open_looks(self) -> list[ColoredCube]:
+        """Blocks counted as "plain" or "any" that no colour left open stands for yet."""
+        counted = {n for look in OPEN for n in self.members.get(look, ())}
+        taken = {n for look, names in self.members.items() if re.fullmatch(r"c\d", look) for n in names}
+        return [b for b in self.schema.blocks if isinstance(b, ColoredCube) and b.name in counted - taken]
+
     def _claim_colours(self, looks: list[str]) -> None:
         if not looks:
             return
-        plain = [b for b in self._free if isinstance(b, ColoredCube)]
+        plain = [b for b in self._free if isinstance(b, ColoredCube)] or self._of_open_looks()
         colours = sorted({b.color for b in plain}, key=RAINBOW.index)
         counts = {c: sum(b.color == c for b in plain) for c in colours}
         for chosen in permutations(colours, len(looks)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-from tests.language.meaning import code_of, start_and_end
+from tests.language.meaning import code_of, means, start_and_end
 
 
 @pytest.mark.parametrize(
@@ -37,6 +37,18 @@ def test_facts_before_what_is_done_are_the_start_alone(text: str, goal: str) -> 
 )
 def test_they_all_are_all_that_were_told_of(wish: str, goal: str) -> None:
     assert goal in start_and_end(f"A and B are on the red mat. C is on the blue mat. {wish}")[1]
+
+
+@pytest.mark.parametrize("them", ["they all", "these all"])
+def test_they_all_are_more_than_the_two_that_were_told_together(them: str) -> None:
+    text = f"Put the red block between the two blue blocks so that {them} touch."
+    assert "The red block and the two blue blocks must touch each other" in means(text)
+
+
+def test_nothing_is_between_two_that_touch() -> None:
+    text = "Put the red block between the two blue blocks so that {} touch."
+    assert code_of(text.format("they")) == "contradiction"
+    assert code_of(text.format("the blue ones")) == "contradiction"
 
 
 @pytest.mark.parametrize("place", ["behind A", "between A and B", "beside the mat", "on A"])

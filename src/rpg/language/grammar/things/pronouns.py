@@ -39,7 +39,9 @@ def _all_three(p: Parser, i: int, j: int) -> Results[Meaning]:
 
 def pronoun(p: Parser, i: int) -> Results[Meaning]:
     """ "it", "the others", "each of them", "the latter"."""
-    if j := p.one(i, _PRONOUNS):
+    if j := p.any_of(i, ("they all", "them all", "these all")):
+        yield Pronoun(word="all of them", span=p.span(i, j)), j
+    elif j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
     if (j := p.one(i, "rest")) and p.stands(j, _STAYS):
         yield Pronoun(word="the rest", span=p.span(i, j)), j
@@ -63,9 +65,9 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
     if (j := p.any_of(i, ("the pair", "that pair"))) and not p.stands(j, ("of",)):
         yield Pronoun(word="both of them", span=p.span(i, j)), j
     for _, j in p.standing(
-        i, ("them all", "them both", "the pair of them", "this pair", "the two of them",
+        i, ("them both", "the pair of them", "this pair", "the two of them",
         "the same blocks", "the same cubes", "the same letters", "the same ones",
-        "the same bricks", "the same digits", "these all", "their up faces", "their top faces", "their upper faces",
+        "the same bricks", "the same digits", "their up faces", "their top faces", "their upper faces",
         "their faces", "their letters", "the up faces",
             "the top faces", "their symbols", "the letters on top", "their numbers", "the up facing faces")
     ):  # fmt: skip

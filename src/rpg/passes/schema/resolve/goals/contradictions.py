@@ -187,17 +187,18 @@ def _begun_just_so(goal: g.Goal, scene: Scene) -> None:
 
 
 def _between_neighbours(parts: list[g.Goal]) -> None:
-    """Nothing is between two blocks that lie right on each other."""
+    """Nothing is between two blocks that touch."""
     direct: list[g.Goal] = [part for part in parts if not isinstance(part, r.Above)]
     touching = {frozenset((a, b)) for a, b, _ in _supports(direct)}
     pairs = (part for part in parts if isinstance(part, s.Stack) and len(part.blocks) == 2 and not part.exact)
     touching |= {frozenset(pair.blocks) for pair in pairs}
+    touching |= {frozenset((*members(part.a), *members(part.b))) for part in parts if isinstance(part, r.Touching)}
     for part in parts:
         if not isinstance(part, r.Between) or not isinstance(part.b, tuple) or not isinstance(part.c, tuple):
             continue
         if len(part.b) == len(part.c) == 1 and frozenset((*part.b, *part.c)) in touching:
-            raise refuse("contradiction", "nothing is between two blocks of which one lies on the other", part.span,
-                         "say which block lies on which")  # fmt: skip
+            raise refuse("contradiction", "nothing is between two blocks that touch", part.span,
+                         "say which block touches or lies on which")  # fmt: skip
 
 
 def _stages(goal: g.Goal) -> list[g.Goal]:

@@ -12,6 +12,7 @@ from rpg.language.meaning import (
     Clause,
     Coord,
     In,
+    Into,
     Loc,
     Meaning,
     Noun,
@@ -19,6 +20,7 @@ from rpg.language.meaning import (
     Pattern,
     Pronoun,
     Structure,
+    Traits,
     parts_of,
     replace,
 )
@@ -78,6 +80,11 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                      "say what there is at the start, then what to build")  # fmt: skip
     if isinstance(theme_meaning, Structure):
         return shaped(clause, spec, scene, scope)
+    if any(o.by == "each" and o.items for o in spec.orders):
+        groups = Structure(kind="pile", plural=True, span=clause.span)
+        spec.intos = spec.intos or [Into(structure=groups, span=clause.span)]
+        if _whichever(theme_meaning, scene) and len(spec.intos) == 1:
+            return shaped(replace(clause, theme=spec.intos.pop().structure), spec, scene, scope)
     attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     need = 4 if line or ordered else SIDE if divides and (apart or spec.usings) else 6
     each = 1 if line or ordered else _lot(spec, scene)
@@ -117,6 +124,12 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     equal(built, spec)
     goals += _sides_of(built, spec, scene)
     return goals + places(replace(theme, built=tuple(built)), spec, scene, scope, clause.span)
+
+
+def _whichever(theme: Meaning, scene: Scene) -> bool:
+    """ "The blocks", of which nothing else is said: those that the groups are told to have."""
+    plain = isinstance(theme, Noun) and theme.amount is None and theme.traits == Traits() and theme.part_of is None
+    return (plain or isinstance(theme, Pronoun)) and not any(scene.blocks())
 
 
 def _one_for_each(spec: Spec) -> None:

@@ -7,7 +7,7 @@ from copy import copy
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.language.grammar.structures.copies import ALIKE, LISTED, SHARED
-from rpg.language.meaning import Amount, Noun, OrderBy, Pronoun, Structure, Traits, replace
+from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Pronoun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.copies import equal_share, in_one_order
 from rpg.passes.schema.resolve.structures.several import MOST, Maker
@@ -18,6 +18,25 @@ from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thi
 Made = tuple[list[Built], list[g.Goal]]
 _ENDS = {"bottom": "top", "left": "right", "front": "back", "top": "bottom", "right": "left", "back": "front"}
 KINDS = ("stack", "row", "line", "column", "pile")
+
+
+def with_lots(shape: Structure, spec: Spec, scene: Scene) -> Structure:
+    """ "(There are four red and two blue blocks.) Make groups of two red and one blue block", "three towers of a red and a
+    blue block": what each of them has, and not all that there is, as in "groups of three red and three blue blocks"."""
+    members = shape.members
+    lot = members.items if isinstance(members, Coord) and members.op == "and" and shape.kind in KINDS else ()
+    counted = [x for x in lot if isinstance(x, Noun) and x.det in ("a", "bare") and x.amount and x.head != "patch"]
+    if not shape.plural or len(counted) < max(len(lot), 2):
+        return shape
+    each = [(x, x.amount.low) for x in counted if x.amount is not None and x.amount.low == x.amount.high]
+    total = sum(many for _, many in each)
+    there = [t for t in matching(Traits(), scene, False) if t.declared]
+    of_all = all(many > 1 for _, many in each) and len(there) <= total
+    if len(each) < len(counted) or (of_all if shape.amount is None else total >= 2 * shape.amount.low):
+        return shape
+    items = tuple(replace(x, amount=Amount(1, 1), plural=False) for x, many in each for _ in range(many))
+    spec.orders.append(OrderBy(by="each", items=items, span=shape.span))
+    return replace(shape, members=None)
 
 
 def each_made_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene: Scene, scope: Scope) -> Made:

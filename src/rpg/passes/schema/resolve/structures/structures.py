@@ -121,6 +121,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     maker = MAKERS.get(shape.kind)
     if maker is None:
         raise refuse("unsupported-structure", f"a {shape.kind} cannot be built from blocks here", shape.span)
+    shape = lots.with_lots(shape, spec, scene)
     if any(o.by == "each" for o in spec.orders):
         return lots.each_made_of(shape, spec, theme, maker, scene, scope)
     shape = as_heights(shape, spec, theme)

@@ -113,3 +113,13 @@ def test_it_is_the_one_that_was_told_of() -> None:
 
 def test_a_mat_that_something_is_on_is_emptied_of_it() -> None:
     assert start_and_end("A is on the red mat. Empty it.")[1].rstrip(".") == "The A block must not be on the red patch"
+
+
+def test_stacks_that_nothing_may_be_on_in_the_end_are_the_start() -> None:
+    begun, end = start_and_end(
+        "Two stacks of two: red on red, blue on blue. At the end no block may be on another block."
+    )
+    assert begun.count("stacked") == 2
+    assert "stacked" not in end
+    assert code_of("Stack A, B and C. No block may be on another one.") == "contradiction"
+    assert "Nothing must be on the tower" in means("Build a tower of three red blocks with nothing on top of it.")

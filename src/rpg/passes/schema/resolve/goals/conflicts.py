@@ -94,7 +94,9 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return isinstance(beside, r.Directional | r.Beside) and isinstance(there, r.OnPatch) and _of(beside, there)
         case (r.On(), r.Clear()):
             return bool(members(a.b)) and {*members(a.b)} <= {*members(b.a)}
-        case (r.Clear(), r.On()):
+        case (s.Stack(), r.Clear()) if isinstance(b.a, tuple):  # all but its top carry another
+            return len({*a.blocks} & {*b.a}) > 1
+        case (r.Clear(), r.On() | s.Stack()):
             return clash(b, a)
         case (r.Stayed(), r.Moved()):
             return a.a == b.a

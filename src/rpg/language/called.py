@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.language import lexicon
-from rpg.language.spelling import LONG_WORD, nearest, slip, vocabulary
+from rpg.language.slips import slips_of
+from rpg.language.spelling import vocabulary
+from rpg.language.telling import SHAPES
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
@@ -19,11 +21,9 @@ _LEADS = frozenset({"please", "now", "can", "could", "you", "i", "want", "would"
                     "children", "the", "robot", "arm", *_MAKING})  # fmt: skip
 _ARTICLES = frozenset({"a", "an", "the", "my", "our", "some", "one"})
 _OUT_OF = frozenset({"with", "from", "using", "of", "out"})
-_SHAPES = frozenset({
-    "zigzag", "zig", "zag", "spiral", "hexagon", "pentagon", "octagon", "polygon", "diamond", "rhombus", "star",
-    "heart", "arc", "arch", "semicircle", "wave", "curve", "helix", "trapezoid", "trapezium", "parallelogram", "oval",
-    "ellipse", "sphere", "dome", "cylinder", "cone", "ball", "snake", "worm", "diagonal", "chevron",
-})  # fmt: skip
+_SHAPES = SHAPES | {
+    "zigzag", "spiral", "diamond", "star", "heart", "wave", "ball", "snake", "worm", "diagonal",
+}  # fmt: skip
 """Names of shapes: a row of blocks would be none of these."""
 _THINGS = frozenset({"robot", "sandwich", "car", "face", "bridge", "gate", "table", "bed"})
 """Names that have another meaning beside blocks, or nearly that of a word with one."""
@@ -89,5 +89,4 @@ def _strange(token: Token) -> bool:
         return True
     if token.word in vocabulary() or len(token.word) < 3 or token.raw.isupper():
         return False
-    near = nearest(token.word, 1 if len(token.word) < LONG_WORD else 2)
-    return not any(len(known) > 2 and slip(token.word, known) for known in near)
+    return not slips_of(token.word)

@@ -16,6 +16,7 @@ from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spoken_leads import DET, TESTS, bends
 from rpg.language.telling import may_tell, tells
+from rpg.language.told_again import ordered_again
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
@@ -60,7 +61,7 @@ def clauses_left_out(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str
     marks = [-1, *(n for n, word in enumerate(words) if word in _MARKS), len(words)]
     for before, behind in pairwise(marks):
         begin = before + 1
-        if only_talk(tokens[begin:behind]):
+        if only_talk(tokens[begin:behind]) and ordered_again(words[begin:behind], tokens[behind:]):
             yield from _without(tokens, begin, behind)
             continue
         for at in range(begin + 2, behind - 1):

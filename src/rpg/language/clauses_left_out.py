@@ -15,7 +15,7 @@ from itertools import pairwise
 from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spoken_leads import DET, TESTS, bends
-from rpg.language.telling import may_tell, tells
+from rpg.language.telling import may_tell, may_tell_how, tells
 from rpg.language.told_again import ordered_again
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
@@ -49,8 +49,6 @@ _NOT = listed(
     "something match matching matches read reads reading readable legible says written"
 )
 """With these a clause may be about what is asked for, whatever else is said in it."""
-_HOW = ("ly", "wise", "ways", "ward", "wards")
-"""So words end that tell how, and may tell how blocks lie."""
 _FEWEST, _TITLE = 3, 6
 """A clause has so many words at least, a title so many at most."""
 
@@ -117,6 +115,6 @@ def _harmless(token: Token, words: Sequence[str], n: int, tried: bool) -> bool:
         return True
     if word in _NOT or word in harmless.TIMES or (bends(word) and not tried):
         return False
-    if is_strange(word) and word.endswith(_HOW):
+    if is_strange(word) and may_tell_how(word):
         return False
     return not (tells(token) if tried else may_tell(word))

@@ -15,7 +15,7 @@ from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason
 from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.phrases import length_at
 from rpg.language.spelling import vocabulary
-from rpg.language.spoken_leads import judged
+from rpg.language.spoken_leads import judged, name_alone
 from rpg.language.spoken_wishes import led_by_form
 from rpg.language.talk_forms import addressed_at
 from rpg.language.telling import tells
@@ -95,7 +95,8 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         return
     marks = [n for n in range(begin, end) if tokens[n].word in _MARKS]
     parts = _between(tokens, begin, end)
-    if idle_at_an_end(tokens[begin:end]) or _all_idle(parts):
+    named = begin == 0 and name_alone(tokens[:end], tokens[stop:])
+    if named or idle_at_an_end(tokens[begin:end]) or _all_idle(parts):
         yield begin, stop
         return
     first, last = begin, end

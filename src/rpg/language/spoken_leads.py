@@ -14,7 +14,7 @@ from rpg.language.harmless import OCCASIONS
 from rpg.language.slips import slips_of
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spelling import vocabulary
-from rpg.language.telling import may_tell, tells
+from rpg.language.telling import may_tell, may_tell_how, tells
 from rpg.language.told_again import ordered_again, told_again
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
@@ -97,7 +97,7 @@ def heading(tokens: Sequence[Token]) -> int:
         end -= 1
     told = _without_aside(tokens[:end])
     words = [token.word for token in told]
-    short = mark + 3 > len(tokens) and tokens[mark + 1].kind != "equation"
+    short = mark and mark + 3 > len(tokens) and tokens[mark + 1].kind != "equation"
     if not 0 < len(told) <= LONGEST or short or not of_words(told) or "'re" in words:
         return 0
     shaped = any(w in table for w in words for table in _SHAPES)
@@ -111,6 +111,22 @@ def heading(tokens: Sequence[Token]) -> int:
     behind = tokens[mark + 1 :]
     named = plain or seen or _named_again(told, behind)
     return mark + 1 if named and ordered_again(words, behind) else 0
+
+
+def name_alone(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:
+    """Whether the first sentence of a text is but a name of what the others tell: "Traffic light.", "Reversal of a
+    stack."; with a verb that is not known it would be something to do."""
+    words = [token.word for token in tokens]
+    if not 0 < len(words) <= LONGEST or not behind or behind[0].word in _THEN or not _OBJECTS.isdisjoint(words):
+        return False
+    strange = any(word not in vocabulary() for word in words)
+    plain = all(_names_nothing(tokens, n) for n in range(len(words)))
+    again = any(word in ("of", "with") for word in words[1:]) and _named_again(tokens, behind)
+    return strange and of_words(tokens) and (plain or again) and ordered_again(words, behind)
+
+
+_THEN = listed("then next afterwards now and")
+_OBJECTS = listed("everything all anything something it this that these those them")
 
 
 def _without_aside(tokens: Sequence[Token]) -> Sequence[Token]:
@@ -129,14 +145,15 @@ def _names_nothing(tokens: Sequence[Token], n: int) -> bool:
     word, after = tokens[n].word, [token for token in tokens[n + 1 : n + 3] if token.word != "-"]
     named = word == "room" and not after and n > 0 and tells_nothing(tokens[n - 1].word)
     bound = bool(after) and after[0].joined and is_strange(after[0].word) and not tells(tokens[n])
-    return named or tells_nothing(word) or (bound and not bends(word))
+    how = is_strange(word) and may_tell_how(word)
+    return named or (tells_nothing(word) and not how) or (bound and not bends(word))
 
 
 def _named_again(told: Sequence[Token], behind: Sequence[Token]) -> bool:
     """Whether a heading names what is told behind it as well: "long-horizon variant with letter cubes: (stack A ...)",
     "two teams of three: (three white blocks ...)"."""
     words = [token.word for token in told]
-    named = any(word in TESTS or is_strange(word) for word in words)
+    named = any(word in TESTS or word not in vocabulary() for word in words)
     return named and (_NOT | _PLACING).isdisjoint(words) and all(
         _names_nothing(told, n) or told_again(words, n, behind) for n in range(len(words))
     )

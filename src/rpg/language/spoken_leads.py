@@ -154,12 +154,12 @@ def _named_again(told: Sequence[Token], behind: Sequence[Token]) -> bool:
     "two teams of three: (three white blocks ...)"."""
     words = [token.word for token in told]
     named = any(word in TESTS or word not in vocabulary() for word in words)
-    return named and (_NOT | _PLACING).isdisjoint(words) and all(
+    return named and (_NOT | PLACING).isdisjoint(words) and all(
         _names_nothing(told, n) or told_again(words, n, behind) for n in range(len(words))
     )
 
 
-_PLACING = listed("on in onto into at to inside next against off")
+PLACING = listed("on in onto into at to inside next against off")
 
 
 _TRYING = {("let", who, done) for who in ("us", "me") for done in ("see", "try", "test", "check", "find", "practise")}

@@ -312,7 +312,7 @@ def for_what(tokens: Sequence[Token], at: int) -> bool:
     """Whether all that stands from here on says what it is for: "(stack them) for quality control", "as a warm-up
     exercise"; but not what has to be found, kept free or given for what is named behind "for"."""
     words = [token.word for token in tokens]
-    if words[at] == "as" and words[-1] in _TRIALS and words[at + 1] in DET:
+    if words[at] == "as" and words[at + 1] in DET and (words[-1] in _TRIALS or _as_token(words[at + 2 :])):
         return of_words(tokens[at:]) and all(word in _TRIED_SO or tells_nothing(word) for word in words[at + 1 :])
     if words[at] != "for" or len(words) < at + 2 or words[at + 1] in _SINGLY or not _FOR_IT.isdisjoint(words[:at]):
         return False
@@ -322,6 +322,16 @@ def for_what(tokens: Sequence[Token], at: int) -> bool:
     return plain and len(words) <= at + LONGEST
 
 
+def _as_token(words: Sequence[str]) -> bool:
+    """ "(As a) small token of (gratitude)", "(as a) proof of (concept)"; "as a ring of" would be a shape."""
+    at = next((n for n, word in enumerate(words) if word in _TOKENS), len(words))
+    return at < 2 and words[at + 1 : at + 2] in (["of"], ["to"], ["for"]) and len(words) > at + 2
+
+
+_TOKENS = listed(
+    "gesture token sign proof tribute favor gift reward present backup joke treat surprise precaution reminder "
+    "demonstration courtesy matter means act show test measure nod homage farewell welcome"
+)
 _SINGLY = listed("each every all both any some it them that this these those")
 _FOR_IT = listed(
     "room space place gap spot slot use using used take find look search choose pick swap exchange trade substitute "

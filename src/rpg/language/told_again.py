@@ -11,9 +11,12 @@ from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
 _Shows = Callable[[Token], bool]
+_GAPS = listed("gap gaps space spaces spacing distance distances")
+_UNITS = lexicon.UNIT.keys() - {"in", "m"}
 _KINDS: tuple[tuple[frozenset[str], _Shows], ...] = (
-    (listed("size sizes"), lambda token: token.word in lexicon.SIZE or token.word in lexicon.UNIT),
+    (listed("size sizes"), lambda token: token.word in lexicon.SIZE or token.word in _UNITS),
     (listed("color colors"), lambda token: token.word in lexicon.COLOR),
+    (_GAPS, lambda token: token.word in _GAPS | _UNITS or token.word == "apart"),
     (frozenset(lexicon.LETTER), lambda token: len(token.raw) == 1 and token.raw.isupper()),
     (frozenset(lexicon.DIGIT), lambda token: token.kind == "number"),
     (frozenset(lexicon.BLOCK), lambda token: True),

@@ -14,6 +14,7 @@ from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THI
 from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason_at
 from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.phrases import length_at
+from rpg.language.signatures import signature
 from rpg.language.spelling import vocabulary
 from rpg.language.spoken_leads import judged, name_alone
 from rpg.language.spoken_wishes import led_by_form
@@ -83,6 +84,9 @@ def _said_around(tokens: list[Token]) -> Iterator[tuple[int, int]]:
     """Where idle talk stands: in sentences of its own, set off in front of a task, behind it or within it, and
     behind it where nothing sets it off."""
     begin = 0
+    if signed := signature(tokens):
+        yield signed, len(tokens)
+        tokens = tokens[:signed]
     for end in [*(n for n, token in enumerate(tokens) if token.word in _ENDS), len(tokens)]:
         if end > begin:
             yield from _in_sentence(tokens, begin, end, min(end + 1, len(tokens)))
